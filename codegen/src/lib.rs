@@ -1,0 +1,5 @@
+//! Model text in, equations of motion out.
+
+pub mod id;
+pub mod model;
+pub mod source;

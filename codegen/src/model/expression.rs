@@ -1,0 +1,112 @@
+//! An expression of a model: a tree over the model's own names, with the place of every node.
+
+use super::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
+use crate::source::Span;
+
+/// A node of an expression and its place in the text.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What an expression may be. Scalar or vector by its parts; checked before it gets here.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A literal, already in SI units.
+    Number(f64),
+    /// Pi.
+    Pi,
+    /// The literal factor pi/180.
+    Degree,
+    /// Time t [s].
+    Time,
+    /// A parameter.
+    Parameter(ParameterId),
+    /// A coordinate.
+    Coordinate(CoordinateId),
+    /// The rate of a coordinate, written `q_dot(name)`; only in speed definitions and motion constraints.
+    Rate(CoordinateId),
+    /// A speed.
+    Speed(SpeedId),
+    /// An input.
+    Input(InputId),
+    /// A definition.
+    Definition(DefinitionId),
+    /// The position vector of a point from O.
+    Point(PointId),
+    /// The velocity of a point in N, written `velocity(P)`.
+    Velocity(PointId),
+    /// The angular velocity of a frame in N, written `angular_velocity(F)`.
+    AngularVelocity(FrameId),
+    /// A unit vector of a frame, written `F.x`.
+    Axis(FrameId, Axis),
+    /// -a.
+    Negate(Box<Expr>),
+    /// a + b.
+    Add(Box<Expr>, Box<Expr>),
+    /// a - b.
+    Subtract(Box<Expr>, Box<Expr>),
+    /// a * b; at most one is a vector.
+    Multiply(Box<Expr>, Box<Expr>),
+    /// a / b; b is a scalar.
+    Divide(Box<Expr>, Box<Expr>),
+    /// Integer power, written `a.powi(n)`.
+    Power(Box<Expr>, i32),
+    /// A function of scalars.
+    Call(Function, Vec<Expr>),
+    /// Dot product of two vectors.
+    Dot(Box<Expr>, Box<Expr>),
+    /// Cross product of two vectors.
+    Cross(Box<Expr>, Box<Expr>),
+    /// Length of a vector.
+    Norm(Box<Expr>),
+}
+
+/// An axis of a frame.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Axis {
+    /// First.
+    X,
+    /// Second.
+    Y,
+    /// Third.
+    Z,
+}
+
+/// Functions of scalars.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Function {
+    /// Sine.
+    Sin,
+    /// Cosine.
+    Cos,
+    /// Tangent.
+    Tan,
+    /// Inverse sine.
+    Asin,
+    /// Inverse cosine.
+    Acos,
+    /// Angle of (x, y); arguments y, x.
+    Atan2,
+    /// Square root.
+    Sqrt,
+    /// Exponential.
+    Exp,
+    /// Natural logarithm.
+    Ln,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// Absolute value.
+    Abs,
+    /// Sign.
+    Sign,
+    /// The smaller.
+    Min,
+    /// The larger.
+    Max,
+    /// `smooth_step(x, width)`: 0 for x << 0, 1 for x >> 0, cubic in between on [-width, width].
+    SmoothStep,
+}

@@ -1,0 +1,48 @@
+//! The text of a model and places in it.
+
+use std::sync::Arc;
+
+/// A byte range of a [`Source`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Span {
+    /// First byte.
+    pub start: usize,
+    /// One past the last byte.
+    pub end: usize,
+    /// Which file of the source (0: the model itself; others through `extends`).
+    pub file: u32,
+}
+
+/// One file's name and text.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct File {
+    /// Path as the user wrote it, never absolute unless given so.
+    pub path: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The model file and the files it extends. Cheap to clone.
+#[derive(Clone, Debug, Default)]
+pub struct Source {
+    /// Files; the first is the model itself.
+    pub files: Arc<Vec<File>>,
+}
+
+impl Source {
+    /// A source of one file.
+    #[must_use]
+    pub fn new(path: &str, text: &str) -> Self {
+        Self { files: Arc::new(vec![File { path: path.to_owned(), text: text.to_owned() }]) }
+    }
+
+    /// Line and column (both from 1, columns in characters) of the start of `span`.
+    #[must_use]
+    pub fn line_column(&self, span: Span) -> (usize, usize) {
+        let Some(file) = self.files.get(span.file as usize) else { return (1, 1) };
+        let before = &file.text[..span.start.min(file.text.len())];
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
+        (line, column)
+    }
+}

@@ -1,0 +1,2 @@
+//! The tile controller.
+#![no_std]

@@ -1,0 +1,2 @@
+//! The smartbed command.
+fn main() {}

@@ -1,0 +1,52 @@
+//! What generated equations implement, and what the interpreter of `smartbed-codegen` implements too.
+
+use crate::real::Real;
+
+/// Why an evaluation or a step was refused. The state given is left as it was.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fault {
+    /// A slice has not the length the mechanism needs.
+    Shape,
+    /// The worst pivot of the elimination came too close to zero: a singular configuration.
+    Singular,
+    /// A value became infinite or not a number.
+    NonFinite,
+}
+
+/// Equations of motion of one mechanism over the scalar `S`, with its parameters inside.
+///
+/// State: all coordinates `q` and the independent speeds `u`, SI units, in the model's order.
+/// `&mut self` only because an interpreter keeps its scratch memory inside.
+pub trait Mechanism<S: Real> {
+    /// Number of coordinates q.
+    fn n_q(&self) -> usize;
+    /// Number of independent speeds u.
+    fn n_u(&self) -> usize;
+    /// Number of inputs.
+    fn n_inputs(&self) -> usize;
+    /// Writes q_dot (`n_q`) and u_dot (`n_u`) and returns the worst pivot of the eliminations
+    /// (dimensionless, relative to its value at the nominal configuration; 1 without elimination).
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        inputs: &[S],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault>;
+    /// One Newton correction that puts the dependent coordinates back on the configuration
+    /// constraints; returns the largest residual before the correction.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if `q` has not `n_q` entries.
+    fn project(&mut self, q: &mut [S]) -> Result<S, Fault>;
+    /// Kinetic and potential energy [J].
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault>;
+}
