@@ -1,5 +1,6 @@
 //! Model text in, equations of motion out.
 
+pub mod diagnostic;
 pub mod id;
 pub mod model;
 pub mod source;

@@ -5,11 +5,25 @@
 //! Invariants: every id is in range; every expression has been checked for type (scalar or
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
 
+mod build;
+mod build_mechanics;
+mod check;
+mod document;
+mod evaluate;
 pub mod expression;
+mod fields;
+mod lexing;
+mod order;
+mod parse_expression;
+mod read;
+mod repeat;
+mod scope;
+pub mod unit;
 
 use crate::id::{IdVec, ids};
 use crate::source::{Source, Span};
 pub use expression::{Axis, Expr};
+pub use read::{parse, read};
 
 ids! {
     /// A parameter.

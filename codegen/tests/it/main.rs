@@ -1,0 +1,3 @@
+//! Tests of the generator, one binary.
+
+mod models;
