@@ -2,7 +2,8 @@
 
 use smartbed_codegen::model::{self, Model};
 
-fn shipped(name: &str) -> Model {
+/// A model of this repository.
+pub fn shipped(name: &str) -> Model {
     let path =
         std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(format!("{name}.toml"));
     model::read(&path).unwrap_or_else(|found| panic!("{found}"))
