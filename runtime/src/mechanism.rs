@@ -44,7 +44,7 @@ pub trait Mechanism<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if `q` has not `n_q` entries.
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault>;
-    /// Kinetic and potential energy [J].
+    /// Kinetic and potential energy (J).
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.

@@ -10,8 +10,8 @@ mod inertia_force;
 mod solve;
 
 use crate::diagnostic::Diagnostics;
-use crate::expr::{Dag, ExprId, SymbolId};
 use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
 use crate::model::Model;
@@ -26,9 +26,9 @@ pub struct Dynamics {
     pub forcing: Vec<ExprId>,
     /// u', `n_u`.
     pub u_dot: Vec<ExprId>,
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic: ExprId,
-    /// Potential energy [J] of gravity and springs.
+    /// Potential energy (J) of gravity and springs.
     pub potential: ExprId,
     /// Value of every unknown in terms of the independent speeds.
     pub values: HashMap<SymbolId, ExprId>,
@@ -83,15 +83,7 @@ pub fn derive(
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
     let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
-    Ok(Dynamics {
-        mass_matrix,
-        forcing,
-        u_dot,
-        kinetic: energies[0],
-        potential: energies[1],
-        values,
-        pivots,
-    })
+    Ok(Dynamics { mass_matrix, forcing, u_dot, kinetic: energies[0], potential: energies[1], values, pivots })
 }
 
 /// y = T u for every unknown that is not an independent speed; named after the unknown.
@@ -117,11 +109,7 @@ fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, 
 }
 
 /// M = T' M_y T and T' (force - M_y beta), sums over the few non-zero entries.
-fn project(
-    k: &mut Kinematics,
-    solution: &Solution,
-    parts: &Unprojected,
-) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
+fn project(k: &mut Kinematics, solution: &Solution, parts: &Unprojected) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
     let n = solution.partials.values().next().map_or(0, Vec::len);
     let zero = k.dag.zero();
     let mut mass_matrix = vec![vec![zero; n]; n];

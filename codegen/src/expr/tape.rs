@@ -5,7 +5,6 @@
 
 use super::evaluate;
 use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
-use crate::id::Id;
 use smartbed_runtime::real::Real;
 use std::collections::HashMap;
 
@@ -148,7 +147,7 @@ pub struct SampleTable {
 }
 
 impl SampleTable {
-    /// `symbols[k][s]` is the value of symbol k at sample s.
+    /// `symbols[k](s)` is the value of symbol k at sample s.
     #[must_use]
     pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
         Self { symbols, points, values: HashMap::new() }

@@ -106,7 +106,10 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
         let place = k.triads.with_constants(&mut k.dag, &place, home);
         let rate = velocity::derivative(k, &place);
         let mut motion = velocity.clone();
-        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        let minus_one = {
+            let one = k.dag.one();
+            k.dag.negate(one)
+        };
         motion.add(k, &rate, minus_one);
         let mut triads = triads_of(&motion);
         triads.insert(home);
@@ -127,7 +130,10 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
         let here = Vector::new(&k.dag, triad, components);
         let mut motion = velocity::derivative(k, &vector);
         let turned = velocity::derivative(k, &here);
-        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        let minus_one = {
+            let one = k.dag.one();
+            k.dag.negate(one)
+        };
         motion.add(k, &turned, minus_one);
         let flat = position::flatten(k, &vector);
         let residual = match orthonormal {

@@ -60,8 +60,7 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         .filter(|(_, u)| matches!(u.kind, UnknownKind::Independent(_)))
         .map(|(id, _)| id)
         .collect();
-    let unknown: Vec<UnknownId> =
-        k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
+    let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
     let chosen = choose(model, k, table, &unknown)?;
     let mut equations: Vec<Equation> =
         chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
@@ -102,7 +101,8 @@ fn choose(
     let mut left_over: Vec<&Row> = Vec::new();
     for row in &k.rows {
         let numbers = numeric_row(&k.dag, table, row, &column, n);
-        let remains: Vec<Vec<f64>> = numbers.iter().zip(&bases).map(|(v, basis)| orthogonal_part(v, basis)).collect();
+        let remains: Vec<Vec<f64>> =
+            numbers.iter().zip(&bases).map(|(v, basis)| orthogonal_part(v, basis)).collect();
         let worst = remains.iter().map(|v| norm(v)).fold(f64::INFINITY, f64::min);
         let best = remains.iter().map(|v| norm(v)).fold(0.0, f64::max);
         if chosen.len() < n && worst > INDEPENDENT {
@@ -224,9 +224,7 @@ fn pick(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> (usize, U
             }
         }
     }
-    best.map(|(_, place)| place)
-        .or(safest.map(|(_, place)| place))
-        .unwrap_or((0, UnknownId::from_index(0)))
+    best.map(|(_, place)| place).or(safest.map(|(_, place)| place)).unwrap_or((0, UnknownId::from_index(0)))
 }
 
 fn row_maximum(dag: &Dag, table: &mut SampleTable, equation: &Equation) -> Vec<f64> {
@@ -279,11 +277,7 @@ fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: Unknown
     }
 }
 
-fn back_substitute(
-    k: &mut Kinematics,
-    done: Vec<(UnknownId, ExprId, Equation)>,
-    solution: &mut Solution,
-) {
+fn back_substitute(k: &mut Kinematics, done: Vec<(UnknownId, ExprId, Equation)>, solution: &mut Solution) {
     for (column, pivot, row) in done.into_iter().rev() {
         let n = row.right.len() - 2;
         let mut values = row.right;
@@ -292,11 +286,8 @@ fn back_substitute(
                 continue;
             }
             let known = &solution.partials[&other];
-            let all: Vec<ExprId> = known
-                .iter()
-                .copied()
-                .chain([solution.bias[&other], solution.correction[&other]])
-                .collect();
+            let all: Vec<ExprId> =
+                known.iter().copied().chain([solution.bias[&other], solution.correction[&other]]).collect();
             for (value, x) in values.iter_mut().zip(all) {
                 let product = k.dag.mul(coefficient, x);
                 *value = k.dag.sub(*value, product);
@@ -313,7 +304,7 @@ fn back_substitute(
 #[must_use]
 pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     let points = k.samples.len();
-    let mut random = super::assemble::Random(0xC0FF_EE);
+    let mut random = super::assemble::Random(0x00C0_FFEE);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::new();
     let mut set = |dag: &Dag, expr: ExprId, values: Vec<f64>| {
         if let Some(symbol) = dag.as_symbol(expr) {
