@@ -1,9 +1,9 @@
-//! The state of a simulation as compensated sums: the value of entry i is x[i] + low[i], unrounded.
+//! The state of a simulation as compensated sums: the value of an entry is x + low, unrounded.
 //!
 //! x + delta rounds away what is below half a unit of x's last place: at 0.12 m in f32 that is 4 nm, so
 //! a tile that creeps at 3 um/s would not move at all in steps of 1 ms. Here the part that was
-//! rounded away is kept in `low` and added to the next increment (Kahan 1965; the exact error of a
-//! sum after Knuth, TAOCP 4.2.2, theorem B, which needs no comparison).
+//! rounded away is kept in `low` (Kahan 1965; the exact error of a sum after Knuth, TAOCP 4.2.2, theorem B,
+//! which needs no comparison).
 //! Invariant: |low| is at most half a unit in the last place of x.
 
 use crate::mechanism::Fault;
@@ -17,10 +17,11 @@ pub fn two_sum<S: Scalar>(a: S, b: S) -> (S, S) {
     (sum, (a - (sum - b_seen)) + (b - b_seen))
 }
 
-/// (x, low) + delta.
+/// (x, low) + delta, with an error of the rounding unit of `low`.
 #[inline(always)]
 pub fn advance<S: Scalar>(x: S, low: S, delta: S) -> (S, S) {
-    two_sum(x, delta + low)
+    let (sum, error) = two_sum(x, delta);
+    two_sum(sum, low + error)
 }
 
 /// (x, low) less whole turns, x in [-pi, pi] up to rounding; untouched if it is there already.
