@@ -49,12 +49,12 @@ pub trait Mechanism<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if `q` has not `n_q` entries.
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault>;
-    /// Kinetic and potential energy [J].
+    /// Kinetic and potential energy (J).
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault>;
-    /// Whether coordinate q[`index`] is an angle that appears only inside sines and cosines, so
+    /// Whether coordinate number `index` is an angle that appears only inside sines and cosines, so
     /// that whole turns may be taken off.
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;
@@ -85,7 +85,7 @@ pub trait System<S: Real> {
     fn projections(&self) -> u8 {
         0
     }
-    /// Whether whole turns may be taken off x[`index`].
+    /// Whether whole turns may be taken off entry `index` of x.
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;
         false

@@ -95,3 +95,21 @@ fn the_layering_test_sees_what_it_must() {
     assert_eq!(check("// crate::state is below"), 0);
     assert_eq!(violations(&layers, "sensor/mod.rs", "").len(), 1);
 }
+
+#[cfg(feature = "source")]
+#[test]
+fn a_stand_alone_crate_gets_every_file_of_the_numbers() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut want = vec!["mechanism.rs".to_owned()];
+    for path in rust_files(&source.join("real")) {
+        want.push(format!("real/{}", path.file_name().expect("a file").to_string_lossy()));
+    }
+    let mut got = smartbed_runtime::SOURCES.to_vec();
+    got.sort_unstable();
+    want.sort();
+    assert_eq!(got.iter().map(|(path, _)| *path).collect::<Vec<_>>(), want);
+    for (path, text) in got {
+        let known = imports(text).iter().all(|layer| ["real", "mechanism"].contains(&layer.as_str()));
+        assert!(known, "{path} imports what the stand-alone crate does not have");
+    }
+}
