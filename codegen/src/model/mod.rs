@@ -15,6 +15,7 @@ mod fields;
 mod lexing;
 mod order;
 mod parse_expression;
+mod reach;
 mod read;
 mod repeat;
 mod scope;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::*;
-use super::{build, check, document, order, repeat};
+use super::{build, check, document, order, reach, repeat};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 
 /// Largest model text in bytes.
@@ -33,6 +33,7 @@ pub fn parse(path: &str, text: &str) -> Result<Model, Diagnostics> {
     draft.model.order = order::sort(&draft.model, &mut found);
     let mut found = next_stage(found)?;
     check::check(&mut draft, &mut found);
+    reach::check(&draft, &mut found);
     let mut found = next_stage(found)?;
     let model = check::evaluate(draft, &mut found);
     found.finish(model)
