@@ -154,6 +154,18 @@ impl Checker<'_> {
                 self.expect(value, unit, &quoted(&coordinate.name));
             }
         }
+        for (id, speed) in model.speeds.enumerate() {
+            if let SpeedMeaning::Combination(value) = &speed.meaning {
+                self.expect(value, Type::scalar(draft.units.speeds[id]), &quoted(&speed.name));
+            }
+        }
+        for (of, value) in &draft.start_values {
+            let unit = match of {
+                StartRef::Coordinate(id) => draft.units.coordinates[*id],
+                StartRef::Speed(id) => draft.units.speeds[*id],
+            };
+            self.expect(value, Type::scalar(unit), "this start value");
+        }
         for (id, value) in draft.configuration_values.iter().flatten() {
             self.expect(
                 value,

@@ -7,10 +7,12 @@
 
 mod build;
 mod build_mechanics;
+mod build_values;
 mod check;
 mod document;
 mod evaluate;
 pub mod expression;
+mod extend;
 mod fields;
 mod lexing;
 mod order;
@@ -24,7 +26,7 @@ pub mod unit;
 use crate::id::{IdVec, ids};
 use crate::source::{Source, Span};
 pub use expression::{Axis, Expr};
-pub use read::{parse, read};
+pub use read::{parse, parse_with, read};
 
 ids! {
     /// A parameter.
