@@ -114,6 +114,9 @@ impl Draft {
     }
 }
 
+/// What the n-th entry of a section stands for.
+type Bind = fn(usize) -> Binding;
+
 /// Reads entries into the draft.
 pub(super) struct Builder<'a> {
     pub(super) draft: Draft,
@@ -322,7 +325,7 @@ impl<'a> Builder<'a> {
         let nowhere = Span::default();
         self.scope.frames.insert("N".to_owned(), (FrameId::from_index(0), nowhere));
         self.scope.values.insert("O".to_owned(), (Binding::Point(PointId::from_index(0)), nowhere));
-        let kinds: [(&str, fn(usize) -> Binding); 5] = [
+        let kinds: [(&str, Bind); 5] = [
             ("parameters", |i| Binding::Parameter(ParameterId::from_index(i))),
             ("coordinates", |i| Binding::Coordinate(CoordinateId::from_index(i))),
             ("inputs", |i| Binding::Input(InputId::from_index(i))),

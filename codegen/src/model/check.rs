@@ -241,14 +241,14 @@ impl Checker<'_> {
                     .label(expr.span, format!("this is {is}"))
                     .help(help),
             );
-        } else if let (Some(is), Some(needs)) = (of.unit, wanted.unit) {
-            if is != needs {
-                self.found.push(
-                    Diagnostic::error(format!("{what} must be {}", shown(needs)))
-                        .label(expr.span, format!("this is {}", shown(is)))
-                        .help(unit_help(is, needs)),
-                );
-            }
+        } else if let (Some(is), Some(needs)) = (of.unit, wanted.unit)
+            && is != needs
+        {
+            self.found.push(
+                Diagnostic::error(format!("{what} must be {}", shown(needs)))
+                    .label(expr.span, format!("this is {}", shown(is)))
+                    .help(unit_help(is, needs)),
+            );
         }
     }
 

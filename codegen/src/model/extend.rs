@@ -20,7 +20,8 @@ pub fn extend(mut base: Sections, extension: Sections) -> Sections {
             if QUANTITIES.contains(&section.as_str()) {
                 for other in QUANTITIES.iter().filter(|other| **other != section) {
                     if let Some(entries) = base.tables.get_mut(*other) {
-                        entries.retain(|(known, _)| known.name != key.name);
+                        entries
+                            .retain(|(known, _)| known.name != key.name || known.span.file == key.span.file);
                     }
                 }
             }

@@ -1,4 +1,7 @@
 //! Tests of the generator, one binary.
 
+mod expressions;
 mod geometry;
+mod model_errors;
 mod models;
+mod units;
