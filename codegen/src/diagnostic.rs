@@ -67,6 +67,9 @@ impl Diagnostic {
     }
 }
 
+/// A stage reports at most this many findings.
+const MOST_ITEMS: usize = 100;
+
 /// Everything a stage found, with the text it is about.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
@@ -92,6 +95,9 @@ impl Diagnostics {
     /// Adds a finding, unless one with the same primary place is there already: a mistake inside
     /// a repeated sub-assembly is made once and reported once.
     pub fn push(&mut self, item: Diagnostic) {
+        if MOST_ITEMS <= self.items.len() {
+            return;
+        }
         let place = item.labels.first().map(|l| l.span);
         let known = |other: &Diagnostic| {
             place.is_some()

@@ -177,6 +177,9 @@ impl Text {
     }
 }
 
+/// After this many faults of notation the rest is noise.
+const MOST_ERRORS: usize = 20;
+
 /// Reads TOML.
 ///
 /// # Errors
@@ -194,7 +197,7 @@ pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
             .label(span, "here")
             .help("see https://toml.io for the notation; a text with blanks or operators stands in quotes")
     };
-    Err(errors.iter().map(report).collect())
+    Err(errors.iter().take(MOST_ERRORS).map(report).collect())
 }
 
 fn convert_table(table: &DeTable<'_>, span: Span, text: &str) -> Table {

@@ -11,7 +11,8 @@ use super::repeat::Sections;
 const QUANTITIES: [&str; 6] = ["parameters", "coordinates", "speeds", "inputs", "definitions", "points"];
 
 /// The base with the extension on top.
-pub fn extend(mut base: Sections, extension: Sections) -> Sections {
+pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
+    let Some(mut base) = base else { return extension };
     for (key, value) in extension.scalars {
         put(&mut base.scalars, key, value);
     }

@@ -22,6 +22,7 @@ mod read;
 mod repeat;
 mod scope;
 pub mod unit;
+mod unused;
 
 use crate::id::{IdVec, ids};
 use crate::source::{Source, Span};

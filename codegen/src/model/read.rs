@@ -53,10 +53,11 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
         return Err(found);
     }
     // The last of the chain is the base of all.
-    let mut sections = Sections::default();
+    let mut sections = None;
     for table in tables.iter().rev() {
-        sections = extend::extend(sections, repeat::expand(table, &mut found));
+        sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
     }
+    let sections: Sections = sections.unwrap_or_default();
     let mut draft = build::build(&source, &sections, &mut found);
     let mut found = next_stage(found)?;
     draft.model.order = order::sort(&draft.model, &mut found);
