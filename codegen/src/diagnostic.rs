@@ -164,6 +164,10 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
         let first = (column - 1).saturating_sub(EXCERPT / 2);
         let shown: String =
             text.iter().skip(first).take(EXCERPT).map(|c| if *c == '\t' { ' ' } else { *c }).collect();
+        let shown = match first {
+            0 => shown,
+            _ => format!("...{}", shown.chars().skip(3).collect::<String>()),
+        };
         if line != previous_line {
             writeln!(f, "{line:width$} | {}", shown.trim_end())?;
             previous_line = line;

@@ -182,9 +182,10 @@ impl Builder<'_> {
         });
         for (key, value) in self.entries("frames") {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let parent = fields.get("parent");
             let orientation = match fields.array("rotations", self.found) {
                 Some((steps, _)) => {
-                    let parent = match fields.get("parent") {
+                    let parent = match parent {
                         None => FrameId::from_index(0),
                         given => self.frame_of(given).unwrap_or(FrameId::from_index(0)),
                     };

@@ -61,8 +61,10 @@ impl Builder<'_> {
     fn unknown_key(&mut self, key: &document::Key, kind: &str, fits: impl Fn(&Binding) -> bool) {
         let known: Vec<&str> =
             self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
-        let all =
-            || format!("known: {}", if known.is_empty() { "none".to_owned() } else { known.join(", ") });
+        let all = || match known.is_empty() {
+            true => format!("this model declares no {kind}: declare it first"),
+            false => format!("known: {}", known.join(", ")),
+        };
         self.found.push(
             Diagnostic::error(format!("`{}` is no {kind} of this model", key.name))
                 .label(key.span, "unknown")

@@ -60,7 +60,7 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
         model.speeds.iter().filter(|s| s.independent).map(|s| s.name.as_str()).collect();
     match model.dof {
         Some((stated, span)) if stated != independent.len() => found.push(
-            Diagnostic::error(format!("dof = {stated}, but {} speeds are independent", independent.len()))
+            Diagnostic::error(format!("dof = {stated}, but independent speeds: {}", independent.len()))
                 .label(span, format!("independent: {}", independent.join(", ")))
                 .help("correct dof, or mark coordinates as `independent = true` or `false`"),
         ),

@@ -193,9 +193,11 @@ pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
     let report = |error: &toml::de::Error| {
         let range = error.span().unwrap_or(0..0);
         let span = Span { start: range.start, end: range.end, file };
-        Diagnostic::error(format!("not valid TOML: {}", error.message()))
-            .label(span, "here")
-            .help("see https://toml.io for the notation; a text with blanks or operators stands in quotes")
+        let help = match error.message() {
+            "duplicate key" => "the name stands twice in this table: rename or remove one of the two",
+            _ => "see https://toml.io for the notation; a text with blanks or operators stands in quotes",
+        };
+        Diagnostic::error(format!("not valid TOML: {}", error.message())).label(span, "here").help(help)
     };
     Err(errors.iter().take(MOST_ERRORS).map(report).collect())
 }

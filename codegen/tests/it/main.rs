@@ -4,4 +4,5 @@ mod expressions;
 mod geometry;
 mod model_errors;
 mod models;
+mod rejected;
 mod units;

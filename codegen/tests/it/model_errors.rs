@@ -120,7 +120,7 @@ fn stated_degrees_of_freedom_are_compared() {
     check(
         "dof = 1\n[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n",
         r#"
-error: dof = 1, but 2 speeds are independent
+error: dof = 1, but independent speeds: 2
  --> m.toml:3:7
   |
 3 | dof = 1
