@@ -5,4 +5,5 @@ mod geometry;
 mod model_errors;
 mod models;
 mod rejected;
+mod textbook;
 mod units;
