@@ -226,7 +226,13 @@ impl Triads {
         total
     }
 
-    fn express_term(&self, dag: &mut Dag, triad: TriadId, components: Components, target: TriadId) -> Components {
+    fn express_term(
+        &self,
+        dag: &mut Dag,
+        triad: TriadId,
+        components: Components,
+        target: TriadId,
+    ) -> Components {
         if triad == target {
             return components;
         }

@@ -136,9 +136,9 @@ fn sub(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
         return Some(dag.number(x.add(y.negate()))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
-        _ if a == b => Some(dag.zero()),       // x - x = 0
-        _ if dag.is_zero(b) => Some(a),        // x - 0 = x
-        _ if dag.is_zero(a) => Some(dag.negate(b)), // 0 - x = -x
+        _ if a == b => Some(dag.zero()),             // x - x = 0
+        _ if dag.is_zero(b) => Some(a),              // x - 0 = x
+        _ if dag.is_zero(a) => Some(dag.negate(b)),  // 0 - x = -x
         (_, Node::Negate(y)) => Some(dag.add(a, y)), // x - -y = x + y
         (Node::Negate(x), _) => {
             let sum = dag.add(x, b); // -x - y = -(x + y)
@@ -194,7 +194,9 @@ fn is_sine_and_cosine_squared(dag: &Dag, a: ExprId, b: ExprId) -> bool {
         _ => None,
     };
     match (squared(a), squared(b)) {
-        (Some((Unary::Sin, x)), Some((Unary::Cos, y))) | (Some((Unary::Cos, x)), Some((Unary::Sin, y))) => x == y,
+        (Some((Unary::Sin, x)), Some((Unary::Cos, y))) | (Some((Unary::Cos, x)), Some((Unary::Sin, y))) => {
+            x == y
+        }
         _ => false,
     }
 }
@@ -269,8 +271,8 @@ fn div(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
             let reciprocal = dag.number(c.reciprocal()); // x / c = (1/c) x
             Some(dag.mul(reciprocal, a))
         }
-        _ if dag.is_zero(a) => Some(a), // 0 / x = 0
-        _ if a == b => Some(dag.one()), // x / x = 1
+        _ if dag.is_zero(a) => Some(a),                            // 0 / x = 0
+        _ if a == b => Some(dag.one()),                            // x / x = 1
         (Node::Negate(x), Node::Negate(y)) => Some(dag.div(x, y)), // -x / -y = x / y
         (Node::Negate(x), _) => {
             let quotient = dag.div(x, b); // -x / y = -(x / y)

@@ -27,7 +27,9 @@ impl Dag {
                     (x, y) => self.binary(operator, x, y),
                 },
             };
-            if new != id && let Some(name) = self.name_of(id).map(str::to_owned) {
+            if new != id
+                && let Some(name) = self.name_of(id).map(str::to_owned)
+            {
                 self.name(new, &name);
             }
             image[id.index()] = Some(new);

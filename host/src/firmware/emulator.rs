@@ -49,8 +49,9 @@ pub fn plugin(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Result<
     let mut rustc = clean(&toolchain.rustc);
     rustc.args(["-O", "--crate-type", "cdylib", "--crate-name", "count", "--edition", "2024"]);
     rustc.arg(workspace.join(PLUGIN)).arg("-o").arg(&library);
-    run_quietly(&mut rustc)
-        .map_err(|log| Failure::Lacking(format!("the emulator's plug-in does not build: run `apt-get install gcc`\n{log}")))?;
+    run_quietly(&mut rustc).map_err(|log| {
+        Failure::Lacking(format!("the emulator's plug-in does not build: run `apt-get install gcc`\n{log}"))
+    })?;
     Ok(library)
 }
 
@@ -69,7 +70,8 @@ pub fn run(
     let counts = elf.with_extension("counts");
     let mut option = format!("{},out={}", plugin.display(), counts.display());
     for name in functions {
-        let function = image.find(name).ok_or_else(|| Failure::Wrong(format!("the image has no function `{name}`")))?;
+        let function =
+            image.find(name).ok_or_else(|| Failure::Wrong(format!("the image has no function `{name}`")))?;
         option += &format!(",fn={name}@{}", image.functions[function].address);
     }
     let mut command = clean(emulator);
@@ -79,8 +81,8 @@ pub fn run(
         .map_err(|e| Failure::Wrong(format!("the image fails in the emulator: {e}")))?;
     let text = fs::read_to_string(&counts)
         .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;
-    let (instructions, counts) =
-        parse(&text).ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))?;
+    let (instructions, counts) = parse(&text)
+        .ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))?;
     Ok(Run { output, instructions, counts })
 }
 

@@ -73,7 +73,10 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
 /// # Errors
 /// [`Failure::Lacking`] with the command that helps.
 pub fn emulator() -> Result<PathBuf, Failure> {
-    let find = || which(EMULATOR).filter(|p| output(Command::new(p).arg("--help")).is_some_and(|h| h.contains("-plugin")));
+    let find = || {
+        which(EMULATOR)
+            .filter(|p| output(Command::new(p).arg("--help")).is_some_and(|h| h.contains("-plugin")))
+    };
     if let Some(found) = find() {
         return Ok(found);
     }
@@ -149,7 +152,9 @@ fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
         return Ok(());
     }
     let done = apt(&["update"]).and_then(|()| apt(&install));
-    done.map_err(|log| Failure::Lacking(format!("{why}, and apt-get could not install it: run `{help}`\n{log}")))
+    done.map_err(|log| {
+        Failure::Lacking(format!("{why}, and apt-get could not install it: run `{help}`\n{log}"))
+    })
 }
 
 /// The command line in front of apt-get's arguments, if we are root or become root unasked.

@@ -53,14 +53,17 @@ impl Image {
             .collect();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
-            if sh_flags.0 & u64::from(SHF_EXECINSTR) != 0 {
+            if sh_flags.0 & SHF_EXECINSTR.0 != 0 {
                 let code = section.data().map_err(|e| format!("section of code: {e}"))?;
                 let base = word(section.address());
                 decode_section(base, code, &marks, &mut functions)?;
             }
         }
-        let mut symbols: Vec<String> =
-            file.symbols().filter(|s| s.is_definition()).filter_map(|s| s.name().ok().map(readable)).collect();
+        let mut symbols: Vec<String> = file
+            .symbols()
+            .filter(|s| s.is_definition())
+            .filter_map(|s| s.name().ok().map(readable))
+            .collect();
         symbols.sort();
         symbols.dedup();
         Ok(Self { functions, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
@@ -156,8 +159,9 @@ fn decode_section(
         if instruction.kind == Kind::Other {
             continue;
         }
-        let function = owner(functions, address)
-            .ok_or_else(|| format!("code at {address:#010x} belongs to no function: was the image stripped?"))?;
+        let function = owner(functions, address).ok_or_else(|| {
+            format!("code at {address:#010x} belongs to no function: was the image stripped?")
+        })?;
         functions[function].effects.push((address, instruction.kind));
     }
     Ok(())
@@ -187,7 +191,8 @@ pub(crate) mod tests {
     #[test]
     fn data_in_code_is_not_decoded() {
         let mut functions = vec![Function { name: "f".to_owned(), address: 0, effects: Vec::new() }];
-        let code: Vec<u8> = [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0].iter().flat_map(|h| h.to_le_bytes()).collect();
+        let code: Vec<u8> =
+            [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0].iter().flat_map(|h| h.to_le_bytes()).collect();
         let marks = BTreeMap::from([(0, true), (4, false)]);
         decode_section(0, &code, &marks, &mut functions).unwrap();
         assert_eq!(functions[0].effects, [(0, Kind::Stack(8))]);

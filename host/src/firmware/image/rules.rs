@@ -74,13 +74,21 @@ impl Rule {
             Self::Ram => "static data and the stack bound together exceed the chip's RAM",
             Self::Stack => "a frame of variable size has no bound",
             Self::Recursion => "a function that calls itself has no stack bound",
-            Self::Indirect => "a call through a register hides its callee from the stack bound: avoid dyn and fn pointers",
-            Self::Panic => "code that can panic is linked in: index with get or iterators, do not unwrap, avoid % on floats",
+            Self::Indirect => {
+                "a call through a register hides its callee from the stack bound: avoid dyn and fn pointers"
+            }
+            Self::Panic => {
+                "code that can panic is linked in: index with get or iterators, do not unwrap, avoid % on floats"
+            }
             Self::Format => "formatting brings kilobytes and indirect calls: write bytes instead",
             Self::Heap => "the controller must not allocate",
-            Self::Double => "a Cortex-M4F computes double precision in software, 100 instructions each: look for an f64 literal or libm's f32 trigonometry",
+            Self::Double => {
+                "a Cortex-M4F computes double precision in software, 100 instructions each: look for an f64 literal or libm's f32 trigonometry"
+            }
             Self::Unit => "the instruction is undefined on a Cortex-M4F: build with target-cpu=cortex-m4",
-            Self::Fused => "it rounds once where the host rounds twice, so host and chip would differ: do not use mul_add",
+            Self::Fused => {
+                "it rounds once where the host rounds twice, so host and chip would differ: do not use mul_add"
+            }
         }
     }
 }
@@ -214,7 +222,8 @@ mod tests {
         for (symbol, rule) in bad {
             assert_eq!(forbidden(symbol), Some(rule), "{symbol}");
         }
-        for symbol in ["main", "tile_step", "__aeabi_memcpy", "__aeabi_uldivmod", "__aeabi_idiv", "HardFault"] {
+        for symbol in ["main", "tile_step", "__aeabi_memcpy", "__aeabi_uldivmod", "__aeabi_idiv", "HardFault"]
+        {
             assert_eq!(forbidden(symbol), None, "{symbol}");
         }
     }

@@ -19,10 +19,10 @@ impl Size {
         let mut size = Self::default();
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
-            if sh_flags.0 & u64::from(SHF_ALLOC) == 0 {
+            if sh_flags.0 & SHF_ALLOC.0 == 0 {
                 continue;
             }
-            if sh_flags.0 & u64::from(SHF_WRITE) != 0 {
+            if sh_flags.0 & SHF_WRITE.0 != 0 {
                 size.ram += section.size();
             }
             if section.kind() != SectionKind::UninitializedData {

@@ -1,0 +1,49 @@
+//! Derives the model into `OUT_DIR` and, for the chip, gives the linker its memory.
+//!
+//! In, all optional: `SMARTBED_MODEL` (path of a model), `SMARTBED_SET` (`name=value;...`),
+//! `SMARTBED_STEPS`, `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
+//! They are read here, at build time, so that host and chip change together.
+
+mod stand_in;
+
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+const MODEL: &str = "../models/tile.toml";
+const STEPS: &str = "10000";
+const CHIP: &str = "chips/stm32f405.x";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let out = env::var("OUT_DIR")?;
+    let out = Path::new(&out);
+    println!("cargo::rerun-if-changed={CHIP}");
+    println!(
+        "cargo::rustc-check-cfg=cfg(inject, values(\"panic\", \"double\", \"recursion\", \"indirect\"))"
+    );
+
+    let model = option("SMARTBED_MODEL", MODEL);
+    let set = option("SMARTBED_SET", "");
+    fs::write(out.join("mechanism.rs"), stand_in::generate(&model, &set)?)?;
+
+    let steps: u32 = option("SMARTBED_STEPS", STEPS).parse()?;
+    fs::write(out.join("steps.rs"), format!("{steps}"))?;
+
+    let inject = option("SMARTBED_INJECT", "");
+    if !inject.is_empty() {
+        println!("cargo::rustc-cfg=inject=\"{inject}\"");
+    }
+    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
+        fs::copy(CHIP, out.join("memory.x"))?;
+        println!("cargo::rustc-link-search={}", out.display());
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    }
+    Ok(())
+}
+
+/// An environment variable, or its default; a change of it builds again.
+fn option(name: &str, default: &str) -> String {
+    println!("cargo::rerun-if-env-changed={name}");
+    env::var(name).unwrap_or_else(|_| default.to_owned())
+}
