@@ -4,6 +4,8 @@
 //!   microcontroller and in SIMD lanes ([`trig`], `sqrt`);
 //! - other functions: own code in f32 (libm's would compute in f64), libm in f64;
 //! - no fused multiply-add, no remainder operator, no table, no panic;
+//! - with std in scope, `x.sin_cos()` on a plain f32 means std's method, not this one: outside generic
+//!   code write `Real::sin_cos(x)`;
 //! - not-a-number: arithmetic, `min`, `max`, `abs` and `sign` all hand it on, so that one check at the
 //!   end of a step finds it. Sign and payload of a NaN are not specified.
 
