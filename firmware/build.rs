@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let out = Path::new(&out);
     println!("cargo::rerun-if-changed={CHIP}");
     println!(
-        "cargo::rustc-check-cfg=cfg(inject, values(\"panic\", \"double\", \"recursion\", \"indirect\"))"
+        "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
     );
 
     let model = option("SMARTBED_MODEL", MODEL);
@@ -32,6 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let inject = option("SMARTBED_INJECT", "");
     if !inject.is_empty() {
+        println!("cargo::rustc-cfg=inject");
         println!("cargo::rustc-cfg=inject=\"{inject}\"");
     }
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {

@@ -60,7 +60,6 @@ mod chip {
         }
     }
 
-    #[expect(unsafe_code, reason = "cortex-m-rt asks for it: a hard fault may come anywhere")]
     #[exception]
     unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
         end(false)

@@ -113,7 +113,7 @@ impl Report {
         let chip = &STM32F405;
         let mut text = String::new();
         let mut line = |name: &str, value: String| {
-            let _ = writeln!(text, "{name:<24}{value}");
+            let _ = writeln!(text, "{name:<32}{value}");
         };
         line("model", self.settings.model.display().to_string());
         line("toolchain", self.toolchain.clone());

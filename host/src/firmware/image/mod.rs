@@ -21,6 +21,8 @@ pub struct Function {
     pub name: String,
     /// Address of its first instruction.
     pub address: u32,
+    /// One past its last byte; what lies between functions is padding.
+    pub end: u32,
     /// Address and meaning of every instruction that is not [`Kind::Other`].
     pub effects: Vec<(u32, Kind)>,
 }
@@ -45,18 +47,14 @@ impl Image {
     /// A text that says why the bytes are not a little-endian ELF of code.
     pub fn read(elf: &[u8]) -> Result<Self, String> {
         let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
-        let starts = starts(&file);
         let marks = marks(&file);
-        let mut functions: Vec<Function> = starts
-            .iter()
-            .map(|(&address, name)| Function { name: name.clone(), address, effects: Vec::new() })
-            .collect();
+        let mut functions = functions(&file);
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
             if sh_flags.0 & SHF_EXECINSTR.0 != 0 {
                 let code = section.data().map_err(|e| format!("section of code: {e}"))?;
                 let base = word(section.address());
-                decode_section(base, code, &marks, &mut functions)?;
+                decode_section(base, code, &marks, &mut functions);
             }
         }
         let mut symbols: Vec<String> = file
@@ -104,18 +102,28 @@ fn word(address: u64) -> u32 {
     u32::try_from(address).unwrap_or(u32::MAX)
 }
 
-/// Start and name of every function; of several names at an address the first in the alphabet.
-fn starts(file: &object::File) -> BTreeMap<u32, String> {
-    let mut starts = BTreeMap::<u32, String>::new();
+/// Every function by address; of several names at an address the first in the alphabet. One
+/// without a size, as hand-written assembly may be, extends to the next.
+fn functions(file: &object::File) -> Vec<Function> {
+    let mut found = BTreeMap::<u32, (u32, String)>::new();
     for symbol in file.symbols().filter(|s| s.kind() == SymbolKind::Text && s.is_definition()) {
         let Ok(name) = symbol.name() else { continue };
         if name.is_empty() || name.starts_with('$') {
             continue;
         }
-        let (address, name) = (word(symbol.address()) & !1, readable(name));
-        starts.entry(address).and_modify(|n| *n = n.clone().min(name.clone())).or_insert(name);
+        let (address, size, name) = (word(symbol.address()) & !1, word(symbol.size()), readable(name));
+        let entry = found.entry(address).or_insert((size, name.clone()));
+        entry.0 = entry.0.max(size);
+        entry.1 = entry.1.clone().min(name);
     }
-    starts
+    let nexts: Vec<u32> = found.keys().skip(1).copied().chain([u32::MAX]).collect();
+    let with_ends = found.into_iter().zip(nexts);
+    with_ends
+        .map(|((address, (size, name)), next)| {
+            let end = if size == 0 { next } else { address.saturating_add(size) };
+            Function { name, address, end, effects: Vec::new() }
+        })
+        .collect()
 }
 
 /// Is it code from this address on? The mapping symbols of the ABI.
@@ -135,36 +143,28 @@ fn vectors(file: &object::File) -> Vec<u32> {
     words.skip(1).filter(|w| *w != 0).map(|w| w & !1).collect()
 }
 
-/// The last function that starts at or before `address`.
+/// The function that holds `address`.
 fn owner(functions: &[Function], address: u32) -> Option<usize> {
-    functions.partition_point(|f| f.address <= address).checked_sub(1)
+    let last = functions.partition_point(|f| f.address <= address).checked_sub(1)?;
+    functions.get(last).filter(|f| address < f.end).map(|_| last)
 }
 
-fn decode_section(
-    base: u32,
-    code: &[u8],
-    marks: &BTreeMap<u32, bool>,
-    functions: &mut [Function],
-) -> Result<(), String> {
+fn decode_section(base: u32, code: &[u8], marks: &BTreeMap<u32, bool>, functions: &mut [Function]) {
     let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
     let mut at = 0;
     while at + 2 <= code.len() {
-        let address = base + u32::try_from(at).map_err(|e| e.to_string())?;
-        if !marks.range(..=address).next_back().is_some_and(|(_, code)| *code) {
+        let address = base.saturating_add(u32::try_from(at).unwrap_or(u32::MAX));
+        let is_code = marks.range(..=address).next_back().is_some_and(|(_, code)| *code);
+        let Some(function) = owner(functions, address).filter(|_| is_code) else {
             at += 2;
             continue;
-        }
+        };
         let instruction = thumb::decode(address, half(at), half(at + 2));
         at += instruction.size as usize;
-        if instruction.kind == Kind::Other {
-            continue;
+        if instruction.kind != Kind::Other {
+            functions[function].effects.push((address, instruction.kind));
         }
-        let function = owner(functions, address).ok_or_else(|| {
-            format!("code at {address:#010x} belongs to no function: was the image stripped?")
-        })?;
-        functions[function].effects.push((address, instruction.kind));
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -179,23 +179,26 @@ pub(crate) mod tests {
         let mut code = Vec::new();
         marks.insert(address, true);
         for (name, halves) in functions {
-            decoded.push(Function { name: (*name).to_owned(), address, effects: Vec::new() });
-            address += 2 * u32::try_from(halves.len()).unwrap();
+            let end = address + 2 * u32::try_from(halves.len()).unwrap();
+            decoded.push(Function { name: (*name).to_owned(), address, end, effects: Vec::new() });
+            address = end;
             code.extend(halves.iter().flat_map(|h| h.to_le_bytes()));
         }
-        decode_section(0x0800_0000, &code, &marks, &mut decoded).unwrap();
+        decode_section(0x0800_0000, &code, &marks, &mut decoded);
         let symbols = functions.iter().map(|(name, _)| (*name).to_owned()).collect();
         Image { functions: decoded, symbols, vectors: Vec::new(), size: size::Size::default() }
     }
 
     #[test]
-    fn data_in_code_is_not_decoded() {
-        let mut functions = vec![Function { name: "f".to_owned(), address: 0, effects: Vec::new() }];
-        let code: Vec<u8> =
-            [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0].iter().flat_map(|h| h.to_le_bytes()).collect();
-        let marks = BTreeMap::from([(0, true), (4, false)]);
-        decode_section(0, &code, &marks, &mut functions).unwrap();
+    fn data_and_padding_are_not_decoded() {
+        let f = |address, end| Function { name: "f".to_owned(), address, end, effects: Vec::new() };
+        let mut functions = vec![f(0, 8), f(12, 14)];
+        let halves = [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0, 0xD4D4, 0xD4D4, 0xB510];
+        let code: Vec<u8> = halves.iter().flat_map(|h| h.to_le_bytes()).collect();
+        let marks = BTreeMap::from([(0, true), (4, false), (8, true)]);
+        decode_section(0, &code, &marks, &mut functions);
         assert_eq!(functions[0].effects, [(0, Kind::Stack(8))]);
+        assert_eq!(functions[1].effects, [(12, Kind::Stack(8))], "padding between functions is not code");
     }
 
     #[test]

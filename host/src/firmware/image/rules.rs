@@ -72,7 +72,7 @@ impl Rule {
         match self {
             Self::Flash => "the chip's flash is smaller than the image",
             Self::Ram => "static data and the stack bound together exceed the chip's RAM",
-            Self::Stack => "a frame of variable size has no bound",
+            Self::Stack => "a frame of variable size, or a call of code without a symbol, has no bound",
             Self::Recursion => "a function that calls itself has no stack bound",
             Self::Indirect => {
                 "a call through a register hides its callee from the stack bound: avoid dyn and fn pointers"
@@ -130,7 +130,7 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
     }
     for function in &image.functions {
         for (address, kind) in &function.effects {
-            if let Some(rule) = hazard(*kind) {
+            if let Some(rule) = hazard(image, *kind) {
                 add(rule, format!("`{}` at {address:#010x}", function.name));
             }
         }
@@ -140,13 +140,14 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
 }
 
 /// The rule that an instruction breaks.
-fn hazard(kind: Kind) -> Option<Rule> {
+fn hazard(image: &Image, kind: Kind) -> Option<Rule> {
     match kind {
         Kind::VariableStack => Some(Rule::Stack),
         Kind::IndirectCall | Kind::IndirectJump => Some(Rule::Indirect),
         Kind::Double => Some(Rule::Double),
         Kind::Fpv5 => Some(Rule::Unit),
         Kind::Fused => Some(Rule::Fused),
+        Kind::Call(target) | Kind::Jump(target) if image.owner(target).is_none() => Some(Rule::Stack),
         Kind::Stack(_) | Kind::Call(_) | Kind::Jump(_) | Kind::Other => None,
     }
 }
@@ -235,6 +236,7 @@ mod tests {
         assert_eq!(rules(&[("f", &[0xEEA0, 0x0A81])]), [Rule::Fused]);
         assert_eq!(rules(&[("f", &[0x46A5])]), [Rule::Stack]);
         assert_eq!(rules(&[("f", &[0xFE80, 0x0A00])]), [Rule::Unit]);
+        assert_eq!(rules(&[("f", &[0xE7F0])]), [Rule::Stack], "a jump to nowhere");
         assert_eq!(rules(&[("f", &[0xB510, 0xBD10])]), []);
     }
 
