@@ -1,6 +1,7 @@
 //! What an image may not contain, each with the reason. One broken rule fails the build.
 
-use super::{Image, stack::Stack};
+use super::Image;
+use super::stack::{self, Stack};
 use crate::firmware::chip::Chip;
 use crate::firmware::thumb::Kind;
 use std::fmt;
@@ -125,7 +126,7 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
     }
     for symbol in &image.symbols {
         if let Some(rule) = forbidden(symbol) {
-            add(rule, format!("symbol `{symbol}`"));
+            add(rule, format!("symbol `{symbol}`{}", callers(image, symbol)));
         }
     }
     for function in &image.functions {
@@ -137,6 +138,15 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
     }
     found.sort_by(|a, b| (a.rule, &a.what).cmp(&(b.rule, &b.what)));
     found
+}
+
+/// Who calls the function of that name, for a message.
+fn callers(image: &Image, name: &str) -> String {
+    let Some(callee) = image.find(name) else { return String::new() };
+    let calls = |f: &usize| *f != callee && stack::callees(image, *f).contains(&callee);
+    let names: Vec<String> =
+        (0..image.functions.len()).filter(calls).map(|f| format!("`{}`", image.functions[f].name)).collect();
+    if names.is_empty() { String::new() } else { format!(" called by {}", names.join(", ")) }
 }
 
 /// The rule that an instruction breaks.
