@@ -130,7 +130,7 @@ pub enum Turn {
         parent: TriadId,
         /// About this axis of it.
         axis: Axis,
-        /// By this angle [rad].
+        /// By this angle (rad).
         angle: ExprId,
     },
     /// Unit vectors given by their components in the inertial triad: `rows[k]` is axis k.

@@ -1,8 +1,30 @@
 //! Numbers, integrators, flexible bodies, contact and impact: no_std, no heap, no panic.
+//!
+//! The layers, in reading order; a file imports only from layers above its own:
+//!
+//! 1. [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
+//! 2. [`mechanism`]: what generated equations implement, and the systems that integrators take;
+//! 3. [`state`]: coordinates and speeds as compensated sums;
+//! 4. [`event`]: where a guard changes its sign;
+//! 5. [`integrator`]: one step, refused or taken as a whole.
+//!
+//! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
+//! one second in f32, as a microcontroller would compute it:
+//!
+//! ```
+#![doc = include_str!("../tests/example/pendulum.rs")]
+//! ```
 #![no_std]
 
-pub mod mechanism;
 pub mod real;
+
+pub mod mechanism;
+
+pub mod state;
+
+pub mod event;
+
+pub mod integrator;
 
 /// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
 /// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.

@@ -12,6 +12,7 @@ pub mod number;
 pub mod print;
 mod simplify;
 pub mod substitute;
+pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
 use number::Number;

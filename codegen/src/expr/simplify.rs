@@ -61,7 +61,7 @@ fn degrees(dag: &Dag, a: ExprId) -> Option<f64> {
         Node::Number(c) if c == Number::ZERO => Some(0.0),
         Node::Pi => Some(180.0),
         Node::Negate(x) => degrees(dag, x).map(|d| -d),
-        Node::Binary(Binary::Mul, c, x) => Some(dag.as_number(c)?.to_f64() * degrees(dag, x)?).map(snap),
+        Node::Binary(Binary::Mul, c, x) => Some(snap(dag.as_number(c)?.to_f64() * degrees(dag, x)?)),
         _ => None,
     }
 }
@@ -109,7 +109,7 @@ fn fold_two(dag: &mut Dag, a: ExprId, b: ExprId, f: fn(f64, f64) -> f64) -> Opti
 
 fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
-        return Some(dag.number(x.add(y))); // constants fold
+        return Some(dag.number(x.plus(y))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
         _ if dag.is_zero(a) => Some(b), // 0 + x = x
@@ -133,7 +133,7 @@ fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
 
 fn sub(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
-        return Some(dag.number(x.add(y.negate()))); // constants fold
+        return Some(dag.number(x.plus(y.negate()))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
         _ if a == b => Some(dag.zero()),             // x - x = 0
@@ -171,7 +171,7 @@ fn like_terms(dag: &mut Dag, a: ExprId, b: ExprId, minus: bool) -> Option<ExprId
     if x != y || (c == Number::ONE && d == Number::ONE) {
         return None;
     }
-    let sum = dag.number(c.add(if minus { d.negate() } else { d }));
+    let sum = dag.number(c.plus(if minus { d.negate() } else { d }));
     Some(dag.mul(sum, x))
 }
 

@@ -1,4 +1,4 @@
-//! Sine and cosine of one angle [rad], in the precision of the argument only.
+//! Sine and cosine of one angle (rad), in the precision of the argument only.
 //!
 //! x = n pi/2 + r with n the nearest integer, found by adding and subtracting 1.5 * 2^(p-1), which
 //! also leaves n's two lowest bits in the sum's two lowest bits; n pi/2 is taken off in three parts

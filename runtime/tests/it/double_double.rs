@@ -11,7 +11,8 @@ pub struct DoubleDouble {
 }
 
 /// pi/2 in three parts of 53 bits.
-const HALF_PI: [f64; 3] = [1.570_796_326_794_896_6, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
+const HALF_PI: [f64; 3] =
+    [core::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17, -1.497_384_904_859_169_8e-33];
 
 fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;

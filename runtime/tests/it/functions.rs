@@ -234,6 +234,8 @@ mod lanes {
     use super::*;
     use wide::{f32x8, f64x4};
 
+    type Binary = fn(f32, f32) -> f32;
+
     proptest! {
         #[test]
         fn every_lane_gives_the_bits_of_the_scalar(x in prop::array::uniform8(-100.0_f32..100.0), bits: [u32; 8]) {
@@ -241,7 +243,7 @@ mod lanes {
                 let (s, c) = f32x8::from(values).sin_cos_own();
                 let other = f32x8::from(x);
                 let lanes = f32x8::from(values);
-                let pairs: [(f32x8, fn(f32, f32) -> f32); 7] = [
+                let pairs: [(f32x8, Binary); 7] = [
                     (s, |a, _| Real::sin_cos(a).0),
                     (c, |a, _| Real::sin_cos(a).1),
                     (Real::sqrt(lanes), |a, _| Real::sqrt(a)),

@@ -2,3 +2,7 @@
 
 mod double_double;
 mod functions;
+mod integrator;
+mod layering;
+mod state;
+mod systems;

@@ -1,0 +1,4 @@
+//! Tests of the generator, one binary.
+
+mod geometry;
+mod models;
