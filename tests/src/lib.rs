@@ -1,1 +1,8 @@
-//! Harness.
+//! Oracles, references and adapters that the tests in `it/` share. No test, no product code.
+
+pub mod closed_form;
+pub mod loop_equations;
+pub mod newton_euler;
+pub mod random;
+pub mod reference;
+pub mod tolerance;
