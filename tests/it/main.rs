@@ -1,4 +1,7 @@
 //! The only test binary.
 
+mod agreement;
 mod closed_forms;
+mod energy;
 mod newton_euler_oracle;
+mod tile_equations;

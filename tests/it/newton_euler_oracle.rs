@@ -142,8 +142,16 @@ fn platform_moves_as_in_the_golden_row() {
     let alpha = bed_axes([-0.3995318119, -0.7368459759, -0.081423459]);
     assert!((platform.velocity.linear - v).norm() < PRINTED);
     assert!((platform.velocity.angular - w).norm() < PRINTED);
-    assert!((platform.acceleration.linear - a).norm() < PRINTED_FORCE, "{}", platform.acceleration.linear - a);
-    assert!((platform.acceleration.angular - alpha).norm() < 10.0 * PRINTED_FORCE, "{}", platform.acceleration.angular - alpha);
+    assert!(
+        (platform.acceleration.linear - a).norm() < PRINTED_FORCE,
+        "{}",
+        platform.acceleration.linear - a
+    );
+    assert!(
+        (platform.acceleration.angular - alpha).norm() < 10.0 * PRINTED_FORCE,
+        "{}",
+        platform.acceleration.angular - alpha
+    );
     assert!(relative_error(&motion.u_dot, &[0.1, -0.05, 0.02]) * 0.1 < PRINTED_FORCE, "{:?}", motion.u_dot);
 }
 

@@ -1,8 +1,11 @@
 //! Oracles, references and adapters that the tests in `it/` share. No test, no product code.
 
+pub mod cases;
 pub mod closed_form;
 pub mod loop_equations;
 pub mod newton_euler;
 pub mod random;
 pub mod reference;
+pub mod stand_in;
+pub mod subject;
 pub mod tolerance;

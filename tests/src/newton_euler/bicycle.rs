@@ -77,6 +77,27 @@ impl Bicycle {
         system::solve(self, u)
     }
 
+    /// Pitch that puts the front wheel on the ground at this yaw, roll and steer, by the secant method.
+    #[must_use]
+    pub fn pitch(&self) -> f64 {
+        let height = |pitch: f64| {
+            let mut bicycle = self.clone();
+            bicycle.q[2] = pitch;
+            let poses = bicycle.poses();
+            let front = Moving::at_rest(poses[FRONT_WHEEL]);
+            front.pose.centre.z + to_contact(&front, self.radii[1]).value.z
+        };
+        let (mut old, mut new) = (-0.01, 0.01);
+        for _ in 0..20 {
+            let (at_old, at_new) = (height(old), height(new));
+            if at_old == at_new {
+                break;
+            }
+            (old, new) = (new, new - at_new * (new - old) / (at_new - at_old));
+        }
+        new
+    }
+
     /// A point of a body, given in the reference position from the rear contact.
     fn point(&self, bodies: &[Moving], body: usize, reference: Vector3<f64>) -> JetVector {
         bodies[body].point(reference - self.centres[body])
@@ -98,8 +119,7 @@ fn heading(rear_frame: &Moving) -> JetVector {
 impl Linkage for Bicycle {
     fn bodies(&self) -> Vec<Body> {
         let poses = self.poses();
-        let mut bodies: Vec<Body> =
-            (0..4).map(|k| Body::rigid(self.masses[k], self.inertias[k])).collect();
+        let mut bodies: Vec<Body> = (0..4).map(|k| Body::rigid(self.masses[k], self.inertias[k])).collect();
         let axle = poses[REAR_FRAME].rotation.column(1).into_owned();
         let steer = poses[REAR_FRAME].rotation * self.axis.into_inner() * self.inputs[1];
         let (s, c) = self.q[0].sin_cos();
@@ -116,11 +136,7 @@ impl Linkage for Bicycle {
         let frame = about(z, yaw) * about(x, roll) * about(y, pitch);
         let fork = frame * about(self.axis, steer);
         let hub = Pose { centre: Vector3::zeros(), rotation: frame * about(y, rear) };
-        let wheel = Moving {
-            pose: hub,
-            velocity: super::body::Twist::zero(),
-            acceleration: super::body::Twist::zero(),
-        };
+        let wheel = Moving::at_rest(hub);
         let rear_centre = Vector3::new(0.0, 0.0, -to_contact(&wheel, self.radii[0]).value.z);
         let on_frame = |reference: Vector3<f64>| rear_centre + frame * (reference - self.centres[REAR_WHEEL]);
         let head = on_frame(self.head);
@@ -138,7 +154,12 @@ impl Linkage for Bicycle {
         for (wheel, frame) in [(REAR_WHEEL, REAR_FRAME), (FRONT_WHEEL, FRONT_FRAME)] {
             let across = [bodies[frame].fixed(Vector3::x()), bodies[frame].fixed(Vector3::z())];
             let hub = self.point(bodies, frame, self.centres[wheel]);
-            rows.extend(joint::hinge(&bodies[wheel].centre(), &hub, &bodies[wheel].fixed(Vector3::y()), across));
+            rows.extend(joint::hinge(
+                &bodies[wheel].centre(),
+                &hub,
+                &bodies[wheel].fixed(Vector3::y()),
+                across,
+            ));
         }
         let rear = &bodies[REAR_FRAME];
         let across = [Vector3::y(), self.axis.cross(&Vector3::y())].map(|side| rear.fixed(side));

@@ -87,14 +87,16 @@ pub struct Moving {
 }
 
 impl Moving {
+    /// A body that stands still.
+    #[must_use]
+    pub fn at_rest(pose: Pose) -> Self {
+        Self { pose, velocity: Twist::zero(), acceleration: Twist::zero() }
+    }
+
     /// The mass centre.
     #[must_use]
     pub fn centre(&self) -> JetVector {
-        JetVector {
-            value: self.pose.centre,
-            rate: self.velocity.linear,
-            second: self.acceleration.linear,
-        }
+        JetVector { value: self.pose.centre, rate: self.velocity.linear, second: self.acceleration.linear }
     }
 
     /// A vector fixed in the body, given in the body's frame.
@@ -117,18 +119,13 @@ impl Moving {
     #[must_use]
     pub fn velocity_at(&self, arm: &JetVector) -> JetVector {
         let zero = Vector3::zeros();
-        let linear =
-            JetVector { value: self.velocity.linear, rate: self.acceleration.linear, second: zero };
+        let linear = JetVector { value: self.velocity.linear, rate: self.acceleration.linear, second: zero };
         linear + self.angular_velocity().cross(arm)
     }
 
     /// Angular velocity as a jet (`second` is not meaningful).
     #[must_use]
     pub fn angular_velocity(&self) -> JetVector {
-        JetVector {
-            value: self.velocity.angular,
-            rate: self.acceleration.angular,
-            second: Vector3::zeros(),
-        }
+        JetVector { value: self.velocity.angular, rate: self.acceleration.angular, second: Vector3::zeros() }
     }
 }

@@ -61,10 +61,7 @@ pub struct Motion {
 pub fn solve(linkage: &impl Linkage, u: &[f64]) -> Motion {
     let definitions = linkage.bodies();
     let poses = linkage.poses();
-    let at_rest: Vec<Moving> = poses
-        .iter()
-        .map(|&pose| Moving { pose, velocity: Twist::zero(), acceleration: Twist::zero() })
-        .collect();
+    let at_rest: Vec<Moving> = poses.iter().copied().map(Moving::at_rest).collect();
     let residual = linkage.joints(&at_rest).iter().fold(0.0, |worst: f64, row| worst.max(row.value.abs()));
     let velocity_rows = velocity_rows(linkage, &definitions, &at_rest);
     let bodies = solve_velocities(&velocity_rows, &definitions, &at_rest, u);
@@ -162,7 +159,8 @@ fn solve_accelerations(
     residual: f64,
 ) -> Motion {
     let (n_rows, n_dof) = jacobian.shape();
-    let (mut matrix, mut right, [kinetic, potential]) = masses_and_forces(linkage, definitions, &bodies, n_rows);
+    let (mut matrix, mut right, [kinetic, potential]) =
+        masses_and_forces(linkage, definitions, &bodies, n_rows);
     matrix.view_mut((n_dof, 0), (n_rows, n_dof)).copy_from(jacobian);
     matrix.view_mut((0, n_dof), (n_dof, n_rows)).copy_from(&jacobian.transpose());
     let joints = linkage.joints(&bodies).into_iter().map(|row| -row.second);

@@ -169,6 +169,10 @@ pub fn minimal() -> Minimal {
     Minimal {
         parameters: TILE_PARAMETERS.map(|name| (name.to_owned(), number(&file["parameters"][name]))).into(),
         states: file["states"].as_array().expect("states").iter().map(state).collect(),
-        servo: Trajectory { t: numbers(&servo["t"]), h: triples(&servo["h"]), h_dot: triples(&servo["hdot"]) },
+        servo: Trajectory {
+            t: numbers(&servo["t"]),
+            h: triples(&servo["h"]),
+            h_dot: triples(&servo["hdot"]),
+        },
     }
 }
