@@ -5,3 +5,4 @@ mod closed_forms;
 mod energy;
 mod newton_euler_oracle;
 mod tile_equations;
+mod tile_motion;

@@ -7,5 +7,6 @@ pub mod newton_euler;
 pub mod random;
 pub mod reference;
 pub mod stand_in;
+pub mod stepping;
 pub mod subject;
 pub mod tolerance;

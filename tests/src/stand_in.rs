@@ -1,5 +1,5 @@
 //! Temporary: the oracle in the place of the generated code, so that the tests can be tried.
-#![expect(missing_docs, reason="temporary")]
+#![expect(missing_docs, reason = "temporary")]
 use crate::cases;
 use crate::closed_form::tile as tile_form;
 use crate::newton_euler::{
