@@ -1,6 +1,6 @@
 //! The Newton-Euler oracle against the stored references: an oracle must earn its trust first.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix2, Vector2, Vector3};
 use smartbed_tests::closed_form::{pendulum as pendulum_form, tile as tile_form};
 use smartbed_tests::newton_euler::arm6::Arm;
 use smartbed_tests::newton_euler::bicycle::Bicycle;
@@ -186,5 +186,57 @@ fn pendulum_energy_equals_the_closed_form() {
         let (kinetic, potential) = pendulum_form::energy(masses, lengths, g, &sample.q, &sample.u);
         assert!(relative_error(&[motion.kinetic], &[kinetic]) < ORACLE);
         assert!(relative_error(&[motion.potential], &[potential]) < ORACLE);
+    }
+}
+
+/// Central differences of accelerations up to 100 with steps of 1e-5.
+const LINEARISED: f64 = 1e-7;
+
+/// Rates of roll and steer speed of the benchmark bicycle near upright, at forward speed v.
+fn lateral(q: [f64; 2], q_dot: [f64; 2], v: f64, torque: [f64; 2]) -> Vector2<f64> {
+    let reference = data::samples("bicycle");
+    let parameters = &reference.samples[0].parameters;
+    let inputs = [torque[0], torque[1], 0.0];
+    let mut coordinates = [0.0, q[0], 0.0, q[1], 0.0, 0.0];
+    coordinates[2] = Bicycle::new(parameters, &coordinates, &inputs).pitch();
+    let rear_radius = parameters[4];
+    let motion =
+        Bicycle::new(parameters, &coordinates, &inputs).solve(&[q_dot[0], q_dot[1], -v / rear_radius]);
+    Vector2::new(motion.u_dot[0], motion.u_dot[1])
+}
+
+/// Derivative of `of` in each of two directions.
+fn columns(of: impl Fn([f64; 2]) -> Vector2<f64>) -> Matrix2<f64> {
+    let step = 1e-5;
+    let along = |axis: usize| {
+        let mut at = [0.0; 2];
+        at[axis] = step;
+        (of(at) - of(at.map(|x| -x))) / (2.0 * step)
+    };
+    Matrix2::from_columns(&[along(0), along(1)])
+}
+
+/// Meijaard, Papadopoulos, Ruina and Schwab (2007): M q'' + v C1 q' + (g K0 + v^2 K2) q = f.
+#[test]
+fn bicycle_linearises_to_the_published_benchmark() {
+    let mass = Matrix2::new(80.81722, 2.31941332208709, 2.31941332208709, 0.29784188199686);
+    let c1 = Matrix2::new(0.0, 33.86641391492494, -0.85035641456978, 1.6854039739756);
+    let k0 = Matrix2::new(-80.95, -2.59951685249872, -2.59951685249872, -0.80329488458618);
+    let k2 = Matrix2::new(0.0, 76.59734589573222, 0.0, 2.65431523794604);
+    let still = [0.0; 2];
+    let response = Matrix2::from_columns(&[
+        lateral(still, still, 0.0, [1.0, 0.0]),
+        lateral(still, still, 0.0, [0.0, 1.0]),
+    ]);
+    assert!((response * mass - Matrix2::identity()).abs().max() < 1e-10, "{response}");
+    for v in [0.5, 5.0] {
+        let damping = -mass * columns(|q_dot| lateral(still, q_dot, v, still));
+        let stiffness = -mass * columns(|q| lateral(q, still, v, still));
+        let expected = k0 * 9.81 + k2 * (v * v);
+        let error = |found: Matrix2<f64>, expected: Matrix2<f64>| {
+            (found - expected).abs().max() / expected.abs().max()
+        };
+        assert!(error(damping, c1 * v) < LINEARISED, "v = {v}: {damping}");
+        assert!(error(stiffness, expected) < LINEARISED, "v = {v}: {stiffness}");
     }
 }
