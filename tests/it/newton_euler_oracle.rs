@@ -7,7 +7,7 @@ use smartbed_tests::newton_euler::bicycle::Bicycle;
 use smartbed_tests::newton_euler::fourbar::Fourbar;
 use smartbed_tests::newton_euler::pendulum::Pendulum;
 use smartbed_tests::newton_euler::system::Motion;
-use smartbed_tests::newton_euler::tile::{PLATFORM, Parameters, Tile};
+use smartbed_tests::newton_euler::tile::{Load, PLATFORM, Parameters, Tile};
 use smartbed_tests::reference::data::{self, Sample};
 use smartbed_tests::tolerance::relative_error;
 
@@ -51,6 +51,7 @@ fn tile_equals_the_reference() {
             q: s.q.as_slice().try_into().expect("12 coordinates"),
             h_dot: s.u.as_slice().try_into().expect("3 speeds"),
             thrust: s.inputs.as_slice().try_into().expect("3 thrusts"),
+            load: Load::default(),
         };
         tile.solve()
     });
@@ -75,7 +76,8 @@ fn tile_from_heights_alone_equals_the_minimal_reference() {
     for state in &minimal.states {
         let posture = tile_form::posture(parameters.r, state.h);
         let q = posture.coordinates(parameters.r, state.h);
-        let motion = Tile { parameters, q, h_dot: state.h_dot, thrust: state.thrust }.solve();
+        let motion =
+            Tile { parameters, q, h_dot: state.h_dot, thrust: state.thrust, load: Load::default() }.solve();
         worst = worst.max(relative_error(&motion.u_dot, &state.u_dot));
         worst = worst.max(relative_error(&[motion.kinetic], &[state.kinetic]));
         worst = worst.max(relative_error(&[motion.potential], &[state.potential]));
@@ -100,7 +102,13 @@ fn golden_tile(h_dot: [f64; 3], thrust: [f64; 3]) -> Tile {
     let parameters =
         Parameters::new(&[0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 0.012, 0.016, 0.026, 0.0, 9.81]);
     let h = [0.03, 0.01, -0.01];
-    Tile { parameters, q: tile_form::posture(0.1, h).coordinates(0.1, h), h_dot, thrust }
+    Tile {
+        parameters,
+        q: tile_form::posture(0.1, h).coordinates(0.1, h),
+        h_dot,
+        thrust,
+        load: Load::default(),
+    }
 }
 
 /// From the golden rows' axes (screw A on x) to the bed's (screw A on y).

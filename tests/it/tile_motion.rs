@@ -74,7 +74,7 @@ fn servo_trajectory_with_rk4_at_one_millisecond() {
 }
 
 /// A thousand seconds.
-const MILLION: usize = 1_000;
+const MILLION: usize = 1_000_000;
 /// Newton's correction leaves rounding of numbers below 1, over and over.
 const RESIDUAL_F64: f64 = 1e-12;
 /// The same in f32.

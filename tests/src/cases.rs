@@ -6,7 +6,7 @@ use crate::newton_euler::bicycle::Bicycle;
 use crate::newton_euler::fourbar::Fourbar;
 use crate::newton_euler::pendulum::Pendulum;
 use crate::newton_euler::system::Motion;
-use crate::newton_euler::tile::{Parameters, Tile};
+use crate::newton_euler::tile::{Load, Parameters, Tile};
 use crate::random::Random;
 use crate::reference::data::{self, Reference, Sample};
 use crate::subject::{Named, State, named};
@@ -140,18 +140,72 @@ fn vary(random: &mut Random, values: &[f64]) -> Vec<f64> {
 fn tile_case(model: &str, random: &mut Random) -> Case {
     let base: Vec<f64> = data::minimal().parameters.iter().map(|(_, value)| *value).collect();
     let values = vary(random, &base);
-    let parameters = Parameters::new(&values);
-    let (h, h_dot) = loop {
-        // A smaller circle is steeper at the same heights: stay within the stated tilt.
-        let (h, h_dot) = tile_form::random_heights(random, parameters.r, 0.12);
-        if tile_form::posture(parameters.r, h).s.iter().all(|s| 0.5 * parameters.r < *s) {
-            break (h, h_dot);
-        }
-    };
+    tile_motion(model, random, &values, Load::default(), Vec::new())
+}
+
+/// A tile that carries, is held and is pushed: every extra parameter of the two tile models at work.
+/// The case's energy is left out, because end stops have no account in it.
+#[must_use]
+pub fn loaded_tile_cases(model: &str, count: usize, seed: u64) -> Vec<Case> {
+    let mut random = Random::new(seed);
+    let base: Vec<f64> = data::minimal().parameters.iter().map(|(_, value)| *value).collect();
+    (0..count)
+        .map(|_| {
+            let load = Load {
+                payload: random.between(0.5, 10.0),
+                payload_at: draw3(&mut random, -0.1, 0.1),
+                support: random.between(100.0, 2000.0),
+                support_rest: random.between(-0.1, 0.1),
+                force: draw3(&mut random, -20.0, 20.0),
+                torque: draw3(&mut random, -2.0, 2.0),
+                stop: 1000.0,
+                stops_at: [-0.05, 0.05],
+            };
+            let extra = named(&LOAD_PARAMETERS, &load_values(&load));
+            let values = vary(&mut random, &base);
+            Case { energy: None, ..tile_motion(model, &mut random, &values, load, extra) }
+        })
+        .collect()
+}
+
+/// Names of the parameters of a [`Load`] in the tile models.
+pub const LOAD_PARAMETERS: [&str; 15] = [
+    "m_payload",
+    "x_payload",
+    "y_payload",
+    "z_payload",
+    "k_support",
+    "h_support",
+    "Fx",
+    "Fy",
+    "Fz",
+    "Tx",
+    "Ty",
+    "Tz",
+    "k_stop",
+    "h_min",
+    "h_max",
+];
+
+/// Values in the order of [`LOAD_PARAMETERS`].
+fn load_values(load: &Load) -> Vec<f64> {
+    let mut values = vec![load.payload];
+    values.extend(load.payload_at);
+    values.extend([load.support, load.support_rest]);
+    values.extend(load.force);
+    values.extend(load.torque);
+    values.push(load.stop);
+    values.extend(load.stops_at);
+    values
+}
+
+fn tile_motion(model: &str, random: &mut Random, values: &[f64], load: Load, extra: Named) -> Case {
+    let parameters = Parameters::new(values);
+    let (h, h_dot) = tile_form::random_heights(random, parameters.r, 0.0);
     let thrust = draw3(random, -30.0, 80.0);
     let q = tile_form::posture(parameters.r, h).coordinates(parameters.r, h);
-    let motion = Tile { parameters, q, h_dot, thrust }.solve();
-    let names = named(&data::TILE_PARAMETERS, &values);
+    let motion = Tile { parameters, q, h_dot, thrust, load }.solve();
+    let names = [named(&data::TILE_PARAMETERS, values), extra].concat();
     if model == "tile" {
         return solved(names, tile_state(parameters.r, h, h_dot, thrust), &motion);
     }

@@ -43,8 +43,14 @@ impl StandIn {
                     let h = q.try_into().unwrap();
                     tile_form::posture(parameters.r, h).coordinates(parameters.r, h)
                 };
-                Tile { parameters, q: q12, h_dot: u.try_into().unwrap(), thrust: inputs.try_into().unwrap() }
-                    .solve()
+                Tile {
+                    parameters,
+                    q: q12,
+                    h_dot: u.try_into().unwrap(),
+                    thrust: inputs.try_into().unwrap(),
+                    load: Default::default(),
+                }
+                .solve()
             }
         }
     }

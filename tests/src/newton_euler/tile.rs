@@ -2,7 +2,7 @@
 //!
 //! A screw moves along z; its connector turns on it in yaw and pitch (no roll about its rod); the
 //! platform's rods, fixed at 120 degrees in it, slide through the connectors. Bodies: screws A, B,
-//! C (particles), connectors A, B, C, platform. 24 rows for 33 - 3 velocities.
+//! C (particles), connectors A, B, C, platform, payload if there is one. 30 rows, 33 velocities.
 //! Connector frame Rz(alpha + psi) Ry(theta), x outwards along the rod. Reflected motor inertia
 //! resists but does not weigh.
 
@@ -65,10 +65,45 @@ impl Parameters {
         }
     }
 
-    /// All that the three thrusts carry at rest [N].
+    /// All that the three thrusts carry at rest without load [N].
     #[must_use]
     pub fn weight(&self) -> f64 {
         (3.0 * (self.ms + self.mc) + self.m) * self.g
+    }
+}
+
+/// What a tile may carry and touch; all zero by default.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Load {
+    /// Mass on the platform [kg].
+    pub payload: f64,
+    /// Its place in the platform's frame [m].
+    pub payload_at: [f64; 3],
+    /// Stiffness of a spring under each screw [N/m].
+    pub support: f64,
+    /// Height at which these springs are slack [m].
+    pub support_rest: f64,
+    /// External force on the platform's centre [N].
+    pub force: [f64; 3],
+    /// External torque on the platform [N m].
+    pub torque: [f64; 3],
+    /// Stiffness of the end stops [N/m].
+    pub stop: f64,
+    /// Heights of the lower and the upper end stop [m].
+    pub stops_at: [f64; 2],
+}
+
+impl Load {
+    /// Force of springs and end stops on a screw at height `h` [N].
+    fn on_screw(&self, h: f64) -> f64 {
+        let [low, high] = self.stops_at;
+        let stop = self.stop * ((low - h).max(0.0) - (h - high).max(0.0));
+        stop - self.support * (h - self.support_rest)
+    }
+
+    /// Energy of the support spring of one screw [J].
+    fn spring_energy(&self, h: f64) -> f64 {
+        0.5 * self.support * (h - self.support_rest) * (h - self.support_rest)
     }
 }
 
@@ -83,13 +118,17 @@ pub struct Tile {
     pub h_dot: [f64; 3],
     /// Thrusts of the drives [N].
     pub thrust: [f64; 3],
+    /// What it carries.
+    pub load: Load,
 }
 
 impl Tile {
     /// The oracle's answer.
     #[must_use]
     pub fn solve(&self) -> Motion {
-        system::solve(self, &self.h_dot)
+        let mut motion = system::solve(self, &self.h_dot);
+        motion.potential += (0..3).map(|leg| self.load.spring_energy(self.q[4 * leg])).sum::<f64>();
+        motion
     }
 
     /// Connector point of a leg.
@@ -159,11 +198,15 @@ impl Linkage for Tile {
         let mut bodies = Vec::new();
         for leg in 0..3 {
             let thrust = self.thrust[leg] - p.c * self.h_dot[leg];
-            let force = Vector3::new(0.0, 0.0, thrust);
+            let force = Vector3::new(0.0, 0.0, thrust + self.load.on_screw(self.q[4 * leg]));
             bodies.push(Body { added_mass: p.mr, force, ..Body::particle(p.ms) });
         }
         bodies.extend((0..3).map(|_| Body::rigid(p.mc, inertia(p.ic))));
-        bodies.push(Body::rigid(p.m, inertia(p.i)));
+        let (force, torque) = (self.load.force.into(), self.load.torque.into());
+        bodies.push(Body { force, torque, ..Body::rigid(p.m, inertia(p.i)) });
+        if self.load.payload != 0.0 {
+            bodies.push(Body::particle(self.load.payload));
+        }
         bodies
     }
 
@@ -176,11 +219,20 @@ impl Linkage for Tile {
         let connectors =
             (0..3).map(|leg| Pose { centre: self.connector(leg), rotation: self.connector_rotation(leg) });
         let platform = Pose { centre: self.centre_through(0), rotation };
-        screws.chain(connectors).chain([platform]).collect()
+        let mut poses: Vec<Pose> = screws.chain(connectors).chain([platform]).collect();
+        if self.load.payload != 0.0 {
+            poses.push(Pose::at(platform.centre + rotation * Vector3::from(self.load.payload_at)));
+        }
+        poses
     }
 
     fn joints(&self, bodies: &[Moving]) -> Vec<Jet> {
-        (0..3).flat_map(|leg| self.leg(bodies, leg)).collect()
+        let mut rows: Vec<Jet> = (0..3).flat_map(|leg| self.leg(bodies, leg)).collect();
+        if let Some(payload) = bodies.get(PLATFORM + 1) {
+            let seat = bodies[PLATFORM].point(Vector3::from(self.load.payload_at));
+            rows.extend(joint::coincide(&payload.centre(), &seat));
+        }
+        rows
     }
 
     fn coordinate_rates(&self, bodies: &[Moving]) -> Vec<Jet> {
