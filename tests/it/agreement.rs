@@ -1,6 +1,7 @@
 //! Generated equations against the stored references and the Newton-Euler oracle; engine against engine.
 
 use smartbed_tests::cases::{self, Case, MECHANISMS};
+use smartbed_tests::reference::data;
 use smartbed_tests::subject::{self, Built, ENGINES, Engine, Rates, Subject};
 use smartbed_tests::tolerance::{largest, relative_error};
 
@@ -10,6 +11,8 @@ const REFERENCE_F64: f64 = 1e-12;
 const REFERENCE_F32: f64 = 2e-6;
 /// The oracle's dense solve of 81 unknowns, at random states.
 const ORACLE: f64 = 1e-12;
+/// Outputs are angles below 1 rad and lengths below 1 m.
+const OUTPUT: f64 = 1e-14;
 /// States drawn for each mechanism.
 const RANDOM_STATES: usize = 300;
 
@@ -22,11 +25,10 @@ fn answer<S: Built>(subject: &mut dyn Subject<S>, case: &Case) -> Rates {
 }
 
 /// The largest relative error of rates, accelerations and energies over all cases.
-fn worst_error<S: Built>(engine: Engine, model: &str, cases: &[Case]) -> f64 {
-    let mut subject = S::subject(engine, model);
+fn worst_error<S: Built>(subject: &mut dyn Subject<S>, cases: &[Case]) -> f64 {
     let mut worst: f64 = 0.0;
     for case in cases {
-        let rates = answer(subject.as_mut(), case);
+        let rates = answer(subject, case);
         worst = worst.max(relative_error(&rates.q_dot, &case.q_dot));
         worst = worst.max(relative_error(&rates.u_dot, &case.u_dot));
         if let Some(energy) = case.energy {
@@ -41,7 +43,7 @@ fn worst_error<S: Built>(engine: Engine, model: &str, cases: &[Case]) -> f64 {
 /// Both engines at one scalar.
 fn check<S: Built>(model: &str, cases: &[Case], tolerance: f64) {
     for engine in ENGINES {
-        let worst = worst_error::<S>(engine, model, cases);
+        let worst = worst_error::<S>(S::subject(engine, model).as_mut(), cases);
         println!("{model}, {engine:?}: {worst:.1e}");
         assert!(worst <= tolerance, "{model}, {engine:?}: {worst:e}");
     }
@@ -65,6 +67,37 @@ fn references_are_met_in_f32() {
 fn newton_euler_agrees_at_random_states_and_parameters() {
     for model in MECHANISMS {
         check::<f64>(model, &cases::random_cases(model, RANDOM_STATES, 3), ORACLE);
+    }
+}
+
+#[test]
+fn loaded_tiles_agree_with_newton_euler() {
+    for model in ["tile", "tile_minimal"] {
+        let cases = cases::loaded_tile_cases(model, RANDOM_STATES, 10);
+        for engine in ENGINES {
+            let worst = worst_error(f64::loaded(engine, model).as_mut(), &cases);
+            println!("loaded {model}, {engine:?}: {worst:.1e}");
+            assert!(worst <= ORACLE, "{model}, {engine:?}: {worst:e}");
+        }
+    }
+}
+
+#[test]
+fn outputs_of_the_minimal_tile_are_the_closed_forms() {
+    let minimal = data::minimal();
+    for engine in ENGINES {
+        let mut tile = f64::subject(engine, "tile_minimal");
+        for (name, value) in &minimal.parameters {
+            tile.set_parameter(name, *value);
+        }
+        for state in &minimal.states {
+            let found =
+                subject::outputs(tile.as_mut(), &cases::heights_state(state.h, state.h_dot, state.thrust));
+            for (name, value) in &state.outputs {
+                let (_, output) = found.iter().find(|(found, _)| found == name).expect("an output");
+                assert!((output - value).abs() <= OUTPUT, "{name}: {output} for {value}");
+            }
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Tests speak names and f64 and leave scalar, engine and order of slots to this file.
 
+use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::real::{Real, Scalar};
 
@@ -130,9 +131,11 @@ pub fn outputs<S: Scalar>(subject: &mut dyn Subject<S>, state: &State) -> Named 
 }
 
 /// A scalar for which the tests' models are built.
-pub trait Built: Scalar {
+pub trait Built: Tabulated {
     /// A model under an engine.
     fn subject(engine: Engine, model: &str) -> Box<dyn Subject<Self>>;
+    /// The same with every fixed parameter kept as one that may be set.
+    fn loaded(engine: Engine, model: &str) -> Box<dyn Subject<Self>>;
 }
 
 impl Built for f64 {
