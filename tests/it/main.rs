@@ -3,6 +3,7 @@
 mod agreement;
 mod closed_forms;
 mod energy;
+mod equation_index;
 mod newton_euler_oracle;
 mod tile_equations;
 mod tile_motion;

@@ -2,11 +2,11 @@
 
 pub mod cases;
 pub mod closed_form;
+pub mod interpreted;
 pub mod loop_equations;
 pub mod newton_euler;
 pub mod random;
 pub mod reference;
-pub mod stand_in;
 pub mod stepping;
 pub mod subject;
 pub mod tolerance;

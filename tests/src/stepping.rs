@@ -87,13 +87,15 @@ impl<'a, S: Tabulated> Run<'a, S> {
     pub fn dormand_prince(&mut self, tolerance: f64, times: &[f64], mut visit: impl FnMut(&[S])) {
         let tolerance = Tolerance { absolute: S::from_f64(tolerance), relative: S::from_f64(tolerance) };
         let first = S::from_f64(1e-3);
-        let mut method =
-            DormandPrince::new(self.x.len(), tolerance, first, &mut self.scratch).expect("scratch is long enough");
+        let mut method = DormandPrince::new(self.x.len(), tolerance, first, &mut self.scratch)
+            .expect("scratch is long enough");
         let mut state = state::State::resume(&mut self.x, &mut self.low).expect("same length");
         let mut t = S::ZERO;
         for &end in times {
             let end = S::from_f64(end);
-            method.advance_to(&mut self.system, &mut t, end, 1_000_000, &mut state).expect("the steps are taken");
+            method
+                .advance_to(&mut self.system, &mut t, end, 1_000_000, &mut state)
+                .expect("the steps are taken");
             visit(state.x());
         }
     }

@@ -2,6 +2,8 @@
 //!
 //! Tests speak names and f64 and leave scalar, engine and order of slots to this file.
 
+use crate::cases::LOAD_PARAMETERS;
+use crate::interpreted::InterpretedSubject;
 use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::real::{Real, Scalar};
@@ -140,12 +142,18 @@ pub trait Built: Tabulated {
 
 impl Built for f64 {
     fn subject(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(crate::stand_in::StandIn::new(model))
+        Box::new(InterpretedSubject::new(model, &[]))
+    }
+    fn loaded(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS))
     }
 }
 
 impl Built for f32 {
     fn subject(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(crate::stand_in::StandIn::new(model))
+        Box::new(InterpretedSubject::new(model, &[]))
+    }
+    fn loaded(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS))
     }
 }
