@@ -189,3 +189,26 @@ fn slow_command_arrives_in_f32() {
     println!("f32: {speed} m/s for {seconds} s: moved {moved:.6e} m, relative error {error:.1e}");
     assert!(error <= ARRIVAL, "{error:e}");
 }
+
+/// Newton's method squares the error: a tenth of a millimetre leaves some 1e-8, curvature times its square.
+const QUADRATIC: f64 = 50.0;
+
+#[test]
+fn projection_converges_quadratically() {
+    let h = [0.05, -0.03, 0.02];
+    let mut tile = subject::<f64>("tile");
+    let exact: Vec<f64> = at_rest("tile", h).q.iter().map(|(_, value)| *value).collect();
+    for size in [1e-2, 1e-3, 1e-4] {
+        // Every dependent coordinate off by another multiple.
+        let mut q = exact.clone();
+        for k in (0..12).filter(|k| k % 4 != 0) {
+            q[k] += size * (1.0 + 0.37 * k as f64).sin();
+        }
+        let before = loop_equations::largest_residual(R, &q);
+        let reported = tile.project(&mut q).expect("twelve coordinates");
+        let after = loop_equations::largest_residual(R, &q);
+        println!("projection: residual {before:.1e} (reported {reported:.1e}), then {after:.1e}");
+        assert!(after <= QUADRATIC * before * before, "{before:e}, then {after:e}");
+        assert!([0, 4, 8].iter().all(|&k| q[k] == exact[k]), "heights are independent: {q:?}");
+    }
+}
