@@ -1,3 +1,10 @@
 //! The only test binary.
 
+mod agreement;
+mod closed_forms;
 mod emulator;
+mod energy;
+mod equation_index;
+mod newton_euler_oracle;
+mod tile_equations;
+mod tile_motion;

@@ -104,7 +104,7 @@ impl Assembly {
             if residual < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
-            if !(size < LARGEST_CORRECTION) {
+            if size.is_nan() || size >= LARGEST_CORRECTION {
                 break;
             }
         }
