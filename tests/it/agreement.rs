@@ -2,7 +2,7 @@
 
 use smartbed_tests::cases::{self, Case, MECHANISMS};
 use smartbed_tests::reference::data;
-use smartbed_tests::subject::{self, Built, ENGINES, Engine, Rates, Subject};
+use smartbed_tests::subject::{self, Built, ENGINES, Rates, Subject};
 use smartbed_tests::tolerance::{largest, relative_error};
 
 /// States that satisfy their loops to 1e-16 let formulations differ by 1e-13.
@@ -108,26 +108,38 @@ fn bits(rates: &Rates) -> Vec<u64> {
 }
 
 /// Both engines at the same states, bit for bit.
-fn check_bits<S: Built>(model: &str) {
-    let mut interpreted = S::subject(Engine::Interpreted, model);
-    let mut compiled = S::subject(Engine::Compiled, model);
-    for case in cases::random_cases(model, RANDOM_STATES, 4) {
-        let [a, b] = [answer(interpreted.as_mut(), &case), answer(compiled.as_mut(), &case)];
-        assert_eq!(bits(&a), bits(&b), "{model}: {a:?} against {b:?}");
+fn check_bits<S: Built>(mut engines: [Box<dyn Subject<S>>; 2], cases: &[Case]) {
+    let [interpreted, compiled] = &mut engines;
+    let wide = |q: &[S]| -> Vec<u64> { q.iter().map(|x| x.to_f64().to_bits()).collect() };
+    for case in cases {
+        let [a, b] = [answer(interpreted.as_mut(), case), answer(compiled.as_mut(), case)];
+        assert_eq!(bits(&a), bits(&b), "{a:?} against {b:?}");
         let slots = compiled.names().q;
         let mut q = [subject::arrange::<S>(&slots, &case.state.q), subject::arrange(&slots, &case.state.q)];
-        let before = interpreted.project(&mut q[0]).expect("slices fit");
-        let same = compiled.project(&mut q[1]).expect("slices fit");
-        assert_eq!(before.to_f64().to_bits(), same.to_f64().to_bits(), "{model}: projection's residual");
-        let wide = |q: &[S]| -> Vec<u64> { q.iter().map(|x| x.to_f64().to_bits()).collect() };
-        assert_eq!(wide(&q[0]), wide(&q[1]), "{model}: projection");
+        let residuals = [interpreted.project(&mut q[0]), compiled.project(&mut q[1])];
+        let residuals = residuals.map(|residual| residual.expect("slices fit"));
+        assert_eq!(wide(&residuals[..1]), wide(&residuals[1..]), "projection's residual");
+        assert_eq!(wide(&q[0]), wide(&q[1]), "projection");
+        let outputs =
+            [&mut *interpreted, &mut *compiled].map(|engine| subject::outputs(engine.as_mut(), &case.state));
+        assert_eq!(outputs[0], outputs[1], "outputs");
     }
 }
 
 #[test]
 fn interpreted_and_compiled_agree_bit_for_bit() {
     for model in MECHANISMS {
-        check_bits::<f64>(model);
-        check_bits::<f32>(model);
+        let cases = cases::random_cases(model, RANDOM_STATES, 4);
+        check_bits(ENGINES.map(|engine| f64::subject(engine, model)), &cases);
+        check_bits(ENGINES.map(|engine| f32::subject(engine, model)), &cases);
+    }
+}
+
+#[test]
+fn interpreted_and_compiled_agree_bit_for_bit_under_load() {
+    for model in ["tile", "tile_minimal"] {
+        let cases = cases::loaded_tile_cases(model, RANDOM_STATES, 11);
+        check_bits(ENGINES.map(|engine| f64::loaded(engine, model)), &cases);
+        check_bits(ENGINES.map(|engine| f32::loaded(engine, model)), &cases);
     }
 }

@@ -5,6 +5,7 @@ use smartbed_codegen::kinematics::ParameterChoice;
 use smartbed_codegen::model;
 use smartbed_codegen::program::interpreter::Interpreted;
 use smartbed_codegen::program::{self, Program};
+use smartbed_codegen::rust::{self, EmitOptions, ScalarType};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::real::Real;
 use std::path::{Path, PathBuf};
@@ -28,6 +29,19 @@ pub fn program(model: &str, keep: &[&str]) -> Program {
     };
     let model = model::read(&path(model)).unwrap_or_else(|found| panic!("{found}"));
     program::derive(&model, &choice).unwrap_or_else(|found| panic!("{found}"))
+}
+
+/// The Rust emitted for a model, with a path in it that does not depend on where the tests run.
+///
+/// # Panics
+/// With the diagnosis, if the model is refused.
+#[must_use]
+pub fn emitted(name: &str, scalar: ScalarType) -> String {
+    let text = std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let model = model::parse(&format!("models/{name}.toml"), &text).unwrap_or_else(|found| panic!("{found}"));
+    let program =
+        program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"));
+    rust::emit(&program, &EmitOptions { scalar, ..EmitOptions::default() })
 }
 
 /// The interpreter with names.

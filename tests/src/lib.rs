@@ -2,6 +2,7 @@
 
 pub mod cases;
 pub mod closed_form;
+pub mod generated;
 pub mod interpreted;
 pub mod loop_equations;
 pub mod newton_euler;

@@ -3,6 +3,7 @@
 //! Tests speak names and f64 and leave scalar, engine and order of slots to this file.
 
 use crate::cases::LOAD_PARAMETERS;
+use crate::generated;
 use crate::interpreted::InterpretedSubject;
 use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::Mechanism;
@@ -141,19 +142,31 @@ pub trait Built: Tabulated {
 }
 
 impl Built for f64 {
-    fn subject(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(InterpretedSubject::new(model, &[]))
+    fn subject(engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        match engine {
+            Engine::Interpreted => Box::new(InterpretedSubject::new(model, &[])),
+            Engine::Compiled => generated::double(model),
+        }
     }
-    fn loaded(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS))
+    fn loaded(engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        match engine {
+            Engine::Interpreted => Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS)),
+            Engine::Compiled => generated::double(&format!("{model} loaded")),
+        }
     }
 }
 
 impl Built for f32 {
-    fn subject(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(InterpretedSubject::new(model, &[]))
+    fn subject(engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        match engine {
+            Engine::Interpreted => Box::new(InterpretedSubject::new(model, &[])),
+            Engine::Compiled => generated::single(model),
+        }
     }
-    fn loaded(_engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
-        Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS))
+    fn loaded(engine: Engine, model: &str) -> Box<dyn Subject<Self>> {
+        match engine {
+            Engine::Interpreted => Box::new(InterpretedSubject::new(model, &LOAD_PARAMETERS)),
+            Engine::Compiled => generated::single(&format!("{model} loaded")),
+        }
     }
 }
