@@ -177,7 +177,7 @@ pub fn rates(
     let t45 = Real::min(Real::min(1.1511456_f32 * Real::abs(t1), 0.2926055_f32 * Real::abs(t9)), 0.4120579_f32 * Real::abs(mass_u1_u1));
     ([u1, u2, u3], [t44], t45)
 }
-///Kinetic and potential energy [J].
+///Kinetic and potential energy (J).
 ///
 ///99 operations.
 #[allow(

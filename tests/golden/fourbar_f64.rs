@@ -177,7 +177,7 @@ pub fn rates(
     let t45 = Real::min(Real::min(1.1511455871086413_f64 * Real::abs(t1), 0.29260547541170895_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
     ([u1, u2, u3], [t44], t45)
 }
-///Kinetic and potential energy [J].
+///Kinetic and potential energy (J).
 ///
 ///99 operations.
 #[allow(

@@ -138,7 +138,7 @@ pub fn rates(
     let t30 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(pivot_2));
     ([u0, u1, u2], [-(t9 * t11 + t13 * t29 + t24 * t28), t29, t28], t30)
 }
-///Kinetic and potential energy [J].
+///Kinetic and potential energy (J).
 ///
 ///72 operations.
 #[allow(

@@ -454,7 +454,7 @@ pub fn rates(
     let t204 = Real::min(Real::min(Real::min(t203, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
     ([u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, u_thC, u_sC], [t201, t200, t199], t204)
 }
-///Kinetic and potential energy [J].
+///Kinetic and potential energy (J).
 ///
 ///340 operations.
 #[allow(

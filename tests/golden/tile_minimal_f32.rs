@@ -1461,7 +1461,7 @@ pub fn rates(
     let t1291 = Real::min(Real::min(0.21652833_f32 * Real::abs(mass_u_hA_u_hA), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
     ([u_hA, u_hB, u_hC], [t1290, t1289, t1288], t1291)
 }
-///Kinetic and potential energy [J].
+///Kinetic and potential energy (J).
 ///
 ///1000 operations.
 #[allow(

@@ -1,6 +1,6 @@
 //! The tile's loop and rod equations (the thesis, Eq. 2.1 to 2.3), recomputed from the coordinates.
 //!
-//! G_A - G_B = 0, G_B - G_C = 0 [m] and d_A + d_B + d_C = 0: nine numbers, zero on the mechanism.
+//! G_A - G_B = 0, G_B - G_C = 0 (m) and d_A + d_B + d_C = 0: nine numbers, zero on the mechanism.
 //! Written out in components with the standard library's sine and cosine, apart from both the
 //! generator and the Newton-Euler oracle.
 

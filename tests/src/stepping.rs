@@ -100,7 +100,7 @@ impl<'a, S: Tabulated> Run<'a, S> {
         }
     }
 
-    /// Kinetic and potential energy [J].
+    /// Kinetic and potential energy (J).
     ///
     /// # Panics
     /// If the mechanism refuses its own state.
@@ -126,9 +126,9 @@ pub fn servo(weight: f64, t: f64, h: [f64; 3], h_dot: [f64; 3]) -> [f64; 3] {
     follow(weight, [wave(0.05, 0.8, 0.0), wave(0.05, 0.8, 2.1), wave(0.03, 1.3, 4.2)], h, h_dot)
 }
 
-/// Stiffness of the servo [N/m].
+/// Stiffness of the servo (N/m).
 pub const SERVO_STIFFNESS: f64 = 900.0;
-/// Damping of the servo [N s/m].
+/// Damping of the servo (N s/m).
 pub const SERVO_DAMPING: f64 = 20.0;
 
 /// Thrusts that pull the heights to commanded ones and carry the weight.

@@ -70,7 +70,7 @@ pub struct Rates {
     pub u_dot: Vec<f64>,
     /// The worst pivot.
     pub pivot: f64,
-    /// Kinetic and potential energy [J].
+    /// Kinetic and potential energy (J).
     pub energy: [f64; 2],
 }
 

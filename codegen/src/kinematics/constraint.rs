@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// One scalar equation: sum_k coefficients[k] y_k = 0, sum_k coefficients[k] y_k' + bias = 0,
-/// and for Newton's correction d of the configuration sum_k coefficients[k] d_k = -residual.
+/// One scalar equation: `sum_k coefficients[k] y_k = 0`, `sum_k coefficients[k] y_k' + bias = 0`,
+/// and for Newton's correction d of the configuration `sum_k coefficients[k] d_k = -residual`.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Which equation it comes from.

@@ -320,7 +320,7 @@ pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Piv
     Pivot { value, nominal, worst: smallest / nominal }
 }
 
-/// other -= (other[column] / pivot) row.
+/// `other -= (other[column] / pivot) row`.
 fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: UnknownId, pivot: ExprId) {
     let Some(entry) = other.coefficients.remove(&column) else { return };
     let factor = dag.div(entry, pivot);

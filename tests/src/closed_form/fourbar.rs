@@ -19,7 +19,7 @@ pub fn assemble(lengths: [f64; 4], q1: f64, side: f64) -> Option<[f64; 2]> {
     Some([q2, q2 + sin_between.atan2(cos_between)])
 }
 
-/// Largest component of the loop equation's residual [m].
+/// Largest component of the loop equation's residual (m).
 #[must_use]
 pub fn residual(lengths: [f64; 4], q: [f64; 3]) -> f64 {
     let [l1, l2, l3, l4] = lengths;

@@ -1,6 +1,6 @@
 //! Energies of a chain of point masses on massless rods: absolute angles from the downward vertical.
 
-/// Kinetic and potential energy [J]; the pin is the height zero.
+/// Kinetic and potential energy (J); the pin is the height zero.
 #[must_use]
 pub fn energy(masses: &[f64], lengths: &[f64], g: f64, q: &[f64], u: &[f64]) -> (f64, f64) {
     let (mut kinetic, mut potential) = (0.0, 0.0);

@@ -16,20 +16,20 @@ pub const AZIMUTHS: [[f64; 2]; 3] = [[0.0, 1.0], [-SIN_60, -0.5], [SIN_60, -0.5]
 /// Where everything is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Posture {
-    /// Mean height [m].
+    /// Mean height (m).
     pub heave: f64,
     /// Slopes of the plane through the connector points: h_i = heave - r (slope . azimuth_i).
     pub slope: [f64; 2],
-    /// Platform centre [m].
+    /// Platform centre (m).
     pub centre: Vector3<f64>,
     /// Platform frame: columns e1 (outwards along rod A), e2, e3 (normal).
     pub rotation: Matrix3<f64>,
-    /// Slides along the rods [m].
+    /// Slides along the rods (m).
     pub s: [f64; 3],
 }
 
 impl Posture {
-    /// Angle between platform and horizontal [rad].
+    /// Angle between platform and horizontal (rad).
     #[must_use]
     pub fn tilt(&self) -> f64 {
         self.slope[0].hypot(self.slope[1]).atan()

@@ -15,15 +15,15 @@ const PER_LINK: usize = 13;
 /// One link.
 #[derive(Clone, Copy, Debug)]
 struct Link {
-    /// Joint in the parent's frame [m].
+    /// Joint in the parent's frame (m).
     joint: Vector3<f64>,
-    /// Fixed turn about x before the joint's own [rad].
+    /// Fixed turn about x before the joint's own (rad).
     alpha: f64,
-    /// Mass [kg].
+    /// Mass (kg).
     mass: f64,
-    /// Mass centre in the link's frame [m].
+    /// Mass centre in the link's frame (m).
     centre: Vector3<f64>,
-    /// Central inertia [kg m^2].
+    /// Central inertia (kg m^2).
     inertia: Matrix3<f64>,
 }
 

@@ -24,22 +24,22 @@ const FRONT_WHEEL: usize = 3;
 /// The bicycle at one configuration.
 #[derive(Clone, Debug)]
 pub struct Bicycle {
-    /// Mass centres in the reference position from the rear contact [m].
+    /// Mass centres in the reference position from the rear contact (m).
     centres: [Vector3<f64>; 4],
-    /// Masses [kg].
+    /// Masses (kg).
     masses: [f64; 4],
-    /// Central inertias [kg m^2].
+    /// Central inertias (kg m^2).
     inertias: [Matrix3<f64>; 4],
-    /// Radii of rear and front wheel [m].
+    /// Radii of rear and front wheel (m).
     radii: [f64; 2],
-    /// A point of the steering axis, from the rear contact [m].
+    /// A point of the steering axis, from the rear contact (m).
     head: Vector3<f64>,
     /// The steering axis, downwards.
     axis: Unit<Vector3<f64>>,
     g: f64,
-    /// yaw, roll, pitch, steer, thR, thF [rad].
+    /// yaw, roll, pitch, steer, thR, thF (rad).
     q: [f64; 6],
-    /// Roll torque on the rear frame, steer torque, rear wheel torque [N m].
+    /// Roll torque on the rear frame, steer torque, rear wheel torque (N m).
     inputs: [f64; 3],
 }
 

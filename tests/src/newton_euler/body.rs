@@ -9,15 +9,15 @@ use nalgebra::{Matrix3, Vector3};
 /// What a body is and what acts on it besides the joints.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Mass that weighs and resists [kg].
+    /// Mass that weighs and resists (kg).
     pub mass: f64,
-    /// Mass that resists but does not weigh (reflected inertia) [kg].
+    /// Mass that resists but does not weigh (reflected inertia) (kg).
     pub added_mass: f64,
-    /// Inertia about the mass centre in the body's frame [kg m^2]; none for a particle.
+    /// Inertia about the mass centre in the body's frame (kg m^2); none for a particle.
     pub inertia: Option<Matrix3<f64>>,
-    /// Force at the mass centre, weight excluded [N].
+    /// Force at the mass centre, weight excluded (N).
     pub force: Vector3<f64>,
-    /// Torque [N m].
+    /// Torque (N m).
     pub torque: Vector3<f64>,
 }
 
@@ -44,7 +44,7 @@ impl Body {
 /// Where a body is.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pose {
-    /// Mass centre [m].
+    /// Mass centre (m).
     pub centre: Vector3<f64>,
     /// Rotation from the body's frame to the inertial frame.
     pub rotation: Matrix3<f64>,

@@ -12,17 +12,17 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// The four-bar at one configuration; arrays in the order of the links.
 pub struct Fourbar {
-    /// Lengths l1, l2, l3 and of the ground link l4 [m].
+    /// Lengths l1, l2, l3 and of the ground link l4 (m).
     pub lengths: [f64; 4],
-    /// Masses [kg].
+    /// Masses (kg).
     pub masses: [f64; 3],
-    /// Central moments of inertia [kg m^2].
+    /// Central moments of inertia (kg m^2).
     pub inertias: [f64; 3],
-    /// Gravity [m/s^2].
+    /// Gravity (m/s^2).
     pub g: f64,
-    /// Absolute angles [rad].
+    /// Absolute angles (rad).
     pub q: [f64; 3],
-    /// Torque on link 1 [N m].
+    /// Torque on link 1 (N m).
     pub torque: f64,
 }
 

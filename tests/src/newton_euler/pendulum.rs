@@ -11,13 +11,13 @@ use nalgebra::Vector3;
 
 /// The chain at one configuration.
 pub struct Pendulum<'a> {
-    /// Masses [kg].
+    /// Masses (kg).
     pub masses: &'a [f64],
-    /// Rod lengths [m].
+    /// Rod lengths (m).
     pub lengths: &'a [f64],
-    /// Gravity [m/s^2], along -y.
+    /// Gravity (m/s^2), along -y.
     pub g: f64,
-    /// Absolute angles [rad].
+    /// Absolute angles (rad).
     pub q: &'a [f64],
 }
 

@@ -26,7 +26,7 @@ pub trait Linkage {
     fn coordinate_rates(&self, bodies: &[Moving]) -> Vec<Jet>;
     /// Which coordinate rates are the independent speeds.
     fn independent(&self) -> Vec<usize>;
-    /// Gravity [m/s^2].
+    /// Gravity (m/s^2).
     fn gravity(&self) -> Vector3<f64>;
 }
 
@@ -45,9 +45,9 @@ pub struct Motion {
     pub multipliers: Vec<f64>,
     /// Force and torque of all joints on each body [N, N m].
     pub reactions: Vec<Twist>,
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic: f64,
-    /// Potential energy of the weights [J]; zero with all mass centres at the origin's height.
+    /// Potential energy of the weights (J); zero with all mass centres at the origin's height.
     pub potential: f64,
     /// Largest joint residual at the given configuration.
     pub residual: f64,

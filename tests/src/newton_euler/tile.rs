@@ -24,23 +24,23 @@ const ROWS_PER_LEG: usize = 10;
 /// Parameters of the tile, in the reference's order and meaning.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameters {
-    /// Radius of the screws' circle [m].
+    /// Radius of the screws' circle (m).
     pub r: f64,
-    /// Screw mass [kg].
+    /// Screw mass (kg).
     pub ms: f64,
-    /// Reflected inertia of the drive on a height [kg], without weight.
+    /// Reflected inertia of the drive on a height (kg), without weight.
     pub mr: f64,
-    /// Connector mass [kg].
+    /// Connector mass (kg).
     pub mc: f64,
-    /// Connector inertia about its own axes [kg m^2].
+    /// Connector inertia about its own axes (kg m^2).
     pub ic: [f64; 3],
-    /// Platform mass [kg].
+    /// Platform mass (kg).
     pub m: f64,
-    /// Platform inertia about its own axes [kg m^2].
+    /// Platform inertia about its own axes (kg m^2).
     pub i: [f64; 3],
-    /// Viscous friction of a screw [N s/m].
+    /// Viscous friction of a screw (N s/m).
     pub c: f64,
-    /// Gravity, along -z [m/s^2].
+    /// Gravity, along -z (m/s^2).
     pub g: f64,
 }
 
@@ -65,7 +65,7 @@ impl Parameters {
         }
     }
 
-    /// All that the three thrusts carry at rest without load [N].
+    /// All that the three thrusts carry at rest without load (N).
     #[must_use]
     pub fn weight(&self) -> f64 {
         (3.0 * (self.ms + self.mc) + self.m) * self.g
@@ -75,33 +75,33 @@ impl Parameters {
 /// What a tile may carry and touch; all zero by default.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Load {
-    /// Mass on the platform [kg].
+    /// Mass on the platform (kg).
     pub payload: f64,
-    /// Its place in the platform's frame [m].
+    /// Its place in the platform's frame (m).
     pub payload_at: [f64; 3],
-    /// Stiffness of a spring under each screw [N/m].
+    /// Stiffness of a spring under each screw (N/m).
     pub support: f64,
-    /// Height at which these springs are slack [m].
+    /// Height at which these springs are slack (m).
     pub support_rest: f64,
-    /// External force on the platform's centre [N].
+    /// External force on the platform's centre (N).
     pub force: [f64; 3],
-    /// External torque on the platform [N m].
+    /// External torque on the platform (N m).
     pub torque: [f64; 3],
-    /// Stiffness of the end stops [N/m].
+    /// Stiffness of the end stops (N/m).
     pub stop: f64,
-    /// Heights of the lower and the upper end stop [m].
+    /// Heights of the lower and the upper end stop (m).
     pub stops_at: [f64; 2],
 }
 
 impl Load {
-    /// Force of springs and end stops on a screw at height `h` [N].
+    /// Force of springs and end stops on a screw at height `h` (N).
     fn on_screw(&self, h: f64) -> f64 {
         let [low, high] = self.stops_at;
         let stop = self.stop * ((low - h).max(0.0) - (h - high).max(0.0));
         stop - self.support * (h - self.support_rest)
     }
 
-    /// Energy of the support spring of one screw [J].
+    /// Energy of the support spring of one screw (J).
     fn spring_energy(&self, h: f64) -> f64 {
         0.5 * self.support * (h - self.support_rest) * (h - self.support_rest)
     }
@@ -114,9 +114,9 @@ pub struct Tile {
     pub parameters: Parameters,
     /// h, psi, theta, s of legs A, B, C.
     pub q: [f64; 12],
-    /// Speeds of the screws, for friction [m/s].
+    /// Speeds of the screws, for friction (m/s).
     pub h_dot: [f64; 3],
-    /// Thrusts of the drives [N].
+    /// Thrusts of the drives (N).
     pub thrust: [f64; 3],
     /// What it carries.
     pub load: Load,
@@ -160,7 +160,7 @@ impl Tile {
         -self.connector_rotation(leg).column(0).into_owned()
     }
 
-    /// Force of a leg's connector on the platform's rod [N], from the multipliers of `motion`.
+    /// Force of a leg's connector on the platform's rod (N), from the multipliers of `motion`.
     #[must_use]
     pub fn rod_force(&self, motion: &Motion, leg: usize) -> Vector3<f64> {
         let across = self.connector_rotation(leg);

@@ -45,17 +45,17 @@ pub struct Sample {
 /// One state of the minimal tile, in the order of legs A, B, C.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MinimalState {
-    /// Heights [m].
+    /// Heights (m).
     pub h: [f64; 3],
-    /// Their rates [m/s].
+    /// Their rates (m/s).
     pub h_dot: [f64; 3],
-    /// Thrusts [N].
+    /// Thrusts (N).
     pub thrust: [f64; 3],
     /// Accelerations of the heights.
     pub u_dot: [f64; 3],
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic: f64,
-    /// Potential energy [J].
+    /// Potential energy (J).
     pub potential: f64,
     /// Outputs by name.
     pub outputs: Vec<(String, f64)>,
@@ -64,11 +64,11 @@ pub struct MinimalState {
 /// Heights of the minimal tile under its servo law.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Trajectory {
-    /// Times [s].
+    /// Times (s).
     pub t: Vec<f64>,
-    /// Heights [m].
+    /// Heights (m).
     pub h: Vec<[f64; 3]>,
-    /// Their rates [m/s].
+    /// Their rates (m/s).
     pub h_dot: Vec<[f64; 3]>,
 }
 
