@@ -1,4 +1,21 @@
 //! The scalar of all kernels: `Real` for arithmetic (lanes included), `Scalar` for what compares.
+//!
+//! - sine, cosine, square root: own code for every scalar, one algorithm, the same bits on host,
+//!   microcontroller and in SIMD lanes ([`trig`], `sqrt`);
+//! - other functions: own code in f32 (libm's would compute in f64), libm in f64;
+//! - no fused multiply-add, no remainder operator, no table, no panic;
+//! - not-a-number: arithmetic, `min`, `max`, `abs` and `sign` all hand it on, so that one check at the
+//!   end of a step finds it. Sign and payload of a NaN are not specified.
+
+#[cfg(feature = "counting")]
+pub mod counting;
+mod double;
+pub mod lane;
+#[cfg(feature = "simd")]
+mod simd;
+mod single;
+mod sqrt;
+pub mod trig;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -18,44 +35,45 @@ pub trait Real:
     const ZERO: Self;
     /// 1.
     const ONE: Self;
-    /// The nearest representable number, rounded once.
+    /// The nearest representable number, rounded once. Free for constants; on a machine without
+    /// double precision a library call for anything else.
     fn from_f64(x: f64) -> Self;
-    /// Square root.
+    /// Square root, exactly rounded; NaN below 0.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// (sin, cos) of an angle [rad].
+    /// (sin, cos) of an angle [rad]: |x| <= 100 in f32, 1e5 in f64; wrap larger ones first.
     fn sin_cos(self) -> (Self, Self);
-    /// Tangent.
+    /// Tangent [rad], same domain.
     #[must_use]
     fn tan(self) -> Self;
-    /// Inverse sine.
+    /// Inverse sine [rad]; NaN outside [-1, 1].
     #[must_use]
     fn asin(self) -> Self;
-    /// Inverse cosine.
+    /// Inverse cosine [rad]; NaN outside [-1, 1].
     #[must_use]
     fn acos(self) -> Self;
-    /// Angle of the vector (x, y) with y = `self`.
+    /// Angle [rad] in [-pi, pi] of the vector (x, y) with y = `self`; 0 (or pi) for the zero vector.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
     /// Exponential.
     #[must_use]
     fn exp(self) -> Self;
-    /// Natural logarithm.
+    /// Natural logarithm; NaN below 0, -infinity at 0.
     #[must_use]
     fn ln(self) -> Self;
     /// Hyperbolic tangent.
     #[must_use]
     fn tanh(self) -> Self;
-    /// Absolute value.
+    /// Absolute value; of NaN, NaN.
     #[must_use]
     fn abs(self) -> Self;
-    /// Sign: -1, 0 or 1.
+    /// Sign: -1 or 1; a zero keeps its sign; of NaN, NaN.
     #[must_use]
     fn sign(self) -> Self;
-    /// The smaller of two.
+    /// The smaller of two; NaN if either is; of equals (-0 and 0 included) `other`.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The larger of two.
+    /// The larger of two; NaN if either is; of equals (-0 and 0 included) `other`.
     #[must_use]
     fn max(self, other: Self) -> Self;
 }
@@ -64,8 +82,22 @@ pub trait Real:
 pub trait Scalar: Real + PartialOrd {
     /// Distance from 1 to the next number.
     const EPSILON: Self;
+    /// 2 pi in three parts, the first so short that whole multiples of it are exact.
+    const TURN: [Self; 3];
     /// Neither infinite nor not-a-number.
     fn is_finite(self) -> bool;
     /// Exact widening.
     fn to_f64(self) -> f64;
+    /// The whole number of turns nearest to an angle [rad].
+    #[must_use]
+    fn turns(self) -> Self;
+    /// The angle [rad] less whole turns, in [-pi, pi] up to rounding; exact to rounding for less
+    /// than 2^14 turns. An infinity or NaN gives NaN.
+    #[inline]
+    #[must_use]
+    fn wrap_angle(self) -> Self {
+        let [a, b, c] = Self::TURN;
+        let n = self.turns();
+        ((self - n * a) - n * b) - n * c
+    }
 }

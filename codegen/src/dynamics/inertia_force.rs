@@ -1,0 +1,108 @@
+//! Generalised inertia forces F*_r.
+//!
+//! M_kl = sum m v_k . v_l + w_k . I . w_l over all bodies; the bias is
+//! h_k = sum m v_k . a_bias + w_k . (I alpha_bias + w x I w). Sign: h stands beside M y', as in Kane.
+
+use super::Unprojected;
+use crate::expr::{Dag, ExprId};
+use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, value_of};
+use crate::model::{Body, Model};
+use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
+
+/// Adds every body's inertia.
+pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
+    for body in model.bodies.iter() {
+        translation(k, body, parts);
+        rotation(k, body, parts);
+    }
+}
+
+fn translation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+    let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { return };
+    if k.dag.is_zero(mass) {
+        return;
+    }
+    let velocity = k.velocities[body.centre].clone();
+    let partials: Vec<(UnknownId, Vector)> = velocity.partials.clone().into_iter().collect();
+    for (i, (a, v)) in partials.iter().enumerate() {
+        for (b, w) in &partials[i..] {
+            let product = k.triads.dot(&mut k.dag, v, w);
+            let term = k.dag.mul(mass, product);
+            if !k.dag.is_zero(term) {
+                parts.add_mass(&mut k.dag, *a, *b, term);
+            }
+        }
+        let product = k.triads.dot(&mut k.dag, v, &velocity.bias);
+        let term = k.dag.mul(mass, product);
+        let term = k.dag.negate(term);
+        parts.add_force(&mut k.dag, *a, term);
+    }
+}
+
+fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+    let Some(frame) = body.frame else { return };
+    let Some(inertia) = inertia_matrix(k, body) else { return };
+    let triad = k.frame_triad[frame];
+    let angular = k.angular[triad].clone();
+    let partials: Vec<(UnknownId, Components)> = angular
+        .partials
+        .iter()
+        .map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad)))
+        .collect();
+    let moment = bias_moment(k, triad, &angular, &inertia);
+    for (i, (a, w)) in partials.iter().enumerate() {
+        let momentum = times(&mut k.dag, &inertia, w);
+        for (b, other) in &partials[i..] {
+            let term = dot_components(&mut k.dag, &momentum, other);
+            if !k.dag.is_zero(term) {
+                parts.add_mass(&mut k.dag, *a, *b, term);
+            }
+        }
+        let term = dot_components(&mut k.dag, w, &moment);
+        let term = k.dag.negate(term);
+        parts.add_force(&mut k.dag, *a, term);
+    }
+}
+
+/// I alpha_bias + w x I w in the body's triad.
+fn bias_moment(k: &mut Kinematics, triad: TriadId, angular: &Motion, inertia: &[Components; 3]) -> Components {
+    let alpha = k.triads.express(&mut k.dag, &angular.bias, triad);
+    let w = value_of(k, angular);
+    let w = k.triads.express(&mut k.dag, &w, triad);
+    let linear = times(&mut k.dag, inertia, &alpha);
+    let momentum = times(&mut k.dag, inertia, &w);
+    let gyroscopic = if is_diagonal(&k.dag, inertia) {
+        euler_products(&mut k.dag, inertia, &w)
+    } else {
+        cross_components(&mut k.dag, &w, &momentum)
+    };
+    std::array::from_fn(|i| k.dag.add(linear[i], gyroscopic[i]))
+}
+
+fn is_diagonal(dag: &Dag, inertia: &[Components; 3]) -> bool {
+    (0..3).all(|i| (0..3).all(|j| i == j || dag.is_zero(inertia[i][j])))
+}
+
+/// Euler's form for principal axes, (I_l - I_j) w_j w_l: the difference depends on parameters only.
+fn euler_products(dag: &mut Dag, inertia: &[Components; 3], w: &Components) -> Components {
+    std::array::from_fn(|i| {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let difference = dag.sub(inertia[l][l], inertia[j][j]);
+        let product = dag.mul(w[j], w[l]);
+        dag.mul(difference, product)
+    })
+}
+
+/// The inertia matrix; `None` if every entry is left out or folds to 0.
+fn inertia_matrix(k: &mut Kinematics, body: &Body) -> Option<[Components; 3]> {
+    let zero = k.dag.zero();
+    let entry: [ExprId; 6] =
+        std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
+    let [xx, yy, zz, xy, xz, yz] = entry;
+    let any = entry.iter().any(|&e| !k.dag.is_zero(e));
+    any.then_some([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+}
+
+fn times(dag: &mut Dag, matrix: &[Components; 3], v: &Components) -> Components {
+    std::array::from_fn(|i| dot_components(dag, &matrix[i], v))
+}

@@ -1,0 +1,191 @@
+//! Dynamics: Kane's equations F_r + F*_r = 0 in the independent speeds.
+//!
+//! Over all unknowns y (speeds and lifted twists) the inertia is sparse; the solution of the
+//! constraints, y = T u and y' = T u' + beta, projects it: M = T' M_y T, forcing = T' (F_y - h_y - M_y beta).
+//! No mass matrix of the dependent speeds is ever inverted.
+
+mod active_force;
+mod energy;
+mod inertia_force;
+mod solve;
+
+use crate::diagnostic::Diagnostics;
+use crate::expr::{Dag, ExprId, SymbolId};
+use crate::expr::tape::SampleTable;
+use crate::kinematics::eliminate::{Pivot, Solution};
+use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use crate::model::Model;
+use std::collections::{BTreeMap, HashMap};
+
+/// Equations of motion of the independent speeds, and the energies.
+#[derive(Clone, Debug)]
+pub struct Dynamics {
+    /// M, symmetric, `n_u` x `n_u`.
+    pub mass_matrix: Vec<Vec<ExprId>>,
+    /// Right-hand side of M u' = forcing, `n_u`.
+    pub forcing: Vec<ExprId>,
+    /// u', `n_u`.
+    pub u_dot: Vec<ExprId>,
+    /// Kinetic energy [J].
+    pub kinetic: ExprId,
+    /// Potential energy [J] of gravity and springs.
+    pub potential: ExprId,
+    /// Value of every unknown in terms of the independent speeds.
+    pub values: HashMap<SymbolId, ExprId>,
+    /// Pivots of the mass matrix.
+    pub pivots: Vec<Pivot>,
+}
+
+/// Inertia and forces over all unknowns.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Unprojected {
+    /// Upper triangle of M_y: keys (k, l) with k <= l.
+    mass: BTreeMap<(UnknownId, UnknownId), ExprId>,
+    /// F_y - h_y: active forces less the inertia bias.
+    force: BTreeMap<UnknownId, ExprId>,
+}
+
+impl Unprojected {
+    fn add_mass(&mut self, dag: &mut Dag, k: UnknownId, l: UnknownId, term: ExprId) {
+        let key = (k.min(l), k.max(l));
+        let sum = match self.mass.get(&key) {
+            Some(&mine) => dag.add(mine, term),
+            None => term,
+        };
+        self.mass.insert(key, sum);
+    }
+
+    fn add_force(&mut self, dag: &mut Dag, k: UnknownId, term: ExprId) {
+        let sum = match self.force.get(&k) {
+            Some(&mine) => dag.add(mine, term),
+            None => term,
+        };
+        self.force.insert(k, sum);
+    }
+}
+
+/// Derives the equations of motion.
+///
+/// # Errors
+/// If the mass matrix is singular: a coordinate moves without moving any mass.
+pub fn derive(
+    model: &Model,
+    k: &mut Kinematics,
+    solution: &Solution,
+    table: &mut SampleTable,
+) -> Result<Dynamics, Diagnostics> {
+    let mut parts = Unprojected::default();
+    inertia_force::accumulate(model, k, &mut parts);
+    active_force::accumulate(model, k, &mut parts);
+    let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
+    let values = unknown_values(k, solution);
+    let (mass_matrix, forcing) = project(k, solution, &parts);
+    let forcing = k.dag.substitute(&forcing, &values);
+    let energies = k.dag.substitute(&[kinetic, potential], &values);
+    let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
+    Ok(Dynamics {
+        mass_matrix,
+        forcing,
+        u_dot,
+        kinetic: energies[0],
+        potential: energies[1],
+        values,
+        pivots,
+    })
+}
+
+/// y = T u for every unknown that is not an independent speed; named after the unknown.
+fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
+    let independent: Vec<ExprId> = (k.unknowns.iter())
+        .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
+        .map(|u| u.value)
+        .collect();
+    let mut values = HashMap::new();
+    for (id, partials) in &solution.partials {
+        let unknown = k.unknowns[*id].clone();
+        if matches!(unknown.kind, UnknownKind::Independent(_)) {
+            continue;
+        }
+        let terms: Vec<_> = partials.iter().zip(&independent).map(|(&t, &u)| k.dag.mul(t, u)).collect();
+        let value = k.dag.sum(&terms);
+        k.dag.name(value, &unknown.name);
+        if let Some(symbol) = k.dag.as_symbol(unknown.value) {
+            values.insert(symbol, value);
+        }
+    }
+    values
+}
+
+/// M = T' M_y T and T' (force - M_y beta), sums over the few non-zero entries.
+fn project(
+    k: &mut Kinematics,
+    solution: &Solution,
+    parts: &Unprojected,
+) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
+    let n = solution.partials.values().next().map_or(0, Vec::len);
+    let zero = k.dag.zero();
+    let mut mass_matrix = vec![vec![zero; n]; n];
+    let mut forcing = vec![zero; n];
+    // Rows of M_y that are not zero: unknown -> [(other, entry)].
+    let mut rows: BTreeMap<UnknownId, Vec<(UnknownId, ExprId)>> = BTreeMap::new();
+    for (&(a, b), &entry) in &parts.mass {
+        rows.entry(a).or_default().push((b, entry));
+        if a != b {
+            rows.entry(b).or_default().push((a, entry));
+        }
+    }
+    let dag = &mut k.dag;
+    for (a, entries) in &rows {
+        let t_a = &solution.partials[a];
+        for column in 0..n {
+            // (M_y T) of this row and column, then its products with T' of the rows above the diagonal.
+            let terms: Vec<_> =
+                entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
+            let weighted = dag.sum(&terms);
+            for row in 0..=column {
+                let term = dag.mul(t_a[row], weighted);
+                mass_matrix[row][column] = dag.add(mass_matrix[row][column], term);
+            }
+        }
+    }
+    let acting: Vec<UnknownId> = solution.partials.keys().copied().collect();
+    for a in acting {
+        let mut force = parts.force.get(&a).copied().unwrap_or(zero);
+        for (b, m) in rows.get(&a).into_iter().flatten() {
+            let term = dag.mul(*m, solution.bias[b]);
+            force = dag.sub(force, term);
+        }
+        for (total, &t) in forcing.iter_mut().zip(&solution.partials[&a]) {
+            let term = dag.mul(t, force);
+            *total = dag.add(*total, term);
+        }
+    }
+    for row in 0..n {
+        for column in 0..row {
+            mass_matrix[row][column] = mass_matrix[column][row];
+        }
+    }
+    name_matrix(k, solution, &mass_matrix, &forcing);
+    (mass_matrix, forcing)
+}
+
+/// Names for partial velocities, mass matrix and forcing.
+fn name_matrix(k: &mut Kinematics, solution: &Solution, mass: &[Vec<ExprId>], forcing: &[ExprId]) {
+    let speeds: Vec<String> = (k.unknowns.iter())
+        .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
+        .map(|u| u.name.clone())
+        .collect();
+    for (&id, partials) in &solution.partials {
+        let name = k.unknowns[id].name.clone();
+        for (&partial, speed) in partials.iter().zip(&speeds) {
+            k.dag.name(partial, &format!("{name}_per_{speed}"));
+        }
+        k.dag.name(solution.bias[&id], &format!("{name}_dot_bias"));
+    }
+    for (i, row) in mass.iter().enumerate() {
+        for j in i..row.len() {
+            k.dag.name(row[j], &format!("mass_{}_{}", speeds[i], speeds[j]));
+        }
+        k.dag.name(forcing[i], &format!("forcing_{}", speeds[i]));
+    }
+}

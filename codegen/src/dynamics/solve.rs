@@ -1,0 +1,81 @@
+//! M u' = forcing by L D L', written out; M is symmetric and positive definite.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expr::ExprId;
+use crate::expr::tape::SampleTable;
+use crate::kinematics::Kinematics;
+use crate::kinematics::eliminate::{Pivot, pivot_of};
+use crate::model::Model;
+
+/// A pivot of the mass matrix this small against its diagonal entry means: no inertia.
+const NO_INERTIA: f64 = 1e-12;
+
+/// u' and the pivots that are not constants.
+pub(super) fn ldl(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    mass: &[Vec<ExprId>],
+    forcing: &[ExprId],
+) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
+    let n = forcing.len();
+    let dag = &mut k.dag;
+    let zero = dag.zero();
+    // scaled[i][j] = L_ij D_j, lower[i][j] = L_ij for j < i.
+    let (mut scaled, mut lower) = (vec![vec![zero; n]; n], vec![vec![zero; n]; n]);
+    let mut pivots = Vec::new();
+    let mut diagonal = Vec::with_capacity(n);
+    for i in 0..n {
+        for j in 0..=i {
+            let mut entry = mass[i][j];
+            for c in 0..j {
+                let term = dag.mul(scaled[i][c], lower[j][c]);
+                entry = dag.sub(entry, term);
+            }
+            if j < i {
+                scaled[i][j] = entry;
+                lower[i][j] = dag.div(entry, diagonal[j]);
+                continue;
+            }
+            let reference = table.values(dag, mass[i][i]).to_vec();
+            let values = table.values(dag, entry);
+            if values.iter().zip(&reference).any(|(d, m)| !(*d > NO_INERTIA * m.abs())) {
+                return Err(without_inertia(model, k, i));
+            }
+            dag.name(entry, &format!("pivot_{i}"));
+            if !dag.is_constant(entry) {
+                pivots.push(pivot_of(dag, table, entry));
+            }
+            diagonal.push(entry);
+        }
+    }
+    // L z = forcing, then D L' u' = z.
+    let mut u_dot = forcing.to_vec();
+    for i in 0..n {
+        for c in 0..i {
+            let term = dag.mul(lower[i][c], u_dot[c]);
+            u_dot[i] = dag.sub(u_dot[i], term);
+        }
+    }
+    for i in (0..n).rev() {
+        u_dot[i] = dag.div(u_dot[i], diagonal[i]);
+        for c in i + 1..n {
+            let term = dag.mul(lower[c][i], u_dot[c]);
+            u_dot[i] = dag.sub(u_dot[i], term);
+        }
+    }
+    Ok((u_dot, pivots))
+}
+
+fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {
+    let independent: Vec<_> = model.speeds.iter().filter(|s| s.independent).collect();
+    let mut error = Diagnostic::error(format!(
+        "the mass matrix is singular: some motion of `{}` moves no mass",
+        independent.get(index).map_or("?", |s| s.name.as_str())
+    ))
+    .help("give a mass or an inertia to every body that this coordinate moves");
+    if let Some(speed) = independent.get(index) {
+        error = error.label(speed.span, format!("speed {} of {}", index + 1, k.unknowns.len()));
+    }
+    Diagnostics { source: model.source.clone(), items: vec![error] }
+}

@@ -1,0 +1,54 @@
+//! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0.
+
+use super::{Dag, ExprId, Node};
+use std::collections::{BTreeMap, HashSet};
+
+impl Dag {
+    /// Operations needed for `roots` together, shared parts once.
+    #[must_use]
+    pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
+        let mut seen = HashSet::new();
+        let mut stack: Vec<ExprId> = roots.to_vec();
+        let mut operations = 0;
+        while let Some(id) = stack.pop() {
+            if !seen.insert(id) {
+                continue;
+            }
+            operations += usize::from(self.is_operation(id));
+            stack.extend(self.operands(id).into_iter().flatten());
+        }
+        operations
+    }
+
+    /// Does the node cost an operation at run time? Constants and negations do not.
+    #[must_use]
+    pub fn is_operation(&self, id: ExprId) -> bool {
+        matches!(self.node(id), Node::Unary(..) | Node::Binary(..)) && !self.is_constant(id)
+    }
+
+    /// Without any symbol in it (depth is small: constants fold as they are built).
+    #[must_use]
+    pub fn is_constant(&self, id: ExprId) -> bool {
+        match self.node(id) {
+            Node::Number(_) | Node::Pi => true,
+            Node::Symbol(_) => false,
+            Node::Negate(a) | Node::Unary(_, a) => self.is_constant(a),
+            Node::Binary(_, a, b) => self.is_constant(a) && self.is_constant(b),
+        }
+    }
+
+    /// Operations by kind, for the header of a generated file.
+    #[must_use]
+    pub fn operations_by_kind(&self, roots: &[ExprId]) -> BTreeMap<&'static str, usize> {
+        let mut counts = BTreeMap::new();
+        for id in self.reachable(roots).into_iter().filter(|&id| self.is_operation(id)) {
+            let kind = match self.node(id) {
+                Node::Unary(function, _) => super::print::unary_name(function),
+                Node::Binary(operator, ..) => super::print::binary_name(operator),
+                _ => continue,
+            };
+            *counts.entry(kind).or_insert(0) += 1;
+        }
+        counts
+    }
+}

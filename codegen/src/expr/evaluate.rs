@@ -1,0 +1,59 @@
+//! The interpreter: evaluates nodes over any scalar. The oracle that emitted Rust is tested against.
+
+use super::number::Number;
+use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
+use smartbed_runtime::real::Real;
+
+/// f(a) over `S`, exactly as the emitted code computes it.
+pub fn unary<S: Real>(function: Unary, a: S) -> S {
+    match function {
+        Unary::Sqrt => a.sqrt(),
+        Unary::Sin => a.sin_cos().0,
+        Unary::Cos => a.sin_cos().1,
+        Unary::Tan => a.tan(),
+        Unary::Asin => a.asin(),
+        Unary::Acos => a.acos(),
+        Unary::Exp => a.exp(),
+        Unary::Ln => a.ln(),
+        Unary::Tanh => a.tanh(),
+        Unary::Abs => a.abs(),
+        Unary::Sign => a.sign(),
+    }
+}
+
+/// a (op) b over `S`, exactly as the emitted code computes it.
+pub fn binary<S: Real>(operator: Binary, a: S, b: S) -> S {
+    match operator {
+        Binary::Add => a + b,
+        Binary::Sub => a - b,
+        Binary::Mul => a * b,
+        Binary::Div => a / b,
+        Binary::Atan2 => a.atan2(b),
+        Binary::Min => a.min(b),
+        Binary::Max => a.max(b),
+    }
+}
+
+/// A constant, rounded once.
+pub fn number<S: Real>(number: Number) -> S {
+    S::from_f64(number.to_f64())
+}
+
+impl Dag {
+    /// Values of `roots` with the symbols' values from `value_of`.
+    pub fn evaluate<S: Real>(&self, roots: &[ExprId], value_of: &dyn Fn(SymbolId) -> S) -> Vec<S> {
+        let mut values = vec![S::ZERO; roots.iter().map(|r| r.index() + 1).max().unwrap_or(0)];
+        for id in self.reachable(roots) {
+            values[id.index()] = match self.node(id) {
+                Node::Number(c) => number(c),
+                Node::Pi => S::from_f64(std::f64::consts::PI),
+                Node::Symbol(symbol) => value_of(symbol),
+                Node::Negate(a) => -values[a.index()],
+                Node::Unary(function, a) => unary(function, values[a.index()]),
+                Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
+            };
+        }
+        roots.iter().map(|r| values[r.index()]).collect()
+    }
+}

@@ -1,0 +1,310 @@
+//! The expression DAG: hash-consed, simplified as it is built, never expanded to a tree.
+//!
+//! Every constructor first asks [`simplify`] for a shorter equal node, then looks the node up:
+//! equal expressions have equal ids, so common subexpressions exist once. Sums and products
+//! order their operands by id; negation floats outwards (it is free at run time).
+//! Semantics: real arithmetic; parameters and states are taken as finite.
+
+pub mod cost;
+pub mod differentiate;
+pub mod evaluate;
+pub mod number;
+pub mod print;
+mod simplify;
+pub mod substitute;
+pub mod tape;
+
+use crate::id::{Id, IdVec, ids};
+use number::Number;
+use std::collections::HashMap;
+
+ids! {
+    /// A node of the [`Dag`].
+    ExprId,
+    /// A free symbol: time, coordinate, speed, input or parameter.
+    SymbolId,
+}
+
+/// Operator with its operands.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Node {
+    /// A constant.
+    Number(Number),
+    /// Pi, kept apart so that sines of multiples of 30 and 45 degrees are exact.
+    Pi,
+    /// A free symbol.
+    Symbol(SymbolId),
+    /// -a.
+    Negate(ExprId),
+    /// A function of one argument.
+    Unary(Unary, ExprId),
+    /// An operator of two arguments.
+    Binary(Binary, ExprId, ExprId),
+}
+
+/// Functions of one argument.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[expect(missing_docs, reason = "the names are the functions")]
+pub enum Unary {
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Exp,
+    Ln,
+    Tanh,
+    Abs,
+    Sign,
+}
+
+/// Operators of two arguments.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[expect(missing_docs, reason = "the names are the operators")]
+pub enum Binary {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Atan2,
+    Min,
+    Max,
+}
+
+/// The arena of nodes.
+#[derive(Clone, Debug, Default)]
+pub struct Dag {
+    nodes: IdVec<ExprId, Node>,
+    index: HashMap<Node, ExprId>,
+    symbols: IdVec<SymbolId, String>,
+    names: HashMap<ExprId, String>,
+    derivatives: HashMap<(ExprId, SymbolId), ExprId>,
+}
+
+impl Dag {
+    /// A new free symbol. Two symbols may share a name; they stay two.
+    pub fn symbol(&mut self, name: &str) -> ExprId {
+        let symbol = self.symbols.push(name.to_owned());
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// Number of nodes ever made.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// No node yet?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The node behind an id.
+    #[must_use]
+    pub fn node(&self, id: ExprId) -> Node {
+        self.nodes[id]
+    }
+
+    /// Name of a symbol.
+    #[must_use]
+    pub fn symbol_name(&self, symbol: SymbolId) -> &str {
+        &self.symbols[symbol]
+    }
+
+    /// The symbol that `id` is, if it is one.
+    #[must_use]
+    pub fn as_symbol(&self, id: ExprId) -> Option<SymbolId> {
+        match self.nodes[id] {
+            Node::Symbol(symbol) => Some(symbol),
+            _ => None,
+        }
+    }
+
+    /// The constant that `id` is, if it is one.
+    #[must_use]
+    pub fn as_number(&self, id: ExprId) -> Option<Number> {
+        match self.nodes[id] {
+            Node::Number(number) => Some(number),
+            Node::Pi => Some(Number::from_f64(std::f64::consts::PI)),
+            _ => None,
+        }
+    }
+
+    /// Is it the constant 0?
+    #[must_use]
+    pub fn is_zero(&self, id: ExprId) -> bool {
+        self.nodes[id] == Node::Number(Number::ZERO)
+    }
+
+    /// Is it the constant 1?
+    #[must_use]
+    pub fn is_one(&self, id: ExprId) -> bool {
+        self.nodes[id] == Node::Number(Number::ONE)
+    }
+
+    /// Gives a node a readable name for the generated code; the first name stays.
+    pub fn name(&mut self, id: ExprId, name: &str) {
+        if !matches!(self.nodes[id], Node::Number(_) | Node::Symbol(_) | Node::Pi) {
+            self.names.entry(id).or_insert_with(|| name.to_owned());
+        }
+    }
+
+    /// The name given to a node.
+    #[must_use]
+    pub fn name_of(&self, id: ExprId) -> Option<&str> {
+        self.names.get(&id).map(String::as_str)
+    }
+
+    fn intern(&mut self, node: Node) -> ExprId {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let id = self.nodes.push(node);
+        self.index.insert(node, id);
+        id
+    }
+
+    /// A constant.
+    pub fn number(&mut self, number: Number) -> ExprId {
+        self.intern(Node::Number(number))
+    }
+
+    /// An f64 constant.
+    pub fn constant(&mut self, x: f64) -> ExprId {
+        self.number(Number::from_f64(x))
+    }
+
+    /// 0.
+    pub fn zero(&mut self) -> ExprId {
+        self.number(Number::ZERO)
+    }
+
+    /// 1.
+    pub fn one(&mut self) -> ExprId {
+        self.number(Number::ONE)
+    }
+
+    /// Pi.
+    pub fn pi(&mut self) -> ExprId {
+        self.intern(Node::Pi)
+    }
+
+    /// -a.
+    pub fn negate(&mut self, a: ExprId) -> ExprId {
+        match simplify::negate(self, a) {
+            Some(simpler) => simpler,
+            None => self.intern(Node::Negate(a)),
+        }
+    }
+
+    /// A function of one argument.
+    pub fn unary(&mut self, function: Unary, a: ExprId) -> ExprId {
+        match simplify::unary(self, function, a) {
+            Some(simpler) => simpler,
+            None => self.intern(Node::Unary(function, a)),
+        }
+    }
+
+    /// An operator of two arguments.
+    pub fn binary(&mut self, operator: Binary, a: ExprId, b: ExprId) -> ExprId {
+        let commutes = matches!(operator, Binary::Add | Binary::Mul);
+        let (a, b) = if commutes && b < a { (b, a) } else { (a, b) };
+        match simplify::binary(self, operator, a, b) {
+            Some(simpler) => simpler,
+            None => self.intern(Node::Binary(operator, a, b)),
+        }
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.binary(Binary::Add, a, b)
+    }
+
+    /// a - b.
+    pub fn sub(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.binary(Binary::Sub, a, b)
+    }
+
+    /// a b.
+    pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.binary(Binary::Mul, a, b)
+    }
+
+    /// a / b.
+    pub fn div(&mut self, a: ExprId, b: ExprId) -> ExprId {
+        self.binary(Binary::Div, a, b)
+    }
+
+    /// sin a.
+    pub fn sin(&mut self, a: ExprId) -> ExprId {
+        self.unary(Unary::Sin, a)
+    }
+
+    /// cos a.
+    pub fn cos(&mut self, a: ExprId) -> ExprId {
+        self.unary(Unary::Cos, a)
+    }
+
+    /// Square root of a.
+    pub fn sqrt(&mut self, a: ExprId) -> ExprId {
+        self.unary(Unary::Sqrt, a)
+    }
+
+    /// Integer power by repeated squaring; negative exponents divide.
+    pub fn powi(&mut self, a: ExprId, exponent: i32) -> ExprId {
+        let mut result = self.one();
+        let (mut base, mut left) = (a, exponent.unsigned_abs());
+        while left > 0 {
+            if left & 1 == 1 {
+                result = self.mul(result, base);
+            }
+            left >>= 1;
+            if left > 0 {
+                base = self.mul(base, base);
+            }
+        }
+        if exponent < 0 {
+            let one = self.one();
+            return self.div(one, result);
+        }
+        result
+    }
+
+    /// Sum of many, in order.
+    pub fn sum(&mut self, terms: &[ExprId]) -> ExprId {
+        let zero = self.zero();
+        terms.iter().fold(zero, |total, &term| self.add(total, term))
+    }
+
+    /// Operands of a node.
+    #[must_use]
+    pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
+        match self.nodes[id] {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => [None, None],
+            Node::Negate(a) | Node::Unary(_, a) => [Some(a), None],
+            Node::Binary(_, a, b) => [Some(a), Some(b)],
+        }
+    }
+
+    /// All nodes that the roots need, in ascending (hence topological) order.
+    #[must_use]
+    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        let mut needed = vec![false; self.nodes.len()];
+        let mut last = 0;
+        for &root in roots {
+            needed[root.index()] = true;
+            last = last.max(root.index() + 1);
+        }
+        // Operands are always older than their node: one backward sweep marks everything.
+        for index in (0..last).rev() {
+            if needed[index] {
+                for operand in self.operands(ExprId::from_index(index)).into_iter().flatten() {
+                    needed[operand.index()] = true;
+                }
+            }
+        }
+        (0..last).filter(|&index| needed[index]).map(ExprId::from_index).collect()
+    }
+}

@@ -1,0 +1,197 @@
+//! A flat program for the interpreter: the nodes some roots need, in order, over any scalar.
+//!
+//! Same operations on the same operands as the emitted Rust, hence the same bits. Sine and cosine
+//! of one angle are one instruction. Numbers are rounded once, when the tape is made.
+
+use super::evaluate;
+use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
+use smartbed_runtime::real::Real;
+use std::collections::HashMap;
+
+#[derive(Clone, Copy, Debug)]
+enum Instruction {
+    Negate { to: u32, a: u32 },
+    Unary { function: Unary, to: u32, a: u32 },
+    SinCos { sin: u32, cos: u32, a: u32 },
+    Binary { operator: Binary, to: u32, a: u32, b: u32 },
+}
+
+/// An executable copy of part of a DAG.
+#[derive(Clone, Debug)]
+pub struct Tape<S> {
+    instructions: Vec<Instruction>,
+    inputs: Vec<(usize, u32)>,
+    outputs: Vec<u32>,
+    values: Vec<S>,
+}
+
+impl<S: Real> Tape<S> {
+    /// The nodes that `roots` need; `inputs[k]` is the symbol that takes the k-th argument.
+    ///
+    /// # Panics
+    /// If a root depends on a symbol that is not among `inputs`: a fault of the derivation.
+    #[must_use]
+    pub fn new(dag: &Dag, roots: &[ExprId], inputs: &[SymbolId]) -> Self {
+        let position: HashMap<SymbolId, usize> = inputs.iter().enumerate().map(|(k, &s)| (s, k)).collect();
+        let order = dag.reachable(roots);
+        let mut slot = HashMap::new();
+        for (k, &id) in order.iter().enumerate() {
+            slot.insert(id, u32::try_from(k).expect("fewer than 2^32 nodes"));
+        }
+        let mut tape = Self {
+            instructions: Vec::new(),
+            inputs: Vec::new(),
+            outputs: roots.iter().map(|r| slot[r]).collect(),
+            values: vec![S::ZERO; order.len() + 1],
+        };
+        let spare = u32::try_from(order.len()).expect("fewer than 2^32 nodes");
+        let mut paired = vec![false; order.len()];
+        for &id in &order {
+            let to = slot[&id];
+            if dag.is_constant(id) {
+                tape.values[to as usize] = S::from_f64(dag.evaluate_constant(id));
+                continue;
+            }
+            match dag.node(id) {
+                Node::Number(_) | Node::Pi => {}
+                Node::Symbol(symbol) => {
+                    let k = position.get(&symbol).unwrap_or_else(|| {
+                        panic!("symbol `{}` is not an input of this program", dag.symbol_name(symbol))
+                    });
+                    tape.inputs.push((*k, to));
+                }
+                Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot[&a] }),
+                Node::Unary(Unary::Sin | Unary::Cos, _) if paired[to as usize] => {}
+                Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
+                    let other = if function == Unary::Sin { Unary::Cos } else { Unary::Sin };
+                    let twin = dag.find(Node::Unary(other, a)).and_then(|t| slot.get(&t)).copied();
+                    if let Some(twin) = twin {
+                        paired[twin as usize] = true;
+                    }
+                    let twin = twin.unwrap_or(spare);
+                    let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
+                    tape.instructions.push(Instruction::SinCos { sin, cos, a: slot[&a] });
+                }
+                Node::Unary(function, a) => {
+                    tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });
+                }
+                Node::Binary(operator, a, b) => {
+                    tape.instructions.push(Instruction::Binary { operator, to, a: slot[&a], b: slot[&b] });
+                }
+            }
+        }
+        tape
+    }
+
+    /// Runs the tape; `outputs` receives the roots' values in order (as many as it has room for).
+    pub fn run(&mut self, inputs: &[S], outputs: &mut [S]) {
+        let v = &mut self.values;
+        for &(k, to) in &self.inputs {
+            v[to as usize] = inputs[k];
+        }
+        for &instruction in &self.instructions {
+            match instruction {
+                Instruction::Negate { to, a } => v[to as usize] = -v[a as usize],
+                Instruction::Unary { function, to, a } => {
+                    v[to as usize] = evaluate::unary(function, v[a as usize]);
+                }
+                Instruction::SinCos { sin, cos, a } => {
+                    (v[sin as usize], v[cos as usize]) = v[a as usize].sin_cos();
+                }
+                Instruction::Binary { operator, to, a, b } => {
+                    v[to as usize] = evaluate::binary(operator, v[a as usize], v[b as usize]);
+                }
+            }
+        }
+        for (out, &from) in outputs.iter_mut().zip(&self.outputs) {
+            *out = v[from as usize];
+        }
+    }
+
+    /// Number of outputs.
+    #[must_use]
+    pub fn n_outputs(&self) -> usize {
+        self.outputs.len()
+    }
+}
+
+impl Dag {
+    /// Value of an expression without symbols, in f64.
+    #[must_use]
+    pub fn evaluate_constant(&self, id: ExprId) -> f64 {
+        match self.node(id) {
+            Node::Number(c) => c.to_f64(),
+            Node::Pi => std::f64::consts::PI,
+            Node::Symbol(_) => f64::NAN,
+            Node::Negate(a) => -self.evaluate_constant(a),
+            Node::Unary(function, a) => evaluate::unary(function, self.evaluate_constant(a)),
+            Node::Binary(operator, a, b) => {
+                evaluate::binary(operator, self.evaluate_constant(a), self.evaluate_constant(b))
+            }
+        }
+    }
+
+    /// The id of a node that exists already.
+    #[must_use]
+    pub fn find(&self, node: Node) -> Option<ExprId> {
+        self.index.get(&node).copied()
+    }
+}
+
+/// Values of nodes at several sample points, computed as they are asked for.
+#[derive(Clone, Debug)]
+pub struct SampleTable {
+    symbols: HashMap<SymbolId, Vec<f64>>,
+    points: usize,
+    values: HashMap<ExprId, Vec<f64>>,
+}
+
+impl SampleTable {
+    /// `symbols[k][s]` is the value of symbol k at sample s.
+    #[must_use]
+    pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
+        Self { symbols, points, values: HashMap::new() }
+    }
+
+    /// Number of sample points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Values of `expr` at every sample; not-a-number where it depends on a symbol without value.
+    pub fn values(&mut self, dag: &Dag, expr: ExprId) -> &[f64] {
+        let mut stack = vec![expr];
+        while let Some(&id) = stack.last() {
+            if self.values.contains_key(&id) {
+                stack.pop();
+                continue;
+            }
+            let missing: Vec<_> =
+                dag.operands(id).into_iter().flatten().filter(|a| !self.values.contains_key(a)).collect();
+            if missing.is_empty() {
+                let values = (0..self.points).map(|s| self.value(dag, id, s)).collect();
+                self.values.insert(id, values);
+                stack.pop();
+            } else {
+                stack.extend(missing);
+            }
+        }
+        &self.values[&expr]
+    }
+
+    fn value(&self, dag: &Dag, id: ExprId, sample: usize) -> f64 {
+        let at = |a: ExprId| self.values[&a][sample];
+        match dag.node(id) {
+            Node::Number(c) => c.to_f64(),
+            Node::Pi => std::f64::consts::PI,
+            Node::Symbol(symbol) => self.symbols.get(&symbol).map_or(f64::NAN, |v| v[sample]),
+            Node::Negate(a) => -at(a),
+            Node::Unary(Unary::Sin, a) => at(a).sin(),
+            Node::Unary(Unary::Cos, a) => at(a).cos(),
+            Node::Unary(function, a) => evaluate::unary(function, at(a)),
+            Node::Binary(operator, a, b) => evaluate::binary(operator, at(a), at(b)),
+        }
+    }
+}

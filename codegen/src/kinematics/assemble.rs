@@ -1,0 +1,258 @@
+//! Configurations that satisfy the constraints: Newton on the plain residuals, and continuation.
+//!
+//! In: independent coordinates (given), dependent ones (guesses). Out: dependent coordinates with
+//! all residuals at round-off. Far targets are reached from the nominal configuration along a
+//! straight line of the independent coordinates, so the branch connected to nominal is found.
+
+use super::Kinematics;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expr::SymbolId;
+use crate::expr::tape::Tape;
+use crate::id::{Id, IdVec};
+use crate::model::{CoordinateId, Model, ParameterId};
+use nalgebra::{DMatrix, DVector};
+
+/// Random configurations sampled besides the nominal and the stated ones.
+const RANDOM_SAMPLES: usize = 64;
+/// Most steps of a continuation.
+const MAX_STEPS: usize = 64;
+/// Most Newton corrections per step.
+const MAX_CORRECTIONS: usize = 25;
+/// Residual (SI units, sizes of order 1) that counts as satisfied.
+const SATISFIED: f64 = 1e-12;
+/// Largest correction of one Newton step: farther means another branch or a singularity.
+const LARGEST_CORRECTION: f64 = 0.5;
+
+/// Solves for dependent coordinates.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    tape: Tape<f64>,
+    n_residuals: usize,
+    dependent: Vec<usize>,
+    independent: Vec<usize>,
+    /// Values of the tape's inputs: coordinates, then parameters.
+    arguments: Vec<f64>,
+    n_q: usize,
+}
+
+/// The dependent coordinates could not be found.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Unreachable {
+    /// Smallest residual reached.
+    pub residual: f64,
+}
+
+impl Assembly {
+    /// Prepares the solver.
+    #[must_use]
+    pub fn new(model: &Model, k: &mut Kinematics) -> Self {
+        let state = |c: &CoordinateId| k.coordinate_symbol(*c).is_some();
+        let coordinates: Vec<_> = model.coordinates.ids().filter(state).collect();
+        let symbols: Vec<SymbolId> = coordinates.iter().filter_map(|&c| k.coordinate_symbol(c)).collect();
+        let split = |wanted: bool| -> Vec<usize> {
+            (0..coordinates.len())
+                .filter(|&i| model.coordinates[coordinates[i]].independent == wanted)
+                .collect()
+        };
+        let (independent, dependent) = (split(true), split(false));
+        let mut roots = k.residuals.clone();
+        for residual in k.residuals.clone() {
+            for &column in &dependent {
+                let slope = k.dag.derivative(residual, symbols[column]);
+                roots.push(slope);
+            }
+        }
+        let mut inputs = symbols;
+        let mut arguments: Vec<f64> =
+            coordinates.iter().map(|&c| model.coordinates[c].nominal).collect();
+        for (id, &expr) in k.parameters.enumerate() {
+            if let Some(symbol) = k.dag.as_symbol(expr) {
+                inputs.push(symbol);
+                arguments.push(k.parameter_values[id]);
+            }
+        }
+        Self {
+            tape: Tape::new(&k.dag, &roots, &inputs),
+            n_residuals: k.residuals.len(),
+            dependent,
+            independent,
+            arguments,
+            n_q: coordinates.len(),
+        }
+    }
+
+    /// Sets the values of the tunable parameters, in the order of their declaration.
+    pub fn set_parameters(&mut self, tunable: &[f64]) {
+        for (mine, &value) in self.arguments[self.n_q..].iter_mut().zip(tunable) {
+            *mine = value;
+        }
+    }
+
+    /// Newton from the given guesses; all coordinates in the state's order.
+    ///
+    /// # Errors
+    /// If it does not converge.
+    pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
+        let mut best = f64::INFINITY;
+        for _ in 0..MAX_CORRECTIONS {
+            let (residual, correction) = self.newton_step(q);
+            best = best.min(residual);
+            // The last correction has brought the error to the square of a small number.
+            for (&i, d) in self.dependent.iter().zip(correction.iter()) {
+                q[i] += d;
+            }
+            let size = correction.amax();
+            if residual < SATISFIED && size < SATISFIED.sqrt() {
+                return Ok(());
+            }
+            if !(size < LARGEST_CORRECTION) {
+                break;
+            }
+        }
+        Err(Unreachable { residual: best })
+    }
+
+    /// Largest residual and Newton's correction of the dependent coordinates.
+    fn newton_step(&mut self, q: &[f64]) -> (f64, DVector<f64>) {
+        let mut outputs = vec![0.0; self.tape.n_outputs()];
+        self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
+        self.tape.run(&self.arguments, &mut outputs);
+        let (residual, jacobian) = outputs.split_at(self.n_residuals);
+        let largest = residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
+        if self.dependent.is_empty() || self.n_residuals == 0 {
+            return (largest, DVector::zeros(self.dependent.len()));
+        }
+        let jacobian = DMatrix::from_row_slice(self.n_residuals, self.dependent.len(), jacobian);
+        let right = -DVector::from_column_slice(residual);
+        let solved = if jacobian.is_square() { jacobian.clone().full_piv_lu().solve(&right) } else { None };
+        let correction = solved.or_else(|| {
+            /// Relative size below which a singular value counts as zero.
+            const RANK: f64 = 1e-9;
+            let svd = jacobian.svd(true, true);
+            let largest = svd.singular_values.max();
+            svd.solve(&right, RANK * largest).ok()
+        });
+        (largest, correction.unwrap_or_else(|| DVector::from_element(self.dependent.len(), f64::INFINITY)))
+    }
+
+    /// From the configuration `from` (satisfied) to the independent coordinates of `target`.
+    ///
+    /// # Errors
+    /// If no number of steps up to 64 gets there.
+    pub fn continue_to(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut steps = 1;
+        while steps <= MAX_STEPS {
+            match self.walk(from, target, steps) {
+                Ok(q) => return Ok(q),
+                Err(unreachable) => last = unreachable,
+            }
+            steps *= 4;
+        }
+        Err(last)
+    }
+
+    fn walk(&mut self, from: &[f64], target: &[f64], steps: usize) -> Result<Vec<f64>, Unreachable> {
+        let mut q = from.to_vec();
+        for step in 1..=steps {
+            let part = step as f64 / steps as f64;
+            for &i in &self.independent {
+                q[i] = if step == steps { target[i] } else { from[i] + part * (target[i] - from[i]) };
+            }
+            self.correct(&mut q)?;
+        }
+        Ok(q)
+    }
+}
+
+/// Fills the samples: nominal, stated configurations, random ones.
+pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    let mut assembly = Assembly::new(model, k);
+    let state: Vec<CoordinateId> =
+        model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+    let mut nominal: Vec<f64> = state.iter().map(|&c| model.coordinates[c].nominal).collect();
+    if let Err(unreachable) = assembly.correct(&mut nominal) {
+        return Err(nominal_unreachable(model, unreachable));
+    }
+    let mut samples = vec![nominal.clone()];
+    for configuration in &model.configurations {
+        let mut target = nominal.clone();
+        for (coordinate, value) in &configuration.values {
+            if let Some(i) = state.iter().position(|c| c == coordinate) {
+                target[i] = *value;
+            }
+        }
+        samples.extend(assembly.continue_to(&nominal, &target));
+    }
+    // Rejected targets (outside the reachable range) are drawn again, a bounded number of times.
+    let mut random = Random(0x5EED_0F5A_3B1E);
+    let wanted = samples.len() + RANDOM_SAMPLES;
+    for _ in 0..4 * RANDOM_SAMPLES {
+        if samples.len() == wanted {
+            break;
+        }
+        let mut target = nominal.clone();
+        for (i, &c) in state.iter().enumerate() {
+            let coordinate = &model.coordinates[c];
+            if coordinate.independent {
+                target[i] = random.between(coordinate.range);
+            }
+        }
+        if let Ok(q) = assembly.continue_to(&nominal, &target)
+            && in_range(model, &state, &q)
+        {
+            samples.push(q);
+        }
+    }
+    k.samples = samples;
+    Ok(())
+}
+
+fn in_range(model: &Model, state: &[CoordinateId], q: &[f64]) -> bool {
+    state.iter().zip(q).all(|(&c, &value)| {
+        let (low, high) = model.coordinates[c].range;
+        model.coordinates[c].independent || (low <= value && value <= high)
+    })
+}
+
+fn nominal_unreachable(model: &Model, unreachable: Unreachable) -> Diagnostics {
+    let mut error = Diagnostic::error("the nominal configuration cannot be assembled").help(format!(
+        "give nominal values nearer to a configuration that satisfies every constraint (residual reached: {:.1e})",
+        unreachable.residual
+    ));
+    for constraint in &model.configuration_constraints {
+        error = error.label(constraint.span, "this constraint, among others, must hold there");
+    }
+    for point in model.points.iter().filter(|p| !p.closures.is_empty()) {
+        error = error.label(point.span, "this loop must close there");
+    }
+    Diagnostics { source: model.source.clone(), items: vec![error] }
+}
+
+/// A small deterministic generator (SplitMix64): the same samples on every machine.
+pub(crate) struct Random(pub u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in a range.
+    pub(crate) fn between(&mut self, (low, high): (f64, f64)) -> f64 {
+        low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+}
+
+/// Values of the tunable parameters in the order of their declaration.
+#[must_use]
+pub fn tunable_values(k: &Kinematics, values: &IdVec<ParameterId, f64>) -> Vec<f64> {
+    k.parameters
+        .enumerate()
+        .filter(|(_, e)| k.dag.as_symbol(**e).is_some())
+        .map(|(id, _)| values[id])
+        .collect()
+}

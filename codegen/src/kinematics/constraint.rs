@@ -1,0 +1,255 @@
+//! Constraint rows: every closure, stated constancy and constraint, differentiated.
+//!
+//! A vector equation f(q) = 0 gives f' = sum_k V_k y_k = 0 and f'' = sum_k V_k y_k' + b = 0; its
+//! projections on several directions are candidate [`Row`]s, from which the elimination takes the
+//! cheapest independent ones. Lifted equations: (1) the velocity of a closing point equals the rate
+//! of each of its expressions, one short row per leg; (2) a vector fixed in a frame turns with it.
+//! Any set of independent rows that spans all of them is equivalent on the constraints.
+
+use super::velocity::{self, Motion, Rate};
+use super::{Kinematics, UnknownId, lower, orientation, position};
+use crate::expr::ExprId;
+use crate::id::Id;
+use crate::model::{Axis, FrameId, Model, PointId};
+use crate::vector::{TriadId, Vector, cross_components, dot_components};
+use std::collections::{BTreeMap, BTreeSet};
+
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+/// One scalar equation: sum_k coefficients[k] y_k = 0, sum_k coefficients[k] y_k' + bias = 0,
+/// and for Newton's correction d of the configuration sum_k coefficients[k] d_k = -residual.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Which equation it comes from.
+    pub name: String,
+    /// Non-zero coefficients.
+    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    /// Acceleration level: what the speeds contribute.
+    pub bias: ExprId,
+    /// Configuration level; 0 for motion constraints.
+    pub residual: ExprId,
+    /// Operations of the coefficients plus a charge per unknown.
+    pub cost: usize,
+}
+
+/// A vector equation with the vectors that are worth projecting on.
+struct Equation {
+    name: String,
+    motion: Motion,
+    residual: Vector,
+    /// A vector fixed in the frame: its cross products with axes are directions too.
+    fixed: Option<Vector>,
+    triads: BTreeSet<TriadId>,
+}
+
+/// Fills candidate rows (cheapest first) and the plain residuals.
+pub(super) fn derive(model: &Model, k: &mut Kinematics) {
+    let mut rows = Vec::new();
+    for point in model.points.ids().filter(|&p| position::is_lifted(model, p)) {
+        for equation in closures(model, k, point) {
+            rows.extend(project(k, equation));
+        }
+    }
+    for frame in model.frames.ids().filter(|&f| orientation::is_lifted(model, f)) {
+        for equation in turning(model, k, frame) {
+            rows.extend(project(k, equation));
+        }
+    }
+    for constraint in &model.configuration_constraints {
+        match lower::value(k, &constraint.expression) {
+            lower::Value::Vector(v) => {
+                let residual = position::flatten(k, &v);
+                let motion = velocity::derivative(k, &residual);
+                let triads = triads_of(&motion);
+                let name = constraint.name.clone();
+                add_residuals(k, &residual);
+                rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
+            }
+            lower::Value::Scalar(e) => {
+                let rate = velocity::scalar_rate(k, e);
+                k.residuals.push(e);
+                rows.extend(row(k, &constraint.name, rate, e));
+            }
+            lower::Value::Pending => {}
+        }
+    }
+    for constraint in &model.motion_constraints {
+        let scalars = match lower::value(k, &constraint.expression) {
+            lower::Value::Vector(v) => k.triads.express(&mut k.dag, &v, TriadId::from_index(0)).to_vec(),
+            lower::Value::Scalar(e) => vec![e],
+            lower::Value::Pending => Vec::new(),
+        };
+        for e in scalars {
+            rows.extend(motion_row(k, &constraint.name, e));
+        }
+    }
+    rows.sort_by_key(|row| row.cost);
+    k.rows = rows;
+}
+
+/// V_P - d/dt(expression) = 0 for every expression of a closing point's position.
+fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> {
+    let declared = &model.points[point];
+    let velocity = k.velocities[point].clone();
+    let home = velocity.partials.values().flat_map(|v| v.terms.keys()).next().copied();
+    let home = home.unwrap_or(TriadId::from_index(0));
+    let reference = k.flat_positions[&point].clone();
+    let mut equations = Vec::new();
+    for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
+        let place = lower::vector(k, expression);
+        let flat = position::flatten(k, &place);
+        let residual = reference.minus(&mut k.dag, &flat);
+        if nth > 0 {
+            add_residuals(k, &residual);
+        }
+        // Vectors that are constant in the body's triad turn with the body.
+        let place = k.triads.with_constants(&mut k.dag, &place, home);
+        let rate = velocity::derivative(k, &place);
+        let mut motion = velocity.clone();
+        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        motion.add(k, &rate, minus_one);
+        let mut triads = triads_of(&motion);
+        triads.insert(home);
+        let name = format!("{} closure {}", declared.name, nth + 1);
+        equations.push(Equation { name, motion, residual, fixed: None, triads });
+    }
+    equations
+}
+
+/// d/dt(vector) - w x vector = 0 for every vector stated to be fixed in a frame.
+fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
+    let triad = k.frame_triad[frame];
+    let orthonormal = orientation::orthonormal(k, triad);
+    let mut equations = Vec::new();
+    for (nth, fixed) in model.frames[frame].fixed_vectors.iter().enumerate() {
+        let vector = lower::vector(k, &fixed.vector);
+        let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(k, &fixed.components[j]));
+        let here = Vector::new(&k.dag, triad, components);
+        let mut motion = velocity::derivative(k, &vector);
+        let turned = velocity::derivative(k, &here);
+        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        motion.add(k, &turned, minus_one);
+        let flat = position::flatten(k, &vector);
+        let residual = match orthonormal {
+            Some(rows) => {
+                let stated = std::array::from_fn(|i| {
+                    let column: [ExprId; 3] = std::array::from_fn(|j| rows[j][i]);
+                    dot_components(&mut k.dag, &components, &column)
+                });
+                let stated = Vector::new(&k.dag, TriadId::from_index(0), stated);
+                flat.minus(&mut k.dag, &stated)
+            }
+            None => flat.minus(&mut k.dag, &here),
+        };
+        let mut triads = triads_of(&motion);
+        triads.insert(triad);
+        let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
+        equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
+    }
+    equations
+}
+
+fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
+    let mut triads: BTreeSet<_> = motion.partials.values().flat_map(|v| v.terms.keys().copied()).collect();
+    triads.insert(TriadId::from_index(0));
+    triads
+}
+
+/// The inertial components of a residual that are not identically zero.
+fn add_residuals(k: &mut Kinematics, residual: &Vector) {
+    for e in k.triads.express(&mut k.dag, residual, TriadId::from_index(0)) {
+        if !k.dag.is_zero(e) {
+            k.residuals.push(e);
+        }
+    }
+}
+
+/// Rows of an equation: projections on the axes a of its triads, and on a x (fixed vector).
+fn project(k: &mut Kinematics, equation: Equation) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for &triad in &equation.triads {
+        for axis in AXES {
+            let a = Vector::axis(&mut k.dag, triad, axis);
+            rows.extend(projection(k, &equation, &Direction { a: a.clone(), times: None }));
+            if let Some(fixed) = &equation.fixed {
+                let direction = Direction { a, times: Some(fixed.clone()) };
+                rows.extend(projection(k, &equation, &direction));
+            }
+        }
+    }
+    rows
+}
+
+/// The vector a, or a x times: formed in whatever triad it meets, from the short form of both.
+struct Direction {
+    a: Vector,
+    times: Option<Vector>,
+}
+
+impl Direction {
+    fn dot(&self, k: &mut Kinematics, vector: &Vector) -> ExprId {
+        let mut total = k.dag.zero();
+        for (&triad, components) in &vector.terms {
+            let mut here = k.triads.express(&mut k.dag, &self.a, triad);
+            if let Some(times) = &self.times {
+                let times = k.triads.express(&mut k.dag, times, triad);
+                here = cross_components(&mut k.dag, &here, &times);
+            }
+            let term = dot_components(&mut k.dag, &here, components);
+            total = k.dag.add(total, term);
+        }
+        total
+    }
+}
+
+fn projection(k: &mut Kinematics, equation: &Equation, direction: &Direction) -> Option<Row> {
+    let mut coefficients = BTreeMap::new();
+    for (&unknown, vector) in &equation.motion.partials {
+        let coefficient = direction.dot(k, vector);
+        if !k.dag.is_zero(coefficient) {
+            coefficients.insert(unknown, coefficient);
+        }
+    }
+    if coefficients.is_empty() {
+        return None;
+    }
+    let bias = direction.dot(k, &equation.motion.bias);
+    let residual = direction.dot(k, &equation.residual);
+    let cost = cost(k, &coefficients);
+    Some(Row { name: equation.name.clone(), coefficients, bias, residual, cost })
+}
+
+fn cost(k: &Kinematics, coefficients: &BTreeMap<UnknownId, ExprId>) -> usize {
+    /// An unknown in a row costs a product and a sum per right-hand side, sooner or later.
+    const PER_UNKNOWN: usize = 3;
+    let roots: Vec<_> = coefficients.values().copied().collect();
+    k.dag.cone_cost(&roots) + PER_UNKNOWN * coefficients.len()
+}
+
+fn row(k: &Kinematics, name: &str, rate: Rate, residual: ExprId) -> Option<Row> {
+    let coefficients: BTreeMap<_, _> =
+        rate.partials.into_iter().filter(|(_, c)| !k.dag.is_zero(*c)).collect();
+    let cost = cost(k, &coefficients);
+    let row = Row { name: name.to_owned(), coefficients, bias: rate.bias, residual, cost };
+    (!row.coefficients.is_empty()).then_some(row)
+}
+
+/// A motion constraint e(q, u) = 0, linear in the speeds: e = sum_k c_k y_k.
+fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
+    let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.zero() };
+    for unknown in k.unknowns.ids().collect::<Vec<_>>() {
+        let value = k.unknowns[unknown].value;
+        let Some(symbol) = k.dag.as_symbol(value) else { continue };
+        let coefficient = k.dag.derivative(e, symbol);
+        if k.dag.is_zero(coefficient) {
+            continue;
+        }
+        rate.partials.insert(unknown, coefficient);
+        let change = velocity::scalar_rate(k, coefficient);
+        let change = velocity::rate_value(k, &change);
+        let term = k.dag.mul(change, value);
+        rate.bias = k.dag.add(rate.bias, term);
+    }
+    let zero = k.dag.zero();
+    row(k, name, rate, zero)
+}

@@ -1,0 +1,282 @@
+//! From the model's expression trees to the shared DAG.
+
+use super::{Kinematics, ParameterChoice, Unknown, UnknownKind};
+use crate::expr::number::Number;
+use crate::expr::{Binary, Dag, ExprId, Unary};
+use crate::id::IdVec;
+use crate::model::expression::{Expr, ExprKind, Function};
+use crate::model::{Entity, Model};
+use crate::vector::{Triads, Turn, Vector};
+
+/// What an expression may be.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Value {
+    /// A number at run time.
+    Scalar(ExprId),
+    /// A vector.
+    Vector(Vector),
+    /// Not lowered yet: it needs velocities.
+    Pending,
+}
+
+/// Symbols for time, coordinates, inputs, parameters and speeds; empty tables for the rest.
+pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
+    let mut dag = Dag::default();
+    let time = dag.symbol("t");
+    let q = model.coordinates.iter().map(|c| dag.symbol(&c.name)).collect();
+    let inputs = model.inputs.iter().map(|i| dag.symbol(&i.name)).collect();
+    let zero = dag.zero();
+    let mut unknowns = IdVec::default();
+    for (speed, declared) in model.speeds.enumerate() {
+        let value = dag.symbol(&declared.name);
+        let kind = match declared.independent {
+            true => UnknownKind::Independent(speed),
+            false => UnknownKind::Dependent(speed),
+        };
+        unknowns.push(Unknown { name: declared.name.clone(), value, kind });
+    }
+    let mut triads = Triads::default();
+    let inertial = triads.push(Turn::Inertial);
+    let mut k = Kinematics {
+        dag,
+        triads,
+        time,
+        q,
+        inputs,
+        parameters: model.parameters.iter().map(|_| zero).collect(),
+        parameter_values: model.parameter_defaults(),
+        unknowns,
+        frame_triad: model.frames.iter().map(|_| inertial).collect(),
+        positions: model.points.iter().map(|_| Vector::zero()).collect(),
+        flat_positions: Default::default(),
+        definitions: model.definitions.iter().map(|_| Value::Pending).collect(),
+        rates: IdVec::default(),
+        angular: IdVec::default(),
+        velocities: IdVec::default(),
+        rows: Vec::new(),
+        residuals: Vec::new(),
+        samples: Vec::new(),
+    };
+    parameters(model, choice, &mut k);
+    k
+}
+
+/// Tunable parameters become symbols; fixed ones their value.
+fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
+    for entity in &model.order {
+        let Entity::Parameter(id) = *entity else { continue };
+        let parameter = &model.parameters[id];
+        let set = choice.values.get(&parameter.name).copied();
+        if let Some(value) = set {
+            k.parameter_values[id] = value;
+        }
+        let kept = parameter.tunable || choice.keep.contains(&parameter.name);
+        k.parameters[id] = match (kept, set) {
+            (true, _) => k.dag.symbol(&parameter.name),
+            (false, Some(value)) => k.dag.constant(value),
+            (false, None) => scalar(k, &parameter.value),
+        };
+    }
+}
+
+/// Lowers an expression that must be a scalar.
+///
+/// # Panics
+/// If it is a vector: the model's type check lets none through.
+pub(super) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
+    match value(k, expr) {
+        Value::Scalar(e) => e,
+        Value::Vector(_) | Value::Pending => unreachable!("type-checked: a scalar was expected"),
+    }
+}
+
+/// Lowers an expression that must be a vector.
+///
+/// # Panics
+/// If it is a scalar other than a literal 0: the model's type check lets none through.
+pub(super) fn vector(k: &mut Kinematics, expr: &Expr) -> Vector {
+    match value(k, expr) {
+        Value::Vector(v) => v,
+        Value::Scalar(e) if k.dag.is_zero(e) => Vector::zero(),
+        Value::Scalar(_) | Value::Pending => unreachable!("type-checked: a vector was expected"),
+    }
+}
+
+/// Does the expression need velocities?
+pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Rate(_) => true,
+        ExprKind::Definition(d) => k.definitions[*d] == Value::Pending,
+        ExprKind::Negate(a) | ExprKind::Power(a, _) | ExprKind::Norm(a) => needs_motion(k, a),
+        ExprKind::Add(a, b)
+        | ExprKind::Subtract(a, b)
+        | ExprKind::Multiply(a, b)
+        | ExprKind::Divide(a, b)
+        | ExprKind::Dot(a, b)
+        | ExprKind::Cross(a, b) => needs_motion(k, a) || needs_motion(k, b),
+        ExprKind::Call(_, arguments) => arguments.iter().any(|a| needs_motion(k, a)),
+        _ => false,
+    }
+}
+
+/// Lowers an expression (nesting is limited by the parser).
+pub(super) fn value(k: &mut Kinematics, expr: &Expr) -> Value {
+    match &expr.kind {
+        ExprKind::Number(x) => Value::Scalar(k.dag.constant(*x)),
+        ExprKind::Pi => Value::Scalar(k.dag.pi()),
+        ExprKind::Degree => {
+            let (pi, half_turn) = (k.dag.pi(), k.dag.number(Number::rational(1, 180)));
+            Value::Scalar(k.dag.mul(half_turn, pi))
+        }
+        ExprKind::Time => Value::Scalar(k.time),
+        ExprKind::Parameter(id) => Value::Scalar(k.parameters[*id]),
+        ExprKind::Coordinate(id) => Value::Scalar(k.q[*id]),
+        ExprKind::Rate(id) => {
+            let rate = k.rates[*id].clone();
+            Value::Scalar(super::velocity::rate_value(k, &rate))
+        }
+        ExprKind::Speed(id) => Value::Scalar(k.unknowns[k.unknown_of(*id)].value),
+        ExprKind::Input(id) => Value::Scalar(k.inputs[*id]),
+        ExprKind::Definition(id) => k.definitions[*id].clone(),
+        ExprKind::Point(id) => Value::Vector(k.positions[*id].clone()),
+        ExprKind::Velocity(id) => {
+            let motion = k.velocities[*id].clone();
+            Value::Vector(super::velocity::motion_value(k, &motion))
+        }
+        ExprKind::AngularVelocity(id) => {
+            let motion = k.angular[k.frame_triad[*id]].clone();
+            Value::Vector(super::velocity::motion_value(k, &motion))
+        }
+        ExprKind::Axis(frame, axis) => {
+            let triad = k.frame_triad[*frame];
+            Value::Vector(Vector::axis(&mut k.dag, triad, *axis))
+        }
+        ExprKind::Power(a, n) => {
+            let a = scalar(k, a);
+            Value::Scalar(k.dag.powi(a, *n))
+        }
+        ExprKind::Call(function, arguments) => {
+            let arguments: Vec<_> = arguments.iter().map(|a| scalar(k, a)).collect();
+            Value::Scalar(call(&mut k.dag, *function, &arguments))
+        }
+        _ => operator(k, &expr.kind),
+    }
+}
+
+fn operator(k: &mut Kinematics, kind: &ExprKind) -> Value {
+    match kind {
+        ExprKind::Negate(a) => match value(k, a) {
+            Value::Vector(v) => Value::Vector(v.negated(&mut k.dag)),
+            Value::Scalar(x) => Value::Scalar(k.dag.negate(x)),
+            Value::Pending => Value::Pending,
+        },
+        ExprKind::Add(a, b) | ExprKind::Subtract(a, b) => {
+            let minus = matches!(kind, ExprKind::Subtract(..));
+            match (value(k, a), value(k, b)) {
+                (Value::Scalar(x), Value::Scalar(y)) => {
+                    Value::Scalar(if minus { k.dag.sub(x, y) } else { k.dag.add(x, y) })
+                }
+                (x, y) => {
+                    let (x, y) = (as_vector(x), as_vector(y));
+                    Value::Vector(if minus { x.minus(&mut k.dag, &y) } else { x.plus(&mut k.dag, &y) })
+                }
+            }
+        }
+        ExprKind::Multiply(a, b) => match (value(k, a), value(k, b)) {
+            (Value::Scalar(x), Value::Scalar(y)) => Value::Scalar(k.dag.mul(x, y)),
+            (Value::Vector(v), Value::Scalar(x)) | (Value::Scalar(x), Value::Vector(v)) => {
+                Value::Vector(v.scaled(&mut k.dag, x))
+            }
+            _ => Value::Pending,
+        },
+        ExprKind::Divide(a, b) => {
+            let divisor = scalar(k, b);
+            match value(k, a) {
+                Value::Scalar(x) => Value::Scalar(k.dag.div(x, divisor)),
+                Value::Vector(v) => {
+                    let one = k.dag.one();
+                    let reciprocal = k.dag.div(one, divisor);
+                    Value::Vector(v.scaled(&mut k.dag, reciprocal))
+                }
+                Value::Pending => Value::Pending,
+            }
+        }
+        ExprKind::Dot(a, b) => {
+            let (a, b) = (flat_vector(k, a), flat_vector(k, b));
+            Value::Scalar(k.triads.dot(&mut k.dag, &a, &b))
+        }
+        ExprKind::Cross(a, b) => {
+            let (a, b) = (flat_vector(k, a), flat_vector(k, b));
+            Value::Vector(k.triads.cross(&mut k.dag, &a, &b))
+        }
+        ExprKind::Norm(a) => {
+            let a = flat_vector(k, a);
+            let square = k.triads.dot(&mut k.dag, &a, &a);
+            Value::Scalar(k.dag.sqrt(square))
+        }
+        _ => Value::Pending,
+    }
+}
+
+/// A literal 0 may stand for the zero vector.
+fn as_vector(value: Value) -> Vector {
+    match value {
+        Value::Vector(v) => v,
+        Value::Scalar(_) | Value::Pending => Vector::zero(),
+    }
+}
+
+fn flat_vector(k: &mut Kinematics, expr: &Expr) -> Vector {
+    let v = vector(k, expr);
+    super::position::flatten(k, &v)
+}
+
+fn call(dag: &mut Dag, function: Function, arguments: &[ExprId]) -> ExprId {
+    let first = arguments[0];
+    match function {
+        Function::Sin => dag.unary(Unary::Sin, first),
+        Function::Cos => dag.unary(Unary::Cos, first),
+        Function::Tan => dag.unary(Unary::Tan, first),
+        Function::Asin => dag.unary(Unary::Asin, first),
+        Function::Acos => dag.unary(Unary::Acos, first),
+        Function::Sqrt => dag.unary(Unary::Sqrt, first),
+        Function::Exp => dag.unary(Unary::Exp, first),
+        Function::Ln => dag.unary(Unary::Ln, first),
+        Function::Tanh => dag.unary(Unary::Tanh, first),
+        Function::Abs => dag.unary(Unary::Abs, first),
+        Function::Sign => dag.unary(Unary::Sign, first),
+        Function::Atan2 => dag.binary(Binary::Atan2, first, arguments[1]),
+        Function::Min => dag.binary(Binary::Min, first, arguments[1]),
+        Function::Max => dag.binary(Binary::Max, first, arguments[1]),
+        Function::SmoothStep => smooth_step(dag, first, arguments[1]),
+    }
+}
+
+/// s^2 (3 - 2 s) with s = (x + width)/(2 width) limited to [0, 1]: cubic, once differentiable.
+fn smooth_step(dag: &mut Dag, x: ExprId, width: ExprId) -> ExprId {
+    let (zero, one) = (dag.zero(), dag.one());
+    let (two, three) = (dag.number(Number::integer(2)), dag.number(Number::integer(3)));
+    let (shifted, span) = (dag.add(x, width), dag.mul(two, width));
+    let ratio = dag.div(shifted, span);
+    let below = dag.binary(Binary::Max, ratio, zero);
+    let s = dag.binary(Binary::Min, below, one);
+    let (square, twice) = (dag.mul(s, s), dag.mul(two, s));
+    let rest = dag.sub(three, twice);
+    dag.mul(square, rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn smooth_step_is_zero_one_and_a_half() {
+        let mut dag = Dag::default();
+        let x = dag.symbol("x");
+        let width = dag.constant(2.0);
+        let step = smooth_step(&mut dag, x, width);
+        let at = |value: f64| dag.evaluate::<f64>(&[step], &|_| value)[0];
+        assert_eq!((at(-5.0), at(0.0), at(9.0)), (0.0, 0.5, 1.0));
+        assert_eq!(at(1.0) + at(-1.0), 1.0);
+    }
+}

@@ -1,0 +1,137 @@
+//! Kinematics: everything that needs no mass, in Kane's order.
+//!
+//! In: a validated model. Out: positions; velocities and angular velocities as linear forms in the
+//! generalised speeds (their coefficients are the partial velocities); the constraint rows.
+//! Unknowns are the speeds and, for every body that closes a loop, the components of its twist
+//! ("lifted" unknowns): a closure is then one short row per leg against that twist.
+
+mod assemble;
+mod constraint;
+pub mod eliminate;
+mod lower;
+mod orientation;
+mod position;
+mod speed_map;
+mod velocity;
+
+use crate::diagnostic::Diagnostics;
+use crate::expr::{Dag, ExprId, SymbolId};
+use crate::id::{Id, IdVec, ids};
+use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
+use crate::vector::{Triads, TriadId, Vector};
+use std::collections::BTreeMap;
+
+pub use assemble::{Assembly, Unreachable, tunable_values};
+pub use constraint::Row;
+pub use lower::Value;
+pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
+pub(crate) use position::flatten;
+pub(crate) use velocity::{motion_value as value_of, rate_value as rate_of};
+pub use velocity::{Motion, Rate};
+
+ids! {
+    /// An unknown of the velocity level: a speed, or a component of a lifted twist.
+    UnknownId,
+}
+
+/// An unknown of the velocity level.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// Its name in the generated code.
+    pub name: String,
+    /// The symbol that stands for its value until the constraints are solved.
+    pub value: ExprId,
+    /// What it is.
+    pub kind: UnknownKind,
+}
+
+/// What an unknown is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UnknownKind {
+    /// An independent speed: known to the elimination.
+    Independent(SpeedId),
+    /// A dependent speed.
+    Dependent(SpeedId),
+    /// A component of the velocity or angular velocity of a body that closes a loop.
+    Lifted,
+}
+
+/// How the derivation treats parameters.
+#[derive(Clone, Debug, Default)]
+pub struct ParameterChoice {
+    /// Names of fixed parameters to keep as fields all the same.
+    pub keep: Vec<String>,
+    /// Other default values, by name.
+    pub values: BTreeMap<String, f64>,
+}
+
+/// Positions, motions and constraint rows of a model.
+#[derive(Clone, Debug)]
+pub struct Kinematics {
+    /// The expressions.
+    pub dag: Dag,
+    /// All triads; 0 is inertial.
+    pub triads: Triads,
+    /// Time.
+    pub time: ExprId,
+    /// Coordinates: symbols, or closed forms of other coordinates.
+    pub q: IdVec<CoordinateId, ExprId>,
+    /// Inputs: symbols.
+    pub inputs: IdVec<InputId, ExprId>,
+    /// Parameters: symbols where tunable, folded expressions where fixed.
+    pub parameters: IdVec<ParameterId, ExprId>,
+    /// Default values of the parameters, overrides applied.
+    pub parameter_values: IdVec<ParameterId, f64>,
+    /// Unknowns: first the speeds in the model's order, then the lifted ones.
+    pub unknowns: IdVec<UnknownId, Unknown>,
+    /// Triad of every frame.
+    pub frame_triad: IdVec<FrameId, TriadId>,
+    /// Position of every point from O; lifted points appear as themselves.
+    pub positions: IdVec<PointId, Vector>,
+    /// Positions of lifted points in plain terms (through their first expression).
+    pub flat_positions: BTreeMap<PointId, Vector>,
+    /// Values of definitions (those of velocities only after the motions are known).
+    pub definitions: IdVec<DefinitionId, Value>,
+    /// Rate of every coordinate.
+    pub rates: IdVec<CoordinateId, Rate>,
+    /// Angular velocity of every triad in N.
+    pub angular: IdVec<TriadId, Motion>,
+    /// Velocity of every point in N.
+    pub velocities: IdVec<PointId, Motion>,
+    /// Candidate constraint rows, cheapest first.
+    pub rows: Vec<Row>,
+    /// Configuration constraints as scalars: 0 when satisfied.
+    pub residuals: Vec<ExprId>,
+    /// Coordinates at sampled configurations that satisfy the constraints, nominal first.
+    pub samples: Vec<Vec<f64>>,
+}
+
+impl Kinematics {
+    /// Symbol of a coordinate; `None` for a closed form.
+    #[must_use]
+    pub fn coordinate_symbol(&self, coordinate: CoordinateId) -> Option<SymbolId> {
+        self.dag.as_symbol(self.q[coordinate])
+    }
+
+    /// The unknown of a speed.
+    #[must_use]
+    pub fn unknown_of(&self, speed: SpeedId) -> UnknownId {
+        UnknownId::from_index(speed.index())
+    }
+}
+
+/// Derives the kinematics of `model`.
+///
+/// # Errors
+/// What the model gets wrong that only numbers show: constraints that cannot be met at the
+/// nominal configuration, a vector that is not constant where it is said to be, a rank that does
+/// not fit.
+pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Kinematics, Diagnostics> {
+    let mut k = lower::symbols(model, choice);
+    speed_map::derive(model, &mut k)?;
+    position::derive(model, &mut k);
+    velocity::derive(model, &mut k);
+    constraint::derive(model, &mut k);
+    assemble::derive(model, &mut k)?;
+    Ok(k)
+}

@@ -1,0 +1,104 @@
+//! Frames -> triads: one triad per simple rotation, or unit vectors in inertial components.
+
+use super::{Kinematics, lower, position};
+use crate::expr::ExprId;
+use crate::id::Id;
+use crate::model::{Axis, FrameId, Model, Orientation};
+use crate::vector::{Components, TriadId, Turn, Vector, cross_components};
+
+/// Adds the triads of `frame`.
+pub(super) fn derive(model: &Model, k: &mut Kinematics, frame: FrameId) {
+    k.frame_triad[frame] = match &model.frames[frame].orientation {
+        Orientation::Inertial => TriadId::from_index(0),
+        Orientation::Rotations { parent, rotations } => {
+            let mut triad = k.frame_triad[*parent];
+            for (axis, angle) in rotations {
+                let angle = lower::scalar(k, angle);
+                triad = k.triads.push(Turn::Simple { parent: triad, axis: *axis, angle });
+            }
+            triad
+        }
+        Orientation::Directions { axes } => {
+            let given: [Option<Components>; 3] = std::array::from_fn(|j| {
+                axes[j].as_ref().map(|expr| {
+                    let v = lower::vector(k, expr);
+                    let v = position::flatten(k, &v);
+                    k.triads.express(&mut k.dag, &v, TriadId::from_index(0))
+                })
+            });
+            let rows = complete(k, given);
+            k.triads.push(Turn::Directions { rows })
+        }
+    };
+    declare_constants(model, k, frame);
+}
+
+/// The third axis is the cross product of the two given.
+fn complete(k: &mut Kinematics, given: [Option<Components>; 3]) -> [Components; 3] {
+    let zero = [k.dag.zero(); 3];
+    std::array::from_fn(|j| match given[j] {
+        Some(row) => row,
+        None => match (given[(j + 1) % 3], given[(j + 2) % 3]) {
+            (Some(a), Some(b)) => cross_components(&mut k.dag, &a, &b),
+            _ => zero, // the model's check asks for two axes at least
+        },
+    })
+}
+
+/// A fixed vector that is an axis of another triad (up to sign) makes that axis constant here.
+fn declare_constants(model: &Model, k: &mut Kinematics, frame: FrameId) {
+    let here = k.frame_triad[frame];
+    for fixed in &model.frames[frame].fixed_vectors {
+        let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(k, &fixed.components[j]));
+        let vector = lower::vector(k, &fixed.vector);
+        if let Some((triad, axis, negative)) = single_axis(k, &vector) {
+            let components = components.map(|c| if negative { k.dag.negate(c) } else { c });
+            k.triads.declare_constant(triad, axis, here, components);
+        }
+    }
+}
+
+/// (triad, axis, negative) if the vector is plus or minus one unit vector.
+fn single_axis(k: &Kinematics, vector: &Vector) -> Option<(TriadId, Axis, bool)> {
+    let (&triad, components) = vector.terms.first_key_value()?;
+    if vector.terms.len() != 1 || !vector.points.is_empty() {
+        return None;
+    }
+    let mut found = None;
+    for (axis, &c) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(components) {
+        if k.dag.is_zero(c) {
+            continue;
+        }
+        let value = k.dag.as_number(c)?.to_f64();
+        if found.is_some() || value.abs() != 1.0 {
+            return None;
+        }
+        found = Some((triad, axis, value < 0.0));
+    }
+    found
+}
+
+/// Is the frame's angular velocity an unknown of its own? Yes where the model states fixed vectors.
+pub(super) fn is_lifted(model: &Model, frame: FrameId) -> bool {
+    !model.frames[frame].fixed_vectors.is_empty()
+}
+
+/// Inertial components of an exactly orthonormal version of a frame of two stated directions.
+///
+/// The cheap triad of the model is orthonormal only on the constraints; Newton's residual of a
+/// vector "fixed in the frame" needs one that is orthonormal off them, or it would not converge
+/// quadratically. Gram-Schmidt: x along the first axis, z along x cross y, y = z cross x.
+pub(super) fn orthonormal(k: &mut Kinematics, frame: TriadId) -> Option<[Components; 3]> {
+    let Turn::Directions { rows } = k.triads.turn(frame).clone() else { return None };
+    let x = normalized(k, &rows[0]);
+    let z = cross_components(&mut k.dag, &x, &rows[1]);
+    let z = normalized(k, &z);
+    let y = cross_components(&mut k.dag, &z, &x);
+    Some([x, y, z])
+}
+
+fn normalized(k: &mut Kinematics, v: &Components) -> Components {
+    let square = crate::vector::dot_components(&mut k.dag, v, v);
+    let norm = k.dag.sqrt(square);
+    v.map(|c| k.dag.div(c, norm))
+}

@@ -1,0 +1,51 @@
+//! Orientations of frames, positions of points, values of definitions, in the model's order.
+
+use super::lower::{self, Value};
+use super::{Kinematics, orientation};
+use crate::model::{Entity, Model, PointId};
+use crate::vector::Vector;
+
+/// Fills triads, positions and those definitions that need no velocities.
+pub(super) fn derive(model: &Model, k: &mut Kinematics) {
+    for entity in &model.order {
+        match *entity {
+            Entity::Parameter(_) => {}
+            Entity::Definition(id) => {
+                let definition = &model.definitions[id];
+                if lower::needs_motion(k, &definition.value) {
+                    continue;
+                }
+                let value = lower::value(k, &definition.value);
+                if let Value::Scalar(e) = value {
+                    k.dag.name(e, &definition.name);
+                }
+                k.definitions[id] = value;
+            }
+            Entity::Frame(id) => orientation::derive(model, k, id),
+            Entity::Point(id) => {
+                let position = lower::vector(k, &model.points[id].position);
+                k.positions[id] = position.clone();
+                if is_lifted(model, id) {
+                    let flat = flatten(k, &position);
+                    k.flat_positions.insert(id, flat);
+                    k.positions[id] = Vector::position(&mut k.dag, id);
+                }
+            }
+        }
+    }
+}
+
+/// A point that closes loops: its velocity is an unknown of its own.
+pub(super) fn is_lifted(model: &Model, point: PointId) -> bool {
+    !model.points[point].closures.is_empty()
+}
+
+/// The same vector without lifted points: each is replaced by its first position expression.
+pub(super) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
+    let mut flat = Vector { terms: vector.terms.clone(), ..Vector::default() };
+    for (&point, &factor) in &vector.points {
+        let base = k.flat_positions[&point].clone().scaled(&mut k.dag, factor);
+        flat = flat.plus(&mut k.dag, &base);
+    }
+    flat
+}

@@ -1,0 +1,21 @@
+//! Kinematic differential equations: q_dot = N(q) u.
+
+use super::{Kinematics, Rate};
+use crate::diagnostic::Diagnostics;
+use crate::id::Id;
+use crate::model::{Model, SpeedMeaning};
+use std::collections::BTreeMap;
+
+/// Fills the rates of all coordinates.
+pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    let zero = k.dag.zero();
+    let one = k.dag.one();
+    k.rates = model.coordinates.iter().map(|_| Rate { partials: BTreeMap::new(), bias: zero }).collect();
+    for (speed, declared) in model.speeds.enumerate() {
+        if let SpeedMeaning::RateOf(coordinate) = declared.meaning {
+            let unknown = super::UnknownId::from_index(speed.index());
+            k.rates[coordinate].partials.insert(unknown, one);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,322 @@
+//! Velocities, partial velocities and acceleration biases by the frame rule.
+//!
+//! d/dt (s e) = s' e + s (w x e) for e fixed in a triad of angular velocity w: derivatives never go
+//! through the components' dependence on q. A [`Motion`] holds the partial velocities v_k and the
+//! bias: v = sum_k v_k y_k, a = sum_k v_k y_k' + bias, with y the unknowns (speeds, lifted twists).
+
+use super::lower::{self, Value};
+use super::{Kinematics, Unknown, UnknownId, UnknownKind, orientation, position};
+use crate::expr::ExprId;
+use crate::expr::number::Number;
+use crate::id::Id;
+use crate::model::{Axis, Entity, FrameId, Model, PointId};
+use crate::vector::{TriadId, Turn, Vector};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Rate of a scalar: s' = sum_k partials[k] y_k, s'' = sum_k partials[k] y_k' + bias.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Rate {
+    /// Coefficients of the unknowns.
+    pub partials: BTreeMap<UnknownId, ExprId>,
+    /// What remains of the second derivative.
+    pub bias: ExprId,
+}
+
+/// Rate of a vector in N: v = sum_k partials[k] y_k, a = sum_k partials[k] y_k' + bias.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Motion {
+    /// Partial velocities.
+    pub partials: BTreeMap<UnknownId, Vector>,
+    /// Acceleration without the unknowns' derivatives.
+    pub bias: Vector,
+}
+
+impl Motion {
+    /// Adds `factor` times `other`.
+    pub(super) fn add(&mut self, k: &mut Kinematics, other: &Self, factor: ExprId) {
+        for (&unknown, v) in &other.partials {
+            let term = v.scaled(&mut k.dag, factor);
+            self.add_partial(k, unknown, &term);
+        }
+        let bias = other.bias.scaled(&mut k.dag, factor);
+        self.bias = self.bias.plus(&mut k.dag, &bias);
+    }
+
+    fn add_partial(&mut self, k: &mut Kinematics, unknown: UnknownId, term: &Vector) {
+        let sum = match self.partials.get(&unknown) {
+            Some(mine) => mine.plus(&mut k.dag, term),
+            None => term.clone(),
+        };
+        if sum.is_zero() {
+            self.partials.remove(&unknown);
+        } else {
+            self.partials.insert(unknown, sum);
+        }
+    }
+}
+
+/// Fills angular velocities, velocities and the definitions that need them.
+pub(super) fn derive(model: &Model, k: &mut Kinematics) {
+    k.angular = (0..k.triads.len()).map(|_| Motion::default()).collect();
+    k.velocities = model.points.iter().map(|_| Motion::default()).collect();
+    lift(model, k);
+    let lifted_triads: BTreeSet<_> = lifted_frames(model).map(|f| k.frame_triad[f]).collect();
+    for triad in (0..k.triads.len()).map(TriadId::from_index) {
+        if !lifted_triads.contains(&triad) {
+            let motion = angular_velocity(k, triad);
+            k.angular[triad] = motion;
+        }
+    }
+    for point in model.points.ids() {
+        if !position::is_lifted(model, point) {
+            let position = k.positions[point].clone();
+            k.velocities[point] = derivative(k, &position);
+        }
+    }
+    for entity in &model.order {
+        if let Entity::Definition(id) = *entity
+            && k.definitions[id] == Value::Pending
+        {
+            let value = lower::value(k, &model.definitions[id].value);
+            if let Value::Scalar(e) = value {
+                k.dag.name(e, &model.definitions[id].name);
+            }
+            k.definitions[id] = value;
+        }
+    }
+}
+
+fn lifted_frames(model: &Model) -> impl Iterator<Item = FrameId> + '_ {
+    model.frames.ids().filter(|&f| orientation::is_lifted(model, f))
+}
+
+/// Adds the unknown twist components of bodies that close loops.
+fn lift(model: &Model, k: &mut Kinematics) {
+    for frame in lifted_frames(model) {
+        let triad = k.frame_triad[frame];
+        let name = format!("w_{}", model.frames[frame].name);
+        k.angular[triad] = unknown_vector(k, triad, &name);
+    }
+    for point in model.points.ids().filter(|&p| position::is_lifted(model, p)) {
+        let triad = home_of(model, k, point);
+        let name = format!("v_{}", model.points[point].name);
+        k.velocities[point] = unknown_vector(k, triad, &name);
+    }
+}
+
+/// The triad whose axes resolve a lifted point's velocity: that of the body centred there, if any.
+fn home_of(model: &Model, k: &Kinematics, point: PointId) -> TriadId {
+    let body = model.bodies.iter().find(|b| b.centre == point && b.frame.is_some());
+    body.and_then(|b| b.frame).map_or(TriadId::from_index(0), |f| k.frame_triad[f])
+}
+
+fn unknown_vector(k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
+    let mut motion = Motion::default();
+    for (axis, letter) in [(Axis::X, 'x'), (Axis::Y, 'y'), (Axis::Z, 'z')] {
+        let name = format!("{name}_{letter}");
+        let value = k.dag.symbol(&name);
+        let unknown = k.unknowns.push(Unknown { name, value, kind: UnknownKind::Lifted });
+        let axis = Vector::axis(&mut k.dag, triad, axis);
+        motion.partials.insert(unknown, axis);
+    }
+    motion
+}
+
+/// s' and the bias of s'' for a scalar function of the coordinates.
+pub(super) fn scalar_rate(k: &mut Kinematics, s: ExprId) -> Rate {
+    let zero = k.dag.zero();
+    let mut rate = Rate { partials: BTreeMap::new(), bias: zero };
+    if k.dag.is_constant(s) {
+        return rate;
+    }
+    for (unknown, partial) in total_derivative(k, s) {
+        rate.partials.insert(unknown, partial);
+        // bias: (d/dt partial) y
+        let change: Vec<_> = total_derivative(k, partial).into_iter().collect();
+        let y = k.unknowns[unknown].value;
+        for (other, second) in change {
+            let z = k.unknowns[other].value;
+            let product = k.dag.mul(y, z);
+            let term = k.dag.mul(second, product);
+            rate.bias = k.dag.add(rate.bias, term);
+        }
+    }
+    rate
+}
+
+/// Coefficients of the unknowns in s'.
+fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId> {
+    let mut partials: BTreeMap<UnknownId, ExprId> = BTreeMap::new();
+    if k.dag.is_constant(s) {
+        return partials;
+    }
+    let symbols = k.dag.symbols_of(s);
+    for coordinate in k.rates.ids() {
+        let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
+        if !symbols.contains(&symbol) {
+            continue;
+        }
+        let slope = k.dag.derivative(s, symbol);
+        let map: Vec<_> = k.rates[coordinate].partials.iter().map(|(&u, &n)| (u, n)).collect();
+        for (unknown, n) in map {
+            let term = k.dag.mul(slope, n);
+            let sum = match partials.get(&unknown) {
+                Some(&mine) => k.dag.add(mine, term),
+                None => term,
+            };
+            partials.insert(unknown, sum);
+        }
+    }
+    partials.retain(|_, p| !k.dag.is_zero(*p));
+    partials
+}
+
+/// Value of a scalar's rate: sum_k partials[k] y_k.
+pub(super) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
+    let mut total = k.dag.zero();
+    for (&unknown, &partial) in &rate.partials {
+        let term = k.dag.mul(partial, k.unknowns[unknown].value);
+        total = k.dag.add(total, term);
+    }
+    total
+}
+
+/// Value of a velocity: sum_k partials[k] y_k.
+pub(super) fn motion_value(k: &mut Kinematics, motion: &Motion) -> Vector {
+    let mut total = Vector::zero();
+    for (&unknown, partial) in &motion.partials {
+        let term = partial.scaled(&mut k.dag, k.unknowns[unknown].value);
+        total = total.plus(&mut k.dag, &term);
+    }
+    total
+}
+
+/// Angular velocity of a triad whose parents are done.
+fn angular_velocity(k: &mut Kinematics, triad: TriadId) -> Motion {
+    match k.triads.turn(triad).clone() {
+        Turn::Inertial => Motion::default(),
+        Turn::Simple { parent, axis, angle } => {
+            let rate = scalar_rate(k, angle);
+            let mut motion = k.angular[parent].clone();
+            let (home, axis) = outermost_axis(k, parent, axis);
+            let direction = Vector::axis(&mut k.dag, home, axis);
+            // w = w_parent + angle' e ; alpha = alpha_parent + angle'' e + w_parent x (angle' e)
+            for (&unknown, &partial) in &rate.partials {
+                let term = direction.scaled(&mut k.dag, partial);
+                motion.add_partial(k, unknown, &term);
+            }
+            let parent_motion = k.angular[parent].clone();
+            let w_parent = motion_value(k, &parent_motion);
+            let spin = rate_value(k, &rate);
+            let spin = direction.scaled(&mut k.dag, spin);
+            let turning = k.triads.cross(&mut k.dag, &w_parent, &spin);
+            let bias = direction.scaled(&mut k.dag, rate.bias);
+            motion.bias = motion.bias.plus(&mut k.dag, &bias).plus(&mut k.dag, &turning);
+            motion
+        }
+        Turn::Directions { rows } => kane_angular_velocity(k, triad, rows),
+    }
+}
+
+/// A rotation axis is fixed in the parent too; climb as long as the parent turns about the same axis.
+fn outermost_axis(k: &Kinematics, parent: TriadId, axis: Axis) -> (TriadId, Axis) {
+    let mut home = parent;
+    while let Turn::Simple { parent, axis: about, .. } = k.triads.turn(home) {
+        if *about != axis {
+            break;
+        }
+        home = *parent;
+    }
+    (home, axis)
+}
+
+/// Kane's definition: w = e1 (e2' . e3) + e2 (e3' . e1) + e3 (e1' . e2).
+///
+/// The derivative of w_1 = e2' . e3 is e2'' . e3 + e2' . e3'; it is the component of alpha along e1
+/// because a vector's rates of change in N and in its own triad agree for w itself.
+fn kane_angular_velocity(k: &mut Kinematics, triad: TriadId, rows: [[ExprId; 3]; 3]) -> Motion {
+    let rates: Vec<[Rate; 3]> = rows.iter().map(|row| row.map(|c| scalar_rate(k, c))).collect();
+    let values: Vec<[ExprId; 3]> =
+        rates.iter().map(|r| std::array::from_fn(|c| rate_value(k, &r[c]))).collect();
+    let mut motion = Motion::default();
+    let unknowns: BTreeSet<UnknownId> =
+        rates.iter().flatten().flat_map(|r| r.partials.keys().copied()).collect();
+    let zero = k.dag.zero();
+    for unknown in unknowns {
+        let components = std::array::from_fn(|i| {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let partial =
+                std::array::from_fn(|c| rates[j][c].partials.get(&unknown).copied().unwrap_or(zero));
+            crate::vector::dot_components(&mut k.dag, &partial, &rows[l])
+        });
+        let term = Vector::new(&k.dag, triad, components);
+        motion.add_partial(k, unknown, &term);
+    }
+    let bias = std::array::from_fn(|i| {
+        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+        let second = std::array::from_fn(|c| rates[j][c].bias);
+        let curvature = crate::vector::dot_components(&mut k.dag, &second, &rows[l]);
+        let product = crate::vector::dot_components(&mut k.dag, &values[j], &values[l]);
+        k.dag.add(curvature, product)
+    });
+    motion.bias = Vector::new(&k.dag, triad, bias);
+    motion
+}
+
+/// Time derivative in N of a vector given as components in triads and lifted points.
+pub(super) fn derivative(k: &mut Kinematics, vector: &Vector) -> Motion {
+    let mut motion = Motion::default();
+    for (&point, &factor) in &vector.points {
+        let velocity = k.velocities[point].clone();
+        motion.add(k, &velocity, factor);
+    }
+    for (&triad, components) in &vector.terms {
+        let term = derivative_of_term(k, triad, *components);
+        let one = k.dag.one();
+        motion.add(k, &term, one);
+    }
+    motion
+}
+
+/// v = s' e + w x s e ; a = s'' e + 2 w x s' e + alpha x s e + w x (w x s e).
+fn derivative_of_term(k: &mut Kinematics, triad: TriadId, components: [ExprId; 3]) -> Motion {
+    let place = Vector::new(&k.dag, triad, components);
+    let rates = components.map(|c| scalar_rate(k, c));
+    let mut motion = Motion::default();
+    let zero = k.dag.zero();
+    let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
+    for unknown in unknowns {
+        let c = std::array::from_fn(|i| rates[i].partials.get(&unknown).copied().unwrap_or(zero));
+        let term = Vector::new(&k.dag, triad, c);
+        motion.add_partial(k, unknown, &term);
+    }
+    let second = std::array::from_fn(|i| rates[i].bias);
+    motion.bias = Vector::new(&k.dag, triad, second);
+    let angular = k.angular[triad].clone();
+    if angular.partials.is_empty() {
+        return motion;
+    }
+    for (&unknown, w) in &angular.partials {
+        let term = k.triads.cross(&mut k.dag, w, &place);
+        motion.add_partial(k, unknown, &term);
+    }
+    let w = motion_value(k, &angular);
+    // w in the triad of the term: one set of components serves every product.
+    let w = in_triad(k, &w, triad);
+    let relative = std::array::from_fn(|i| rate_value(k, &rates[i]));
+    let relative = Vector::new(&k.dag, triad, relative);
+    let two = k.dag.number(Number::integer(2));
+    let coriolis = k.triads.cross(&mut k.dag, &w, &relative).scaled(&mut k.dag, two);
+    let turning = k.triads.cross(&mut k.dag, &w, &place);
+    let centripetal = k.triads.cross(&mut k.dag, &w, &turning);
+    let euler = k.triads.cross(&mut k.dag, &angular.bias, &place);
+    for part in [coriolis, centripetal, euler] {
+        motion.bias = motion.bias.plus(&mut k.dag, &part);
+    }
+    motion
+}
+
+fn in_triad(k: &mut Kinematics, vector: &Vector, triad: TriadId) -> Vector {
+    let components = k.triads.express(&mut k.dag, vector, triad);
+    Vector::new(&k.dag, triad, components)
+}

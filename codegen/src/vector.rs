@@ -1,0 +1,353 @@
+//! Vectors as sums of scalar x frame-fixed unit vector, and the triads they refer to.
+//!
+//! A [`Vector`] keeps each term in the triad where it is constant or short; [`Triads`] knows how
+//! triads are turned against each other and expresses a vector in one of them on demand.
+//! Convention: a simple rotation by angle a about axis k turns the parent's triad into the child's
+//! (right-hand rule); components transform by v_parent = R v_child.
+
+use crate::expr::{Dag, ExprId};
+use crate::id::{IdVec, ids};
+use crate::model::{Axis, PointId};
+use std::collections::BTreeMap;
+
+ids! {
+    /// A right-handed triad of unit vectors: a frame, or a step of its successive rotations.
+    TriadId,
+}
+
+/// Three components.
+pub type Components = [ExprId; 3];
+
+/// A vector: components by triad, plus multiples of lifted points' positions.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Vector {
+    /// Non-zero terms.
+    pub terms: BTreeMap<TriadId, Components>,
+    /// Position vectors kept whole: a lifted point's velocity is an unknown of its own.
+    pub points: BTreeMap<PointId, ExprId>,
+}
+
+impl Vector {
+    /// The zero vector.
+    #[must_use]
+    pub fn zero() -> Self {
+        Self::default()
+    }
+
+    /// Components in one triad.
+    pub fn new(dag: &Dag, triad: TriadId, components: Components) -> Self {
+        let mut vector = Self::default();
+        if components.iter().any(|&c| !dag.is_zero(c)) {
+            vector.terms.insert(triad, components);
+        }
+        vector
+    }
+
+    /// A unit vector of a triad.
+    pub fn axis(dag: &mut Dag, triad: TriadId, axis: Axis) -> Self {
+        let mut components = [dag.zero(); 3];
+        components[axis as usize] = dag.one();
+        Self::new(dag, triad, components)
+    }
+
+    /// The position of a lifted point, kept whole.
+    pub fn position(dag: &mut Dag, point: PointId) -> Self {
+        Self { terms: BTreeMap::new(), points: BTreeMap::from([(point, dag.one())]) }
+    }
+
+    /// Zero?
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty() && self.points.is_empty()
+    }
+
+    /// a + b.
+    #[must_use]
+    pub fn plus(&self, dag: &mut Dag, other: &Self) -> Self {
+        let mut sum = self.clone();
+        for (&triad, components) in &other.terms {
+            let merged = match sum.terms.get(&triad) {
+                Some(mine) => std::array::from_fn(|k| dag.add(mine[k], components[k])),
+                None => *components,
+            };
+            if merged.iter().all(|&c| dag.is_zero(c)) {
+                sum.terms.remove(&triad);
+            } else {
+                sum.terms.insert(triad, merged);
+            }
+        }
+        for (&point, &factor) in &other.points {
+            let merged = match sum.points.get(&point) {
+                Some(&mine) => dag.add(mine, factor),
+                None => factor,
+            };
+            if dag.is_zero(merged) {
+                sum.points.remove(&point);
+            } else {
+                sum.points.insert(point, merged);
+            }
+        }
+        sum
+    }
+
+    /// factor a.
+    #[must_use]
+    pub fn scaled(&self, dag: &mut Dag, factor: ExprId) -> Self {
+        if dag.is_zero(factor) {
+            return Self::zero();
+        }
+        Self {
+            terms: self.terms.iter().map(|(&t, c)| (t, c.map(|x| dag.mul(factor, x)))).collect(),
+            points: self.points.iter().map(|(&p, &x)| (p, dag.mul(factor, x))).collect(),
+        }
+    }
+
+    /// -a.
+    #[must_use]
+    pub fn negated(&self, dag: &mut Dag) -> Self {
+        Self {
+            terms: self.terms.iter().map(|(&t, c)| (t, c.map(|x| dag.negate(x)))).collect(),
+            points: self.points.iter().map(|(&p, &x)| (p, dag.negate(x))).collect(),
+        }
+    }
+
+    /// a - b.
+    #[must_use]
+    pub fn minus(&self, dag: &mut Dag, other: &Self) -> Self {
+        let negative = other.negated(dag);
+        self.plus(dag, &negative)
+    }
+}
+
+/// How a triad is turned.
+#[derive(Clone, Debug)]
+pub enum Turn {
+    /// The inertial triad.
+    Inertial,
+    /// A simple rotation of `parent` about its own axis.
+    Simple {
+        /// The triad turned.
+        parent: TriadId,
+        /// About this axis of it.
+        axis: Axis,
+        /// By this angle [rad].
+        angle: ExprId,
+    },
+    /// Unit vectors given by their components in the inertial triad: `rows[k]` is axis k.
+    Directions {
+        /// Axis k in inertial components.
+        rows: [Components; 3],
+    },
+}
+
+/// All triads of a model; the first is inertial.
+#[derive(Clone, Debug, Default)]
+pub struct Triads {
+    turns: IdVec<TriadId, Turn>,
+    /// (triad, axis) -> where else that unit vector has constant components.
+    constants: BTreeMap<(TriadId, Axis), (TriadId, Components)>,
+}
+
+impl Triads {
+    /// Adds a triad.
+    pub fn push(&mut self, turn: Turn) -> TriadId {
+        self.turns.push(turn)
+    }
+
+    /// How a triad is turned.
+    #[must_use]
+    pub fn turn(&self, triad: TriadId) -> &Turn {
+        &self.turns[triad]
+    }
+
+    /// Number of triads.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.turns.len()
+    }
+
+    /// None yet?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.turns.is_empty()
+    }
+
+    /// Records that `axis` of `triad` has the constant `components` in `other` on the constraints.
+    pub fn declare_constant(&mut self, triad: TriadId, axis: Axis, other: TriadId, components: Components) {
+        self.constants.insert((triad, axis), (other, components));
+    }
+
+    /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
+    pub fn with_constants(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Vector {
+        let mut result = Vector { terms: BTreeMap::new(), points: vector.points.clone() };
+        for (&triad, components) in &vector.terms {
+            let replaced = match self.constant_in(dag, triad, components, target) {
+                Some(constant) => Vector::new(dag, target, constant),
+                None => Vector::new(dag, triad, *components),
+            };
+            result = result.plus(dag, &replaced);
+        }
+        result
+    }
+
+    /// Components in `target`, if all non-zero ones lie along axes that are constant there.
+    fn constant_in(
+        &self,
+        dag: &mut Dag,
+        triad: TriadId,
+        components: &Components,
+        target: TriadId,
+    ) -> Option<Components> {
+        let mut total = [dag.zero(); 3];
+        for (axis, &component) in [Axis::X, Axis::Y, Axis::Z].into_iter().zip(components) {
+            if dag.is_zero(component) {
+                continue;
+            }
+            let (other, constant) = self.constants.get(&(triad, axis))?;
+            if *other != target {
+                return None;
+            }
+            for k in 0..3 {
+                let term = dag.mul(component, constant[k]);
+                total[k] = dag.add(total[k], term);
+            }
+        }
+        Some(total)
+    }
+
+    /// Components of a pointless vector in `target`.
+    pub fn express(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
+        debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
+        let mut total = [dag.zero(); 3];
+        for (&triad, components) in &vector.terms {
+            let here = self.express_term(dag, triad, *components, target);
+            total = std::array::from_fn(|k| dag.add(total[k], here[k]));
+        }
+        total
+    }
+
+    fn express_term(&self, dag: &mut Dag, triad: TriadId, components: Components, target: TriadId) -> Components {
+        if triad == target {
+            return components;
+        }
+        if let Some(constant) = self.constant_in(dag, triad, &components, target) {
+            return constant;
+        }
+        // Up to the lowest common ancestor, then down again.
+        let (up, down) = (self.ancestors(triad), self.ancestors(target));
+        let common = up.iter().find(|t| down.contains(t)).copied();
+        let mut v = components;
+        for &t in up.iter().take_while(|&&t| Some(t) != common) {
+            v = self.to_parent(dag, t, v);
+        }
+        let path: Vec<_> = down.iter().take_while(|&&t| Some(t) != common).copied().collect();
+        for &t in path.iter().rev() {
+            v = self.to_child(dag, t, v);
+        }
+        v
+    }
+
+    /// The triad, its parent, ... , the inertial one.
+    fn ancestors(&self, triad: TriadId) -> Vec<TriadId> {
+        let mut list = vec![triad];
+        let mut at = triad;
+        loop {
+            at = match self.turns[at] {
+                Turn::Inertial => return list,
+                Turn::Simple { parent, .. } => parent,
+                Turn::Directions { .. } => crate::id::Id::from_index(0),
+            };
+            list.push(at);
+        }
+    }
+
+    fn to_parent(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
+        match &self.turns[triad] {
+            Turn::Inertial => v,
+            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, false),
+            Turn::Directions { rows } => std::array::from_fn(|k| {
+                let terms: [ExprId; 3] = std::array::from_fn(|j| dag.mul(v[j], rows[j][k]));
+                dag.sum(&terms)
+            }),
+        }
+    }
+
+    fn to_child(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
+        match &self.turns[triad] {
+            Turn::Inertial => v,
+            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, true),
+            Turn::Directions { rows } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
+        }
+    }
+
+    /// a . b, each pair of terms in whichever of the two triads gives the shorter expression.
+    pub fn dot(&self, dag: &mut Dag, a: &Vector, b: &Vector) -> ExprId {
+        let mut total = dag.zero();
+        for (&s, x) in &a.terms {
+            for (&t, y) in &b.terms {
+                let x_in_t = self.express_term(dag, s, *x, t);
+                let mut product = dot_components(dag, &x_in_t, y);
+                if s != t {
+                    let y_in_s = self.express_term(dag, t, *y, s);
+                    let other = dot_components(dag, x, &y_in_s);
+                    if dag.cone_cost(&[other]) < dag.cone_cost(&[product]) {
+                        product = other;
+                    }
+                }
+                total = dag.add(total, product);
+            }
+        }
+        total
+    }
+
+    /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
+    pub fn cross(&self, dag: &mut Dag, a: &Vector, b: &Vector) -> Vector {
+        let mut total = Vector::zero();
+        for (&s, x) in &a.terms {
+            for (&t, y) in &b.terms {
+                let x_in_t = self.express_term(dag, s, *x, t);
+                let mut product = (t, cross_components(dag, &x_in_t, y));
+                if s != t {
+                    let y_in_s = self.express_term(dag, t, *y, s);
+                    let other = cross_components(dag, x, &y_in_s);
+                    if dag.cone_cost(&other) < dag.cone_cost(&product.1) {
+                        product = (s, other);
+                    }
+                }
+                let product = Vector::new(dag, product.0, product.1);
+                total = total.plus(dag, &product);
+            }
+        }
+        total
+    }
+}
+
+/// Components after a simple rotation: child to parent, or (`inverse`) parent to child.
+fn rotate(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
+    let k = axis as usize;
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    let (sin, cos) = (dag.sin(angle), dag.cos(angle));
+    let sin = if inverse { dag.negate(sin) } else { sin };
+    // v_i' = cos v_i - sin v_j ; v_j' = sin v_i + cos v_j
+    let (ci, sj) = (dag.mul(cos, v[i]), dag.mul(sin, v[j]));
+    let (si, cj) = (dag.mul(sin, v[i]), dag.mul(cos, v[j]));
+    let mut turned = v;
+    turned[i] = dag.sub(ci, sj);
+    turned[j] = dag.add(si, cj);
+    turned
+}
+
+/// a . b of components in one triad.
+pub fn dot_components(dag: &mut Dag, a: &Components, b: &Components) -> ExprId {
+    let terms: [ExprId; 3] = std::array::from_fn(|k| dag.mul(a[k], b[k]));
+    dag.sum(&terms)
+}
+
+/// a x b of components in one triad.
+pub fn cross_components(dag: &mut Dag, a: &Components, b: &Components) -> Components {
+    std::array::from_fn(|k| {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        let (left, right) = (dag.mul(a[i], b[j]), dag.mul(a[j], b[i]));
+        dag.sub(left, right)
+    })
+}

@@ -1,0 +1,82 @@
+//! `Real` and `Scalar` for f64: own sine, cosine and square root; the rest is libm, which is plain Rust
+//! and therefore the same on every machine.
+
+use super::sqrt::sqrt_f64;
+use super::{Real, Scalar, lane, trig};
+
+impl Real for f64 {
+    const ZERO: f64 = 0.0;
+    const ONE: f64 = 1.0;
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> f64 {
+        x
+    }
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        sqrt_f64(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (f64, f64) {
+        trig::sin_cos_f64(self)
+    }
+    fn tan(self) -> f64 {
+        libm::tan(self)
+    }
+    fn asin(self) -> f64 {
+        libm::asin(self)
+    }
+    fn acos(self) -> f64 {
+        libm::acos(self)
+    }
+    fn atan2(self, x: f64) -> f64 {
+        libm::atan2(self, x)
+    }
+    fn exp(self) -> f64 {
+        libm::exp(self)
+    }
+    fn ln(self) -> f64 {
+        libm::log(self)
+    }
+    fn tanh(self) -> f64 {
+        libm::tanh(self)
+    }
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+    #[inline(always)]
+    fn sign(self) -> f64 {
+        lane::sign(self, 0.0, 1.0)
+    }
+    #[inline(always)]
+    fn min(self, other: f64) -> f64 {
+        lane::min(self, other)
+    }
+    #[inline(always)]
+    fn max(self, other: f64) -> f64 {
+        lane::max(self, other)
+    }
+}
+
+impl Scalar for f64 {
+    const EPSILON: f64 = f64::EPSILON;
+    /// Exact multiples of the quarter turn's parts.
+    const TURN: [f64; 3] = {
+        let [a, b, c] = trig::QUARTER_TURN_F64;
+        [4.0 * a, 4.0 * b, 4.0 * c]
+    };
+
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        f64::is_finite(self)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn turns(self) -> f64 {
+        (self * (0.5 * core::f64::consts::FRAC_1_PI) + trig::ROUND_F64) - trig::ROUND_F64
+    }
+}
