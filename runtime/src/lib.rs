@@ -1,8 +1,13 @@
 //! Numbers, integrators, flexible bodies, contact and impact: no_std, no heap, no panic.
 #![no_std]
 
+pub mod advance;
+pub mod body;
+pub mod contact;
+pub mod ledger;
 pub mod mechanism;
 pub mod real;
+pub mod scene;
 
 /// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
 /// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.

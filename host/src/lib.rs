@@ -1,0 +1,3 @@
+//! What the smartbed command is made of.
+
+pub mod scene;
