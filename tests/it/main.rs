@@ -1,2 +1,4 @@
 //! The only test binary.
 mod flexible_reference;
+mod bar_on_wall;
+mod impact_property;

@@ -22,7 +22,7 @@ use crate::real::Scalar;
 pub enum Method<S> {
     /// v first, then x with the new v: order 1.
     SymplecticEuler,
-    /// Velocity Verlet: order 2; dampers are solved implicitly, pair by pair, half before and half after.
+    /// Velocity Verlet: order 2; dampers are solved implicitly, half before and half after.
     Verlet,
     /// Nystrom's classical order 4, three evaluations; for forces of positions (dampers lower the order).
     Nystrom4,

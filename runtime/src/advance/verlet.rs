@@ -1,17 +1,30 @@
-//! Symplectic Euler and velocity Verlet, with dampers solved implicitly pair by pair.
+//! Symplectic Euler and velocity Verlet, with dampers solved implicitly.
 //!
 //! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). With dampers a half step of them stands before and
-//! one after, in opposite order of the springs, which keeps order 2 (Strang): along each spring
-//! r' = -C W r with W = d.(P_i/m_i + P_j/m_j) d is solved by r := r (1 - x/2)/(1 + x/2), x = C W h.
-//! That takes energy out for every C and h, and conserves momentum pair by pair.
+//! one after (Strang: order 2), each by the implicit midpoint rule at fixed positions, which takes energy
+//! out for every C and h and conserves momentum.
 
 use super::{
-    Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities,
+    Start, Workspace, copy, eval_elastic, eval_viscous as eval_all_viscous, finish, place_positions,
+    place_velocities,
 };
 use crate::body::vec3::{self, Vec3};
-use crate::body::{BodyError, Spring};
+use crate::body::BodyError;
+use crate::body::force::eval_viscous;
 use crate::contact::System;
 use crate::real::Scalar;
+
+/// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring.
+const ITERATIONS: usize = 100;
+/// Changes of the speed below this many rounding units end the iteration.
+const SETTLED: f64 = 2.0;
+
+/// Where the dampers act.
+#[derive(Clone, Copy)]
+enum Place {
+    Start,
+    End,
+}
 
 /// v' = v + h a(x, v), x' = x + h v'.
 pub(crate) fn symplectic_euler<S: Scalar>(
@@ -44,7 +57,7 @@ pub(crate) fn verlet<S: Scalar>(
     let damped = system.body.is_damped();
     copy(work.stage_vel, start.motion.vel);
     if damped {
-        relax(system, start, start.motion.pos, work.stage_vel, half, false);
+        relax(system, start, Place::Start, half, work)?;
     }
     for (i, (dx, v)) in work.dx.iter_mut().zip(work.stage_vel.iter_mut()).enumerate() {
         let a = system.acceleration(i, start.mode(i), velocity_free(system, start, i));
@@ -58,13 +71,13 @@ pub(crate) fn verlet<S: Scalar>(
         *v = vec3::axpy(*v, half, a);
     }
     if damped {
-        relax(system, start, work.end.pos, work.stage_vel, half, true);
+        relax(system, start, Place::End, half, work)?;
     }
     for (i, dv) in work.dv.iter_mut().enumerate() {
         *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.motion.vel, i));
     }
     place_velocities(system, start, work);
-    eval_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
+    eval_all_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
     Ok(S::ZERO)
 }
 
@@ -73,59 +86,39 @@ fn velocity_free<S: Scalar>(system: &System<S>, start: Start<S>, i: usize) -> Ve
     if system.body.is_damped() { vec3::at(start.motion.elastic, i) } else { start.motion.force(i) }
 }
 
-/// Lets the dampers and the air act for a time h at fixed positions.
+/// Lets the dampers and the air act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
+///
+/// Fixed-point iteration on the middle: all springs at once, so a symmetric body stays symmetric.
 fn relax<S: Scalar>(
     system: &System<S>,
     start: Start<S>,
-    pos: &[Vec3<S>],
-    vel: &mut [Vec3<S>],
+    place: Place,
     h: S,
-    backwards: bool,
-) {
-    let springs = system.body.springs;
-    if backwards {
-        slow_in_air(system, vel, h);
-        springs.iter().rev().for_each(|s| relax_spring(system, start, s, pos, vel, h));
-    } else {
-        springs.iter().for_each(|s| relax_spring(system, start, s, pos, vel, h));
-        slow_in_air(system, vel, h);
-    }
-}
-
-/// (1 - x/2)/(1 + x/2) - 1: relative change of a speed that decays at the rate x/h.
-fn decay<S: Scalar>(x: S) -> S {
-    -(x / (S::ONE + S::from_f64(0.5) * x))
-}
-
-fn slow_in_air<S: Scalar>(system: &System<S>, vel: &mut [Vec3<S>], h: S) {
-    if system.body.air_drag > S::ZERO {
-        for (i, v) in vel.iter_mut().enumerate() {
-            let change = decay(system.body.air_drag * system.body.inverse_mass(i) * h);
-            *v = vec3::axpy(*v, change, *v);
+    work: &mut Workspace<S>,
+) -> Result<(), BodyError<S>> {
+    let pos: &[Vec3<S>] = match place {
+        Place::Start => start.motion.pos,
+        Place::End => work.end.pos,
+    };
+    let (vel, middle) = (&mut *work.stage_vel, &mut *work.stages);
+    copy(middle, vel);
+    let half = S::from_f64(0.5) * h;
+    for _ in 0..ITERATIONS {
+        eval_viscous(&system.body, pos, middle, work.stage_viscous);
+        let (mut change, mut size) = (S::ZERO, S::ZERO);
+        for (i, (m, v)) in middle.iter_mut().zip(vel.iter()).enumerate() {
+            let a = system.acceleration(i, start.mode(i), vec3::at(work.stage_viscous, i));
+            let next = vec3::axpy(*v, half, a);
+            change = change.max(vec3::norm(vec3::sub(next, *m)));
+            size = size.max(vec3::norm(next));
+            *m = next;
+        }
+        if change <= S::from_f64(SETTLED) * S::EPSILON * size {
+            for (v, m) in vel.iter_mut().zip(middle.iter()) {
+                *v = vec3::sub(vec3::add(*m, *m), *v);
+            }
+            return Ok(());
         }
     }
-}
-
-fn relax_spring<S: Scalar>(
-    system: &System<S>,
-    start: Start<S>,
-    spring: &Spring<S>,
-    pos: &[Vec3<S>],
-    vel: &mut [Vec3<S>],
-    h: S,
-) {
-    if spring.damping <= S::ZERO {
-        return;
-    }
-    let stretch = spring.stretch(pos, vel);
-    let d = stretch.direction;
-    let tail = system.acceleration(spring.tail, start.mode(spring.tail), d);
-    let head = system.acceleration(spring.head, start.mode(spring.head), d);
-    let response = vec3::dot(d, tail) + vec3::dot(d, head);
-    if response > S::ZERO {
-        // Impulse along the spring that changes the rate by decay(C W h) rate.
-        let impulse = stretch.rate * decay(spring.damping * response * h) / response;
-        vec3::add_at(vel, spring.head, vec3::scale(head, impulse));
-        vec3::add_at(vel, spring.tail, vec3::scale(tail, -impulse));
-    }
+    Err(BodyError::NotConverged { step: h })
 }
