@@ -32,20 +32,64 @@ fn rms_error(elements: usize, courant: f64, settings: &[&str]) -> f64 {
     (sum / f64::from(count)).sqrt() / (V0 * LENGTH / C)
 }
 
+/// Courant number, elements, law, largest error allowed: 1.05 x the errors of a reference implementation.
+const TABLE: [(f64, usize, &[&str], f64); 18] = [
+    (0.5, 10, &["law=compensation"], 1.05 * 4.6e-2),
+    (0.5, 50, &["law=compensation"], 1.05 * 1.4e-2),
+    (0.5, 200, &["law=compensation"], 1.05 * 5.4e-3),
+    (0.5, 10, &["law=massless_point"], 1.05 * 3.4e-2),
+    (0.5, 50, &["law=massless_point"], 1.05 * 1.1e-2),
+    (0.5, 200, &["law=massless_point"], 1.05 * 4.8e-3),
+    (0.5, 10, &["law=moreau", "e=0"], 1.05 * 8.9e-2),
+    (0.5, 50, &["law=moreau", "e=0"], 1.05 * 2.2e-2),
+    (0.5, 200, &["law=moreau", "e=0"], 1.05 * 7.4e-3),
+    (0.5, 10, &["law=penalty", "stiffness=900"], 1.05 * 1.6e-1),
+    (0.5, 50, &["law=penalty", "stiffness=4500"], 1.05 * 3.7e-2),
+    (0.5, 200, &["law=penalty", "stiffness=18000"], 1.05 * 1.0e-2),
+    (1.0, 10, &["law=compensation"], 1.05 * 5.5e-2),
+    (1.0, 50, &["law=compensation"], 1.05 * 1.1e-2),
+    (1.0, 200, &["law=compensation"], 1.05 * 2.7e-3),
+    (1.0, 10, &["law=massless_point"], 1.05 * 1.4e-2),
+    (1.0, 50, &["law=massless_point"], 1.05 * 1.4e-3),
+    (1.0, 200, &["law=massless_point"], 1.05 * 2.5e-4),
+];
+
 #[test]
-fn print_bar() {
-    let penalty = |n: usize| format!("stiffness={}", 900.0 * n as f64 / 10.0);
-    for (courant, table) in [(0.5, 0), (1.0, 1)] {
-        for n in [10, 50, 200] {
-            let k = penalty(n);
-            for set in [
-                vec!["law=compensation"],
-                vec!["law=massless_point"],
-                vec!["law=moreau", "e=0"],
-                vec!["law=penalty", &k],
-            ] {
-                println!("{table} N {n} CFL {courant} {:?}: {:.3e}", set, rms_error(n, courant, &set));
-            }
-        }
+fn bottom_of_the_bar_follows_the_exact_solution() {
+    for (courant, elements, law, allowed) in TABLE {
+        let error = rms_error(elements, courant, law);
+        println!("N {elements:3} Courant {courant} {law:?}: {error:.3e} of {allowed:.3e}");
+        assert!(error <= allowed, "N {elements} Courant {courant} {law:?}: {error:e}");
+    }
+}
+
+/// Largest relative change of the bar's total energy over 20 bounces of 16/3 s under g = 10.
+fn energy_drift(elements: usize, courant: f64, settings: &[&str]) -> f64 {
+    let mut scene = bar(elements, courant, &[&["g=10.0"], settings].concat());
+    scene.seconds = 20.0 * 16.0 / 3.0;
+    scene.every = 100;
+    let (mut start, mut worst) = (None, 0.0_f64);
+    run::<f64>(&scene, |row| {
+        let total = row.energy.total;
+        let start = *start.get_or_insert(total);
+        worst = worst.max((total - start).abs() / V0.powi(2) / 0.5 / LENGTH);
+    })
+    .expect("run");
+    worst
+}
+
+#[test]
+fn twenty_bounces_keep_the_energy() {
+    for (method, courant, law, anchor, allowed) in [
+        ("verlet", 0.25, "massless_point", false, 1e-2),
+        ("verlet", 0.05, "compensation", false, 1e-2),
+        ("verlet", 0.25, "compensation", true, 5e-2),
+        ("energy_momentum", 0.25, "compensation", false, 1e-9),
+    ] {
+        let settings = [format!("method={method}"), format!("law={law}"), format!("anchor={anchor}")];
+        let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
+        let drift = energy_drift(50, courant, &settings);
+        println!("{method} Courant {courant} {law} anchor {anchor}: {drift:.3e}");
+        assert!(drift <= allowed, "{method} {law}: {drift:e}");
     }
 }

@@ -2,3 +2,4 @@
 mod flexible_reference;
 mod bar_on_wall;
 mod impact_property;
+mod flexible_energy;

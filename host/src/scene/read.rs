@@ -320,13 +320,14 @@ pub fn method_named(name: &str, tolerance: f64) -> Result<Method<f64>, String> {
         "symplectic_euler" => Ok(Method::SymplecticEuler),
         "verlet" => Ok(Method::Verlet),
         "nystrom4" => Ok(Method::Nystrom4),
+        "blanes_moan4" => Ok(Method::BlanesMoan4),
         "rk4" => Ok(Method::Rk4),
         "implicit_midpoint" => Ok(Method::ImplicitMidpoint),
         "energy_momentum" => Ok(Method::EnergyMomentum),
         "dormand_prince" => Ok(Method::DormandPrince { tolerance }),
         "dop853" => Ok(Method::Dop853 { tolerance }),
         other => Err(format!(
-            "unknown method `{other}`; known: symplectic_euler, verlet, nystrom4, rk4, implicit_midpoint, energy_momentum, dormand_prince, dop853"
+            "unknown method `{other}`; known: symplectic_euler, verlet, nystrom4, blanes_moan4, rk4, implicit_midpoint, energy_momentum, dormand_prince, dop853"
         )),
     }
 }

@@ -203,6 +203,7 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
         Method::SymplecticEuler => Method::SymplecticEuler,
         Method::Verlet => Method::Verlet,
         Method::Nystrom4 => Method::Nystrom4,
+        Method::BlanesMoan4 => Method::BlanesMoan4,
         Method::Rk4 => Method::Rk4,
         Method::ImplicitMidpoint => Method::ImplicitMidpoint,
         Method::EnergyMomentum => Method::EnergyMomentum,

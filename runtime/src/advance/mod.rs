@@ -26,6 +26,8 @@ pub enum Method<S> {
     Verlet,
     /// Nystrom's classical order 4, three evaluations; for forces of positions (dampers lower the order).
     Nystrom4,
+    /// Blanes & Moan's symplectic splitting of order 4, small error constant; for forces of positions.
+    BlanesMoan4,
     /// The classical Runge-Kutta method of order 4.
     Rk4,
     /// Implicit midpoint rule: order 2.
@@ -52,7 +54,7 @@ impl<S: Scalar> Method<S> {
             Method::SymplecticEuler | Method::Verlet | Method::ImplicitMidpoint | Method::EnergyMomentum => 1,
             Method::Nystrom4 => 3,
             Method::Rk4 => 4,
-            Method::DormandPrince { .. } => 7,
+            Method::DormandPrince { .. } | Method::BlanesMoan4 => 7,
             Method::Dop853 { .. } => 12,
         }
     }
@@ -233,6 +235,7 @@ pub fn advance<S: Scalar>(
         Method::SymplecticEuler => verlet::symplectic_euler(system, start, tau, work)?,
         Method::Verlet => verlet::verlet(system, start, tau, work)?,
         Method::Nystrom4 => explicit::step(&tableau::NYSTROM_4, system, start, tau, S::ONE, work)?,
+        Method::BlanesMoan4 => explicit::step(&tableau::BLANES_MOAN_4, system, start, tau, S::ONE, work)?,
         Method::Rk4 => explicit::step(&tableau::RK4, system, start, tau, S::ONE, work)?,
         Method::ImplicitMidpoint => implicit::midpoint(system, start, tau, work)?,
         Method::EnergyMomentum => implicit::energy_momentum(system, start, tau, work)?,

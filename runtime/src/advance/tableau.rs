@@ -76,6 +76,46 @@ const fn from_runge_kutta<const N: usize>(
     }
 }
 
+/// Nystrom form of a splitting kick b_1 drift a_1 kick b_2 ... kick b_N.
+const fn from_splitting<const N: usize>(b: [f64; N], drift: [f64; N]) -> Tableau<N> {
+    let mut c = [0.0; N];
+    let mut a = [[0.0; N]; N];
+    let mut abar = [[0.0; N]; N];
+    let mut bbar = [0.0; N];
+    let mut i = 1;
+    while i < N {
+        c[i] = c[i - 1] + drift[i - 1];
+        let mut j = 0;
+        while j < i {
+            a[i][j] = b[j];
+            abar[i][j] = b[j] * (c[i] - c[j]);
+            j += 1;
+        }
+        i += 1;
+    }
+    let mut j = 0;
+    while j < N {
+        bbar[j] = b[j] * (1.0 - c[j]);
+        j += 1;
+    }
+    let none = Weights { b: [0.0; N], bbar: [0.0; N] };
+    Tableau { c, a, abar, b, bbar, error: none, coarse: none }
+}
+
+const BM_A1: f64 = 0.245298957184271;
+const BM_A2: f64 = 0.604872665711080;
+const BM_A3: f64 = 0.5 - (BM_A1 + BM_A2);
+const BM_B1: f64 = 0.0829844064174052;
+const BM_B2: f64 = 0.396309801498368;
+const BM_B3: f64 = -0.0390563049223486;
+const BM_B4: f64 = 1.0 - 2.0 * (BM_B1 + BM_B2 + BM_B3);
+
+/// Blanes & Moan (2002), six-stage symplectic Nystrom splitting of order 4 for x'' = a(x).
+pub const BLANES_MOAN_4: Tableau<7> = from_splitting(
+    [BM_B1, BM_B2, BM_B3, BM_B4, BM_B3, BM_B2, BM_B1],
+    [BM_A1, BM_A2, BM_A3, BM_A3, BM_A2, BM_A1, 0.0],
+);
+
 /// Nystrom (1925), order 4 for x'' = a(x); with speeds in the force the stage velocities are those of order 2.
 pub const NYSTROM_4: Tableau<3> = Tableau {
     c: [0.0, 0.5, 1.0],
