@@ -3,3 +3,5 @@ mod flexible_reference;
 mod bar_on_wall;
 mod impact_property;
 mod flexible_energy;
+mod flexible_pressure;
+mod hard_cases;

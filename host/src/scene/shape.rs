@@ -186,7 +186,7 @@ pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
 
 /// Sheet of `rows` chains of `columns` points in a frame: both ends of every chain are anchored (thesis 3.6).
 ///
-/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame but for its four corner cells.
+/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame; of its four corner cells the inner half.
 #[must_use]
 pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     let mut body = Lists::default();
@@ -215,9 +215,13 @@ pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     }
     for r in 0..=rows {
         for c in 0..=columns {
-            let corners = [(r, c), (r, c + 1), (r + 1, c + 1), (r + 1, c)].map(|k| number.get(&k).copied());
-            if let [Some(a), Some(b), Some(c), Some(d)] = corners {
-                body.facets.push([a, b, c, d]);
+            let cell = [(r, c), (r, c + 1), (r + 1, c + 1), (r + 1, c)];
+            let corners: Vec<usize> = cell.iter().filter_map(|k| number.get(k).copied()).collect();
+            match corners[..] {
+                [a, b, c, d] => body.facets.push([a, b, c, d]),
+                // A corner cell: the triangle up to the anchors keeps the surface's edge at rest.
+                [a, b, c] => body.facets.push([a, b, c, c]),
+                _ => {}
             }
         }
     }

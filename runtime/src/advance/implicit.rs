@@ -47,7 +47,7 @@ pub(crate) fn energy_momentum<S: Scalar>(
 
 /// Solves k = force(middle of the step)/m; `force` leaves its answer in `work.stage_elastic`.
 ///
-/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step.
+/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position.
 fn iterate<S: Scalar>(
     system: &System<S>,
     start: Start<S>,
@@ -60,6 +60,11 @@ fn iterate<S: Scalar>(
         let k = system.acceleration(i, start.mode(i), start.motion.force(i));
         set(work.stages, i, k);
     }
+    // Rounding of the positions moves k by about EPSILON times this, also where all forces balance.
+    let unit_strain = (system.body.springs.iter()).fold(S::ZERO, |largest, s| {
+        let inverse = system.body.inverse_mass(s.tail).max(system.body.inverse_mass(s.head));
+        largest.max(s.stiffness * s.rest_length * inverse)
+    });
     let mut last_change = None;
     for _ in 0..ITERATIONS {
         place_middle(system, start, h, work);
@@ -72,15 +77,13 @@ fn iterate<S: Scalar>(
             set(work.stages, i, k);
         }
         let rounding = S::from_f64(SETTLED) * S::EPSILON * size;
-        // Rounding of the positions may keep the last digits of k moving: then no further gain is the end.
-        let near = S::EPSILON.sqrt() * size;
+        // Once near, no further gain is the end: the last digits of k keep moving.
+        let near = S::EPSILON.sqrt() * (size + unit_strain);
         let stalled = change <= near && last_change.is_some_and(|last| change >= last);
         if change <= rounding || stalled {
+            place_middle(system, start, h, work);
             for i in 0..n {
-                let (v, k) = (vec3::at(start.motion.vel, i), vec3::at(work.stages, i));
-                let drift = vec3::axpy(vec3::scale(v, h), S::from_f64(0.5) * h * h, k);
-                set(work.dx, i, moving(system, i, drift));
-                set(work.dv, i, vec3::scale(k, h));
+                set(work.dv, i, vec3::scale(vec3::at(work.stages, i), h));
             }
             finish(system, start, work)?;
             return Ok(S::ZERO);
@@ -107,6 +110,7 @@ fn place_middle<S: Scalar>(system: &System<S>, start: Start<S>, h: S, work: &mut
         let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
         let k = vec3::at(work.stages, i);
         let step = moving(system, i, vec3::axpy(vec3::scale(v, h), half * h * h, k));
+        set(work.dx, i, step);
         set(work.stage_pos, i, vec3::axpy(x, half, step));
         set(work.end.pos, i, vec3::add(x, step));
         set(work.stage_vel, i, vec3::axpy(v, half * h, k));
@@ -132,8 +136,10 @@ fn mean_force<S: Scalar>(
         let (l0, l1) = (vec3::norm(before), vec3::norm(after));
         let sum = l0 + l1;
         if sum > S::ZERO {
-            // l1 - l0 without its cancellation: (after + before).(after - before)/(l0 + l1).
-            let growth = vec3::dot(vec3::add(after, before), vec3::sub(after, before)) / sum;
+            // l1 - l0 without its cancellation: (after + before).(after - before)/(l0 + l1), the change
+            // taken from the steps themselves: in a tiny step the positions hold nothing but rounding.
+            let change = vec3::sub(vec3::at(work.dx, spring.head), vec3::at(work.dx, spring.tail));
+            let growth = vec3::dot(vec3::add(after, before), change) / sum;
             let tension = spring.tension(half * sum) + spring.damping * growth / h;
             let pull = vec3::scale(vec3::add(before, after), tension / sum);
             vec3::add_at(force, spring.tail, pull);
