@@ -185,7 +185,8 @@ pub fn step<S: Scalar, O: Observer<S>>(
 /// Length of the next try [s].
 fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
     let wanted = if method.control_order() == 0 {
-        remaining
+        // What earlier steps left over does not lengthen this one: it is made up in pieces.
+        h
     } else if state.next_step > S::ZERO {
         state.next_step
     } else {

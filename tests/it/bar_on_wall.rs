@@ -102,5 +102,6 @@ fn twenty_bounces_keep_the_energy() {
         let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
         let (worst, mean) = energy_drift(50, courant, &settings);
         println!("{method} Courant {courant} {law} anchor {anchor}: largest {worst:.3e}, last bounce {mean:.3e} of {allowed:e}");
+        assert!(worst <= allowed, "{method} {law}: {worst:e}");
     }
 }

@@ -10,63 +10,108 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
     parse(name, &text, &settings).expect("scene")
 }
 
-/// Largest |E - E0|/E0, largest rise between rows over E0, largest |imbalance|/E0, number of events.
-fn survey(scene: &Scene) -> (f64, f64, f64, usize) {
+/// What a run did to the total energy, over E0.
+struct Survey {
+    /// Largest change at any row.
+    change: f64,
+    /// Mean change over the last second.
+    drift: f64,
+    /// Largest rise from one row to the next.
+    rise: f64,
+    /// Largest imbalance of the ledger.
+    imbalance: f64,
+}
+
+fn survey(scene: &Scene) -> Survey {
     let mut last: Option<(f64, f64)> = None;
-    let (mut change, mut rise, mut imbalance) = (0.0_f64, f64::NEG_INFINITY, 0.0_f64);
-    let events = run::<f64>(scene, |row: &Row| {
+    let (mut sum, mut count) = (0.0, 0);
+    let mut found = Survey { change: 0.0, drift: 0.0, rise: f64::NEG_INFINITY, imbalance: 0.0 };
+    run::<f64>(scene, |row: &Row| {
         let total = row.energy.total;
         let (start, before) = last.unwrap_or((total, total));
-        change = change.max((total - start).abs() / start);
-        rise = rise.max((total - before) / start);
-        imbalance = imbalance.max(row.energy.imbalance.abs() / start);
+        found.change = found.change.max((total - start).abs() / start);
+        found.rise = found.rise.max((total - before) / start);
+        found.imbalance = found.imbalance.max(row.energy.imbalance.abs() / start);
+        if row.t > scene.seconds - 1.0 {
+            (sum, count) = (sum + (total - start) / start, count + 1);
+        }
         last = Some((start, total));
     })
     .expect("run");
-    (change, rise, imbalance, events.len())
+    found.drift = sum / f64::from(count.max(1));
+    found
 }
 
 #[test]
 fn ten_seconds_keep_the_energy() {
     for (name, order_4) in [("single_spring", 1e-4), ("truss", 1e-4), ("cube", 1e-3)] {
-        for (method, allowed) in [
-            ("verlet", 5e-3),
-            ("nystrom4", order_4),
-            ("blanes_moan4", order_4),
-            ("rk4", order_4),
-            ("energy_momentum", 1e-10),
+        // (method, anchor, allowed change at any row, allowed drift over 10 s). Verlet's energy swings by
+        // (w h)^2/4 of the vibration's potential energy, 0.6 % of it for the cube, whatever the drift; the
+        // Runge-Kutta method of order 4 damps the stiffest modes of truss and cube.
+        for (method, anchor, change, drift) in [
+            ("verlet", false, 1e-2, 5e-3),
+            ("verlet", true, 6e-3, 5e-3),
+            ("nystrom4", false, order_4, order_4),
+            ("blanes_moan4", false, 1e-7, 1e-7),
+            ("rk4", true, order_4, order_4),
+            ("energy_momentum", false, 1e-12, 1e-12),
         ] {
-            let (change, _, _, events) = survey(&scene(name, &["T=10", &format!("method={method}")]));
-            println!("{name} {method}: {change:.2e} of E0 in 10 s, {events} events (allowed {allowed:.0e})");
+            let settings = [format!("method={method}"), format!("anchor={anchor}")];
+            let found = survey(&scene(name, &["T=10", &settings[0], &settings[1]]));
+            println!("{name} {method} anchor {anchor}: change {:.2e}, drift {:.2e}", found.change, found.drift);
+            assert!(found.change <= change, "{name} {method}: {:e}", found.change);
+            assert!(found.drift.abs() <= drift, "{name} {method}: {:e}", found.drift);
         }
     }
 }
 
+/// Energies are sums of some hundred terms of the size of E0.
+const ROUNDING: f64 = 1e-12;
+
 #[test]
-fn every_drop_scene_runs_undamped_and_damped() {
+fn drop_scenes_keep_their_energy_and_damped_ones_never_gain() {
     for name in
         ["single_spring", "double_spring", "cylinder", "truss", "prism", "cube", "ball", "complex_structure"]
     {
-        let (change, _, imbalance, events) = survey(&scene(name, &[]));
-        println!("{name}: change {change:.1e}, imbalance {imbalance:.1e}, {events} events");
-        let (_, rise, imbalance, events) = survey(&scene(name, &["C=10"]));
-        println!("{name} damped: rise {rise:.1e}, imbalance {imbalance:.1e}, {events} events");
+        let found = survey(&scene(name, &[]));
+        println!("{name}: change {:.1e}", found.change);
+        assert!(found.change <= ROUNDING && found.imbalance <= ROUNDING, "{name}: {:e}", found.change);
+        let found = survey(&scene(name, &["C=10"]));
+        println!("{name} damped: rise {:.1e}, imbalance {:.1e}", found.rise, found.imbalance);
+        assert!(found.rise <= ROUNDING, "{name}: rise {:e}", found.rise);
+        // The accounts integrate the dampers' power; the method's own quadrature differs in order h^2.
+        assert!(found.imbalance <= 2e-3, "{name}: imbalance {:e}", found.imbalance);
     }
 }
 
 #[test]
-fn fixtures_swing_and_hold_their_energy() {
-    for name in ["spring_loaded_pendulum", "closed_loop_3_links", "mass_on_4_springs", "bar_on_wall", "bladder"] {
+fn accounts_close_with_the_order_of_the_method() {
+    let imbalance = |step: &str| survey(&scene("truss", &["C=10", "method=rk4", step])).imbalance;
+    let (coarse, fine) = (imbalance("step=1e-3"), imbalance("step=1e-4"));
+    println!("damped truss, rk4: imbalance {coarse:.1e} at 1 ms, {fine:.1e} at 0.1 ms");
+    assert!(fine <= 1e-9 && coarse / fine >= 10.0_f64.powf(3.5));
+}
+
+#[test]
+fn hung_and_held_scenes_keep_their_energy() {
+    for (name, allowed) in
+        [("spring_loaded_pendulum", 1e-12), ("closed_loop_3_links", 1e-11), ("mass_on_4_springs", 1e-12)]
+    {
         let mut first = None;
-        let mut worst = (0.0_f64, 0.0_f64, 0.0_f64);
-        let result = run::<f64>(&scene(name, &[]), |row| {
+        let mut worst = 0.0_f64;
+        run::<f64>(&scene(name, &[]), |row| {
             let start = *first.get_or_insert(row.energy.total);
-            worst.0 = worst.0.max((row.energy.total - start).abs());
-            worst.1 = worst.1.max(row.energy.imbalance.abs());
-            worst.2 = worst.2.max(row.energy.stored[0]);
-        });
-        println!("{name}: change {:.1e} imbalance {:.1e} kinetic {:.1e} {:?}", worst.0, worst.1, worst.2, result.map(|e| e.len()));
+            worst = worst.max((row.energy.total - start).abs());
+        })
+        .expect("run");
+        assert!(worst <= allowed, "{name}: {worst:e} J");
+        let found = survey(&scene(name, &["C=10"]));
+        assert!(found.change.is_finite(), "{name}");
     }
+    let mut worst = 0.0_f64;
+    run::<f64>(&scene("bladder", &["T=0.5"]), |row| worst = worst.max(row.energy.imbalance.abs())).expect("run");
+    // Of about 1 kJ that the pressure puts in.
+    assert!(worst <= 1e-4, "bladder: {worst:e} J");
 }
 
 #[test]

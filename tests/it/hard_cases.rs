@@ -58,7 +58,7 @@ fn undamped_pendulum_of_the_thesis() {
     check::<f32>(1e-2);
 }
 
-/// Outcome: 1 g under 1000 kg, and the other way round: energy within 1e-10, never below the floor.
+/// Outcome: 1 g under 1000 kg, and the other way round: energy to 1e-12 (f32 1e-5), never below the floor.
 #[test]
 fn mass_ratio_of_a_million() {
     for masses in ["[1.0e-3, 1.0e3]", "[1.0e3, 1.0e-3]"] {
@@ -68,10 +68,10 @@ fn mass_ratio_of_a_million() {
         let (rows, _) = all::<f64>(&scene(&text));
         let start = rows[0].energy.total;
         let worst = rows.iter().map(|r| (r.energy.total - start).abs() / start).fold(0.0, f64::max);
-        println!("masses {masses}: energy {worst:.1e}, depth {:.1e}", deepest(&rows));
+        assert!(worst <= 1e-12 && deepest(&rows) <= 1e-9, "{masses}: energy {worst:e}");
         let (single, _) = all::<f32>(&scene(&text));
         let worst = single.iter().map(|r| (r.energy.total - start).abs() / start).fold(0.0, f64::max);
-        println!("masses {masses} f32: energy {worst:.1e}, depth {:.1e}", deepest(&single));
+        assert!(worst <= 1e-5 && deepest(&single) <= 1e-6, "{masses} in f32: energy {worst:e}");
     }
 }
 
@@ -81,8 +81,9 @@ fn fast_impact() {
     let text = "shape = \"chain\"\ndrop_height = 1.0\ninitial_velocity = -1000.0\nK = 1e6\nT = 0.02\nmethod = \"verlet\"\n";
     let (rows, events) = all::<f64>(&scene(text));
     let (single, single_events) = all::<f32>(&scene(text));
-    println!("fast: depth {:.1e}, f32 {:.1e}, events {} {}", deepest(&rows[..3]), deepest(&single[..3]), events.len(), single_events.len());
     assert!(!events.is_empty() && !single_events.is_empty());
+    // Up to the row after the touch at 1 ms; later the spring of 1 m, pressed by 1000 m/s, is turned inside out.
+    assert!(deepest(&rows[..3]) <= 1e-9 && deepest(&single[..3]) <= 1e-6);
 }
 
 /// Outcome: all corners within the cluster tolerance (1e-11 m) touch together; a cube tilted by 1e-15 is the flat
@@ -99,8 +100,8 @@ fn cube_flat_against_tilted() {
     };
     let (barely, touches_barely) = end("1e-15");
     let (tilted, touches_tilted) = end("1e-9");
-    println!("flat {four}, 1e-15: {touches_barely} {:.2e}, 1e-9: {touches_tilted} {:.2e}", difference(&barely), difference(&tilted));
     assert_eq!((four, touches_barely, touches_tilted), (4, 4, 2));
+    assert!(difference(&barely) <= 1e-12 && difference(&tilted) >= 1e-2);
     let single = |tilt: &str| all::<f32>(&named("cube", &[&format!("tilt={tilt}"), "T=1"])).1[0].touches.len();
     // f32 knows no difference of 1e-9 m at 1 m: both are flat.
     assert_eq!((single("1e-15"), single("1e-9")), (4, 4));
@@ -111,10 +112,11 @@ fn cube_flat_against_tilted() {
 fn grazing() {
     // Upward acceleration 10, start 0.2 m up at -2 m/s: the minimum is 0.2 - 4/20 = 0 at 0.2 s.
     let text = |height: f64| {
-        format!("points = [[0.0, 0.0, {height}]]\nspringless = 0\ng = -10.0\ninitial_velocity = -2.0\nT = 0.4\nmethod = \"verlet\"\nstep = 0.03\n").replace("springless = 0\n", "")
+        format!(
+            "points = [[0.0, 0.0, {height}]]\ng = -10.0\ninitial_velocity = -2.0\nT = 0.4\nmethod = \"verlet\"\nstep = 0.04\n"
+        )
     };
     let (rows, _) = all::<f64>(&scene(&text(0.2)));
-    println!("grazing: {:?}", last(&rows).pos);
     assert!((last(&rows).pos[0][2] - 0.2).abs() <= 1e-6);
     let (rows, events) = all::<f64>(&scene(&text(0.2 - 1e-4)));
     // 0.1 mm deep between two steps that both end above the floor: found, and thrown back.
@@ -137,7 +139,6 @@ fn resting_stack() {
         );
         let (rows, events) = all::<S>(&scene(&text));
         let moved = last(&rows).pos.iter().zip(&rows[0].pos).map(|(a, b)| (a[2] - b[2]).abs()).fold(0.0, f64::max);
-        println!("resting {method}: moved {moved:.1e}, {} events", events.len());
         assert!(moved <= allowed && events.is_empty());
     }
     check::<f64>("verlet", 1e-12);
@@ -158,7 +159,7 @@ fn zeno_ends_at_rest() {
         for _ in 0..2000 {
             events += simulation.step(h, &mut ()).expect("step").events;
         }
-        println!("zeno: {events} events, height {:e}", simulation.pos()[0][2].to_f64());
+        println!("zeno {}: {events} events, height {:e}", core::any::type_name::<S>(), simulation.pos()[0][2].to_f64());
         assert_eq!(simulation.modes()[0], Mode::Held);
         assert_eq!(simulation.vel()[0][2], S::ZERO);
         assert!(events < 60);
@@ -175,8 +176,7 @@ fn release_without_chatter() {
         let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
         let (_, events) = all::<f64>(&named("single_spring", &settings));
         let (_, single) = all::<f32>(&named("single_spring", &settings));
-        println!("release {method}: {} events, f32 {}", events.len(), single.len());
-        assert_eq!(events.len(), 11, "{method}");
+        assert_eq!((events.len(), single.len()), (11, 11), "{method}");
     }
 }
 
@@ -244,6 +244,5 @@ fn one_node_a_hundred_million_f32_steps() {
         motion.copy_from(&work.end);
     }
     let travelled = f64::from(motion.pos[0][0]) - 10.0;
-    println!("travelled {travelled} m");
     assert!((travelled - 10.0).abs() <= 1e-4);
 }

@@ -5,3 +5,4 @@ mod impact_property;
 mod flexible_energy;
 mod flexible_pressure;
 mod hard_cases;
+mod flexible_scene;

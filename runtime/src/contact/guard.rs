@@ -101,8 +101,43 @@ fn find_bracket<S: Scalar>(
     Ok(None)
 }
 
+/// Gap over a step as the cubic through values and rates at both ends: g0 + r0 s + b s^2 + c s^3, 0 <= s <= 1.
+struct Cubic<S> {
+    g0: S,
+    r0: S,
+    b: S,
+    c: S,
+}
+
+impl<S: Scalar> Cubic<S> {
+    fn new(ground: &Ground<S>, start: Start<S>, end: &Motion<S>, h: S, i: usize) -> Cubic<S> {
+        let g0 = ground.gap(vec3::at(start.motion.pos, i));
+        let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
+        let g1 = ground.gap(vec3::at(end.pos, i));
+        let r1 = h * ground.gap_rate(vec3::at(end.vel, i));
+        let two = S::from_f64(2.0);
+        Cubic { g0, r0, b: S::from_f64(3.0) * (g1 - g0) - two * r0 - r1, c: two * (g0 - g1) + r0 + r1 }
+    }
+
+    fn at(&self, s: S) -> S {
+        self.g0 + s * (self.r0 + s * (self.b + s * self.c))
+    }
+
+    /// The s in (0, 1) where r0 + 2 b s + 3 c s^2 changes sign: downwards (a top) if `top`, else upwards (a bottom).
+    fn turn(&self, top: bool) -> Option<S> {
+        // With q = b -+ root the two zeros are -q/(3 c) and -r0/q.
+        let root = (self.b * self.b - S::from_f64(3.0) * self.c * self.r0).max(S::ZERO).sqrt();
+        let root = if top { -root } else { root };
+        let s = if (self.b >= S::ZERO) == (root >= S::ZERO) {
+            -self.r0 / (self.b + root)
+        } else {
+            (root - self.b) / (S::from_f64(3.0) * self.c)
+        };
+        (s > S::ZERO && s < S::ONE).then_some(s)
+    }
+}
+
 /// A departing point that ends below the surface after rising first: the point and the time of its top.
-//   gap(s) = s^2 [(3 g - h r) + s (h r - 2 g)] is the cubic with gap = rate = 0 at s = 0 and g, r at s = 1.
 fn find_return<S: Scalar>(
     ground: &Ground<S>,
     start: Start<S>,
@@ -111,12 +146,11 @@ fn find_return<S: Scalar>(
 ) -> Option<(usize, S)> {
     let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing);
     for (i, _) in departing {
-        let gap = ground.gap(vec3::at(end.pos, i));
-        let rate = h * ground.gap_rate(vec3::at(end.vel, i));
-        let rise = S::from_f64(3.0) * gap - rate;
-        let bend = S::from_f64(2.0) * gap - rate;
-        if gap < -ground.tolerance && rise > S::ZERO && bend > rise {
-            return Some((i, h * S::from_f64(2.0 / 3.0) * rise / bend));
+        let gap = Cubic::new(ground, start, end, h, i);
+        if gap.at(S::ONE) < -ground.tolerance
+            && let Some(s) = gap.turn(true).filter(|s| gap.at(*s) > S::ZERO)
+        {
+            return Some((i, s * h));
         }
     }
     None
@@ -126,21 +160,11 @@ fn find_return<S: Scalar>(
 fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let (mut deepest, mut time) = (-ground.tolerance, None);
     for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Free) {
-        let g0 = ground.gap(vec3::at(start.motion.pos, i));
-        let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
-        let g1 = ground.gap(vec3::at(end.pos, i));
-        let r1 = h * ground.gap_rate(vec3::at(end.vel, i));
-        if r0 >= S::ZERO || r1 <= S::ZERO {
-            continue;
-        }
-        // gap = g0 + r0 s + b s^2 + c s^3; its bottom: r0 + 2 b s + 3 c s^2 = 0.
-        let b = S::from_f64(3.0) * (g1 - g0) - S::from_f64(2.0) * r0 - r1;
-        let c = S::from_f64(2.0) * (g0 - g1) + r0 + r1;
-        let root = (b * b - S::from_f64(3.0) * c * r0).max(S::ZERO).sqrt();
-        let s = -r0 / (b + root);
-        let bottom = g0 + s * (r0 + s * (b + s * c));
-        if bottom < deepest && s > S::ZERO && s < S::ONE {
-            (deepest, time) = (bottom, Some(s * h));
+        let gap = Cubic::new(ground, start, end, h, i);
+        if gap.r0 < S::ZERO
+            && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
+        {
+            (deepest, time) = (gap.at(s), Some(s * h));
         }
     }
     time
