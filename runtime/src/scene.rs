@@ -294,13 +294,7 @@ fn resolve<S: Scalar, O: Observer<S>>(
     }
     let released = release(system, state);
     settle_modes(system, ground, state);
-    let event = Event {
-        time: state.t(),
-        impact,
-        points: work.impacts,
-        modes: state.modes,
-        released,
-    };
+    let event = Event { time: state.t(), impact, points: work.impacts, modes: state.modes, released };
     observer.event(system, event);
     Ok(())
 }
@@ -420,8 +414,13 @@ fn step_moreau<S: Scalar, O: Observer<S>>(
     let taken = moreau::step(system, start, h, restitution, work)?;
     crate::advance::check_finite(&work.end)?;
     pressure::check_inflation(&system.body, work.end.pos)?;
-    let flow =
-        Flow { before: &state.motion, after: &work.end, tau: h, friction: taken.friction, impact: taken.impact };
+    let flow = Flow {
+        before: &state.motion,
+        after: &work.end,
+        tau: h,
+        friction: taken.friction,
+        impact: taken.impact,
+    };
     observer.flow(system, flow);
     state.motion.copy_from(&work.end);
     state.pass(h);

@@ -101,7 +101,9 @@ fn twenty_bounces_keep_the_energy() {
         let settings = [format!("method={method}"), format!("law={law}"), format!("anchor={anchor}")];
         let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
         let (worst, mean) = energy_drift(50, courant, &settings);
-        println!("{method} Courant {courant} {law} anchor {anchor}: largest {worst:.3e}, last bounce {mean:.3e} of {allowed:e}");
+        println!(
+            "{method} Courant {courant} {law} anchor {anchor}: largest {worst:.3e}, last bounce {mean:.3e} of {allowed:e}"
+        );
         assert!(worst <= allowed, "{method} {law}: {worst:e}");
     }
 }

@@ -54,8 +54,7 @@ fn verlet_split_meets_its_end_errors() {
 
 /// Slope of log error over log step by least squares.
 fn observed_order(name: &str, method: &str, steps: &[f64]) -> f64 {
-    let points: Vec<(f64, f64)> =
-        steps.iter().map(|h| (h.ln(), end_error(name, method, *h).ln())).collect();
+    let points: Vec<(f64, f64)> = steps.iter().map(|h| (h.ln(), end_error(name, method, *h).ln())).collect();
     let n = points.len() as f64;
     let (mx, my) = (points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n);
     let covariance: f64 = points.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();

@@ -44,7 +44,10 @@ fn a_step_beyond_the_stable_one_is_refused_with_the_formula() {
     // Two unit masses and one spring: A = K, so K stands for K/2 and h_max = sqrt(2 m/K).
     let text = "format = 1\nshape = \"chain\"\nstep = 0.021\nT = 0.1\n";
     let message = refused(text);
-    assert!(message.contains("cube.toml:3: `step`") && message.contains("(sqrt(C^2 + K m) - C)/K"), "{message}");
+    assert!(
+        message.contains("cube.toml:3: `step`") && message.contains("(sqrt(C^2 + K m) - C)/K"),
+        "{message}"
+    );
     assert!(message.contains("2.000000e-2"), "{message}");
     assert!(parse("chain", &format!("{text}allow_unstable = true\n"), &[]).is_ok());
     // The square grid: (sqrt(C^2 + K m) - C)/K to the last digit that matters.

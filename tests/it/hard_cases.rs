@@ -32,7 +32,8 @@ fn deepest(rows: &[Row]) -> f64 {
 /// Outcome: no force without a direction; the points stay together under gravity and all numbers are finite.
 #[test]
 fn zero_length_spring() {
-    let text = "points = [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]\nsprings = [[0, 1]]\nrest_lengths = [1.0]\nT = 0.4\n";
+    let text =
+        "points = [[0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]\nsprings = [[0, 1]]\nrest_lengths = [1.0]\nT = 0.4\n";
     for method in ["verlet", "rk4", "energy_momentum"] {
         let scene = scene(&format!("{text}method = \"{method}\"\n"));
         for end in [last(&all::<f64>(&scene).0).clone(), last(&all::<f32>(&scene).0).clone()] {
@@ -91,7 +92,8 @@ fn fast_impact() {
 #[test]
 fn cube_flat_against_tilted() {
     let end = |tilt: &str| {
-        let (rows, events) = all::<f64>(&named("cube", &[&format!("tilt={tilt}"), "T=1", "method=blanes_moan4"]));
+        let (rows, events) =
+            all::<f64>(&named("cube", &[&format!("tilt={tilt}"), "T=1", "method=blanes_moan4"]));
         (last(&rows).pos.clone(), events[0].touches.len())
     };
     let (flat, four) = end("0");
@@ -102,7 +104,8 @@ fn cube_flat_against_tilted() {
     let (tilted, touches_tilted) = end("1e-9");
     assert_eq!((four, touches_barely, touches_tilted), (4, 4, 2));
     assert!(difference(&barely) <= 1e-12 && difference(&tilted) >= 1e-2);
-    let single = |tilt: &str| all::<f32>(&named("cube", &[&format!("tilt={tilt}"), "T=1"])).1[0].touches.len();
+    let single =
+        |tilt: &str| all::<f32>(&named("cube", &[&format!("tilt={tilt}"), "T=1"])).1[0].touches.len();
     // f32 knows no difference of 1e-9 m at 1 m: both are flat.
     assert_eq!((single("1e-15"), single("1e-9")), (4, 4));
 }
@@ -138,7 +141,8 @@ fn resting_stack() {
             2.0 - sag1 - sag2
         );
         let (rows, events) = all::<S>(&scene(&text));
-        let moved = last(&rows).pos.iter().zip(&rows[0].pos).map(|(a, b)| (a[2] - b[2]).abs()).fold(0.0, f64::max);
+        let moved =
+            last(&rows).pos.iter().zip(&rows[0].pos).map(|(a, b)| (a[2] - b[2]).abs()).fold(0.0, f64::max);
         assert!(moved <= allowed && events.is_empty());
     }
     check::<f64>("verlet", 1e-12);
@@ -159,7 +163,11 @@ fn zeno_ends_at_rest() {
         for _ in 0..2000 {
             events += simulation.step(h, &mut ()).expect("step").events;
         }
-        println!("zeno {}: {events} events, height {:e}", core::any::type_name::<S>(), simulation.pos()[0][2].to_f64());
+        println!(
+            "zeno {}: {events} events, height {:e}",
+            core::any::type_name::<S>(),
+            simulation.pos()[0][2].to_f64()
+        );
         assert_eq!(simulation.modes()[0], Mode::Held);
         assert_eq!(simulation.vel()[0][2], S::ZERO);
         assert!(events < 60);

@@ -237,16 +237,26 @@ fn compensation_survives_mass_ratios_of_1e12() {
 
 #[test]
 fn two_stacked_unit_masses_give_the_thesis_formula() {
-    let case = Case {
-        mass: vec![1.0, 1.0],
-        pos: vec![[0.0; 3], [0.0, 0.0, 1.0]],
-        vel: vec![[0.0, 0.0, -3.0], [0.0, 0.0, -4.0]],
-        springs: vec![[0, 1]],
-        touching: 1,
-        normal: [0.0, 0.0, 1.0],
+    let springs = [Spring { tail: 0, head: 1, stiffness: 1.0, damping: 0.0, rest_length: 1.0 }];
+    let body = Body {
+        mass: &[1.0, 1.0],
+        fixed: &[false, false],
+        springs: &springs,
+        gravity: [0.0; 3],
+        air_drag: 0.0,
+        facets: &[],
+        inflation: None,
     };
-    let mut worst = Worst { energy: 0.0, momentum: 0.0, angular: 0.0, impulses: 0.0, cone: 0.0 };
-    check::<f64>(&case, 1.0, 0.0, &mut worst);
-    // The oracle inside `check` accounts for every impulse; with it lambda = 4 - 5 follows from Eq. 4.13.
-    assert!(worst.energy <= 1e-15 && worst.impulses <= 1e-15);
+    let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false };
+    let ground = Ground { normal: [0.0, 0.0, 1.0], offset: 0.0, law, friction: 0.0, tolerance: 1e-11 };
+    let system = System { body: Body::new(body).expect("body"), ground: Some(ground) };
+    let pos = [[0.0; 3], [0.0, 0.0, 1.0]];
+    let mut vel = [[0.0, 0.0, -3.0], [0.0, 0.0, -4.0]];
+    let mut points = [PointImpact::none(); 2];
+    points[0].touching = true;
+    let law = Compensation { eta: 1.0, anchor: 0.0, plastic_alone: false };
+    let impact = apply(&system, law, &pos, &mut vel, &mut points, |_| true);
+    // Eqs. 4.12, 4.13: v_b' = 0, v_a' = -sqrt(3^2 + 4^2) = -5; the ground gives J = 7 - 5.
+    assert_eq!(vel, [[0.0; 3], [0.0, 0.0, -5.0]]);
+    assert_eq!((impact.lambda, points[0].impulse), (-1.0, 2.0));
 }

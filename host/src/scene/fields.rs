@@ -47,9 +47,9 @@ impl Fields {
     ///
     /// # Errors
     /// The first unknown key.
-    pub fn refuse_unknown(&self, known: &[&str]) -> Result<(), String> {
-        match self.map.keys().find(|k| !known.contains(&k.as_str())) {
-            Some(key) => Err(self.error(key, &format!("unknown key; a scene knows {}", known.join(", ")))),
+    pub fn refuse_unknown(&self, known: &str) -> Result<(), String> {
+        match self.map.keys().find(|k| !known.split_whitespace().any(|w| w == k.as_str())) {
+            Some(key) => Err(self.error(key, &format!("unknown key; a scene knows {}", known))),
             None => Ok(()),
         }
     }
@@ -58,12 +58,12 @@ impl Fields {
     ///
     /// # Errors
     /// The name.
-    pub fn refuse_unknown_name(&self, assignment: &str, known: &[&str]) -> Result<(), String> {
+    pub fn refuse_unknown_name(&self, assignment: &str, known: &str) -> Result<(), String> {
         let name = assignment.split('=').next().unwrap_or_default().trim();
-        if known.contains(&name) {
+        if known.split_whitespace().any(|w| w == name) {
             return Ok(());
         }
-        Err(format!("--set {name}: unknown name; a scene knows {}", known.join(", ")))
+        Err(format!("--set {name}: unknown name; a scene knows {}", known))
     }
 
     /// An error message about a key.
@@ -189,9 +189,12 @@ impl Fields {
         let list = value.as_array().and_then(|items| {
             items.iter().map(|v| v.as_u64().and_then(|n| usize::try_from(n).ok())).collect::<Option<Vec<_>>>()
         });
-        let list = list.ok_or_else(|| self.error(key, "expected a list of point numbers, for example [0, 2]"))?;
+        let list =
+            list.ok_or_else(|| self.error(key, "expected a list of point numbers, for example [0, 2]"))?;
         match list.iter().find(|p| **p >= points) {
-            Some(p) => Err(self.error(key, &format!("names point {p}, but the points are 0 to {}", points - 1))),
+            Some(p) => {
+                Err(self.error(key, &format!("names point {p}, but the points are 0 to {}", points - 1)))
+            }
             None => Ok(Some(list)),
         }
     }

@@ -8,5 +8,5 @@ pub mod shape;
 pub mod simulation;
 
 pub use lists::Lists;
-pub use read::{Scene, parse};
+pub use read::{Scene, open, parse};
 pub use simulation::{Simulation, Surroundings};

@@ -34,14 +34,28 @@ pub struct Scene {
 /// Part of the shortest rest length within which points touch together.
 const CLUSTER: f64 = 1e-11;
 
-const KNOWN: [&str; 63] = [
-    "format", "title", "shape", "file", "points", "springs", "rest_lengths", "masses", "mass", "fixed", "facets",
-    "K", "C", "g", "air_drag", "drop_height", "tilt", "initial_velocity", "T", "step", "method", "tolerance", "every",
-    "floor", "law", "mu", "eta", "e", "stiffness", "dissipation", "cluster_tolerance", "anchor", "plastic_alone",
-    "massless", "links", "length", "corners", "side", "bays", "height", "rings", "radius", "bands", "cells", "rows",
-    "columns", "width", "depth", "elements", "E", "rho", "A", "pressure", "pressure_form", "gas", "ambient",
-    "exponent", "volume", "dead_volume", "allow_unstable", "seconds", "case", "stretch",
-];
+/// Every key of a scene: about the text; shape and its numbers, or lists; what is around the body; the run.
+const KNOWN: &str = "format title \
+    shape links length corners side bays height rings radius bands cells rows columns width depth elements E rho A \
+    points springs rest_lengths facets masses mass fixed K C stretch tilt drop_height initial_velocity \
+    g air_drag floor law mu eta e stiffness dissipation cluster_tolerance anchor plastic_alone massless \
+    pressure pressure_form gas ambient exponent volume dead_volume \
+    T seconds step method tolerance every allow_unstable";
+
+/// Reads the scene at a path, or the one of that name under models/scenes.
+///
+/// # Errors
+/// Where it was looked for, or what is wrong in it.
+pub fn open(path_or_name: &str, settings: &[String]) -> Result<Scene, String> {
+    let named = format!("models/scenes/{path_or_name}.toml");
+    let path = if std::path::Path::new(path_or_name).is_file() { path_or_name } else { named.as_str() };
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        format!(
+            "no scene `{path_or_name}`: neither a file nor {named} ({e}); name a file or one of models/scenes"
+        )
+    })?;
+    parse(path, &text, settings)
+}
 
 /// Reads a scene text.
 ///
@@ -50,14 +64,14 @@ const KNOWN: [&str; 63] = [
 pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, String> {
     let mut fields = Fields::parse(path, text)?;
     if !path.ends_with(".json") {
-        fields.refuse_unknown(&KNOWN)?;
+        fields.refuse_unknown(KNOWN)?;
         if fields.get("format").and_then(serde_json::Value::as_u64) != Some(1) {
             return Err(fields.error("format", "expected format = 1"));
         }
     }
     for assignment in settings {
         fields.set(assignment)?;
-        fields.refuse_unknown_name(assignment, &KNOWN)?;
+        fields.refuse_unknown_name(assignment, KNOWN)?;
     }
     let mut lists = read_body(&fields)?;
     let around = read_surroundings(&fields, &mut lists)?;
@@ -84,7 +98,8 @@ fn check_step(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
         .map_err(|e| fields.error("shape", &format!("{e:?}")))?;
     scene.largest_step = probe.largest_stable_step();
     let adaptive = scene.method.control_order() > 0;
-    if let Some(largest) = scene.largest_step.filter(|_| !adaptive && !fields.flag("allow_unstable").unwrap_or(false))
+    if let Some(largest) =
+        scene.largest_step.filter(|_| !adaptive && !fields.flag("allow_unstable").unwrap_or(false))
         && scene.step > largest * (1.0 + 1e-12)
     {
         let message = format!(
@@ -144,7 +159,9 @@ fn read_vector(fields: &Fields, key: &str, default: f64) -> Result<[f64; 3], Str
 
 fn read_lists(fields: &Fields) -> Result<Lists, String> {
     let Some(points) = fields.rows::<3>("points")? else {
-        return Err(fields.error("shape", "a scene needs a `shape` or `points`, `springs` and `rest_lengths`"));
+        return Err(
+            fields.error("shape", "a scene needs a `shape` or `points`, `springs` and `rest_lengths`")
+        );
     };
     let mut lists = Lists::default();
     points.into_iter().for_each(|p| {
@@ -153,7 +170,8 @@ fn read_lists(fields: &Fields) -> Result<Lists, String> {
     for (row, [tail, head]) in fields.rows::<2>("springs")?.unwrap_or_default().into_iter().enumerate() {
         let n = lists.points.len() as f64;
         if tail < 0.0 || head < 0.0 || tail >= n || head >= n || tail.fract() != 0.0 || head.fract() != 0.0 {
-            let message = format!("spring {row} joins {tail} and {head}, but the points are 0 to {}", n - 1.0);
+            let message =
+                format!("spring {row} joins {tail} and {head}, but the points are 0 to {}", n - 1.0);
             return Err(fields.error("springs", &message));
         }
         lists.spring(tail as usize, head as usize);
@@ -306,7 +324,9 @@ fn read_inflation(fields: &Fields) -> Result<Option<Inflation<f64>>, String> {
             exponent: fields.number("exponent", 1.4)?,
             dead_volume: fields.number("dead_volume", 0.0)?,
         },
-        other => return Err(fields.error("gas", &format!("unknown gas `{other}`; known: constant, polytropic"))),
+        other => {
+            return Err(fields.error("gas", &format!("unknown gas `{other}`; known: constant, polytropic")));
+        }
     };
     Ok(Some(Inflation { gas, form }))
 }

@@ -119,7 +119,8 @@ fn row<S: Scalar>(simulation: &Simulation<S>, ledger: &Ledger<S>) -> Row {
         pos: widen(simulation.pos()),
         vel: widen(simulation.vel()),
         energy: EnergyRow {
-            stored: [energies.kinetic, energies.gravity, energies.spring, energies.pressure].map(Scalar::to_f64),
+            stored: [energies.kinetic, energies.gravity, energies.spring, energies.pressure]
+                .map(Scalar::to_f64),
             accounts: [ledger.damping, ledger.drag, ledger.impact, ledger.friction, ledger.actuator]
                 .map(Scalar::to_f64),
             total: energies.total().to_f64(),
@@ -138,7 +139,9 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
             format!("point {point} is named, but the points are 0 to {}", points - 1)
         }
         BodyError::Negative { index } => format!("entry {index} of the masses or springs is negative"),
-        BodyError::Scratch { needed, given } => format!("scratch memory: {given} vectors given, {needed} needed"),
+        BodyError::Scratch { needed, given } => {
+            format!("scratch memory: {given} vectors given, {needed} needed")
+        }
         BodyError::NotFinite { point } => {
             format!("point {point} left the numbers; take a smaller step or a smaller load")
         }
@@ -175,7 +178,8 @@ pub fn csv_line(row: &Row) -> String {
     let mut line = format!("{:.16e}", row.t);
     let energy = &row.energy;
     let state = row.pos.iter().chain(&row.vel).flatten();
-    let numbers = state.chain(&energy.stored).chain(&energy.accounts).chain([&energy.total, &energy.imbalance]);
+    let numbers =
+        state.chain(&energy.stored).chain(&energy.accounts).chain([&energy.total, &energy.imbalance]);
     for x in numbers {
         let _ = write!(line, ",{x:.16e}");
     }

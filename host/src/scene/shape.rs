@@ -38,8 +38,7 @@ pub fn truss(bays: usize, side: f64) -> Lists {
     let mut body = Lists::default();
     let height = side * 3.0_f64.sqrt() / 2.0;
     let lower: Vec<usize> = (0..=bays).map(|i| body.point([i as f64 * side, 0.0, 0.0])).collect();
-    let upper: Vec<usize> =
-        (0..bays).map(|i| body.point([(i as f64 + 0.5) * side, 0.0, height])).collect();
+    let upper: Vec<usize> = (0..bays).map(|i| body.point([(i as f64 + 0.5) * side, 0.0, height])).collect();
     lower.windows(2).for_each(|w| body.spring(w[0], w[1]));
     upper.windows(2).for_each(|w| body.spring(w[0], w[1]));
     for i in 0..bays {
@@ -74,8 +73,7 @@ pub fn cube(side: f64) -> Lists {
         }
     }
     body.join_all(&[0, 1, 2, 3, 4, 5, 6, 7]);
-    body.facets =
-        vec![[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+    body.facets = vec![[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
     body
 }
 

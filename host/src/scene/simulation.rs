@@ -207,9 +207,7 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
         Method::Rk4 => Method::Rk4,
         Method::ImplicitMidpoint => Method::ImplicitMidpoint,
         Method::EnergyMomentum => Method::EnergyMomentum,
-        Method::DormandPrince { tolerance } => {
-            Method::DormandPrince { tolerance: S::from_f64(tolerance) }
-        }
+        Method::DormandPrince { tolerance } => Method::DormandPrince { tolerance: S::from_f64(tolerance) },
         Method::Dop853 { tolerance } => Method::Dop853 { tolerance: S::from_f64(tolerance) },
     }
 }

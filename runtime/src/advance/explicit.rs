@@ -67,13 +67,7 @@ fn set<S: Scalar>(rows: &mut [Vec3<S>], i: usize, value: Vec3<S>) {
 }
 
 /// Sum over the first `count` stages of weight_j k_j of point i.
-fn weighted<S: Scalar>(
-    stages: &[Vec3<S>],
-    n: usize,
-    i: usize,
-    weights: &[f64],
-    count: usize,
-) -> Vec3<S> {
+fn weighted<S: Scalar>(stages: &[Vec3<S>], n: usize, i: usize, weights: &[f64], count: usize) -> Vec3<S> {
     let mut sum = vec3::zero();
     for (stage, weight) in stages.chunks_exact(n).zip(weights).take(count) {
         if *weight != 0.0 {

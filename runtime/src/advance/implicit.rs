@@ -7,7 +7,7 @@
 //! for any step; momentum and angular momentum stay. Solved by fixed-point iteration (h w_max < 2).
 
 use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::body::pressure::{self, Gas, PressureForm};
+use crate::body::pressure::{self, Gas};
 use crate::body::vec3::{self, Vec3};
 use crate::body::{Body, BodyError};
 use crate::contact::{ContactLaw, Ground, System, soft};
@@ -184,7 +184,9 @@ fn mean_gauge_pressure<S: Scalar>(
 ) -> Result<S, BodyError<S>> {
     let (v0, v1) = match gas {
         Gas::Constant(_) => (S::ZERO, S::ZERO),
-        Gas::Polytropic { .. } => (pressure::enclosed_volume(body, before), pressure::enclosed_volume(body, after)),
+        Gas::Polytropic { .. } => {
+            (pressure::enclosed_volume(body, before), pressure::enclosed_volume(body, after))
+        }
     };
     let middle = pressure::gauge_pressure(gas, S::from_f64(0.5) * (v0 + v1))?;
     let ends = pressure::gauge_pressure(gas, v0)? + pressure::gauge_pressure(gas, v1)?;
@@ -192,12 +194,7 @@ fn mean_gauge_pressure<S: Scalar>(
 }
 
 /// A soft ground's force as minus the quotient of its energy and the gap; its dissipation at the end's rate.
-fn mean_ground<S: Scalar>(
-    ground: &Ground<S>,
-    before: &[Vec3<S>],
-    after: &[Vec3<S>],
-    force: &mut [Vec3<S>],
-) {
+fn mean_ground<S: Scalar>(ground: &Ground<S>, before: &[Vec3<S>], after: &[Vec3<S>], force: &mut [Vec3<S>]) {
     if !matches!(ground.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) {
         return;
     }
@@ -213,6 +210,3 @@ fn mean_ground<S: Scalar>(
         *f = vec3::axpy(*f, push, ground.normal);
     }
 }
-
-/// The form with which the energy of the pressure is kept exactly.
-pub const EXACT_FORM: PressureForm = PressureForm::Exact;

@@ -10,9 +10,9 @@ pub mod moreau;
 pub mod tableau;
 pub mod verlet;
 
+use crate::body::BodyError;
 use crate::body::force;
 use crate::body::vec3::{self, Vec3};
-use crate::body::BodyError;
 use crate::contact::compensation::PointImpact;
 use crate::contact::{ContactLaw, Mode, System, massless, soft};
 use crate::real::Scalar;
@@ -242,7 +242,9 @@ pub fn advance<S: Scalar>(
         Method::DormandPrince { tolerance } => {
             explicit::step(&tableau::DORMAND_PRINCE, system, start, tau, tolerance, work)?
         }
-        Method::Dop853 { tolerance } => explicit::step(&tableau::DOP853, system, start, tau, tolerance, work)?,
+        Method::Dop853 { tolerance } => {
+            explicit::step(&tableau::DOP853, system, start, tau, tolerance, work)?
+        }
     };
     check_finite(&work.end)?;
     Ok(error)

@@ -51,8 +51,8 @@ pub fn step<S: Scalar>(
                 impulse = mass * (wanted - rate);
                 after = vec3::axpy(after, wanted - rate, ground.normal);
                 taken.impact = taken.impact + half * mass * (rate * rate - wanted * wanted);
-                taken.friction =
-                    taken.friction + friction::apply(&mut after, ground.normal, mass, ground.friction, impulse);
+                taken.friction = taken.friction
+                    + friction::apply(&mut after, ground.normal, mass, ground.friction, impulse);
             }
         }
         if let (Some(dx), Some(dv), Some(point)) =

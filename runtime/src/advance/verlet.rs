@@ -8,9 +8,9 @@ use super::{
     Start, Workspace, copy, eval_elastic, eval_viscous as eval_all_viscous, finish, place_positions,
     place_velocities,
 };
-use crate::body::vec3::{self, Vec3};
 use crate::body::BodyError;
 use crate::body::force::eval_viscous;
+use crate::body::vec3::{self, Vec3};
 use crate::contact::System;
 use crate::real::Scalar;
 

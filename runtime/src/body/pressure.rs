@@ -186,7 +186,8 @@ pub fn accumulate_force<S: Scalar>(
 pub fn check_inflation<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> Result<(), BodyError<S>> {
     let Some(inflation) = body.inflation else { return Ok(()) };
     let limit = S::from_f64(STRETCH_LIMIT);
-    let runaway = |s: &super::Spring<S>| s.rest_length > S::ZERO && s.direction(pos).1 > limit * s.rest_length;
+    let runaway =
+        |s: &super::Spring<S>| s.rest_length > S::ZERO && s.direction(pos).1 > limit * s.rest_length;
     match body.springs.iter().position(runaway) {
         None => Ok(()),
         Some(spring) => {

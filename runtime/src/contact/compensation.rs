@@ -121,11 +121,7 @@ fn mass<S: Scalar>(system: &System<S>, i: usize) -> S {
 }
 
 /// v_i.n := 0 on B; returns the kinetic energy that this takes [J].
-fn stop_touching<S: Scalar>(
-    system: &System<S>,
-    vel: &mut [Vec3<S>],
-    points: &mut [PointImpact<S>],
-) -> S {
+fn stop_touching<S: Scalar>(system: &System<S>, vel: &mut [Vec3<S>], points: &mut [PointImpact<S>]) -> S {
     let Some(ground) = system.ground else { return S::ZERO };
     let mut taken = S::ZERO;
     for (i, (v, point)) in vel.iter_mut().zip(points.iter_mut()).enumerate() {
@@ -184,13 +180,7 @@ fn quadratic<S: Scalar>(system: &System<S>, vel: &[Vec3<S>], points: &[PointImpa
 }
 
 /// The root of A lambda^2 + b lambda = Q that the ground can give.
-fn choose_root<S: Scalar>(
-    system: &System<S>,
-    points: &[PointImpact<S>],
-    a: S,
-    b: S,
-    energy: S,
-) -> (Root, S) {
+fn choose_root<S: Scalar>(system: &System<S>, points: &[PointImpact<S>], a: S, b: S, energy: S) -> (Root, S) {
     let two = S::from_f64(2.0);
     let s = (b * b + S::from_f64(4.0) * a * energy).sqrt();
     if b <= S::ZERO {

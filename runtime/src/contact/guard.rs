@@ -138,12 +138,7 @@ impl<S: Scalar> Cubic<S> {
 }
 
 /// A departing point that ends below the surface after rising first: the point and the time of its top.
-fn find_return<S: Scalar>(
-    ground: &Ground<S>,
-    start: Start<S>,
-    h: S,
-    end: &Motion<S>,
-) -> Option<(usize, S)> {
+fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<(usize, S)> {
     let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing);
     for (i, _) in departing {
         let gap = Cubic::new(ground, start, end, h, i);
