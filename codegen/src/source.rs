@@ -40,7 +40,11 @@ impl Source {
     #[must_use]
     pub fn line_column(&self, span: Span) -> (usize, usize) {
         let Some(file) = self.files.get(span.file as usize) else { return (1, 1) };
-        let before = &file.text[..span.start.min(file.text.len())];
+        let mut end = span.start.min(file.text.len());
+        while !file.text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let before = &file.text[..end];
         let line = before.matches('\n').count() + 1;
         let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
         (line, column)

@@ -130,7 +130,7 @@ pub enum Turn {
         parent: TriadId,
         /// About this axis of it.
         axis: Axis,
-        /// By this angle [rad].
+        /// By this angle (rad).
         angle: ExprId,
     },
     /// Unit vectors given by their components in the inertial triad: `rows[k]` is axis k.
@@ -226,7 +226,13 @@ impl Triads {
         total
     }
 
-    fn express_term(&self, dag: &mut Dag, triad: TriadId, components: Components, target: TriadId) -> Components {
+    fn express_term(
+        &self,
+        dag: &mut Dag,
+        triad: TriadId,
+        components: Components,
+        target: TriadId,
+    ) -> Components {
         if triad == target {
             return components;
         }

@@ -1,2 +1,24 @@
-//! The tile controller.
+//! The tile controller: what the chip computes, testable on the host.
+//!
+//! Each millisecond: the commanded heave and slopes ([`command`]) become three heights, a law
+//! ([`control`]) turns them into forces, and the tile's own equations ([`mechanism`], derived from the
+//! model at build time) advance by one step ([`simulation`]). Every state goes into a [`digest`],
+//! which is how host and chip are compared.
+//!
+//! Invariants: single precision only, no panic, no heap, no recursion, no fused multiply-add; so
+//! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
+
+pub mod mechanism {
+    //! The equations of motion, derived from the model by the build script.
+    include!(concat!(env!("OUT_DIR"), "/mechanism.rs"));
+    include!(concat!(env!("OUT_DIR"), "/model.rs"));
+}
+
+pub mod command;
+pub mod control;
+pub mod digest;
+pub mod simulation;
+
+/// Number of steps of the demonstration that the image runs.
+pub const STEPS: u32 = include!(concat!(env!("OUT_DIR"), "/steps.rs"));

@@ -1,13 +1,48 @@
 //! Numbers, integrators, flexible bodies, contact and impact: no_std, no heap, no panic.
+//!
+//! The layers, in reading order; a file imports only from layers above its own:
+//!
+//! 1. [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
+//! 2. [`mechanism`]: what generated equations implement, and the systems that integrators take;
+//! 3. [`state`]: coordinates and speeds as compensated sums;
+//! 4. [`event`]: where a guard changes its sign;
+//! 5. [`integrator`]: one step, refused or taken as a whole;
+//! 6. [`body`]: point masses, springs, pressure: forces and energies;
+//! 7. [`contact`]: the ground's laws, impact with energy compensation, friction;
+//! 8. [`advance`]: one step of a body while no point touches or leaves;
+//! 9. [`guard`]: the step shortened to the first touch or release;
+//! 10. [`scene`]: the whole step of a body on the ground;
+//! 11. [`ledger`]: the accounts of energy, an observer.
+//!
+//! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
+//! one second in f32, as a microcontroller would compute it:
+//!
+//! ```
+#![doc = include_str!("../tests/example/pendulum.rs")]
+//! ```
 #![no_std]
 
-pub mod advance;
-pub mod body;
-pub mod contact;
-pub mod ledger;
-pub mod mechanism;
 pub mod real;
+
+pub mod mechanism;
+
+pub mod state;
+
+pub mod event;
+
+pub mod integrator;
+
+pub mod body;
+
+pub mod contact;
+
+pub mod advance;
+
+pub mod guard;
+
 pub mod scene;
+
+pub mod ledger;
 
 /// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
 /// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.

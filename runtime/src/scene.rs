@@ -9,7 +9,8 @@ use crate::body::energy::eval_energies;
 use crate::body::vec3::{self, Vec3};
 use crate::body::{BodyError, pressure};
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
-use crate::contact::{ContactLaw, Ground, Mode, System, friction, guard, restitution, soft};
+use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution, soft};
+use crate::guard;
 use crate::real::Scalar;
 
 /// Events handled in one step; the rest of the step is carried over to the next.

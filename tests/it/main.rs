@@ -1,8 +1,17 @@
 //! The only test binary.
+
+mod agreement;
 mod bar_on_wall;
+mod closed_forms;
+mod emulator;
+mod energy;
+mod equation_index;
 mod flexible_energy;
 mod flexible_pressure;
 mod flexible_reference;
 mod flexible_scene;
 mod hard_cases;
 mod impact_property;
+mod newton_euler_oracle;
+mod tile_equations;
+mod tile_motion;

@@ -1,4 +1,4 @@
-//! Kinetic and potential energy [J].
+//! Kinetic and potential energy (J).
 //!
 //! T = 1/2 y' M_y y over all unknowns; V = - sum m g . p + sum 1/2 K (stretch)^2.
 

@@ -44,11 +44,8 @@ fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
     let Some(inertia) = inertia_matrix(k, body) else { return };
     let triad = k.frame_triad[frame];
     let angular = k.angular[triad].clone();
-    let partials: Vec<(UnknownId, Components)> = angular
-        .partials
-        .iter()
-        .map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad)))
-        .collect();
+    let partials: Vec<(UnknownId, Components)> =
+        angular.partials.iter().map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad))).collect();
     let moment = bias_moment(k, triad, &angular, &inertia);
     for (i, (a, w)) in partials.iter().enumerate() {
         let momentum = times(&mut k.dag, &inertia, w);
@@ -65,7 +62,12 @@ fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
 }
 
 /// I alpha_bias + w x I w in the body's triad.
-fn bias_moment(k: &mut Kinematics, triad: TriadId, angular: &Motion, inertia: &[Components; 3]) -> Components {
+fn bias_moment(
+    k: &mut Kinematics,
+    triad: TriadId,
+    angular: &Motion,
+    inertia: &[Components; 3],
+) -> Components {
     let alpha = k.triads.express(&mut k.dag, &angular.bias, triad);
     let w = value_of(k, angular);
     let w = k.triads.express(&mut k.dag, &w, triad);

@@ -10,12 +10,13 @@ mod inertia_force;
 mod solve;
 
 use crate::diagnostic::Diagnostics;
-use crate::expr::{Dag, ExprId, SymbolId};
 use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
 use crate::model::Model;
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeMap;
 
 /// Equations of motion of the independent speeds, and the energies.
 #[derive(Clone, Debug)]
@@ -26,9 +27,9 @@ pub struct Dynamics {
     pub forcing: Vec<ExprId>,
     /// u', `n_u`.
     pub u_dot: Vec<ExprId>,
-    /// Kinetic energy [J].
+    /// Kinetic energy (J).
     pub kinetic: ExprId,
-    /// Potential energy [J] of gravity and springs.
+    /// Potential energy (J) of gravity and springs.
     pub potential: ExprId,
     /// Value of every unknown in terms of the independent speeds.
     pub values: HashMap<SymbolId, ExprId>,
@@ -83,15 +84,7 @@ pub fn derive(
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
     let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
-    Ok(Dynamics {
-        mass_matrix,
-        forcing,
-        u_dot,
-        kinetic: energies[0],
-        potential: energies[1],
-        values,
-        pivots,
-    })
+    Ok(Dynamics { mass_matrix, forcing, u_dot, kinetic: energies[0], potential: energies[1], values, pivots })
 }
 
 /// y = T u for every unknown that is not an independent speed; named after the unknown.
@@ -100,7 +93,7 @@ fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, 
         .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
         .map(|u| u.value)
         .collect();
-    let mut values = HashMap::new();
+    let mut values = HashMap::default();
     for (id, partials) in &solution.partials {
         let unknown = k.unknowns[*id].clone();
         if matches!(unknown.kind, UnknownKind::Independent(_)) {
@@ -117,11 +110,7 @@ fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, 
 }
 
 /// M = T' M_y T and T' (force - M_y beta), sums over the few non-zero entries.
-fn project(
-    k: &mut Kinematics,
-    solution: &Solution,
-    parts: &Unprojected,
-) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
+fn project(k: &mut Kinematics, solution: &Solution, parts: &Unprojected) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
     let n = solution.partials.values().next().map_or(0, Vec::len);
     let zero = k.dag.zero();
     let mut mass_matrix = vec![vec![zero; n]; n];
@@ -137,14 +126,18 @@ fn project(
     let dag = &mut k.dag;
     for (a, entries) in &rows {
         let t_a = &solution.partials[a];
-        for column in 0..n {
-            // (M_y T) of this row and column, then its products with T' of the rows above the diagonal.
-            let terms: Vec<_> =
-                entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
-            let weighted = dag.sum(&terms);
-            for row in 0..=column {
-                let term = dag.mul(t_a[row], weighted);
-                mass_matrix[row][column] = dag.add(mass_matrix[row][column], term);
+        // This row of M_y T, then its products with T': the upper triangle.
+        let weighted: Vec<ExprId> = (0..n)
+            .map(|column| {
+                let terms: Vec<_> =
+                    entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
+                dag.sum(&terms)
+            })
+            .collect();
+        for (row, entry) in mass_matrix.iter_mut().enumerate() {
+            for (total, &w) in entry.iter_mut().zip(&weighted).skip(row) {
+                let term = dag.mul(t_a[row], w);
+                *total = dag.add(*total, term);
             }
         }
     }
@@ -160,9 +153,10 @@ fn project(
             *total = dag.add(*total, term);
         }
     }
-    for row in 0..n {
-        for column in 0..row {
-            mass_matrix[row][column] = mass_matrix[column][row];
+    let upper = mass_matrix.clone();
+    for (row, entries) in mass_matrix.iter_mut().enumerate() {
+        for (entry, above) in entries.iter_mut().zip(&upper).take(row) {
+            *entry = above[row];
         }
     }
     name_matrix(k, solution, &mass_matrix, &forcing);

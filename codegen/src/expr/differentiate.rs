@@ -21,7 +21,11 @@ impl Dag {
         match self.node(id) {
             Node::Number(_) | Node::Pi => self.zero(),
             Node::Symbol(s) => {
-                if s == symbol { self.one() } else { self.zero() }
+                if s == symbol {
+                    self.one()
+                } else {
+                    self.zero()
+                }
             }
             Node::Negate(a) => {
                 let da = self.derivatives[&(a, symbol)];
@@ -111,7 +115,8 @@ impl Dag {
                 let (difference, slope_difference) = (self.sub(a, b), self.sub(da, db));
                 let sign = self.unary(Unary::Sign, difference);
                 let (sum, change) = (self.add(da, db), self.mul(sign, slope_difference));
-                let twice = if operator == Binary::Min { self.sub(sum, change) } else { self.add(sum, change) };
+                let twice =
+                    if operator == Binary::Min { self.sub(sum, change) } else { self.add(sum, change) };
                 let half = self.number(Number::rational(1, 2));
                 self.mul(half, twice)
             }

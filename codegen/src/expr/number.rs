@@ -93,7 +93,7 @@ impl Number {
 
     /// a + b.
     #[must_use]
-    pub fn add(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         if self == Self::ZERO {
             return other;
         }
@@ -215,7 +215,7 @@ mod tests {
         let two_over_root_three = Number::integer(2).multiply(Number::integer(3).sqrt().reciprocal());
         assert_eq!(two_over_root_three.multiply(half_root_three), Number::ONE);
         assert_eq!(Number::integer(12).sqrt(), Number::integer(3).sqrt().multiply(Number::integer(2)));
-        assert_eq!(half_root_three.add(half_root_three.negate()), Number::ZERO);
+        assert_eq!(half_root_three.plus(half_root_three.negate()), Number::ZERO);
     }
 
     #[test]

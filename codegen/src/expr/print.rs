@@ -98,7 +98,9 @@ pub fn binary_name(operator: Binary) -> &'static str {
     }
 }
 
-fn infix(operator: Binary) -> Option<&'static str> {
+/// The operator between its operands, with spaces.
+#[must_use]
+pub fn infix(operator: Binary) -> Option<&'static str> {
     match operator {
         Binary::Add => Some(" + "),
         Binary::Sub => Some(" - "),

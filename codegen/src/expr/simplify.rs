@@ -61,7 +61,7 @@ fn degrees(dag: &Dag, a: ExprId) -> Option<f64> {
         Node::Number(c) if c == Number::ZERO => Some(0.0),
         Node::Pi => Some(180.0),
         Node::Negate(x) => degrees(dag, x).map(|d| -d),
-        Node::Binary(Binary::Mul, c, x) => Some(dag.as_number(c)?.to_f64() * degrees(dag, x)?).map(snap),
+        Node::Binary(Binary::Mul, c, x) => Some(snap(dag.as_number(c)?.to_f64() * degrees(dag, x)?)),
         _ => None,
     }
 }
@@ -109,7 +109,7 @@ fn fold_two(dag: &mut Dag, a: ExprId, b: ExprId, f: fn(f64, f64) -> f64) -> Opti
 
 fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
-        return Some(dag.number(x.add(y))); // constants fold
+        return Some(dag.number(x.plus(y))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
         _ if dag.is_zero(a) => Some(b), // 0 + x = x
@@ -133,12 +133,12 @@ fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
 
 fn sub(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
-        return Some(dag.number(x.add(y.negate()))); // constants fold
+        return Some(dag.number(x.plus(y.negate()))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
-        _ if a == b => Some(dag.zero()),       // x - x = 0
-        _ if dag.is_zero(b) => Some(a),        // x - 0 = x
-        _ if dag.is_zero(a) => Some(dag.negate(b)), // 0 - x = -x
+        _ if a == b => Some(dag.zero()),             // x - x = 0
+        _ if dag.is_zero(b) => Some(a),              // x - 0 = x
+        _ if dag.is_zero(a) => Some(dag.negate(b)),  // 0 - x = -x
         (_, Node::Negate(y)) => Some(dag.add(a, y)), // x - -y = x + y
         (Node::Negate(x), _) => {
             let sum = dag.add(x, b); // -x - y = -(x + y)
@@ -171,7 +171,7 @@ fn like_terms(dag: &mut Dag, a: ExprId, b: ExprId, minus: bool) -> Option<ExprId
     if x != y || (c == Number::ONE && d == Number::ONE) {
         return None;
     }
-    let sum = dag.number(c.add(if minus { d.negate() } else { d }));
+    let sum = dag.number(c.plus(if minus { d.negate() } else { d }));
     Some(dag.mul(sum, x))
 }
 
@@ -194,7 +194,9 @@ fn is_sine_and_cosine_squared(dag: &Dag, a: ExprId, b: ExprId) -> bool {
         _ => None,
     };
     match (squared(a), squared(b)) {
-        (Some((Unary::Sin, x)), Some((Unary::Cos, y))) | (Some((Unary::Cos, x)), Some((Unary::Sin, y))) => x == y,
+        (Some((Unary::Sin, x)), Some((Unary::Cos, y))) | (Some((Unary::Cos, x)), Some((Unary::Sin, y))) => {
+            x == y
+        }
         _ => false,
     }
 }
@@ -217,20 +219,8 @@ fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
         (Node::Unary(Unary::Sqrt, x), _) if a == b => Some(x), // sqrt(x)^2 = x
         (Node::Binary(Binary::Div, x, y), _) if y == b => Some(x), // (x / y) y = x
         (_, Node::Binary(Binary::Div, x, y)) if y == a => Some(x), // y (x / y) = x
-        (_, Node::Binary(Binary::Mul, c, x)) if is_plain_number(dag, c) => {
-            let product = dag.mul(a, x); // a (c x) = c (a x)
-            Some(dag.mul(c, product))
-        }
-        (Node::Binary(Binary::Mul, c, x), _) if is_plain_number(dag, c) => {
-            let product = dag.mul(x, b); // (c x) b = c (x b)
-            Some(dag.mul(c, product))
-        }
         _ => None,
     }
-}
-
-fn is_plain_number(dag: &Dag, id: ExprId) -> bool {
-    matches!(dag.node(id), Node::Number(_))
 }
 
 /// c x. The node keeps the constant first whatever the ids: see [`ordered_constant_product`].
@@ -269,8 +259,8 @@ fn div(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
             let reciprocal = dag.number(c.reciprocal()); // x / c = (1/c) x
             Some(dag.mul(reciprocal, a))
         }
-        _ if dag.is_zero(a) => Some(a), // 0 / x = 0
-        _ if a == b => Some(dag.one()), // x / x = 1
+        _ if dag.is_zero(a) => Some(a),                            // 0 / x = 0
+        _ if a == b => Some(dag.one()),                            // x / x = 1
         (Node::Negate(x), Node::Negate(y)) => Some(dag.div(x, y)), // -x / -y = x / y
         (Node::Negate(x), _) => {
             let quotient = dag.div(x, b); // -x / y = -(x / y)

@@ -2,7 +2,7 @@
 
 use super::{Dag, ExprId, Node, SymbolId};
 use crate::id::Id;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 impl Dag {
     /// `roots` with every symbol of `replacement` replaced, once, by its expression.
@@ -27,7 +27,9 @@ impl Dag {
                     (x, y) => self.binary(operator, x, y),
                 },
             };
-            if new != id && let Some(name) = self.name_of(id).map(str::to_owned) {
+            if new != id
+                && let Some(name) = self.name_of(id).map(str::to_owned)
+            {
                 self.name(new, &name);
             }
             image[id.index()] = Some(new);

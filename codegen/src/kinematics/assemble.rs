@@ -8,7 +8,7 @@ use super::Kinematics;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
 use crate::expr::tape::Tape;
-use crate::id::{Id, IdVec};
+use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
 use nalgebra::{DMatrix, DVector};
 
@@ -63,8 +63,7 @@ impl Assembly {
             }
         }
         let mut inputs = symbols;
-        let mut arguments: Vec<f64> =
-            coordinates.iter().map(|&c| model.coordinates[c].nominal).collect();
+        let mut arguments: Vec<f64> = coordinates.iter().map(|&c| model.coordinates[c].nominal).collect();
         for (id, &expr) in k.parameters.enumerate() {
             if let Some(symbol) = k.dag.as_symbol(expr) {
                 inputs.push(symbol);
@@ -105,7 +104,7 @@ impl Assembly {
             if residual < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
-            if !(size < LARGEST_CORRECTION) {
+            if size.is_nan() || size >= LARGEST_CORRECTION {
                 break;
             }
         }
@@ -118,7 +117,8 @@ impl Assembly {
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
         self.tape.run(&self.arguments, &mut outputs);
         let (residual, jacobian) = outputs.split_at(self.n_residuals);
-        let largest = residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
+        let largest =
+            residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
         if self.dependent.is_empty() || self.n_residuals == 0 {
             return (largest, DVector::zeros(self.dependent.len()));
         }

@@ -97,19 +97,25 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
     let mut equations = Vec::new();
     for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
         let place = lower::vector(k, expression);
-        let flat = position::flatten(k, &place);
-        let residual = reference.minus(&mut k.dag, &flat);
         if nth > 0 {
+            let flat = position::flatten(k, &place);
+            let residual = reference.minus(&mut k.dag, &flat);
             add_residuals(k, &residual);
         }
-        // Vectors that are constant in the body's triad turn with the body.
+        // Vectors that are constant in the body's triad turn with the body; Newton's residual must
+        // see them where the body has them, or it would not converge quadratically.
         let place = k.triads.with_constants(&mut k.dag, &place, home);
+        let flat = position::flatten(k, &place);
+        let flat = orientation::flattened(k, &flat, home);
+        let residual = reference.minus(&mut k.dag, &flat);
         let rate = velocity::derivative(k, &place);
         let mut motion = velocity.clone();
-        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        let minus_one = {
+            let one = k.dag.one();
+            k.dag.negate(one)
+        };
         motion.add(k, &rate, minus_one);
-        let mut triads = triads_of(&motion);
-        triads.insert(home);
+        let triads = BTreeSet::from([TriadId::from_index(0), home]);
         let name = format!("{} closure {}", declared.name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: None, triads });
     }
@@ -127,7 +133,10 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
         let here = Vector::new(&k.dag, triad, components);
         let mut motion = velocity::derivative(k, &vector);
         let turned = velocity::derivative(k, &here);
-        let minus_one = { let one = k.dag.one(); k.dag.negate(one) };
+        let minus_one = {
+            let one = k.dag.one();
+            k.dag.negate(one)
+        };
         motion.add(k, &turned, minus_one);
         let flat = position::flatten(k, &vector);
         let residual = match orthonormal {
@@ -141,8 +150,7 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
             }
             None => flat.minus(&mut k.dag, &here),
         };
-        let mut triads = triads_of(&motion);
-        triads.insert(triad);
+        let triads = BTreeSet::from([TriadId::from_index(0), triad]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }

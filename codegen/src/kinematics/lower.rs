@@ -83,7 +83,7 @@ fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
 ///
 /// # Panics
 /// If it is a vector: the model's type check lets none through.
-pub(super) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
+pub(crate) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
     match value(k, expr) {
         Value::Scalar(e) => e,
         Value::Vector(_) | Value::Pending => unreachable!("type-checked: a scalar was expected"),
@@ -94,7 +94,7 @@ pub(super) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
 ///
 /// # Panics
 /// If it is a scalar other than a literal 0: the model's type check lets none through.
-pub(super) fn vector(k: &mut Kinematics, expr: &Expr) -> Vector {
+pub(crate) fn vector(k: &mut Kinematics, expr: &Expr) -> Vector {
     match value(k, expr) {
         Value::Vector(v) => v,
         Value::Scalar(e) if k.dag.is_zero(e) => Vector::zero(),

@@ -18,7 +18,7 @@ use crate::diagnostic::Diagnostics;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::{Id, IdVec, ids};
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
-use crate::vector::{Triads, TriadId, Vector};
+use crate::vector::{TriadId, Triads, Vector};
 use std::collections::BTreeMap;
 
 pub use assemble::{Assembly, Unreachable, tunable_values};
@@ -26,8 +26,8 @@ pub use constraint::Row;
 pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub(crate) use position::flatten;
-pub(crate) use velocity::{motion_value as value_of, rate_value as rate_of};
 pub use velocity::{Motion, Rate};
+pub(crate) use velocity::{motion_value as value_of, rate_value as rate_of};
 
 ids! {
     /// An unknown of the velocity level: a speed, or a component of a lifted twist.

@@ -41,7 +41,7 @@ pub(super) fn is_lifted(model: &Model, point: PointId) -> bool {
 }
 
 /// The same vector without lifted points: each is replaced by its first position expression.
-pub(super) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
+pub(crate) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
     let mut flat = Vector { terms: vector.terms.clone(), ..Vector::default() };
     for (&point, &factor) in &vector.points {
         let base = k.flat_positions[&point].clone().scaled(&mut k.dag, factor);

@@ -172,7 +172,7 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
 }
 
 /// Value of a scalar's rate: sum_k partials[k] y_k.
-pub(super) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
+pub(crate) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
     let mut total = k.dag.zero();
     for (&unknown, &partial) in &rate.partials {
         let term = k.dag.mul(partial, k.unknowns[unknown].value);
@@ -182,7 +182,7 @@ pub(super) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
 }
 
 /// Value of a velocity: sum_k partials[k] y_k.
-pub(super) fn motion_value(k: &mut Kinematics, motion: &Motion) -> Vector {
+pub(crate) fn motion_value(k: &mut Kinematics, motion: &Motion) -> Vector {
     let mut total = Vector::zero();
     for (&unknown, partial) in &motion.partials {
         let term = partial.scaled(&mut k.dag, k.unknowns[unknown].value);

@@ -1,5 +1,6 @@
 //! An expression of a model: a tree over the model's own names, with the place of every node.
 
+use super::unit::Unit;
 use super::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
 use crate::source::Span;
 
@@ -10,6 +11,8 @@ pub struct Expr {
     pub kind: ExprKind,
     /// Where it stands.
     pub span: Span,
+    /// Unit of a literal such as `0.12_m`; that of other nodes follows from their parts.
+    pub unit: Unit,
 }
 
 /// What an expression may be. Scalar or vector by its parts; checked before it gets here.
@@ -21,7 +24,7 @@ pub enum ExprKind {
     Pi,
     /// The literal factor pi/180.
     Degree,
-    /// Time t [s].
+    /// Time t (s).
     Time,
     /// A parameter.
     Parameter(ParameterId),
@@ -109,4 +112,31 @@ pub enum Function {
     Max,
     /// `smooth_step(x, width)`: 0 for x << 0, 1 for x >> 0, cubic in between on [-width, width].
     SmoothStep,
+}
+
+impl Expr {
+    /// The direct parts.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&Self> {
+        match &self.kind {
+            ExprKind::Negate(a) | ExprKind::Power(a, _) | ExprKind::Norm(a) => vec![a],
+            ExprKind::Add(a, b)
+            | ExprKind::Subtract(a, b)
+            | ExprKind::Multiply(a, b)
+            | ExprKind::Divide(a, b)
+            | ExprKind::Dot(a, b)
+            | ExprKind::Cross(a, b) => vec![a, b],
+            ExprKind::Call(_, arguments) => arguments.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Calls `f` on this node and everything below it, each before its parts.
+    pub fn visit<'a>(&'a self, f: &mut dyn FnMut(&'a Self)) {
+        let mut stack = vec![self];
+        while let Some(node) = stack.pop() {
+            f(node);
+            stack.extend(node.parts().into_iter().rev());
+        }
+    }
 }

@@ -5,11 +5,29 @@
 //! Invariants: every id is in range; every expression has been checked for type (scalar or
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
 
+mod build;
+mod build_mechanics;
+mod build_values;
+mod check;
+mod document;
+mod evaluate;
 pub mod expression;
+mod extend;
+mod fields;
+mod lexing;
+mod order;
+mod parse_expression;
+mod reach;
+mod read;
+mod repeat;
+mod scope;
+pub mod unit;
+mod unused;
 
 use crate::id::{IdVec, ids};
 use crate::source::{Source, Span};
 pub use expression::{Axis, Expr};
+pub use read::{parse, parse_with, read};
 
 ids! {
     /// A parameter.
@@ -61,7 +79,7 @@ pub struct Model {
     pub configuration_constraints: Vec<Constraint>,
     /// Motion constraints, each expression (linear in the speeds) = 0.
     pub motion_constraints: Vec<Constraint>,
-    /// Uniform gravity [m/s^2], a vector; acts on every body with `weight`.
+    /// Uniform gravity (m/s^2), a vector; acts on every body with `weight`.
     pub gravity: Option<Expr>,
     /// Forces, torques and spring-dampers.
     pub loads: Vec<Load>,
@@ -208,7 +226,7 @@ pub struct FixedVector {
 pub enum Orientation {
     /// The inertial frame.
     Inertial,
-    /// Successive simple rotations from the parent, each about an axis of the frame reached so far [rad].
+    /// Successive simple rotations from the parent, each about an axis of the frame reached so far (rad).
     Rotations {
         /// The frame to start from.
         parent: FrameId,
@@ -228,7 +246,7 @@ pub enum Orientation {
 pub struct Point {
     /// Its name.
     pub name: String,
-    /// Position from the origin O [m]; may name other points (their positions from O).
+    /// Position from the origin O (m); may name other points (their positions from O).
     pub position: Expr,
     /// Other expressions of the same position, one per closed loop: each gives the configuration
     /// constraint `position - closure = 0` (3 equations).
@@ -244,7 +262,7 @@ pub struct Body {
     pub name: String,
     /// Mass centre.
     pub centre: PointId,
-    /// Mass [kg], 0 for a body of pure inertia.
+    /// Mass (kg), 0 for a body of pure inertia.
     pub mass: Option<Expr>,
     /// The frame fixed in it; none for a particle.
     pub frame: Option<FrameId>,
@@ -281,7 +299,7 @@ pub struct Load {
 /// Kinds of loads.
 #[derive(Clone, Debug)]
 pub enum LoadKind {
-    /// Force vector [N] at a point; the reaction acts on `reaction` if given, else on the ground.
+    /// Force vector (N) at a point; the reaction acts on `reaction` if given, else on the ground.
     Force {
         /// Point of application.
         point: PointId,
@@ -290,7 +308,7 @@ pub enum LoadKind {
         /// Point that feels the reaction.
         reaction: Option<PointId>,
     },
-    /// Torque vector [N m] on a frame's body; the reaction on `reaction` if given, else on the ground.
+    /// Torque vector (N m) on a frame's body; the reaction on `reaction` if given, else on the ground.
     Torque {
         /// Frame it acts on.
         frame: FrameId,
@@ -303,18 +321,18 @@ pub enum LoadKind {
     Spring {
         /// The two ends.
         ends: [PointId; 2],
-        /// Stiffness [N/m].
+        /// Stiffness (N/m).
         stiffness: Expr,
-        /// Rest length [m].
+        /// Rest length (m).
         rest_length: Expr,
-        /// Damping [N s/m].
+        /// Damping (N s/m).
         damping: Option<Expr>,
     },
     /// Spring-damper on a coordinate: generalised force -stiffness (q - rest) - damping q_dot.
     CoordinateSpring {
         /// The coordinate.
         coordinate: CoordinateId,
-        /// Stiffness [unit of force per unit of q].
+        /// Stiffness (unit of force per unit of q).
         stiffness: Expr,
         /// Value without force.
         rest: Expr,
@@ -357,9 +375,9 @@ pub enum StartRef {
 /// `[run]`: defaults for `smartbed run`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Run {
-    /// Simulated time [s].
+    /// Simulated time (s).
     pub seconds: f64,
-    /// Step size [s].
+    /// Step size (s).
     pub step: f64,
     /// Method by name.
     pub method: String,

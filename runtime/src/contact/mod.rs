@@ -6,7 +6,6 @@
 
 pub mod compensation;
 pub mod friction;
-pub mod guard;
 pub mod massless;
 pub mod restitution;
 pub mod soft;

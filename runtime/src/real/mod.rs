@@ -4,6 +4,8 @@
 //!   microcontroller and in SIMD lanes ([`trig`], `sqrt`);
 //! - other functions: own code in f32 (libm's would compute in f64), libm in f64;
 //! - no fused multiply-add, no remainder operator, no table, no panic;
+//! - with std in scope, `x.sin_cos()` on a plain f32 means std's method, not this one: outside generic
+//!   code write `Real::sin_cos(x)`;
 //! - not-a-number: arithmetic, `min`, `max`, `abs` and `sign` all hand it on, so that one check at the
 //!   end of a step finds it. Sign and payload of a NaN are not specified.
 
@@ -41,18 +43,18 @@ pub trait Real:
     /// Square root, exactly rounded; NaN below 0.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// (sin, cos) of an angle [rad]: |x| <= 100 in f32, 1e5 in f64; wrap larger ones first.
+    /// (sin, cos) of an angle (rad): |x| <= 100 in f32, 1e5 in f64; wrap larger ones first.
     fn sin_cos(self) -> (Self, Self);
-    /// Tangent [rad], same domain.
+    /// Tangent (rad), same domain.
     #[must_use]
     fn tan(self) -> Self;
-    /// Inverse sine [rad]; NaN outside [-1, 1].
+    /// Inverse sine (rad); NaN outside [-1, 1].
     #[must_use]
     fn asin(self) -> Self;
-    /// Inverse cosine [rad]; NaN outside [-1, 1].
+    /// Inverse cosine (rad); NaN outside [-1, 1].
     #[must_use]
     fn acos(self) -> Self;
-    /// Angle [rad] in [-pi, pi] of the vector (x, y) with y = `self`; 0 (or pi) for the zero vector.
+    /// Angle (rad) in [-pi, pi] of the vector (x, y) with y = `self`; 0 (or pi) for the zero vector.
     #[must_use]
     fn atan2(self, x: Self) -> Self;
     /// Exponential.
@@ -88,10 +90,10 @@ pub trait Scalar: Real + PartialOrd {
     fn is_finite(self) -> bool;
     /// Exact widening.
     fn to_f64(self) -> f64;
-    /// The whole number of turns nearest to an angle [rad].
+    /// The whole number of turns nearest to an angle (rad).
     #[must_use]
     fn turns(self) -> Self;
-    /// The angle [rad] less whole turns, in [-pi, pi] up to rounding; exact to rounding for less
+    /// The angle (rad) less whole turns, in [-pi, pi] up to rounding; exact to rounding for less
     /// than 2^14 turns. An infinity or NaN gives NaN.
     #[inline]
     #[must_use]

@@ -1,7 +1,8 @@
 //! `Real` and `Scalar` for f32: every function is own code in f32, straight-line, constant time.
 //!
 //! Polynomials and reductions are those of Cephes' single-precision library (Moshier 1992). Maximal
-//! errors, measured against f64 by `tests/it/functions.rs`: see the constants there.
+//! errors, measured against f64 by `tests/it/functions.rs` [ulp]: tan 2.5 (|x| <= 100), asin 1.9, acos 1.3,
+//! atan2 2.2, exp 1.0, ln 0.9, tanh 1.3.
 
 use super::lane::Lane;
 use super::sqrt::sqrt_f32;

@@ -47,7 +47,8 @@ mod machine {
         ".global smartbed_vsqrt_f32",
         ".type smartbed_vsqrt_f32, %function",
         "smartbed_vsqrt_f32:",
-        "vsqrt.f32 s0, s0",
+        // vsqrt.f32 s0, s0: in numbers, because the assembler takes the target for one without a unit.
+        ".inst.w 0xeeb10ac0",
         "bx lr",
         ".size smartbed_vsqrt_f32, . - smartbed_vsqrt_f32",
         ".text",

@@ -4,10 +4,10 @@
 //! way its normal force would move it in a step h. The smallest guard of all points decides; its root is
 //! located by trying steps of different lengths, so the state there is a state of the method itself.
 
-use super::{Ground, Mode, System};
 use crate::advance::{Method, Motion, Start, Workspace, advance};
 use crate::body::BodyError;
 use crate::body::vec3;
+use crate::contact::{Ground, Mode, System};
 use crate::real::Scalar;
 
 /// Trials at most for one root (bisection alone halves a step 60 times to nothing).

@@ -1,0 +1,423 @@
+//! The mechanical sections: coordinates, speeds, frames, points, bodies, constraints, loads, values.
+
+use super::build::{Builder, si};
+use super::document::Value;
+use super::expression::{Expr, ExprKind};
+use super::fields::Fields;
+use super::repeat::wrong_kind;
+use super::scope::Binding;
+use super::unit::Unit;
+use super::*;
+use crate::diagnostic::Diagnostic;
+use crate::id::Id;
+
+/// A speed as declared, before its meaning is read.
+pub(super) struct PlannedSpeed {
+    name: String,
+    span: Span,
+    /// The coordinate whose rate it is, or none for an entry of `[speeds]`.
+    coordinate: Option<CoordinateId>,
+    independent: Option<bool>,
+}
+
+impl Builder<'_> {
+    /// Every coordinate has the speed `u_<name>` unless it names another one or has none; then
+    /// follow those of `[speeds]`.
+    pub(super) fn declare_speeds(&mut self) {
+        let mut plan = Vec::new();
+        for (i, (key, value)) in self.entries("coordinates").iter().enumerate() {
+            let coordinate = Some(CoordinateId::from_index(i));
+            let mut speed = PlannedSpeed {
+                name: format!("u_{}", key.name),
+                span: key.span,
+                coordinate,
+                independent: None,
+            };
+            let given = if let Value::Table(table) = value { table.get("speed") } else { None };
+            match given {
+                None => {}
+                Some(Value::Boolean(false, _)) => continue,
+                Some(Value::Text(text)) => (speed.name, speed.span) = (text.text.clone(), text.span),
+                Some(Value::Table(table)) => {
+                    let fields = Fields::of("speed", table.span, table);
+                    if let Some(text) = fields.text("name", self.found) {
+                        (speed.name, speed.span) = (text.text.clone(), text.span);
+                    }
+                    speed.independent = fields.boolean("independent", self.found);
+                    fields.finish(self.found);
+                }
+                Some(other) => {
+                    self.found.push(wrong_kind("speed", "a name, { name, independent } or false", other))
+                }
+            }
+            plan.push(speed);
+        }
+        for (key, _) in self.entries("speeds") {
+            plan.push(PlannedSpeed {
+                name: key.name.clone(),
+                span: key.span,
+                coordinate: None,
+                independent: None,
+            });
+        }
+        for (i, speed) in plan.iter().enumerate() {
+            self.scope.declare(&speed.name, speed.span, Binding::Speed(SpeedId::from_index(i)), self.found);
+        }
+        self.planned_speeds = plan;
+    }
+
+    /// Does the model constrain anything? Then a coordinate is dependent unless it says otherwise.
+    fn is_constrained(&self) -> bool {
+        let closes =
+            |(_, value): &(_, Value)| matches!(value, Value::Table(t) if t.get("closures").is_some());
+        let closed =
+            |(_, value): &(_, Value)| matches!(value, Value::Table(t) if t.get("closed_form").is_some());
+        !self.entries("constraints.configuration").is_empty()
+            || self.entries("points").iter().any(closes)
+            || self.entries("coordinates").iter().any(closed)
+    }
+
+    pub(super) fn coordinates(&mut self) {
+        let constrained = self.is_constrained();
+        for (key, value) in self.entries("coordinates") {
+            let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let doc = fields.doc(self.found);
+            let (unit, scale) = self.unit(&fields);
+            let scale = scale.unwrap_or(si(Unit::NONE));
+            let closed_form = fields.get("closed_form").map(|value| self.expression(value));
+            let independent = fields.boolean("independent", self.found).unwrap_or(!constrained);
+            let nominal = fields.get("nominal").map(|value| self.quantity(value, scale));
+            let mut range = [None, None];
+            match fields.array("range", self.found) {
+                Some(([low, high], _)) => {
+                    range = [Some(self.quantity(low, scale)), Some(self.quantity(high, scale))];
+                }
+                Some((_, span)) => self.found.push(
+                    Diagnostic::error("a range has two ends")
+                        .label(span, "not two")
+                        .help("range = [-0.1, 0.1]"),
+                ),
+                None => {}
+            }
+            fields.get("speed");
+            fields.finish(self.found);
+            let [low, high] = range;
+            self.draft.coordinate_values.push([nominal, low, high]);
+            self.draft.units.coordinates.push(scale.unit);
+            self.draft.model.coordinates.push(Coordinate {
+                name: key.name.clone(),
+                doc,
+                unit,
+                independent: independent && closed_form.is_none(),
+                nominal: 0.0,
+                range: (0.0, 0.0),
+                closed_form,
+                span: key.span,
+            });
+        }
+    }
+
+    pub(super) fn speeds(&mut self) {
+        let mut combinations = self.entries("speeds").iter();
+        for planned in std::mem::take(&mut self.planned_speeds) {
+            match planned.coordinate {
+                Some(id) => {
+                    let Some(coordinate) = self.draft.model.coordinates.as_slice().get(id.index()) else {
+                        continue;
+                    };
+                    let unit = self.draft.units.coordinates[id].per(Unit::TIME).unwrap_or(Unit::NONE);
+                    self.draft.units.speeds.push(unit);
+                    let speed = Speed {
+                        name: planned.name,
+                        unit: rate_unit(&coordinate.unit, unit),
+                        meaning: SpeedMeaning::RateOf(id),
+                        independent: planned.independent.unwrap_or(coordinate.independent),
+                        span: coordinate.span,
+                    };
+                    self.draft.model.speeds.push(speed);
+                }
+                None => {
+                    let Some((key, value)) = combinations.next() else { continue };
+                    let Some(fields) = Fields::new(key, value, self.found) else { continue };
+                    self.combination(&fields);
+                    fields.finish(self.found);
+                }
+            }
+        }
+        let (speeds, coordinates) = (self.draft.model.speeds.len(), self.draft.model.coordinates.len());
+        if let Some((key, _)) = self.entries("speeds").first().filter(|_| speeds != coordinates) {
+            self.found.push(
+                Diagnostic::error(format!("{speeds} speeds for {coordinates} coordinates"))
+                    .label(key.span, "there must be one speed per coordinate")
+                    .help("a coordinate whose rate enters [speeds] has no speed of its own: give it `speed = false`"),
+            );
+        }
+    }
+
+    /// A speed that is a linear combination of rates.
+    fn combination(&mut self, fields: &Fields<'_>) {
+        fields.doc(self.found);
+        let (unit, scale) = self.unit(fields);
+        let value = match fields.need("value", "\"q_dot(q1)*cos(q2)\"", self.found) {
+            Some(value) => self.expression(value),
+            None => return,
+        };
+        let constrained = self.is_constrained() || !self.entries("constraints.motion").is_empty();
+        self.draft.units.speeds.push(scale.map_or(Unit::NONE, |s| s.unit));
+        self.draft.model.speeds.push(Speed {
+            name: fields.name.to_owned(),
+            unit,
+            meaning: SpeedMeaning::Combination(value),
+            independent: fields.boolean("independent", self.found).unwrap_or(!constrained),
+            span: fields.span,
+        });
+    }
+
+    pub(super) fn frames(&mut self) {
+        self.draft.model.frames.push(Frame {
+            name: "N".to_owned(),
+            orientation: Orientation::Inertial,
+            fixed_vectors: Vec::new(),
+            span: Span::default(),
+        });
+        for (key, value) in self.entries("frames") {
+            let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let parent = fields.get("parent");
+            let orientation = match fields.array("rotations", self.found) {
+                Some((steps, _)) => {
+                    let parent = match parent {
+                        None => FrameId::from_index(0),
+                        given => self.frame_of(given).unwrap_or(FrameId::from_index(0)),
+                    };
+                    Orientation::Rotations { parent, rotations: self.rotations(steps) }
+                }
+                None => {
+                    let axes = ["x", "y", "z"].map(|axis| self.optional(&fields, axis, Unit::NONE));
+                    if axes.iter().flatten().count() < 2 {
+                        self.found.push(
+                            Diagnostic::error(format!("frame `{}` has no orientation", key.name))
+                                .label(key.span, "neither rotations nor two unit vectors are given")
+                                .help("rotations = [[\"z\", \"q\"]] from a parent frame, or x = \"...\" and y = \"...\""),
+                        );
+                    }
+                    Orientation::Directions { axes }
+                }
+            };
+            let fixed_vectors = match fields.array("fixed", self.found) {
+                Some((items, _)) => items.iter().filter_map(|item| self.fixed_vector(item)).collect(),
+                None => Vec::new(),
+            };
+            fields.finish(self.found);
+            let frame = Frame { name: key.name.clone(), orientation, fixed_vectors, span: key.span };
+            self.draft.model.frames.push(frame);
+        }
+    }
+
+    fn rotations(&mut self, steps: &[Value]) -> Vec<(Axis, Expr)> {
+        let mut rotations = Vec::new();
+        for step in steps {
+            match step {
+                Value::Array(pair, _) if pair.len() == 2 => {
+                    let (axis, angle) = (self.axis_of(&pair[0]), self.expression(&pair[1]));
+                    rotations.extend(axis.map(|axis| (axis, angle)));
+                }
+                other => self.found.push(
+                    Diagnostic::error("a rotation is a pair of axis and angle")
+                        .label(other.span(), "not such a pair")
+                        .help("rotations = [[\"z\", \"psi\"], [\"y\", \"theta\"]]"),
+                ),
+            }
+        }
+        rotations
+    }
+
+    fn fixed_vector(&mut self, item: &Value) -> Option<FixedVector> {
+        let Value::Table(table) = item else {
+            self.found.push(wrong_kind("fixed", "a list of { vector, components }", item));
+            return None;
+        };
+        let fields = Fields::of("fixed vector", table.span, table);
+        let vector = self.needed(&fields, "vector", Unit::NONE, "\"...\"");
+        let components = match fields.array("components", self.found) {
+            Some(([x, y, z], _)) => [x, y, z].map(|c| self.expression(c)),
+            _ => {
+                let message = "a fixed vector has three components";
+                self.found
+                    .push(Diagnostic::error(message).label(table.span, "components = [x, y, z] is missing"));
+                return None;
+            }
+        };
+        fields.finish(self.found);
+        Some(FixedVector { vector, components, span: item.span() })
+    }
+
+    pub(super) fn points(&mut self) {
+        let node = |kind, unit| Expr { kind, span: Span::default(), unit };
+        let zero = Box::new(node(ExprKind::Number(0.0), Unit::LENGTH));
+        let along = Box::new(node(ExprKind::Axis(FrameId::from_index(0), Axis::X), Unit::NONE));
+        let origin = node(ExprKind::Multiply(zero, along), Unit::NONE);
+        self.draft.model.points.push(Point {
+            name: "O".to_owned(),
+            position: origin,
+            closures: Vec::new(),
+            span: Span::default(),
+        });
+        for (key, value) in self.entries("points") {
+            let (position, closures) = match value {
+                Value::Table(_) => {
+                    let Some(fields) = Fields::new(key, value, self.found) else { continue };
+                    let position = self.needed(&fields, "position", Unit::LENGTH, "\"l*link.x\"");
+                    let closures = match fields.array("closures", self.found) {
+                        Some((items, _)) => items.iter().map(|item| self.expression(item)).collect(),
+                        None => Vec::new(),
+                    };
+                    fields.finish(self.found);
+                    (position, closures)
+                }
+                bare => (self.expression(bare), Vec::new()),
+            };
+            self.draft.model.points.push(Point {
+                name: key.name.clone(),
+                position,
+                closures,
+                span: key.span,
+            });
+        }
+    }
+
+    pub(super) fn bodies(&mut self) {
+        for (key, value) in self.entries("bodies") {
+            let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let centre = fields.need("centre", "\"P\"", self.found);
+            let centre = self.point_of(centre);
+            let mass = self.optional(&fields, "mass", Unit::MASS);
+            let given = fields.get("frame");
+            let frame = self.frame_of(given);
+            let inertia = match fields.table("inertia", self.found) {
+                Some(table) => {
+                    let moments = Fields::of("inertia", table.span, table);
+                    let inertia = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+                    let inertia = inertia.map(|name| self.optional(&moments, name, Unit::INERTIA));
+                    moments.finish(self.found);
+                    inertia
+                }
+                None => Default::default(),
+            };
+            let weight = fields.boolean("weight", self.found).unwrap_or(true);
+            fields.finish(self.found);
+            self.check_body(key.span, &key.name, mass.is_some(), given.is_some(), &inertia);
+            let centre = centre.unwrap_or(PointId::from_index(0));
+            let name = key.name.clone();
+            self.draft.model.bodies.push(Body { name, centre, mass, frame, inertia, weight, span: key.span });
+        }
+        self.draft.model.gravity = self
+            .sections
+            .scalars
+            .iter()
+            .find(|(key, _)| key.name == "gravity")
+            .map(|(_, value)| self.expression(value));
+    }
+
+    fn check_body(&mut self, span: Span, name: &str, mass: bool, frame: bool, inertia: &[Option<Expr>; 6]) {
+        let inertial = inertia.iter().any(Option::is_some);
+        let fault = match (mass, frame, inertial) {
+            (false, _, false) => Some(("has neither mass nor inertia", "mass = \"m\"")),
+            (_, false, true) => Some(("has inertia, but no frame to measure it in", "frame = \"link\"")),
+            (_, true, false) => Some((
+                "has a frame, but no inertia",
+                "inertia = { Izz = \"I\" }; or leave `frame` out: the body is then a particle",
+            )),
+            _ => None,
+        };
+        if let Some((what, example)) = fault {
+            self.found.push(
+                Diagnostic::error(format!("body `{name}` {what}"))
+                    .label(span, "this body")
+                    .help(format!("add {example}")),
+            );
+        }
+    }
+
+    pub(super) fn constraints(&mut self) {
+        for (section, configuration) in [("constraints.configuration", true), ("constraints.motion", false)] {
+            for (key, value) in self.entries(section) {
+                let constraint =
+                    Constraint { name: key.name.clone(), expression: self.expression(value), span: key.span };
+                let model = &mut self.draft.model;
+                match configuration {
+                    true => model.configuration_constraints.push(constraint),
+                    false => model.motion_constraints.push(constraint),
+                }
+            }
+        }
+    }
+
+    pub(super) fn loads(&mut self) {
+        for section in ["forces", "torques", "springs"] {
+            for (key, value) in self.entries(section) {
+                let Some(fields) = Fields::new(key, value, self.found) else { continue };
+                let kind = match section {
+                    "forces" => self.force(&fields),
+                    "torques" => self.torque(&fields),
+                    _ => self.spring(&fields),
+                };
+                fields.finish(self.found);
+                let name = key.name.clone();
+                self.draft.model.loads.extend(kind.map(|kind| Load { name, kind, span: key.span }));
+            }
+        }
+    }
+
+    fn force(&mut self, fields: &Fields<'_>) -> Option<LoadKind> {
+        let point = fields.need("point", "\"P\"", self.found);
+        let point = self.point_of(point);
+        let force = self.needed(fields, "force", Unit::FORCE, "\"F*N.z\"");
+        let reaction = self.point_of(fields.get("reaction"));
+        Some(LoadKind::Force { point: point?, force, reaction })
+    }
+
+    fn torque(&mut self, fields: &Fields<'_>) -> Option<LoadKind> {
+        let frame = fields.need("frame", "\"link\"", self.found);
+        let frame = self.frame_of(frame);
+        let torque = self.needed(fields, "torque", Unit::TORQUE, "\"T*N.z\"");
+        let reaction = self.frame_of(fields.get("reaction"));
+        Some(LoadKind::Torque { frame: frame?, torque, reaction })
+    }
+
+    fn spring(&mut self, fields: &Fields<'_>) -> Option<LoadKind> {
+        if let Some(coordinate) = fields.get("coordinate") {
+            let coordinate = self.coordinate_of(Some(coordinate));
+            let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
+            let rest = match fields.get("rest") {
+                Some(value) => self.expression(value),
+                None => Expr { kind: ExprKind::Number(0.0), span: fields.span, unit: Unit::NONE },
+            };
+            let damping = self.optional(fields, "damping", Unit::NONE);
+            return Some(LoadKind::CoordinateSpring { coordinate: coordinate?, stiffness, rest, damping });
+        }
+        let ends = match fields.array("between", self.found) {
+            Some(([a, b], _)) => self.point_of(Some(a)).zip(self.point_of(Some(b))),
+            _ => {
+                self.found.push(
+                    Diagnostic::error(format!("spring `{}` has no ends", fields.name))
+                        .label(fields.span, "`between` or `coordinate` is missing")
+                        .help("between = [\"P\", \"Q\"] or coordinate = \"q\""),
+                );
+                None
+            }
+        };
+        let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
+        let rest_length = self.needed(fields, "rest_length", Unit::LENGTH, "\"l0\"");
+        let damping = self.optional(fields, "damping", Unit::NONE);
+        let (a, b) = ends?;
+        Some(LoadKind::Spring { ends: [a, b], stiffness, rest_length, damping })
+    }
+}
+
+/// Unit text of a rate: that of the coordinate per second.
+fn rate_unit(coordinate: &str, unit: Unit) -> String {
+    match coordinate {
+        "rad" => "rad/s".to_owned(),
+        _ => unit.to_string(),
+    }
+}

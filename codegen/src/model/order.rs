@@ -1,0 +1,147 @@
+//! The order in which parameters, definitions, frames and points can be computed.
+//!
+//! In: a draft model. Out: its entities, each after all that it refers to. Closures of points and
+//! fixed vectors of frames are equations, not computations, and do not take part. A coordinate
+//! with a closed form stands for what that form refers to.
+
+use std::collections::BTreeMap;
+
+use super::expression::{Expr, ExprKind};
+use super::*;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+
+/// An entity or a coordinate with a closed form.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Node {
+    Parameter(ParameterId),
+    Definition(DefinitionId),
+    Frame(FrameId),
+    Point(PointId),
+    Coordinate(CoordinateId),
+}
+
+/// Sorts the entities; a cycle is an error that names its members.
+pub fn sort(model: &Model, found: &mut Diagnostics) -> Vec<Entity> {
+    let mut state: BTreeMap<Node, bool> = BTreeMap::new();
+    let mut order = Vec::new();
+    for root in all(model) {
+        visit(model, root, &mut state, &mut order, found);
+    }
+    order
+}
+
+fn all(model: &Model) -> Vec<Node> {
+    let mut nodes: Vec<Node> = model.parameters.ids().map(Node::Parameter).collect();
+    nodes.extend(model.coordinates.ids().map(Node::Coordinate));
+    nodes.extend(model.frames.ids().map(Node::Frame));
+    nodes.extend(model.points.ids().map(Node::Point));
+    nodes.extend(model.definitions.ids().map(Node::Definition));
+    nodes
+}
+
+/// Depth-first search with its own stack; `state` is false while a node is on it, true once done.
+fn visit(
+    model: &Model,
+    root: Node,
+    state: &mut BTreeMap<Node, bool>,
+    order: &mut Vec<Entity>,
+    found: &mut Diagnostics,
+) {
+    if state.contains_key(&root) {
+        return;
+    }
+    state.insert(root, false);
+    let mut stack = vec![(root, references(model, root), 0)];
+    while let Some((node, next, at)) = stack.last_mut() {
+        let node = *node;
+        let Some((reference, _)) = next.get(*at).copied() else {
+            state.insert(node, true);
+            order.extend(entity(node));
+            stack.pop();
+            continue;
+        };
+        *at += 1;
+        match state.get(&reference) {
+            None => {
+                state.insert(reference, false);
+                stack.push((reference, references(model, reference), 0));
+            }
+            Some(false) => {
+                let start = stack.iter().position(|(n, ..)| *n == reference).unwrap_or(0);
+                let cycle: Vec<(Node, Span)> =
+                    stack[start..].iter().map(|(n, r, at)| (*n, r[at - 1].1)).collect();
+                found.push(report(model, &cycle));
+            }
+            Some(true) => {}
+        }
+    }
+}
+
+fn entity(node: Node) -> Option<Entity> {
+    match node {
+        Node::Parameter(id) => Some(Entity::Parameter(id)),
+        Node::Definition(id) => Some(Entity::Definition(id)),
+        Node::Frame(id) => Some(Entity::Frame(id)),
+        Node::Point(id) => Some(Entity::Point(id)),
+        Node::Coordinate(_) => None,
+    }
+}
+
+fn report(model: &Model, cycle: &[(Node, Span)]) -> Diagnostic {
+    let name = |node: Node| match node {
+        Node::Parameter(id) => &model.parameters[id].name,
+        Node::Definition(id) => &model.definitions[id].name,
+        Node::Frame(id) => &model.frames[id].name,
+        Node::Point(id) => &model.points[id].name,
+        Node::Coordinate(id) => &model.coordinates[id].name,
+    };
+    let first = cycle.first().map_or("", |(node, _)| name(*node));
+    let path: Vec<&str> = cycle.iter().map(|(node, _)| name(*node).as_str()).chain([first]).collect();
+    let message = format!("cyclic definition: {}", path.join(" -> "));
+    let mut error = Diagnostic::error(message).help("nothing can be computed from itself: break the cycle");
+    for (i, (node, span)) in cycle.iter().enumerate().take(6) {
+        let next = cycle.get(i + 1).map_or(first, |(n, _)| name(*n));
+        error = error.label(*span, format!("`{}` needs `{next}`", name(*node)));
+    }
+    error
+}
+
+/// What a node refers to, with the places.
+fn references(model: &Model, node: Node) -> Vec<(Node, Span)> {
+    let mut result = Vec::new();
+    match node {
+        Node::Parameter(id) => collect(&model.parameters[id].value, &mut result),
+        Node::Definition(id) => collect(&model.definitions[id].value, &mut result),
+        Node::Point(id) => collect(&model.points[id].position, &mut result),
+        Node::Coordinate(id) => {
+            if let Some(form) = &model.coordinates[id].closed_form {
+                collect(form, &mut result);
+            }
+        }
+        Node::Frame(id) => match &model.frames[id].orientation {
+            Orientation::Inertial => {}
+            Orientation::Rotations { parent, rotations } => {
+                result.push((Node::Frame(*parent), model.frames[id].span));
+                rotations.iter().for_each(|(_, angle)| collect(angle, &mut result));
+            }
+            Orientation::Directions { axes } => {
+                axes.iter().flatten().for_each(|axis| collect(axis, &mut result))
+            }
+        },
+    }
+    result
+}
+
+fn collect(expr: &Expr, into: &mut Vec<(Node, Span)>) {
+    expr.visit(&mut |e| {
+        let node = match &e.kind {
+            ExprKind::Parameter(id) => Node::Parameter(*id),
+            ExprKind::Definition(id) => Node::Definition(*id),
+            ExprKind::Point(id) | ExprKind::Velocity(id) => Node::Point(*id),
+            ExprKind::Axis(id, _) | ExprKind::AngularVelocity(id) => Node::Frame(*id),
+            ExprKind::Coordinate(id) | ExprKind::Rate(id) => Node::Coordinate(*id),
+            _ => return,
+        };
+        into.push((node, e.span));
+    });
+}

@@ -1,0 +1,211 @@
+//! Repeated sub-assemblies: `[repeat.<name>]` is written once and stands once per entry of `each`.
+//!
+//! In: the document. Out: [`Sections`]: for each section of the language its entries in order,
+//! with every `{placeholder}` in keys and strings replaced by the entry's text.
+
+use std::collections::BTreeMap;
+
+use super::document::{Key, Table, Text, Value};
+use super::scope::suggestion;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+
+/// The entries of every section after repetition, in the author's order.
+#[derive(Debug, Default)]
+pub struct Sections {
+    /// Section (dotted for sub-tables, such as `constraints.motion`) -> its entries.
+    pub tables: BTreeMap<String, Vec<(Key, Value)>>,
+    /// Top-level values that are no tables.
+    pub scalars: Vec<(Key, Value)>,
+    /// `[[configurations]]`.
+    pub configurations: Vec<Table>,
+}
+
+/// Sections that are tables of named entries.
+pub const SECTIONS: [&str; 16] = [
+    "parameters",
+    "coordinates",
+    "speeds",
+    "inputs",
+    "definitions",
+    "frames",
+    "points",
+    "bodies",
+    "constraints.configuration",
+    "constraints.motion",
+    "forces",
+    "torques",
+    "springs",
+    "outputs",
+    "start",
+    "law",
+];
+
+/// At most this many entries in all sections together.
+const MOST_ENTRIES: usize = 10_000;
+
+/// At most this many copies of sub-assemblies in one model.
+const MOST_COPIES: usize = 1000;
+
+/// Expands repetition.
+pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
+    // All repeats share one table; each counts as standing where it is written.
+    let mut items: Vec<(&Key, &Value, bool)> = Vec::new();
+    for (key, value) in &document.entries {
+        match (key.name.as_str(), value) {
+            ("repeat", Value::Table(repeats)) => {
+                items.extend(repeats.entries.iter().map(|(k, v)| (k, v, true)))
+            }
+            _ => items.push((key, value, false)),
+        }
+    }
+    items.sort_by_key(|(key, ..)| (key.span.file, key.span.start));
+    let mut sections = Sections::default();
+    for (key, value, repeated) in items {
+        match repeated {
+            true => repeat(key, value, &mut sections, found),
+            false => add(key, value.clone(), &mut sections, found),
+        }
+    }
+    let entries: usize = sections.tables.values().map(Vec::len).sum();
+    if MOST_ENTRIES < entries {
+        found.push(
+            Diagnostic::error(format!("{entries} entries; at most {MOST_ENTRIES} are allowed"))
+                .label(document.span, "this model is too large")
+                .help("a mechanism of this size needs a numeric multibody program, not symbolic equations"),
+        );
+        sections.tables.clear();
+    }
+    sections
+}
+
+/// Files one top-level entry under its section.
+fn add(key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics) {
+    match (key.name.as_str(), value) {
+        ("constraints", Value::Table(table)) => {
+            for (sub, value) in table.entries {
+                let name = format!("constraints.{}", sub.name);
+                add_section(&name, &sub, value, sections, found);
+            }
+        }
+        ("configurations", Value::Array(items, _)) => {
+            for item in items {
+                match item {
+                    Value::Table(table) => sections.configurations.push(table),
+                    other => found.push(wrong_kind("configuration", "a table", &other)),
+                }
+            }
+        }
+        (name, value @ Value::Table(_)) => add_section(name, key, value, sections, found),
+        (_, value) => sections.scalars.push((key.clone(), value)),
+    }
+}
+
+fn add_section(name: &str, key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics) {
+    if !SECTIONS.contains(&name) && name != "run" {
+        let last = |s: &'static str| s.rsplit('.').next().unwrap_or(s);
+        let known =
+            SECTIONS.iter().map(|s| last(s)).chain(["run", "repeat", "configurations", "constraints"]);
+        found.push(
+            Diagnostic::error(format!("unknown section `{name}`"))
+                .label(key.span, "no section of a model has this name")
+                .help(
+                    suggestion(&key.name, known)
+                        .unwrap_or_else(|| format!("sections are {}", SECTIONS.join(", "))),
+                ),
+        );
+        return;
+    }
+    match value {
+        Value::Table(table) => sections.tables.entry(name.to_owned()).or_default().extend(table.entries),
+        other => found.push(wrong_kind(name, "a table", &other)),
+    }
+}
+
+/// The error for a value of another kind than expected.
+pub fn wrong_kind(what: &str, expected: &str, value: &Value) -> Diagnostic {
+    Diagnostic::error(format!("`{what}` must be {expected}"))
+        .label(value.span(), format!("this is {}", value.kind()))
+}
+
+/// The placeholders of one copy: name and text.
+type Copy = Vec<(String, String)>;
+
+fn repeat(name: &Key, body: &Value, sections: &mut Sections, found: &mut Diagnostics) {
+    let Value::Table(body) = body else { return found.push(wrong_kind(&name.name, "a table", body)) };
+    let Some(Value::Array(each, each_span)) = body.get("each") else {
+        return found.push(
+            Diagnostic::error(format!("repeat `{}` does not say for what", name.name))
+                .label(name.span, "`each` is missing or no array")
+                .help("write each = [{ leg = \"A\" }, { leg = \"B\" }]: one copy per entry"),
+        );
+    };
+    if MOST_COPIES < each.len() {
+        return found.push(
+            Diagnostic::error(format!("{} copies; at most {MOST_COPIES} are allowed", each.len()))
+                .label(*each_span, "too many entries"),
+        );
+    }
+    for entry in each {
+        let Some(copy) = placeholders(entry, found) else { continue };
+        for (key, value) in &body.entries {
+            if key.name != "each" {
+                add(key, substitute(value, &copy, found), sections, found);
+            }
+        }
+    }
+}
+
+fn placeholders(entry: &Value, found: &mut Diagnostics) -> Option<Copy> {
+    let Value::Table(table) = entry else {
+        found.push(wrong_kind("entry of each", "a table of placeholders", entry));
+        return None;
+    };
+    let mut copy = Copy::new();
+    for (key, value) in &table.entries {
+        match value {
+            Value::Text(text) => copy.push((key.name.clone(), text.text.clone())),
+            Value::Number(number, _) => copy.push((key.name.clone(), format!("{number}"))),
+            other => found.push(wrong_kind(&key.name, "a string or a number", other)),
+        }
+    }
+    Some(copy)
+}
+
+fn substitute(value: &Value, copy: &Copy, found: &mut Diagnostics) -> Value {
+    match value {
+        Value::Text(text) => Value::Text(substitute_text(text, copy, found)),
+        Value::Array(items, span) => {
+            Value::Array(items.iter().map(|item| substitute(item, copy, found)).collect(), *span)
+        }
+        Value::Table(table) => {
+            let entries = table.entries.iter().map(|(key, value)| {
+                let name = substitute_text(&Text::bare(&key.name, key.span), copy, found).text;
+                (Key { name, span: key.span }, substitute(value, copy, found))
+            });
+            Value::Table(Table { entries: entries.collect(), span: table.span })
+        }
+        other => other.clone(),
+    }
+}
+
+fn substitute_text(text: &Text, copy: &Copy, found: &mut Diagnostics) -> Text {
+    let mut replacements = Vec::new();
+    let mut from = 0;
+    while let Some(open) = text.text[from..].find('{').map(|i| from + i) {
+        let Some(close) = text.text[open..].find('}').map(|i| open + i) else { break };
+        let name = &text.text[open + 1..close];
+        match copy.iter().find(|(known, _)| known == name) {
+            Some((_, by)) => replacements.push((open..close + 1, by.clone())),
+            None => found.push(
+                Diagnostic::error(format!("unknown placeholder `{{{name}}}`"))
+                    .label(text.place(open..close + 1), "not among the placeholders of `each`")
+                    .help(suggestion(name, copy.iter().map(|(n, _)| n.as_str())).unwrap_or_else(|| {
+                        let names: Vec<&str> = copy.iter().map(|(n, _)| n.as_str()).collect();
+                        format!("placeholders here are {}", names.join(", "))
+                    })),
+            ),
+        }
+        from = close + 1;
+    }
+    if replacements.is_empty() { text.clone() } else { text.replace(&replacements) }
+}

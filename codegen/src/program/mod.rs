@@ -1,0 +1,304 @@
+//! A program: what a mechanism's equations compute, as named answers over one expression DAG.
+//!
+//! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
+//! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
+
+pub mod interpreter;
+mod reciprocal;
+
+use crate::diagnostic::Diagnostics;
+use crate::dynamics::{self, Dynamics};
+use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
+use crate::kinematics::eliminate::{self, Pivot, Solution};
+use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, UnknownKind};
+use crate::model::{CoordinateId, Model};
+
+/// Everything derived from a model.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The model's name.
+    pub name: String,
+    /// The model's description.
+    pub doc: String,
+    /// Path of the model text as given.
+    pub path: String,
+    /// The expressions of all answers.
+    pub dag: Dag,
+    /// Time.
+    pub time: SymbolId,
+    /// Coordinates that are state.
+    pub q: Vec<Quantity>,
+    /// Independent speeds.
+    pub u: Vec<Quantity>,
+    /// Inputs.
+    pub inputs: Vec<Quantity>,
+    /// Tunable parameters; `value` is the default.
+    pub parameters: Vec<Quantity>,
+    /// q' and u' and the worst pivot.
+    pub rates: Rates,
+    /// Kinetic and potential energy (J).
+    pub energy: [ExprId; 2],
+    /// All speeds of the model by name, dependent ones in terms of the independent.
+    pub speeds: Vec<(String, ExprId)>,
+    /// Requested outputs.
+    pub outputs: Vec<(String, ExprId)>,
+    /// Newton's correction of the dependent coordinates: (index into q, correction).
+    pub correction: Vec<(usize, ExprId)>,
+    /// Largest constraint residual before the correction.
+    pub residual: ExprId,
+    /// Pivots of all eliminations.
+    pub pivots: Vec<Pivot>,
+    /// Solver of dependent coordinates at the start.
+    pub assembly: Assembly,
+    /// The nominal configuration.
+    pub nominal: Vec<f64>,
+}
+
+/// The forward dynamics answer.
+#[derive(Clone, Debug)]
+pub struct Rates {
+    /// One per coordinate.
+    pub q_dot: Vec<ExprId>,
+    /// One per independent speed.
+    pub u_dot: Vec<ExprId>,
+    /// Smallest pivot relative to nominal; 1 where nothing is divided by.
+    pub worst_pivot: ExprId,
+}
+
+/// A named number of the state, the inputs or the parameters.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Name in the model.
+    pub name: String,
+    /// Its symbol.
+    pub symbol: SymbolId,
+    /// Unit as written in the model.
+    pub unit: String,
+    /// What it is.
+    pub doc: String,
+    /// Default (parameters), nominal value (coordinates), else 0.
+    pub value: f64,
+    /// Line of the declaration.
+    pub line: usize,
+    /// Appears only inside sine and cosine: may be wrapped by whole turns.
+    pub is_angle: bool,
+}
+
+/// Derives the program of `model`.
+///
+/// # Errors
+/// What only numbers show: see the stages.
+pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
+    let mut k = kinematics::derive(model, choice)?;
+    let mut table = eliminate::sample_table(model, &k);
+    let solution = eliminate::solve(model, &mut k, &mut table)?;
+    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table)?;
+    let assembly = Assembly::new(model, &mut k);
+    Ok(assemble(model, k, &solution, dynamics, assembly))
+}
+
+fn assemble(
+    model: &Model,
+    mut k: Kinematics,
+    solution: &Solution,
+    dynamics: Dynamics,
+    assembly: Assembly,
+) -> Program {
+    let state: Vec<CoordinateId> =
+        model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+    let speeds: Vec<(String, ExprId)> = model
+        .speeds
+        .enumerate()
+        .map(|(id, speed)| (speed.name.clone(), k.unknowns[k.unknown_of(id)].value))
+        .collect();
+    let q_dot: Vec<ExprId> = state
+        .iter()
+        .map(|&c| {
+            let rate = k.rates[c].clone();
+            kinematics::rate_of(&mut k, &rate)
+        })
+        .collect();
+    let outputs: Vec<ExprId> =
+        model.outputs.iter().map(|o| kinematics::lower_scalar(&mut k, &o.value)).collect();
+    // Velocity symbols become their values in terms of the independent speeds.
+    let speed_values: Vec<ExprId> = speeds.iter().map(|(_, e)| *e).collect();
+    let q_dot = k.dag.substitute(&q_dot, &dynamics.values);
+    let outputs = k.dag.substitute(&outputs, &dynamics.values);
+    let speed_values = k.dag.substitute(&speed_values, &dynamics.values);
+    let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
+    let worst_pivot = worst_pivot(&mut k.dag, &pivots);
+    let residual = largest(&mut k.dag, &k.residuals.clone());
+    let correction = correction(&k, &state, solution);
+    let [q, u, inputs, parameters] = quantities(model, &k, &state);
+    let mut program = Program {
+        name: model.name.clone(),
+        doc: model.doc.clone(),
+        path: model.source.files.first().map_or(String::new(), |f| f.path.clone()),
+        time: k.dag.as_symbol(k.time).expect("time is a symbol"),
+        q,
+        u,
+        inputs,
+        parameters,
+        rates: Rates { q_dot, u_dot: dynamics.u_dot, worst_pivot },
+        energy: [dynamics.kinetic, dynamics.potential],
+        speeds: speeds.into_iter().map(|(name, _)| name).zip(speed_values).collect(),
+        outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
+        correction,
+        residual,
+        pivots,
+        assembly,
+        nominal: k.samples[0].clone(),
+        dag: k.dag,
+    };
+    reciprocal::share(&mut program);
+    mark_angles(&mut program);
+    program
+}
+
+/// min over the pivots of |pivot| / nominal; pivots of one nominal size share the scaling.
+fn worst_pivot(dag: &mut Dag, pivots: &[Pivot]) -> ExprId {
+    let mut groups: Vec<(f64, ExprId)> = Vec::new();
+    for pivot in pivots {
+        let size = dag.unary(Unary::Abs, pivot.value);
+        match groups.iter_mut().find(|(nominal, _)| *nominal == pivot.nominal) {
+            Some((_, smallest)) => *smallest = dag.binary(Binary::Min, *smallest, size),
+            None => groups.push((pivot.nominal, size)),
+        }
+    }
+    let mut worst = dag.one();
+    for (nominal, smallest) in groups {
+        let scale = dag.constant(1.0 / nominal);
+        let relative = dag.mul(scale, smallest);
+        worst = if dag.is_one(worst) { relative } else { dag.binary(Binary::Min, worst, relative) };
+    }
+    worst
+}
+
+fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
+    let zero = dag.zero();
+    residuals.iter().fold(zero, |largest, &r| {
+        let size = dag.unary(Unary::Abs, r);
+        if dag.is_zero(largest) { size } else { dag.binary(Binary::Max, largest, size) }
+    })
+}
+
+/// Corrections of the dependent coordinates whose rate is a speed.
+fn correction(k: &Kinematics, state: &[CoordinateId], solution: &Solution) -> Vec<(usize, ExprId)> {
+    let mut corrections = Vec::new();
+    for (index, &c) in state.iter().enumerate() {
+        // A dependent coordinate's rate is one dependent speed.
+        let Some((unknown, _)) = k.rates[c].partials.first_key_value() else { continue };
+        if matches!(k.unknowns[*unknown].kind, UnknownKind::Dependent(_)) {
+            corrections.push((index, solution.correction[unknown]));
+        }
+    }
+    corrections.retain(|(_, e)| !k.dag.is_zero(*e));
+    corrections
+}
+
+fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Quantity>; 4] {
+    let line = |span| model.source.line_column(span).0;
+    let quantity = |name: &str, expr: ExprId, unit: &str, doc: &str, value: f64, span| {
+        k.dag.as_symbol(expr).map(|symbol| Quantity {
+            name: name.to_owned(),
+            symbol,
+            unit: unit.to_owned(),
+            doc: doc.to_owned(),
+            value,
+            line: line(span),
+            is_angle: false,
+        })
+    };
+    let q = state
+        .iter()
+        .zip(&k.samples[0])
+        .filter_map(|(&c, &nominal)| {
+            let declared = &model.coordinates[c];
+            quantity(&declared.name, k.q[c], &declared.unit, &declared.doc, nominal, declared.span)
+        })
+        .collect();
+    let u = model
+        .speeds
+        .enumerate()
+        .filter(|(_, s)| s.independent)
+        .filter_map(|(id, s)| {
+            quantity(&s.name, k.unknowns[k.unknown_of(id)].value, &s.unit, "speed", 0.0, s.span)
+        })
+        .collect();
+    let inputs = model
+        .inputs
+        .enumerate()
+        .filter_map(|(id, i)| quantity(&i.name, k.inputs[id], &i.unit, &i.doc, 0.0, i.span))
+        .collect();
+    let parameters = model
+        .parameters
+        .enumerate()
+        .filter_map(|(id, p)| {
+            quantity(&p.name, k.parameters[id], &p.unit, &p.doc, k.parameter_values[id], p.span)
+        })
+        .collect();
+    [q, u, inputs, parameters]
+}
+
+/// A coordinate that is read only by sines and cosines may be wrapped by whole turns.
+fn mark_angles(program: &mut Program) {
+    use crate::expr::Node;
+    let roots = program.all_roots();
+    let dag = &program.dag;
+    let reachable = dag.reachable(&roots);
+    for quantity in &mut program.q {
+        let read_elsewhere = reachable.iter().any(|&id| {
+            let trigonometric = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
+            !trigonometric
+                && dag.operands(id).into_iter().flatten().any(|a| dag.as_symbol(a) == Some(quantity.symbol))
+        });
+        let is_output = roots.iter().any(|&r| dag.as_symbol(r) == Some(quantity.symbol));
+        quantity.is_angle = quantity.unit == "rad" && !read_elsewhere && !is_output;
+    }
+}
+
+impl Program {
+    /// All results of all answers.
+    #[must_use]
+    pub fn all_roots(&self) -> Vec<ExprId> {
+        let mut roots = self.forward_dynamics();
+        roots.push(self.rates.worst_pivot);
+        roots.extend(self.energy);
+        roots.extend(self.speeds.iter().map(|(_, e)| *e));
+        roots.extend(self.outputs.iter().map(|(_, e)| *e));
+        roots.extend(self.correction.iter().map(|(_, e)| *e));
+        roots.push(self.residual);
+        roots
+    }
+
+    /// q' and u'.
+    #[must_use]
+    pub fn forward_dynamics(&self) -> Vec<ExprId> {
+        self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
+    }
+
+    /// Operations of one evaluation of q' and u', parameters at run time.
+    #[must_use]
+    pub fn operations(&self) -> usize {
+        self.dag.cone_cost(&self.forward_dynamics())
+    }
+
+    /// Replaces every result by its image (results keep their meaning).
+    fn map_roots(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
+        let rates = &mut self.rates;
+        for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {
+            *e = image(*e);
+        }
+        rates.worst_pivot = image(rates.worst_pivot);
+        for e in &mut self.energy {
+            *e = image(*e);
+        }
+        for (_, e) in self.speeds.iter_mut().chain(&mut self.outputs) {
+            *e = image(*e);
+        }
+        for (_, e) in &mut self.correction {
+            *e = image(*e);
+        }
+        self.residual = image(self.residual);
+    }
+}

@@ -1,0 +1,83 @@
+//! The struct that joins an emitted file to the runtime's `Mechanism` trait.
+
+use super::name;
+use crate::program::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `pub struct Tile` and its `impl Mechanism<S>`.
+pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream {
+    let ident = name::type_name(&program.name);
+    let doc = match program.doc.is_empty() {
+        true => format!("The mechanism `{}`.", program.name),
+        false => program.doc.clone(),
+    };
+    let setters = program.parameters.iter().enumerate().map(|(index, p)| {
+        let field = name::identifier(&p.name);
+        quote! { #index => &mut self.parameters.#field }
+    });
+    quote! {
+        #[doc = #doc]
+        #[derive(Clone, Copy, Debug, Default)]
+        pub struct #ident {
+            /// Tunable parameters.
+            pub parameters: Parameters,
+        }
+        impl #ident {
+            /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
+            pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+                Some(match index {
+                    #(#setters,)*
+                    _ => return None,
+                })
+            }
+        }
+        impl #runtime::mechanism::Mechanism<S> for #ident {
+            fn n_q(&self) -> usize { NQ }
+            fn n_u(&self) -> usize { NU }
+            fn n_inputs(&self) -> usize { N_INPUTS }
+            fn is_angle(&self, index: usize) -> bool { IS_ANGLE.get(index).copied().unwrap_or(false) }
+            fn rates(
+                &mut self,
+                t: S,
+                q: &[S],
+                u: &[S],
+                inputs: &[S],
+                q_dot: &mut [S],
+                u_dot: &mut [S],
+            ) -> Result<S, #runtime::mechanism::Fault> {
+                let (Ok(q), Ok(u), Ok(inputs), Ok(q_out), Ok(u_out)) = (
+                    <&[S; NQ]>::try_from(q),
+                    <&[S; NU]>::try_from(u),
+                    <&[S; N_INPUTS]>::try_from(inputs),
+                    <&mut [S; NQ]>::try_from(q_dot),
+                    <&mut [S; NU]>::try_from(u_dot),
+                ) else {
+                    return Err(#runtime::mechanism::Fault::Shape);
+                };
+                let pivot;
+                (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+                Ok(pivot)
+            }
+            fn project(&mut self, q: &mut [S]) -> Result<S, #runtime::mechanism::Fault> {
+                let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
+                    return Err(#runtime::mechanism::Fault::Shape);
+                };
+                let (correction, residual) =
+                    projection(<S as Real>::ZERO, q, &[<S as Real>::ZERO; NU], &[<S as Real>::ZERO; N_INPUTS], &self.parameters);
+                for (&index, &change) in CORRECTED.iter().zip(&correction) {
+                    if let Some(coordinate) = q.get_mut(index) {
+                        *coordinate = *coordinate + change;
+                    }
+                }
+                Ok(residual)
+            }
+            fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), #runtime::mechanism::Fault> {
+                let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
+                    return Err(#runtime::mechanism::Fault::Shape);
+                };
+                Ok(energy(<S as Real>::ZERO, q, u, &[<S as Real>::ZERO; N_INPUTS], &self.parameters))
+            }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! The comment that an emitted file opens with: provenance and cost.
+
+use super::{Answer, EmitOptions, ScalarType};
+use crate::program::Program;
+use std::fmt::Write;
+
+/// The header lines.
+#[must_use]
+pub(super) fn text(program: &Program, options: &EmitOptions, answers: &[Answer]) -> String {
+    let scalar = match &options.scalar {
+        ScalarType::F32 => "f32",
+        ScalarType::F64 => "f64",
+        ScalarType::Path(path) => path,
+    };
+    let mut text = format!(
+        "// Generated from {} by smartbed-codegen {}; do not edit, change the model instead.\n",
+        program.path,
+        env!("CARGO_PKG_VERSION")
+    );
+    let _ = writeln!(
+        text,
+        "// {}: {} coordinates, {} independent speeds, {} inputs, {} tunable parameters; scalar {scalar}.",
+        program.name,
+        program.q.len(),
+        program.u.len(),
+        program.inputs.len(),
+        program.parameters.len()
+    );
+    for answer in answers {
+        let kinds = program.dag.operations_by_kind(&answer.roots(program));
+        let total: usize = kinds.values().sum();
+        let kinds: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
+        let _ = writeln!(text, "// Cost of {}: {total} operations ({}).", answer.name(), kinds.join(", "));
+    }
+    text
+}

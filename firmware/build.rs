@@ -1,0 +1,61 @@
+//! Derives the model into `OUT_DIR` and, for the chip, gives the linker its memory.
+//!
+//! In, all optional: `SMARTBED_MODEL` (path of a model), `SMARTBED_SET` (`name=value;...`),
+//! `SMARTBED_STEPS`, `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
+//! They are read here, at build time, so that host and chip change together.
+
+use smartbed_codegen::{Options, ScalarType};
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+const MODEL: &str = "../models/tile.toml";
+const STEPS: &str = "10000";
+const CHIP: &str = "chips/stm32f405.x";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let out = env::var("OUT_DIR")?;
+    let out = Path::new(&out);
+    println!("cargo::rerun-if-changed={CHIP}");
+    println!(
+        "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
+    );
+
+    let mut options = Options { file_name: Some("mechanism".to_owned()), ..Options::default() };
+    options.emit.scalar = ScalarType::F32;
+    for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
+        let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;
+        options.parameters.values.insert(name.to_owned(), value.parse()?);
+    }
+    let mechanism = smartbed_codegen::build(option("SMARTBED_MODEL", MODEL), &options);
+    fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
+
+    let steps: u32 = option("SMARTBED_STEPS", STEPS).parse()?;
+    fs::write(out.join("steps.rs"), format!("{steps}"))?;
+
+    let inject = option("SMARTBED_INJECT", "");
+    if !inject.is_empty() {
+        println!("cargo::rustc-cfg=inject");
+        println!("cargo::rustc-cfg=inject=\"{inject}\"");
+    }
+    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
+        fs::copy(CHIP, out.join("memory.x"))?;
+        println!("cargo::rustc-link-search={}", out.display());
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    }
+    Ok(())
+}
+
+/// The same name for the equations of every model.
+fn alias(mechanism: &str) -> Result<String, &'static str> {
+    let name = mechanism.lines().find_map(|line| line.split_once("Mechanism<S> for ")?.1.split(' ').next());
+    let name = name.ok_or("the generated file implements no Mechanism")?;
+    Ok(format!("/// The equations of motion with their parameters.\npub type Model = {name};\n"))
+}
+
+/// An environment variable, or its default; a change of it builds again.
+fn option(name: &str, default: &str) -> String {
+    println!("cargo::rerun-if-env-changed={name}");
+    env::var(name).unwrap_or_else(|_| default.to_owned())
+}

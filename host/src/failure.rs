@@ -1,0 +1,32 @@
+//! Why a command did not do what it was asked to, and the exit status that says so.
+
+use std::fmt;
+
+/// A failure with the exit status of the command.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Failure {
+    /// The input, or what was made of it, is wrong: exit status 1.
+    Wrong(String),
+    /// The machine lacks something; the text names the command that installs it: exit status 2.
+    Lacking(String),
+}
+
+impl Failure {
+    /// Exit status.
+    #[must_use]
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Wrong(_) => 1,
+            Self::Lacking(_) => 2,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (Self::Wrong(text) | Self::Lacking(text)) = self;
+        f.write_str(text)
+    }
+}
+
+impl std::error::Error for Failure {}

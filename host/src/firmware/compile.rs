@@ -1,0 +1,180 @@
+//! Builds the image for the chip and the same simulation for the host, from the same settings.
+//!
+//! In: [`Settings`], handed to the firmware's build script through the environment. Out: the
+//! ELF of the chip, and what the host's simulation prints.
+//! Both are built by the same cargo into a target folder of their own, so that no outer cargo
+//! waits for it and a second toolchain disturbs nothing.
+
+use super::Arguments;
+use super::chip::Chip;
+use super::process::{clean, run_limited};
+use super::toolchain::Toolchain;
+use crate::failure::Failure;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// The host runs 10,000 steps in milliseconds.
+const TIME_LIMIT: Duration = Duration::from_secs(60);
+/// Steps unless told otherwise.
+const STEPS: u32 = 10_000;
+
+/// What is built.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Settings {
+    /// Path of the model.
+    pub model: PathBuf,
+    /// Number of steps.
+    pub steps: u32,
+    /// Changed parameters, `name=value`.
+    pub set: Vec<String>,
+    /// A defect for the checks to find.
+    pub inject: Option<String>,
+}
+
+impl Settings {
+    /// Checks the command line.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
+    pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
+        for change in &arguments.set {
+            let number = change.split_once('=').map(|(name, value)| (name, value.parse::<f64>()));
+            if !matches!(number, Some((name, Ok(value))) if !name.is_empty() && value.is_finite()) {
+                return Err(Failure::Wrong(format!(
+                    "--set {change}: expected NAME=NUMBER, for example --set M=8"
+                )));
+            }
+        }
+        let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
+        check_names(&model, &arguments.set)?;
+        Ok(Self {
+            model,
+            steps: arguments.steps.unwrap_or(STEPS),
+            set: arguments.set.clone(),
+            inject: arguments.inject.clone(),
+        })
+    }
+
+    /// Hands the settings to the firmware's build script.
+    fn export(&self, command: &mut Command) {
+        command.env("SMARTBED_MODEL", &self.model);
+        command.env("SMARTBED_STEPS", self.steps.to_string());
+        command.env("SMARTBED_SET", self.set.join(";"));
+        command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
+    }
+}
+
+/// Reads the model, so that its errors come first, and looks up the names of the changes.
+fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
+    let model = smartbed_codegen::model::read(path).map_err(|errors| Failure::Wrong(errors.to_string()))?;
+    let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    match set.iter().find(|change| !names.contains(&change.split('=').next().unwrap_or_default())) {
+        Some(change) => Err(Failure::Wrong(format!(
+            "--set {change}: {} has no such parameter; expected one of {}",
+            model.name,
+            names.join(", ")
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// A path, or a name under models/.
+fn find_model(workspace: &Path, model: &str) -> Result<PathBuf, Failure> {
+    let named = workspace.join("models").join(model).with_extension("toml");
+    let given = Path::new(model);
+    if given.is_file() {
+        fs::canonicalize(given).map_err(|e| Failure::Wrong(format!("{model}: {e}")))
+    } else if named.is_file() {
+        Ok(named)
+    } else {
+        Err(Failure::Wrong(format!("no model `{model}`: expected a file, or the name of one under models/")))
+    }
+}
+
+/// Builds the image; returns its path.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it does not build; the compiler's messages are on standard error.
+pub fn image(
+    toolchain: &Toolchain,
+    workspace: &Path,
+    folder: &Path,
+    chip: &Chip,
+    settings: &Settings,
+) -> Result<PathBuf, Failure> {
+    let target = chip.target.to_uppercase().replace('-', "_");
+    let mut cargo = build(toolchain, workspace, folder, settings);
+    cargo.args(["--target", chip.target]);
+    if toolchain.core_from_source {
+        cargo.arg("-Zbuild-std=core");
+    }
+    if let Some(linker) = &toolchain.linker {
+        cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
+    }
+    cargo.env(format!("CARGO_TARGET_{target}_RUSTFLAGS"), format!("-Ctarget-cpu={}", chip.cpu));
+    succeed(cargo, "the image does not build")?;
+    Ok(folder.join(chip.target).join("firmware/tile"))
+}
+
+/// Builds and runs the same simulation on the host; returns what it prints.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it does not build or fails.
+pub fn simulation(
+    toolchain: &Toolchain,
+    workspace: &Path,
+    folder: &Path,
+    settings: &Settings,
+) -> Result<String, Failure> {
+    let mut cargo = build(toolchain, workspace, folder, settings);
+    // Optimising std and all takes seconds and saves milliseconds.
+    cargo.env("CARGO_PROFILE_FIRMWARE_LTO", "off");
+    succeed(cargo, "the simulation does not build for the host")?;
+    run_limited(&mut clean(&folder.join("firmware/tile")), TIME_LIMIT)
+        .map_err(|e| Failure::Wrong(format!("the simulation fails on the host: {e}")))
+}
+
+fn build(toolchain: &Toolchain, workspace: &Path, folder: &Path, settings: &Settings) -> Command {
+    let mut cargo = toolchain.cargo();
+    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", "tile"]);
+    cargo.args(["--profile", "firmware", "--target-dir"]).arg(folder).current_dir(workspace);
+    settings.export(&mut cargo);
+    cargo
+}
+
+/// Runs a build; its messages go to standard error.
+fn succeed(mut cargo: Command, what: &str) -> Result<(), Failure> {
+    let status = cargo.stdout(Stdio::null()).status();
+    match status {
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(Failure::Wrong(format!("{what}: see the compiler's messages above"))),
+        Err(e) => Err(Failure::Lacking(format!("{}: {e}", cargo.get_program().display()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn settings(set: &str) -> Result<Settings, Failure> {
+        let arguments =
+            Arguments { set: vec![set.to_owned()], model: Some("/dev/null/x".into()), ..Default::default() };
+        Settings::new(Path::new("."), &arguments)
+    }
+
+    #[test]
+    fn a_change_must_be_a_number() {
+        for wrong in ["M", "M=", "=3", "M=heavy", "M=nan"] {
+            assert!(settings(wrong).unwrap_err().to_string().contains("NAME=NUMBER"), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_model_must_exist() {
+        let failure = settings("M=3").unwrap_err();
+        assert_eq!(failure.status(), 1);
+        assert!(failure.to_string().contains("no model `/dev/null/x`"));
+    }
+}

@@ -1,0 +1,125 @@
+//! Runs an image in the emulator, counts its instructions, and reads what it prints.
+
+use super::chip::Chip;
+use super::image::Image;
+use super::process::{clean, run_limited, run_quietly};
+use super::toolchain::Toolchain;
+use crate::failure::Failure;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// No image of ours takes longer: 10,000 steps take seconds.
+const TIME_LIMIT: Duration = Duration::from_secs(120);
+/// Source of the plug-in, relative to the workspace.
+const PLUGIN: &str = "host/src/firmware/plugin/lib.rs";
+
+/// What one function cost over all its calls, callees included.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Count {
+    /// Its symbol.
+    pub name: String,
+    /// Number of calls.
+    pub calls: u64,
+    /// Fewest, median and most executed instructions of a call.
+    pub instructions: [u64; 3],
+    /// Cycle interval of the median call, by model.
+    pub cycles: [u64; 2],
+    /// Most cycles of any call, by model.
+    pub most_cycles: u64,
+}
+
+/// A run of the image.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Run {
+    /// What the image printed.
+    pub output: String,
+    /// Executed instructions from reset to the end.
+    pub instructions: u64,
+    /// Counts of the functions asked for.
+    pub counts: Vec<Count>,
+}
+
+/// Compiles the plug-in into `folder`.
+///
+/// # Errors
+/// [`Failure::Lacking`] if rustc cannot build it.
+pub fn plugin(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Result<PathBuf, Failure> {
+    let library = folder.join("libcount.so");
+    let mut rustc = clean(&toolchain.rustc);
+    rustc.args(["-O", "--crate-type", "cdylib", "--crate-name", "count", "--edition", "2024"]);
+    rustc.arg(workspace.join(PLUGIN)).arg("-o").arg(&library);
+    run_quietly(&mut rustc).map_err(|log| {
+        Failure::Lacking(format!("the emulator's plug-in does not build: run `apt-get install gcc`\n{log}"))
+    })?;
+    Ok(library)
+}
+
+/// Runs `elf` and counts the calls of `functions`.
+///
+/// # Errors
+/// [`Failure::Wrong`] if a function is not in the image, or the image fails or hangs.
+pub fn run(
+    emulator: &Path,
+    plugin: &Path,
+    chip: &Chip,
+    elf: &Path,
+    image: &Image,
+    functions: &[&str],
+) -> Result<Run, Failure> {
+    let counts = elf.with_extension("counts");
+    let mut option = format!("{},out={}", plugin.display(), counts.display());
+    for name in functions {
+        let function =
+            image.find(name).ok_or_else(|| Failure::Wrong(format!("the image has no function `{name}`")))?;
+        option += &format!(",fn={name}@{}", image.functions[function].address);
+    }
+    let mut command = clean(emulator);
+    command.args(["-M", chip.machine, "-nographic", "-monitor", "none", "-serial", "none"]);
+    command.args(["-semihosting-config", "enable=on,target=native", "-plugin", &option, "-kernel"]).arg(elf);
+    let output = run_limited(&mut command, TIME_LIMIT)
+        .map_err(|e| Failure::Wrong(format!("the image fails in the emulator: {e}")))?;
+    let text = fs::read_to_string(&counts)
+        .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;
+    let (instructions, counts) = parse(&text)
+        .ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))?;
+    Ok(Run { output, instructions, counts })
+}
+
+/// Total and counts from the plug-in's text.
+fn parse(text: &str) -> Option<(u64, Vec<Count>)> {
+    let mut total = None;
+    let mut counts = Vec::new();
+    for line in text.lines() {
+        let (name, numbers) = line.split_once(' ')?;
+        let numbers: Vec<u64> = numbers.split(' ').map(str::parse).collect::<Result<_, _>>().ok()?;
+        match (name, numbers.as_slice()) {
+            ("total", [instructions, _, _]) => total = Some(*instructions),
+            (_, &[calls, min, median, max, low, high, most_cycles]) => counts.push(Count {
+                name: name.to_owned(),
+                calls,
+                instructions: [min, median, max],
+                cycles: [low, high],
+                most_cycles,
+            }),
+            _ => return None,
+        }
+    }
+    Some((total?, counts))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_read() {
+        let (total, counts) = parse("total 10 11 12\ntile_step 2 3 4 5 6 7 8\n").unwrap();
+        assert_eq!(total, 10);
+        assert_eq!(counts[0].calls, 2);
+        assert_eq!(counts[0].instructions, [3, 4, 5]);
+        assert_eq!(counts[0].cycles, [6, 7]);
+        assert_eq!(counts[0].most_cycles, 8);
+        assert_eq!(parse("tile_step 1\n"), None);
+    }
+}

@@ -1,0 +1,208 @@
+//! An ELF image of a Cortex-M4F: what is in it, what it needs, and whether it may be shipped.
+//!
+//! In: the bytes of the ELF. Out: [`Image`] (functions decoded once), then [`size::Size`],
+//! [`stack::Stack`] and the list of broken rules ([`rules::findings`]).
+//! Invariant: an address is decoded as an instruction only where the mapping symbols ($t, $d) of
+//! the ABI say that it is code.
+
+pub mod rules;
+pub mod size;
+pub mod stack;
+
+use super::thumb::{self, Kind};
+use object::elf::SHF_EXECINSTR;
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
+use std::collections::BTreeMap;
+
+/// A function of the image with everything that its instructions do.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Function {
+    /// Readable name.
+    pub name: String,
+    /// Address of its first instruction.
+    pub address: u32,
+    /// One past its last byte; what lies between functions is padding.
+    pub end: u32,
+    /// Address and meaning of every instruction that is not [`Kind::Other`].
+    pub effects: Vec<(u32, Kind)>,
+}
+
+/// A decoded image.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Image {
+    /// Functions by address.
+    pub functions: Vec<Function>,
+    /// Every defined symbol's readable name, sorted.
+    pub symbols: Vec<String>,
+    /// Addresses in the vector table: the reset handler, then the exceptions' and interrupts'.
+    pub vectors: Vec<u32>,
+    /// Bytes in flash and RAM.
+    pub size: size::Size,
+}
+
+impl Image {
+    /// Reads an image.
+    ///
+    /// # Errors
+    /// A text that says why the bytes are not a little-endian ELF of code.
+    pub fn read(elf: &[u8]) -> Result<Self, String> {
+        let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
+        let marks = marks(&file);
+        let mut functions = functions(&file);
+        for section in file.sections() {
+            let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
+            if sh_flags.0 & SHF_EXECINSTR.0 != 0 {
+                let code = section.data().map_err(|e| format!("section of code: {e}"))?;
+                let base = word(section.address());
+                decode_section(base, code, &marks, &mut functions);
+            }
+        }
+        let mut symbols: Vec<String> = file
+            .symbols()
+            .filter(|s| s.is_definition())
+            .filter_map(|s| s.name().ok().map(readable))
+            .collect();
+        symbols.sort();
+        symbols.dedup();
+        Ok(Self { functions, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
+    }
+
+    /// The stack bound from the vector table's reset handler and its other handlers.
+    ///
+    /// # Errors
+    /// A text if there is no vector table, or an entry is no function.
+    pub fn stack(&self) -> Result<stack::Stack, String> {
+        let functions: Option<Vec<usize>> = self.vectors.iter().map(|v| self.owner(*v)).collect();
+        match functions.as_deref() {
+            Some([entry, handlers @ ..]) => Ok(stack::bound(self, *entry, handlers)),
+            _ => Err("the image has no vector table of known functions".to_owned()),
+        }
+    }
+
+    /// The function that holds `address`.
+    #[must_use]
+    pub fn owner(&self, address: u32) -> Option<usize> {
+        owner(&self.functions, address)
+    }
+
+    /// The function of that name.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.functions.iter().position(|f| f.name == name)
+    }
+}
+
+/// The name as a programmer writes it, without the hash.
+fn readable(name: &str) -> String {
+    format!("{:#}", rustc_demangle::demangle(name))
+}
+
+/// Addresses of a 32-bit machine; larger ones do not occur.
+fn word(address: u64) -> u32 {
+    u32::try_from(address).unwrap_or(u32::MAX)
+}
+
+/// Every function by address; of several names at an address the first in the alphabet. One
+/// without a size, as hand-written assembly may be, extends to the next.
+fn functions(file: &object::File) -> Vec<Function> {
+    let mut found = BTreeMap::<u32, (u32, String)>::new();
+    for symbol in file.symbols().filter(|s| s.kind() == SymbolKind::Text && s.is_definition()) {
+        let Ok(name) = symbol.name() else { continue };
+        if name.is_empty() || name.starts_with('$') {
+            continue;
+        }
+        let (address, size, name) = (word(symbol.address()) & !1, word(symbol.size()), readable(name));
+        let entry = found.entry(address).or_insert((size, name.clone()));
+        entry.0 = entry.0.max(size);
+        entry.1 = entry.1.clone().min(name);
+    }
+    let nexts: Vec<u32> = found.keys().skip(1).copied().chain([u32::MAX]).collect();
+    let with_ends = found.into_iter().zip(nexts);
+    with_ends
+        .map(|((address, (size, name)), next)| {
+            let end = if size == 0 { next } else { address.saturating_add(size) };
+            Function { name, address, end, effects: Vec::new() }
+        })
+        .collect()
+}
+
+/// Is it code from this address on? The mapping symbols of the ABI.
+fn marks(file: &object::File) -> BTreeMap<u32, bool> {
+    file.symbols()
+        .filter_map(|s| Some((word(s.address()), s.name().ok()?)))
+        .filter(|(_, name)| name.starts_with("$t") || name.starts_with("$d") || name.starts_with("$a"))
+        .map(|(address, name)| (address & !1, name.starts_with("$t")))
+        .collect()
+}
+
+/// Entries of the section `.vector_table` after the first, which is the start value of sp.
+fn vectors(file: &object::File) -> Vec<u32> {
+    let section = file.section_by_name(".vector_table");
+    let table = section.and_then(|s| s.data().ok()).unwrap_or_default();
+    let words = table.as_chunks::<4>().0.iter().map(|b| u32::from_le_bytes(*b));
+    words.skip(1).filter(|w| *w != 0).map(|w| w & !1).collect()
+}
+
+/// The function that holds `address`.
+fn owner(functions: &[Function], address: u32) -> Option<usize> {
+    let last = functions.partition_point(|f| f.address <= address).checked_sub(1)?;
+    functions.get(last).filter(|f| address < f.end).map(|_| last)
+}
+
+fn decode_section(base: u32, code: &[u8], marks: &BTreeMap<u32, bool>, functions: &mut [Function]) {
+    let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
+    let mut at = 0;
+    while at + 2 <= code.len() {
+        let address = base.saturating_add(u32::try_from(at).unwrap_or(u32::MAX));
+        let is_code = marks.range(..=address).next_back().is_some_and(|(_, code)| *code);
+        let Some(function) = owner(functions, address).filter(|_| is_code) else {
+            at += 2;
+            continue;
+        };
+        let instruction = thumb::decode(address, half(at), half(at + 2));
+        at += instruction.size as usize;
+        if instruction.kind != Kind::Other {
+            functions[function].effects.push((address, instruction.kind));
+        }
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+
+    /// An image of functions given by halfwords, laid out from 0x0800_0000 in order.
+    pub(crate) fn image(functions: &[(&str, &[u16])]) -> Image {
+        let mut address = 0x0800_0000;
+        let mut marks = BTreeMap::new();
+        let mut decoded = Vec::new();
+        let mut code = Vec::new();
+        marks.insert(address, true);
+        for (name, halves) in functions {
+            let end = address + 2 * u32::try_from(halves.len()).unwrap();
+            decoded.push(Function { name: (*name).to_owned(), address, end, effects: Vec::new() });
+            address = end;
+            code.extend(halves.iter().flat_map(|h| h.to_le_bytes()));
+        }
+        decode_section(0x0800_0000, &code, &marks, &mut decoded);
+        let symbols = functions.iter().map(|(name, _)| (*name).to_owned()).collect();
+        Image { functions: decoded, symbols, vectors: Vec::new(), size: size::Size::default() }
+    }
+
+    #[test]
+    fn data_and_padding_are_not_decoded() {
+        let f = |address, end| Function { name: "f".to_owned(), address, end, effects: Vec::new() };
+        let mut functions = vec![f(0, 8), f(12, 14)];
+        let halves = [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0, 0xD4D4, 0xD4D4, 0xB510];
+        let code: Vec<u8> = halves.iter().flat_map(|h| h.to_le_bytes()).collect();
+        let marks = BTreeMap::from([(0, true), (4, false), (8, true)]);
+        decode_section(0, &code, &marks, &mut functions);
+        assert_eq!(functions[0].effects, [(0, Kind::Stack(8))]);
+        assert_eq!(functions[1].effects, [(12, Kind::Stack(8))], "padding between functions is not code");
+    }
+
+    #[test]
+    fn not_an_elf() {
+        assert!(Image::read(b"MZ").unwrap_err().contains("not an ELF"));
+    }
+}

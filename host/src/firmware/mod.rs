@@ -1,0 +1,117 @@
+//! `smartbed firmware`: model in; image, its checks, its cost and its trajectory's digest out.
+//!
+//! Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
+//! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
+//! plug-in ([`emulator`]), compare the digests of chip and host, print ([`report`]).
+
+pub mod chip;
+pub mod compile;
+pub mod cycles;
+pub mod emulator;
+pub mod image;
+pub mod process;
+pub mod report;
+pub mod thumb;
+pub mod toolchain;
+
+use crate::failure::Failure;
+use chip::STM32F405;
+use compile::Settings;
+use image::{Image, rules};
+use report::Report;
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Functions of the image that are counted: a step, and an evaluation of the mechanism's rates.
+const COUNTED: [&str; 2] = ["tile_step", "tile_rates"];
+
+/// Generate, build for the microcontroller, check, and run in the emulator.
+#[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
+#[command(
+    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json"
+)]
+pub struct Arguments {
+    /// The model: a path, or a name under models/ [default: tile].
+    pub model: Option<String>,
+    /// Number of steps of 1 ms [default: 10000].
+    #[arg(long, value_name = "N")]
+    pub steps: Option<u32>,
+    /// Changes a parameter, on the chip and on the host; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+    /// Build a defect into the image, which the checks must then find.
+    #[arg(long, hide = true, value_parser = ["panic", "double", "recursion", "indirect"])]
+    pub inject: Option<String>,
+}
+
+/// Does what the command line asks for and prints the report.
+///
+/// # Errors
+/// Status 1 for a wrong model or parameter and for an image that breaks a rule; status 2 where the
+/// machine lacks a tool.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let report = measure(arguments)?;
+    let text = if arguments.json { report.json() } else { report.text() };
+    // A reader that went away is no failure of the build.
+    let _ = std::io::stdout().write_all(text.as_bytes());
+    match report.failures().as_slice() {
+        [] => Ok(()),
+        failures => Err(Failure::Wrong(failures.join("\nerror: "))),
+    }
+}
+
+/// Builds, checks and runs the image; prints progress only.
+///
+/// # Errors
+/// As [`run`], except that broken rules are in the report.
+pub fn measure(arguments: &Arguments) -> Result<Report, Failure> {
+    let workspace = workspace()?;
+    let settings = Settings::new(&workspace, arguments)?;
+    let toolchain = toolchain::toolchain(STM32F405.target)?;
+    let emulator = toolchain::emulator()?;
+    let folder = workspace.join("target/image");
+    let _lock = lock(&folder)?;
+
+    eprintln!("building for {} with {}", STM32F405.name, toolchain.describe());
+    let elf = compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?;
+    let image = read(&elf)?;
+    let stack = image.stack().map_err(Failure::Wrong)?;
+    let findings = rules::findings(&image, &stack, &STM32F405);
+    let mut report = Report::new(&toolchain, &settings, &elf, &image, stack, findings);
+    if report.findings.is_empty() {
+        let plugin = emulator::plugin(&toolchain, &workspace, &folder)?;
+        let host = compile::simulation(&toolchain, &workspace, &folder, &settings)?;
+        eprintln!("running {} steps in the emulator", settings.steps);
+        let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, &COUNTED)?;
+        report.add_run(&run, &host)?;
+    }
+    Ok(report)
+}
+
+fn read(elf: &Path) -> Result<Image, Failure> {
+    let bytes = fs::read(elf).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))?;
+    Image::read(&bytes).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))
+}
+
+/// The workspace's root: the image is built from its sources.
+fn workspace() -> Result<PathBuf, Failure> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""));
+    if root.join("firmware/Cargo.toml").is_file() {
+        return Ok(root.to_owned());
+    }
+    let why = format!("the sources of the firmware are no longer in {}", root.display());
+    Err(Failure::Lacking(format!("{why}: run `cargo smartbed firmware` inside a clone of the project")))
+}
+
+/// One build at a time in this folder: the settings go through the environment of one build script.
+fn lock(folder: &Path) -> Result<File, Failure> {
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
+    fs::create_dir_all(folder).map_err(wrong)?;
+    let file = File::create(folder.join(".lock")).map_err(wrong)?;
+    file.lock().map_err(wrong)?;
+    Ok(file)
+}

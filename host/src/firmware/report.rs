@@ -1,0 +1,222 @@
+//! What `smartbed firmware` has found out, as text for people and as JSON for machines.
+
+use super::chip::STM32F405;
+use super::compile::Settings;
+use super::emulator::{Count, Run};
+use super::image::Image;
+use super::image::rules::{Finding, Rule};
+use super::image::size::Size;
+use super::image::stack::Stack;
+use super::toolchain::Toolchain;
+use crate::failure::Failure;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Everything found out.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Report {
+    /// What was built.
+    pub settings: Settings,
+    /// With what.
+    pub toolchain: String,
+    /// The image.
+    pub elf: PathBuf,
+    /// Bytes of flash and static RAM.
+    pub size: Size,
+    /// Stack bound.
+    pub stack: Stack,
+    /// Broken rules; with any, the image is not run.
+    pub findings: Vec<Finding>,
+    /// What running it showed.
+    pub run: Option<Outcome>,
+}
+
+/// What running the image showed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Outcome {
+    /// Digest of the chip's trajectory.
+    pub digest: String,
+    /// Digest of the host's.
+    pub host_digest: String,
+    /// Instructions from reset to the end.
+    pub instructions: u64,
+    /// One step.
+    pub step: Count,
+    /// One evaluation of the mechanism's rates.
+    pub rates: Count,
+}
+
+impl Report {
+    /// The report of an image that has not run.
+    #[must_use]
+    pub fn new(
+        toolchain: &Toolchain,
+        settings: &Settings,
+        elf: &Path,
+        image: &Image,
+        stack: Stack,
+        findings: Vec<Finding>,
+    ) -> Self {
+        Self {
+            settings: settings.clone(),
+            toolchain: toolchain.describe(),
+            elf: elf.to_owned(),
+            size: image.size,
+            stack,
+            findings,
+            run: None,
+        }
+    }
+
+    /// Adds a run in the emulator and what the host's simulation printed.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] if either printed no digest or the counts are not one per step.
+    pub fn add_run(&mut self, run: &Run, host: &str) -> Result<(), Failure> {
+        let [step, rates] = run.counts.as_slice() else {
+            return Err(Failure::Wrong("the plug-in counted other functions than asked for".to_owned()));
+        };
+        let steps = u64::from(self.settings.steps);
+        if step.calls != steps || rates.calls < steps {
+            let (calls, evaluations) = (step.calls, rates.calls);
+            return Err(Failure::Wrong(format!(
+                "{steps} steps, but {calls} calls of a step and {evaluations} of the rates were counted"
+            )));
+        }
+        self.run = Some(Outcome {
+            digest: digest(&run.output)?,
+            host_digest: digest(host)?,
+            instructions: run.instructions,
+            step: step.clone(),
+            rates: rates.clone(),
+        });
+        Ok(())
+    }
+
+    /// Why the image is refused; empty if it is not.
+    #[must_use]
+    pub fn failures(&self) -> Vec<String> {
+        let mut failures: Vec<String> = self.findings.iter().map(Finding::to_string).collect();
+        if let Some(run) = self.run.as_ref().filter(|run| run.digest != run.host_digest) {
+            failures.push(format!(
+                "trajectory: the chip's digest {} differs from the host's {}",
+                run.digest, run.host_digest
+            ));
+        }
+        failures
+    }
+
+    /// For people.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let chip = &STM32F405;
+        let mut text = String::new();
+        let mut line = |name: &str, value: String| {
+            let _ = writeln!(text, "{name:<32}{value}");
+        };
+        line("model", self.settings.model.display().to_string());
+        line("toolchain", self.toolchain.clone());
+        line("image", self.elf.display().to_string());
+        line("chip", format!("{} at {} MHz", chip.name, chip.clock / 1_000_000));
+        line("flash", format!("{} of {} bytes", self.size.flash, chip.flash));
+        line("static RAM", format!("{} of {} bytes", self.size.ram, chip.ram));
+        line("stack bound", format!("{} bytes, one exception included", self.stack.bytes));
+        let path: Vec<String> =
+            self.stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
+        line("  deepest path", path.join(" > "));
+        if let Some(run) = &self.run {
+            line("trajectory", format!("{} steps, digest {}", self.settings.steps, run.digest));
+            line(
+                "  on the host",
+                if run.digest == run.host_digest {
+                    "the same, bit for bit".to_owned()
+                } else {
+                    format!("DIFFERS: {}", run.host_digest)
+                },
+            );
+            for (name, count) in [("step", &run.step), ("rates", &run.rates)] {
+                let [min, median, max] = count.instructions;
+                let [low, high] = count.cycles;
+                line(
+                    name,
+                    format!(
+                        "{min} / {median} / {max} instructions (min / median / max of {} calls)",
+                        count.calls
+                    ),
+                );
+                let micro = |cycles: u64| cycles as f64 * 1e6 / chip.clock as f64;
+                line(
+                    "  by cycle model",
+                    format!(
+                        "{low}..{high} cycles ({:.1}..{:.1} us), never more than {}",
+                        micro(low),
+                        micro(high),
+                        count.most_cycles
+                    ),
+                );
+            }
+        }
+        for rule in Rule::ALL {
+            let broken = self.findings.iter().filter(|f| f.rule == rule).count();
+            line(
+                &format!("check {}", rule.name()),
+                if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") },
+            );
+        }
+        text
+    }
+
+    /// For machines: one JSON object.
+    #[must_use]
+    pub fn json(&self) -> String {
+        let count = |count: &Count| {
+            json!({
+                "calls": count.calls,
+                "instructions": { "min": count.instructions[0], "median": count.instructions[1], "max": count.instructions[2] },
+                "cycles": { "low": count.cycles[0], "high": count.cycles[1], "most": count.most_cycles },
+            })
+        };
+        let checks: serde_json::Map<String, Value> = Rule::ALL
+            .iter()
+            .map(|rule| (rule.name().to_owned(), json!(self.findings.iter().all(|f| f.rule != *rule))))
+            .collect();
+        let findings: Vec<Value> = self
+            .findings
+            .iter()
+            .map(|f| json!({ "check": f.rule.name(), "what": f.what, "reason": f.rule.reason() }))
+            .collect();
+        let run = self.run.as_ref().map(|run| {
+            json!({
+                "digest": run.digest,
+                "host_digest": run.host_digest,
+                "instructions": run.instructions,
+                "step": count(&run.step),
+                "rates": count(&run.rates),
+            })
+        });
+        let report = json!({
+            "model": self.settings.model,
+            "set": self.settings.set,
+            "steps": self.settings.steps,
+            "toolchain": self.toolchain,
+            "image": self.elf,
+            "chip": STM32F405.name,
+            "flash": self.size.flash,
+            "ram": self.size.ram,
+            "stack": { "bytes": self.stack.bytes, "path": self.stack.path },
+            "checks": checks,
+            "findings": findings,
+            "run": run,
+        });
+        format!("{report:#}\n")
+    }
+}
+
+/// The digest in the output of a simulation.
+fn digest(output: &str) -> Result<String, Failure> {
+    let found = output.lines().find_map(|l| l.strip_prefix("digest "));
+    found
+        .map(str::to_owned)
+        .ok_or_else(|| Failure::Wrong(format!("expected a line `digest ...`, got `{output}`")))
+}

@@ -1,0 +1,207 @@
+//! Finds what builds and runs the image, and installs it where the machine's package manager can.
+//!
+//! In: the machine. Out: a [`Toolchain`] that can build for the chip and the emulator's program.
+//! Order: a toolchain with the chip's target is used as it is; else one with the sources of core,
+//! from which core is built; else, on Debian and its relatives, apt installs the distribution's
+//! packages; else the failure names the one command that helps. rustup is never called.
+
+use super::process::{self, output, which};
+use crate::failure::Failure;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Debian's packages of a toolchain with the sources of core, and a linker for it.
+const TOOLCHAIN_PACKAGES: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
+/// Debian's package of the emulator.
+const EMULATOR_PACKAGES: [&str; 1] = ["qemu-system-arm"];
+/// The program that emulates the chip.
+const EMULATOR: &str = "qemu-system-arm";
+/// Oldest rustc that compiles the workspace: (major, minor), as `rust-version` in Cargo.toml.
+const OLDEST: (u32, u32) = (1, 89);
+
+/// A Rust toolchain that can build for the chip.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Toolchain {
+    /// Its cargo.
+    pub cargo: PathBuf,
+    /// Its rustc.
+    pub rustc: PathBuf,
+    /// `rustc -V`.
+    pub version: String,
+    /// Must core be built from source?
+    pub core_from_source: bool,
+    /// Linker, where the toolchain brings none.
+    pub linker: Option<PathBuf>,
+}
+
+impl Toolchain {
+    /// A command that runs this toolchain's cargo, free of what a rustup proxy leaks.
+    #[must_use]
+    pub fn cargo(&self) -> Command {
+        let mut command = process::clean(&self.cargo);
+        command.env("RUSTC", &self.rustc);
+        if self.core_from_source {
+            command.env("RUSTC_BOOTSTRAP", "1");
+        }
+        command
+    }
+
+    /// One line for a report.
+    #[must_use]
+    pub fn describe(&self) -> String {
+        let core = if self.core_from_source { "core from source" } else { "target installed" };
+        format!("{} ({}, {core})", self.version, self.rustc.display())
+    }
+}
+
+/// A toolchain for `target`; installs one where none is found.
+///
+/// # Errors
+/// [`Failure::Lacking`] with the command that helps.
+pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
+    if let Some(found) = find(target) {
+        return Ok(found);
+    }
+    let help = format!("rustup target add {target}");
+    let why = format!("no Rust toolchain here can build for {target}");
+    install(&why, &TOOLCHAIN_PACKAGES, &help)?;
+    find(target).ok_or_else(|| lacking(&why, &help))
+}
+
+/// The emulator's program, with plug-ins; installs it where none is found.
+///
+/// # Errors
+/// [`Failure::Lacking`] with the command that helps.
+pub fn emulator() -> Result<PathBuf, Failure> {
+    let find = || {
+        which(EMULATOR)
+            .filter(|p| output(Command::new(p).arg("--help")).is_some_and(|h| h.contains("-plugin")))
+    };
+    if let Some(found) = find() {
+        return Ok(found);
+    }
+    let help = format!("apt-get install {}", EMULATOR_PACKAGES.join(" "));
+    let why = format!("{EMULATOR} with plug-ins is not on PATH");
+    install(&why, &EMULATOR_PACKAGES, &help)?;
+    find().ok_or_else(|| lacking(&why, &help))
+}
+
+fn lacking(why: &str, help: &str) -> Failure {
+    Failure::Lacking(format!("{why}: run `{help}`"))
+}
+
+/// Toolchains with the target first, then those that can build core.
+fn find(target: &str) -> Option<Toolchain> {
+    let mut compilers: Vec<PathBuf> = which("rustc").into_iter().collect();
+    compilers.push(PathBuf::from("/usr/bin/rustc"));
+    let found: Vec<Toolchain> = compilers.iter().filter_map(|rustc| probe(rustc, target)).collect();
+    found.iter().find(|t| !t.core_from_source).or(found.first()).cloned()
+}
+
+/// Can this rustc, with the cargo beside it, build for `target`, and how?
+fn probe(rustc: &Path, target: &str) -> Option<Toolchain> {
+    let cargo = Some(rustc.with_file_name("cargo")).filter(|p| p.is_file()).or_else(|| which("cargo"))?;
+    let verbose = output(process::clean(rustc).arg("-vV"))?;
+    let field = |name: &str| verbose.lines().find_map(|l| l.strip_prefix(name)).map(str::to_owned);
+    let (host, release) = (field("host: ")?, field("release: ")?);
+    if !is_recent(&release) {
+        return None;
+    }
+    let sysroot = output(process::clean(rustc).args(["--print", "sysroot"]))?;
+    let library = Path::new(&sysroot).join("lib/rustlib");
+    let installed = has_core(&library.join(target).join("lib"));
+    if !installed && !library.join("src/rust/library/core/Cargo.toml").is_file() {
+        return None;
+    }
+    let linker = if library.join(host).join("bin/rust-lld").is_file() {
+        None
+    } else {
+        Some(which("rust-lld").or_else(|| which("ld.lld"))?)
+    };
+    let version = format!("rustc {release}");
+    Some(Toolchain { cargo, rustc: rustc.to_owned(), version, core_from_source: !installed, linker })
+}
+
+fn has_core(folder: &Path) -> bool {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    files.into_iter().any(|f| f.file_name().to_string_lossy().starts_with("libcore-"))
+}
+
+/// Is `1.96.0`, `1.97.0-nightly` at least [`OLDEST`]?
+fn is_recent(release: &str) -> bool {
+    let mut numbers = release.split(['.', '-']).map(str::parse::<u32>);
+    match (numbers.next(), numbers.next()) {
+        (Some(Ok(major)), Some(Ok(minor))) => (major, minor) >= OLDEST,
+        _ => false,
+    }
+}
+
+/// Installs Debian packages, or fails with `why` and `help`.
+fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
+    let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
+    eprintln!("{why}; installing {} by apt-get", packages.join(" "));
+    let apt = |arguments: &[&str]| {
+        let mut command = Command::new(root[0]);
+        command.args(&root[1..]).args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
+        process::run_quietly(&mut command)
+    };
+    // Never at the cost of a package that is already there.
+    let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];
+    install.extend(packages);
+    if apt(&install).is_ok() {
+        return Ok(());
+    }
+    let done = apt(&["update"]).and_then(|()| apt(&install));
+    done.map_err(|log| {
+        Failure::Lacking(format!("{why}, and apt-get could not install it: run `{help}`\n{log}"))
+    })
+}
+
+/// The command line in front of apt-get's arguments, if we are root or become root unasked.
+fn root_on_debian() -> Option<&'static [&'static str]> {
+    which("apt-get")?;
+    let release = std::fs::read_to_string("/etc/os-release").unwrap_or_default();
+    if !is_debian(&release) {
+        return None;
+    }
+    if output(Command::new("id").arg("-u")).as_deref() == Some("0") {
+        return Some(&["apt-get"]);
+    }
+    output(Command::new("sudo").args(["-n", "true"])).map(|_| ["sudo", "-n", "apt-get"].as_slice())
+}
+
+/// Does the text of os-release name Debian, Ubuntu or a relative?
+fn is_debian(release: &str) -> bool {
+    release
+        .lines()
+        .filter_map(|l| l.strip_prefix("ID=").or_else(|| l.strip_prefix("ID_LIKE=")))
+        .flat_map(|names| names.trim_matches('"').split_whitespace())
+        .any(|name| name == "debian" || name == "ubuntu")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn releases() {
+        assert!(is_recent("1.96.0"));
+        assert!(is_recent("1.89.0-nightly"));
+        assert!(!is_recent("1.63.0"));
+        assert!(!is_recent("?"));
+    }
+
+    #[test]
+    fn distributions() {
+        assert!(is_debian("PRETTY_NAME=\"x\"\nID=debian\n"));
+        assert!(is_debian("ID=linuxmint\nID_LIKE=\"ubuntu debian\"\n"));
+        assert!(!is_debian("ID=fedora\nID_LIKE=rhel\n"));
+    }
+
+    #[test]
+    fn what_is_lacking_is_named_with_its_command() {
+        let failure = lacking("no toolchain", "rustup target add x");
+        assert_eq!(failure.status(), 2);
+        assert_eq!(failure.to_string(), "no toolchain: run `rustup target add x`");
+    }
+}

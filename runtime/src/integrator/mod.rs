@@ -1,0 +1,153 @@
+//! Integrators of x_dot = f(t, x) over a compensated [`State`].
+//!
+//! One step: stages, trial state, a fixed number of projections onto the constraints, the check, and only
+//! then the commit. Whatever is refused leaves the state as it was, bit for bit: a pivot below
+//! [`pivot_limit`], a value that is not finite, slices of wrong length, a fault of the system.
+//! Memory is the caller's: `scratch` holds as many numbers as the method's `scratch` function says.
+
+pub mod dormand_prince;
+pub mod fixed;
+pub mod step_size;
+pub mod tableau;
+
+pub use dormand_prince::DormandPrince;
+pub use fixed::{explicit_euler, rk4, semi_implicit_euler};
+
+use crate::mechanism::{Fault, System};
+use crate::real::Scalar;
+use crate::state::{State, advance, wrap};
+use tableau::Tabulated;
+
+/// Methods of fixed step, for callers that choose at run time.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Method {
+    /// x + h f(x): order 1.
+    ExplicitEuler,
+    /// Speeds first, then coordinates with the new speeds: order 1, keeps energy bounded.
+    SemiImplicitEuler,
+    /// Kutta's classical method: order 4.
+    Rk4,
+}
+
+impl Method {
+    /// Numbers of scratch memory for a state of `n` entries.
+    #[must_use]
+    pub const fn scratch(self, n: usize) -> usize {
+        match self {
+            Self::ExplicitEuler => fixed::explicit_euler_scratch(n),
+            Self::SemiImplicitEuler => fixed::semi_implicit_euler_scratch(n),
+            Self::Rk4 => fixed::rk4_scratch(n),
+        }
+    }
+
+    /// One step from `t` to `t + h`.
+    ///
+    /// # Errors
+    /// See [`rk4`]; the state is then unchanged.
+    pub fn step<S: Tabulated>(
+        self,
+        system: &mut impl System<S>,
+        t: S,
+        h: S,
+        state: &mut State<'_, S>,
+        scratch: &mut [S],
+    ) -> Result<Report<S>, Fault> {
+        match self {
+            Self::ExplicitEuler => explicit_euler(system, t, h, state, scratch),
+            Self::SemiImplicitEuler => semi_implicit_euler(system, t, h, state, scratch),
+            Self::Rk4 => rk4(system, t, h, state, scratch),
+        }
+    }
+}
+
+/// What a step that was taken has to say.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Report<S> {
+    /// Worst pivot of its evaluations.
+    pub pivot: S,
+    /// Largest constraint residual before the first projection; 0 without projection.
+    pub residual: S,
+}
+
+/// The smallest pivot, relative to its nominal value, with which a step is taken: at the square root of
+/// the rounding unit half of the digits of an acceleration are gone.
+#[must_use]
+pub fn pivot_limit<S: Scalar>() -> S {
+    S::EPSILON.sqrt()
+}
+
+/// The rates at (t, x), refused if singular; lowers `worst` to the pivot met.
+fn evaluate<S: Scalar>(
+    system: &mut impl System<S>,
+    t: S,
+    x: &[S],
+    x_dot: &mut [S],
+    worst: &mut S,
+) -> Result<(), Fault> {
+    let pivot = system.rates(t, x, x_dot)?.abs();
+    if !pivot.is_finite() {
+        return Err(Fault::NonFinite);
+    }
+    if pivot < pivot_limit() {
+        return Err(Fault::Singular);
+    }
+    *worst = worst.min(pivot);
+    Ok(())
+}
+
+/// A state that is not yet accepted.
+struct Trial<'a, S> {
+    x: &'a mut [S],
+    low: &'a mut [S],
+}
+
+impl<S: Scalar> Trial<'_, S> {
+    /// state + delta.
+    fn advance_from(&mut self, state: &State<'_, S>, delta: impl Iterator<Item = S>) {
+        let old = state.x().iter().zip(state.low());
+        let new = self.x.iter_mut().zip(self.low.iter_mut());
+        for ((new, old), delta) in new.zip(old).zip(delta) {
+            (*new.0, *new.1) = advance(*old.0, *old.1, delta);
+        }
+    }
+
+    /// Projects and checks; returns the residual before the first projection. `before` is memory.
+    fn settle(&mut self, system: &mut impl System<S>, before: &mut [S]) -> Result<S, Fault> {
+        let mut residual = S::ZERO;
+        for round in 0..system.projections().min(2) {
+            before.iter_mut().zip(&*self.x).for_each(|(b, x)| *b = *x);
+            let found = system.project(self.x)?;
+            residual = if round == 0 { found } else { residual };
+            // A coordinate that the projection has moved is determined by the others' rounded
+            // values: its old rounding error has lost its meaning.
+            for ((low, b), x) in self.low.iter_mut().zip(&*before).zip(&*self.x) {
+                *low = if *b == *x { *low } else { S::ZERO };
+            }
+        }
+        let finite = residual.is_finite() && self.x.iter().chain(&*self.low).all(|v| v.is_finite());
+        if finite { Ok(residual) } else { Err(Fault::NonFinite) }
+    }
+
+    /// Makes it the state; takes whole turns off angles.
+    fn commit(&self, system: &impl System<S>, state: &mut State<'_, S>) {
+        let new = self.x.iter().zip(&*self.low);
+        for (index, (old, new)) in state.entries().zip(new).enumerate() {
+            (*old.0, *old.1) = if system.is_angle(index) { wrap(*new.0, *new.1) } else { (*new.0, *new.1) };
+        }
+    }
+}
+
+/// The first `K` slices of `n` numbers of the scratch memory.
+fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&mut [S]; K], Fault> {
+    if n == 0 || scratch.len() / n < K {
+        return Err(Fault::Shape);
+    }
+    let mut parts = scratch.chunks_exact_mut(n);
+    Ok(core::array::from_fn(|_| parts.next().unwrap_or_default()))
+}
+
+/// Whether state and system have the same length.
+fn check_shape<S: Scalar>(system: &impl System<S>, state: &State<'_, S>) -> Result<usize, Fault> {
+    let n = system.n_x();
+    if state.x().len() == n { Ok(n) } else { Err(Fault::Shape) }
+}

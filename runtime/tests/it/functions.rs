@@ -1,0 +1,297 @@
+//! Accuracy of the own functions, each bound a named constant; exactness of sqrt; NaN; lanes.
+
+use crate::double_double;
+use proptest::prelude::*;
+use smartbed_runtime::real::{Real, Scalar};
+
+/// Points of a sweep in f32 for sine and cosine; for the other functions a quarter of it.
+const POINTS: usize = 2_000_000;
+/// Points against the double-double reference.
+const POINTS_F64: usize = 300_000;
+
+/// f32 sine and cosine, |x| <= 100, where the result exceeds [`SMALL`] [ulp].
+const SIN_COS_F32_ULP: f64 = 1.6;
+/// Below this magnitude the error of the f32 sine is bounded absolutely.
+const SMALL: f64 = 1e-3;
+/// f32 sine and cosine near their zeros.
+const SIN_COS_F32_ABSOLUTE: f64 = 1e-10;
+/// f64 sine and cosine, |x| <= 1e5, next to their zeros too [ulp].
+const SIN_COS_F64_ULP: f64 = 0.8;
+/// Bounds of the other f32 functions [ulp], everywhere in their domain.
+const TAN_ULP: f64 = 2.6;
+const ASIN_ULP: f64 = 2.0;
+const ACOS_ULP: f64 = 1.5;
+const ATAN2_ULP: f64 = 2.3;
+const EXP_ULP: f64 = 1.0;
+const LN_ULP: f64 = 1.0;
+const TANH_ULP: f64 = 1.5;
+
+/// Distance of `got` from `want` in units of the last place of `want` in f32 (subnormals included).
+fn ulp_f32(got: f32, want: f64) -> f64 {
+    let rounded = (want as f32).abs();
+    let place = f64::from(rounded.next_up()) - f64::from(rounded);
+    (f64::from(got) - want).abs() / place
+}
+
+/// `n` points that fill [low, high], ends included.
+fn sweep(low: f64, high: f64, n: usize) -> impl Iterator<Item = f32> {
+    (0..n).map(move |i| (low + (high - low) * i as f64 / (n - 1) as f64) as f32)
+}
+
+/// Every magnitude of f32 from the smallest subnormal up to `high`, with both signs.
+fn magnitudes(high: f32) -> impl Iterator<Item = f32> {
+    (0..high.to_bits()).step_by(4099).map(f32::from_bits).flat_map(|x| [x, -x])
+}
+
+#[track_caller]
+fn check(name: &str, points: impl Iterator<Item = f32>, f: fn(f32) -> f32, g: fn(f64) -> f64, bound: f64) {
+    let (mut worst, mut at) = (0.0, 0.0);
+    for x in points {
+        let error = ulp_f32(f(x), g(f64::from(x)));
+        assert!(error.is_finite(), "{name}({x:e}) = {:e}, expected {:e}", f(x), g(f64::from(x)));
+        if error > worst {
+            (worst, at) = (error, x);
+        }
+    }
+    println!("{name}: {worst:.3} ulp at {at:e}");
+    assert!(worst <= bound, "{name}: {worst} ulp at {at:e}, bound {bound}");
+}
+
+#[test]
+fn sin_cos_f32_stays_within_its_bounds() {
+    let (mut worst, mut near_zero) = (0.0_f64, 0.0_f64);
+    for x in sweep(-100.0, 100.0, POINTS) {
+        let (s, c) = Real::sin_cos(x);
+        let (s_want, c_want) = f64::from(x).sin_cos();
+        for (got, want) in [(s, s_want), (c, c_want)] {
+            if want.abs() > SMALL {
+                worst = worst.max(ulp_f32(got, want));
+            } else {
+                near_zero = near_zero.max((f64::from(got) - want).abs());
+            }
+        }
+    }
+    println!("sin_cos f32: {worst:.3} ulp, {near_zero:.2e} absolute near zeros");
+    assert!(worst <= SIN_COS_F32_ULP, "{worst} ulp");
+    assert!(near_zero <= SIN_COS_F32_ABSOLUTE, "{near_zero}");
+}
+
+#[test]
+fn small_angles_keep_their_relative_accuracy_in_f32() {
+    let sine: fn(f32) -> f32 = |x| Real::sin_cos(x).0;
+    check("sin near 0", magnitudes(0.5), sine, f64::sin, SIN_COS_F32_ULP);
+}
+
+#[test]
+fn sin_cos_f64_stays_within_its_bound() {
+    let dense = (0..POINTS_F64).map(|i| -1e5 + 2e5 * i as f64 / (POINTS_F64 - 1) as f64);
+    let central = (0..POINTS_F64).map(|i| -7.0 + 14.0 * i as f64 / (POINTS_F64 - 1) as f64);
+    let zeros = (-60_000_i32..=60_000).map(|k| f64::from(k) * core::f64::consts::FRAC_PI_2);
+    let mut worst = (0.0, 0.0);
+    for x in dense.chain(central).chain(zeros) {
+        let (s, c) = Real::sin_cos(x);
+        let (s_want, c_want) = double_double::sin_cos(x);
+        for (got, want) in [(s, s_want), (c, c_want)] {
+            let place = want.hi.abs().next_up() - want.hi.abs();
+            let error = ((got - want.hi) - want.lo).abs() / place;
+            if error > worst.0 {
+                worst = (error, x);
+            }
+        }
+    }
+    println!("sin_cos f64: {:.4} ulp at {:e}", worst.0, worst.1);
+    assert!(worst.0 <= SIN_COS_F64_ULP, "{worst:?}");
+}
+
+#[test]
+fn other_functions_f32_stay_within_their_bounds() {
+    let n = POINTS / 4;
+    check("tan", sweep(-100.0, 100.0, n), Real::tan, f64::tan, TAN_ULP);
+    check("asin", sweep(-1.0, 1.0, n).chain(magnitudes(1.0)), Real::asin, f64::asin, ASIN_ULP);
+    check("acos", sweep(-1.0, 1.0, n).chain(magnitudes(1.0)), Real::acos, f64::acos, ACOS_ULP);
+    check("acos near 1", sweep(0.999, 1.0, n), Real::acos, f64::acos, ACOS_ULP);
+    check("exp", sweep(-87.0, 88.7, n).chain(magnitudes(1.0)), Real::exp, f64::exp, EXP_ULP);
+    check("exp, subnormal results", sweep(-103.0, -87.0, n), Real::exp, f64::exp, EXP_ULP);
+    let positive = magnitudes(f32::MAX).filter(|x| *x > 0.0);
+    check("ln", positive.chain(sweep(0.5, 2.0, n)), Real::ln, f64::ln, LN_ULP);
+    check("tanh", sweep(-10.0, 10.0, n).chain(magnitudes(20.0)), Real::tanh, f64::tanh, TANH_ULP);
+}
+
+#[test]
+fn atan2_f32_stays_within_its_bound_all_around() {
+    let mut worst = (0.0, 0.0, 0.0);
+    for radius in [1e-30_f32, 1e-3, 1.0, 1e30] {
+        for angle in sweep(-3.2, 3.2, POINTS / 8) {
+            let (y, x) = (radius * f32::sin(angle), radius * f32::cos(angle));
+            let error = ulp_f32(Real::atan2(y, x), f64::atan2(y.into(), x.into()));
+            if error > worst.0 {
+                worst = (error, y, x);
+            }
+        }
+    }
+    for y in magnitudes(1.0) {
+        let error = ulp_f32(Real::atan2(y, 1.0), f64::atan2(y.into(), 1.0));
+        if error > worst.0 {
+            worst = (error, y, 1.0);
+        }
+    }
+    println!("atan2: {:.3} ulp at ({:e}, {:e})", worst.0, worst.1, worst.2);
+    assert!(worst.0 <= ATAN2_ULP, "{worst:?}");
+    for (y, x) in [(0.0, 1.0), (0.0, -1.0), (-0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0), (-0.0, 0.0)] {
+        assert_eq!(Real::atan2(y, x), f32::atan2(y, x), "atan2({y}, {x})");
+    }
+}
+
+#[test]
+fn ends_of_the_domains() {
+    assert_eq!(Real::exp(200.0_f32), f32::INFINITY);
+    assert_eq!(Real::exp(-200.0_f32), 0.0);
+    assert_eq!(Real::exp(0.0_f32), 1.0);
+    assert_eq!(Real::ln(0.0_f32), f32::NEG_INFINITY);
+    assert_eq!(Real::ln(1.0_f32), 0.0);
+    assert_eq!(Real::ln(f32::INFINITY), f32::INFINITY);
+    assert_eq!(Real::acos(1.0_f32), 0.0);
+    assert_eq!(Real::asin(1.0_f32), core::f32::consts::FRAC_PI_2);
+    assert_eq!(Real::acos(-1.0_f32), core::f32::consts::PI);
+    assert_eq!(Real::tanh(50.0_f32), 1.0);
+    for out in [Real::ln(-1.0_f32), Real::asin(1.1_f32), Real::acos(-1.1_f32), Real::sqrt(-1.0_f32)] {
+        assert!(out.is_nan());
+    }
+}
+
+#[test]
+fn not_a_number_is_handed_on() {
+    fn all<S: Scalar>(bad: S) -> [S; 10] {
+        let (s, c) = bad.sin_cos();
+        [
+            s,
+            c,
+            bad.tan(),
+            bad.asin(),
+            bad.acos(),
+            bad.atan2(S::ONE),
+            S::ONE.atan2(bad),
+            bad.exp(),
+            bad.ln(),
+            bad.tanh(),
+        ]
+    }
+    assert!(all(f32::NAN).iter().all(|x| x.is_nan()));
+    assert!(all(f64::NAN).iter().all(|x| x.is_nan()));
+    for bad in [f32::INFINITY, f32::NEG_INFINITY] {
+        let (s, c) = Real::sin_cos(bad);
+        assert!(s.is_nan() && c.is_nan() && Real::tan(bad).is_nan() && bad.wrap_angle().is_nan());
+        let (s, c) = Real::sin_cos(f64::from(bad));
+        assert!(s.is_nan() && c.is_nan());
+    }
+    let nan = f64::NAN;
+    for out in
+        [Real::min(nan, 1.0), Real::min(1.0, nan), Real::max(nan, 1.0), Real::max(1.0, nan), Real::sign(nan)]
+    {
+        assert!(out.is_nan());
+    }
+}
+
+#[test]
+fn wrapping_takes_off_whole_turns() {
+    for x in sweep(-100.0, 100.0, 100_000) {
+        let want = f64::from(x) - core::f64::consts::TAU * (f64::from(x) / core::f64::consts::TAU).round();
+        let wrapped = x.wrap_angle();
+        // Next to half a turn either side may be chosen.
+        let away = (f64::from(wrapped) - want).abs();
+        assert!(away < 4e-7 || (away - core::f64::consts::TAU).abs() < 4e-7, "{x}: {wrapped}, {want}");
+        assert!(wrapped.abs() <= core::f32::consts::PI + 1e-5);
+    }
+    assert_eq!(1.25_f64.wrap_angle(), 1.25);
+}
+
+proptest! {
+    #[test]
+    fn square_roots_are_exactly_rounded(bits32: u32, bits64: u64) {
+        let (x, y) = (f32::from_bits(bits32).abs(), f64::from_bits(bits64).abs());
+        prop_assume!(!x.is_nan() && !y.is_nan());
+        prop_assert_eq!(Real::sqrt(x).to_bits(), x.sqrt().to_bits());
+        prop_assert_eq!(Real::sqrt(y).to_bits(), y.sqrt().to_bits());
+    }
+
+    #[test]
+    fn min_max_sign_of_numbers(a in -1e3..1e3_f64, b in -1e3..1e3_f64) {
+        prop_assert_eq!(Real::min(a, b), f64::min(a, b));
+        prop_assert_eq!(Real::max(a, b), f64::max(a, b));
+        prop_assert_eq!(Real::sign(a), if a == 0.0 { a } else { a.signum() });
+    }
+
+    #[test]
+    fn no_bits_make_a_function_panic(bits: u32, other: u32) {
+        let (x, y) = (f32::from_bits(bits), f32::from_bits(other));
+        let out = [Real::tan(x), Real::asin(x), Real::acos(x), Real::atan2(x, y), Real::exp(x), Real::ln(x), x.wrap_angle()];
+        prop_assert_eq!(out.len(), 7);
+    }
+}
+
+#[cfg(feature = "simd")]
+mod lanes {
+    use super::*;
+    use wide::{f32x8, f64x4};
+
+    type Binary = fn(f32, f32) -> f32;
+
+    proptest! {
+        #[test]
+        fn every_lane_gives_the_bits_of_the_scalar(x in prop::array::uniform8(-100.0_f32..100.0), bits: [u32; 8]) {
+            for values in [x, bits.map(f32::from_bits)] {
+                let (s, c) = f32x8::from(values).sin_cos_own();
+                let other = f32x8::from(x);
+                let lanes = f32x8::from(values);
+                let pairs: [(f32x8, Binary); 7] = [
+                    (s, |a, _| Real::sin_cos(a).0),
+                    (c, |a, _| Real::sin_cos(a).1),
+                    (Real::sqrt(lanes), |a, _| Real::sqrt(a)),
+                    (Real::min(lanes, other), Real::min),
+                    (Real::max(lanes, other), Real::max),
+                    (Real::sign(lanes), |a, _| Real::sign(a)),
+                    (Real::atan2(lanes, other), Real::atan2),
+                ];
+                for (index, (got, scalar)) in pairs.iter().enumerate() {
+                    for ((got, a), b) in got.to_array().iter().zip(values).zip(x) {
+                        let want = scalar(a, b);
+                        let same = got.to_bits() == want.to_bits() || (got.is_nan() && want.is_nan());
+                        prop_assert!(same, "function {index}: {got:e} from lanes, {want:e} from {a:e}, {b:e}");
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn sine_and_cosine_in_f64_lanes(x in prop::array::uniform4(-1e5_f64..1e5)) {
+            let (s, c) = Real::sin_cos(f64x4::from(x));
+            for ((s, c), x) in s.to_array().iter().zip(c.to_array()).zip(x) {
+                let (s_want, c_want) = Real::sin_cos(x);
+                prop_assert_eq!((s.to_bits(), c.to_bits()), (s_want.to_bits(), c_want.to_bits()));
+            }
+        }
+    }
+
+    /// `wide` has a `sin_cos` of its own, which a method call would find first.
+    trait OwnSinCos: Real {
+        fn sin_cos_own(self) -> (Self, Self) {
+            Real::sin_cos(self)
+        }
+    }
+    impl OwnSinCos for f32x8 {}
+}
+
+#[cfg(feature = "counting")]
+#[test]
+fn counting_counts_what_is_executed() {
+    use smartbed_runtime::real::counting::{Counting, Operations, count};
+    let (x, cost) = count(|| {
+        let a = Counting(0.5);
+        let (s, c) = a.sin_cos();
+        -(s * c + a / Counting(2.0) - a).sqrt() + a.exp()
+    });
+    let want = -(f64::sin(0.5) * f64::cos(0.5) + 0.25 - 0.5_f64).sqrt() + f64::exp(0.5);
+    assert!((x.0 - want).abs() < 1e-15);
+    assert_eq!(cost, Operations { add: 3, mul: 1, div: 1, sqrt: 1, sin: 1, cos: 1, other: 1 });
+    assert_eq!(cost.total(), 8);
+}

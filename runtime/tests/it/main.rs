@@ -1,0 +1,8 @@
+//! Everything of the runtime that can be judged from outside.
+
+mod double_double;
+mod functions;
+mod integrator;
+mod layering;
+mod state;
+mod systems;

@@ -1,0 +1,72 @@
+//! Compensated sums, wrapping, and root location.
+
+use proptest::prelude::*;
+use smartbed_runtime::event::{RootFault, locate};
+use smartbed_runtime::state::{State, advance, two_sum, wrap};
+
+#[test]
+fn ten_million_small_increments_arrive() {
+    let (x, low) = (0..10_000_000).fold((1.0_f32, 0.0), |(x, low), _| advance(x, low, 1e-9));
+    let want = 1.0 + 1e7 * f64::from(1e-9_f32);
+    assert!((f64::from(x) + f64::from(low) - want).abs() < 1e-9);
+}
+
+#[test]
+fn a_million_turns_lose_nothing() {
+    /// 2 pi is off by 7e-15 a turn; 1.6e7 sums round `low` to 2^-49.
+    const DRIFT: f64 = 5e-8;
+    let step = 0.4_f32;
+    let (mut x, mut low) = (0.0_f32, 0.0_f32);
+    let n = 16_000_000;
+    for _ in 0..n {
+        (x, low) = advance(x, low, step);
+        (x, low) = wrap(x, low);
+    }
+    let want = f64::from(step) * f64::from(n);
+    let turns = ((want - f64::from(x)) / core::f64::consts::TAU).round();
+    let drift = (want - turns * core::f64::consts::TAU) - (f64::from(x) + f64::from(low));
+    println!("drift after {turns} turns: {drift:e}");
+    assert!(turns > 1e6 && x.abs() < core::f32::consts::PI + 1e-5 && drift.abs() < DRIFT, "{x}, {drift:e}");
+}
+
+#[test]
+fn setting_and_shapes() {
+    let (mut x, mut low) = ([1.0, 2.0], [3.0, 4.0]);
+    let mut state = State::new(&mut x, &mut low).unwrap();
+    assert_eq!(state.low(), [0.0, 0.0]);
+    assert!(state.set(&[1.0]).is_err());
+    state.set(&[5.0, 6.0]).unwrap();
+    assert_eq!(state.x(), [5.0, 6.0]);
+    assert!(State::new(&mut [1.0], &mut [0.0, 0.0]).is_err());
+}
+
+#[test]
+fn roots_are_bracketed_tightly() {
+    let (low, high) = locate(|t: f64| t.cos() - t, 0.0, 1.0, 1e-14).unwrap();
+    assert!(low.cos() - low >= 0.0 && high.cos() - high <= 0.0 && high - low <= 1e-14);
+    let (low, high) = locate(|t: f32| t * t * t - 2e-5, -1.0, 1.0, 0.0).unwrap();
+    assert!(low.next_up() == high, "neighbouring numbers: {low:e} {high:e}");
+    assert_eq!(locate(|t: f64| t, 1.0, 2.0, 1e-9), Err(RootFault::NotBracketed));
+    assert_eq!(locate(|_| f64::NAN, 1.0, 2.0, 1e-9), Err(RootFault::NotBracketed));
+    let hole = |t: f64| if t == 0.0 || t == 1.0 { t - 0.5 } else { f64::NAN };
+    assert_eq!(locate(hole, 0.0, 1.0, 1e-9), Err(RootFault::NonFinite));
+}
+
+proptest! {
+    #[test]
+    fn the_sum_of_two_is_exact(a in -1e6_f32..1e6, b in -1e6_f32..1e6) {
+        let (sum, error) = two_sum(a, b);
+        prop_assert_eq!(sum, a + b);
+        // Two f32 within 2^20 of each other, or nearly so, add exactly in f64.
+        prop_assume!(a.abs() > 1e-3 && b.abs() > 1e-3);
+        prop_assert_eq!(f64::from(sum) + f64::from(error), f64::from(a) + f64::from(b));
+    }
+
+    #[test]
+    fn an_angle_within_half_a_turn_is_left_alone(x in -3.1_f32..3.1, low in -1e-7_f32..1e-7) {
+        let low = low * x.abs().min(1.0);
+        let (x, low) = two_sum(x, low);
+        let (wrapped, rest) = wrap(x, low);
+        prop_assert_eq!((wrapped.to_bits(), rest), (x.to_bits(), low));
+    }
+}

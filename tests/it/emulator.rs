@@ -1,0 +1,98 @@
+//! The image on the emulated chip: the host's bits, exact counts, and defects that are refused.
+//!
+//! These tests fail, and never skip, where the toolchain or the emulator is missing; the message
+//! names the command that installs it.
+
+use smartbed::firmware::image::rules::Rule;
+use smartbed::firmware::report::{Outcome, Report};
+use smartbed::firmware::{Arguments, chip, measure, toolchain};
+use smartbed_firmware::simulation::Simulation;
+use std::process::{Command, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// There is one image file: one test at a time builds and uses it.
+static IMAGE: Mutex<()> = Mutex::new(());
+
+fn one_at_a_time() -> MutexGuard<'static, ()> {
+    IMAGE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn report(arguments: &Arguments) -> Report {
+    measure(arguments).unwrap_or_else(|failure| panic!("{failure}"))
+}
+
+fn outcome(arguments: &Arguments) -> Outcome {
+    let report = report(arguments);
+    report.run.unwrap_or_else(|| panic!("the image is refused: {:?}", report.findings))
+}
+
+#[test]
+fn host_and_chip_agree_to_the_bit_for_10_000_steps() {
+    let _image = one_at_a_time();
+    let chip = outcome(&Arguments::default());
+    let here = Simulation::new().expect("a start").run(10_000).expect("no step is refused");
+    assert_eq!(chip.digest.as_bytes(), here.hex(), "this test's own compiler");
+    assert_eq!(chip.digest, chip.host_digest, "the image's compiler");
+    assert_eq!(chip.step.calls, 10_000);
+    assert_eq!(chip.rates.calls, 4 * 10_000, "Runge-Kutta evaluates four times a step");
+}
+
+#[test]
+fn a_changed_parameter_changes_chip_and_host_alike() {
+    let _image = one_at_a_time();
+    let before = outcome(&Arguments::default());
+    let after = outcome(&Arguments { set: vec!["M=7.5".to_owned()], ..Arguments::default() });
+    assert_ne!(before.digest, after.digest);
+    assert_ne!(before.host_digest, after.host_digest);
+    assert_eq!(after.digest, after.host_digest);
+}
+
+/// The plug-in counts by translated block. Here the emulator executes one instruction at a time
+/// and logs each: the numbers of log entries and of counted instructions must be equal.
+#[test]
+fn counts_are_those_of_single_stepping() {
+    let _image = one_at_a_time();
+    let report = report(&Arguments { steps: Some(3), ..Arguments::default() });
+    let counted = report.run.expect("the image runs").instructions;
+    let log = report.elf.with_extension("log");
+    let emulator = toolchain::emulator().unwrap_or_else(|failure| panic!("{failure}"));
+    let status = Command::new(emulator)
+        .args(["-M", chip::STM32F405.machine, "-nographic", "-monitor", "none", "-serial", "none"])
+        .args(["-semihosting-config", "enable=on,target=native", "-singlestep", "-d", "nochain,exec", "-D"])
+        .arg(&log)
+        .arg("-kernel")
+        .arg(&report.elf)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .status()
+        .expect("the emulator starts");
+    assert!(status.success(), "{status}");
+    let text = std::fs::read_to_string(&log).expect("the log is there");
+    let logged = text.lines().filter(|line| line.starts_with("Trace")).count();
+    assert_eq!(counted, logged as u64);
+}
+
+#[test]
+fn defects_are_refused() {
+    let _image = one_at_a_time();
+    let defects = [
+        ("panic", Rule::Panic),
+        ("double", Rule::Double),
+        ("recursion", Rule::Recursion),
+        ("indirect", Rule::Indirect),
+    ];
+    for (defect, rule) in defects {
+        let report = report(&Arguments { inject: Some(defect.to_owned()), ..Arguments::default() });
+        let rules: Vec<Rule> = report.findings.iter().map(|f| f.rule).collect();
+        assert!(rules.contains(&rule), "{defect}: found {rules:?}");
+        assert!(report.run.is_none(), "{defect}: a refused image must not run");
+        assert!(!report.failures().is_empty());
+    }
+}
+
+#[test]
+fn an_unknown_parameter_is_wrong_input() {
+    let _image = one_at_a_time();
+    let arguments = Arguments { set: vec!["no_such_parameter=1".to_owned()], ..Arguments::default() };
+    assert_eq!(measure(&arguments).expect_err("there is no such parameter").status(), 1);
+}
