@@ -6,3 +6,4 @@
 
 pub mod failure;
 pub mod firmware;
+pub mod scene;
