@@ -1,5 +1,6 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f32.
+// Pivots: 3; the worst over 66 sampled configurations is 0.276 of its nominal size.
 // Cost of rates: 191 operations (3 abs, 31 add, 3 cos, 3 div, 2 min, 123 mul, 3 sin, 23 sub).
 // Cost of energy: 99 operations (19 add, 3 cos, 2 div, 68 mul, 3 sin, 4 sub).
 // Cost of speeds: 25 operations (1 add, 3 cos, 2 div, 14 mul, 3 sin, 2 sub).

@@ -48,6 +48,8 @@ pub struct Program {
     pub residual: ExprId,
     /// Pivots of all eliminations.
     pub pivots: Vec<Pivot>,
+    /// Number of configurations at which they were screened.
+    pub n_samples: usize,
     /// Solver of dependent coordinates at the start.
     pub assembly: Assembly,
     /// The nominal configuration.
@@ -146,6 +148,7 @@ fn assemble(
         correction,
         residual,
         pivots,
+        n_samples: k.samples.len(),
         assembly,
         nominal: k.samples[0].clone(),
         dag: k.dag,
