@@ -1,13 +1,14 @@
 //! Round-off of the generated f64 equations: 1,000 random states per model and the hard ones,
 //! against 200-bit arithmetic of the same doubles in another formulation (tests/peers/exact.py).
 //!
-//! Errors of accelerations are relative to the largest acceleration of the state.
+//! Errors of the independent accelerations are relative to the largest acceleration of the state.
+//! Dependent speeds count there: at a state where the one independent acceleration of a linkage
+//! happens to vanish, the others say how large its terms are.
 
 use serde_json::Value;
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_tests::interpreted::InterpretedSubject;
 use smartbed_tests::subject::Subject;
-use smartbed_tests::tolerance::relative_error;
 
 /// Well-conditioned mechanisms: some ten roundings of 1.1e-16.
 const SHORT_CHAINS: f64 = 3e-15;
@@ -35,12 +36,18 @@ fn set_parameters(subject: &mut InterpretedSubject<f64>, parameters: &Value) {
     }
 }
 
-/// The error at one state: [q, u, inputs, u_dot].
+/// The error at one state: [q, u, inputs, u_dot, largest acceleration].
 fn error(subject: &mut InterpretedSubject<f64>, state: &Value) -> f64 {
     let [q, u, inputs, expected] = [0, 1, 2, 3].map(|part| numbers(&state[part]));
+    let scale = state[4].as_f64().expect("a number");
     let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
     subject.rates(0.0, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("slices fit");
-    relative_error(&u_dot, &expected)
+    u_dot.iter().zip(&expected).fold(0.0, |worst, (a, e)| largest(worst, (a - e).abs() / scale))
+}
+
+/// The larger of two, or what is not a number.
+fn largest(a: f64, b: f64) -> f64 {
+    if b <= a || a.is_nan() { a } else { b }
 }
 
 /// The largest and the median error over the random states.

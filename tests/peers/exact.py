@@ -354,7 +354,7 @@ def assemble(model, q, dependent, p, steps=60):
 
 
 def rates(model, q, u, w, p):
-    """(q', u') of the independent speeds u, everything taken exactly as given."""
+    """(all speeds, all their rates) for the independent speeds u, everything taken exactly as given."""
     n = model.n
     q, u, w = ([number(x) for x in v] for v in (q, u, w))
     q += [ZERO] * (n - len(q))
@@ -401,4 +401,4 @@ def rates(model, q, u, w, p):
     a = [[mass[max(k, l)][min(k, l)] for l in range(n)] + [row[k] for row in rows] for k in range(n)]
     a += [list(row) + [ZERO] * m for row in rows]
     [x] = solve(a, [force + [-b for b in bias]])
-    return u_all, [x[k] for k in model.independent]
+    return u_all, x[:n]

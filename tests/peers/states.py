@@ -89,6 +89,11 @@ def states(model, count, seed=4):
     return [state(model, r) for _ in range(count)]
 
 
+def typical(mechanism, count=60):
+    """Values by name at some random states."""
+    return [dict(zip(mechanism.q, q)) | parameters(mechanism.name) for q, _, _ in states(mechanism.name, count)]
+
+
 def hard_states(model):
     """[(name, q, u, inputs, parameters)]."""
     if model == "tile":

@@ -46,11 +46,11 @@ class Lines:
         return "0" if a == "0" else a if b == "1" else self.operation(a, "/", b)
 
     def solve(self, a, right, numbers):
-        """Rows of a (square) and right-hand sides; pivots by least fill among entries that are large in
-        `numbers`, the value of a at a typical state."""
+        """Rows of a (square) and right-hand sides; pivots by least fill among entries that are large at
+        every state of `numbers`, the values of a at several states."""
         n = len(a)
         rows = [list(a[i]) + list(right[i]) for i in range(n)]
-        values = [list(map(float, row)) for row in numbers]
+        values = [[list(map(float, row)) for row in table] for table in numbers]
         left, order = list(range(n)), []
         unused = list(range(n))
         for _ in range(n):
@@ -61,15 +61,18 @@ class Lines:
             inverse = self.div("1", rows[i][j])
             for k in unused + list(range(n, len(rows[i]))):
                 rows[i][k] = self.mul(inverse, rows[i][k])
-            values[i] = [x / values[i][j] for x in values[i]]
+            for table in values:
+                table[i] = [x / table[i][j] for x in table[i]]
             for r in left:
-                factor, value = rows[r][j], values[r][j]
+                factor = rows[r][j]
                 if factor == "0":
                     continue
                 for k in unused + list(range(n, len(rows[r]))):
                     rows[r][k] = self.sub(rows[r][k], self.mul(factor, rows[i][k]))
-                for k in unused:
-                    values[r][k] -= value * values[i][k]
+                for table in values:
+                    value = table[r][j]
+                    for k in unused:
+                        table[r][k] -= value * table[i][k]
                 rows[r][j] = "0"
         solution = [None] * n
         for step in reversed(range(n)):
@@ -82,16 +85,16 @@ class Lines:
 
     @staticmethod
     def _pivot(rows, values, left, unused):
-        best = None
+        """Row and column: least fill among entries of at least this part of the best worst-case size."""
+        part = 0.2
+        sizes = {}
         for i in left:
-            size = max(abs(values[i][k]) for k in unused)
             for j in unused:
-                if rows[i][j] == "0" or abs(values[i][j]) < 0.1 * size or size == 0:
-                    continue
-                fill = (sum(rows[i][k] != "0" for k in unused) - 1) * (sum(rows[r][j] != "0" for r in left) - 1)
-                if best is None or (fill, -abs(values[i][j])) < best[0]:
-                    best = ((fill, -abs(values[i][j])), i, j)
-        return best[1], best[2]
+                if rows[i][j] != "0":
+                    sizes[i, j] = min(abs(t[i][j]) / max(1e-300, max(abs(t[i][k]) for k in unused)) for t in values)
+        enough = part * max(sizes.values())
+        fill = lambda i, j: (sum(rows[i][k] != "0" for k in unused) - 1) * (sum(rows[r][j] != "0" for r in left) - 1)
+        return min((ij for ij, size in sizes.items() if size >= enough), key=lambda ij: (fill(*ij), -sizes[ij]))
 
     def positive(self, a, b):
         """Solves a symmetric positive system by L D L^T."""
@@ -120,7 +123,7 @@ class Lines:
 
 def finish(lines, mechanism, mass, force, jacobian, bias, numbers):
     """Names of the results: u', or q' and u' with the dependent speeds eliminated. Entries are C
-    names; `numbers` is the Jacobian's dependent part at a typical state."""
+    names; `numbers` are values of the Jacobian's dependent part at several states."""
     if not jacobian:
         return lines.positive(mass, force)
     independent, dependent = mechanism.independent, mechanism.dependent

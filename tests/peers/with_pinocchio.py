@@ -13,8 +13,7 @@ import states
 
 TREES = ("arm6", "pendulum10")
 
-SOURCE = """#include <pinocchio/multibody/model.hpp>
-#include <pinocchio/multibody/data.hpp>
+SOURCE = """#include <pinocchio/multibody.hpp>
 #include <pinocchio/algorithm/aba.hpp>
 using namespace pinocchio;
 static Model model; static Data *data; static Eigen::VectorXd q, v, tau;
@@ -62,7 +61,7 @@ def compile_library(directory):
     libraries = [str(x) for x in sorted((prefix / "lib").glob("libpinocchio_default.so*"))[:1]]
     # The wheel leaves Eigen's headers out; CasADi's wheel brings them.
     eigen = [f"-I{x}" for x in (pathlib.Path("/usr/include/eigen3"), *prefix.parent.glob("*/include/eigen3")) if x.exists()]
-    command = ["g++", "-O3", "-DNDEBUG", "-std=c++17", "-w", "-shared", "-fPIC", str(source), "-o", str(so), f"-I{prefix}/include",
+    command = ["g++", "-O3", "-DNDEBUG", "-std=c++17", "-w", "-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-shared", "-fPIC", str(source), "-o", str(so), f"-I{prefix}/include",
                *eigen, *libraries, f"-Wl,-rpath,{prefix}/lib"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:

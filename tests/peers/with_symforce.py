@@ -77,13 +77,8 @@ def share(mechanism, q, u, mass, force, jacobian, bias):
         [[next(take) for _ in range(n)] for _ in jacobian],
         [next(take) for _ in bias],
     )
-    point = typical(mechanism)
-    numbers = [[float(sf.S(row[k]).subs({x: point[str(x)] for x in row[k].free_symbols})) for k in mechanism.dependent]
-               for row in jacobian]
+    value = lambda e, point: float(sf.S(e).subs({x: point[str(x)] for x in e.free_symbols}))
+    numbers = [[[value(row[k], point) for k in mechanism.dependent] for row in jacobian]
+               for point in (states.typical(mechanism) if jacobian else [])]
     return straight_line.program(mechanism, temporaries, [mechanism.u[k] for k in mechanism.dependent], outputs, numbers)
 
-
-def typical(mechanism):
-    """Names and values of one random state."""
-    [(q, _, _)] = states.states(mechanism.name, 1)
-    return dict(zip(mechanism.q, q)) | states.parameters(mechanism.name)

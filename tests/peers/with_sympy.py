@@ -59,7 +59,6 @@ def build(mechanism):
         [[next(take) for _ in range(n)] for _ in rows],
         [next(take) for _ in rows],
     )
-    [(at, _, _)] = states.states(mechanism.name, 1)
-    point = {sm.Symbol(k): v for k, v in (dict(zip(mechanism.q, at)) | states.parameters(mechanism.name)).items()}
-    numbers = [[float(strip(row[k]).subs(point)) for k in mechanism.dependent] for row in jacobian]
+    points = [{sm.Symbol(k): v for k, v in point.items()} for point in (states.typical(mechanism) if rows else [])]
+    numbers = [[[float(strip(row[k]).subs(point)) for k in mechanism.dependent] for row in jacobian] for point in points]
     return straight_line.program(mechanism, temporaries, [mechanism.u[k] for k in mechanism.dependent], outputs, numbers)

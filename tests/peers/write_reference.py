@@ -14,8 +14,12 @@ MODELS = ["pendulum3", "fourbar", "tile", "arm6", "bicycle", "pendulum10"]
 
 
 def line(model, q, u, inputs, p):
-    _, u_dot = exact.rates(exact.MODELS[model], q, u, inputs, p)
-    return json.dumps([q, u, inputs, [float(x) for x in u_dot]], separators=(",", ":"))
+    mechanism = exact.MODELS[model]
+    _, rates = exact.rates(mechanism, q, u, inputs, p)
+    u_dot = [float(rates[k]) for k in mechanism.independent]
+    # The hub's place is no coordinate of the model.
+    largest = float("%.3g" % max(abs(float(x)) for x in rates[: len(q)]))
+    return json.dumps([q, u, inputs, u_dot, largest], separators=(",", ":"))
 
 
 def write(model):
@@ -25,7 +29,7 @@ def write(model):
         '{"name": %s, "parameters": %s, "state": %s}' % (json.dumps(name), json.dumps(of), line(model, q, u, w, of))
         for name, q, u, w, of in states.hard_states(model)
     ]
-    text = '{"model": "%s",\n"about": "each state: q, independent u, inputs, u_dot from 200-bit arithmetic of the doubles as given",\n' % model
+    text = '{"model": "%s",\n"about": "each state: q, independent u, inputs, their u_dot from 200-bit arithmetic of the doubles as given, and the largest rate of any speed, dependent ones included",\n' % model
     text += '"parameters": %s,\n"states": [\n%s\n],\n' % (json.dumps(p), ",\n".join(lines))
     text += '"hard": [%s]}\n' % ("\n" + ",\n".join(hard) + "\n" if hard else "")
     directory = states.REFERENCE / "accuracy"
