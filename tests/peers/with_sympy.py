@@ -60,5 +60,8 @@ def build(mechanism):
         [next(take) for _ in rows],
     )
     points = [{sm.Symbol(k): v for k, v in point.items()} for point in (states.typical(mechanism) if rows else [])]
-    numbers = [[[float(strip(row[k]).subs(point)) for k in mechanism.dependent] for row in jacobian] for point in points]
+    entries = [[strip(row[k]) for k in mechanism.dependent] for row in jacobian]
+    names = list(points[0]) if points else []
+    values = sm.lambdify(names, entries, "math")
+    numbers = [values(*(point[name] for name in names)) for point in points]
     return straight_line.program(mechanism, temporaries, [mechanism.u[k] for k in mechanism.dependent], outputs, numbers)
