@@ -15,8 +15,8 @@ fn main() -> ExitCode {
         return ExitCode::FAILURE;
     };
     let start = Instant::now();
-    let derived = model::read(Path::new(input))
-        .and_then(|model| program::derive(&model, &ParameterChoice::default()));
+    let derived =
+        model::read(Path::new(input)).and_then(|model| program::derive(&model, &ParameterChoice::default()));
     let program = match derived {
         Ok(program) => program,
         Err(found) => {

@@ -5,7 +5,6 @@
 //! Results by machine are kept beside this file, in results/.
 
 use divan::{Bencher, black_box};
-use smartbed_runtime::mechanism::Mechanism;
 use smartbed_tests::cases;
 use smartbed_tests::generated;
 use smartbed_tests::subject::arrange;
@@ -27,11 +26,7 @@ fn forward_dynamics(bencher: Bencher<'_, '_>, model: &str) {
         .iter()
         .map(|case| {
             let state = &case.state;
-            [
-                arrange(&names.q, &state.q),
-                arrange(&names.u, &state.u),
-                arrange(&names.inputs, &state.inputs),
-            ]
+            [arrange(&names.q, &state.q), arrange(&names.u, &state.u), arrange(&names.inputs, &state.inputs)]
         })
         .collect();
     let (mut q_dot, mut u_dot) = (vec![0.0; names.q.len()], vec![0.0; names.u.len()]);

@@ -94,7 +94,8 @@ fn eigenvalues_at_5_metres_per_second_are_the_published_ones() {
     let found = system.complex_eigenvalues();
     for pair in published()["eigenvalues_v5"].as_array().expect("a list") {
         let expected = Complex::new(number(&pair[0]), number(&pair[1]));
-        let error = found.iter().map(|e| (e - expected).norm()).fold(f64::INFINITY, f64::min) / expected.norm();
+        let error =
+            found.iter().map(|e| (e - expected).norm()).fold(f64::INFINITY, f64::min) / expected.norm();
         println!("{expected}: {error:.1e}");
         assert!(error <= PUBLISHED, "{expected}: {error:e}");
     }

@@ -25,7 +25,7 @@ const STATED: &str = r#"
 s = { unit = "m", speed = "v", independent = true }
 psi = { unit = "rad", speed = "w", independent = true }
 [points]
-contact = { position = "0*N.x", velocity = "v*sleigh.x" }
+contact = { position = "O", velocity = "v*sleigh.x" }
 centre = "contact + a*sleigh.x"
 "#;
 /// The contact has coordinates, and a motion constraint.
@@ -46,7 +46,8 @@ const I: f64 = 0.5;
 
 /// q' and u' of the sleigh described by `text`.
 fn rates<const Q: usize>(text: &str, q: [f64; Q], u: [f64; 2]) -> ([f64; Q], [f64; 2]) {
-    let model = model::parse("sleigh.toml", &format!("{BODY}{text}")).unwrap_or_else(|found| panic!("{found}"));
+    let model =
+        model::parse("sleigh.toml", &format!("{BODY}{text}")).unwrap_or_else(|found| panic!("{found}"));
     let program =
         program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"));
     let mut sleigh = Interpreted::<f64>::new(&program);
@@ -78,7 +79,7 @@ fn motion_constraint_gives_the_same_sleigh() {
 
 #[test]
 fn a_velocity_beside_closures_is_refused() {
-    let text = STATED.replace("velocity = ", "closures = [\"0*N.y\"], velocity = ");
+    let text = STATED.replace("velocity = ", "closures = [\"O\"], velocity = ");
     let message = match model::parse("sleigh.toml", &format!("{BODY}{text}")) {
         Err(found) => found.to_string(),
         Ok(_) => String::new(),
