@@ -7,5 +7,6 @@ mod layering;
 mod model_errors;
 mod models;
 mod rejected;
+mod rolling;
 mod textbook;
 mod units;
