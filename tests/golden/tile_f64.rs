@@ -1,7 +1,7 @@
 // Generated from models/tile.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile: 12 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f64.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 868 operations (12 abs, 164 add, 5 cos, 12 div, 11 min, 510 mul, 5 sin, 149 sub).
+// Cost of rates: 870 operations (12 abs, 164 add, 5 cos, 12 div, 11 min, 512 mul, 5 sin, 149 sub).
 // Cost of energy: 340 operations (67 add, 5 cos, 9 div, 218 mul, 5 sin, 36 sub).
 // Cost of speeds: 247 operations (40 add, 5 cos, 9 div, 149 mul, 5 sin, 39 sub).
 // Cost of outputs: 10 operations (1 add, 2 cos, 4 mul, 2 sin, 1 sub).
@@ -143,7 +143,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///868 operations.
+///870 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -363,86 +363,85 @@ pub fn rates(
     let t130 = t109 + u_thB_per_u_hA * t114 + u_psiC_per_u_hA * t124 + u_thC_per_u_hA * t127 - w_platform_x_per_u_hA * t128 + t21 * t129;
     let t131 = Iz * t91 - (Iy - Ix) * t70;
     let M = p.M;
-    let t132 = M * g;
     let v_G_y_dot_bias = sA * t91 - t90;
     let v_G_x_dot_bias = 0.5773502691896257_f64 * (t86 - t8 * t91 - v_G_y_dot_bias);
-    let t133 = sin_thA * t132 - M * v_G_x_dot_bias;
-    let t134 = t7 * t132 + M * v_G_y_dot_bias;
+    let t132 = M * (g * sin_thA) - M * v_G_x_dot_bias;
+    let t133 = M * (g * t7) + M * v_G_y_dot_bias;
     let v_G_z_per_u_hA = t4 - sA * t21;
     let v_G_z_dot_bias = t79 + sA * w_platform_y_dot_bias;
-    let t135 = t4 * t132 + M * v_G_z_dot_bias;
-    let forcing_u_hA = t130 + w_platform_z_per_u_hA * t131 + v_G_x_per_u_hA * t133 - v_G_y_per_u_hA * t134 - v_G_z_per_u_hA * t135;
+    let t134 = M * (g * t4) + M * v_G_z_dot_bias;
+    let forcing_u_hA = t130 + w_platform_z_per_u_hA * t131 + v_G_x_per_u_hA * t132 - v_G_y_per_u_hA * t133 - v_G_z_per_u_hA * t134;
     let mr = p.mr;
-    let t136 = mc + (ms + mr);
-    let t137 = t136 + u_psiA_per_u_hA * (t68 * u_psiA_per_u_hA) + t33 * (Ic2 * t33) + u_psiB_per_u_hA * (t105 * u_psiB_per_u_hA);
-    let t138 = t137 + u_thB_per_u_hA * (Ic2 * u_thB_per_u_hA) + u_psiC_per_u_hA * (t121 * u_psiC_per_u_hA) + u_thC_per_u_hA * (Ic2 * u_thC_per_u_hA);
-    let t139 = t138 + w_platform_x_per_u_hA * (Ix * w_platform_x_per_u_hA) + t21 * (Iy * t21) + w_platform_z_per_u_hA * (Iz * w_platform_z_per_u_hA);
-    let mass_u_hA_u_hA = t139 + v_G_x_per_u_hA * (M * v_G_x_per_u_hA) + v_G_y_per_u_hA * (M * v_G_y_per_u_hA) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
-    let t140 = 1.0_f64 / mass_u_hA_u_hA;
-    let t141 = Ic2 * u_thB_per_u_hB;
-    let t142 = t68 * t28;
-    let t143 = Ic2 * u_thA_per_u_hB;
-    let t144 = t105 * t42;
-    let t145 = t121 * u_psiC_per_u_hB;
-    let t146 = u_thB_per_u_hA * t141 - (u_psiA_per_u_hA * t142 + t33 * t143 + u_psiB_per_u_hA * t144) + u_psiC_per_u_hA * t145;
-    let t147 = Ic2 * u_thC_per_u_hB;
-    let t148 = Ix * w_platform_x_per_u_hB;
-    let t149 = Iy * w_platform_y_per_u_hB;
-    let t150 = Iz * t26;
-    let t151 = M * v_G_x_per_u_hB;
-    let t152 = t146 + u_thC_per_u_hA * t147 + w_platform_x_per_u_hA * t148 - t21 * t149 - w_platform_z_per_u_hA * t150 + v_G_x_per_u_hA * t151;
-    let t153 = M * v_G_y_per_u_hB;
+    let t135 = mc + (ms + mr);
+    let t136 = t135 + u_psiA_per_u_hA * (t68 * u_psiA_per_u_hA) + t33 * (Ic2 * t33) + u_psiB_per_u_hA * (t105 * u_psiB_per_u_hA);
+    let t137 = t136 + u_thB_per_u_hA * (Ic2 * u_thB_per_u_hA) + u_psiC_per_u_hA * (t121 * u_psiC_per_u_hA) + u_thC_per_u_hA * (Ic2 * u_thC_per_u_hA);
+    let t138 = t137 + w_platform_x_per_u_hA * (Ix * w_platform_x_per_u_hA) + t21 * (Iy * t21) + w_platform_z_per_u_hA * (Iz * w_platform_z_per_u_hA);
+    let mass_u_hA_u_hA = t138 + v_G_x_per_u_hA * (M * v_G_x_per_u_hA) + v_G_y_per_u_hA * (M * v_G_y_per_u_hA) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let t139 = 1.0_f64 / mass_u_hA_u_hA;
+    let t140 = Ic2 * u_thB_per_u_hB;
+    let t141 = t68 * t28;
+    let t142 = Ic2 * u_thA_per_u_hB;
+    let t143 = t105 * t42;
+    let t144 = t121 * u_psiC_per_u_hB;
+    let t145 = u_thB_per_u_hA * t140 - (u_psiA_per_u_hA * t141 + t33 * t142 + u_psiB_per_u_hA * t143) + u_psiC_per_u_hA * t144;
+    let t146 = Ic2 * u_thC_per_u_hB;
+    let t147 = Ix * w_platform_x_per_u_hB;
+    let t148 = Iy * w_platform_y_per_u_hB;
+    let t149 = Iz * t26;
+    let t150 = M * v_G_x_per_u_hB;
+    let t151 = t145 + u_thC_per_u_hA * t146 + w_platform_x_per_u_hA * t147 - t21 * t148 - w_platform_z_per_u_hA * t149 + v_G_x_per_u_hA * t150;
+    let t152 = M * v_G_y_per_u_hB;
     let v_G_z_per_u_hB = sA * w_platform_y_per_u_hB;
-    let t154 = M * v_G_z_per_u_hB;
-    let mass_u_hA_u_hB = t152 + v_G_y_per_u_hA * t153 + v_G_z_per_u_hA * t154;
-    let t155 = mass_u_hA_u_hB * t140;
-    let t156 = t136 + (t28 * t142 + u_thA_per_u_hB * t143) + t42 * t144 + u_thB_per_u_hB * t141 + u_psiC_per_u_hB * t145;
-    let t157 = t156 + u_thC_per_u_hB * t147 + w_platform_x_per_u_hB * t148 + w_platform_y_per_u_hB * t149 + t26 * t150 + v_G_x_per_u_hB * t151;
-    let mass_u_hB_u_hB = t157 + v_G_y_per_u_hB * t153 + v_G_z_per_u_hB * t154;
-    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t155;
-    let t158 = 1.0_f64 / pivot_1;
+    let t153 = M * v_G_z_per_u_hB;
+    let mass_u_hA_u_hB = t151 + v_G_y_per_u_hA * t152 + v_G_z_per_u_hA * t153;
+    let t154 = mass_u_hA_u_hB * t139;
+    let t155 = t135 + (t28 * t141 + u_thA_per_u_hB * t142) + t42 * t143 + u_thB_per_u_hB * t140 + u_psiC_per_u_hB * t144;
+    let t156 = t155 + u_thC_per_u_hB * t146 + w_platform_x_per_u_hB * t147 + w_platform_y_per_u_hB * t148 + t26 * t149 + v_G_x_per_u_hB * t150;
+    let mass_u_hB_u_hB = t156 + v_G_y_per_u_hB * t152 + v_G_z_per_u_hB * t153;
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t154;
+    let t157 = 1.0_f64 / pivot_1;
     let FB = inputs[1];
-    let t159 = FB - u_hB * c - t59 + (u_thA_per_u_hB * t98 - t28 * t94) - t42 * t108;
-    let t160 = t159 + u_thB_per_u_hB * t114 + u_psiC_per_u_hB * t124 + u_thC_per_u_hB * t127 - w_platform_x_per_u_hB * t128 - w_platform_y_per_u_hB * t129;
-    let forcing_u_hB = t160 - t26 * t131 + v_G_x_per_u_hB * t133 - v_G_y_per_u_hB * t134 - v_G_z_per_u_hB * t135;
-    let t161 = forcing_u_hB - forcing_u_hA * t155;
-    let t162 = t68 * t31;
-    let t163 = Ic2 * u_thA_per_u_hC;
-    let t164 = t105 * u_psiB_per_u_hC;
-    let t165 = Ic2 * u_thB_per_u_hC;
-    let t166 = t121 * u_psiC_per_u_hC;
-    let t167 = t28 * t162 + u_thA_per_u_hB * t163 - t42 * t164 + u_thB_per_u_hB * t165 + u_psiC_per_u_hB * t166;
-    let t168 = Ic2 * t58;
-    let t169 = Ix * t38;
-    let t170 = Iy * w_platform_y_per_u_hC;
-    let t171 = Iz * t29;
-    let t172 = M * u_sA_per_u_hC;
-    let t173 = t167 - u_thC_per_u_hB * t168 - w_platform_x_per_u_hB * t169 + w_platform_y_per_u_hB * t170 + t26 * t171 - v_G_x_per_u_hB * t172;
-    let t174 = M * v_G_y_per_u_hC;
+    let t158 = FB - u_hB * c - t59 + (u_thA_per_u_hB * t98 - t28 * t94) - t42 * t108;
+    let t159 = t158 + u_thB_per_u_hB * t114 + u_psiC_per_u_hB * t124 + u_thC_per_u_hB * t127 - w_platform_x_per_u_hB * t128 - w_platform_y_per_u_hB * t129;
+    let forcing_u_hB = t159 - t26 * t131 + v_G_x_per_u_hB * t132 - v_G_y_per_u_hB * t133 - v_G_z_per_u_hB * t134;
+    let t160 = forcing_u_hB - forcing_u_hA * t154;
+    let t161 = t68 * t31;
+    let t162 = Ic2 * u_thA_per_u_hC;
+    let t163 = t105 * u_psiB_per_u_hC;
+    let t164 = Ic2 * u_thB_per_u_hC;
+    let t165 = t121 * u_psiC_per_u_hC;
+    let t166 = t28 * t161 + u_thA_per_u_hB * t162 - t42 * t163 + u_thB_per_u_hB * t164 + u_psiC_per_u_hB * t165;
+    let t167 = Ic2 * t58;
+    let t168 = Ix * t38;
+    let t169 = Iy * w_platform_y_per_u_hC;
+    let t170 = Iz * t29;
+    let t171 = M * u_sA_per_u_hC;
+    let t172 = t166 - u_thC_per_u_hB * t167 - w_platform_x_per_u_hB * t168 + w_platform_y_per_u_hB * t169 + t26 * t170 - v_G_x_per_u_hB * t171;
+    let t173 = M * v_G_y_per_u_hC;
     let v_G_z_per_u_hC = sA * w_platform_y_per_u_hC;
-    let t175 = M * v_G_z_per_u_hC;
-    let mass_u_hB_u_hC = t173 + v_G_y_per_u_hB * t174 + v_G_z_per_u_hB * t175;
-    let t176 = u_psiB_per_u_hA * t164 - (u_psiA_per_u_hA * t162 + t33 * t163) + u_thB_per_u_hA * t165 + u_psiC_per_u_hA * t166;
-    let t177 = t176 - u_thC_per_u_hA * t168 - w_platform_x_per_u_hA * t169 - t21 * t170 - w_platform_z_per_u_hA * t171 - v_G_x_per_u_hA * t172;
-    let mass_u_hA_u_hC = t177 + v_G_y_per_u_hA * t174 + v_G_z_per_u_hA * t175;
-    let t178 = mass_u_hB_u_hC - mass_u_hA_u_hC * t155;
-    let t179 = t178 * t158;
+    let t174 = M * v_G_z_per_u_hC;
+    let mass_u_hB_u_hC = t172 + v_G_y_per_u_hB * t173 + v_G_z_per_u_hB * t174;
+    let t175 = u_psiB_per_u_hA * t163 - (u_psiA_per_u_hA * t161 + t33 * t162) + u_thB_per_u_hA * t164 + u_psiC_per_u_hA * t165;
+    let t176 = t175 - u_thC_per_u_hA * t167 - w_platform_x_per_u_hA * t168 - t21 * t169 - w_platform_z_per_u_hA * t170 - v_G_x_per_u_hA * t171;
+    let mass_u_hA_u_hC = t176 + v_G_y_per_u_hA * t173 + v_G_z_per_u_hA * t174;
+    let t177 = mass_u_hB_u_hC - mass_u_hA_u_hC * t154;
+    let t178 = t177 * t157;
     let FC = inputs[2];
-    let t180 = FC - u_hC * c - t59 + (u_thA_per_u_hC * t98 - t31 * t94 + u_psiB_per_u_hC * t108 + u_thB_per_u_hC * t114);
-    let t181 = t180 + u_psiC_per_u_hC * t124 - t58 * t127 + t38 * t128 - w_platform_y_per_u_hC * t129 - t29 * t131;
-    let forcing_u_hC = t181 - u_sA_per_u_hC * t133 - v_G_y_per_u_hC * t134 - v_G_z_per_u_hC * t135;
-    let t182 = mass_u_hA_u_hC * t140;
-    let t183 = t136 + (t31 * t162 + u_thA_per_u_hC * t163 + u_psiB_per_u_hC * t164 + u_thB_per_u_hC * t165) + u_psiC_per_u_hC * t166;
-    let t184 = t183 + t58 * t168 + t38 * t169 + w_platform_y_per_u_hC * t170 + t29 * t171 + u_sA_per_u_hC * t172;
-    let mass_u_hC_u_hC = t184 + v_G_y_per_u_hC * t174 + v_G_z_per_u_hC * t175;
-    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t182 - t178 * t179;
-    let t185 = (forcing_u_hC - forcing_u_hA * t182 - t179 * t161) / pivot_2;
-    let t186 = t158 * t161 - t179 * t185;
-    let t187 = forcing_u_hA * t140 - t155 * t186 - t182 * t185;
-    let t188 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t22)), Real::abs(t40));
-    let t189 = Real::min(Real::min(Real::min(Real::min(t188, Real::abs(t55)), 0.8333333333333333_f64 * Real::abs(t9)), 5.773502691896257_f64 * Real::abs(t14)), 1.6666666666666665_f64 * Real::abs(t19));
-    let t190 = Real::min(Real::min(Real::min(t189, 0.21652832912306028_f64 * Real::abs(mass_u_hA_u_hA)), 0.21680787182359307_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
-    ([u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, u_thC, u_sC], [t187, t186, t185], t190)
+    let t179 = FC - u_hC * c - t59 + (u_thA_per_u_hC * t98 - t31 * t94 + u_psiB_per_u_hC * t108 + u_thB_per_u_hC * t114);
+    let t180 = t179 + u_psiC_per_u_hC * t124 - t58 * t127 + t38 * t128 - w_platform_y_per_u_hC * t129 - t29 * t131;
+    let forcing_u_hC = t180 - u_sA_per_u_hC * t132 - v_G_y_per_u_hC * t133 - v_G_z_per_u_hC * t134;
+    let t181 = mass_u_hA_u_hC * t139;
+    let t182 = t135 + (t31 * t161 + u_thA_per_u_hC * t162 + u_psiB_per_u_hC * t163 + u_thB_per_u_hC * t164) + u_psiC_per_u_hC * t165;
+    let t183 = t182 + t58 * t167 + t38 * t168 + w_platform_y_per_u_hC * t169 + t29 * t170 + u_sA_per_u_hC * t171;
+    let mass_u_hC_u_hC = t183 + v_G_y_per_u_hC * t173 + v_G_z_per_u_hC * t174;
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t181 - t177 * t178;
+    let t184 = (forcing_u_hC - forcing_u_hA * t181 - t178 * t160) / pivot_2;
+    let t185 = t157 * t160 - t178 * t184;
+    let t186 = forcing_u_hA * t139 - t154 * t185 - t181 * t184;
+    let t187 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t22)), Real::abs(t40));
+    let t188 = Real::min(Real::min(Real::min(Real::min(t187, Real::abs(t55)), 0.8333333333333333_f64 * Real::abs(t9)), 5.773502691896257_f64 * Real::abs(t14)), 1.6666666666666665_f64 * Real::abs(t19));
+    let t189 = Real::min(Real::min(Real::min(t188, 0.21652832912306028_f64 * Real::abs(mass_u_hA_u_hA)), 0.21680787182359307_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
+    ([u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, u_thC, u_sC], [t186, t185, t184], t189)
 }
 ///Kinetic and potential energy (J).
 ///

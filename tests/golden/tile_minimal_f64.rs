@@ -1,7 +1,7 @@
 // Generated from models/tile_minimal.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile_minimal: 3 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 73 sampled configurations is 0.773 of its nominal size.
-// Cost of rates: 4552 operations (3 abs, 1346 add, 10 div, 2 min, 2491 mul, 4 sqrt, 696 sub).
+// Cost of rates: 4546 operations (3 abs, 1344 add, 10 div, 2 min, 2487 mul, 4 sqrt, 696 sub).
 // Cost of energy: 1000 operations (232 add, 7 div, 631 mul, 4 sqrt, 126 sub).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 102 operations (18 add, 3 asin, 3 atan2, 4 div, 58 mul, 1 sqrt, 15 sub).
@@ -113,7 +113,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///4552 operations.
+///4546 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -133,11 +133,11 @@ pub fn rates(
     let u_hC = u[2];
     let FA = inputs[0];
     let c = p.c;
-    let mc = p.mc;
-    let g = p.g;
-    let t1 = mc * g;
     let ms = p.ms;
-    let t2 = ms * g;
+    let g = p.g;
+    let t1 = ms * g;
+    let mc = p.mc;
+    let t2 = mc * g;
     let hA = q[0];
     let hB = q[1];
     let hC = q[2];
@@ -860,7 +860,7 @@ pub fn rates(
     let t712 = t371 * (t696 + t116 * (t697 + t376 * t698 + (t697 + t509 * t645))) + t382 * (t710 + t116 * (t711 + t383 * t698 + (t711 + t509 * t624)));
     let t713 = (u_hB * t486 - u_hA * t472 + u_hC * t525) * (u_hA * t516 + u_hB * t520 + u_hC * t524);
     let t714 = Ic2 * (t681 - t712 + (t713 - (t504 * t647 + t468 * t648))) + t366 * (t515 * t651);
-    let t715 = t29 * t209 + (t191 * t307 + t199 * t367) + (t388 * t530 + (t512 * t652 + t519 * t714));
+    let t715 = t1 + t2 + (t29 * t209 + (t191 * t307 + t199 * t367)) + (t388 * t530 + (t512 * t652 + t519 * t714));
     let t716 = t380 - t381;
     let dzC = t372 + t374;
     let t717 = 1.0_f64 / Real::sqrt(1.0_f64 - dzC * dzC);
@@ -1139,7 +1139,7 @@ pub fn rates(
     let t988 = t985 + t61 * (k * (t943 * t986) - t972 - (t948 * t108 - t968)) + t94 * (k * (t943 * t987) - t984 - (t948 * t112 - t982));
     let t989 = t65 * t971;
     let t990 = t977 + (t977 + t976) - t979;
-    let t991 = t988 + t116 * (t989 + k * (t943 * t990) - (t948 * t120 - t989));
+    let t991 = g + (t988 + t116 * (t989 + k * (t943 * t990) - (t948 * t120 - t989)));
     let t992 = 1.0_f64 / t8;
     let shift = k * cos3 * t992;
     let t993 = t992 * (k * t945 - cos3 * t20 - shift * t18);
@@ -1383,84 +1383,80 @@ pub fn rates(
     let t1226 = t12 * (t1217 + t94 * t1221 + t61 * t1222 + t94 * t1223 + t116 * t1225);
     let t1227 = Iy * (t1174 + t1203 - t1226 + (t159 * t1138 + t183 * t1139 - t364 * t1140));
     let t1228 = t1227 + (Ix - Iz) * (t1114 * t1144);
-    let t1229 = M * g;
-    let t1230 = t1 + (t2 + (t1098 + (t1100 * t1128 + (t1111 * t1145 + t1118 * t1228)))) + t1229 * t949;
-    let forcing_u_hA = FA - u_hA * c - t1230;
+    let forcing_u_hA = FA - u_hA * c - (t1098 + (t1100 * t1128 + (t1111 * t1145 + t1118 * t1228)));
     let mr = p.mr;
-    let t1231 = Ic3 * t29;
-    let t1232 = Ic1 * t191;
-    let t1233 = Ic2 * t199;
-    let t1234 = Ic3 * t388;
-    let t1235 = Ic1 * t512;
-    let t1236 = Ic2 * t519;
-    let t1237 = mc + (ms + mr) + (t29 * t1231 + (t191 * t1232 + t199 * t1233)) + (t388 * t1234 + (t512 * t1235 + t519 * t1236));
-    let t1238 = Ic3 * t723;
-    let t1239 = Ic1 * t778;
-    let t1240 = Ic2 * t786;
-    let t1241 = t1237 + (t723 * t1238 + (t778 * t1239 + t786 * t1240)) + M * (t949 * t949 + (t996 * t996 + t1068 * t1068));
-    let t1242 = Iz * t1100;
-    let t1243 = Ix * t1111;
-    let t1244 = Iy * t1118;
-    let mass_u_hA_u_hA = t1241 + (t1100 * t1242 + (t1111 * t1243 + t1118 * t1244));
-    let t1245 = 1.0_f64 / mass_u_hA_u_hA;
-    let t1246 = t304 * t1231 + (t192 * t1232 + t203 * t1233) + (t649 * t1234 + (t513 * t1235 + t523 * t1236));
-    let t1247 = 0.3333333333333333_f64 + (k * t962 - t948 * t38);
-    let t1248 = t3 * shift;
-    let t1249 = t943 * (t4 * t1004 - t1248 - t1013);
-    let t1250 = shift * t31;
-    let t1251 = t943 * (t1073 - (t1250 + t6 * t1004));
-    let t1252 = t1246 + (t881 * t1238 + (t779 * t1239 + t790 * t1240)) + M * (t949 * t1247 + (t996 * t1249 + t1068 * t1251));
-    let mass_u_hA_u_hB = t1252 + (t1142 * t1242 + (t1112 * t1243 + t1122 * t1244));
-    let t1253 = mass_u_hA_u_hB * t1245;
-    let t1254 = Ic3 * t304;
-    let t1255 = Ic1 * t192;
-    let t1256 = Ic2 * t203;
-    let t1257 = Ic3 * t649;
-    let t1258 = Ic1 * t513;
-    let t1259 = Ic2 * t523;
-    let t1260 = mc + (mr + (ms + (t304 * t1254 + (t192 * t1255 + t203 * t1256)))) + (t649 * t1257 + (t513 * t1258 + t523 * t1259));
-    let t1261 = Ic3 * t881;
-    let t1262 = Ic1 * t779;
-    let t1263 = Ic2 * t790;
-    let t1264 = t1260 + (t881 * t1261 + (t779 * t1262 + t790 * t1263)) + M * (t1247 * t1247 + (t1249 * t1249 + t1251 * t1251));
-    let t1265 = Iz * t1142;
-    let t1266 = Ix * t1112;
-    let t1267 = Iy * t1122;
-    let mass_u_hB_u_hB = t1264 + (t1142 * t1265 + (t1112 * t1266 + t1122 * t1267));
-    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t1253;
-    let t1268 = 1.0_f64 / pivot_1;
+    let t1229 = Ic3 * t29;
+    let t1230 = Ic1 * t191;
+    let t1231 = Ic2 * t199;
+    let t1232 = Ic3 * t388;
+    let t1233 = Ic1 * t512;
+    let t1234 = Ic2 * t519;
+    let t1235 = mc + (ms + mr) + (t29 * t1229 + (t191 * t1230 + t199 * t1231)) + (t388 * t1232 + (t512 * t1233 + t519 * t1234));
+    let t1236 = Ic3 * t723;
+    let t1237 = Ic1 * t778;
+    let t1238 = Ic2 * t786;
+    let t1239 = t1235 + (t723 * t1236 + (t778 * t1237 + t786 * t1238)) + M * (t949 * t949 + (t996 * t996 + t1068 * t1068));
+    let t1240 = Iz * t1100;
+    let t1241 = Ix * t1111;
+    let t1242 = Iy * t1118;
+    let mass_u_hA_u_hA = t1239 + (t1100 * t1240 + (t1111 * t1241 + t1118 * t1242));
+    let t1243 = 1.0_f64 / mass_u_hA_u_hA;
+    let t1244 = t304 * t1229 + (t192 * t1230 + t203 * t1231) + (t649 * t1232 + (t513 * t1233 + t523 * t1234));
+    let t1245 = 0.3333333333333333_f64 + (k * t962 - t948 * t38);
+    let t1246 = t3 * shift;
+    let t1247 = t943 * (t4 * t1004 - t1246 - t1013);
+    let t1248 = shift * t31;
+    let t1249 = t943 * (t1073 - (t1248 + t6 * t1004));
+    let t1250 = t1244 + (t881 * t1236 + (t779 * t1237 + t790 * t1238)) + M * (t949 * t1245 + (t996 * t1247 + t1068 * t1249));
+    let mass_u_hA_u_hB = t1250 + (t1142 * t1240 + (t1112 * t1241 + t1122 * t1242));
+    let t1251 = mass_u_hA_u_hB * t1243;
+    let t1252 = Ic3 * t304;
+    let t1253 = Ic1 * t192;
+    let t1254 = Ic2 * t203;
+    let t1255 = Ic3 * t649;
+    let t1256 = Ic1 * t513;
+    let t1257 = Ic2 * t523;
+    let t1258 = mc + (mr + (ms + (t304 * t1252 + (t192 * t1253 + t203 * t1254)))) + (t649 * t1255 + (t513 * t1256 + t523 * t1257));
+    let t1259 = Ic3 * t881;
+    let t1260 = Ic1 * t779;
+    let t1261 = Ic2 * t790;
+    let t1262 = t1258 + (t881 * t1259 + (t779 * t1260 + t790 * t1261)) + M * (t1245 * t1245 + (t1247 * t1247 + t1249 * t1249));
+    let t1263 = Iz * t1142;
+    let t1264 = Ix * t1112;
+    let t1265 = Iy * t1122;
+    let mass_u_hB_u_hB = t1262 + (t1142 * t1263 + (t1112 * t1264 + t1122 * t1265));
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t1251;
+    let t1266 = 1.0_f64 / pivot_1;
     let FB = inputs[1];
-    let t1269 = t304 * t209 + (t192 * t307 + t203 * t367) + (t649 * t530 + (t513 * t652 + t523 * t714));
-    let t1270 = t1269 + (t881 * t796 + (t779 * t884 + t790 * t942)) + M * (t1247 * t991 + (t1249 * t1063 + t1251 * t1097));
-    let t1271 = t1 + (t2 + (t1270 + (t1142 * t1128 + (t1112 * t1145 + t1122 * t1228)))) + t1229 * t1247;
-    let forcing_u_hB = FB - u_hB * c - t1271;
-    let t1272 = forcing_u_hB - forcing_u_hA * t1253;
-    let t1273 = t305 * t1254 + (t193 * t1255 + t207 * t1256) + (t650 * t1257 + (t514 * t1258 + t528 * t1259));
-    let t1274 = 0.3333333333333333_f64 + (t948 * t65 + k * t971);
-    let t1275 = t943 * (t4 * t1017 - t1248 + t1026);
-    let t1276 = t943 * (t1080 - (t6 * t1017 - t1250));
-    let t1277 = t1273 + (t882 * t1261 + (t780 * t1262 + t794 * t1263)) + M * (t1247 * t1274 + (t1249 * t1275 + t1251 * t1276));
-    let mass_u_hB_u_hC = t1277 + (t1143 * t1265 + (t1113 * t1266 + t1126 * t1267));
-    let t1278 = t305 * t1231 + (t193 * t1232 + t207 * t1233) + (t650 * t1234 + (t514 * t1235 + t528 * t1236));
-    let t1279 = t1278 + (t882 * t1238 + (t780 * t1239 + t794 * t1240)) + M * (t949 * t1274 + (t996 * t1275 + t1068 * t1276));
-    let mass_u_hA_u_hC = t1279 + (t1143 * t1242 + (t1113 * t1243 + t1126 * t1244));
-    let t1280 = mass_u_hB_u_hC - mass_u_hA_u_hC * t1253;
-    let t1281 = t1280 * t1268;
+    let t1267 = t2 + (t1 + (t304 * t209 + (t192 * t307 + t203 * t367))) + (t649 * t530 + (t513 * t652 + t523 * t714));
+    let t1268 = t1267 + (t881 * t796 + (t779 * t884 + t790 * t942)) + M * (t1245 * t991 + (t1247 * t1063 + t1249 * t1097));
+    let forcing_u_hB = FB - u_hB * c - (t1268 + (t1142 * t1128 + (t1112 * t1145 + t1122 * t1228)));
+    let t1269 = forcing_u_hB - forcing_u_hA * t1251;
+    let t1270 = t305 * t1252 + (t193 * t1253 + t207 * t1254) + (t650 * t1255 + (t514 * t1256 + t528 * t1257));
+    let t1271 = 0.3333333333333333_f64 + (t948 * t65 + k * t971);
+    let t1272 = t943 * (t4 * t1017 - t1246 + t1026);
+    let t1273 = t943 * (t1080 - (t6 * t1017 - t1248));
+    let t1274 = t1270 + (t882 * t1259 + (t780 * t1260 + t794 * t1261)) + M * (t1245 * t1271 + (t1247 * t1272 + t1249 * t1273));
+    let mass_u_hB_u_hC = t1274 + (t1143 * t1263 + (t1113 * t1264 + t1126 * t1265));
+    let t1275 = t305 * t1229 + (t193 * t1230 + t207 * t1231) + (t650 * t1232 + (t514 * t1233 + t528 * t1234));
+    let t1276 = t1275 + (t882 * t1236 + (t780 * t1237 + t794 * t1238)) + M * (t949 * t1271 + (t996 * t1272 + t1068 * t1273));
+    let mass_u_hA_u_hC = t1276 + (t1143 * t1240 + (t1113 * t1241 + t1126 * t1242));
+    let t1277 = mass_u_hB_u_hC - mass_u_hA_u_hC * t1251;
+    let t1278 = t1277 * t1266;
     let FC = inputs[2];
-    let t1282 = t305 * t209 + (t193 * t307 + t207 * t367) + (t650 * t530 + (t514 * t652 + t528 * t714));
-    let t1283 = t1282 + (t882 * t796 + (t780 * t884 + t794 * t942)) + M * (t1274 * t991 + (t1275 * t1063 + t1276 * t1097));
-    let t1284 = t1 + (t2 + (t1283 + (t1143 * t1128 + (t1113 * t1145 + t1126 * t1228)))) + t1229 * t1274;
-    let forcing_u_hC = FC - u_hC * c - t1284;
-    let t1285 = mass_u_hA_u_hC * t1245;
-    let t1286 = t305 * (Ic3 * t305) + (t193 * (Ic1 * t193) + t207 * (Ic2 * t207)) + (t650 * (Ic3 * t650) + (t514 * (Ic1 * t514) + t528 * (Ic2 * t528)));
-    let t1287 = mc + (mr + (ms + t1286)) + (t882 * (Ic3 * t882) + (t780 * (Ic1 * t780) + t794 * (Ic2 * t794)));
-    let mass_u_hC_u_hC = t1287 + M * (t1274 * t1274 + (t1275 * t1275 + t1276 * t1276)) + (t1143 * (Iz * t1143) + (t1113 * (Ix * t1113) + t1126 * (Iy * t1126)));
-    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t1285 - t1280 * t1281;
-    let t1288 = (forcing_u_hC - forcing_u_hA * t1285 - t1281 * t1272) / pivot_2;
-    let t1289 = t1268 * t1272 - t1281 * t1288;
-    let t1290 = forcing_u_hA * t1245 - t1253 * t1289 - t1285 * t1288;
-    let t1291 = Real::min(Real::min(0.21652832912306028_f64 * Real::abs(mass_u_hA_u_hA), 0.21680787182359307_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
-    ([u_hA, u_hB, u_hC], [t1290, t1289, t1288], t1291)
+    let t1279 = t305 * t209 + (t193 * t307 + t207 * t367) + (t650 * t530 + (t514 * t652 + t528 * t714));
+    let t1280 = t2 + (t1 + t1279) + (t882 * t796 + (t780 * t884 + t794 * t942)) + M * (t1271 * t991 + (t1272 * t1063 + t1273 * t1097));
+    let forcing_u_hC = FC - u_hC * c - (t1280 + (t1143 * t1128 + (t1113 * t1145 + t1126 * t1228)));
+    let t1281 = mass_u_hA_u_hC * t1243;
+    let t1282 = t305 * (Ic3 * t305) + (t193 * (Ic1 * t193) + t207 * (Ic2 * t207)) + (t650 * (Ic3 * t650) + (t514 * (Ic1 * t514) + t528 * (Ic2 * t528)));
+    let t1283 = mc + (mr + (ms + t1282)) + (t882 * (Ic3 * t882) + (t780 * (Ic1 * t780) + t794 * (Ic2 * t794)));
+    let mass_u_hC_u_hC = t1283 + M * (t1271 * t1271 + (t1272 * t1272 + t1273 * t1273)) + (t1143 * (Iz * t1143) + (t1113 * (Ix * t1113) + t1126 * (Iy * t1126)));
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t1281 - t1277 * t1278;
+    let t1284 = (forcing_u_hC - forcing_u_hA * t1281 - t1278 * t1269) / pivot_2;
+    let t1285 = t1266 * t1269 - t1278 * t1284;
+    let t1286 = forcing_u_hA * t1243 - t1251 * t1285 - t1281 * t1284;
+    let t1287 = Real::min(Real::min(0.21652832912306028_f64 * Real::abs(mass_u_hA_u_hA), 0.21680787182359307_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
+    ([u_hA, u_hB, u_hC], [t1286, t1285, t1284], t1287)
 }
 ///Kinetic and potential energy (J).
 ///
