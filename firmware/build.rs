@@ -4,8 +4,7 @@
 //! `SMARTBED_STEPS`, `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
 //! They are read here, at build time, so that host and chip change together.
 
-mod stand_in;
-
+use smartbed_codegen::{Options, ScalarType};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -23,9 +22,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
     );
 
-    let model = option("SMARTBED_MODEL", MODEL);
-    let set = option("SMARTBED_SET", "");
-    fs::write(out.join("mechanism.rs"), stand_in::generate(&model, &set)?)?;
+    let mut options = Options { file_name: Some("mechanism".to_owned()), ..Options::default() };
+    options.emit.scalar = ScalarType::F32;
+    for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
+        let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;
+        options.parameters.values.insert(name.to_owned(), value.parse()?);
+    }
+    let mechanism = smartbed_codegen::build(option("SMARTBED_MODEL", MODEL), &options);
+    fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
 
     let steps: u32 = option("SMARTBED_STEPS", STEPS).parse()?;
     fs::write(out.join("steps.rs"), format!("{steps}"))?;
@@ -41,6 +45,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }
     Ok(())
+}
+
+/// The same name for the equations of every model.
+fn alias(mechanism: &str) -> Result<String, &'static str> {
+    let name = mechanism.lines().find_map(|line| line.split_once("Mechanism<S> for ")?.1.split(' ').next());
+    let name = name.ok_or("the generated file implements no Mechanism")?;
+    Ok(format!("/// The equations of motion with their parameters.\npub type Model = {name};\n"))
 }
 
 /// An environment variable, or its default; a change of it builds again.

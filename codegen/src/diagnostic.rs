@@ -67,6 +67,9 @@ impl Diagnostic {
     }
 }
 
+/// A stage reports at most this many findings.
+const MOST_ITEMS: usize = 100;
+
 /// Everything a stage found, with the text it is about.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
@@ -92,6 +95,9 @@ impl Diagnostics {
     /// Adds a finding, unless one with the same primary place is there already: a mistake inside
     /// a repeated sub-assembly is made once and reported once.
     pub fn push(&mut self, item: Diagnostic) {
+        if MOST_ITEMS <= self.items.len() {
+            return;
+        }
         let place = item.labels.first().map(|l| l.span);
         let known = |other: &Diagnostic| {
             place.is_some()
@@ -143,7 +149,7 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
     writeln!(f, "{severity}: {}", item.message)?;
     let lines = item.labels.iter().map(|l| source.line_column(l.span).0);
     let width = lines.max().unwrap_or(1).to_string().len();
-    let mut previous = None;
+    let (mut previous, mut previous_line) = (None, 0);
     for (i, label) in item.labels.iter().enumerate() {
         let (line, column) = source.line_column(label.span);
         let Some(file) = source.files.get(label.span.file as usize) else { continue };
@@ -152,12 +158,20 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
             writeln!(f, "{:width$}{arrow} {}:{line}:{column}", " ", file.path)?;
             writeln!(f, "{:width$} |", " ")?;
             previous = Some(label.span.file);
+            previous_line = 0;
         }
         let text: Vec<char> = file.text.lines().nth(line - 1).unwrap_or("").chars().collect();
         let first = (column - 1).saturating_sub(EXCERPT / 2);
         let shown: String =
             text.iter().skip(first).take(EXCERPT).map(|c| if *c == '\t' { ' ' } else { *c }).collect();
-        writeln!(f, "{line:width$} | {}", shown.trim_end())?;
+        let shown = match first {
+            0 => shown,
+            _ => format!("...{}", shown.chars().skip(3).collect::<String>()),
+        };
+        if line != previous_line {
+            writeln!(f, "{line:width$} | {}", shown.trim_end())?;
+            previous_line = line;
+        }
         let to_line_end = (text.len() + 1).saturating_sub(column).max(1);
         let length = characters(&file.text, label.span).clamp(1, to_line_end.min(EXCERPT / 2));
         let caret = if i == 0 { "^" } else { "-" };

@@ -1,6 +1,6 @@
 //! Commanded pose: heave and slopes in the bed's axes, and the three heights that reach it.
 //!
-//! In: time t [s]. Out: [`Pose`], then heights h_i [m] of the connectors at the azimuths
+//! In: time t (s). Out: [`Pose`], then heights h_i (m) of the connectors at the azimuths
 //! alpha_i = 90, 210, 330 degrees on the circle of radius R.
 //! The plane through the connectors is z = zc - tx x - ty y, so that the platform's normal is along
 //! (tx, ty, 1), and h_i = zc - R (tx cos alpha_i + ty sin alpha_i): exact, not linearised.
@@ -11,11 +11,11 @@ use smartbed_runtime::real::Real;
 /// Commanded pose of the platform.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pose {
-    /// Heave: mean height of the connectors [m].
+    /// Heave: mean height of the connectors (m).
     pub zc: f32,
-    /// Slope along x: n_x / n_z of the platform's normal [1].
+    /// Slope along x: n_x / n_z of the platform's normal (1).
     pub tx: f32,
-    /// Slope along y: n_y / n_z [1].
+    /// Slope along y: n_y / n_z (1).
     pub ty: f32,
 }
 
@@ -23,7 +23,7 @@ pub struct Pose {
 const AZIMUTHS: [(f32, f32); 3] = [(0.0, 1.0), (-0.866_025_4, -0.5), (0.866_025_4, -0.5)];
 
 impl Pose {
-    /// Heights of the connectors A, B, C [m] on a circle of this radius [m].
+    /// Heights of the connectors A, B, C (m) on a circle of this radius (m).
     #[must_use]
     pub fn heights(self, radius: f32) -> [f32; 3] {
         AZIMUTHS.map(|(cos, sin)| self.zc - radius * (self.tx * cos + self.ty * sin))
@@ -33,15 +33,15 @@ impl Pose {
 /// A smooth demonstration: the tile rises while it tilts, then the tilt's direction goes round.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Profile {
-    /// Where it starts: level at this heave [m].
+    /// Where it starts: level at this heave (m).
     pub start: f32,
-    /// How far it rises [m].
+    /// How far it rises (m).
     pub rise: f32,
-    /// Slope that it reaches [1].
+    /// Slope that it reaches (1).
     pub slope: f32,
-    /// Time in which it gets there [s].
+    /// Time in which it gets there (s).
     pub ramp: f32,
-    /// Angular velocity of the tilt's direction [rad/s].
+    /// Angular velocity of the tilt's direction (rad/s).
     pub turn: f32,
 }
 
@@ -52,7 +52,7 @@ impl Profile {
         Self { start, rise: 0.03, slope: 0.1, ramp: 2.0, turn: 1.256_637_1 }
     }
 
-    /// The pose at time t [s].
+    /// The pose at time t (s).
     #[must_use]
     pub fn at(&self, t: f32) -> Pose {
         let s = smooth_step(t / self.ramp);

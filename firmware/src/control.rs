@@ -1,14 +1,14 @@
 //! The law: one force per leg from its commanded and its measured height.
 //!
 //! F_i = W/3 + K (h_i,commanded - h_i) - D h_i', with W the weight of everything that the three
-//! legs carry. In: heights [m] and their rates [m/s]. Out: forces [N], positive upwards.
+//! legs carry. In: heights (m) and their rates (m/s). Out: forces (N), positive upwards.
 
-/// Stiffness K of the law [N/m].
+/// Stiffness K of the law (N/m).
 pub const STIFFNESS: f32 = 900.0;
-/// Damping D of the law [N s/m].
+/// Damping D of the law (N s/m).
 pub const DAMPING: f32 = 20.0;
 
-/// Forces of the legs [N].
+/// Forces of the legs (N).
 #[must_use]
 pub fn forces(weight: f32, commanded: [f32; 3], heights: [f32; 3], rates: [f32; 3]) -> [f32; 3] {
     let share = weight / 3.0;

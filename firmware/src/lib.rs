@@ -9,16 +9,15 @@
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
 
-#[expect(missing_docs, reason = "generated: documented in the generated text where it has something to say")]
 pub mod mechanism {
     //! The equations of motion, derived from the model by the build script.
     include!(concat!(env!("OUT_DIR"), "/mechanism.rs"));
+    include!(concat!(env!("OUT_DIR"), "/model.rs"));
 }
 
 pub mod command;
 pub mod control;
 pub mod digest;
-pub mod rk4;
 pub mod simulation;
 
 /// Number of steps of the demonstration that the image runs.

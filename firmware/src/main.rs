@@ -6,7 +6,7 @@ use smartbed_firmware::{STEPS, simulation::Simulation};
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.
 fn demonstrate(mut write: impl FnMut(&[u8])) -> bool {
-    match Simulation::new().run(STEPS) {
+    match Simulation::new().map_err(|fault| (0, fault)).and_then(|mut tile| tile.run(STEPS)) {
         Ok(digest) => {
             write(b"digest ");
             write(&digest.hex());

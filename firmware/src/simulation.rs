@@ -7,12 +7,17 @@
 use crate::command::Profile;
 use crate::control;
 use crate::digest::Digest;
-use crate::mechanism::{COORDINATES, INPUTS, Model, N_INPUTS, NQ, NU, PARAMETERS, SPEEDS, START_Q, START_U};
-use crate::rk4;
-use smartbed_runtime::mechanism::{Fault, Mechanism};
+use crate::mechanism::{INPUT_NAMES, Model, N_INPUTS, NOMINAL, NQ, NU, PARAMETER_NAMES, Q_NAMES, U_NAMES};
+use smartbed_runtime::integrator::{fixed, rk4};
+use smartbed_runtime::mechanism::{Fault, Mechanism, System};
+use smartbed_runtime::state::State;
 
-/// Step [s].
+/// Length of the state x = [q, u].
+pub const NX: usize = NQ + NU;
+/// Step (s).
 pub const STEP: f32 = 1e-3;
+/// Newton corrections of the start: the nominal values of dependent coordinates are first guesses.
+const START_CORRECTIONS: u32 = 8;
 
 /// The three legs of a tile by their places in the model; none if the model is no tile. Another
 /// mechanism moves without inputs.
@@ -22,20 +27,20 @@ pub const LEGS: Option<[Leg; 3]> =
         _ => None,
     };
 
-/// Where a leg's numbers stand in q, u and the inputs.
+/// Where a leg's numbers stand in the state and in the inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Leg {
-    /// Height in q.
+    /// Height in x.
     pub height: usize,
-    /// Its rate in u.
+    /// Its rate in x.
     pub rate: usize,
     /// Force in the inputs.
     pub force: usize,
 }
 
 const fn leg(height: &str, rate: &str, force: &str) -> Option<Leg> {
-    match (position(&COORDINATES, height), position(&SPEEDS, rate), position(&INPUTS, force)) {
-        (Some(height), Some(rate), Some(force)) => Some(Leg { height, rate, force }),
+    match (position(&Q_NAMES, height), position(&U_NAMES, rate), position(&INPUT_NAMES, force)) {
+        (Some(height), Some(rate), Some(force)) => Some(Leg { height, rate: NQ + rate, force }),
         _ => None,
     }
 }
@@ -60,51 +65,62 @@ const fn equal(a: &[u8], b: &[u8]) -> bool {
     i == a.len() && i == b.len()
 }
 
-/// The model's parameter of that name, 0 if it has none.
-const fn parameter(name: &str) -> f32 {
-    let mut i = 0;
-    while i < PARAMETERS.len() {
-        if equal(PARAMETERS[i].0.as_bytes(), name.as_bytes()) {
-            return PARAMETERS[i].1;
-        }
-        i += 1;
-    }
-    0.0
+/// The model's parameter of that name, 0 if it has none that is tunable.
+fn parameter(model: &mut Model, name: &str) -> f32 {
+    let place = PARAMETER_NAMES.iter().position(|n| equal(n.as_bytes(), name.as_bytes()));
+    place.and_then(|place| model.parameter_mut(place)).map_or(0.0, |value| *value)
 }
 
 /// Everything that changes from step to step.
 pub struct Simulation {
-    model: Counted,
+    model: Model,
     profile: Profile,
-    /// Coordinates, SI.
-    pub q: [f32; NQ],
-    /// Independent speeds, SI.
-    pub u: [f32; NU],
+    radius: f32,
+    weight: f32,
+    x: [f32; NX],
+    low: [f32; NX],
+    scratch: [f32; fixed::rk4_scratch(NX)],
     steps: u32,
 }
 
-impl Default for Simulation {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl Simulation {
-    /// At rest at the model's start.
-    #[must_use]
-    pub fn new() -> Self {
-        let start = LEGS.map_or(0.0, |legs| legs.iter().map(|l| at(&START_Q, l.height)).sum::<f32>() / 3.0);
+    /// At rest at the model's nominal configuration.
+    ///
+    /// # Errors
+    /// As [`Mechanism::project`].
+    pub fn new() -> Result<Self, Fault> {
+        let mut model = Model::default();
+        let radius = parameter(&mut model, "R");
+        let mut load = parameter(&mut model, "M");
+        for each_leg in ["ms", "mc"] {
+            load += 3.0 * parameter(&mut model, each_leg);
+        }
+        let weight = load * parameter(&mut model, "g");
+        let mut q = NOMINAL;
+        for _ in 0..START_CORRECTIONS {
+            model.project(&mut q)?;
+        }
+        let mut x = [0.0; NX];
+        x.iter_mut().zip(q).for_each(|(x, q)| *x = q);
+        let start = LEGS.map_or(0.0, |legs| legs.iter().map(|l| at(&x, l.height)).sum::<f32>() / 3.0);
         let profile = Profile::demonstration(start);
-        Self { model: Counted(Model::new()), profile, q: START_Q, u: START_U, steps: 0 }
+        let (low, scratch) = ([0.0; NX], [0.0; fixed::rk4_scratch(NX)]);
+        Ok(Self { model, profile, radius, weight, x, low, scratch, steps: 0 })
     }
 
-    /// Commanded heights of A, B, C now [m].
+    /// The state x = [q, u], SI.
+    #[must_use]
+    pub fn x(&self) -> &[f32; NX] {
+        &self.x
+    }
+
+    /// Commanded heights of A, B, C now (m).
     #[must_use]
     pub fn commanded(&self) -> [f32; 3] {
-        self.profile.at(self.time()).heights(parameter("R"))
+        self.profile.at(self.time()).heights(self.radius)
     }
 
-    /// Time [s]: a product, not a sum, so that it carries no error from step to step.
+    /// Time (s): a product, not a sum, so that it carries no error from step to step.
     #[must_use]
     pub fn time(&self) -> f32 {
         self.steps as f32 * STEP
@@ -114,10 +130,9 @@ impl Simulation {
     fn inputs(&self) -> [f32; N_INPUTS] {
         let mut inputs = [0.0; N_INPUTS];
         if let Some(legs) = LEGS {
-            let heights = legs.map(|l| at(&self.q, l.height));
-            let rates = legs.map(|l| at(&self.u, l.rate));
-            let weight = (3.0 * (parameter("ms") + parameter("mc")) + parameter("M")) * parameter("g");
-            let forces = control::forces(weight, self.commanded(), heights, rates);
+            let heights = legs.map(|l| at(&self.x, l.height));
+            let rates = legs.map(|l| at(&self.x, l.rate));
+            let forces = control::forces(self.weight, self.commanded(), heights, rates);
             for (leg, force) in legs.iter().zip(forces) {
                 if let Some(input) = inputs.get_mut(leg.force) {
                     *input = force;
@@ -135,8 +150,7 @@ impl Simulation {
         let mut digest = Digest::default();
         for done in 0..steps {
             tile_step(self).map_err(|fault| (done, fault))?;
-            digest.add(&self.q);
-            digest.add(&self.u);
+            digest.add(&self.x);
         }
         Ok(digest)
     }
@@ -156,9 +170,9 @@ fn at(numbers: &[f32], place: usize) -> f32 {
 #[inline(never)]
 pub fn tile_step(simulation: &mut Simulation) -> Result<(), Fault> {
     let inputs = simulation.inputs();
-    let clock = (simulation.time(), STEP);
-    let Simulation { model, q, u, .. } = simulation;
-    rk4::step(model, clock, q, u, &inputs)?;
+    let t = simulation.time();
+    let Simulation { model, x, low, scratch, .. } = simulation;
+    rk4(&mut Held { model, inputs }, t, STEP, &mut State::resume(x, low)?, scratch)?;
     simulation.steps += 1;
     Ok(())
 }
@@ -179,35 +193,30 @@ pub fn tile_rates(
     model.rates(t, q, u, inputs, q_dot, u_dot)
 }
 
-/// The model, with its rates behind a symbol.
-struct Counted(Model);
+/// The model with its inputs held.
+struct Held<'a> {
+    model: &'a mut Model,
+    inputs: [f32; N_INPUTS],
+}
 
-impl Mechanism<f32> for Counted {
+impl System<f32> for Held<'_> {
+    fn n_x(&self) -> usize {
+        NX
+    }
     fn n_q(&self) -> usize {
-        self.0.n_q()
+        NQ
     }
-    fn n_u(&self) -> usize {
-        self.0.n_u()
+    fn rates(&mut self, t: f32, x: &[f32], x_dot: &mut [f32]) -> Result<f32, Fault> {
+        let (q, u) = x.split_at_checked(NQ).ok_or(Fault::Shape)?;
+        let rates = x_dot.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
+        tile_rates(self.model, t, (q, u, &self.inputs), rates)
     }
-    fn n_inputs(&self) -> usize {
-        self.0.n_inputs()
+    fn project(&mut self, x: &mut [f32]) -> Result<f32, Fault> {
+        let (q, _) = x.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
+        self.model.project(q)
     }
-    fn rates(
-        &mut self,
-        t: f32,
-        q: &[f32],
-        u: &[f32],
-        inputs: &[f32],
-        q_dot: &mut [f32],
-        u_dot: &mut [f32],
-    ) -> Result<f32, Fault> {
-        tile_rates(&mut self.0, t, (q, u, inputs), (q_dot, u_dot))
-    }
-    fn project(&mut self, q: &mut [f32]) -> Result<f32, Fault> {
-        self.0.project(q)
-    }
-    fn energy(&mut self, q: &[f32], u: &[f32]) -> Result<(f32, f32), Fault> {
-        self.0.energy(q, u)
+    fn projections(&self) -> u8 {
+        1
     }
 }
 
@@ -222,13 +231,13 @@ mod tests {
 
     #[test]
     fn the_tile_follows_the_command() {
-        let mut simulation = Simulation::new();
+        let mut simulation = Simulation::new().expect("a start");
         let legs = LEGS.expect("the model is a tile");
         for _ in 0..10 {
             simulation.run((1.0 / STEP) as u32).expect("a step");
             let commanded = simulation.commanded();
             for (leg, commanded) in legs.iter().zip(commanded) {
-                let error = (simulation.q[leg.height] - commanded).abs();
+                let error = (simulation.x[leg.height] - commanded).abs();
                 assert!(error < LAG, "at {} s off by {error} m", simulation.time());
             }
         }
@@ -236,7 +245,7 @@ mod tests {
 
     #[test]
     fn runs_repeat_to_the_bit() {
-        let digest = || Simulation::new().run(100).expect("a step");
+        let digest = || Simulation::new().expect("a start").run(100).expect("a step");
         assert_eq!(digest(), digest());
     }
 }

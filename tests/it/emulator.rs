@@ -30,7 +30,7 @@ fn outcome(arguments: &Arguments) -> Outcome {
 fn host_and_chip_agree_to_the_bit_for_10_000_steps() {
     let _image = one_at_a_time();
     let chip = outcome(&Arguments::default());
-    let here = Simulation::new().run(10_000).expect("no step is refused");
+    let here = Simulation::new().expect("a start").run(10_000).expect("no step is refused");
     assert_eq!(chip.digest.as_bytes(), here.hex(), "this test's own compiler");
     assert_eq!(chip.digest, chip.host_digest, "the image's compiler");
     assert_eq!(chip.step.calls, 10_000);

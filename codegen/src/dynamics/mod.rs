@@ -15,7 +15,8 @@ use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
 use crate::model::Model;
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeMap;
 
 /// Equations of motion of the independent speeds, and the energies.
 #[derive(Clone, Debug)]
@@ -92,7 +93,7 @@ fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, 
         .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
         .map(|u| u.value)
         .collect();
-    let mut values = HashMap::new();
+    let mut values = HashMap::default();
     for (id, partials) in &solution.partials {
         let unknown = k.unknowns[*id].clone();
         if matches!(unknown.kind, UnknownKind::Independent(_)) {

@@ -1,13 +1,14 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0.
 
 use super::{Dag, ExprId, Node};
-use std::collections::{BTreeMap, HashSet};
+use rustc_hash::FxHashSet as HashSet;
+use std::collections::BTreeMap;
 
 impl Dag {
     /// Operations needed for `roots` together, shared parts once.
     #[must_use]
     pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
-        let mut seen = HashSet::new();
+        let mut seen = HashSet::default();
         let mut stack: Vec<ExprId> = roots.to_vec();
         let mut operations = 0;
         while let Some(id) = stack.pop() {

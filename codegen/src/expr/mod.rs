@@ -16,7 +16,7 @@ pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
 use number::Number;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 ids! {
     /// A node of the [`Dag`].

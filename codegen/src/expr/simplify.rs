@@ -219,20 +219,8 @@ fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
         (Node::Unary(Unary::Sqrt, x), _) if a == b => Some(x), // sqrt(x)^2 = x
         (Node::Binary(Binary::Div, x, y), _) if y == b => Some(x), // (x / y) y = x
         (_, Node::Binary(Binary::Div, x, y)) if y == a => Some(x), // y (x / y) = x
-        (_, Node::Binary(Binary::Mul, c, x)) if is_plain_number(dag, c) => {
-            let product = dag.mul(a, x); // a (c x) = c (a x)
-            Some(dag.mul(c, product))
-        }
-        (Node::Binary(Binary::Mul, c, x), _) if is_plain_number(dag, c) => {
-            let product = dag.mul(x, b); // (c x) b = c (x b)
-            Some(dag.mul(c, product))
-        }
         _ => None,
     }
-}
-
-fn is_plain_number(dag: &Dag, id: ExprId) -> bool {
-    matches!(dag.node(id), Node::Number(_))
 }
 
 /// c x. The node keeps the constant first whatever the ids: see [`ordered_constant_product`].

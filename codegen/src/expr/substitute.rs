@@ -2,7 +2,7 @@
 
 use super::{Dag, ExprId, Node, SymbolId};
 use crate::id::Id;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 impl Dag {
     /// `roots` with every symbol of `replacement` replaced, once, by its expression.

@@ -5,8 +5,9 @@
 
 use super::evaluate;
 use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
 use smartbed_runtime::real::Real;
-use std::collections::HashMap;
 
 #[derive(Clone, Copy, Debug)]
 enum Instruction {
@@ -34,7 +35,7 @@ impl<S: Real> Tape<S> {
     pub fn new(dag: &Dag, roots: &[ExprId], inputs: &[SymbolId]) -> Self {
         let position: HashMap<SymbolId, usize> = inputs.iter().enumerate().map(|(k, &s)| (s, k)).collect();
         let order = dag.reachable(roots);
-        let mut slot = HashMap::new();
+        let mut slot = HashMap::default();
         for (k, &id) in order.iter().enumerate() {
             slot.insert(id, u32::try_from(k).expect("fewer than 2^32 nodes"));
         }
@@ -143,14 +144,18 @@ impl Dag {
 pub struct SampleTable {
     symbols: HashMap<SymbolId, Vec<f64>>,
     points: usize,
-    values: HashMap<ExprId, Vec<f64>>,
+    /// Where a node's values start in `values`; `UNKNOWN` if they have not been asked for.
+    place: Vec<usize>,
+    values: Vec<f64>,
 }
 
+const UNKNOWN: usize = usize::MAX;
+
 impl SampleTable {
-    /// `symbols[k](s)` is the value of symbol k at sample s.
+    /// `symbols[k][s]` is the value of symbol k at sample s.
     #[must_use]
     pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
-        Self { symbols, points, values: HashMap::new() }
+        Self { symbols, points, place: Vec::new(), values: Vec::new() }
     }
 
     /// Number of sample points.
@@ -161,36 +166,54 @@ impl SampleTable {
 
     /// Values of `expr` at every sample; not-a-number where it depends on a symbol without value.
     pub fn values(&mut self, dag: &Dag, expr: ExprId) -> &[f64] {
+        if self.place.len() < dag.len() {
+            self.place.resize(dag.len(), UNKNOWN);
+        }
         let mut stack = vec![expr];
         while let Some(&id) = stack.last() {
-            if self.values.contains_key(&id) {
-                stack.pop();
-                continue;
-            }
-            let missing: Vec<_> =
-                dag.operands(id).into_iter().flatten().filter(|a| !self.values.contains_key(a)).collect();
-            if missing.is_empty() {
-                let values = (0..self.points).map(|s| self.value(dag, id, s)).collect();
-                self.values.insert(id, values);
-                stack.pop();
-            } else {
+            let known = self.place[id.index()] != UNKNOWN;
+            let missing = dag.operands(id).into_iter().flatten().filter(|a| self.place[a.index()] == UNKNOWN);
+            let before = stack.len();
+            if !known {
                 stack.extend(missing);
             }
+            if stack.len() == before {
+                stack.pop();
+                if !known {
+                    self.append(dag, id);
+                }
+            }
         }
-        &self.values[&expr]
+        let start = self.place[expr.index()];
+        &self.values[start..start + self.points]
     }
 
-    fn value(&self, dag: &Dag, id: ExprId, sample: usize) -> f64 {
-        let at = |a: ExprId| self.values[&a][sample];
+    fn append(&mut self, dag: &Dag, id: ExprId) {
+        let n = self.points;
+        let start = self.values.len();
+        self.place[id.index()] = start;
+        let from = |a: ExprId| self.place[a.index()];
         match dag.node(id) {
-            Node::Number(c) => c.to_f64(),
-            Node::Pi => std::f64::consts::PI,
-            Node::Symbol(symbol) => self.symbols.get(&symbol).map_or(f64::NAN, |v| v[sample]),
-            Node::Negate(a) => -at(a),
-            Node::Unary(Unary::Sin, a) => at(a).sin(),
-            Node::Unary(Unary::Cos, a) => at(a).cos(),
-            Node::Unary(function, a) => evaluate::unary(function, at(a)),
-            Node::Binary(operator, a, b) => evaluate::binary(operator, at(a), at(b)),
+            Node::Number(c) => self.values.resize(start + n, c.to_f64()),
+            Node::Pi => self.values.resize(start + n, std::f64::consts::PI),
+            Node::Symbol(symbol) => match self.symbols.get(&symbol) {
+                Some(values) => self.values.extend_from_slice(values),
+                None => self.values.resize(start + n, f64::NAN),
+            },
+            Node::Negate(a) => {
+                let a = from(a);
+                (0..n).for_each(|s| self.values.push(-self.values[a + s]));
+            }
+            Node::Unary(function, a) => {
+                let a = from(a);
+                (0..n).for_each(|s| self.values.push(evaluate::unary(function, self.values[a + s])));
+            }
+            Node::Binary(operator, a, b) => {
+                let (a, b) = (from(a), from(b));
+                (0..n).for_each(|s| {
+                    self.values.push(evaluate::binary(operator, self.values[a + s], self.values[b + s]));
+                });
+            }
         }
     }
 }

@@ -111,8 +111,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
             k.dag.negate(one)
         };
         motion.add(k, &rate, minus_one);
-        let mut triads = triads_of(&motion);
-        triads.insert(home);
+        let triads = BTreeSet::from([TriadId::from_index(0), home]);
         let name = format!("{} closure {}", declared.name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: None, triads });
     }
@@ -147,8 +146,7 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
             }
             None => flat.minus(&mut k.dag, &here),
         };
-        let mut triads = triads_of(&motion);
-        triads.insert(triad);
+        let triads = BTreeSet::from([TriadId::from_index(0), triad]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }

@@ -11,11 +11,12 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::Id;
 use crate::model::Model;
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use std::collections::BTreeMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
 const INDEPENDENT: f64 = 1e-3;
-/// Below this part of its length a row is a consequence of the rows taken.
+/// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 /// A pivot relative to the largest entry of its row, at the worst sample.
 const SAFE_PIVOT: f64 = 0.05;
@@ -84,10 +85,11 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         solution.correction.insert(id, zero);
     }
     back_substitute(k, done, &mut solution);
+    check_consequences(model, k, table, &solution)?;
     Ok(solution)
 }
 
-/// Takes independent rows, cheapest first; checks that the others follow from them.
+/// Takes independent rows, each time the one that adds the fewest operations to those taken.
 fn choose(
     model: &Model,
     k: &Kinematics,
@@ -97,28 +99,105 @@ fn choose(
     let n = unknown.len();
     let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
     let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
+    let mut paid = HashSet::default();
+    let mut candidates: Vec<&Row> = k.rows.iter().collect();
     let mut chosen = Vec::new();
-    let mut left_over: Vec<&Row> = Vec::new();
-    for row in &k.rows {
+    while chosen.len() < n {
+        let cheapest = (0..candidates.len()).min_by_key(|&i| added_cost(k, candidates[i], &paid));
+        let Some(row) = cheapest.map(|i| candidates.remove(i)) else {
+            return Err(under_determined(model, chosen.len(), n));
+        };
         let numbers = numeric_row(&k.dag, table, row, &column, n);
-        let remains: Vec<Vec<f64>> =
-            numbers.iter().zip(&bases).map(|(v, basis)| orthogonal_part(v, basis)).collect();
-        let worst = remains.iter().map(|v| norm(v)).fold(f64::INFINITY, f64::min);
-        let best = remains.iter().map(|v| norm(v)).fold(0.0, f64::max);
-        if chosen.len() < n && worst > INDEPENDENT {
-            for (basis, v) in bases.iter_mut().zip(remains) {
-                let length = norm(&v);
-                basis.push(v.into_iter().map(|x| x / length).collect());
-            }
-            chosen.push(row.clone());
-        } else if best > CONSEQUENCE {
-            left_over.push(row);
+        // Most dependent rows show at the first sample: no need to look at the others.
+        let remains: Vec<Vec<f64>> = numbers
+            .iter()
+            .zip(&bases)
+            .map(|(v, basis)| orthogonal_part(v, basis))
+            .take_while(|v| norm(v) > INDEPENDENT)
+            .collect();
+        if remains.len() < table.points() {
+            continue; // depends on the rows taken, and will depend on any more
         }
-    }
-    if chosen.len() < n {
-        return Err(under_determined(model, chosen.len(), n));
+        for (basis, v) in bases.iter_mut().zip(remains) {
+            let length = norm(&v);
+            basis.push(v.into_iter().map(|x| x / length).collect());
+        }
+        pay(&k.dag, row, &mut paid);
+        chosen.push(row.clone());
     }
     Ok(chosen)
+}
+
+/// Operations that a row adds to the expressions paid for already, plus what an entry costs later.
+fn added_cost(k: &Kinematics, row: &Row, paid: &HashSet<ExprId>) -> usize {
+    let dag = &k.dag;
+    /// An unknown in a row costs about a product and a sum per right-hand side in the elimination.
+    const PER_UNKNOWN: usize = 6;
+    /// Two dependent speeds in one row must be taken apart again.
+    const COUPLING: usize = 24;
+    let mut stack: Vec<ExprId> = row.coefficients.values().copied().chain([row.bias]).collect();
+    let mut seen = HashSet::default();
+    let mut operations = 0;
+    while let Some(id) = stack.pop() {
+        if !paid.contains(&id) && seen.insert(id) {
+            operations += usize::from(dag.is_operation(id));
+            stack.extend(dag.operands(id).into_iter().flatten());
+        }
+    }
+    let own = row.coefficients.keys().filter(|&&u| is_dependent(k, u)).count();
+    operations + PER_UNKNOWN * row.coefficients.len() + COUPLING * own.saturating_sub(1)
+}
+
+fn is_dependent(k: &Kinematics, unknown: UnknownId) -> bool {
+    matches!(k.unknowns[unknown].kind, UnknownKind::Dependent(_))
+}
+
+fn pay(dag: &Dag, row: &Row, paid: &mut HashSet<ExprId>) {
+    let mut stack: Vec<ExprId> = row.coefficients.values().copied().chain([row.bias]).collect();
+    while let Some(id) = stack.pop() {
+        if paid.insert(id) {
+            stack.extend(dag.operands(id).into_iter().flatten());
+        }
+    }
+}
+
+/// Every candidate row must hold for y = T u: else the independent speeds are not independent.
+fn check_consequences(
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    solution: &Solution,
+) -> Result<(), Diagnostics> {
+    let n = solution.partials.values().next().map_or(0, Vec::len);
+    for row in &k.rows {
+        for j in 0..n {
+            let mut sum = vec![0.0_f64; table.points()];
+            let mut size = vec![0.0_f64; table.points()];
+            for (unknown, &coefficient) in &row.coefficients {
+                let c = table.values(&k.dag, coefficient).to_vec();
+                let t = table.values(&k.dag, solution.partials[unknown][j]);
+                for (((sum, size), c), t) in sum.iter_mut().zip(&mut size).zip(&c).zip(t) {
+                    *sum += c * t;
+                    *size += (c * t).abs();
+                }
+            }
+            if sum.iter().zip(&size).any(|(s, m)| s.abs() > CONSEQUENCE * m.max(CONSEQUENCE)) {
+                return Err(over_determined(model, &row.name));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn over_determined(model: &Model, name: &str) -> Diagnostics {
+    let mut error = Diagnostic::error(format!(
+        "`{name}` does not follow from the other constraints: the mechanism has fewer degrees of freedom than independent speeds"
+    ))
+    .help("declare fewer coordinates `independent`, or remove the constraint");
+    for speed in model.speeds.iter().filter(|s| s.independent) {
+        error = error.label(speed.span, "declared independent");
+    }
+    Diagnostics { source: model.source.clone(), items: vec![error] }
 }
 
 /// Unit rows of the unknown columns at every sample; zero rows stay zero.
@@ -305,7 +384,7 @@ fn back_substitute(k: &mut Kinematics, done: Vec<(UnknownId, ExprId, Equation)>,
 pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     let points = k.samples.len();
     let mut random = super::assemble::Random(0x00C0_FFEE);
-    let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::new();
+    let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     let mut set = |dag: &Dag, expr: ExprId, values: Vec<f64>| {
         if let Some(symbol) = dag.as_symbol(expr) {
             symbols.insert(symbol, values);

@@ -3,6 +3,7 @@
 //! Values that are numbers in the end (nominal values, ranges, starts) stay expressions here; they
 //! are evaluated once the parameters have been put in order and checked.
 
+use super::build_mechanics::PlannedSpeed;
 use super::document::{Key, Table, Text, Value};
 use super::expression::{Axis, Expr, ExprKind};
 use super::fields::Fields;
@@ -45,10 +46,21 @@ pub struct Draft {
     pub start_values: Vec<(StartRef, Expr)>,
 }
 
+/// A scale of factor 1.
+pub(super) const fn si(unit: Unit) -> Scale {
+    Scale { unit, factor: 1.0 }
+}
+
 /// Reads all sections.
 pub fn build(source: &Source, sections: &Sections, found: &mut Diagnostics) -> Draft {
     let mut scope = Scope::default();
-    let mut builder = Builder { draft: Draft::empty(source), sections, scope: &mut scope, found };
+    let mut builder = Builder {
+        draft: Draft::empty(source),
+        sections,
+        scope: &mut scope,
+        found,
+        planned_speeds: Vec::new(),
+    };
     builder.header();
     builder.declare();
     builder.parameters();
@@ -102,12 +114,16 @@ impl Draft {
     }
 }
 
+/// What the n-th entry of a section stands for.
+type Bind = fn(usize) -> Binding;
+
 /// Reads entries into the draft.
 pub(super) struct Builder<'a> {
     pub(super) draft: Draft,
     pub(super) sections: &'a Sections,
     pub(super) scope: &'a mut Scope,
     pub(super) found: &'a mut Diagnostics,
+    pub(super) planned_speeds: Vec<PlannedSpeed>,
 }
 
 /// The number 0 in the place of something that could not be read; never used, because an error was reported.
@@ -168,7 +184,7 @@ impl<'a> Builder<'a> {
 
     /// A vector or scalar field that may be missing.
     pub(super) fn optional(&mut self, fields: &Fields<'_>, name: &'static str, unit: Unit) -> Option<Expr> {
-        fields.get(name).map(|value| self.quantity(value, Scale { unit, factor: 1.0 }))
+        fields.get(name).map(|value| self.quantity(value, si(unit)))
     }
 
     /// A vector or scalar field that must be there.
@@ -180,7 +196,7 @@ impl<'a> Builder<'a> {
         example: &str,
     ) -> Expr {
         match fields.need(name, example, self.found) {
-            Some(value) => self.quantity(value, Scale { unit, factor: 1.0 }),
+            Some(value) => self.quantity(value, si(unit)),
             None => unreadable(fields.span),
         }
     }
@@ -300,6 +316,7 @@ impl<'a> Builder<'a> {
             None => {}
         }
         fields.get("gravity");
+        fields.get("extends");
         fields.finish(self.found);
     }
 
@@ -308,7 +325,7 @@ impl<'a> Builder<'a> {
         let nowhere = Span::default();
         self.scope.frames.insert("N".to_owned(), (FrameId::from_index(0), nowhere));
         self.scope.values.insert("O".to_owned(), (Binding::Point(PointId::from_index(0)), nowhere));
-        let kinds: [(&str, fn(usize) -> Binding); 5] = [
+        let kinds: [(&str, Bind); 5] = [
             ("parameters", |i| Binding::Parameter(ParameterId::from_index(i))),
             ("coordinates", |i| Binding::Coordinate(CoordinateId::from_index(i))),
             ("inputs", |i| Binding::Input(InputId::from_index(i))),

@@ -1,35 +1,69 @@
 //! The mechanical sections: coordinates, speeds, frames, points, bodies, constraints, loads, values.
 
-use super::build::Builder;
+use super::build::{Builder, si};
 use super::document::Value;
 use super::expression::{Expr, ExprKind};
 use super::fields::Fields;
 use super::repeat::wrong_kind;
-use super::scope::{Binding, suggestion};
-use super::unit::{Scale, Unit};
+use super::scope::Binding;
+use super::unit::Unit;
 use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::id::Id;
 
-/// A scale of factor 1.
-const fn si(unit: Unit) -> Scale {
-    Scale { unit, factor: 1.0 }
+/// A speed as declared, before its meaning is read.
+pub(super) struct PlannedSpeed {
+    name: String,
+    span: Span,
+    /// The coordinate whose rate it is, or none for an entry of `[speeds]`.
+    coordinate: Option<CoordinateId>,
+    independent: Option<bool>,
 }
 
 impl Builder<'_> {
-    /// Every coordinate has the speed `u_<name>` unless it names another one.
+    /// Every coordinate has the speed `u_<name>` unless it names another one or has none; then
+    /// follow those of `[speeds]`.
     pub(super) fn declare_speeds(&mut self) {
+        let mut plan = Vec::new();
         for (i, (key, value)) in self.entries("coordinates").iter().enumerate() {
-            let given = match value {
-                Value::Table(table) => match table.get("speed") {
-                    Some(Value::Text(text)) => Some((text.text.clone(), text.span)),
-                    _ => None,
-                },
-                _ => None,
+            let coordinate = Some(CoordinateId::from_index(i));
+            let mut speed = PlannedSpeed {
+                name: format!("u_{}", key.name),
+                span: key.span,
+                coordinate,
+                independent: None,
             };
-            let (name, span) = given.unwrap_or_else(|| (format!("u_{}", key.name), key.span));
-            self.scope.declare(&name, span, Binding::Speed(SpeedId::from_index(i)), self.found);
+            let given = if let Value::Table(table) = value { table.get("speed") } else { None };
+            match given {
+                None => {}
+                Some(Value::Boolean(false, _)) => continue,
+                Some(Value::Text(text)) => (speed.name, speed.span) = (text.text.clone(), text.span),
+                Some(Value::Table(table)) => {
+                    let fields = Fields::of("speed", table.span, table);
+                    if let Some(text) = fields.text("name", self.found) {
+                        (speed.name, speed.span) = (text.text.clone(), text.span);
+                    }
+                    speed.independent = fields.boolean("independent", self.found);
+                    fields.finish(self.found);
+                }
+                Some(other) => {
+                    self.found.push(wrong_kind("speed", "a name, { name, independent } or false", other))
+                }
+            }
+            plan.push(speed);
         }
+        for (key, _) in self.entries("speeds") {
+            plan.push(PlannedSpeed {
+                name: key.name.clone(),
+                span: key.span,
+                coordinate: None,
+                independent: None,
+            });
+        }
+        for (i, speed) in plan.iter().enumerate() {
+            self.scope.declare(&speed.name, speed.span, Binding::Speed(SpeedId::from_index(i)), self.found);
+        }
+        self.planned_speeds = plan;
     }
 
     /// Does the model constrain anything? Then a coordinate is dependent unless it says otherwise.
@@ -84,28 +118,59 @@ impl Builder<'_> {
     }
 
     pub(super) fn speeds(&mut self) {
-        let names: Vec<(SpeedId, String)> = self
-            .scope
-            .values
-            .iter()
-            .filter_map(|(name, (binding, _))| match binding {
-                Binding::Speed(id) => Some((*id, name.clone())),
-                _ => None,
-            })
-            .collect();
-        for (id, coordinate) in self.draft.model.coordinates.enumerate() {
-            let speed = SpeedId::from_index(id.index());
-            let name = names.iter().find(|(known, _)| *known == speed).map_or("", |(_, name)| name.as_str());
-            let unit = self.draft.units.coordinates[id].per(Unit::TIME).unwrap_or(Unit::NONE);
-            self.draft.units.speeds.push(unit);
-            self.draft.model.speeds.push(Speed {
-                name: name.to_owned(),
-                unit: rate_unit(&coordinate.unit, unit),
-                meaning: SpeedMeaning::RateOf(id),
-                independent: coordinate.independent,
-                span: coordinate.span,
-            });
+        let mut combinations = self.entries("speeds").iter();
+        for planned in std::mem::take(&mut self.planned_speeds) {
+            match planned.coordinate {
+                Some(id) => {
+                    let Some(coordinate) = self.draft.model.coordinates.as_slice().get(id.index()) else {
+                        continue;
+                    };
+                    let unit = self.draft.units.coordinates[id].per(Unit::TIME).unwrap_or(Unit::NONE);
+                    self.draft.units.speeds.push(unit);
+                    let speed = Speed {
+                        name: planned.name,
+                        unit: rate_unit(&coordinate.unit, unit),
+                        meaning: SpeedMeaning::RateOf(id),
+                        independent: planned.independent.unwrap_or(coordinate.independent),
+                        span: coordinate.span,
+                    };
+                    self.draft.model.speeds.push(speed);
+                }
+                None => {
+                    let Some((key, value)) = combinations.next() else { continue };
+                    let Some(fields) = Fields::new(key, value, self.found) else { continue };
+                    self.combination(&fields);
+                    fields.finish(self.found);
+                }
+            }
         }
+        let (speeds, coordinates) = (self.draft.model.speeds.len(), self.draft.model.coordinates.len());
+        if let Some((key, _)) = self.entries("speeds").first().filter(|_| speeds != coordinates) {
+            self.found.push(
+                Diagnostic::error(format!("{speeds} speeds for {coordinates} coordinates"))
+                    .label(key.span, "there must be one speed per coordinate")
+                    .help("a coordinate whose rate enters [speeds] has no speed of its own: give it `speed = false`"),
+            );
+        }
+    }
+
+    /// A speed that is a linear combination of rates.
+    fn combination(&mut self, fields: &Fields<'_>) {
+        fields.doc(self.found);
+        let (unit, scale) = self.unit(fields);
+        let value = match fields.need("value", "\"q_dot(q1)*cos(q2)\"", self.found) {
+            Some(value) => self.expression(value),
+            None => return,
+        };
+        let constrained = self.is_constrained() || !self.entries("constraints.motion").is_empty();
+        self.draft.units.speeds.push(scale.map_or(Unit::NONE, |s| s.unit));
+        self.draft.model.speeds.push(Speed {
+            name: fields.name.to_owned(),
+            unit,
+            meaning: SpeedMeaning::Combination(value),
+            independent: fields.boolean("independent", self.found).unwrap_or(!constrained),
+            span: fields.span,
+        });
     }
 
     pub(super) fn frames(&mut self) {
@@ -117,9 +182,10 @@ impl Builder<'_> {
         });
         for (key, value) in self.entries("frames") {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let parent = fields.get("parent");
             let orientation = match fields.array("rotations", self.found) {
                 Some((steps, _)) => {
-                    let parent = match fields.get("parent") {
+                    let parent = match parent {
                         None => FrameId::from_index(0),
                         given => self.frame_of(given).unwrap_or(FrameId::from_index(0)),
                     };
@@ -345,98 +411,6 @@ impl Builder<'_> {
         let damping = self.optional(fields, "damping", Unit::NONE);
         let (a, b) = ends?;
         Some(LoadKind::Spring { ends: [a, b], stiffness, rest_length, damping })
-    }
-
-    /// Configurations, start values, laws and the run.
-    pub(super) fn values(&mut self) {
-        for table in &self.sections.configurations {
-            let fields = Fields::of("configuration", table.span, table);
-            let name = fields.text("name", self.found).map_or_else(String::new, |text| text.text.clone());
-            let mut values = Vec::new();
-            for (key, value) in fields.table("values", self.found).map_or(&[][..], |t| &t.entries) {
-                if let Some(id) = self.coordinate_named(key) {
-                    let unit = self.draft.units.coordinates[id];
-                    values.push((id, self.quantity(value, si(unit))));
-                }
-            }
-            fields.finish(self.found);
-            self.draft.model.configurations.push(Configuration { name, values: Vec::new() });
-            self.draft.configuration_values.push(values);
-        }
-        self.start();
-        self.laws();
-        self.run();
-    }
-
-    fn start(&mut self) {
-        for (key, value) in self.entries("start") {
-            let (of, unit) = match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
-                Some(Binding::Coordinate(id)) => (StartRef::Coordinate(id), self.draft.units.coordinates[id]),
-                Some(Binding::Speed(id)) => (StartRef::Speed(id), self.draft.units.speeds[id]),
-                _ => {
-                    let state = |b: &Binding| matches!(b, Binding::Coordinate(_) | Binding::Speed(_));
-                    self.unknown_key(key, "coordinate or speed", state);
-                    continue;
-                }
-            };
-            let value = self.quantity(value, si(unit));
-            self.draft.start_values.push((of, value));
-        }
-    }
-
-    fn laws(&mut self) {
-        for (key, value) in self.entries("law") {
-            match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
-                Some(Binding::Input(id)) => {
-                    let value = self.quantity(value, si(self.draft.units.inputs[id]));
-                    self.draft.model.laws.push((id, value));
-                }
-                _ => self.unknown_key(key, "input", |b| matches!(b, Binding::Input(_))),
-            }
-        }
-    }
-
-    fn unknown_key(&mut self, key: &document::Key, kind: &str, fits: impl Fn(&Binding) -> bool) {
-        let known: Vec<&str> =
-            self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
-        let all =
-            || format!("known: {}", if known.is_empty() { "none".to_owned() } else { known.join(", ") });
-        self.found.push(
-            Diagnostic::error(format!("`{}` is no {kind} of this model", key.name))
-                .label(key.span, "unknown")
-                .help(suggestion(&key.name, known.iter().copied()).unwrap_or_else(all)),
-        );
-    }
-
-    fn run(&mut self) {
-        let table = document::Table { entries: self.entries("run").to_vec(), span: Span::default() };
-        let span = table.entries.first().map_or(table.span, |(key, _)| key.span);
-        let fields = Fields::of("run", span, &table);
-        let mut run = Run::default();
-        for (field, target) in [("seconds", &mut run.seconds), ("step", &mut run.step)] {
-            match fields.get(field) {
-                Some(Value::Number(number, _)) if 0.0 < *number && number.is_finite() => *target = *number,
-                Some(other) => self.found.push(wrong_kind(field, "a positive number of seconds", other)),
-                None => {}
-            }
-        }
-        match fields.get("every") {
-            Some(Value::Number(n, _)) if n.fract() == 0.0 && (1.0..=1e9).contains(n) => {
-                run.every = *n as usize
-            }
-            Some(other) => self.found.push(wrong_kind("every", "a positive whole number of steps", other)),
-            None => {}
-        }
-        if let Some(method) = fields.text("method", self.found) {
-            run.method = method.text.clone();
-        }
-        fields.finish(self.found);
-        self.draft.model.run = run;
-    }
-
-    fn coordinate_named(&mut self, key: &document::Key) -> Option<CoordinateId> {
-        let text = document::Text::bare(&key.name, key.span);
-        self.coordinate_of(Some(&Value::Text(text)))
     }
 }
 

@@ -60,7 +60,7 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
         model.speeds.iter().filter(|s| s.independent).map(|s| s.name.as_str()).collect();
     match model.dof {
         Some((stated, span)) if stated != independent.len() => found.push(
-            Diagnostic::error(format!("dof = {stated}, but {} speeds are independent", independent.len()))
+            Diagnostic::error(format!("dof = {stated}, but independent speeds: {}", independent.len()))
                 .label(span, format!("independent: {}", independent.join(", ")))
                 .help("correct dof, or mark coordinates as `independent = true` or `false`"),
         ),
@@ -75,7 +75,11 @@ impl Checker<'_> {
             match *entity {
                 Entity::Parameter(id) => {
                     let parameter = &draft.model.parameters[id];
-                    self.expect(&parameter.value, Type::scalar(draft.units.parameters[id]), &parameter.name);
+                    self.expect(
+                        &parameter.value,
+                        Type::scalar(draft.units.parameters[id]),
+                        &quoted(&parameter.name),
+                    );
                 }
                 Entity::Definition(id) => {
                     let definition = &draft.model.definitions[id];
@@ -147,14 +151,30 @@ impl Checker<'_> {
             let unit = Type::scalar(draft.units.coordinates[id]);
             let numbers = draft.coordinate_values[id].iter().flatten();
             for value in coordinate.closed_form.iter().chain(numbers) {
-                self.expect(value, unit, &coordinate.name);
+                self.expect(value, unit, &quoted(&coordinate.name));
             }
         }
+        for (id, speed) in model.speeds.enumerate() {
+            if let SpeedMeaning::Combination(value) = &speed.meaning {
+                self.expect(value, Type::scalar(draft.units.speeds[id]), &quoted(&speed.name));
+            }
+        }
+        for (of, value) in &draft.start_values {
+            let unit = match of {
+                StartRef::Coordinate(id) => draft.units.coordinates[*id],
+                StartRef::Speed(id) => draft.units.speeds[*id],
+            };
+            self.expect(value, Type::scalar(unit), "this start value");
+        }
         for (id, value) in draft.configuration_values.iter().flatten() {
-            self.expect(value, Type::scalar(draft.units.coordinates[*id]), &model.coordinates[*id].name);
+            self.expect(
+                value,
+                Type::scalar(draft.units.coordinates[*id]),
+                &quoted(&model.coordinates[*id].name),
+            );
         }
         for (id, value) in &model.laws {
-            self.expect(value, Type::scalar(draft.units.inputs[*id]), &model.inputs[*id].name);
+            self.expect(value, Type::scalar(draft.units.inputs[*id]), &quoted(&model.inputs[*id].name));
         }
     }
 
@@ -196,7 +216,7 @@ impl Checker<'_> {
         for (output, stated) in draft.model.outputs.iter().zip(&draft.units.outputs) {
             let of = self.infer(&output.value).unwrap_or(Type::scalar(Unit::NONE));
             let wanted = Type { vector: false, unit: stated.or(of.unit) };
-            self.compare(&output.value, of, wanted, &output.name);
+            self.compare(&output.value, of, wanted, &quoted(&output.name));
             units.push(wanted.known());
         }
         units
@@ -221,14 +241,14 @@ impl Checker<'_> {
                     .label(expr.span, format!("this is {is}"))
                     .help(help),
             );
-        } else if let (Some(is), Some(needs)) = (of.unit, wanted.unit) {
-            if is != needs {
-                self.found.push(
-                    Diagnostic::error(format!("{what} must be in {}", shown(needs)))
-                        .label(expr.span, format!("this is in {}", shown(is)))
-                        .help(unit_help(is, needs)),
-                );
-            }
+        } else if let (Some(is), Some(needs)) = (of.unit, wanted.unit)
+            && is != needs
+        {
+            self.found.push(
+                Diagnostic::error(format!("{what} must be {}", shown(needs)))
+                    .label(expr.span, format!("this is {}", shown(is)))
+                    .help(unit_help(is, needs)),
+            );
         }
     }
 
@@ -251,7 +271,14 @@ impl Checker<'_> {
             ExprKind::AngularVelocity(_) => Type::vector(Unit::RATE),
             ExprKind::Axis(..) => Type::vector(Unit::NONE),
             ExprKind::Negate(a) => self.infer(a)?,
-            ExprKind::Add(a, b) | ExprKind::Subtract(a, b) => self.sum(expr, a, b)?,
+            ExprKind::Add(a, b) => {
+                let (x, y) = self.both(a, b)?;
+                self.alike("added", (a, x, b, y))?
+            }
+            ExprKind::Subtract(a, b) => {
+                let (x, y) = self.both(a, b)?;
+                self.alike("subtracted", (a, x, b, y))?
+            }
             ExprKind::Multiply(a, b) => self.product(expr, a, b)?,
             ExprKind::Divide(a, b) => {
                 let (x, y) = self.both(a, b)?;
@@ -320,14 +347,8 @@ impl Checker<'_> {
         unit.ok_or(Reported)
     }
 
-    /// a + b, a - b and whatever else wants two of the same kind.
-    fn sum(&mut self, expr: &Expr, a: &Expr, b: &Expr) -> Checked {
-        let (x, y) = self.both(a, b)?;
-        let word = match expr.kind {
-            ExprKind::Add(..) => "added",
-            ExprKind::Subtract(..) => "subtracted",
-            _ => "compared",
-        };
+    /// Two that are added, subtracted or compared: type and unit must be the same.
+    fn alike(&mut self, word: &str, (a, x, b, y): (&Expr, Type, &Expr, Type)) -> Checked {
         if x.vector != y.vector {
             self.found.push(
                 Diagnostic::error(format!("a vector and a scalar cannot be {word}"))
@@ -340,10 +361,14 @@ impl Checker<'_> {
         match (x.unit, y.unit) {
             (Some(left), Some(right)) if left != right => {
                 self.found.push(
-                    Diagnostic::error(format!("{} and {} cannot be {word}", shown(left), shown(right)))
-                        .label(b.span, format!("this is in {}", shown(right)))
-                        .label(a.span, format!("this is in {}", shown(left)))
-                        .help(unit_help(right, left)),
+                    Diagnostic::error(format!(
+                        "a quantity {} and one {} cannot be {word}",
+                        shown(left),
+                        shown(right)
+                    ))
+                    .label(b.span, format!("this is {}", shown(right)))
+                    .label(a.span, format!("this is {}", shown(left)))
+                    .help(unit_help(right, left)),
                 );
                 Err(Reported)
             }
@@ -369,40 +394,41 @@ impl Checker<'_> {
     }
 
     fn call(&mut self, expr: &Expr, function: Function, arguments: &[Expr]) -> Checked {
-        let (a, b) = match arguments {
-            [a] => (a, None),
-            [a, b, ..] => (a, Some(b)),
-            [] => return Err(Reported),
-        };
-        for argument in arguments {
-            let of = self.infer(argument)?;
-            self.scalar(argument, of, "an argument of this function")?;
+        let types: Vec<Checked> = arguments.iter().map(|argument| self.infer(argument)).collect();
+        let types = types.into_iter().collect::<Result<Vec<Type>, Reported>>()?;
+        for (argument, of) in arguments.iter().zip(&types) {
+            self.scalar(argument, *of, "an argument of this function")?;
         }
-        let x = self.infer(a)?;
+        let x = types[0];
+        let pair = || Some((&arguments[0], x, arguments.get(1)?, *types.get(1)?));
         match function {
             Function::Sqrt => Ok(Type::scalar(self.bounded(expr, x.known().power(1, 2))?)),
             Function::Abs => Ok(x),
             Function::Sign => Ok(Type::scalar(Unit::NONE)),
-            Function::Min | Function::Max => self.sum(expr, a, b.ok_or(Reported)?),
+            Function::Min | Function::Max => self.alike("compared", pair().ok_or(Reported)?),
             Function::Atan2 | Function::SmoothStep => {
-                self.sum(expr, a, b.ok_or(Reported)?)?;
+                self.alike("compared", pair().ok_or(Reported)?)?;
                 Ok(Type::scalar(Unit::NONE))
             }
             _ => {
-                self.compare(a, x, Type::scalar(Unit::NONE), "the argument of this function");
+                self.compare(&arguments[0], x, Type::scalar(Unit::NONE), "the argument of this function");
                 Ok(Type::scalar(Unit::NONE))
             }
         }
     }
 }
 
+fn quoted(name: &str) -> String {
+    format!("`{name}`")
+}
+
 fn shape(of: Type) -> &'static str {
     if of.vector { "a vector" } else { "a scalar" }
 }
 
-/// A unit in messages.
+/// A unit in messages. Numbers and angles have none.
 fn shown(unit: Unit) -> String {
-    if unit == Unit::NONE { "no unit (a number or an angle)".to_owned() } else { unit.to_string() }
+    if unit == Unit::NONE { "without unit".to_owned() } else { format!("in {unit}") }
 }
 
 /// What is missing between two units.

@@ -177,6 +177,9 @@ impl Text {
     }
 }
 
+/// After this many faults of notation the rest is noise.
+const MOST_ERRORS: usize = 20;
+
 /// Reads TOML.
 ///
 /// # Errors
@@ -190,11 +193,13 @@ pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
     let report = |error: &toml::de::Error| {
         let range = error.span().unwrap_or(0..0);
         let span = Span { start: range.start, end: range.end, file };
-        Diagnostic::error(format!("not valid TOML: {}", error.message()))
-            .label(span, "here")
-            .help("see https://toml.io for the notation; a text with blanks or operators stands in quotes")
+        let help = match error.message() {
+            "duplicate key" => "the name stands twice in this table: rename or remove one of the two",
+            _ => "see https://toml.io for the notation; a text with blanks or operators stands in quotes",
+        };
+        Diagnostic::error(format!("not valid TOML: {}", error.message())).label(span, "here").help(help)
     };
-    Err(errors.iter().map(report).collect())
+    Err(errors.iter().take(MOST_ERRORS).map(report).collect())
 }
 
 fn convert_table(table: &DeTable<'_>, span: Span, text: &str) -> Table {

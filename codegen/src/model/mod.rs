@@ -7,23 +7,27 @@
 
 mod build;
 mod build_mechanics;
+mod build_values;
 mod check;
 mod document;
 mod evaluate;
 pub mod expression;
+mod extend;
 mod fields;
 mod lexing;
 mod order;
 mod parse_expression;
+mod reach;
 mod read;
 mod repeat;
 mod scope;
 pub mod unit;
+mod unused;
 
 use crate::id::{IdVec, ids};
 use crate::source::{Source, Span};
 pub use expression::{Axis, Expr};
-pub use read::{parse, read};
+pub use read::{parse, parse_with, read};
 
 ids! {
     /// A parameter.

@@ -1,41 +1,31 @@
 //! Model text -> [`Model`]: the stages in order, each ending with all its errors at once.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use super::document::{Table, Value};
+use super::repeat::{Sections, wrong_kind};
 use super::*;
-use super::{build, check, document, order, repeat};
+use super::{build, check, document, extend, order, reach, repeat};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::source::File;
 
 /// Largest model text in bytes.
 const LARGEST_TEXT: usize = 4 << 20;
 
-/// Reads a model from its text; `path` is its name in messages.
+/// A model may extend a model that extends a model ... at most this often.
+const LONGEST_CHAIN: usize = 8;
+
+/// Gives the text of the file at a path, or says why it cannot.
+type Loader<'a> = &'a dyn Fn(&Path) -> Result<String, String>;
+
+/// Reads a model from its text; `path` is its name in messages. What the model extends is read
+/// from files next to it.
 ///
 /// # Errors
 /// All errors of the first stage that found any, with their places.
 pub fn parse(path: &str, text: &str) -> Result<Model, Diagnostics> {
-    let source = Source::new(path, text);
-    let mut found = Diagnostics::new(source.clone());
-    if LARGEST_TEXT < text.len() {
-        found.push(Diagnostic::error(format!("the model is larger than {LARGEST_TEXT} bytes")));
-        return Err(found);
-    }
-    let table = match document::parse(text, 0) {
-        Ok(table) => table,
-        Err(errors) => {
-            errors.into_iter().for_each(|error| found.push(error));
-            return Err(found);
-        }
-    };
-    let sections = repeat::expand(&table, &mut found);
-    let mut draft = build::build(&source, &sections, &mut found);
-    let mut found = next_stage(found)?;
-    draft.model.order = order::sort(&draft.model, &mut found);
-    let mut found = next_stage(found)?;
-    check::check(&mut draft, &mut found);
-    let mut found = next_stage(found)?;
-    let model = check::evaluate(draft, &mut found);
-    found.finish(model)
+    parse_with(path, text, &|path| std::fs::read_to_string(path).map_err(|e| e.to_string()))
 }
 
 /// Reads a model from a file.
@@ -51,6 +41,87 @@ pub fn read(path: &Path) -> Result<Model, Diagnostics> {
             Err(Diagnostics::one(Source::new(&name, ""), Diagnostic::error(message)))
         }
     }
+}
+
+/// As [`parse`], with the text of extended models given by `load` (path as in messages -> text).
+///
+/// # Errors
+/// As [`parse`].
+pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Diagnostics> {
+    let (source, tables, mut found) = chain(path, text, load);
+    if found.has_errors() {
+        return Err(found);
+    }
+    // The last of the chain is the base of all.
+    let mut sections = None;
+    for table in tables.iter().rev() {
+        sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
+    }
+    let sections: Sections = sections.unwrap_or_default();
+    let mut draft = build::build(&source, &sections, &mut found);
+    let mut found = next_stage(found)?;
+    draft.model.order = order::sort(&draft.model, &mut found);
+    let mut found = next_stage(found)?;
+    check::check(&mut draft, &mut found);
+    reach::check(&draft, &mut found);
+    let mut found = next_stage(found)?;
+    let model = check::evaluate(draft, &mut found);
+    found.finish(model)
+}
+
+/// The model's own table and those of the models it extends, with all texts.
+fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagnostics) {
+    let mut files = vec![File { path: path.to_owned(), text: text.to_owned() }];
+    let (mut tables, mut items) = (Vec::new(), Vec::new());
+    let mut at = PathBuf::from(path);
+    loop {
+        let file = u32::try_from(files.len() - 1).unwrap_or(u32::MAX);
+        let text = &files[files.len() - 1].text;
+        if LARGEST_TEXT < text.len() {
+            items.push(
+                Diagnostic::error(format!("the model is larger than {LARGEST_TEXT} bytes"))
+                    .label(Span { start: 0, end: 1, file }, "a model is a text that people can read"),
+            );
+            break;
+        }
+        let table = match document::parse(text, file) {
+            Ok(table) => table,
+            Err(errors) => {
+                items.extend(errors);
+                break;
+            }
+        };
+        let base = table.get("extends").cloned();
+        tables.push(table);
+        let base = match base {
+            None => break,
+            Some(Value::Text(base)) => base,
+            Some(other) => {
+                items.push(wrong_kind("extends", "the path of a model in quotes", &other));
+                break;
+            }
+        };
+        at = at.parent().map_or_else(PathBuf::new, Path::to_path_buf).join(&base.text);
+        let name = at.display().to_string();
+        let fault = if LONGEST_CHAIN < files.len() || files.iter().any(|f| f.path == name) {
+            Err("the models extend each other in a circle, or too often".to_owned())
+        } else {
+            load(&at)
+        };
+        match fault {
+            Ok(text) => files.push(File { path: name, text }),
+            Err(reason) => {
+                items.push(
+                    Diagnostic::error(format!("cannot extend {name}: {reason}"))
+                        .label(base.span, "this model")
+                        .help("the path counts from the folder of the model that extends it"),
+                );
+                break;
+            }
+        }
+    }
+    let source = Source { files: Arc::new(files) };
+    (source.clone(), tables, Diagnostics { source, items })
 }
 
 /// Goes on if no error was found.

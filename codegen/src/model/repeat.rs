@@ -40,6 +40,9 @@ pub const SECTIONS: [&str; 16] = [
     "law",
 ];
 
+/// At most this many entries in all sections together.
+const MOST_ENTRIES: usize = 10_000;
+
 /// At most this many copies of sub-assemblies in one model.
 const MOST_COPIES: usize = 1000;
 
@@ -62,6 +65,15 @@ pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
             true => repeat(key, value, &mut sections, found),
             false => add(key, value.clone(), &mut sections, found),
         }
+    }
+    let entries: usize = sections.tables.values().map(Vec::len).sum();
+    if MOST_ENTRIES < entries {
+        found.push(
+            Diagnostic::error(format!("{entries} entries; at most {MOST_ENTRIES} are allowed"))
+                .label(document.span, "this model is too large")
+                .help("a mechanism of this size needs a numeric multibody program, not symbolic equations"),
+        );
+        sections.tables.clear();
     }
     sections
 }

@@ -121,7 +121,8 @@ pub fn is_keyword(name: &str) -> bool {
 /// `did you mean ...?`, if a known name is near.
 pub fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let near = known.into_iter().map(|k| (edit_distance(name, k), k)).min()?;
-    let allowed = 1.max(name.chars().count() / 3);
+    // One letter has no near names, except itself in the other case.
+    let allowed = (name.chars().count() + 1) / 3;
     (near.0 <= allowed).then(|| format!("did you mean `{}`?", near.1))
 }
 

@@ -8,15 +8,15 @@ use std::fmt;
 /// A rational number with a positive denominator, reduced.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Ratio {
-    numerator: i16,
-    denominator: i16,
+    numerator: i8,
+    denominator: i8,
 }
 
 impl Ratio {
     /// Zero.
     pub const ZERO: Self = Self { numerator: 0, denominator: 1 };
 
-    /// n/d, reduced; none if d = 0 or the numbers grow beyond 16 bits.
+    /// n/d, reduced; none if d = 0 or the numbers grow beyond 8 bits.
     #[must_use]
     pub fn new(n: i32, d: i32) -> Option<Self> {
         let (mut a, mut b) = (n.unsigned_abs(), d.unsigned_abs());
@@ -26,8 +26,8 @@ impl Ratio {
         let divisor = i32::try_from(a).ok().filter(|_| d != 0)? * d.signum();
         let divisor = if divisor == 0 { d } else { divisor };
         Some(Self {
-            numerator: i16::try_from(n / divisor).ok()?,
-            denominator: i16::try_from(d / divisor).ok()?,
+            numerator: i8::try_from(n / divisor).ok()?,
+            denominator: i8::try_from(d / divisor).ok()?,
         })
     }
 
@@ -79,7 +79,7 @@ impl Unit {
     /// N m.
     pub const TORQUE: Self = Self::integers([1, 2, -2, 0, 0]);
 
-    const fn integers(of: [i16; 5]) -> Self {
+    const fn integers(of: [i8; 5]) -> Self {
         let mut exponents = [Ratio::ZERO; 5];
         let mut i = 0;
         while i < 5 {
@@ -134,7 +134,7 @@ impl fmt::Display for Unit {
         if let Some((name, _)) = NAMED.iter().find(|(_, unit)| unit == self) {
             return f.write_str(name);
         }
-        let factor = |name: &str, n: i16, d: i16| match (n, d) {
+        let factor = |name: &str, n: i8, d: i8| match (n, d) {
             (1, 1) => name.to_owned(),
             (n, 1) => format!("{name}^{n}"),
             (n, d) => format!("{name}^({n}/{d})"),
@@ -166,7 +166,7 @@ pub struct Scale {
 }
 
 /// Unit names: name, factor, exponents of kg m s K A.
-const NAMES: &[(&str, f64, [i16; 5])] = &[
+const NAMES: &[(&str, f64, [i8; 5])] = &[
     ("1", 1.0, [0, 0, 0, 0, 0]),
     ("rad", 1.0, [0, 0, 0, 0, 0]),
     ("deg", std::f64::consts::PI / 180.0, [0, 0, 0, 0, 0]),

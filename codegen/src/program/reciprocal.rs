@@ -6,13 +6,13 @@
 use super::Program;
 use crate::expr::{Binary, ExprId, Node};
 use crate::id::Id;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap as HashMap;
 
 /// Rewrites all answers of a program.
 pub(super) fn share(program: &mut Program) {
     let roots = program.all_roots();
     let order = program.dag.reachable(&roots);
-    let mut quotients: HashMap<ExprId, usize> = HashMap::new();
+    let mut quotients: HashMap<ExprId, usize> = HashMap::default();
     for &id in &order {
         if let Node::Binary(Binary::Div, _, divisor) = program.dag.node(id) {
             *quotients.entry(divisor).or_insert(0) += 1;

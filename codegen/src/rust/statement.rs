@@ -13,7 +13,7 @@ use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::program::Program;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// Operations in one statement before it is broken up.
 const LONGEST_STATEMENT: usize = 8;
@@ -43,9 +43,9 @@ impl<'p> Body<'p> {
             scalar,
             statements: Vec::new(),
             results: Vec::new(),
-            uses: HashMap::new(),
-            own_statement: HashSet::new(),
-            ident: HashMap::new(),
+            uses: HashMap::default(),
+            own_statement: HashSet::default(),
+            ident: HashMap::default(),
             scope: Scope::default(),
             read: [false; 5],
         };
@@ -80,7 +80,7 @@ impl<'p> Body<'p> {
     /// Decides which nodes get a statement of their own.
     fn break_up(&mut self, roots: &[ExprId]) {
         let dag = self.dag();
-        let mut size: HashMap<ExprId, usize> = HashMap::new();
+        let mut size: HashMap<ExprId, usize> = HashMap::default();
         for id in dag.reachable(roots) {
             let trivial = dag.is_constant(id) || matches!(dag.node(id), Node::Symbol(_));
             let inline: usize = dag
@@ -105,7 +105,7 @@ impl<'p> Body<'p> {
     fn define(&mut self, root: ExprId) {
         let dag = self.dag();
         let mut stack = vec![(root, false)];
-        let mut visited: HashSet<ExprId> = HashSet::new();
+        let mut visited: HashSet<ExprId> = HashSet::default();
         while let Some((id, expanded)) = stack.pop() {
             if self.ident.contains_key(&id) || (!expanded && !visited.insert(id)) {
                 continue;

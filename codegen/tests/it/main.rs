@@ -1,4 +1,9 @@
 //! Tests of the generator, one binary.
 
+mod expressions;
 mod geometry;
+mod model_errors;
 mod models;
+mod rejected;
+mod textbook;
+mod units;

@@ -48,3 +48,55 @@ fn planar_models_have_the_names_of_the_reference() {
     assert_eq!(names(fourbar.speeds.iter().map(|s| &s.name)), ["u1", "u2", "u3"]);
     assert_eq!(names(fourbar.speeds.iter().filter(|s| s.independent).map(|s| &s.name)), ["u1"]);
 }
+
+#[test]
+fn shipped_models_leave_nothing_unused() {
+    for name in ["pendulum3", "fourbar", "tile", "tile_minimal"] {
+        let warnings = shipped(name).warnings();
+        assert!(warnings.items.is_empty(), "{warnings}");
+    }
+}
+
+/// Blocks of TOML in the manual, each with the name of the model it is taken from.
+fn quoted_in_manual() -> Vec<(String, String)> {
+    let manual = include_str!("../../../docs/models.md");
+    let mut blocks = Vec::new();
+    let mut parts = manual.split("```toml\n");
+    let mut before = parts.next().unwrap_or("");
+    for part in parts {
+        let (block, after) = part.split_once("```").expect("a block ends");
+        let from = before.rfind("models/").map_or("", |at| &before[at + 7..]);
+        let name = from.split(".toml").next().unwrap_or("");
+        blocks.push((name.to_owned(), block.to_owned()));
+        before = after;
+    }
+    blocks
+}
+
+#[test]
+fn examples_of_the_manual_stand_in_the_models() {
+    let blocks = quoted_in_manual();
+    assert!(10 < blocks.len(), "only {} examples found", blocks.len());
+    for (name, block) in blocks {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../models/{name}.toml"));
+        let text = std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+        assert!(text.contains(&block), "not in models/{name}.toml:\n{block}");
+    }
+}
+
+#[test]
+fn every_model_is_read_without_a_finding() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("models/").map(|e| e.expect("an entry").path()) {
+        let text = std::fs::read_to_string(&entry).unwrap_or_default();
+        // Scenes and bodies are other texts: only mechanisms state degrees of freedom.
+        if text.contains("\ndof = ") {
+            let model = model::read(&entry).unwrap_or_else(|found| panic!("{found}"));
+            let warnings = model.warnings();
+            assert!(warnings.items.is_empty(), "{warnings}");
+            count += 1;
+        }
+    }
+    assert!(8 <= count, "{count} models");
+}

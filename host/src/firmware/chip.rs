@@ -11,11 +11,11 @@ pub struct Chip {
     pub cpu: &'static str,
     /// Machine of the emulator.
     pub machine: &'static str,
-    /// Flash [bytes].
+    /// Flash (bytes).
     pub flash: u64,
-    /// RAM that the linker script uses [bytes].
+    /// RAM that the linker script uses (bytes).
     pub ram: u64,
-    /// Clock [Hz].
+    /// Clock (Hz).
     pub clock: u64,
 }
 

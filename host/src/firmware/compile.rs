@@ -47,8 +47,10 @@ impl Settings {
                 )));
             }
         }
+        let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
+        check_names(&model, &arguments.set)?;
         Ok(Self {
-            model: find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?,
+            model,
             steps: arguments.steps.unwrap_or(STEPS),
             set: arguments.set.clone(),
             inject: arguments.inject.clone(),
@@ -61,6 +63,20 @@ impl Settings {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_SET", self.set.join(";"));
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
+    }
+}
+
+/// Reads the model, so that its errors come first, and looks up the names of the changes.
+fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
+    let model = smartbed_codegen::model::read(path).map_err(|errors| Failure::Wrong(errors.to_string()))?;
+    let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    match set.iter().find(|change| !names.contains(&change.split('=').next().unwrap_or_default())) {
+        Some(change) => Err(Failure::Wrong(format!(
+            "--set {change}: {} has no such parameter; expected one of {}",
+            model.name,
+            names.join(", ")
+        ))),
+        None => Ok(()),
     }
 }
 

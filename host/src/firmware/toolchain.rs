@@ -80,7 +80,7 @@ pub fn emulator() -> Result<PathBuf, Failure> {
     if let Some(found) = find() {
         return Ok(found);
     }
-    let help = format!("apt-get install {}", EMULATOR_PACKAGES[0]);
+    let help = format!("apt-get install {}", EMULATOR_PACKAGES.join(" "));
     let why = format!("{EMULATOR} with plug-ins is not on PATH");
     install(&why, &EMULATOR_PACKAGES, &help)?;
     find().ok_or_else(|| lacking(&why, &help))

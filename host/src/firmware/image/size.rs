@@ -6,9 +6,9 @@ use object::{Object, ObjectSection, SectionFlags, SectionKind};
 /// Bytes by kind of memory.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
 pub struct Size {
-    /// Flash [bytes].
+    /// Flash (bytes).
     pub flash: u64,
-    /// Static RAM, without the stack [bytes].
+    /// Static RAM, without the stack (bytes).
     pub ram: u64,
 }
 

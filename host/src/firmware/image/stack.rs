@@ -10,15 +10,15 @@ use super::Image;
 use crate::firmware::thumb::Kind;
 use std::collections::BTreeSet;
 
-/// Words that an exception pushes with floating-point state, and one to align [bytes].
+/// Words that an exception pushes with floating-point state, and one to align (bytes).
 pub const EXCEPTION_FRAME: u32 = 4 * (26 + 1);
 
 /// The deepest path.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct Stack {
-    /// Bound [bytes].
+    /// Bound (bytes).
     pub bytes: u32,
-    /// Functions along the deepest path with their frames [bytes], from the reset handler on.
+    /// Functions along the deepest path with their frames (bytes), from the reset handler on.
     pub path: Vec<(String, u32)>,
     /// Functions that call themselves, directly or not.
     pub recursive: BTreeSet<String>,

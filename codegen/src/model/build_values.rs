@@ -1,0 +1,105 @@
+//! Sections of numbers: configurations, start values, laws of the inputs, the run.
+
+use super::build::{Builder, si};
+use super::document::Value;
+use super::fields::Fields;
+use super::repeat::wrong_kind;
+use super::scope::{Binding, suggestion};
+use super::*;
+use crate::diagnostic::Diagnostic;
+
+impl Builder<'_> {
+    /// Configurations, start values, laws and the run.
+    pub(super) fn values(&mut self) {
+        for table in &self.sections.configurations {
+            let fields = Fields::of("configuration", table.span, table);
+            let name = fields.text("name", self.found).map_or_else(String::new, |text| text.text.clone());
+            let mut values = Vec::new();
+            for (key, value) in fields.table("values", self.found).map_or(&[][..], |t| &t.entries) {
+                if let Some(id) = self.coordinate_named(key) {
+                    let unit = self.draft.units.coordinates[id];
+                    values.push((id, self.quantity(value, si(unit))));
+                }
+            }
+            fields.finish(self.found);
+            self.draft.model.configurations.push(Configuration { name, values: Vec::new() });
+            self.draft.configuration_values.push(values);
+        }
+        self.start();
+        self.laws();
+        self.run();
+    }
+
+    fn start(&mut self) {
+        for (key, value) in self.entries("start") {
+            let (of, unit) = match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
+                Some(Binding::Coordinate(id)) => (StartRef::Coordinate(id), self.draft.units.coordinates[id]),
+                Some(Binding::Speed(id)) => (StartRef::Speed(id), self.draft.units.speeds[id]),
+                _ => {
+                    let state = |b: &Binding| matches!(b, Binding::Coordinate(_) | Binding::Speed(_));
+                    self.unknown_key(key, "coordinate or speed", state);
+                    continue;
+                }
+            };
+            let value = self.quantity(value, si(unit));
+            self.draft.start_values.push((of, value));
+        }
+    }
+
+    fn laws(&mut self) {
+        for (key, value) in self.entries("law") {
+            match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
+                Some(Binding::Input(id)) => {
+                    let value = self.quantity(value, si(self.draft.units.inputs[id]));
+                    self.draft.model.laws.push((id, value));
+                }
+                _ => self.unknown_key(key, "input", |b| matches!(b, Binding::Input(_))),
+            }
+        }
+    }
+
+    fn unknown_key(&mut self, key: &document::Key, kind: &str, fits: impl Fn(&Binding) -> bool) {
+        let known: Vec<&str> =
+            self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
+        let all = || match known.is_empty() {
+            true => format!("this model declares no {kind}: declare it first"),
+            false => format!("known: {}", known.join(", ")),
+        };
+        self.found.push(
+            Diagnostic::error(format!("`{}` is no {kind} of this model", key.name))
+                .label(key.span, "unknown")
+                .help(suggestion(&key.name, known.iter().copied()).unwrap_or_else(all)),
+        );
+    }
+
+    fn run(&mut self) {
+        let table = document::Table { entries: self.entries("run").to_vec(), span: Span::default() };
+        let span = table.entries.first().map_or(table.span, |(key, _)| key.span);
+        let fields = Fields::of("run", span, &table);
+        let mut run = Run::default();
+        for (field, target) in [("seconds", &mut run.seconds), ("step", &mut run.step)] {
+            match fields.get(field) {
+                Some(Value::Number(number, _)) if 0.0 < *number && number.is_finite() => *target = *number,
+                Some(other) => self.found.push(wrong_kind(field, "a positive number of seconds", other)),
+                None => {}
+            }
+        }
+        match fields.get("every") {
+            Some(Value::Number(n, _)) if n.fract() == 0.0 && (1.0..=1e9).contains(n) => {
+                run.every = *n as usize
+            }
+            Some(other) => self.found.push(wrong_kind("every", "a positive whole number of steps", other)),
+            None => {}
+        }
+        if let Some(method) = fields.text("method", self.found) {
+            run.method = method.text.clone();
+        }
+        fields.finish(self.found);
+        self.draft.model.run = run;
+    }
+
+    fn coordinate_named(&mut self, key: &document::Key) -> Option<CoordinateId> {
+        let text = document::Text::bare(&key.name, key.span);
+        self.coordinate_of(Some(&Value::Text(text)))
+    }
+}

@@ -1,0 +1,55 @@
+//! `extends = "other.toml"`: the other model's entries, then this one's.
+//!
+//! An entry of the same section and name takes over the fields it gives and keeps the others. An
+//! entry of another section with the name of a quantity replaces it: a parameter of the base may
+//! become a definition, an input a law.
+
+use super::document::{Key, Value};
+use super::repeat::Sections;
+
+/// Sections whose names share one name space.
+const QUANTITIES: [&str; 6] = ["parameters", "coordinates", "speeds", "inputs", "definitions", "points"];
+
+/// The base with the extension on top.
+pub fn extend(base: Option<Sections>, extension: Sections) -> Sections {
+    let Some(mut base) = base else { return extension };
+    for (key, value) in extension.scalars {
+        put(&mut base.scalars, key, value);
+    }
+    for (section, entries) in extension.tables {
+        for (key, value) in entries {
+            if QUANTITIES.contains(&section.as_str()) {
+                for other in QUANTITIES.iter().filter(|other| **other != section) {
+                    if let Some(entries) = base.tables.get_mut(*other) {
+                        entries
+                            .retain(|(known, _)| known.name != key.name || known.span.file == key.span.file);
+                    }
+                }
+            }
+            put(base.tables.entry(section.clone()).or_default(), key, value);
+        }
+    }
+    base.configurations.extend(extension.configurations);
+    base
+}
+
+/// Replaces the entry of that name, or appends.
+fn put(entries: &mut Vec<(Key, Value)>, key: Key, value: Value) {
+    let Some((known, old)) =
+        entries.iter_mut().find(|(known, _)| known.name == key.name && known.span.file != key.span.file)
+    else {
+        return entries.push((key, value));
+    };
+    match (&mut *old, value) {
+        (Value::Table(old), Value::Table(new)) => {
+            for (field, value) in new.entries {
+                match old.entries.iter_mut().find(|(known, _)| known.name == field.name) {
+                    Some(entry) => *entry = (field, value),
+                    None => old.entries.push((field, value)),
+                }
+            }
+        }
+        (old, new) => *old = new,
+    }
+    *known = key;
+}

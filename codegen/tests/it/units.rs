@@ -1,0 +1,62 @@
+//! Units: reading, printing, rational exponents.
+
+use smartbed_codegen::model::unit::{Unit, parse};
+
+#[track_caller]
+fn check(text: &str, canonical: &str, factor: f64) {
+    let scale = parse(text).unwrap_or_else(|(message, _)| panic!("{text}: {message}"));
+    assert_eq!(scale.unit.to_string(), canonical, "{text}");
+    assert_eq!(scale.factor, factor, "{text}");
+}
+
+#[test]
+fn products_and_quotients_are_read() {
+    check("kg m^2", "kg m^2", 1.0);
+    check("N s/m", "N s/m", 1.0);
+    check("m/s^2", "m/s^2", 1.0);
+    check("kg/(m s^2)", "kg/(m s^2)", 1.0);
+    check("N*m", "N m", 1.0);
+    check("J", "N m", 1.0);
+    check("1/s", "1/s", 1.0);
+    check("rad", "1", 1.0);
+    check("", "1", 1.0);
+    check("m^(1/2)", "m^(1/2)", 1.0);
+    check("mm", "m", 1e-3);
+    check("kN/mm", "N/m", 1e6);
+    check("V", "kg m^2/(s^3 A)", 1.0);
+}
+
+#[test]
+fn every_canonical_text_reads_as_the_same_unit() {
+    for text in ["kg m^2", "N s/m", "kg/(m s^2)", "W/K", "m^(1/2) s^-1", "A^(-3/2)", "J/(kg K)"] {
+        let unit = parse(text).expect("a unit").unit;
+        assert_eq!(parse(&unit.to_string()).expect("its text").unit, unit, "{text}");
+    }
+}
+
+#[test]
+fn faults_name_their_place() {
+    let fault = |text: &str| parse(text).expect_err(text);
+    assert_eq!(fault("kg mm/q"), ("unknown unit `q`".to_owned(), 6..7));
+    assert_eq!(fault("kg/m s").0, "ambiguous after `/`: write kg/(m s^2)");
+    assert_eq!(fault("m/s/s").0, "only one `/`: write kg/(m s^2)");
+    assert_eq!(fault("m^").0, "expected an integer exponent of at most 64");
+    assert_eq!(fault("m^(1/0)").0, "expected an exponent such as 2, -1 or (1/2)");
+    assert_eq!(fault("m*").0, "a unit is missing here");
+    assert_eq!(fault("(m").0, "`)` is missing");
+    assert_eq!(fault("m)").0, "unexpected `)`");
+    assert_eq!(fault("µm"), ("unknown unit `µ`".to_owned(), 0..2));
+    assert_eq!(fault(&"(".repeat(1000)).0, "too many parentheses");
+}
+
+#[test]
+fn exponents_stay_within_bounds() {
+    let mut steps = 0;
+    let mut unit = Unit::FORCE;
+    while let Some(next) = unit.power(7, 3) {
+        (unit, steps) = (next, steps + 1);
+    }
+    assert!((2..10).contains(&steps), "{steps} steps before 7^n leaves 8 bits");
+    assert_eq!(Unit::FORCE.power(1, 2).and_then(|u| u.power(2, 1)), Some(Unit::FORCE));
+    assert_eq!(Unit::FORCE.power(1, 0), None);
+}
