@@ -24,8 +24,7 @@ impl Configurations {
     /// For a program derived from `model`.
     #[must_use]
     pub fn new(model: &Model, program: &Program) -> Self {
-        let is_independent =
-            |name: &str| model.coordinates.iter().any(|c| c.name == name && c.independent);
+        let is_independent = |name: &str| model.coordinates.iter().any(|c| c.name == name && c.independent);
         Self {
             assembly: program.assembly.clone(),
             independent: program.q.iter().map(|q| is_independent(&q.name)).collect(),
@@ -65,9 +64,11 @@ impl Configurations {
         let mut q = self.nominal.clone();
         for step in 1..=steps {
             let part = step as f64 / steps as f64;
-            let on_the_way = self.defaults.iter().zip(parameters).map(|(from, to)| {
-                if step == steps { *to } else { from + part * (to - from) }
-            });
+            let on_the_way = self
+                .defaults
+                .iter()
+                .zip(parameters)
+                .map(|(from, to)| if step == steps { *to } else { from + part * (to - from) });
             let on_the_way: Vec<f64> = on_the_way.collect();
             self.assembly.set_parameters(&on_the_way);
             self.assembly.correct(&mut q)?;
@@ -75,14 +76,23 @@ impl Configurations {
         Ok(q)
     }
 
-    /// All coordinates; `given[i]` is the value of the i-th one, left-out independent ones are nominal.
+    /// All coordinates; `given[i]` is the value of the i-th one. A complete list comes back as it is.
     ///
     /// # Errors
-    /// If no dependent coordinates were found that meet the constraints.
+    /// As [`Configurations::solve`].
     pub fn complete(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
-        if let Some(q) = given.iter().copied().collect::<Option<Vec<f64>>>() {
-            return Ok(q);
+        match given.iter().copied().collect() {
+            Some(q) => Ok(q),
+            None => self.solve(parameters, given),
         }
+    }
+
+    /// Coordinates that meet the constraints: independent ones as given (left-out ones nominal),
+    /// dependent ones solved for, from start values where given.
+    ///
+    /// # Errors
+    /// If no dependent coordinates were found.
+    pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
         let nominal = self.nominal_at(parameters)?;
         let mut target = nominal.clone();
         for (i, value) in given.iter().enumerate() {

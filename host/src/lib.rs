@@ -15,7 +15,11 @@ pub mod configuration;
 pub mod engine;
 pub mod model_argument;
 
+pub mod plot;
+pub mod view;
 
+pub mod check;
 pub mod derive;
 pub mod eval;
 pub mod firmware;
+pub mod run;

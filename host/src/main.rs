@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{Parser, Subcommand};
-use smartbed::{derive, eval, firmware};
+use smartbed::{check, derive, eval, firmware, run};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -15,10 +15,14 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
+    Check(check::Arguments),
     /// Derive the equations of motion and write them as Rust.
     Derive(derive::Arguments),
     /// Evaluate the equations at given states.
     Eval(eval::Arguments),
+    /// Simulate, and write rows, plots or an animation.
+    Run(run::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
     Firmware(firmware::Arguments),
 }
@@ -33,8 +37,10 @@ fn main() -> ExitCode {
         }
     };
     let done = match command_line.command {
+        Command::Check(arguments) => check::run(&arguments),
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };
     match done {

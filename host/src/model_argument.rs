@@ -59,7 +59,9 @@ pub fn assignment(text: &str) -> Result<(String, f64), Failure> {
     let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
     match parts {
         Some((name, Ok(value))) if !name.is_empty() && value.is_finite() => Ok((name.to_owned(), value)),
-        _ => Err(Failure::Wrong(format!("--set {text}: expected NAME=NUMBER in SI units, for example --set M=8"))),
+        _ => Err(Failure::Wrong(format!(
+            "--set {text}: expected NAME=NUMBER in SI units, for example --set M=8"
+        ))),
     }
 }
 

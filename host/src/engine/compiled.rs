@@ -91,7 +91,12 @@ fn load<S>(path: &std::path::Path) -> Result<(Library, AnswerFunction<S>), liblo
 }
 
 #[expect(unsafe_code, reason = "the one call through the C interface of a compiled library")]
-fn call<S>(function: AnswerFunction<S>, which: Which, arguments: &[S], results: &mut [S]) -> Result<(), Fault> {
+fn call<S>(
+    function: AnswerFunction<S>,
+    which: Which,
+    arguments: &[S],
+    results: &mut [S],
+) -> Result<(), Fault> {
     let (n_arguments, n_results) = (arguments.len(), results.len());
     // SAFETY: pointers and lengths are those of two slices; the library is loaded as long as the
     // mechanism that holds `function`.

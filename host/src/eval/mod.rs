@@ -96,7 +96,8 @@ fn evaluate<S: EngineScalar>(
     let mut text = String::from("{\"states\": [");
     for (number, state) in states.iter().enumerate() {
         progress.at(number as f64 / states.len() as f64);
-        let at = |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
+        let at =
+            |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
         let given = state.resolve(program, &configurations).map_err(at)?;
         let q = configurations.complete(&given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
@@ -110,7 +111,9 @@ fn evaluate<S: EngineScalar>(
         let evaluated = one(engine.as_mut(), &q, &given.u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         if let Some(what) = evaluated.not_finite() {
-            return Err(at(format!("{what} is not finite: the configuration is singular, or a number too large")));
+            return Err(at(format!(
+                "{what} is not finite: the configuration is singular, or a number too large"
+            )));
         }
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, answers, &mut text);

@@ -10,8 +10,18 @@ use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// Names of the columns of a row, the contract's order; what a rigid mechanism has not stays 0.
 pub const COLUMNS: [&str; 12] = [
-    "kinetic", "gravity", "spring", "pressure", "damping", "drag", "impact", "friction", "actuator",
-    "external", "total", "imbalance",
+    "kinetic",
+    "gravity",
+    "spring",
+    "pressure",
+    "damping",
+    "drag",
+    "impact",
+    "friction",
+    "actuator",
+    "external",
+    "total",
+    "imbalance",
 ];
 
 /// Stored energies and accounts (J).

@@ -105,14 +105,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
-    let mut given: Vec<Option<f64>> =
-        program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
-    for (i, value) in given.iter_mut().enumerate() {
-        if value.is_none() && configurations.is_independent(i) {
-            *value = Some(program.nominal[i]);
-        }
-    }
-    let mut x = configurations.complete(&parameters, &given).map_err(|unreachable| {
+    let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
+    let mut x = configurations.solve(&parameters, &given).map_err(|unreachable| {
         Failure::Wrong(format!(
             "the start cannot be assembled: a constraint residual of {:.1e} is left; expected independent \
              coordinates within reach of the nominal configuration",
@@ -124,7 +118,11 @@ fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f6
 }
 
 /// Simulates and writes what is asked for.
-fn record<S: EngineScalar>(arguments: &Arguments, model: &Model, setup: Setup<'_>) -> Result<Summary, Failure> {
+fn record<S: EngineScalar>(
+    arguments: &Arguments,
+    model: &Model,
+    setup: Setup<'_>,
+) -> Result<Summary, Failure> {
     let engine = engine::new::<S>(arguments.engine, setup.program)?;
     let names = columns(setup.program);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;

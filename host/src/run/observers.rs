@@ -10,9 +10,7 @@
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::{Expr, ExprKind};
 use smartbed_codegen::model::unit::Unit;
-use smartbed_codegen::model::{
-    Axis, FrameId, InputId, Load, LoadKind, Model, Output, PointId,
-};
+use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
 use smartbed_codegen::source::Span;
 use smartbed_codegen::{Diagnostics, ParameterChoice, Program, program};
 

@@ -47,7 +47,7 @@ impl Method {
 }
 
 /// Numbers of a run.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, Debug)]
 pub struct Settings {
     /// Simulated time (s).
     pub seconds: f64,

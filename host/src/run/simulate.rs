@@ -13,7 +13,7 @@ use crate::progress::Progress;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::integrator::step_size::Tolerance;
 use smartbed_runtime::integrator::{DormandPrince, Method, Report, dormand_prince};
-use smartbed_runtime::mechanism::{Fault, Mechanism, System};
+use smartbed_runtime::mechanism::{Fault, System};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::state::State;
 
@@ -165,8 +165,7 @@ impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
         let (q, u) = x.split_at(n_q);
         plant.command(S::from_f64(t), x).map_err(failure)?;
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
-        let outputs =
-            plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
+        let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
         let accounts = ledger.accounts();
         let mut values = vec![t];
         values.extend(q.iter().chain(&speeds).map(|x| x.to_f64()));
@@ -334,13 +333,15 @@ where
             } else {
                 state.x().to_vec()
             };
-            book(&mut ledger, (from, theta), at, &x, |th| dense(&method, plant, th)).map_err(|f| refused(at, f))?;
+            book(&mut ledger, (from, theta), at, &x, |th| dense(&method, plant, th))
+                .map_err(|f| refused(at, f))?;
             recorder.row(plant, at, &x, &ledger)?;
             (from, next_row) = (theta, next_row + 1);
         }
         if from < 1.0 {
             let x = state.x().to_vec();
-            book(&mut ledger, (from, 1.0), end, &x, |th| dense(&method, plant, th)).map_err(|f| refused(end, f))?;
+            book(&mut ledger, (from, 1.0), end, &x, |th| dense(&method, plant, th))
+                .map_err(|f| refused(end, f))?;
         }
         t = end;
         progress.at(t / seconds);
