@@ -9,6 +9,7 @@
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
 
+#[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
 pub mod mechanism {
     //! The equations of motion, derived from the model by the build script.
     include!(concat!(env!("OUT_DIR"), "/mechanism.rs"));

@@ -126,14 +126,18 @@ fn project(k: &mut Kinematics, solution: &Solution, parts: &Unprojected) -> (Vec
     let dag = &mut k.dag;
     for (a, entries) in &rows {
         let t_a = &solution.partials[a];
-        for column in 0..n {
-            // (M_y T) of this row and column, then its products with T' of the rows above the diagonal.
-            let terms: Vec<_> =
-                entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
-            let weighted = dag.sum(&terms);
-            for row in 0..=column {
-                let term = dag.mul(t_a[row], weighted);
-                mass_matrix[row][column] = dag.add(mass_matrix[row][column], term);
+        // This row of M_y T, then its products with T': the upper triangle.
+        let weighted: Vec<ExprId> = (0..n)
+            .map(|column| {
+                let terms: Vec<_> =
+                    entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
+                dag.sum(&terms)
+            })
+            .collect();
+        for (row, entry) in mass_matrix.iter_mut().enumerate() {
+            for (total, &w) in entry.iter_mut().zip(&weighted).skip(row) {
+                let term = dag.mul(t_a[row], w);
+                *total = dag.add(*total, term);
             }
         }
     }
@@ -149,9 +153,10 @@ fn project(k: &mut Kinematics, solution: &Solution, parts: &Unprojected) -> (Vec
             *total = dag.add(*total, term);
         }
     }
-    for row in 0..n {
-        for column in 0..row {
-            mass_matrix[row][column] = mass_matrix[column][row];
+    let upper = mass_matrix.clone();
+    for (row, entries) in mass_matrix.iter_mut().enumerate() {
+        for (entry, above) in entries.iter_mut().zip(&upper).take(row) {
+            *entry = above[row];
         }
     }
     name_matrix(k, solution, &mass_matrix, &forcing);

@@ -39,7 +39,7 @@ pub(super) fn ldl(
             }
             let reference = table.values(dag, mass[i][i]).to_vec();
             let values = table.values(dag, entry);
-            if values.iter().zip(&reference).any(|(d, m)| !(*d > NO_INERTIA * m.abs())) {
+            if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
                 return Err(without_inertia(model, k, i));
             }
             dag.name(entry, &format!("pivot_{i}"));

@@ -1,6 +1,6 @@
 //! The expression DAG: hash-consed, simplified as it is built, never expanded to a tree.
 //!
-//! Every constructor first asks [`simplify`] for a shorter equal node, then looks the node up:
+//! Every constructor first asks `simplify` for a shorter equal node, then looks the node up:
 //! equal expressions have equal ids, so common subexpressions exist once. Sums and products
 //! order their operands by id; negation floats outwards (it is free at run time).
 //! Semantics: real arithmetic; parameters and states are taken as finite.

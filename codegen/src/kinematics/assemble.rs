@@ -4,13 +4,12 @@
 //! all residuals at round-off. Far targets are reached from the nominal configuration along a
 //! straight line of the independent coordinates, so the branch connected to nominal is found.
 
-use super::Kinematics;
+use super::{Kinematics, linear};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
 use crate::expr::tape::Tape;
 use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
-use nalgebra::{DMatrix, DVector};
 
 /// Random configurations sampled besides the nominal and the stated ones.
 const RANDOM_SAMPLES: usize = 64;
@@ -100,11 +99,12 @@ impl Assembly {
             for (&i, d) in self.dependent.iter().zip(correction.iter()) {
                 q[i] += d;
             }
-            let size = correction.amax();
+            let size =
+                correction.iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::NAN } else { m.max(d.abs()) });
             if residual < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
-            if !(size < LARGEST_CORRECTION) {
+            if size.is_nan() || size >= LARGEST_CORRECTION {
                 break;
             }
         }
@@ -112,27 +112,16 @@ impl Assembly {
     }
 
     /// Largest residual and Newton's correction of the dependent coordinates.
-    fn newton_step(&mut self, q: &[f64]) -> (f64, DVector<f64>) {
+    fn newton_step(&mut self, q: &[f64]) -> (f64, Vec<f64>) {
         let mut outputs = vec![0.0; self.tape.n_outputs()];
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
         self.tape.run(&self.arguments, &mut outputs);
         let (residual, jacobian) = outputs.split_at(self.n_residuals);
         let largest =
             residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
-        if self.dependent.is_empty() || self.n_residuals == 0 {
-            return (largest, DVector::zeros(self.dependent.len()));
-        }
-        let jacobian = DMatrix::from_row_slice(self.n_residuals, self.dependent.len(), jacobian);
-        let right = -DVector::from_column_slice(residual);
-        let solved = if jacobian.is_square() { jacobian.clone().full_piv_lu().solve(&right) } else { None };
-        let correction = solved.or_else(|| {
-            /// Relative size below which a singular value counts as zero.
-            const RANK: f64 = 1e-9;
-            let svd = jacobian.svd(true, true);
-            let largest = svd.singular_values.max();
-            svd.solve(&right, RANK * largest).ok()
-        });
-        (largest, correction.unwrap_or_else(|| DVector::from_element(self.dependent.len(), f64::INFINITY)))
+        let right = residual.iter().map(|r| -r).collect();
+        let (correction, _) = linear::solve(jacobian.to_vec(), right, self.dependent.len());
+        (largest, correction)
     }
 
     /// From the configuration `from` (satisfied) to the independent coordinates of `target`.

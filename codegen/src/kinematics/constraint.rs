@@ -16,8 +16,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// One scalar equation: sum_k coefficients[k] y_k = 0, sum_k coefficients[k] y_k' + bias = 0,
-/// and for Newton's correction d of the configuration sum_k coefficients[k] d_k = -residual.
+/// One scalar equation: `sum_k coefficients[k] y_k = 0`, `sum_k coefficients[k] y_k' + bias = 0`,
+/// and for Newton's correction d of the configuration `sum_k coefficients[k] d_k = -residual`.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// Which equation it comes from.
@@ -97,13 +97,17 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
     let mut equations = Vec::new();
     for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
         let place = lower::vector(k, expression);
-        let flat = position::flatten(k, &place);
-        let residual = reference.minus(&mut k.dag, &flat);
         if nth > 0 {
+            let flat = position::flatten(k, &place);
+            let residual = reference.minus(&mut k.dag, &flat);
             add_residuals(k, &residual);
         }
-        // Vectors that are constant in the body's triad turn with the body.
+        // Vectors that are constant in the body's triad turn with the body; Newton's residual must
+        // see them where the body has them, or it would not converge quadratically.
         let place = k.triads.with_constants(&mut k.dag, &place, home);
+        let flat = position::flatten(k, &place);
+        let flat = orientation::flattened(k, &flat, home);
+        let residual = reference.minus(&mut k.dag, &flat);
         let rate = velocity::derivative(k, &place);
         let mut motion = velocity.clone();
         let minus_one = {

@@ -278,32 +278,21 @@ fn pick(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> (usize, U
             *in_column.entry(column).or_insert(0) += 1;
         }
     }
-    let mut best: Option<((usize, usize, usize, usize), (usize, UnknownId))> = None;
-    let mut safest: Option<(f64, (usize, UnknownId))> = None;
+    let mut candidates = Vec::new();
     for (r, equation) in equations.iter().enumerate() {
         let largest = row_maximum(dag, table, equation);
         for (&column, &entry) in &equation.coefficients {
-            let safety = table
-                .values(dag, entry)
-                .iter()
-                .zip(&largest)
-                .map(|(x, m)| x.abs() / m)
-                .fold(f64::INFINITY, f64::min);
-            if safest.is_none_or(|(s, _)| safety > s) {
-                safest = Some((safety, (r, column)));
-            }
-            if !(safety > SAFE_PIVOT) {
-                continue;
-            }
+            let relative = table.values(dag, entry).iter().zip(&largest).map(|(x, m)| x.abs() / m);
+            let safety = relative.fold(f64::INFINITY, f64::min);
             let fill = (equation.coefficients.len() - 1) * (in_column[&column] - 1);
-            let entry_cost = dag.cone_cost(&[entry]);
-            let score = (fill, usize::from(!dag.is_constant(entry)), entry_cost, column.index());
-            if best.is_none_or(|(s, _)| score < s) {
-                best = Some((score, (r, column)));
-            }
+            let score = (fill, usize::from(!dag.is_constant(entry)), dag.cone_cost(&[entry]), column.index());
+            candidates.push((safety, score, (r, column)));
         }
     }
-    best.map(|(_, place)| place).or(safest.map(|(_, place)| place)).unwrap_or((0, UnknownId::from_index(0)))
+    let safe = candidates.iter().filter(|(safety, ..)| *safety > SAFE_PIVOT);
+    let safest = || candidates.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let chosen = safe.min_by_key(|(_, score, _)| *score).or_else(safest);
+    chosen.map_or((0, UnknownId::from_index(0)), |(_, _, place)| *place)
 }
 
 fn row_maximum(dag: &Dag, table: &mut SampleTable, equation: &Equation) -> Vec<f64> {
@@ -331,7 +320,7 @@ pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Piv
     Pivot { value, nominal, worst: smallest / nominal }
 }
 
-/// other -= (other[column] / pivot) row.
+/// `other -= (other[column] / pivot) row`.
 fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: UnknownId, pivot: ExprId) {
     let Some(entry) = other.coefficients.remove(&column) else { return };
     let factor = dag.div(entry, pivot);

@@ -8,6 +8,7 @@
 mod assemble;
 mod constraint;
 pub mod eliminate;
+pub mod linear;
 mod lower;
 mod orientation;
 mod position;

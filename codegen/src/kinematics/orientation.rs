@@ -97,6 +97,21 @@ pub(super) fn orthonormal(k: &mut Kinematics, frame: TriadId) -> Option<[Compone
     Some([x, y, z])
 }
 
+/// The same vector with its part in `frame` read off the orthonormal version of that frame.
+pub(super) fn flattened(k: &mut Kinematics, vector: &Vector, frame: TriadId) -> Vector {
+    let (Some(&part), Some(rows)) = (vector.terms.get(&frame), orthonormal(k, frame)) else {
+        return vector.clone();
+    };
+    let stated = std::array::from_fn(|i| {
+        let column: Components = std::array::from_fn(|j| rows[j][i]);
+        crate::vector::dot_components(&mut k.dag, &part, &column)
+    });
+    let mut rest = vector.clone();
+    rest.terms.remove(&frame);
+    let stated = Vector::new(&k.dag, TriadId::from_index(0), stated);
+    rest.plus(&mut k.dag, &stated)
+}
+
 fn normalized(k: &mut Kinematics, v: &Components) -> Components {
     let square = crate::vector::dot_components(&mut k.dag, v, v);
     let norm = k.dag.sqrt(square);

@@ -13,7 +13,7 @@ use crate::model::{Axis, Entity, FrameId, Model, PointId};
 use crate::vector::{TriadId, Turn, Vector};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Rate of a scalar: s' = sum_k partials[k] y_k, s'' = sum_k partials[k] y_k' + bias.
+/// Rate of a scalar: `s' = sum_k partials[k] y_k`, s'' = `sum_k partials[k] y_k' + bias`.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rate {
     /// Coefficients of the unknowns.
@@ -22,7 +22,7 @@ pub struct Rate {
     pub bias: ExprId,
 }
 
-/// Rate of a vector in N: v = sum_k partials[k] y_k, a = sum_k partials[k] y_k' + bias.
+/// Rate of a vector in N: `v = sum_k partials[k] y_k`, a = `sum_k partials[k] y_k' + bias`.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Motion {
     /// Partial velocities.
@@ -171,7 +171,7 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
     partials
 }
 
-/// Value of a scalar's rate: sum_k partials[k] y_k.
+/// Value of a scalar's rate: `sum_k partials[k] y_k`.
 pub(crate) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
     let mut total = k.dag.zero();
     for (&unknown, &partial) in &rate.partials {
@@ -181,7 +181,7 @@ pub(crate) fn rate_value(k: &mut Kinematics, rate: &Rate) -> ExprId {
     total
 }
 
-/// Value of a velocity: sum_k partials[k] y_k.
+/// Value of a velocity: `sum_k partials[k] y_k`.
 pub(crate) fn motion_value(k: &mut Kinematics, motion: &Motion) -> Vector {
     let mut total = Vector::zero();
     for (&unknown, partial) in &motion.partials {

@@ -59,6 +59,7 @@ pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream
                 (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
                 Ok(pivot)
             }
+            #[allow(clippy::assign_op_pattern, reason = "scalars need not have assigning operators")]
             fn project(&mut self, q: &mut [S]) -> Result<S, #runtime::mechanism::Fault> {
                 let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
                     return Err(#runtime::mechanism::Fault::Shape);

@@ -101,7 +101,7 @@ impl Answer {
             Self::Rates => {
                 "Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal."
             }
-            Self::Energy => "Kinetic and potential energy [J].",
+            Self::Energy => "Kinetic and potential energy (J).",
             Self::Speeds => "All speeds in the order of `SPEED_NAMES`, dependent ones included.",
             Self::Outputs => "Requested outputs in the order of `OUTPUT_NAMES`.",
             Self::Projection => {

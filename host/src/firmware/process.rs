@@ -22,7 +22,7 @@ const LEAKS: [&str; 13] = [
     "RUSTC_BOOTSTRAP",
 ];
 
-/// A command without input and without [`LEAKS`].
+/// A command without input and without the variables that pin another toolchain.
 #[must_use]
 pub fn clean(program: &Path) -> Command {
     let mut command = Command::new(program);

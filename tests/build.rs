@@ -1,0 +1,55 @@
+//! Derives every model under test, as any user would, for each scalar.
+//!
+//! `<model>_<scalar>.rs` has the model's own tunable parameters; `<model>_loaded_<scalar>.rs` keeps
+//! the fixed ones of the tiles too.
+
+use smartbed_codegen::{EmitOptions, Options, ParameterChoice, ScalarType};
+
+/// Models whose code the tests compile.
+const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
+/// Parameters that the tiles fold by default.
+const LOAD: [&str; 15] = [
+    "m_payload",
+    "x_payload",
+    "y_payload",
+    "z_payload",
+    "k_support",
+    "h_support",
+    "Fx",
+    "Fy",
+    "Fz",
+    "Tx",
+    "Ty",
+    "Tz",
+    "k_stop",
+    "h_min",
+    "h_max",
+];
+
+fn main() {
+    let counting = ScalarType::Path("smartbed_runtime::real::counting::Counting".to_owned());
+    for model in MODELS {
+        for (suffix, scalar) in
+            [("f64", ScalarType::F64), ("f32", ScalarType::F32), ("counting", counting.clone())]
+        {
+            derive(model, &format!("{model}_{suffix}"), scalar, &[]);
+        }
+    }
+    for model in ["tile", "tile_minimal"] {
+        derive(model, &format!("{model}_loaded_f64"), ScalarType::F64, &LOAD);
+        derive(model, &format!("{model}_loaded_f32"), ScalarType::F32, &LOAD);
+    }
+}
+
+/// One file in `OUT_DIR`.
+fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str]) {
+    let options = Options {
+        parameters: ParameterChoice {
+            keep: keep.iter().map(ToString::to_string).collect(),
+            ..ParameterChoice::default()
+        },
+        emit: EmitOptions { scalar, ..EmitOptions::default() },
+        file_name: Some(file_name.to_owned()),
+    };
+    smartbed_codegen::build(format!("../models/{model}.toml"), &options);
+}

@@ -1,0 +1,437 @@
+// Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
+// fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f32.
+// Cost of rates: 191 operations (3 abs, 31 add, 3 cos, 3 div, 2 min, 123 mul, 3 sin, 23 sub).
+// Cost of energy: 99 operations (19 add, 3 cos, 2 div, 68 mul, 3 sin, 4 sub).
+// Cost of speeds: 25 operations (1 add, 3 cos, 2 div, 14 mul, 3 sin, 2 sub).
+// Cost of outputs: 0 operations ().
+// Cost of projection: 31 operations (2 abs, 6 add, 3 cos, 2 div, 1 max, 12 mul, 3 sin, 2 sub).
+
+use smartbed_runtime::real::Real;
+/// The scalar of this file.
+pub type S = f32;
+/// Number of coordinates q.
+pub const NQ: usize = 3usize;
+/// Number of independent speeds u.
+pub const NU: usize = 1usize;
+/// Number of inputs.
+pub const N_INPUTS: usize = 1usize;
+///Coordinates in order.
+pub const Q_NAMES: [&str; 3usize] = ["q1", "q2", "q3"];
+///Independent speeds in order.
+pub const U_NAMES: [&str; 1usize] = ["u1"];
+///Inputs in order.
+pub const INPUT_NAMES: [&str; 1usize] = ["T"];
+///Tunable parameters in order.
+pub const PARAMETER_NAMES: [&str; 11usize] = [
+    "l1",
+    "l2",
+    "l3",
+    "l4",
+    "m1",
+    "m2",
+    "m3",
+    "I1",
+    "I2",
+    "I3",
+    "g",
+];
+///All speeds in order.
+pub const SPEED_NAMES: [&str; 3usize] = ["u1", "u2", "u3"];
+///Outputs in order.
+pub const OUTPUT_NAMES: [&str; 0usize] = [];
+/// Indices of the coordinates that the projection corrects.
+pub const CORRECTED: [usize; 2usize] = [1usize, 2usize];
+/// Coordinates read only by sines and cosines: they may be wrapped by whole turns.
+pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
+/// The nominal configuration.
+pub const NOMINAL: [f32; 3usize] = [1f32, 0.40591934f32, -1.8880527f32];
+/// Tunable parameters, SI units.
+#[derive(Clone, Copy, Debug)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Parameters {
+    ///Crank (m), models/fourbar.toml:9.
+    pub l1: S,
+    ///Coupler (m), models/fourbar.toml:10.
+    pub l2: S,
+    ///Rocker (m), models/fourbar.toml:11.
+    pub l3: S,
+    ///Ground (m), models/fourbar.toml:12.
+    pub l4: S,
+    ///M1 (kg), models/fourbar.toml:13.
+    pub m1: S,
+    ///M2 (kg), models/fourbar.toml:14.
+    pub m2: S,
+    ///M3 (kg), models/fourbar.toml:15.
+    pub m3: S,
+    ///About the mass centre (kg m^2), models/fourbar.toml:16.
+    pub I1: S,
+    ///I2 (kg m^2), models/fourbar.toml:17.
+    pub I2: S,
+    ///I3 (kg m^2), models/fourbar.toml:18.
+    pub I3: S,
+    ///G (m/s^2), models/fourbar.toml:19.
+    pub g: S,
+}
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            l1: 1.0_f32,
+            l2: 2.2_f32,
+            l3: 1.8_f32,
+            l4: 2.0_f32,
+            m1: 1.1_f32,
+            m2: 2.3_f32,
+            m3: 1.7_f32,
+            I1: 0.09_f32,
+            I2: 0.9_f32,
+            I3: 0.45_f32,
+            g: 9.81_f32,
+        }
+    }
+}
+///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+///191 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn rates(
+    _t: S,
+    q: &[S; 3usize],
+    u: &[S; 1usize],
+    inputs: &[S; 1usize],
+    p: &Parameters,
+) -> ([S; 3usize], [S; 1usize], S) {
+    let u1 = u[0];
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = l2 * sin_q2;
+    let t2 = 1.0_f32 / t1;
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t3 = l1 * sin_q1;
+    let l3 = p.l3;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t4 = l3 * sin_q3;
+    let t5 = l2 * cos_q2;
+    let t6 = t5 * t2;
+    let t7 = l1 * cos_q1;
+    let t8 = l3 * cos_q3;
+    let t9 = t8 - t4 * t6;
+    let t10 = 1.0_f32 / t9;
+    let u3_per_u1 = (t3 * t6 - t7) * t10;
+    let t11 = t2 * (t3 + t4 * u3_per_u1);
+    let t12 = u1 * t11;
+    let u2 = -t12;
+    let u3 = u1 * u3_per_u1;
+    let T = inputs[0];
+    let m2 = p.m2;
+    let t13 = t7 * sin_q2 - t3 * cos_q2;
+    let t14 = 0.5_f32 * l2;
+    let m3 = p.m3;
+    let t15 = t12 * (l2 * t12);
+    let t16 = 0.5_f32 * l3;
+    let t17 = u3 * (t16 * u3);
+    let t18 = m2 * (t13 * (t12 * (t14 * t12))) + m3 * (t13 * t15 + (t7 * sin_q3 - t3 * cos_q3) * t17);
+    let t19 = 0.5_f32 * l1;
+    let m1 = p.m1;
+    let g = p.g;
+    let t20 = m2 * g;
+    let t21 = m3 * g;
+    let t22 = T + (t18 - t19 * cos_q1 * (m1 * g) - t7 * t20 - t7 * t21);
+    let t23 = t3 * sin_q2 + t7 * cos_q2;
+    let t24 = m2 * (t14 * t23) + m3 * (l2 * t23);
+    let t25 = u1 * u1;
+    let t26 = t12 * t12;
+    let t27 = u3 * u3;
+    let t28 = t7 * t25 + t5 * t26 + t8 * t27;
+    let u3_dot_bias = t10 * (t3 * t25 + t1 * t26 + t4 * t27 + t6 * t28);
+    let t29 = t2 * (t28 + t4 * u3_dot_bias);
+    let t30 = m3 * (t16 * (t3 * sin_q3 + t7 * cos_q3));
+    let t31 = u1 * (u1 * l1);
+    let t32 = t14 * cos_q2;
+    let t33 = t31 * (sin_q1 * t5 - cos_q1 * t1) + (t5 * sin_q3 - t1 * cos_q3) * t17;
+    let t34 = m2 * (t31 * (sin_q1 * t32 - cos_q1 * (t14 * sin_q2))) + m3 * t33 - t32 * t20;
+    let I2 = p.I2;
+    let t35 = I2 + m2 * (t14 * t14) + m3 * (l2 * l2);
+    let t36 = m3 * (t16 * (t1 * sin_q3 + t5 * cos_q3));
+    let t37 = t22 + t24 * t29 - t30 * u3_dot_bias - t11 * (t34 - t5 * t21 + t35 * t29 - t36 * u3_dot_bias);
+    let t38 = t16 * cos_q3;
+    let t39 = t16 * sin_q3;
+    let t40 = t31 * (sin_q1 * t38 - cos_q1 * t39) + (sin_q2 * t38 - cos_q2 * t39) * t15;
+    let I3 = p.I3;
+    let t41 = I3 + m3 * (t16 * t16);
+    let forcing_u1 = t37 + u3_per_u1 * (m3 * t40 - t38 * t21 + t36 * t29 - t41 * u3_dot_bias);
+    let I1 = p.I1;
+    let t42 = l1 * l1;
+    let t43 = I1 + m1 * (t19 * t19) + m2 * t42 + m3 * t42 - t24 * t11;
+    let mass_u1_u1 = t30 * u3_per_u1 + t43 - t11 * (t36 * u3_per_u1 + (t24 - t35 * t11)) + u3_per_u1 * (t41 * u3_per_u1 + (t30 - t36 * t11));
+    let t44 = forcing_u1 / mass_u1_u1;
+    let t45 = Real::min(Real::min(1.1511456_f32 * Real::abs(t1), 0.2926055_f32 * Real::abs(t9)), 0.4120579_f32 * Real::abs(mass_u1_u1));
+    ([u1, u2, u3], [t44], t45)
+}
+///Kinetic and potential energy (J).
+///
+///99 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn energy(
+    _t: S,
+    q: &[S; 3usize],
+    u: &[S; 1usize],
+    _inputs: &[S; 1usize],
+    p: &Parameters,
+) -> (S, S) {
+    let u1 = u[0];
+    let I1 = p.I1;
+    let m1 = p.m1;
+    let l1 = p.l1;
+    let t1 = 0.5_f32 * l1;
+    let m2 = p.m2;
+    let t2 = l1 * l1;
+    let m3 = p.m3;
+    let t3 = u1 * u1 * (I1 + m1 * (t1 * t1) + m2 * t2 + m3 * t2);
+    let l2 = p.l2;
+    let t4 = 0.5_f32 * l2;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t5 = l1 * sin_q1;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t6 = l1 * cos_q1;
+    let t7 = t5 * sin_q2 + t6 * cos_q2;
+    let t8 = l2 * sin_q2;
+    let t9 = 1.0_f32 / t8;
+    let l3 = p.l3;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t10 = l3 * sin_q3;
+    let t11 = l2 * cos_q2;
+    let t12 = t11 * t9;
+    let u3_per_u1 = (t5 * t12 - t6) * (1.0_f32 / (l3 * cos_q3 - t10 * t12));
+    let t13 = u1 * (t9 * (t5 + t10 * u3_per_u1));
+    let t14 = 0.5_f32 * t3 - (m2 * (t4 * t7) + m3 * (l2 * t7)) * (u1 * t13);
+    let t15 = 0.5_f32 * l3;
+    let u3 = u1 * u3_per_u1;
+    let I2 = p.I2;
+    let t16 = 0.5_f32 * ((I2 + m2 * (t4 * t4) + m3 * (l2 * l2)) * (t13 * t13));
+    let t17 = t14 + m3 * (t15 * (t5 * sin_q3 + t6 * cos_q3)) * (u1 * u3) + t16;
+    let I3 = p.I3;
+    let t18 = t17 - m3 * (t15 * (t8 * sin_q3 + t11 * cos_q3)) * (t13 * u3) + 0.5_f32 * ((I3 + m3 * (t15 * t15)) * (u3 * u3));
+    let g = p.g;
+    let t19 = g * sin_q1;
+    let t20 = l1 * t19;
+    let t21 = g * sin_q2;
+    let t22 = m1 * (t1 * t19) + m2 * (t20 + t4 * t21) + m3 * (t20 + l2 * t21 + t15 * (g * sin_q3));
+    (t18, t22)
+}
+///All speeds in the order of `SPEED_NAMES`, dependent ones included.
+///
+///25 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn speeds(
+    _t: S,
+    q: &[S; 3usize],
+    u: &[S; 1usize],
+    _inputs: &[S; 1usize],
+    p: &Parameters,
+) -> [S; 3usize] {
+    let u1 = u[0];
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = 1.0_f32 / (l2 * sin_q2);
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t2 = l1 * sin_q1;
+    let l3 = p.l3;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t3 = l3 * sin_q3;
+    let t4 = l2 * cos_q2 * t1;
+    let u3_per_u1 = (t2 * t4 - l1 * cos_q1) * (1.0_f32 / (l3 * cos_q3 - t3 * t4));
+    let u2 = -u1 * (t1 * (t2 + t3 * u3_per_u1));
+    let u3 = u1 * u3_per_u1;
+    [u1, u2, u3]
+}
+///Requested outputs in the order of `OUTPUT_NAMES`.
+///
+///0 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn outputs(
+    _t: S,
+    _q: &[S; 3usize],
+    _u: &[S; 1usize],
+    _inputs: &[S; 1usize],
+    _p: &Parameters,
+) -> [S; 0usize] {
+    []
+}
+///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
+///
+///31 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn projection(
+    _t: S,
+    q: &[S; 3usize],
+    _u: &[S; 1usize],
+    _inputs: &[S; 1usize],
+    p: &Parameters,
+) -> ([S; 2usize], S) {
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = l2 * sin_q2;
+    let t2 = 1.0_f32 / t1;
+    let l3 = p.l3;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t3 = l3 * cos_q3;
+    let t4 = l2 * cos_q2;
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let l4 = p.l4;
+    let t5 = t3 + (t4 + (l1 * cos_q1 - l4));
+    let t6 = l3 * sin_q3;
+    let t7 = t6 + (l1 * sin_q1 + t1);
+    let t8 = t4 * t2;
+    let t9 = (t7 + t5 * t8) * (1.0_f32 / (t3 - t6 * t8));
+    let t10 = t2 * (t5 + t6 * t9);
+    let t11 = Real::max(Real::abs(t5), Real::abs(t7));
+    ([t10, -t9], t11)
+}
+///Four-bar linkage driven by a torque on the crank.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Fourbar {
+    /// Tunable parameters.
+    pub parameters: Parameters,
+}
+impl Fourbar {
+    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
+    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+        Some(
+            match index {
+                0usize => &mut self.parameters.l1,
+                1usize => &mut self.parameters.l2,
+                2usize => &mut self.parameters.l3,
+                3usize => &mut self.parameters.l4,
+                4usize => &mut self.parameters.m1,
+                5usize => &mut self.parameters.m2,
+                6usize => &mut self.parameters.m3,
+                7usize => &mut self.parameters.I1,
+                8usize => &mut self.parameters.I2,
+                9usize => &mut self.parameters.I3,
+                10usize => &mut self.parameters.g,
+                _ => return None,
+            },
+        )
+    }
+}
+impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
+    fn n_q(&self) -> usize {
+        NQ
+    }
+    fn n_u(&self) -> usize {
+        NU
+    }
+    fn n_inputs(&self) -> usize {
+        N_INPUTS
+    }
+    fn is_angle(&self, index: usize) -> bool {
+        IS_ANGLE.get(index).copied().unwrap_or(false)
+    }
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        inputs: &[S],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, smartbed_runtime::mechanism::Fault> {
+        let (Ok(q), Ok(u), Ok(inputs), Ok(q_out), Ok(u_out)) = (
+            <&[S; NQ]>::try_from(q),
+            <&[S; NU]>::try_from(u),
+            <&[S; N_INPUTS]>::try_from(inputs),
+            <&mut [S; NQ]>::try_from(q_dot),
+            <&mut [S; NU]>::try_from(u_dot),
+        ) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        let pivot;
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        Ok(pivot)
+    }
+    #[allow(
+        clippy::assign_op_pattern,
+        reason = "scalars need not have assigning operators"
+    )]
+    fn project(&mut self, q: &mut [S]) -> Result<S, smartbed_runtime::mechanism::Fault> {
+        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        let (correction, residual) = projection(
+            <S as Real>::ZERO,
+            q,
+            &[<S as Real>::ZERO; NU],
+            &[<S as Real>::ZERO; N_INPUTS],
+            &self.parameters,
+        );
+        for (&index, &change) in CORRECTED.iter().zip(&correction) {
+            if let Some(coordinate) = q.get_mut(index) {
+                *coordinate = *coordinate + change;
+            }
+        }
+        Ok(residual)
+    }
+    fn energy(
+        &mut self,
+        q: &[S],
+        u: &[S],
+    ) -> Result<(S, S), smartbed_runtime::mechanism::Fault> {
+        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        Ok(
+            energy(
+                <S as Real>::ZERO,
+                q,
+                u,
+                &[<S as Real>::ZERO; N_INPUTS],
+                &self.parameters,
+            ),
+        )
+    }
+}

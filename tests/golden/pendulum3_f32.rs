@@ -1,0 +1,349 @@
+// Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
+// pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
+// Cost of rates: 132 operations (3 abs, 20 add, 3 cos, 3 div, 2 min, 84 mul, 3 sin, 14 sub).
+// Cost of energy: 72 operations (16 add, 3 cos, 50 mul, 3 sin).
+// Cost of speeds: 0 operations ().
+// Cost of outputs: 0 operations ().
+// Cost of projection: 0 operations ().
+
+use smartbed_runtime::real::Real;
+/// The scalar of this file.
+pub type S = f32;
+/// Number of coordinates q.
+pub const NQ: usize = 3usize;
+/// Number of independent speeds u.
+pub const NU: usize = 3usize;
+/// Number of inputs.
+pub const N_INPUTS: usize = 0usize;
+///Coordinates in order.
+pub const Q_NAMES: [&str; 3usize] = ["q0", "q1", "q2"];
+///Independent speeds in order.
+pub const U_NAMES: [&str; 3usize] = ["u0", "u1", "u2"];
+///Inputs in order.
+pub const INPUT_NAMES: [&str; 0usize] = [];
+///Tunable parameters in order.
+pub const PARAMETER_NAMES: [&str; 7usize] = ["m0", "m1", "m2", "l0", "l1", "l2", "g"];
+///All speeds in order.
+pub const SPEED_NAMES: [&str; 3usize] = ["u0", "u1", "u2"];
+///Outputs in order.
+pub const OUTPUT_NAMES: [&str; 0usize] = [];
+/// Indices of the coordinates that the projection corrects.
+pub const CORRECTED: [usize; 0usize] = [];
+/// Coordinates read only by sines and cosines: they may be wrapped by whole turns.
+pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
+/// The nominal configuration.
+pub const NOMINAL: [f32; 3usize] = [0f32, 0f32, 0f32];
+/// Tunable parameters, SI units.
+#[derive(Clone, Copy, Debug)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Parameters {
+    ///Upper mass (kg), models/pendulum3.toml:10.
+    pub m0: S,
+    ///Middle mass (kg), models/pendulum3.toml:11.
+    pub m1: S,
+    ///Lower mass (kg), models/pendulum3.toml:12.
+    pub m2: S,
+    ///Length of the upper rod (m), models/pendulum3.toml:13.
+    pub l0: S,
+    ///Length of the middle rod (m), models/pendulum3.toml:14.
+    pub l1: S,
+    ///Length of the lower rod (m), models/pendulum3.toml:15.
+    pub l2: S,
+    ///Gravity (m/s^2), models/pendulum3.toml:16.
+    pub g: S,
+}
+impl Default for Parameters {
+    fn default() -> Self {
+        Self {
+            m0: 1.0_f32,
+            m1: 1.0_f32,
+            m2: 1.0_f32,
+            l0: 1.0_f32,
+            l1: 1.0_f32,
+            l2: 1.0_f32,
+            g: 9.81_f32,
+        }
+    }
+}
+///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
+///
+///132 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn rates(
+    _t: S,
+    q: &[S; 3usize],
+    u: &[S; 3usize],
+    _inputs: &[S; 0usize],
+    p: &Parameters,
+) -> ([S; 3usize], [S; 3usize], S) {
+    let u0 = u[0];
+    let u1 = u[1];
+    let u2 = u[2];
+    let m1 = p.m1;
+    let l1 = p.l1;
+    let t1 = u1 * (u1 * l1);
+    let l0 = p.l0;
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t2 = l0 * sin_q0;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t3 = l0 * cos_q0;
+    let t4 = t1 * (t2 * cos_q1 - t3 * sin_q1);
+    let m2 = p.m2;
+    let l2 = p.l2;
+    let t5 = u2 * (u2 * l2);
+    let q2 = q[2];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let m0 = p.m0;
+    let g = p.g;
+    let t6 = m1 * t4 + m2 * (t4 + t5 * (t2 * cos_q2 - t3 * sin_q2)) + t2 * (m0 * g);
+    let t7 = m1 * g;
+    let t8 = m2 * g;
+    let t9 = t6 + t2 * t7 + t2 * t8;
+    let t10 = l0 * l0;
+    let mass_u0_u0 = m0 * t10 + m1 * t10 + m2 * t10;
+    let t11 = 1.0_f32 / mass_u0_u0;
+    let t12 = l1 * (t3 * cos_q1 + t2 * sin_q1);
+    let mass_u0_u1 = m1 * t12 + m2 * t12;
+    let t13 = mass_u0_u1 * t11;
+    let t14 = l1 * l1;
+    let mass_u1_u1 = m1 * t14 + m2 * t14;
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t13;
+    let t15 = 1.0_f32 / pivot_1;
+    let t16 = u0 * (u0 * l0);
+    let t17 = l1 * sin_q1;
+    let t18 = l1 * cos_q1;
+    let t19 = t16 * (cos_q0 * t17 - sin_q0 * t18);
+    let t20 = m1 * t19 + m2 * (t19 + t5 * (t17 * cos_q2 - t18 * sin_q2)) + t17 * t7;
+    let t21 = t9 * t13 - (t20 + t17 * t8);
+    let mass_u1_u2 = m2 * (l2 * (t18 * cos_q2 + t17 * sin_q2));
+    let mass_u0_u2 = m2 * (l2 * (t3 * cos_q2 + t2 * sin_q2));
+    let t22 = mass_u1_u2 - mass_u0_u2 * t13;
+    let t23 = t22 * t15;
+    let t24 = mass_u0_u2 * t11;
+    let t25 = l2 * sin_q2;
+    let t26 = l2 * cos_q2;
+    let t27 = t16 * (cos_q0 * t25 - sin_q0 * t26) + t1 * (cos_q1 * t25 - sin_q1 * t26);
+    let mass_u2_u2 = m2 * (l2 * l2);
+    let pivot_2 = mass_u2_u2 - mass_u0_u2 * t24 - t22 * t23;
+    let t28 = (t9 * t24 - (m2 * t27 + t25 * t8) - t23 * t21) / pivot_2;
+    let t29 = t15 * t21 - t23 * t28;
+    let t30 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(pivot_2));
+    ([u0, u1, u2], [-(t9 * t11 + t13 * t29 + t24 * t28), t29, t28], t30)
+}
+///Kinetic and potential energy (J).
+///
+///72 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn energy(
+    _t: S,
+    q: &[S; 3usize],
+    u: &[S; 3usize],
+    _inputs: &[S; 0usize],
+    p: &Parameters,
+) -> (S, S) {
+    let m0 = p.m0;
+    let l0 = p.l0;
+    let t1 = l0 * l0;
+    let m1 = p.m1;
+    let m2 = p.m2;
+    let mass_u0_u0 = m0 * t1 + m1 * t1 + m2 * t1;
+    let u0 = u[0];
+    let l1 = p.l1;
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t2 = l0 * cos_q0;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t3 = l0 * sin_q0;
+    let t4 = l1 * (t2 * cos_q1 + t3 * sin_q1);
+    let mass_u0_u1 = m1 * t4 + m2 * t4;
+    let u1 = u[1];
+    let l2 = p.l2;
+    let q2 = q[2];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let mass_u0_u2 = m2 * (l2 * (t2 * cos_q2 + t3 * sin_q2));
+    let u2 = u[2];
+    let t5 = 0.5_f32 * (mass_u0_u0 * (u0 * u0)) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
+    let t6 = l1 * l1;
+    let mass_u1_u1 = m1 * t6 + m2 * t6;
+    let mass_u1_u2 = m2 * (l2 * (l1 * cos_q1 * cos_q2 + l1 * sin_q1 * sin_q2));
+    let mass_u2_u2 = m2 * (l2 * l2);
+    let t7 = t5 + 0.5_f32 * (mass_u1_u1 * (u1 * u1)) + mass_u1_u2 * (u1 * u2) + 0.5_f32 * (mass_u2_u2 * (u2 * u2));
+    let g = p.g;
+    let t8 = l0 * (g * cos_q0);
+    let t9 = t8 + l1 * (g * cos_q1);
+    (t7, -(m0 * t8 + m1 * t9 + m2 * (t9 + l2 * (g * cos_q2))))
+}
+///All speeds in the order of `SPEED_NAMES`, dependent ones included.
+///
+///0 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn speeds(
+    _t: S,
+    _q: &[S; 3usize],
+    u: &[S; 3usize],
+    _inputs: &[S; 0usize],
+    _p: &Parameters,
+) -> [S; 3usize] {
+    let u0 = u[0];
+    let u1 = u[1];
+    let u2 = u[2];
+    [u0, u1, u2]
+}
+///Requested outputs in the order of `OUTPUT_NAMES`.
+///
+///0 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn outputs(
+    _t: S,
+    _q: &[S; 3usize],
+    _u: &[S; 3usize],
+    _inputs: &[S; 0usize],
+    _p: &Parameters,
+) -> [S; 0usize] {
+    []
+}
+///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
+///
+///0 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn projection(
+    _t: S,
+    _q: &[S; 3usize],
+    _u: &[S; 3usize],
+    _inputs: &[S; 0usize],
+    _p: &Parameters,
+) -> ([S; 0usize], S) {
+    ([], 0.0_f32)
+}
+///Triple pendulum: point masses on massless rods, absolute angles from the downward vertical.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pendulum3 {
+    /// Tunable parameters.
+    pub parameters: Parameters,
+}
+impl Pendulum3 {
+    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
+    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+        Some(
+            match index {
+                0usize => &mut self.parameters.m0,
+                1usize => &mut self.parameters.m1,
+                2usize => &mut self.parameters.m2,
+                3usize => &mut self.parameters.l0,
+                4usize => &mut self.parameters.l1,
+                5usize => &mut self.parameters.l2,
+                6usize => &mut self.parameters.g,
+                _ => return None,
+            },
+        )
+    }
+}
+impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
+    fn n_q(&self) -> usize {
+        NQ
+    }
+    fn n_u(&self) -> usize {
+        NU
+    }
+    fn n_inputs(&self) -> usize {
+        N_INPUTS
+    }
+    fn is_angle(&self, index: usize) -> bool {
+        IS_ANGLE.get(index).copied().unwrap_or(false)
+    }
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        inputs: &[S],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, smartbed_runtime::mechanism::Fault> {
+        let (Ok(q), Ok(u), Ok(inputs), Ok(q_out), Ok(u_out)) = (
+            <&[S; NQ]>::try_from(q),
+            <&[S; NU]>::try_from(u),
+            <&[S; N_INPUTS]>::try_from(inputs),
+            <&mut [S; NQ]>::try_from(q_dot),
+            <&mut [S; NU]>::try_from(u_dot),
+        ) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        let pivot;
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        Ok(pivot)
+    }
+    #[allow(
+        clippy::assign_op_pattern,
+        reason = "scalars need not have assigning operators"
+    )]
+    fn project(&mut self, q: &mut [S]) -> Result<S, smartbed_runtime::mechanism::Fault> {
+        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        let (correction, residual) = projection(
+            <S as Real>::ZERO,
+            q,
+            &[<S as Real>::ZERO; NU],
+            &[<S as Real>::ZERO; N_INPUTS],
+            &self.parameters,
+        );
+        for (&index, &change) in CORRECTED.iter().zip(&correction) {
+            if let Some(coordinate) = q.get_mut(index) {
+                *coordinate = *coordinate + change;
+            }
+        }
+        Ok(residual)
+    }
+    fn energy(
+        &mut self,
+        q: &[S],
+        u: &[S],
+    ) -> Result<(S, S), smartbed_runtime::mechanism::Fault> {
+        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
+            return Err(smartbed_runtime::mechanism::Fault::Shape);
+        };
+        Ok(
+            energy(
+                <S as Real>::ZERO,
+                q,
+                u,
+                &[<S as Real>::ZERO; N_INPUTS],
+                &self.parameters,
+            ),
+        )
+    }
+}

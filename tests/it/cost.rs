@@ -1,0 +1,89 @@
+//! What the equations cost: operations of one evaluation, and the time to derive them.
+
+use smartbed_runtime::real::Real;
+use smartbed_runtime::real::counting::{Counting, Operations, count};
+use smartbed_tests::interpreted::emitted;
+use smartbed_tests::{cases, generated, subject};
+use std::process::Command;
+use std::time::Instant;
+
+/// Executed by one evaluation of q_dot, u_dot and the worst pivot of a model.
+fn executed(model: &str) -> Operations {
+    let mut mechanism = generated::counting(model);
+    let case = &cases::reference_cases(model)[0];
+    let names = mechanism.names();
+    let q: Vec<Counting> = subject::arrange(&names.q, &case.state.q);
+    let u: Vec<Counting> = subject::arrange(&names.u, &case.state.u);
+    let inputs: Vec<Counting> = subject::arrange(&names.inputs, &case.state.inputs);
+    let (mut q_dot, mut u_dot) = (vec![Counting::ZERO; q.len()], vec![Counting::ZERO; u.len()]);
+    let (pivot, cost) = count(|| mechanism.rates(Counting::ZERO, &q, &u, &inputs, &mut q_dot, &mut u_dot));
+    assert!(pivot.is_ok(), "{model}");
+    cost
+}
+
+/// Most operations that the tile of twelve coordinates may take.
+const TILE_OPERATIONS: usize = 1_700;
+
+#[test]
+fn tile_takes_few_operations() {
+    for model in cases::MECHANISMS {
+        println!("{model}: {} operations, {:?}", executed(model).total(), executed(model));
+    }
+    assert!(executed("tile").total() <= TILE_OPERATIONS);
+}
+
+#[test]
+fn header_states_the_operations_that_are_executed() {
+    for model in cases::MECHANISMS {
+        let text = emitted(model, smartbed_codegen::ScalarType::F64);
+        let line = text.lines().find(|line| line.starts_with("// Cost of rates:")).expect("a header");
+        let stated: usize =
+            line["// Cost of rates: ".len()..].split(' ').next().unwrap_or("").parse().expect(line);
+        let executed = executed(model);
+        assert_eq!(stated, executed.total() + executed.other, "{model}: {line}");
+    }
+}
+
+#[test]
+fn every_angle_has_one_sincos() {
+    // Six angles of three connectors; three absolute angles; none in the closed forms' rates.
+    for (model, angles) in [("tile", 6), ("fourbar", 3), ("tile_minimal", 0)] {
+        let executed = executed(model);
+        assert!(executed.sin <= angles && executed.cos <= angles, "{model}: {executed:?}");
+    }
+}
+
+/// From text to formatted Rust.
+const DERIVATION_MS: f64 = 20.0;
+/// Runs of which the fastest counts: the others waited for a processor.
+const RUNS: usize = 7;
+/// Set in the fresh process that derives once and prints the time.
+const CHILD: &str = "SMARTBED_TESTS_DERIVE";
+
+/// Derives the tile in this process and returns the time [ms].
+fn derivation_time() -> f64 {
+    let start = Instant::now();
+    let text = emitted("tile", smartbed_codegen::ScalarType::F32);
+    let time = start.elapsed().as_secs_f64() * 1e3;
+    assert!(text.contains("fn rates"));
+    time
+}
+
+#[test]
+fn tile_is_derived_in_time_in_a_fresh_process() {
+    if std::env::var_os(CHILD).is_some() {
+        println!("\nmilliseconds {}", derivation_time());
+        return;
+    }
+    let once = || -> f64 {
+        let this = std::env::current_exe().expect("the test binary");
+        let test = "cost::tile_is_derived_in_time_in_a_fresh_process";
+        let output = Command::new(this).args(["--exact", test, "--nocapture"]).env(CHILD, "1").output();
+        let text = String::from_utf8(output.expect("the child runs").stdout).expect("text");
+        let line = text.lines().find_map(|line| line.strip_prefix("milliseconds "));
+        line.and_then(|time| time.parse().ok()).unwrap_or_else(|| panic!("no time in {text}"))
+    };
+    let fastest = (0..RUNS).map(|_| once()).fold(f64::INFINITY, f64::min);
+    println!("tile from text to formatted Rust: {fastest:.1} ms");
+    assert!(fastest <= DERIVATION_MS, "{fastest} ms");
+}
