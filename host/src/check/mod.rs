@@ -15,7 +15,7 @@ use smartbed_codegen::{Answer, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
-/// Ratio of smallest to largest singular value below which a configuration is nearly singular.
+/// A constraint of which less is independent of the others makes a configuration nearly singular.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
 /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
@@ -73,7 +73,7 @@ fn report(model: &Model, program: &Program, rank: &Rank) -> Report {
         "independent_speeds": independent(model),
         "constraints": {
             "unknowns": rank.unknowns, "speeds": model.speeds.len(), "rank": rank.smallest, "largest_rank": rank.largest,
-            "samples": rank.samples, "worst_ratio": rank.worst_ratio, "worst_at": worst_place(program, rank),
+            "samples": rank.samples, "least_left": rank.least_left, "worst_at": worst_place(program, rank),
         },
         "pivots": pivots(program),
         "units": units(model, program),
@@ -168,10 +168,10 @@ fn numeric_warnings(program: &Program, rank: &Rank) -> Vec<String> {
             "the constraints lose rank: {} at some samples, {} at others; near there the motion is not determined",
             rank.smallest, rank.largest
         ));
-    } else if rank.worst_ratio < NEARLY_SINGULAR {
+    } else if rank.least_left < NEARLY_SINGULAR {
         warnings.push(format!(
-            "a sampled configuration is nearly singular: its smallest singular value is {:.1e} of the largest",
-            rank.worst_ratio
+            "a sampled configuration is nearly singular: only {:.1e} of a constraint is independent of the others",
+            rank.least_left
         ));
     }
     for pivot in program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT) {

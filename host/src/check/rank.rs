@@ -1,14 +1,15 @@
 //! Rank of the constraints at sampled configurations, from numbers.
 //!
 //! In: the candidate rows of the kinematics over all unknowns (speeds and lifted twists). Out: rank at
-//! every sample by singular values of the rows at unit length, and the worst conditioning.
+//! every sample, and the worst conditioning. Rows are brought to unit length and orthogonalised, the
+//! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
+//! is the share of it that the rows before do not say already.
 
-use nalgebra::DMatrix;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::kinematics::{Kinematics, eliminate};
 use smartbed_codegen::model::Model;
 
-/// A singular value below this share of the largest counts as zero.
+/// A row of which less is left follows from the others.
 const ZERO: f64 = 1e-8;
 
 /// What the samples say.
@@ -24,8 +25,8 @@ pub(super) struct Rank {
     pub smallest: usize,
     /// Largest rank over the samples.
     pub largest: usize,
-    /// Smallest over largest non-zero singular value, at the worst sample; 1 without constraints.
-    pub worst_ratio: f64,
+    /// Least that was left of a row that counts, at the worst sample; 1 without constraints.
+    pub least_left: f64,
     /// That sample's coordinates.
     pub worst_at: Vec<f64>,
 }
@@ -41,24 +42,24 @@ impl Rank {
             samples,
             smallest: usize::MAX,
             largest: 0,
-            worst_ratio: 1.0,
+            least_left: 1.0,
             worst_at: k.samples.first().cloned().unwrap_or_default(),
         };
-        let mut matrices = vec![DMatrix::<f64>::zeros(k.rows.len(), unknowns); samples];
+        let mut matrices = vec![vec![vec![0.0; unknowns]; k.rows.len()]; samples];
         for (r, row) in k.rows.iter().enumerate() {
             for (unknown, &coefficient) in &row.coefficients {
                 let values = table.values(&k.dag, coefficient);
                 for (matrix, value) in matrices.iter_mut().zip(values) {
-                    matrix[(r, unknown.index())] = *value;
+                    matrix[r][unknown.index()] = *value;
                 }
             }
         }
         for (sample, matrix) in matrices.into_iter().enumerate() {
-            let (found, ratio) = numeric_rank(matrix);
+            let (found, left) = numeric_rank(matrix);
             rank.smallest = rank.smallest.min(found);
             rank.largest = rank.largest.max(found);
-            if ratio < rank.worst_ratio {
-                rank.worst_ratio = ratio;
+            if left < rank.least_left {
+                rank.least_left = left;
                 rank.worst_at.clone_from(&k.samples[sample]);
             }
         }
@@ -72,22 +73,32 @@ impl Rank {
     }
 }
 
-/// Rank, and smallest over largest singular value that counts.
-fn numeric_rank(mut matrix: DMatrix<f64>) -> (usize, f64) {
-    if matrix.is_empty() || matrix.iter().any(|x| !x.is_finite()) {
-        return (0, 1.0);
-    }
-    for mut row in matrix.row_iter_mut() {
-        let length = row.norm();
+/// Rank, and the least that was left of a row that counts.
+fn numeric_rank(mut rows: Vec<Vec<f64>>) -> (usize, f64) {
+    for row in &mut rows {
+        let length = norm(row);
         if length > 0.0 {
-            row /= length;
+            row.iter_mut().for_each(|x| *x /= length);
         }
     }
-    let values = matrix.singular_values();
-    let largest = values.max();
-    let counted = values.iter().filter(|v| **v > ZERO * largest);
-    let (n, smallest) = counted.fold((0, largest), |(n, s), v| (n + 1, s.min(*v)));
-    (n, if n > 0 { smallest / largest } else { 1.0 })
+    let (mut rank, mut least_left) = (0, 1.0_f64);
+    while let Some((index, left)) = most_left(&rows).filter(|(_, left)| *left > ZERO) {
+        let unit: Vec<f64> = rows.swap_remove(index).iter().map(|x| x / left).collect();
+        for row in &mut rows {
+            let along: f64 = row.iter().zip(&unit).map(|(x, e)| x * e).sum();
+            row.iter_mut().zip(&unit).for_each(|(x, e)| *x -= along * e);
+        }
+        (rank, least_left) = (rank + 1, least_left.min(left));
+    }
+    (rank, least_left)
+}
+
+fn most_left(rows: &[Vec<f64>]) -> Option<(usize, f64)> {
+    rows.iter().map(|row| norm(row)).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn norm(row: &[f64]) -> f64 {
+    row.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 #[cfg(test)]
@@ -96,9 +107,14 @@ mod tests {
 
     #[test]
     fn dependent_rows_do_not_count() {
-        let matrix = DMatrix::from_row_slice(3, 3, &[1.0, 2.0, 0.0, 2.0, 4.0, 0.0, 0.0, 0.0, 5.0]);
-        let (rank, ratio) = numeric_rank(matrix);
+        let rows = vec![vec![1.0, 2.0, 0.0], vec![2.0, 4.0, 0.0], vec![0.0, 0.0, 5.0]];
+        let (rank, left) = numeric_rank(rows);
         assert_eq!(rank, 2);
-        assert!(ratio > 0.5 && ratio < 1.0, "{ratio}");
+        assert!((left - 1.0).abs() < 1e-15, "{left}");
+        // Two directions 0.1 rad apart: sin 0.1 is left of the second.
+        let rows = vec![vec![1.0, 0.0], vec![0.1_f64.cos(), 0.1_f64.sin()]];
+        let (rank, left) = numeric_rank(rows);
+        assert_eq!(rank, 2);
+        assert!((left - 0.1_f64.sin()).abs() < 1e-15, "{left}");
     }
 }

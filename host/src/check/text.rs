@@ -54,7 +54,7 @@ fn freedom(facts: &Value, text: &mut String) {
             "constraints: rank {} of {} unknowns ({} speeds and the twists of closing bodies) at {} samples",
             rank["rank"], rank["unknowns"], rank["speeds"], rank["samples"]
         );
-        let ratio = rank["worst_ratio"].as_f64().unwrap_or(1.0);
+        let left = rank["least_left"].as_f64().unwrap_or(1.0);
         let place: Vec<String> = rank["worst_at"]
             .as_object()
             .into_iter()
@@ -63,7 +63,7 @@ fn freedom(facts: &Value, text: &mut String) {
             .collect();
         let _ = writeln!(
             text,
-            "worst conditioning: smallest singular value {ratio:.1e} of the largest, at {}",
+            "worst conditioning: {left:.2} of a constraint is independent of the others, at {}",
             place.join(", ")
         );
     }

@@ -105,7 +105,7 @@ fn round_step(least: f64) -> f64 {
 pub fn draw(title: &str, time_label: &str, time: &[f64], panels: &[Panel]) -> Drawing {
     let n = panels.len().max(1) as f64;
     let height = TOP + n * PANEL + (n - 1.0) * GAP + BOTTOM;
-    let mut items = vec![text((LEFT, TOP / 2.0), &shortened(title, 90), LARGE, Anchor::Start)];
+    let mut items = vec![text((LEFT, TOP / 2.0), &shortened(title, 76), LARGE, Anchor::Start)];
     let across = (LEFT, WIDTH as f64 - RIGHT);
     let x = Axis::around(time.iter(), across, 8.0, 0.0);
     for (number, panel) in panels.iter().enumerate() {
