@@ -10,12 +10,17 @@ use smartbed_codegen::model::Model;
 
 /// Most steps from the default parameters to others.
 const MAX_STEPS: usize = 64;
+/// Most places from which left-out coordinates are searched for.
+const MAX_STARTS: usize = 64;
+/// Multiples of the golden section, less whole numbers, cover the unit interval evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Solver of configurations of one program.
 #[derive(Clone, Debug)]
 pub struct Configurations {
     assembly: Assembly,
     independent: Vec<bool>,
+    ranges: Vec<(f64, f64)>,
     nominal: Vec<f64>,
     defaults: Vec<f64>,
 }
@@ -24,10 +29,11 @@ impl Configurations {
     /// For a program derived from `model`.
     #[must_use]
     pub fn new(model: &Model, program: &Program) -> Self {
-        let is_independent = |name: &str| model.coordinates.iter().any(|c| c.name == name && c.independent);
+        let declared = |name: &str| model.coordinates.iter().find(|c| c.name == name);
         Self {
             assembly: program.assembly.clone(),
-            independent: program.q.iter().map(|q| is_independent(&q.name)).collect(),
+            independent: program.q.iter().map(|q| declared(&q.name).is_some_and(|c| c.independent)).collect(),
+            ranges: program.q.iter().map(|q| declared(&q.name).map_or((q.value, q.value), |c| c.range)).collect(),
             nominal: program.nominal.clone(),
             defaults: program.parameters.iter().map(|p| p.value).collect(),
         }
@@ -109,7 +115,34 @@ impl Configurations {
         for (mine, value) in q.iter_mut().zip(given) {
             *mine = value.unwrap_or(*mine);
         }
-        self.assembly.correct(&mut q)?;
-        Ok(q)
+        let near = q.clone();
+        match self.assembly.correct(&mut q) {
+            Ok(()) => Ok(q),
+            Err(unreachable) => self.search(near, given).ok_or(unreachable),
+        }
+    }
+
+    /// Newton from many places of the left-out dependent coordinates; of the solutions found the one
+    /// nearest to the start values that were given.
+    fn search(&mut self, near: Vec<f64>, given: &[Option<f64>]) -> Option<Vec<f64>> {
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut draw = 0_u64;
+        for _ in 0..MAX_STARTS {
+            let mut q = near.clone();
+            for (i, mine) in q.iter_mut().enumerate() {
+                if given[i].is_none() && !self.is_independent(i) {
+                    let (low, high) = self.ranges[i];
+                    draw += 1;
+                    *mine = low + (high - low) * (draw as f64 * GOLDEN).fract();
+                }
+            }
+            if self.assembly.correct(&mut q).is_ok() {
+                let off = q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, q));
+                }
+            }
+        }
+        best.map(|(_, q)| q)
     }
 }

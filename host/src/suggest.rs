@@ -1,7 +1,7 @@
 //! What somebody who wrote an unknown name probably meant.
 
 /// Fewest equal parts (Jaro-Winkler, 0 to 1) for a suggestion.
-const ALIKE: f64 = 0.7;
+const ALIKE: f64 = 0.66;
 /// Names listed when none is alike.
 const LISTED: usize = 12;
 

@@ -1,7 +1,7 @@
 //! Rank of the constraints at sampled configurations, from numbers.
 //!
 //! In: the candidate rows of the kinematics over all unknowns (speeds and lifted twists). Out: rank at
-//! every sample, and the worst conditioning. Rows are brought to unit length and orthogonalised, the
+//! every sample, and the worst conditioning. Rows are scaled by their largest length and orthogonalised, the
 //! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
 //! is the share of it that the rows before do not say already.
 
@@ -54,6 +54,7 @@ impl Rank {
                 }
             }
         }
+        scale(&mut matrices, k.rows.len());
         for (sample, matrix) in matrices.into_iter().enumerate() {
             let (found, left) = numeric_rank(matrix);
             rank.smallest = rank.smallest.min(found);
@@ -73,14 +74,19 @@ impl Rank {
     }
 }
 
-/// Rank, and the least that was left of a row that counts.
-fn numeric_rank(mut rows: Vec<Vec<f64>>) -> (usize, f64) {
-    for row in &mut rows {
-        let length = norm(row);
-        if length > 0.0 {
-            row.iter_mut().for_each(|x| *x /= length);
+/// Divides every row by its largest length over the samples: a row that vanishes at a sample is small
+/// there, and not a direction made of rounding errors.
+fn scale(matrices: &mut [Vec<Vec<f64>>], rows: usize) {
+    for r in 0..rows {
+        let largest = matrices.iter().map(|matrix| norm(&matrix[r])).fold(0.0, f64::max);
+        if largest > 0.0 {
+            matrices.iter_mut().for_each(|matrix| matrix[r].iter_mut().for_each(|x| *x /= largest));
         }
     }
+}
+
+/// Rank, and the least that was left of a row that counts.
+fn numeric_rank(mut rows: Vec<Vec<f64>>) -> (usize, f64) {
     let (mut rank, mut least_left) = (0, 1.0_f64);
     while let Some((index, left)) = most_left(&rows).filter(|(_, left)| *left > ZERO) {
         let unit: Vec<f64> = rows.swap_remove(index).iter().map(|x| x / left).collect();
@@ -107,7 +113,7 @@ mod tests {
 
     #[test]
     fn dependent_rows_do_not_count() {
-        let rows = vec![vec![1.0, 2.0, 0.0], vec![2.0, 4.0, 0.0], vec![0.0, 0.0, 5.0]];
+        let rows = vec![vec![0.6, 0.8, 0.0], vec![0.3, 0.4, 0.0], vec![0.0, 0.0, 1.0]];
         let (rank, left) = numeric_rank(rows);
         assert_eq!(rank, 2);
         assert!((left - 1.0).abs() < 1e-15, "{left}");

@@ -79,9 +79,9 @@ weight = {{ value = "(3*ms + 3*mc + M)*g", unit = "N" }}
 k_servo = {{ value = 900.0, unit = "N/m" }}
 d_servo = {{ value = 20.0, unit = "N s/m" }}
 [law]
-FA = "weight/3 + k_servo*(0.12_m + 0.05_m*sin(2*PI*0.8*t/1_s) - hA) - d_servo*u_hA"
-FB = "weight/3 + k_servo*(0.12_m + 0.05_m*sin(2*PI*0.8*t/1_s + 2.1) - hB) - d_servo*u_hB"
-FC = "weight/3 + k_servo*(0.12_m + 0.03_m*sin(2*PI*1.3*t/1_s + 4.2) - hC) - d_servo*u_hC"
+FA = "weight/3 + k_servo*(0.12_m + 0.05_m*sin(2*pi*0.8*t/1_s) - hA) - d_servo*u_hA"
+FB = "weight/3 + k_servo*(0.12_m + 0.05_m*sin(2*pi*0.8*t/1_s + 2.1) - hB) - d_servo*u_hB"
+FC = "weight/3 + k_servo*(0.12_m + 0.03_m*sin(2*pi*1.3*t/1_s + 4.2) - hC) - d_servo*u_hC"
 [start]
 hA = 0.12
 hB = 0.12

@@ -109,7 +109,7 @@ P = "z*N.z"
 [bodies]
 mass = { centre = "P", mass = "m" }
 [springs]
-leg = { ends = ["O", "P"], stiffness = "k", rest_length = "0.5_m", damping = "c" }
+leg = { between = ["O", "P"], stiffness = "k", rest_length = "0.5_m", damping = "c" }
 [forces]
 motor = { point = "P", force = "(F - b*u_z)*N.z" }
 push = { point = "P", force = "f*N.z" }
