@@ -43,8 +43,9 @@
 //! # }
 //! ```
 //!
-//! The stages, each a module, data flowing downwards only: `expr` (expression DAG) and `vector`
-//! lie under everything; then `model` -> `kinematics` -> `dynamics` -> `program` -> `rust`.
+//! The stages, each a module, data flowing downwards only: `model` (text to checked tree) and `expr`
+//! (expression DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `program`
+//! -> `rust` each build on what stands before.
 
 pub mod expr;
 pub mod id;

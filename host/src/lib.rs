@@ -23,3 +23,4 @@ pub mod derive;
 pub mod eval;
 pub mod firmware;
 pub mod run;
+pub mod scene;

@@ -6,7 +6,13 @@
 //! 2. [`mechanism`]: what generated equations implement, and the systems that integrators take;
 //! 3. [`state`]: coordinates and speeds as compensated sums;
 //! 4. [`event`]: where a guard changes its sign;
-//! 5. [`integrator`]: one step, refused or taken as a whole.
+//! 5. [`integrator`]: one step, refused or taken as a whole;
+//! 6. [`body`]: point masses, springs, pressure: forces and energies;
+//! 7. [`contact`]: the ground's laws, impact with energy compensation, friction;
+//! 8. [`advance`]: one step of a body while no point touches or leaves;
+//! 9. [`guard`]: the step shortened to the first touch or release;
+//! 10. [`scene`]: the whole step of a body on the ground;
+//! 11. [`ledger`]: the accounts of energy, an observer.
 //!
 //! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
 //! one second in f32, as a microcontroller would compute it:
@@ -25,6 +31,18 @@ pub mod state;
 pub mod event;
 
 pub mod integrator;
+
+pub mod body;
+
+pub mod contact;
+
+pub mod advance;
+
+pub mod guard;
+
+pub mod scene;
+
+pub mod ledger;
 
 /// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
 /// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.

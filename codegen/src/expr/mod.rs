@@ -278,6 +278,22 @@ impl Dag {
         terms.iter().fold(zero, |total, &term| self.add(total, term))
     }
 
+    /// (c, x) with the expression = c x for a number c; x is 1 for a number.
+    pub fn split_coefficient(&mut self, expr: ExprId) -> (Number, ExprId) {
+        match self.nodes[expr] {
+            Node::Number(c) => (c, self.one()),
+            Node::Negate(a) => {
+                let (c, x) = self.split_coefficient(a);
+                (c.negate(), x)
+            }
+            Node::Binary(Binary::Mul, c, x) => match self.nodes[c] {
+                Node::Number(number) => (number, x),
+                _ => (Number::ONE, expr),
+            },
+            _ => (Number::ONE, expr),
+        }
+    }
+
     /// Operands of a node.
     #[must_use]
     pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {

@@ -278,11 +278,65 @@ pub(super) fn derivative(k: &mut Kinematics, vector: &Vector) -> Motion {
     motion
 }
 
-/// v = s' e + w x s e ; a = s'' e + 2 w x s' e + alpha x s e + w x (w x s e).
+/// v = s' e + w x s e ; a = s'' e + 2 w x s' e + s (alpha x e + w x (w x e)).
+///
+/// Where the components are constants times one scalar s, as along a rod, e is their constant
+/// vector: w x e and w x (w x e) are formed once for every multiple of it. Else e is all of it, s = 1.
 fn derivative_of_term(k: &mut Kinematics, triad: TriadId, components: [ExprId; 3]) -> Motion {
-    let place = Vector::new(&k.dag, triad, components);
-    let rates = components.map(|c| scalar_rate(k, c));
+    let (scale, direction) = common_factor(k, components);
+    let e = Vector::new(&k.dag, triad, direction);
+    let growth = growing(k, triad, scale, direction);
+    let mut motion = growth.motion;
+    let angular = k.angular[triad].clone();
+    if angular.partials.is_empty() {
+        return motion;
+    }
+    for (&unknown, w) in &angular.partials {
+        let term = k.triads.cross(&mut k.dag, w, &e).scaled(&mut k.dag, scale);
+        motion.add_partial(k, unknown, &term);
+    }
+    let w = motion_value(k, &angular);
+    // w in the triad of the term: one set of components serves every product.
+    let w = in_triad(k, &w, triad);
+    let turning = k.triads.cross(&mut k.dag, &w, &e);
+    let two = k.dag.number(Number::integer(2));
+    let coriolis = match growth.rate {
+        Growth::Scalar(rate) => turning.scaled(&mut k.dag, rate),
+        Growth::Vector(relative) => k.triads.cross(&mut k.dag, &w, &relative),
+    };
+    let coriolis = coriolis.scaled(&mut k.dag, two);
+    let centripetal = k.triads.cross(&mut k.dag, &w, &turning);
+    let euler = k.triads.cross(&mut k.dag, &angular.bias, &e);
+    let turned = centripetal.plus(&mut k.dag, &euler).scaled(&mut k.dag, scale);
+    motion.bias = motion.bias.plus(&mut k.dag, &coriolis).plus(&mut k.dag, &turned);
+    motion
+}
+
+/// What a term does within its triad: s' e and s'' e.
+struct Growing {
+    motion: Motion,
+    rate: Growth,
+}
+
+/// s' of a constant direction, or the relative velocity of a direction that changes.
+enum Growth {
+    Scalar(ExprId),
+    Vector(Vector),
+}
+
+fn growing(k: &mut Kinematics, triad: TriadId, scale: ExprId, direction: [ExprId; 3]) -> Growing {
     let mut motion = Motion::default();
+    if direction.iter().all(|&c| k.dag.is_constant(c)) {
+        let e = Vector::new(&k.dag, triad, direction);
+        let rate = scalar_rate(k, scale);
+        for (&unknown, &partial) in &rate.partials {
+            let term = e.scaled(&mut k.dag, partial);
+            motion.add_partial(k, unknown, &term);
+        }
+        motion.bias = e.scaled(&mut k.dag, rate.bias);
+        return Growing { motion, rate: Growth::Scalar(rate_value(k, &rate)) };
+    }
+    let rates = direction.map(|c| scalar_rate(k, c));
     let zero = k.dag.zero();
     let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
     for unknown in unknowns {
@@ -292,28 +346,20 @@ fn derivative_of_term(k: &mut Kinematics, triad: TriadId, components: [ExprId; 3
     }
     let second = std::array::from_fn(|i| rates[i].bias);
     motion.bias = Vector::new(&k.dag, triad, second);
-    let angular = k.angular[triad].clone();
-    if angular.partials.is_empty() {
-        return motion;
-    }
-    for (&unknown, w) in &angular.partials {
-        let term = k.triads.cross(&mut k.dag, w, &place);
-        motion.add_partial(k, unknown, &term);
-    }
-    let w = motion_value(k, &angular);
-    // w in the triad of the term: one set of components serves every product.
-    let w = in_triad(k, &w, triad);
     let relative = std::array::from_fn(|i| rate_value(k, &rates[i]));
-    let relative = Vector::new(&k.dag, triad, relative);
-    let two = k.dag.number(Number::integer(2));
-    let coriolis = k.triads.cross(&mut k.dag, &w, &relative).scaled(&mut k.dag, two);
-    let turning = k.triads.cross(&mut k.dag, &w, &place);
-    let centripetal = k.triads.cross(&mut k.dag, &w, &turning);
-    let euler = k.triads.cross(&mut k.dag, &angular.bias, &place);
-    for part in [coriolis, centripetal, euler] {
-        motion.bias = motion.bias.plus(&mut k.dag, &part);
+    Growing { motion, rate: Growth::Vector(Vector::new(&k.dag, triad, relative)) }
+}
+
+/// (s, e) with e constant and components = s e, if there is such an s; else (1, components).
+fn common_factor(k: &mut Kinematics, components: [ExprId; 3]) -> (ExprId, [ExprId; 3]) {
+    let split = components.map(|c| k.dag.split_coefficient(c));
+    let mut factors = split.iter().filter(|(number, _)| *number != Number::ZERO).map(|(_, factor)| *factor);
+    let one = k.dag.one();
+    let Some(first) = factors.next() else { return (one, components) };
+    if factors.any(|factor| factor != first) {
+        return (one, components);
     }
-    motion
+    (first, split.map(|(number, _)| k.dag.number(number)))
 }
 
 fn in_triad(k: &mut Kinematics, vector: &Vector, triad: TriadId) -> Vector {

@@ -2,6 +2,7 @@
 
 mod expressions;
 mod geometry;
+mod layering;
 mod model_errors;
 mod models;
 mod rejected;

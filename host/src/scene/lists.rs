@@ -1,0 +1,91 @@
+//! A flexible body as plain lists in f64: where shapes end and simulation begins.
+//!
+//! The same value is stepped on the host and printed as constant tables for the firmware.
+
+use std::collections::BTreeMap;
+
+/// Points, springs and facets of one body, SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lists {
+    /// Where the points start [m].
+    pub points: Vec<[f64; 3]>,
+    /// Masses [kg].
+    pub masses: Vec<f64>,
+    /// True where a point is held in space.
+    pub fixed: Vec<bool>,
+    /// Ends of each spring.
+    pub springs: Vec<[usize; 2]>,
+    /// Rest lengths [m].
+    pub rest_lengths: Vec<f64>,
+    /// K of each spring [N/m].
+    pub stiffness: Vec<f64>,
+    /// C of each spring [N s/m].
+    pub damping: Vec<f64>,
+    /// Corners of each facet, counter-clockwise from outside; a triangle repeats its third.
+    pub facets: Vec<[usize; 4]>,
+    /// Velocity at the start [m/s].
+    pub velocities: Vec<[f64; 3]>,
+}
+
+impl Lists {
+    /// Adds a free point of mass 1 kg; returns its number.
+    pub fn point(&mut self, x: [f64; 3]) -> usize {
+        self.points.push(x);
+        self.masses.push(1.0);
+        self.fixed.push(false);
+        self.points.len() - 1
+    }
+
+    /// Adds a spring between two points, at rest where they are.
+    pub fn spring(&mut self, tail: usize, head: usize) {
+        let [a, b] = [self.points[tail], self.points[head]];
+        let length = (0..3).map(|c| (b[c] - a[c]).powi(2)).sum::<f64>().sqrt();
+        self.springs.push([tail, head]);
+        self.rest_lengths.push(length);
+    }
+
+    /// Joins every pair of the given points.
+    pub fn join_all(&mut self, points: &[usize]) {
+        for (n, a) in points.iter().enumerate() {
+            for b in &points[n + 1..] {
+                self.spring(*a, *b);
+            }
+        }
+    }
+
+    /// Gives the mass of `massless` points to their neighbours in equal shares and takes the dampers off their springs.
+    ///
+    /// # Errors
+    /// A point without a neighbour that has mass.
+    pub fn redistribute(&mut self, massless: &[usize]) -> Result<(), String> {
+        let mut gains: BTreeMap<usize, f64> = BTreeMap::new();
+        for &point in massless {
+            let neighbours: Vec<usize> = (self.springs.iter())
+                .filter(|s| s.contains(&point))
+                .map(|s| s[0] + s[1] - point)
+                .filter(|k| !massless.contains(k))
+                .collect();
+            if neighbours.is_empty() {
+                return Err(format!(
+                    "the massless point {point} has no neighbour that could take its mass; join it by a spring to a point with mass"
+                ));
+            }
+            for k in &neighbours {
+                *gains.entry(*k).or_default() += self.masses[point] / neighbours.len() as f64;
+            }
+        }
+        for (k, gain) in gains {
+            self.masses[k] += gain;
+        }
+        for &point in massless {
+            self.masses[point] = 0.0;
+            self.velocities[point] = [0.0; 3];
+        }
+        for (spring, c) in self.springs.iter().zip(&mut self.damping) {
+            if spring.iter().any(|p| massless.contains(p)) {
+                *c = 0.0;
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,12 @@
+//! Scenes of flexible bodies: text -> lists -> a simulation -> rows of numbers.
+
+pub mod fields;
+pub mod lists;
+pub mod read;
+pub mod run;
+pub mod shape;
+pub mod simulation;
+
+pub use lists::Lists;
+pub use read::{Scene, open, parse};
+pub use simulation::{Simulation, Surroundings};

@@ -1,0 +1,187 @@
+//! Runs a scene and gives rows: time, state, ledger; and the events as they happened.
+
+use std::fmt::Write as _;
+
+use smartbed_runtime::body::BodyError;
+use smartbed_runtime::contact::System;
+use smartbed_runtime::ledger::{Ledger, eval_stored};
+use smartbed_runtime::real::Scalar;
+use smartbed_runtime::scene::{Event, Flow, Observer};
+
+use super::read::Scene;
+use super::simulation::Simulation;
+
+/// One touch or release, for plots of work against impulse and for tests.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EventRecord {
+    /// Time [s].
+    pub time: f64,
+    /// Points that touched: number, speed of approach [m/s], ground impulse [N s].
+    pub touches: Vec<(usize, f64, f64)>,
+    /// lambda of the compensation, for a touch.
+    pub lambda: Option<f64>,
+    /// Number of points let go.
+    pub released: usize,
+    /// Points held after the event.
+    pub held: Vec<usize>,
+}
+
+/// Energies and accounts at one time [J].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyRow {
+    /// Kinetic, gravity, spring, pressure.
+    pub stored: [f64; 4],
+    /// Damping, drag, impact, friction, actuator.
+    pub accounts: [f64; 5],
+    /// Kinetic and stored energies.
+    pub total: f64,
+    /// What no account explains.
+    pub imbalance: f64,
+}
+
+/// One row of output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Time [s].
+    pub t: f64,
+    /// Positions [m].
+    pub pos: Vec<[f64; 3]>,
+    /// Velocities [m/s].
+    pub vel: Vec<[f64; 3]>,
+    /// Energies.
+    pub energy: EnergyRow,
+}
+
+struct Watch<S> {
+    ledger: Ledger<S>,
+    events: Vec<EventRecord>,
+}
+
+impl<S: Scalar> Observer<S> for Watch<S> {
+    fn flow(&mut self, system: &System<S>, flow: Flow<S>) {
+        self.ledger.flow(system, flow);
+    }
+
+    fn event(&mut self, system: &System<S>, event: Event<S>) {
+        self.ledger.event(system, event);
+        let touched = event.points.iter().enumerate().filter(|(_, p)| p.touching);
+        let record = EventRecord {
+            time: event.time.to_f64(),
+            touches: touched.map(|(i, p)| (i, p.approach.to_f64(), p.impulse.to_f64())).collect(),
+            lambda: event.impact.map(|i| i.lambda.to_f64()),
+            released: event.released,
+            held: event.modes.iter().enumerate().filter(|(_, m)| m.is_held()).map(|(i, _)| i).collect(),
+        };
+        if !record.touches.is_empty() || record.released > 0 {
+            self.events.push(record);
+        }
+    }
+}
+
+/// Runs to the scene's end, handing each row to `emit`; returns the events.
+///
+/// # Errors
+/// What stopped the run, in words, with the time.
+pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<EventRecord>, String> {
+    let explain = |t: f64, e: BodyError<S>| format!("t = {t:.6} s: {}", describe(&e));
+    let mut simulation =
+        Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| explain(0.0, e))?;
+    let h = S::from_f64(scene.step);
+    let mut watch = Watch { ledger: open_ledger(&simulation), events: Vec::new() };
+    simulation.begin(h, &mut watch).map_err(|e| explain(0.0, e))?;
+    emit(&row(&simulation, &watch.ledger));
+    let steps = steps_in(scene.seconds, scene.step);
+    for n in 1..=steps {
+        simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
+        if n % scene.every == 0 || n == steps {
+            emit(&row(&simulation, &watch.ledger));
+        }
+    }
+    Ok(watch.events)
+}
+
+/// Whole steps in a run; a rest below a thousandth of a step is rounding.
+fn steps_in(seconds: f64, step: f64) -> usize {
+    (seconds / step - 1e-3).ceil().max(0.0) as usize
+}
+
+fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
+    let zero = S::ZERO;
+    let start = eval_stored(&simulation.system(), simulation.pos(), simulation.vel()).total();
+    Ledger { start, damping: zero, drag: zero, impact: zero, friction: zero, actuator: zero }
+}
+
+fn row<S: Scalar>(simulation: &Simulation<S>, ledger: &Ledger<S>) -> Row {
+    let energies = eval_stored(&simulation.system(), simulation.pos(), simulation.vel());
+    let widen = |rows: &[[S; 3]]| rows.iter().map(|x| x.map(Scalar::to_f64)).collect();
+    Row {
+        t: simulation.t().to_f64(),
+        pos: widen(simulation.pos()),
+        vel: widen(simulation.vel()),
+        energy: EnergyRow {
+            stored: [energies.kinetic, energies.gravity, energies.spring, energies.pressure]
+                .map(Scalar::to_f64),
+            accounts: [ledger.damping, ledger.drag, ledger.impact, ledger.friction, ledger.actuator]
+                .map(Scalar::to_f64),
+            total: energies.total().to_f64(),
+            imbalance: ledger.imbalance(&energies).to_f64(),
+        },
+    }
+}
+
+/// An error of the runtime in words.
+#[must_use]
+pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
+    match error {
+        BodyError::Empty => "the body has no points".to_string(),
+        BodyError::Length { expected, found } => format!("a list has {found} entries, expected {expected}"),
+        BodyError::UnknownPoint { point, points } => {
+            format!("point {point} is named, but the points are 0 to {}", points - 1)
+        }
+        BodyError::Negative { index } => format!("entry {index} of the masses or springs is negative"),
+        BodyError::Scratch { needed, given } => {
+            format!("scratch memory: {given} vectors given, {needed} needed")
+        }
+        BodyError::NotFinite { point } => {
+            format!("point {point} left the numbers; take a smaller step or a smaller load")
+        }
+        BodyError::PressureTooHigh { pressure, spring } => format!(
+            "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
+            pressure.to_f64(),
+            smartbed_runtime::body::pressure::STRETCH_LIMIT
+        ),
+        BodyError::Collapsed { volume } => {
+            format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())
+        }
+        BodyError::NotConverged { step } => {
+            format!("the implicit step of {:.6e} s did not settle; take a smaller step", step.to_f64())
+        }
+    }
+}
+
+/// Header of the CSV for n points.
+#[must_use]
+pub fn csv_header(n: usize) -> String {
+    let mut line = String::from("t");
+    for i in 0..n {
+        let _ = write!(line, ",x{i},y{i},z{i}");
+    }
+    for i in 0..n {
+        let _ = write!(line, ",vx{i},vy{i},vz{i}");
+    }
+    line + ",kinetic,gravity,spring,pressure,damping,drag,impact,friction,actuator,total,imbalance"
+}
+
+/// One line of the CSV, 17 significant digits.
+#[must_use]
+pub fn csv_line(row: &Row) -> String {
+    let mut line = format!("{:.16e}", row.t);
+    let energy = &row.energy;
+    let state = row.pos.iter().chain(&row.vel).flatten();
+    let numbers =
+        state.chain(&energy.stored).chain(&energy.accounts).chain([&energy.total, &energy.imbalance]);
+    for x in numbers {
+        let _ = write!(line, ",{x:.16e}");
+    }
+    line
+}

@@ -1,0 +1,255 @@
+//! A scene in motion: owns the memory that the runtime's kernels borrow.
+//!
+//! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
+
+use smartbed_runtime::advance::{Method, Motion, Workspace, workspace_len};
+use smartbed_runtime::body::stable_step::largest_stable_step;
+use smartbed_runtime::body::{Body, BodyError, Gas, Inflation, Spring, Vec3};
+use smartbed_runtime::contact::compensation::PointImpact;
+use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
+use smartbed_runtime::real::Scalar;
+use smartbed_runtime::scene::{Observer, State, StepReport, step};
+
+use super::lists::Lists;
+
+/// What surrounds a body: constants in f64.
+#[derive(Clone, Debug)]
+pub struct Surroundings {
+    /// Acceleration of gravity [m/s^2].
+    pub gravity: [f64; 3],
+    /// Viscous force of the air per point and speed [N s/m].
+    pub air_drag: f64,
+    /// Ground, if any.
+    pub ground: Option<Ground<f64>>,
+    /// Gas inside the facets.
+    pub inflation: Option<Inflation<f64>>,
+}
+
+/// A body in motion, over the scalar S.
+#[derive(Clone, Debug)]
+pub struct Simulation<S: Scalar> {
+    mass: Vec<S>,
+    fixed: Vec<bool>,
+    springs: Vec<Spring<S>>,
+    facets: Vec<[usize; 4]>,
+    gravity: Vec3<S>,
+    air_drag: S,
+    ground: Option<Ground<S>>,
+    inflation: Option<Inflation<S>>,
+    method: Method<S>,
+    motion: Vec<Vec3<S>>,
+    scratch: Vec<Vec3<S>>,
+    impacts: Vec<PointImpact<S>>,
+    modes: Vec<Mode>,
+    time: [S; 2],
+    carry: S,
+    next_step: S,
+    anchor: S,
+}
+
+const MOTION_ROWS: usize = smartbed_runtime::advance::MOTION_ROWS;
+
+impl<S: Scalar> Simulation<S> {
+    /// Rounds the lists to S and places the points; call [`Simulation::begin`] before the first step.
+    ///
+    /// # Errors
+    /// What the runtime refuses about the body.
+    pub fn new(lists: &Lists, around: &Surroundings, method: Method<f64>) -> Result<Self, BodyError<S>> {
+        let real = S::from_f64;
+        let vector = |v: &[f64; 3]| v.map(real);
+        let n = lists.points.len();
+        let method = round_method(method);
+        let mut motion = vec![[S::ZERO; 3]; MOTION_ROWS * n];
+        for (i, x) in lists.points.iter().enumerate() {
+            motion[i] = vector(x);
+            motion[2 * n + i] = lists.velocities.get(i).map_or([S::ZERO; 3], vector);
+        }
+        let spring = |i: usize| Spring {
+            tail: lists.springs[i][0],
+            head: lists.springs[i][1],
+            stiffness: real(lists.stiffness[i]),
+            damping: real(lists.damping[i]),
+            rest_length: real(lists.rest_lengths[i]),
+        };
+        let simulation = Simulation {
+            mass: lists.masses.iter().map(|m| real(*m)).collect(),
+            fixed: lists.fixed.clone(),
+            springs: (0..lists.springs.len()).map(spring).collect(),
+            facets: lists.facets.clone(),
+            gravity: vector(&around.gravity),
+            air_drag: real(around.air_drag),
+            ground: around.ground.as_ref().map(|g| round_ground(g, lists)),
+            inflation: around.inflation.map(round_inflation),
+            method,
+            motion,
+            scratch: vec![[S::ZERO; 3]; workspace_len(n, method)],
+            impacts: vec![PointImpact::none(); n],
+            modes: vec![Mode::Free; n],
+            time: [S::ZERO; 2],
+            carry: S::ZERO,
+            next_step: S::ZERO,
+            anchor: S::ZERO,
+        };
+        Body::new(simulation.body())?;
+        Ok(simulation)
+    }
+
+    fn body(&self) -> Body<'_, S> {
+        Body {
+            mass: &self.mass,
+            fixed: &self.fixed,
+            springs: &self.springs,
+            gravity: self.gravity,
+            air_drag: self.air_drag,
+            facets: &self.facets,
+            inflation: self.inflation,
+        }
+    }
+
+    /// Body and ground.
+    #[must_use]
+    pub fn system(&self) -> System<'_, S> {
+        System { body: self.body(), ground: self.ground }
+    }
+
+    /// Lets the runtime work on the views of this memory.
+    fn with<R>(
+        &mut self,
+        work: impl FnOnce(&System<S>, &mut State<S>, &mut Workspace<S>) -> Result<R, BodyError<S>>,
+    ) -> Result<R, BodyError<S>> {
+        let n = self.mass.len();
+        let body = Body {
+            mass: &self.mass,
+            fixed: &self.fixed,
+            springs: &self.springs,
+            gravity: self.gravity,
+            air_drag: self.air_drag,
+            facets: &self.facets,
+            inflation: self.inflation,
+        };
+        let system = System { body, ground: self.ground };
+        let (motion, _) = Motion::cut(&mut self.motion, n)?;
+        let mut state = State {
+            motion,
+            modes: &mut self.modes,
+            time: self.time,
+            carry: self.carry,
+            next_step: self.next_step,
+            anchor: self.anchor,
+        };
+        let mut workspace = Workspace::new(&mut self.scratch, &mut self.impacts, n, self.method)?;
+        let done = work(&system, &mut state, &mut workspace);
+        (self.time, self.carry, self.next_step, self.anchor) =
+            (state.time, state.carry, state.next_step, state.anchor);
+        done
+    }
+
+    /// Forces, energy and contacts of the starting state.
+    ///
+    /// # Errors
+    /// From the gas law.
+    pub fn begin<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<(), BodyError<S>> {
+        self.with(|system, state, work| state.begin(system, h, work, observer))
+    }
+
+    /// Advances by h.
+    ///
+    /// # Errors
+    /// The state is then the last good one.
+    pub fn step<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<StepReport, BodyError<S>> {
+        let method = self.method;
+        self.with(|system, state, work| step(system, state, h, method, work, observer))
+    }
+
+    /// Largest stable step of an explicit method in the present state [s].
+    #[must_use]
+    pub fn largest_stable_step(&self) -> Option<S> {
+        largest_stable_step(&self.body(), self.pos())
+    }
+
+    /// Positions [m].
+    #[must_use]
+    pub fn pos(&self) -> &[Vec3<S>] {
+        &self.motion[..self.mass.len()]
+    }
+
+    /// Velocities [m/s].
+    #[must_use]
+    pub fn vel(&self) -> &[Vec3<S>] {
+        &self.motion[2 * self.mass.len()..3 * self.mass.len()]
+    }
+
+    /// Each point against the ground.
+    #[must_use]
+    pub fn modes(&self) -> &[Mode] {
+        &self.modes
+    }
+
+    /// Time [s].
+    #[must_use]
+    pub fn t(&self) -> S {
+        self.time[0]
+    }
+
+    /// Masses [kg].
+    #[must_use]
+    pub fn mass(&self) -> &[S] {
+        &self.mass
+    }
+}
+
+fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
+    match method {
+        Method::SymplecticEuler => Method::SymplecticEuler,
+        Method::Verlet => Method::Verlet,
+        Method::Nystrom4 => Method::Nystrom4,
+        Method::BlanesMoan4 => Method::BlanesMoan4,
+        Method::Rk4 => Method::Rk4,
+        Method::ImplicitMidpoint => Method::ImplicitMidpoint,
+        Method::EnergyMomentum => Method::EnergyMomentum,
+        Method::DormandPrince { tolerance } => Method::DormandPrince { tolerance: S::from_f64(tolerance) },
+        Method::Dop853 { tolerance } => Method::Dop853 { tolerance: S::from_f64(tolerance) },
+    }
+}
+
+/// Rounding units of the body's size below which a gap means nothing.
+const GAP_ROUNDING: f64 = 16.0;
+
+fn round_ground<S: Scalar>(ground: &Ground<f64>, lists: &Lists) -> Ground<S> {
+    let real = S::from_f64;
+    let size = lists.points.iter().flatten().fold(1.0_f64, |m, x| m.max(x.abs()));
+    let law = match ground.law {
+        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
+            ContactLaw::Compensation { eta: real(eta), anchor, plastic_alone }
+        }
+        ContactLaw::Newton { restitution } => ContactLaw::Newton { restitution: real(restitution) },
+        ContactLaw::Moreau { restitution } => ContactLaw::Moreau { restitution: real(restitution) },
+        ContactLaw::MasslessPoint => ContactLaw::MasslessPoint,
+        ContactLaw::Penalty { stiffness } => ContactLaw::Penalty { stiffness: real(stiffness) },
+        ContactLaw::HuntCrossley { stiffness, dissipation } => {
+            ContactLaw::HuntCrossley { stiffness: real(stiffness), dissipation: real(dissipation) }
+        }
+    };
+    Ground {
+        normal: ground.normal.map(real),
+        offset: real(ground.offset),
+        law,
+        friction: real(ground.friction),
+        tolerance: real(ground.tolerance).max(real(GAP_ROUNDING * size) * S::EPSILON),
+    }
+}
+
+fn round_inflation<S: Scalar>(inflation: Inflation<f64>) -> Inflation<S> {
+    let real = S::from_f64;
+    let gas = match inflation.gas {
+        Gas::Constant(pressure) => Gas::Constant(real(pressure)),
+        Gas::Polytropic { pressure, ambient, volume, exponent, dead_volume } => Gas::Polytropic {
+            pressure: real(pressure),
+            ambient: real(ambient),
+            volume: real(volume),
+            exponent: real(exponent),
+            dead_volume: real(dead_volume),
+        },
+    };
+    Inflation { gas, form: inflation.form }
+}

@@ -1,0 +1,124 @@
+//! Symplectic Euler and velocity Verlet, with dampers solved implicitly.
+//!
+//! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). With dampers a half step of them stands before and
+//! one after (Strang: order 2), each by the implicit midpoint rule at fixed positions, which takes energy
+//! out for every C and h and conserves momentum.
+
+use super::{
+    Start, Workspace, copy, eval_elastic, eval_viscous as eval_all_viscous, finish, place_positions,
+    place_velocities,
+};
+use crate::body::BodyError;
+use crate::body::force::eval_viscous;
+use crate::body::vec3::{self, Vec3};
+use crate::contact::System;
+use crate::real::Scalar;
+
+/// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring.
+const ITERATIONS: usize = 100;
+/// Changes of the speed below this many rounding units end the iteration.
+const SETTLED: f64 = 2.0;
+
+/// Where the dampers act.
+#[derive(Clone, Copy)]
+enum Place {
+    Start,
+    End,
+}
+
+/// v' = v + h a(x, v), x' = x + h v'.
+pub(crate) fn symplectic_euler<S: Scalar>(
+    system: &System<S>,
+    start: Start<S>,
+    h: S,
+    work: &mut Workspace<S>,
+) -> Result<S, BodyError<S>> {
+    for (i, (dx, dv)) in work.dx.iter_mut().zip(work.dv.iter_mut()).enumerate() {
+        *dv = vec3::scale(system.acceleration(i, start.mode(i), start.motion.force(i)), h);
+        *dx = drift(system, i, vec3::add(vec3::at(start.motion.vel, i), *dv), h);
+    }
+    finish(system, start, work)?;
+    Ok(S::ZERO)
+}
+
+/// h v; a point that no force moves stays.
+fn drift<S: Scalar>(system: &System<S>, i: usize, v: Vec3<S>, h: S) -> Vec3<S> {
+    if system.body.inverse_mass(i) > S::ZERO { vec3::scale(v, h) } else { vec3::zero() }
+}
+
+/// Velocity Verlet, its two halves of damping around it.
+pub(crate) fn verlet<S: Scalar>(
+    system: &System<S>,
+    start: Start<S>,
+    h: S,
+    work: &mut Workspace<S>,
+) -> Result<S, BodyError<S>> {
+    let half = S::from_f64(0.5) * h;
+    let damped = system.body.is_damped();
+    copy(work.stage_vel, start.motion.vel);
+    if damped {
+        relax(system, start, Place::Start, half, work)?;
+    }
+    for (i, (dx, v)) in work.dx.iter_mut().zip(work.stage_vel.iter_mut()).enumerate() {
+        let a = system.acceleration(i, start.mode(i), velocity_free(system, start, i));
+        *v = vec3::axpy(*v, half, a);
+        *dx = drift(system, i, *v, h);
+    }
+    place_positions(start, work);
+    eval_elastic(system, work.end.pos, work.end.elastic)?;
+    for (i, v) in work.stage_vel.iter_mut().enumerate() {
+        let a = system.acceleration(i, start.mode(i), vec3::at(work.end.elastic, i));
+        *v = vec3::axpy(*v, half, a);
+    }
+    if damped {
+        relax(system, start, Place::End, half, work)?;
+    }
+    for (i, dv) in work.dv.iter_mut().enumerate() {
+        *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.motion.vel, i));
+    }
+    place_velocities(system, start, work);
+    eval_all_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
+    Ok(S::ZERO)
+}
+
+/// The start's force without that of the dampers, which have their own half steps; a soft ground's stays.
+fn velocity_free<S: Scalar>(system: &System<S>, start: Start<S>, i: usize) -> Vec3<S> {
+    if system.body.is_damped() { vec3::at(start.motion.elastic, i) } else { start.motion.force(i) }
+}
+
+/// Lets the dampers and the air act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
+///
+/// Fixed-point iteration on the middle: all springs at once, so a symmetric body stays symmetric.
+fn relax<S: Scalar>(
+    system: &System<S>,
+    start: Start<S>,
+    place: Place,
+    h: S,
+    work: &mut Workspace<S>,
+) -> Result<(), BodyError<S>> {
+    let pos: &[Vec3<S>] = match place {
+        Place::Start => start.motion.pos,
+        Place::End => work.end.pos,
+    };
+    let (vel, middle) = (&mut *work.stage_vel, &mut *work.stages);
+    copy(middle, vel);
+    let half = S::from_f64(0.5) * h;
+    for _ in 0..ITERATIONS {
+        eval_viscous(&system.body, pos, middle, work.stage_viscous);
+        let (mut change, mut size) = (S::ZERO, S::ZERO);
+        for (i, (m, v)) in middle.iter_mut().zip(vel.iter()).enumerate() {
+            let a = system.acceleration(i, start.mode(i), vec3::at(work.stage_viscous, i));
+            let next = vec3::axpy(*v, half, a);
+            change = change.max(vec3::norm(vec3::sub(next, *m)));
+            size = size.max(vec3::norm(next));
+            *m = next;
+        }
+        if change <= S::from_f64(SETTLED) * S::EPSILON * size {
+            for (v, m) in vel.iter_mut().zip(middle.iter()) {
+                *v = vec3::sub(vec3::add(*m, *m), *v);
+            }
+            return Ok(());
+        }
+    }
+    Err(BodyError::NotConverged { step: h })
+}

@@ -1,0 +1,146 @@
+//! A flexible body: point masses joined by spring-dampers (thesis chapter 3), as a view over the caller's slices.
+//!
+//! In: numbers of points and springs. Out: forces and energies. Invariant: after [`Body::new`] every
+//! spring and facet names points that exist, so kernels need no checks. Nothing here allocates.
+
+pub mod energy;
+pub mod force;
+pub mod pressure;
+pub mod spring;
+pub mod stable_step;
+pub mod vec3;
+
+use crate::real::Scalar;
+pub use pressure::{Gas, Inflation, PressureForm};
+pub use spring::Spring;
+pub use vec3::Vec3;
+
+/// What never changes in a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Body<'a, S> {
+    /// Mass of each point [kg], > 0; 0 only for a massless contact point.
+    pub mass: &'a [S],
+    /// True where a point is held in space.
+    pub fixed: &'a [bool],
+    /// Spring-dampers, in the order in which their forces are summed.
+    pub springs: &'a [Spring<S>],
+    /// Acceleration of gravity [m/s^2], downwards.
+    pub gravity: Vec3<S>,
+    /// Viscous force of the air per point and speed [N s/m], >= 0.
+    pub air_drag: S,
+    /// Corners of each facet, counter-clockwise seen from outside; a triangle repeats its third.
+    pub facets: &'a [[usize; 4]],
+    /// Gas inside the facets.
+    pub inflation: Option<Inflation<S>>,
+}
+
+/// Why a body or its motion is refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BodyError<S> {
+    /// The body has no points.
+    Empty,
+    /// Slices that must agree differ in length.
+    Length {
+        /// Number of points.
+        expected: usize,
+        /// Length found.
+        found: usize,
+    },
+    /// A spring or facet names a point that does not exist.
+    UnknownPoint {
+        /// The point.
+        point: usize,
+        /// Number of points.
+        points: usize,
+    },
+    /// A mass, stiffness, damping or rest length is negative or not a number.
+    Negative {
+        /// Index of the point or spring.
+        index: usize,
+    },
+    /// The scratch memory is too small.
+    Scratch {
+        /// Vectors needed.
+        needed: usize,
+        /// Vectors given.
+        given: usize,
+    },
+    /// A position or speed left the numbers; the last good state stands.
+    NotFinite {
+        /// The point.
+        point: usize,
+    },
+    /// The body grows without end under its pressure; the last good state stands.
+    PressureTooHigh {
+        /// Gauge pressure [Pa] that no equilibrium carries.
+        pressure: S,
+        /// The spring stretched beyond [`pressure::STRETCH_LIMIT`].
+        spring: usize,
+    },
+    /// The enclosed volume is not positive, so a gas law has no pressure; the last good state stands.
+    Collapsed {
+        /// Enclosed volume [m^3].
+        volume: S,
+    },
+    /// An implicit step did not settle: the step is too large.
+    NotConverged {
+        /// Length of the step [s].
+        step: S,
+    },
+}
+
+impl<'a, S: Scalar> Body<'a, S> {
+    /// Checks lengths, point numbers and signs.
+    ///
+    /// # Errors
+    /// The first thing wrong.
+    pub fn new(candidate: Body<'a, S>) -> Result<Body<'a, S>, BodyError<S>> {
+        let points = candidate.mass.len();
+        if points == 0 {
+            return Err(BodyError::Empty);
+        }
+        if candidate.fixed.len() != points {
+            return Err(BodyError::Length { expected: points, found: candidate.fixed.len() });
+        }
+        let not_negative = |x: S| x >= S::ZERO && x.is_finite();
+        if let Some(index) = candidate.mass.iter().position(|m| !not_negative(*m)) {
+            return Err(BodyError::Negative { index });
+        }
+        for (index, spring) in candidate.springs.iter().enumerate() {
+            if spring.head >= points || spring.tail >= points {
+                return Err(BodyError::UnknownPoint { point: spring.head.max(spring.tail), points });
+            }
+            if !(not_negative(spring.stiffness)
+                && not_negative(spring.damping)
+                && not_negative(spring.rest_length))
+            {
+                return Err(BodyError::Negative { index });
+            }
+        }
+        match candidate.facets.iter().flatten().find(|p| **p >= points) {
+            Some(point) => Err(BodyError::UnknownPoint { point: *point, points }),
+            None => Ok(candidate),
+        }
+    }
+
+    /// Number of points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// 1/mass [1/kg]; 0 for a fixed or massless point, which no force moves.
+    #[must_use]
+    pub fn inverse_mass(&self, i: usize) -> S {
+        match (self.mass.get(i), self.fixed.get(i)) {
+            (Some(m), Some(false)) if *m > S::ZERO => S::ONE / *m,
+            _ => S::ZERO,
+        }
+    }
+
+    /// True where some force depends on speeds.
+    #[must_use]
+    pub fn is_damped(&self) -> bool {
+        self.air_drag > S::ZERO || self.springs.iter().any(|s| s.damping > S::ZERO)
+    }
+}

@@ -1,0 +1,83 @@
+//! Three components of a vector in the inertial frame N, and reads and sums by point that cannot fail.
+//!
+//! A point number out of range reads as the zero vector and adds nowhere: [`super::Body::new`] has
+//! refused such numbers, so the fallback is never taken and no panic branch is compiled.
+
+use crate::real::Scalar;
+
+/// Components along n1, n2, n3.
+pub type Vec3<S> = [S; 3];
+
+/// 0.
+#[must_use]
+pub fn zero<S: Scalar>() -> Vec3<S> {
+    [S::ZERO; 3]
+}
+
+/// a + b.
+#[must_use]
+pub fn add<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+/// a - b.
+#[must_use]
+pub fn sub<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// s a.
+#[must_use]
+pub fn scale<S: Scalar>(a: Vec3<S>, s: S) -> Vec3<S> {
+    [a[0] * s, a[1] * s, a[2] * s]
+}
+
+/// a + s b.
+#[must_use]
+pub fn axpy<S: Scalar>(a: Vec3<S>, s: S, b: Vec3<S>) -> Vec3<S> {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
+/// a . b.
+#[must_use]
+pub fn dot<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> S {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// a x b.
+#[must_use]
+pub fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// |a|.
+#[must_use]
+pub fn norm<S: Scalar>(a: Vec3<S>) -> S {
+    dot(a, a).sqrt()
+}
+
+/// a without its part along the unit vector n.
+#[must_use]
+pub fn tangential<S: Scalar>(a: Vec3<S>, n: Vec3<S>) -> Vec3<S> {
+    axpy(a, -dot(a, n), n)
+}
+
+/// Row i.
+#[must_use]
+pub fn at<S: Scalar>(rows: &[Vec3<S>], i: usize) -> Vec3<S> {
+    rows.get(i).copied().unwrap_or([S::ZERO; 3])
+}
+
+/// Adds a to row i.
+pub fn add_at<S: Scalar>(rows: &mut [Vec3<S>], i: usize, a: Vec3<S>) {
+    if let Some(row) = rows.get_mut(i) {
+        *row = add(*row, a);
+    }
+}
+
+/// Unit vector and length of a; the zero vector where there is no direction (length 0 or below what squares to 0).
+#[must_use]
+pub fn direction<S: Scalar>(a: Vec3<S>) -> (Vec3<S>, S) {
+    let length = norm(a);
+    if length > S::ZERO { (scale(a, S::ONE / length), length) } else { (zero(), S::ZERO) }
+}

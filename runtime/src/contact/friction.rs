@@ -1,0 +1,25 @@
+//! Coulomb friction as an impulse: the tangential speed loses at most mu J/m, and the loss is exact.
+//!
+//! f = min(1, mu J/(m |v_t|)); v_t := (1 - f) v_t; loss = m |v_t|^2 (1 - (1-f)^2)/2.
+//! f = 1 leaves the point without tangential speed: it sticks.
+
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// Slows v along the surface by the friction of a normal impulse J [N s]; returns the energy lost [J].
+pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: S, impulse: S) -> S {
+    let slip = vec3::tangential(*v, normal);
+    let speed = vec3::norm(slip);
+    let largest = coefficient * impulse;
+    if speed <= S::ZERO || largest <= S::ZERO || mass <= S::ZERO {
+        return S::ZERO;
+    }
+    let kinetic = S::from_f64(0.5) * mass * speed * speed;
+    if largest >= mass * speed {
+        *v = vec3::sub(*v, slip);
+        return kinetic;
+    }
+    let fraction = largest / (mass * speed);
+    *v = vec3::axpy(*v, -fraction, slip);
+    kinetic * fraction * (S::from_f64(2.0) - fraction)
+}

@@ -1,0 +1,144 @@
+//! Contact of a body's points with a plane ground of any orientation (thesis chapter 4).
+//!
+//! gap = n.x - offset, > 0 apart; gap rate = n.v, < 0 closing; n is the outward normal of the ground.
+//! A point is free, departing (just let go: its guard sleeps until the gap is clearly open), held
+//! (gap rate 0, the ground pushes) or stuck (held, and friction holds it sideways too).
+
+pub mod compensation;
+pub mod friction;
+pub mod massless;
+pub mod restitution;
+pub mod soft;
+
+use crate::body::Body;
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// What happens between a point and the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactLaw<S> {
+    /// Energy compensation along the springs.
+    Compensation {
+        /// Share of the lost energy that is given back: 1 is the thesis, 0 plastic.
+        eta: S,
+        /// Corrects the drift of the total energy at each touch (undamped bodies, small steps).
+        anchor: bool,
+        /// Points without a receiver lose their energy instead of rebounding.
+        plastic_alone: bool,
+    },
+    /// v+ = -e v- at the instant of touch, point by point.
+    Newton {
+        /// Coefficient of restitution e, 0 to 1.
+        restitution: S,
+    },
+    /// Moreau's time stepping: the law v+ >= -e v- holds over each step, events are not located.
+    Moreau {
+        /// Coefficient of restitution e, 0 to 1.
+        restitution: S,
+    },
+    /// The points that may touch have no mass; their place follows from statics. No event, no impact.
+    MasslessPoint,
+    /// Linear spring of the ground on the depth.
+    Penalty {
+        /// Stiffness of the ground [N/m].
+        stiffness: S,
+    },
+    /// N = k depth^1.5 (1 + a depth_rate), never pulling.
+    HuntCrossley {
+        /// k [N/m^1.5].
+        stiffness: S,
+        /// a [s/m].
+        dissipation: S,
+    },
+}
+
+/// A plane ground and its law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ground<S> {
+    /// Outward unit normal.
+    pub normal: Vec3<S>,
+    /// n.x of the surface [m].
+    pub offset: S,
+    /// Law between ground and points.
+    pub law: ContactLaw<S>,
+    /// Coulomb's coefficient, >= 0.
+    pub friction: S,
+    /// Points within this gap [m] of one that touches, and closing, touch together; also the gap from
+    /// which a released point's guard is armed.
+    pub tolerance: S,
+}
+
+/// State of one point against the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Mode {
+    /// Apart, guard armed.
+    #[default]
+    Free,
+    /// Let go at the surface; the guard is armed once the gap exceeds the tolerance.
+    Departing,
+    /// On the surface, sliding or without friction.
+    Held,
+    /// On the surface and held sideways by friction.
+    Stuck,
+}
+
+impl Mode {
+    /// On the surface.
+    #[must_use]
+    pub fn is_held(self) -> bool {
+        matches!(self, Mode::Held | Mode::Stuck)
+    }
+}
+
+impl<S: Scalar> Ground<S> {
+    /// gap [m].
+    #[must_use]
+    pub fn gap(&self, x: Vec3<S>) -> S {
+        vec3::dot(self.normal, x) - self.offset
+    }
+
+    /// gap rate [m/s].
+    #[must_use]
+    pub fn gap_rate(&self, v: Vec3<S>) -> S {
+        vec3::dot(self.normal, v)
+    }
+
+    /// True where touch and release are located in time and the step is split there.
+    #[must_use]
+    pub fn has_events(&self) -> bool {
+        matches!(self.law, ContactLaw::Compensation { .. } | ContactLaw::Newton { .. })
+    }
+}
+
+/// Body and ground: everything that stays the same in a run.
+#[derive(Clone, Copy, Debug)]
+pub struct System<'a, S> {
+    /// The body.
+    pub body: Body<'a, S>,
+    /// The ground, if any.
+    pub ground: Option<Ground<S>>,
+}
+
+impl<S: Scalar> System<'_, S> {
+    /// Acceleration of point i [m/s^2] under a force, after what holds it has taken its part.
+    #[must_use]
+    pub fn acceleration(&self, i: usize, mode: Mode, force: Vec3<S>) -> Vec3<S> {
+        self.admissible(mode, vec3::scale(force, self.body.inverse_mass(i)))
+    }
+
+    /// The part of a velocity or acceleration that the contact leaves.
+    #[must_use]
+    pub fn admissible(&self, mode: Mode, a: Vec3<S>) -> Vec3<S> {
+        match (mode, &self.ground) {
+            (Mode::Free | Mode::Departing, _) | (_, None) => a,
+            (Mode::Held, Some(ground)) => vec3::tangential(a, ground.normal),
+            (Mode::Stuck, _) => vec3::zero(),
+        }
+    }
+
+    /// Normal force of the ground on a held point [N], thesis Eq. 4.1: what holds it against `force`.
+    #[must_use]
+    pub fn normal_force(&self, force: Vec3<S>) -> S {
+        self.ground.map_or(S::ZERO, |ground| -vec3::dot(force, ground.normal))
+    }
+}

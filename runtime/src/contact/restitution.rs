@@ -1,0 +1,32 @@
+//! Newton's law of impact point by point: v+ = -e v-, J = (1 + e) m v_b, loss (1 - e^2) m v_b^2/2.
+//!
+//! Moreau's time stepping uses the same law over a whole step (see `advance::moreau`).
+
+use super::System;
+use super::compensation::{Impact, PointImpact, Root};
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// Applies the law to the points marked in `points`, which return the impulses.
+pub fn apply<S: Scalar>(
+    system: &System<S>,
+    restitution: S,
+    vel: &mut [Vec3<S>],
+    points: &mut [PointImpact<S>],
+) -> Impact<S> {
+    let mut lost = S::ZERO;
+    if let Some(ground) = system.ground {
+        for ((v, point), m) in vel.iter_mut().zip(points.iter_mut()).zip(system.body.mass) {
+            point.impulse = S::ZERO;
+            if point.touching {
+                point.approach = -ground.gap_rate(*v);
+                let change = (S::ONE + restitution) * point.approach;
+                *v = vec3::axpy(*v, change, ground.normal);
+                point.impulse = *m * change;
+                let kinetic = S::from_f64(0.5) * *m * point.approach * point.approach;
+                lost = lost + kinetic * (S::ONE - restitution * restitution);
+            }
+        }
+    }
+    Impact { root: Root::Alone, lambda: S::ZERO, lost, friction: S::ZERO }
+}

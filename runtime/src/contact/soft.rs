@@ -1,0 +1,63 @@
+//! Laws in which the ground gives way: penalty N = k depth, Hunt-Crossley N = k depth^1.5 (1 + a depth_rate).
+//!
+//! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
+
+use super::{ContactLaw, Ground};
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// Normal force of the ground on one point [N] and the part of it that dissipates [N].
+#[must_use]
+pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S, S) {
+    let depth = -ground.gap(x);
+    if depth <= S::ZERO {
+        return (S::ZERO, S::ZERO);
+    }
+    match ground.law {
+        ContactLaw::Penalty { stiffness } => (stiffness * depth, S::ZERO),
+        ContactLaw::HuntCrossley { stiffness, dissipation } => {
+            let elastic = stiffness * depth * depth.sqrt();
+            let force = (elastic * (S::ONE - dissipation * ground.gap_rate(v))).max(S::ZERO);
+            (force, force - elastic)
+        }
+        _ => (S::ZERO, S::ZERO),
+    }
+}
+
+/// Energy stored in the ground by one point [J].
+#[must_use]
+pub fn energy<S: Scalar>(ground: &Ground<S>, x: Vec3<S>) -> S {
+    let depth = (-ground.gap(x)).max(S::ZERO);
+    match ground.law {
+        ContactLaw::Penalty { stiffness } => S::from_f64(0.5) * stiffness * depth * depth,
+        ContactLaw::HuntCrossley { stiffness, .. } => {
+            S::from_f64(0.4) * stiffness * depth * depth * depth.sqrt()
+        }
+        _ => S::ZERO,
+    }
+}
+
+/// Adds the ground's elastic forces.
+pub fn accumulate_elastic<S: Scalar>(ground: &Ground<S>, pos: &[Vec3<S>], force: &mut [Vec3<S>]) {
+    if matches!(ground.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) {
+        for (x, f) in pos.iter().zip(force) {
+            let (total, viscous) = normal_force(ground, *x, vec3::zero());
+            *f = vec3::axpy(*f, total - viscous, ground.normal);
+        }
+    }
+}
+
+/// Adds the ground's forces of speed.
+pub fn accumulate_viscous<S: Scalar>(
+    ground: &Ground<S>,
+    pos: &[Vec3<S>],
+    vel: &[Vec3<S>],
+    force: &mut [Vec3<S>],
+) {
+    if matches!(ground.law, ContactLaw::HuntCrossley { .. }) {
+        for ((x, v), f) in pos.iter().zip(vel).zip(force) {
+            let (_, viscous) = normal_force(ground, *x, *v);
+            *f = vec3::axpy(*f, viscous, ground.normal);
+        }
+    }
+}

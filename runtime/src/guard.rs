@@ -1,0 +1,216 @@
+//! When does a point touch or leave? Guards cross zero downwards at an event (thesis 4.4, the event function).
+//!
+//! Free point: gap. Departing point: gap + tolerance (asleep against rounding). Held point: N h^2/m, the
+//! way its normal force would move it in a step h. The smallest guard of all points decides; its root is
+//! located by trying steps of different lengths, so the state there is a state of the method itself.
+
+use crate::advance::{Method, Motion, Start, Workspace, advance};
+use crate::body::BodyError;
+use crate::body::vec3;
+use crate::contact::{Ground, Mode, System};
+use crate::real::Scalar;
+
+/// Trials at most for one root (bisection alone halves a step 60 times to nothing).
+const TRIALS: usize = 64;
+
+/// Times between which the smallest guard turns negative.
+#[derive(Clone, Copy, Debug)]
+struct Bracket<S> {
+    lo: S,
+    guard_lo: S,
+    hi: S,
+    /// A departing point that rises and returns within the step: its guard is armed.
+    armed: Option<usize>,
+}
+
+/// Smallest guard [m] of a state; `h` scales normal forces.
+fn smallest_guard<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    modes: &[Mode],
+    motion: &Motion<S>,
+    h: S,
+    armed: Option<usize>,
+) -> S {
+    let mut smallest = S::ONE / S::EPSILON;
+    for (i, mode) in modes.iter().enumerate() {
+        if system.body.inverse_mass(i) == S::ZERO {
+            continue;
+        }
+        let gap = ground.gap(vec3::at(motion.pos, i));
+        let guard = match mode {
+            Mode::Free => gap,
+            Mode::Departing if armed == Some(i) => gap,
+            Mode::Departing => gap + ground.tolerance,
+            Mode::Held | Mode::Stuck => {
+                system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h
+            }
+        };
+        smallest = smallest.min(guard);
+    }
+    smallest
+}
+
+/// Looks at the step of length `h` just tried (its end is in `work.end`) and shortens it to the first event.
+///
+/// Returns the length of the step whose end is then in `work.end`, and whether an event ends it.
+///
+/// # Errors
+/// From the trial steps.
+pub fn shorten_to_event<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    h: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<(S, bool), BodyError<S>> {
+    match find_bracket(system, ground, start, h, method, work)? {
+        Some(bracket) => locate(system, ground, start, h, bracket, method, work).map(|tau| (tau, true)),
+        None => Ok((h, false)),
+    }
+}
+
+fn find_bracket<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    h: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<Option<Bracket<S>>, BodyError<S>> {
+    let guard = |motion: &Motion<S>, armed| smallest_guard(system, ground, start.modes, motion, h, armed);
+    let guard_lo = guard(start.motion, None).max(S::ZERO);
+    if guard(&work.end, None) < S::ZERO {
+        if let Some((point, top)) = find_return(ground, start, h, &work.end) {
+            advance(system, start, top, method, work)?;
+            let above = guard(&work.end, Some(point));
+            if above > S::ZERO {
+                return Ok(Some(Bracket { lo: top, guard_lo: above, hi: h, armed: Some(point) }));
+            }
+        }
+        return Ok(Some(Bracket { lo: S::ZERO, guard_lo, hi: h, armed: None }));
+    }
+    if let Some(bottom) = find_dip(ground, start, h, &work.end) {
+        advance(system, start, bottom, method, work)?;
+        if guard(&work.end, None) < S::ZERO {
+            return Ok(Some(Bracket { lo: S::ZERO, guard_lo, hi: bottom, armed: None }));
+        }
+        advance(system, start, h, method, work)?;
+    }
+    Ok(None)
+}
+
+/// Gap over a step as the cubic through values and rates at both ends: g0 + r0 s + b s^2 + c s^3, 0 <= s <= 1.
+struct Cubic<S> {
+    g0: S,
+    r0: S,
+    b: S,
+    c: S,
+}
+
+impl<S: Scalar> Cubic<S> {
+    fn new(ground: &Ground<S>, start: Start<S>, end: &Motion<S>, h: S, i: usize) -> Cubic<S> {
+        let g0 = ground.gap(vec3::at(start.motion.pos, i));
+        let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
+        let g1 = ground.gap(vec3::at(end.pos, i));
+        let r1 = h * ground.gap_rate(vec3::at(end.vel, i));
+        let two = S::from_f64(2.0);
+        Cubic { g0, r0, b: S::from_f64(3.0) * (g1 - g0) - two * r0 - r1, c: two * (g0 - g1) + r0 + r1 }
+    }
+
+    fn at(&self, s: S) -> S {
+        self.g0 + s * (self.r0 + s * (self.b + s * self.c))
+    }
+
+    /// The s in (0, 1) where r0 + 2 b s + 3 c s^2 changes sign: downwards (a top) if `top`, else upwards (a bottom).
+    fn turn(&self, top: bool) -> Option<S> {
+        // With q = b -+ root the two zeros are -q/(3 c) and -r0/q.
+        let root = (self.b * self.b - S::from_f64(3.0) * self.c * self.r0).max(S::ZERO).sqrt();
+        let root = if top { -root } else { root };
+        let s = if (self.b >= S::ZERO) == (root >= S::ZERO) {
+            -self.r0 / (self.b + root)
+        } else {
+            (root - self.b) / (S::from_f64(3.0) * self.c)
+        };
+        (s > S::ZERO && s < S::ONE).then_some(s)
+    }
+}
+
+/// A departing point that ends below the surface after rising first: the point and the time of its top.
+fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<(usize, S)> {
+    let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing);
+    for (i, _) in departing {
+        let gap = Cubic::new(ground, start, end, h, i);
+        if gap.at(S::ONE) < -ground.tolerance
+            && let Some(s) = gap.turn(true).filter(|s| gap.at(*s) > S::ZERO)
+        {
+            return Some((i, s * h));
+        }
+    }
+    None
+}
+
+/// A free point that is above the surface at both ends and below in between: the time of the deepest bottom.
+fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
+    let (mut deepest, mut time) = (-ground.tolerance, None);
+    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Free) {
+        let gap = Cubic::new(ground, start, end, h, i);
+        if gap.r0 < S::ZERO
+            && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
+        {
+            (deepest, time) = (gap.at(s), Some(s * h));
+        }
+    }
+    time
+}
+
+/// Root of the smallest guard by false position (Anderson & Bjorck 1973), every fourth trial a bisection.
+///
+/// Ends where the guard is negative by no more than rounding, with that state in `work.end`.
+fn locate<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    h: S,
+    bracket: Bracket<S>,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<S, BodyError<S>> {
+    let half = S::from_f64(0.5);
+    let small = S::EPSILON * (S::ONE + ground.offset.abs());
+    // Shifted by half of what is allowed: the root aimed at lies on the negative side.
+    let mut shifted = |tau: S| {
+        advance(system, start, tau, method, work)?;
+        let guard = smallest_guard(system, ground, start.modes, &work.end, h, bracket.armed);
+        Ok((guard, guard + half * small))
+    };
+    let (mut old, mut f_old) = (bracket.lo, bracket.guard_lo + half * small);
+    let mut new = bracket.hi;
+    let (mut guard, mut f_new) = shifted(new)?;
+    let mut negative = new;
+    for trial in 0..TRIALS {
+        if guard < S::ZERO {
+            negative = new;
+            if -guard <= small {
+                return Ok(new);
+            }
+        }
+        if (new - old).abs() <= S::from_f64(2.0) * S::EPSILON * new.max(old) {
+            break;
+        }
+        let secant = (old * f_new - new * f_old) / (f_new - f_old);
+        let inside = secant > new.min(old) && secant < new.max(old);
+        let tau = if inside && trial % 4 != 3 { secant } else { half * (old + new) };
+        let (guard_tau, f_tau) = shifted(tau)?;
+        if (f_tau < S::ZERO) == (f_new < S::ZERO) {
+            let ratio = S::ONE - f_tau / f_new;
+            f_old = f_old * if ratio > S::ZERO { ratio } else { half };
+        } else {
+            (old, f_old) = (new, f_new);
+        }
+        (new, guard, f_new) = (tau, guard_tau, f_tau);
+    }
+    advance(system, start, negative, method, work)?;
+    Ok(negative)
+}

@@ -1,0 +1,429 @@
+//! One step of a body on the ground: try, shorten to the first touch or release, apply it, go on.
+//!
+//! In: a system, a state, a step h, a method. Out: the state h later (less what too many events left
+//! over, which the next step makes up) and a report. The observer sees everything and changes nothing.
+//! Invariant: on an error the state is the last good one. Work per step is bounded.
+
+use crate::advance::{Method, Motion, Start, Workspace, advance, moreau};
+use crate::body::energy::eval_energies;
+use crate::body::vec3::{self, Vec3};
+use crate::body::{BodyError, pressure};
+use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
+use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution, soft};
+use crate::guard;
+use crate::real::Scalar;
+
+/// Events handled in one step; the rest of the step is carried over to the next.
+pub const MAX_EVENTS: usize = 64;
+/// Substeps of an adaptive method within one step.
+pub const MAX_SUBSTEPS: usize = 4096;
+/// A rebound whose flight would last less than this part of a step ends at rest (Zeno).
+const ZENO_FLIGHT: f64 = 1e-2;
+
+/// What advances.
+#[derive(Debug)]
+pub struct State<'a, S> {
+    /// Positions, velocities, forces.
+    pub motion: Motion<'a, S>,
+    /// Each point against the ground.
+    pub modes: &'a mut [Mode],
+    /// Time [s] and what rounding dropped from it.
+    pub time: [S; 2],
+    /// Part of earlier steps still to be made up [s].
+    pub carry: S,
+    /// Length with which an adaptive method goes on [s]; 0 before the first step.
+    pub next_step: S,
+    /// Energy that an undamped body should have [J]; kept only for the ledger anchor.
+    pub anchor: S,
+}
+
+/// A touch or a release.
+#[derive(Clone, Copy, Debug)]
+pub struct Event<'a, S> {
+    /// Time [s].
+    pub time: S,
+    /// The impact, for a touch.
+    pub impact: Option<Impact<S>>,
+    /// Impulses by point (of the touching ones).
+    pub points: &'a [PointImpact<S>],
+    /// Modes after the event.
+    pub modes: &'a [Mode],
+    /// Number of points let go.
+    pub released: usize,
+}
+
+/// A stretch of motion without events.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<'a, 'm, S> {
+    /// State at its start.
+    pub before: &'a Motion<'m, S>,
+    /// State at its end.
+    pub after: &'a Motion<'m, S>,
+    /// Its length [s].
+    pub tau: S,
+    /// Energy lost to sliding friction in it [J].
+    pub friction: S,
+    /// Energy lost to the impact law in it [J] (time stepping laws).
+    pub impact: S,
+}
+
+/// Sees a run. The unit type looks away.
+pub trait Observer<S> {
+    /// Motion without events.
+    fn flow(&mut self, system: &System<S>, flow: Flow<S>);
+    /// A touch or release.
+    fn event(&mut self, system: &System<S>, event: Event<S>);
+}
+
+impl<S> Observer<S> for () {
+    fn flow(&mut self, _: &System<S>, _: Flow<S>) {}
+    fn event(&mut self, _: &System<S>, _: Event<S>) {}
+}
+
+/// Counts of one step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub struct StepReport {
+    /// Touches and releases.
+    pub events: usize,
+    /// Stretches without events.
+    pub substeps: usize,
+    /// The step ended early: [`MAX_EVENTS`] or [`MAX_SUBSTEPS`] was reached.
+    pub cut_short: bool,
+}
+
+impl<S: Scalar> State<'_, S> {
+    /// Time [s].
+    #[must_use]
+    pub fn t(&self) -> S {
+        self.time[0]
+    }
+
+    fn pass(&mut self, tau: S) {
+        let change = tau + self.time[1];
+        let sum = self.time[0] + change;
+        let part = sum - self.time[0];
+        self.time = [sum, (self.time[0] - (sum - part)) + (change - part)];
+    }
+
+    /// Makes the state ready: forces, energy, points that lie on the ground or touch it now.
+    ///
+    /// # Errors
+    /// From the gas law.
+    pub fn begin<O: Observer<S>>(
+        &mut self,
+        system: &System<S>,
+        h: S,
+        work: &mut Workspace<S>,
+        observer: &mut O,
+    ) -> Result<(), BodyError<S>> {
+        self.motion.refresh(system)?;
+        self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total();
+        if let Some(ground) = &system.ground
+            && ground.has_events()
+        {
+            // A point lying still on the ground takes part as one that touches with speed 0.
+            for (i, mode) in self.modes.iter_mut().enumerate() {
+                let on_ground = ground.gap(vec3::at(self.motion.pos, i)) <= ground.tolerance;
+                let still = ground.gap_rate(vec3::at(self.motion.vel, i)) == S::ZERO;
+                *mode = if on_ground && still { Mode::Held } else { Mode::Free };
+            }
+            resolve(system, ground, self, h, work, observer)?;
+        }
+        Ok(())
+    }
+}
+
+/// Advances by h (and by what earlier steps left over).
+///
+/// # Errors
+/// The state is then the last good one.
+pub fn step<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    h: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<StepReport, BodyError<S>> {
+    if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law) {
+        return step_moreau(system, state, h, restitution, work, observer);
+    }
+    let mut report = StepReport::default();
+    let mut remaining = h + state.carry;
+    state.carry = S::ZERO;
+    while remaining > S::ZERO {
+        if report.events >= MAX_EVENTS || report.substeps >= MAX_SUBSTEPS {
+            report.cut_short = true;
+            state.carry = remaining;
+            break;
+        }
+        report.substeps += 1;
+        let tau = try_length(state, remaining, h, method);
+        let start = Start { motion: &state.motion, modes: state.modes };
+        let error = advance(system, start, tau, method, work)?;
+        control_step(state, tau, error, remaining, method);
+        if error > S::ONE {
+            continue;
+        }
+        let start = Start { motion: &state.motion, modes: state.modes };
+        let (tau, is_event) = match &system.ground {
+            Some(ground) if ground.has_events() => {
+                guard::shorten_to_event(system, ground, start, tau, method, work)?
+            }
+            _ => (tau, false),
+        };
+        pressure::check_inflation(&system.body, work.end.pos)?;
+        accept(system, state, tau, work, observer)?;
+        remaining = remaining - tau;
+        if let (true, Some(ground)) = (is_event, &system.ground) {
+            report.events += 1;
+            resolve(system, ground, state, h, work, observer)?;
+        }
+    }
+    Ok(report)
+}
+
+/// Length of the next try [s].
+fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
+    let wanted = if method.control_order() == 0 {
+        // What earlier steps left over does not lengthen this one: it is made up in pieces.
+        h
+    } else if state.next_step > S::ZERO {
+        state.next_step
+    } else {
+        h * S::from_f64(0.01)
+    };
+    // A rest of less than one part in 1e3 of the try is not left for a step of its own.
+    if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
+}
+
+/// Standard controller: factor 0.9 error^(-1/order), kept within 1/5 and 5.
+fn control_step<S: Scalar>(state: &mut State<S>, tau: S, error: S, remaining: S, method: Method<S>) {
+    let order = method.control_order();
+    if order == 0 {
+        return;
+    }
+    let exponent = S::from_f64(-1.0 / f64::from(order));
+    let tiny = S::from_f64(1e-10);
+    let factor = S::from_f64(0.9) * (exponent * error.max(tiny).ln()).exp();
+    let wanted = tau * factor.max(S::from_f64(0.2)).min(S::from_f64(5.0));
+    // A try cut by the end of the step says nothing against the longer one planned before.
+    let cut = tau >= remaining && error <= S::ONE;
+    state.next_step = if cut { wanted.max(state.next_step) } else { wanted };
+}
+
+/// Takes over the state in `work.end`, after sliding friction.
+fn accept<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    tau: S,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<(), BodyError<S>> {
+    let lost = slide(system, state, tau, work);
+    if lost > S::ZERO {
+        work.end.refresh(system)?;
+    }
+    let flow = Flow { before: &state.motion, after: &work.end, tau, friction: lost, impact: S::ZERO };
+    observer.flow(system, flow);
+    state.motion.copy_from(&work.end);
+    state.anchor = state.anchor - lost;
+    state.pass(tau);
+    if let Some(ground) = &system.ground {
+        settle_modes(system, ground, state);
+    }
+    Ok(())
+}
+
+/// Friction of the points that slide, with the mean normal force of the stretch; returns the loss [J].
+fn slide<S: Scalar>(system: &System<S>, state: &State<S>, tau: S, work: &mut Workspace<S>) -> S {
+    let Some(ground) = system.ground.filter(|g| g.friction > S::ZERO) else { return S::ZERO };
+    let push = |motion: &Motion<S>, i: usize, mode: Mode| match mode {
+        Mode::Held => system.normal_force(motion.force(i)).max(S::ZERO),
+        Mode::Stuck => S::ZERO,
+        _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
+    };
+    let mut lost = S::ZERO;
+    for (i, mode) in state.modes.iter().enumerate() {
+        let mean = S::from_f64(0.5) * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
+        let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
+        if let Some(v) = work.end.vel.get_mut(i) {
+            lost = lost + friction::apply(v, ground.normal, mass, ground.friction, tau * mean);
+        }
+    }
+    lost
+}
+
+/// Arms guards of points that are clear of the ground; sticks and unsticks the held ones.
+fn settle_modes<S: Scalar>(system: &System<S>, ground: &Ground<S>, state: &mut State<S>) {
+    for (i, mode) in state.modes.iter_mut().enumerate() {
+        match mode {
+            Mode::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
+                *mode = Mode::Free;
+            }
+            Mode::Held | Mode::Stuck if ground.friction > S::ZERO => {
+                let force = state.motion.force(i);
+                let side = vec3::norm(vec3::tangential(force, ground.normal));
+                let still = vec3::at(state.motion.vel, i) == vec3::zero();
+                let sticks = still && side <= ground.friction * system.normal_force(force);
+                *mode = if sticks { Mode::Stuck } else { Mode::Held };
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Applies the touch of all points at the surface and closing, then lets go of those that would be pulled.
+fn resolve<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    h: S,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<(), BodyError<S>> {
+    let touching = mark_touching(system, ground, state, work.impacts);
+    let mut impact = None;
+    if touching {
+        let mut hit = apply_law(system, ground, state, work.impacts);
+        hit.friction = rub(system, ground, state.motion.vel, work.impacts);
+        state.motion.vel_rest.iter_mut().for_each(|v| *v = vec3::zero());
+        state.motion.refresh(system)?;
+        hit.lost = hit.lost + hold_or_rebound(system, ground, state, h, work.impacts);
+        state.anchor = state.anchor - hit.lost - hit.friction;
+        impact = Some(hit);
+    }
+    let released = release(system, state);
+    settle_modes(system, ground, state);
+    let event = Event { time: state.t(), impact, points: work.impacts, modes: state.modes, released };
+    observer.event(system, event);
+    Ok(())
+}
+
+/// Marks the set B; true if it has a member.
+fn mark_touching<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &State<S>,
+    points: &mut [PointImpact<S>],
+) -> bool {
+    let mut any = false;
+    for (i, (point, mode)) in points.iter_mut().zip(state.modes.iter()).enumerate() {
+        let near = ground.gap(vec3::at(state.motion.pos, i)) <= ground.tolerance;
+        let closing = ground.gap_rate(vec3::at(state.motion.vel, i)) < S::ZERO;
+        let moves = system.body.inverse_mass(i) > S::ZERO;
+        *point = PointImpact::none();
+        point.touching = near && closing && moves && !mode.is_held();
+        any |= point.touching;
+    }
+    any
+}
+
+fn apply_law<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    points: &mut [PointImpact<S>],
+) -> Impact<S> {
+    let modes = &*state.modes;
+    match ground.law {
+        ContactLaw::Newton { restitution } => {
+            restitution::apply(system, restitution, state.motion.vel, points)
+        }
+        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
+            let now = eval_energies(&system.body, state.motion.pos, state.motion.vel).total();
+            let drift = if anchor { state.anchor - now } else { S::ZERO };
+            let law = Compensation { eta, anchor: drift, plastic_alone };
+            let receiver = |k: usize| {
+                system.body.inverse_mass(k) > S::ZERO && !modes.get(k).is_some_and(|m| m.is_held())
+            };
+            compensation::apply(system, law, state.motion.pos, state.motion.vel, points, receiver)
+        }
+        _ => Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO },
+    }
+}
+
+/// Friction of the impulses; returns the loss [J].
+fn rub<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    vel: &mut [Vec3<S>],
+    points: &[PointImpact<S>],
+) -> S {
+    let mut lost = S::ZERO;
+    for ((v, point), mass) in vel.iter_mut().zip(points).zip(system.body.mass) {
+        if point.touching {
+            lost = lost + friction::apply(v, ground.normal, *mass, ground.friction, point.impulse);
+        }
+    }
+    lost
+}
+
+/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs [J].
+fn hold_or_rebound<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    h: S,
+    points: &[PointImpact<S>],
+) -> S {
+    let mut lost = S::ZERO;
+    for (i, (mode, point)) in state.modes.iter_mut().zip(points).enumerate() {
+        if !point.touching {
+            continue;
+        }
+        let rate = ground.gap_rate(vec3::at(state.motion.vel, i));
+        let pressing = system.normal_force(state.motion.force(i)) * system.body.inverse_mass(i);
+        let flight_ends = S::from_f64(2.0) * rate < S::from_f64(ZENO_FLIGHT) * h * pressing;
+        if rate > S::ZERO && !flight_ends {
+            *mode = Mode::Departing;
+            continue;
+        }
+        *mode = Mode::Held;
+        if rate > S::ZERO {
+            let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
+            lost = lost + S::from_f64(0.5) * mass * rate * rate;
+        }
+        if let Some(v) = state.motion.vel.get_mut(i) {
+            *v = vec3::tangential(*v, ground.normal);
+        }
+    }
+    lost
+}
+
+/// Lets go of held points that the ground would have to pull; returns how many.
+fn release<S: Scalar>(system: &System<S>, state: &mut State<S>) -> usize {
+    let mut released = 0;
+    for (i, mode) in state.modes.iter_mut().enumerate() {
+        if mode.is_held() && system.normal_force(state.motion.force(i)) < S::ZERO {
+            *mode = Mode::Departing;
+            released += 1;
+        }
+    }
+    released
+}
+
+fn step_moreau<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    h: S,
+    restitution: S,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<StepReport, BodyError<S>> {
+    let start = Start { motion: &state.motion, modes: state.modes };
+    let taken = moreau::step(system, start, h, restitution, work)?;
+    crate::advance::check_finite(&work.end)?;
+    pressure::check_inflation(&system.body, work.end.pos)?;
+    let flow = Flow {
+        before: &state.motion,
+        after: &work.end,
+        tau: h,
+        friction: taken.friction,
+        impact: taken.impact,
+    };
+    observer.flow(system, flow);
+    state.motion.copy_from(&work.end);
+    state.pass(h);
+    Ok(StepReport { events: 0, substeps: 1, cut_short: false })
+}

@@ -1,0 +1,109 @@
+//! Elastic bar against a wall: analytic solution of Doyen, Ern & Piperno (2011), and twenty bounces under gravity.
+//!
+//! E = 900, rho = 1, L = 10, A = 1, v0 = 10: the bottom rests for 2 L/c = 2/3 s under 300 N, then leaves at +v0.
+//! Error: root mean square over the time steps of the bottom's displacement error, over v0 L/c.
+
+use smartbed::scene::run::run;
+use smartbed::scene::{Scene, parse};
+
+const C: f64 = 30.0;
+const LENGTH: f64 = 10.0;
+const V0: f64 = 10.0;
+
+fn bar(elements: usize, courant: f64, settings: &[&str]) -> Scene {
+    let step = courant * LENGTH / elements as f64 / C;
+    let text = format!(
+        "format = 1\nshape = \"bar\"\nelements = {elements}\ninitial_velocity = -10.0\ng = 0.0\nT = {}\nstep = {step:e}\nmethod = \"verlet\"\nallow_unstable = true\n",
+        4.0 * LENGTH / C
+    );
+    let settings: Vec<String> = settings.iter().map(|s| (*s).to_string()).collect();
+    parse("bar", &text, &settings).expect("scene")
+}
+
+fn rms_error(elements: usize, courant: f64, settings: &[&str]) -> f64 {
+    let contact = 2.0 * LENGTH / C;
+    let (mut sum, mut count) = (0.0, 0);
+    run::<f64>(&bar(elements, courant, settings), |row| {
+        let exact = if row.t <= contact { 0.0 } else { V0 * (row.t - contact) };
+        sum += (row.pos[0][2] - exact).powi(2);
+        count += 1;
+    })
+    .expect("run");
+    (sum / f64::from(count)).sqrt() / (V0 * LENGTH / C)
+}
+
+/// Courant number, elements, law, largest error allowed: 1.05 x the errors of a reference implementation.
+const TABLE: [(f64, usize, &[&str], f64); 18] = [
+    (0.5, 10, &["law=compensation"], 1.05 * 4.6e-2),
+    (0.5, 50, &["law=compensation"], 1.05 * 1.4e-2),
+    (0.5, 200, &["law=compensation"], 1.05 * 5.4e-3),
+    (0.5, 10, &["law=massless_point"], 1.05 * 3.4e-2),
+    (0.5, 50, &["law=massless_point"], 1.05 * 1.1e-2),
+    (0.5, 200, &["law=massless_point"], 1.05 * 4.8e-3),
+    (0.5, 10, &["law=moreau", "e=0"], 1.05 * 8.9e-2),
+    (0.5, 50, &["law=moreau", "e=0"], 1.05 * 2.2e-2),
+    (0.5, 200, &["law=moreau", "e=0"], 1.05 * 7.4e-3),
+    (0.5, 10, &["law=penalty", "stiffness=900"], 1.05 * 1.6e-1),
+    (0.5, 50, &["law=penalty", "stiffness=4500"], 1.05 * 3.7e-2),
+    (0.5, 200, &["law=penalty", "stiffness=18000"], 1.05 * 1.0e-2),
+    (1.0, 10, &["law=compensation"], 1.05 * 5.5e-2),
+    (1.0, 50, &["law=compensation"], 1.05 * 1.1e-2),
+    (1.0, 200, &["law=compensation"], 1.05 * 2.7e-3),
+    (1.0, 10, &["law=massless_point"], 1.05 * 1.4e-2),
+    (1.0, 50, &["law=massless_point"], 1.05 * 1.4e-3),
+    (1.0, 200, &["law=massless_point"], 1.05 * 2.5e-4),
+];
+
+#[test]
+fn bottom_of_the_bar_follows_the_exact_solution() {
+    for (courant, elements, law, allowed) in TABLE {
+        let error = rms_error(elements, courant, law);
+        println!("N {elements:3} Courant {courant} {law:?}: {error:.3e} of {allowed:.3e}");
+        assert!(error <= allowed, "N {elements} Courant {courant} {law:?}: {error:e}");
+    }
+}
+
+/// Largest change of the bar's total energy, over E0 = rho A L v0^2/2, in 20 bounces of 16/3 s under g = 10;
+/// and the mean change over the last of them.
+///
+/// The springs are drawn a hundred times longer with the same K: the chain then is the linear bar whatever the
+/// strain; with v0 = c/3 some springs would otherwise be pressed through length 0 in the course of 20 bounces.
+fn energy_drift(elements: usize, courant: f64, settings: &[&str]) -> (f64, f64) {
+    const LONGER: f64 = 100.0;
+    let period = 16.0 / 3.0;
+    let mut scene = bar(elements, courant, &[&["g=10.0"], settings].concat());
+    scene.lists.points.iter_mut().for_each(|p| p[2] *= LONGER);
+    scene.lists.rest_lengths.iter_mut().for_each(|l| *l *= LONGER);
+    scene.seconds = 20.0 * period;
+    scene.every = 20;
+    let (mut start, mut worst, mut sum, mut count) = (None, 0.0_f64, 0.0, 0);
+    run::<f64>(&scene, |row| {
+        let total = row.energy.total;
+        let change = (total - *start.get_or_insert(total)) / (0.5 * LENGTH * V0 * V0);
+        worst = worst.max(change.abs());
+        if row.t > 19.0 * period {
+            (sum, count) = (sum + change, count + 1);
+        }
+    })
+    .expect("run");
+    (worst, sum / f64::from(count))
+}
+
+#[test]
+fn twenty_bounces_keep_the_energy() {
+    for (method, courant, law, anchor, allowed) in [
+        ("verlet", 0.25, "massless_point", false, 1e-2),
+        ("verlet", 0.05, "compensation", false, 1e-2),
+        ("verlet", 0.25, "compensation", true, 5e-2),
+        ("blanes_moan4", 0.25, "compensation", false, 5e-2),
+        ("energy_momentum", 0.25, "compensation", false, 1e-9),
+    ] {
+        let settings = [format!("method={method}"), format!("law={law}"), format!("anchor={anchor}")];
+        let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
+        let (worst, mean) = energy_drift(50, courant, &settings);
+        println!(
+            "{method} Courant {courant} {law} anchor {anchor}: largest {worst:.3e}, last bounce {mean:.3e} of {allowed:e}"
+        );
+        assert!(worst <= allowed, "{method} {law}: {worst:e}");
+    }
+}
