@@ -33,7 +33,11 @@ impl Configurations {
         Self {
             assembly: program.assembly.clone(),
             independent: program.q.iter().map(|q| declared(&q.name).is_some_and(|c| c.independent)).collect(),
-            ranges: program.q.iter().map(|q| declared(&q.name).map_or((q.value, q.value), |c| c.range)).collect(),
+            ranges: program
+                .q
+                .iter()
+                .map(|q| declared(&q.name).map_or((q.value, q.value), |c| c.range))
+                .collect(),
             nominal: program.nominal.clone(),
             defaults: program.parameters.iter().map(|p| p.value).collect(),
         }
@@ -137,7 +141,8 @@ impl Configurations {
                 }
             }
             if self.assembly.correct(&mut q).is_ok() {
-                let off = q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
+                let off =
+                    q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
                 if best.as_ref().is_none_or(|(least, _)| off < *least) {
                     best = Some((off, q));
                 }

@@ -51,7 +51,9 @@ impl Recording {
         }
     }
 
-    fn column(&self, index: usize) -> Vec<f64> {
+    /// Values of one column.
+    #[must_use]
+    pub fn column(&self, index: usize) -> Vec<f64> {
         self.columns.get(index).cloned().unwrap_or_default()
     }
 }

@@ -1,5 +1,6 @@
-//! `smartbed run`: a mechanism in motion; rows as CSV, plots, an animation, a summary.
+//! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
 
+mod body;
 pub mod ledger;
 pub mod observers;
 pub mod settings;
@@ -15,23 +16,24 @@ use crate::progress::Progress;
 use crate::view::Film;
 use crate::{model_argument, plot, view};
 use observers::Observers;
-use settings::{Method, Settings};
+use settings::Settings;
 use simulate::{Row, Setup, Summary, columns};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::{Program, program};
 use std::fmt::Write as _;
 
-/// Simulate a mechanism.
+/// Simulate a mechanism or a scene.
 #[derive(clap::Args, Clone, Default, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed run pendulum3 --plot motion.svg
   cargo smartbed run tile --seconds 2 --step 1e-3 --method rk4 --set M=8 --set hA=0.02 --csv -
   cargo smartbed run fourbar --error 1e-12 --view fourbar.html
+  cargo smartbed run single_spring --csv - --set C=10
 
 Left-out settings are those of the model's [run]; the start is the model's [start], left-out
 coordinates are nominal, dependent ones are solved for. SI units.")]
 pub struct Arguments {
-    /// The model: a path, or a name under models/.
+    /// The model or scene: a path, or a name under models/.
     pub model: String,
     /// Simulated time (s).
     #[arg(long, value_name = "T")]
@@ -39,9 +41,9 @@ pub struct Arguments {
     /// Step (s); the first one of an adaptive method.
     #[arg(long, value_name = "H")]
     pub step: Option<f64>,
-    /// Integration method.
-    #[arg(long, value_enum, value_name = "M")]
-    pub method: Option<Method>,
+    /// Integration method: euler, semi-implicit, rk4 or dormand-prince; a scene has its own.
+    #[arg(long, value_name = "M")]
+    pub method: Option<String>,
     /// Allowed error per step, of a method of adaptive step [default: 1e-9].
     #[arg(long, value_name = "E")]
     pub error: Option<f64>,
@@ -79,6 +81,10 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(file) = &arguments.plot {
         plot::format_of(file)?;
+    }
+    let path = model_argument::find(&arguments.model)?;
+    if body::is_scene(&path) {
+        return body::simulate(arguments, &path);
     }
     let clock = Progress::new("run");
     let model = model_argument::read(&arguments.model)?;
@@ -150,7 +156,10 @@ fn record<S: EngineScalar>(
         plot::write(file, &plot::motion(setup.program, &names, recording))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
-        output::write(file, view::page(model, film).as_bytes())?;
+        output::write(
+            file,
+            view::page(if model.doc.is_empty() { &model.name } else { &model.doc }, film).as_bytes(),
+        )?;
     }
     Ok(summary)
 }

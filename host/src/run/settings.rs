@@ -150,13 +150,14 @@ impl Settings {
 
 /// The method of the command line; else the adaptive one if an error is asked for; else the model's.
 fn method(model: &Model, arguments: &Arguments) -> Result<Method, Failure> {
-    match (arguments.method, arguments.error) {
-        (Some(method), _) => Ok(method),
-        (None, Some(_)) => Ok(Method::DormandPrince),
-        (None, None) => Method::from_str(&model.run.method, false).map_err(|_| {
-            let names: Vec<String> = Method::value_variants().iter().map(|m| m.name()).collect();
-            let help = suggest::help(&model.run.method, names.iter().map(String::as_str));
-            Failure::Wrong(format!("[run] method: there is no method `{}`{help}", model.run.method))
-        }),
-    }
+    let (place, name) = match (&arguments.method, arguments.error) {
+        (Some(name), _) => ("--method", name),
+        (None, Some(_)) => return Ok(Method::DormandPrince),
+        (None, None) => ("[run] method", &model.run.method),
+    };
+    Method::from_str(name, false).map_err(|_| {
+        let names: Vec<String> = Method::value_variants().iter().map(|m| m.name()).collect();
+        let help = suggest::help(name, names.iter().map(String::as_str));
+        Failure::Wrong(format!("{place}: there is no method `{name}`{help}"))
+    })
 }

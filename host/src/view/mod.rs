@@ -46,6 +46,16 @@ impl Film {
         }
     }
 
+    /// For a body of `n` points and its springs, drawn as lines; places come in the points' order.
+    #[must_use]
+    pub fn of_points(n: usize, springs: Vec<[usize; 2]>) -> Self {
+        // Point 0 of a film is the origin.
+        let links = springs.into_iter().map(|[a, b]| [a + 1, b + 1]).collect();
+        let names = std::iter::once("O".to_owned()).chain((0..n).map(|i| i.to_string())).collect();
+        let bodies = vec![false; n + 1];
+        Self { names, bodies, links, springs: Vec::new(), frames: Vec::new(), stride: 1, seen: 0 }
+    }
+
     /// Adds a frame: time, and x, y, z of every point but the origin.
     pub fn push(&mut self, t: f64, places: &[f64]) {
         if self.seen.is_multiple_of(self.stride) {
@@ -90,7 +100,7 @@ fn links(model: &Model) -> Vec<[usize; 2]> {
 
 /// The page's text.
 #[must_use]
-pub fn page(model: &Model, film: &Film) -> String {
+pub fn page(title: &str, film: &Film) -> String {
     let list = |items: Vec<String>| format!("[{}]", items.join(","));
     let pairs = |links: &[[usize; 2]]| list(links.iter().map(|[a, b]| format!("[{a},{b}]")).collect());
     let mut frames = String::from("[");
@@ -108,7 +118,6 @@ pub fn page(model: &Model, film: &Film) -> String {
         pairs(&film.links),
         pairs(&film.springs),
     );
-    let title = if model.doc.is_empty() { &model.name } else { &model.doc };
     // `</` would end the script that the data stand in.
     PAGE.replace("TITLE", &title.replace('&', "&amp;").replace('<', "&lt;"))
         .replace("DATA", &data.replace("</", "<\\/"))

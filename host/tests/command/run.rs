@@ -238,3 +238,31 @@ fn numbers_out_of_range_are_refused() {
 fn joined(pair: &[&str]) -> Vec<String> {
     vec![pair.join("=")]
 }
+
+#[test]
+fn scenes_run_with_the_same_arguments() {
+    let picture = file("drop.png").display().to_string();
+    let done = smartbed(&[
+        "run",
+        "single_spring",
+        "--seconds",
+        "0.5",
+        "--every",
+        "50",
+        "--set",
+        "C=10",
+        "--csv",
+        "-",
+        "--plot",
+        &picture,
+    ]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let table = table(&done.out);
+    assert_eq!(table.0[..4], ["t", "x0", "y0", "z0"]);
+    assert!(column(&table, "damping").last().expect("rows") >= &0.0);
+    // Energies of order 30 J.
+    assert!(column(&table, "imbalance").iter().all(|x| x.abs() < 1e-9));
+    assert!(std::fs::metadata(picture).expect("a picture").len() > 5_000);
+    let wrong = smartbed(&["run", "single_spring", "--set", "CC=10"]);
+    assert!(wrong.message().contains("CC"), "{wrong:?}");
+}
