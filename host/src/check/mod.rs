@@ -72,7 +72,7 @@ fn report(model: &Model, program: &Program, rank: &Rank) -> Report {
         "dof": { "stated": model.dof.map(|(n, _)| n), "found": rank.freedom() },
         "independent_speeds": independent(model),
         "constraints": {
-            "unknowns": rank.unknowns, "speeds": model.speeds.len(), "rank": rank.smallest, "largest_rank": rank.largest,
+            "speeds": rank.unknowns, "rank": rank.smallest, "largest_rank": rank.largest,
             "samples": rank.samples, "least_left": rank.least_left, "worst_at": worst_place(program, rank),
         },
         "pivots": pivots(program),

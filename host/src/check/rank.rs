@@ -1,13 +1,16 @@
 //! Rank of the constraints at sampled configurations, from numbers.
 //!
-//! In: the candidate rows of the kinematics over all unknowns (speeds and lifted twists). Out: rank at
+//! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion
+//! constraints: rows over the speeds, without the unknowns that the derivation lifts. Out: rank at
 //! every sample, and the worst conditioning. Rows are scaled by their largest length and orthogonalised, the
 //! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
 //! is the share of it that the rows before do not say already.
 
+use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::kinematics::{Kinematics, eliminate};
 use smartbed_codegen::model::Model;
+use std::collections::BTreeMap;
 
 /// A row of which less is left follows from the others.
 const ZERO: f64 = 1e-8;
@@ -15,7 +18,7 @@ const ZERO: f64 = 1e-8;
 /// What the samples say.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Rank {
-    /// Speeds and lifted unknowns.
+    /// Speeds.
     pub unknowns: usize,
     /// Scalar configuration constraints.
     pub residuals: usize,
@@ -35,7 +38,7 @@ impl Rank {
     /// Looks at every sample.
     pub fn over_samples(model: &Model, k: &mut Kinematics) -> Self {
         let mut table = eliminate::sample_table(model, k);
-        let (samples, unknowns) = (k.samples.len(), k.unknowns.len());
+        let (samples, unknowns) = (k.samples.len(), model.speeds.len());
         let mut rank = Self {
             unknowns,
             residuals: k.residuals.len(),
@@ -45,16 +48,17 @@ impl Rank {
             least_left: 1.0,
             worst_at: k.samples.first().cloned().unwrap_or_default(),
         };
-        let mut matrices = vec![vec![vec![0.0; unknowns]; k.rows.len()]; samples];
-        for (r, row) in k.rows.iter().enumerate() {
-            for (unknown, &coefficient) in &row.coefficients {
+        let rows = rows(model, k);
+        let mut matrices = vec![vec![vec![0.0; unknowns]; rows.len()]; samples];
+        for (r, row) in rows.iter().enumerate() {
+            for (&column, &coefficient) in row {
                 let values = table.values(&k.dag, coefficient);
                 for (matrix, value) in matrices.iter_mut().zip(values) {
-                    matrix[r][unknown.index()] = *value;
+                    matrix[r][column] = *value;
                 }
             }
         }
-        scale(&mut matrices, k.rows.len());
+        scale(&mut matrices, rows.len());
         for (sample, matrix) in matrices.into_iter().enumerate() {
             let (found, left) = numeric_rank(matrix);
             rank.smallest = rank.smallest.min(found);
@@ -72,6 +76,33 @@ impl Rank {
     pub fn freedom(&self) -> usize {
         self.unknowns - self.largest
     }
+}
+
+/// Every constraint as coefficients of the speeds.
+fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
+    let mut rows = Vec::new();
+    for residual in k.residuals.clone() {
+        let mut row: BTreeMap<usize, ExprId> = BTreeMap::new();
+        for coordinate in model.coordinates.ids() {
+            let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
+            let slope = k.dag.derivative(residual, symbol);
+            for (&speed, &share) in &k.rates[coordinate].partials {
+                let term = k.dag.mul(slope, share);
+                let sum = match row.get(&speed.index()) {
+                    Some(&mine) => k.dag.add(mine, term),
+                    None => term,
+                };
+                row.insert(speed.index(), sum);
+            }
+        }
+        rows.push(row);
+    }
+    let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
+    for row in k.rows.iter().filter(|row| is_motion(&row.name)) {
+        let of_speeds = row.coefficients.iter().map(|(u, &c)| (u.index(), c));
+        rows.push(of_speeds.filter(|(column, _)| *column < model.speeds.len()).collect());
+    }
+    rows
 }
 
 /// Divides every row by its largest length over the samples: a row that vanishes at a sample is small

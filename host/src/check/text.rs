@@ -51,8 +51,8 @@ fn freedom(facts: &Value, text: &mut String) {
     if rank["largest_rank"].as_u64() != Some(0) {
         let _ = writeln!(
             text,
-            "constraints: rank {} of {} unknowns ({} speeds and the twists of closing bodies) at {} samples",
-            rank["rank"], rank["unknowns"], rank["speeds"], rank["samples"]
+            "constraints: rank {} among {} speeds at {} samples",
+            rank["rank"], rank["speeds"], rank["samples"]
         );
         let left = rank["least_left"].as_f64().unwrap_or(1.0);
         let place: Vec<String> = rank["worst_at"]
