@@ -7,6 +7,8 @@ use smartbed_codegen::{EmitOptions, Options, ParameterChoice, ScalarType};
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
+/// Models compiled in f64 only, to be timed.
+const TIMED: [&str; 3] = ["arm6", "bicycle", "pendulum10"];
 /// Parameters that the tiles fold by default.
 const LOAD: [&str; 15] = [
     "m_payload",
@@ -34,6 +36,9 @@ fn main() {
         {
             derive(model, &format!("{model}_{suffix}"), scalar, &[]);
         }
+    }
+    for model in TIMED {
+        derive(model, &format!("{model}_f64"), ScalarType::F64, &[]);
     }
     for model in ["tile", "tile_minimal"] {
         derive(model, &format!("{model}_loaded_f64"), ScalarType::F64, &LOAD);

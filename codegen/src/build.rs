@@ -2,9 +2,11 @@
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::kinematics::ParameterChoice;
+use crate::model;
+use crate::program;
+use crate::rust;
 use crate::rust::EmitOptions;
 use crate::source::Source;
-use crate::{model, program, rust};
 use std::path::{Path, PathBuf};
 
 /// What to derive and how to emit it.

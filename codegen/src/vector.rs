@@ -216,12 +216,28 @@ impl Triads {
     }
 
     /// Components of a pointless vector in `target`.
+    ///
+    /// Terms in ancestors of `target` are added on the way down, outermost first, so that each
+    /// rotation turns one sum and vectors that begin alike share their beginning.
     pub fn express(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
         debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
+        let mut path = self.ancestors(target);
+        path.reverse();
         let mut total = [dag.zero(); 3];
+        for &triad in &path {
+            total = self.to_child(dag, triad, total);
+            if let Some(term) = vector.terms.get(&triad)
+                && self.constant_in(dag, triad, term, target).is_none()
+            {
+                total = std::array::from_fn(|k| dag.add(total[k], term[k]));
+            }
+        }
         for (&triad, components) in &vector.terms {
-            let here = self.express_term(dag, triad, *components, target);
-            total = std::array::from_fn(|k| dag.add(total[k], here[k]));
+            let added = path.contains(&triad) && self.constant_in(dag, triad, components, target).is_none();
+            if !added {
+                let here = self.express_term(dag, triad, *components, target);
+                total = std::array::from_fn(|k| dag.add(total[k], here[k]));
+            }
         }
         total
     }

@@ -1,10 +1,10 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
-// Cost of rates: 191 operations (3 abs, 31 add, 3 cos, 3 div, 2 min, 123 mul, 3 sin, 23 sub).
-// Cost of energy: 99 operations (19 add, 3 cos, 2 div, 68 mul, 3 sin, 4 sub).
-// Cost of speeds: 25 operations (1 add, 3 cos, 2 div, 14 mul, 3 sin, 2 sub).
+// Cost of rates: 198 operations (3 abs, 23 add, 3 cos, 3 div, 2 min, 128 mul, 3 sin, 33 sub).
+// Cost of energy: 104 operations (18 add, 3 cos, 2 div, 72 mul, 3 sin, 6 sub).
+// Cost of speeds: 26 operations (3 cos, 2 div, 14 mul, 3 sin, 4 sub).
 // Cost of outputs: 0 operations ().
-// Cost of projection: 31 operations (2 abs, 6 add, 3 cos, 2 div, 1 max, 12 mul, 3 sin, 2 sub).
+// Cost of projection: 51 operations (2 abs, 11 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -91,7 +91,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///191 operations.
+///198 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -107,79 +107,78 @@ pub fn rates(
     p: &Parameters,
 ) -> ([S; 3usize], [S; 1usize], S) {
     let u1 = u[0];
-    let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = l2 * sin_q2;
-    let t2 = 1.0_f64 / t1;
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t3 = l1 * sin_q1;
-    let l3 = p.l3;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t4 = l3 * sin_q3;
-    let t5 = l2 * cos_q2;
-    let t6 = t5 * t2;
-    let t7 = l1 * cos_q1;
-    let t8 = l3 * cos_q3;
-    let t9 = t8 - t4 * t6;
-    let t10 = 1.0_f64 / t9;
-    let u3_per_u1 = (t3 * t6 - t7) * t10;
-    let t11 = t2 * (t3 + t4 * u3_per_u1);
-    let t12 = u1 * t11;
-    let u2 = -t12;
-    let u3 = u1 * u3_per_u1;
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q2 * sin_q3;
+    let t2 = sin_q2 * cos_q3;
+    let t3 = l2 * (t1 - t2);
+    let t4 = 1.0_f64 / t3;
+    let t5 = l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * t4;
+    let t6 = u1 * t5;
+    let u2 = -t6;
+    let l3 = p.l3;
+    let t7 = l3 * (t2 - t1);
+    let t8 = 1.0_f64 / t7;
+    let t9 = l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * t8;
+    let t10 = u1 * t9;
+    let u3 = -t10;
     let T = inputs[0];
     let m2 = p.m2;
-    let t13 = sin_q2 * t7 - cos_q2 * t3;
+    let t11 = l1 * cos_q1;
+    let t12 = l1 * sin_q1;
+    let t13 = t11 * sin_q2 - t12 * cos_q2;
+    let t14 = 0.5_f64 * l2;
     let m3 = p.m3;
-    let t14 = t12 * t12;
-    let t15 = l2 * t14;
-    let t16 = l3 * (u3 * (0.5_f64 * u3));
-    let t17 = m2 * (t13 * (l2 * (t12 * (0.5_f64 * t12)))) + m3 * (t13 * t15 + (sin_q3 * t7 - cos_q3 * t3) * t16);
+    let t15 = t6 * (l2 * t6);
+    let t16 = 0.5_f64 * l3;
+    let t17 = t10 * (t16 * t10);
+    let t18 = m2 * (t13 * (t6 * (t14 * t6))) + m3 * (t13 * t15 + (t11 * sin_q3 - t12 * cos_q3) * t17);
+    let t19 = 0.5_f64 * l1;
     let m1 = p.m1;
     let g = p.g;
-    let t18 = 0.5_f64 * l1;
-    let t19 = m2 * g;
-    let t20 = m3 * g;
-    let t21 = T + (t17 - m1 * g * (t18 * cos_q1) - t7 * t19 - t7 * t20);
-    let t22 = 0.5_f64 * l2;
-    let t23 = sin_q2 * t3 + cos_q2 * t7;
-    let t24 = m2 * (t22 * t23) + m3 * (l2 * t23);
-    let t25 = u1 * u1;
-    let t26 = u3 * u3;
-    let t27 = t25 * t7 + t5 * t14 + t8 * t26;
-    let u3_dot_bias = t10 * (t25 * t3 + t1 * t14 + t4 * t26 + t6 * t27);
-    let t28 = t2 * (t27 + t4 * u3_dot_bias);
-    let t29 = 0.5_f64 * l3;
-    let t30 = m3 * (t29 * (sin_q3 * t3 + cos_q3 * t7));
-    let t31 = l1 * t25;
-    let t32 = t22 * cos_q2;
-    let t33 = t31 * (sin_q1 * t5 - cos_q1 * t1) + (sin_q3 * t5 - cos_q3 * t1) * t16;
-    let t34 = m2 * (t31 * (sin_q1 * t32 - cos_q1 * (t22 * sin_q2))) + m3 * t33 - t32 * t19;
+    let t20 = m2 * g;
+    let t21 = m3 * g;
+    let t22 = T + (t18 - t19 * cos_q1 * (m1 * g) - t11 * t20 - t11 * t21);
+    let t23 = t12 * sin_q2 + t11 * cos_q2;
+    let t24 = m2 * (t14 * t23) + m3 * (l2 * t23);
+    let t25 = t10 * (l3 * t10);
+    let t26 = u1 * (u1 * l1);
+    let t27 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let u2_dot_bias = t4 * (t25 + (t26 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t27 * t15));
+    let t28 = m3 * (t16 * (t12 * sin_q3 + t11 * cos_q3));
+    let u3_dot_bias = t8 * (t26 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t15 + t27 * t25);
+    let t29 = t14 * cos_q2;
+    let t30 = l2 * cos_q2;
+    let t31 = l2 * sin_q2;
+    let t32 = t26 * (sin_q1 * t30 - cos_q1 * t31) + (t30 * sin_q3 - t31 * cos_q3) * t17;
+    let t33 = m2 * (t26 * (sin_q1 * t29 - cos_q1 * (t14 * sin_q2))) + m3 * t32 - t29 * t20;
     let I2 = p.I2;
-    let t35 = I2 + m2 * (t22 * t22) + m3 * (l2 * l2);
-    let t36 = m3 * (t29 * (sin_q3 * t1 + cos_q3 * t5));
-    let t37 = t21 + t24 * t28 - t30 * u3_dot_bias - t11 * (t34 - t5 * t20 + t35 * t28 - t36 * u3_dot_bias);
-    let t38 = t29 * cos_q3;
-    let t39 = t29 * sin_q3;
-    let t40 = t31 * (sin_q1 * t38 - cos_q1 * t39) + (sin_q2 * t38 - cos_q2 * t39) * t15;
+    let t34 = I2 + m2 * (t14 * t14) + m3 * (l2 * l2);
+    let t35 = m3 * (t16 * (t31 * sin_q3 + t30 * cos_q3));
+    let t36 = t22 - t24 * u2_dot_bias - t28 * u3_dot_bias - t5 * (t33 - t30 * t21 - t34 * u2_dot_bias - t35 * u3_dot_bias);
+    let t37 = t16 * cos_q3;
+    let t38 = t16 * sin_q3;
+    let t39 = t26 * (sin_q1 * t37 - cos_q1 * t38) + (sin_q2 * t37 - cos_q2 * t38) * t15;
     let I3 = p.I3;
-    let t41 = I3 + m3 * (t29 * t29);
-    let forcing_u1 = t37 + u3_per_u1 * (m3 * t40 - t38 * t20 + t36 * t28 - t41 * u3_dot_bias);
+    let t40 = I3 + m3 * (t16 * t16);
+    let forcing_u1 = t36 - t9 * (m3 * t39 - t37 * t21 - t35 * u2_dot_bias - t40 * u3_dot_bias);
     let I1 = p.I1;
-    let t42 = l1 * l1;
-    let t43 = I1 + m1 * (t18 * t18) + m2 * t42 + m3 * t42 - t24 * t11;
-    let mass_u1_u1 = t30 * u3_per_u1 + t43 - t11 * (t36 * u3_per_u1 + (t24 - t35 * t11)) + u3_per_u1 * (t41 * u3_per_u1 + (t30 - t36 * t11));
-    let t44 = forcing_u1 / mass_u1_u1;
-    let t45 = Real::min(Real::min(1.1511455871086413_f64 * Real::abs(t1), 0.29260547541170895_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, u2, u3], [t44], t45)
+    let t41 = l1 * l1;
+    let t42 = I1 + m1 * (t19 * t19) + m2 * t41 + m3 * t41 - t24 * t5;
+    let mass_u1_u1 = t42 - t28 * t9 - t5 * (t24 - t34 * t5 - t35 * t9) - t9 * (t28 - t35 * t5 - t40 * t9);
+    let t43 = forcing_u1 / mass_u1_u1;
+    let t44 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, u2, u3], [t43], t44)
 }
 ///Kinetic and potential energy (J).
 ///
-///99 operations.
+///104 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -194,7 +193,6 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> (S, S) {
-    let u1 = u[0];
     let I1 = p.I1;
     let m1 = p.m1;
     let l1 = p.l1;
@@ -202,44 +200,42 @@ pub fn energy(
     let m2 = p.m2;
     let t2 = l1 * l1;
     let m3 = p.m3;
-    let t3 = u1 * u1 * (I1 + m1 * (t1 * t1) + m2 * t2 + m3 * t2);
+    let u1 = u[0];
+    let t3 = (I1 + m1 * (t1 * t1) + m2 * t2 + m3 * t2) * (u1 * u1);
     let l2 = p.l2;
     let t4 = 0.5_f64 * l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let t5 = l1 * sin_q1;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let t6 = l1 * cos_q1;
-    let t7 = sin_q2 * t5 + cos_q2 * t6;
-    let t8 = l2 * sin_q2;
-    let t9 = 1.0_f64 / t8;
-    let l3 = p.l3;
+    let t7 = t5 * sin_q2 + t6 * cos_q2;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t10 = l3 * sin_q3;
-    let t11 = l2 * cos_q2;
-    let t12 = t11 * t9;
-    let u3_per_u1 = (t5 * t12 - t6) * (1.0_f64 / (l3 * cos_q3 - t10 * t12));
-    let t13 = u1 * (t9 * (t5 + t10 * u3_per_u1));
-    let t14 = 0.5_f64 * t3 - (m2 * (t4 * t7) + m3 * (l2 * t7)) * (u1 * t13);
-    let t15 = 0.5_f64 * l3;
-    let u3 = u1 * u3_per_u1;
+    let t8 = cos_q2 * sin_q3;
+    let t9 = sin_q2 * cos_q3;
+    let t10 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t8 - t9))));
+    let t11 = 0.5_f64 * t3 - (m2 * (t4 * t7) + m3 * (l2 * t7)) * (u1 * t10);
+    let l3 = p.l3;
+    let t12 = 0.5_f64 * l3;
+    let t13 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t9 - t8))));
     let I2 = p.I2;
-    let t16 = 0.5_f64 * ((I2 + m2 * (t4 * t4) + m3 * (l2 * l2)) * (t13 * t13));
-    let t17 = t14 + m3 * (t15 * (sin_q3 * t5 + cos_q3 * t6)) * (u1 * u3) + t16;
+    let t14 = 0.5_f64 * ((I2 + m2 * (t4 * t4) + m3 * (l2 * l2)) * (t10 * t10));
+    let t15 = t11 - m3 * (t12 * (t5 * sin_q3 + t6 * cos_q3)) * (u1 * t13) + t14;
+    let t16 = m3 * (t12 * (l2 * sin_q2 * sin_q3 + l2 * cos_q2 * cos_q3)) * (t10 * t13);
     let I3 = p.I3;
-    let t18 = t17 - m3 * (t15 * (sin_q3 * t8 + cos_q3 * t11)) * (t13 * u3) + 0.5_f64 * ((I3 + m3 * (t15 * t15)) * (u3 * u3));
+    let t17 = t15 + t16 + 0.5_f64 * ((I3 + m3 * (t12 * t12)) * (t13 * t13));
     let g = p.g;
-    let t19 = g * sin_q1;
-    let t20 = l1 * t19;
-    let t21 = g * sin_q2;
-    let t22 = m1 * (t1 * t19) + m2 * (t20 + t4 * t21) + m3 * (t20 + l2 * t21 + t15 * (g * sin_q3));
-    (t18, t22)
+    let t18 = g * sin_q1;
+    let t19 = l1 * t18;
+    let t20 = g * sin_q2;
+    let t21 = m1 * (t1 * t18) + m2 * (t19 + t4 * t20) + m3 * (t19 + l2 * t20 + t12 * (g * sin_q3));
+    (t17, t21)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///25 operations.
+///26 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -255,22 +251,21 @@ pub fn speeds(
     p: &Parameters,
 ) -> [S; 3usize] {
     let u1 = u[0];
-    let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = 1.0_f64 / (l2 * sin_q2);
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t2 = l1 * sin_q1;
-    let l3 = p.l3;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t3 = l3 * sin_q3;
-    let t4 = l2 * cos_q2 * t1;
-    let u3_per_u1 = (t2 * t4 - l1 * cos_q1) * (1.0_f64 / (l3 * cos_q3 - t3 * t4));
-    let u2 = -u1 * (t1 * (t2 + t3 * u3_per_u1));
-    let u3 = u1 * u3_per_u1;
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q2 * sin_q3;
+    let t2 = sin_q2 * cos_q3;
+    let t3 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t1 - t2))));
+    let u2 = -t3;
+    let l3 = p.l3;
+    let t4 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t2 - t1))));
+    let u3 = -t4;
     [u1, u2, u3]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
@@ -294,7 +289,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///31 operations.
+///51 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -309,28 +304,23 @@ pub fn projection(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> ([S; 2usize], S) {
-    let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = l2 * sin_q2;
-    let t2 = 1.0_f64 / t1;
+    let l3 = p.l3;
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let l4 = p.l4;
-    let t3 = l2 * cos_q2;
-    let l3 = p.l3;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t4 = l3 * cos_q3;
-    let t5 = l1 * cos_q1 - l4 + t3 + t4;
-    let t6 = l3 * sin_q3;
-    let t7 = t6 + (l1 * sin_q1 + t1);
-    let t8 = t3 * t2;
-    let t9 = (t7 + t5 * t8) * (1.0_f64 / (t4 - t6 * t8));
-    let t10 = t2 * (t5 + t6 * t9);
-    let t11 = Real::max(Real::abs(t5), Real::abs(t7));
-    ([t10, -t9], t11)
+    let l4 = p.l4;
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t2 = l3 + (l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) - l4 * cos_q3 + l2 * t1);
+    let t3 = cos_q2 * sin_q3;
+    let t4 = sin_q2 * cos_q3;
+    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t1;
+    let t6 = Real::max(Real::abs(l3 * cos_q3 + (l2 * cos_q2 + (l1 * cos_q1 - l4))), Real::abs(l3 * sin_q3 + (l1 * sin_q1 + l2 * sin_q2)));
+    ([-t2 * (1.0_f64 / (l2 * (t3 - t4))), -t5 * (1.0_f64 / (l3 * (t4 - t3)))], t6)
 }
 ///Four-bar linkage driven by a torque on the crank.
 #[derive(Clone, Copy, Debug, Default)]

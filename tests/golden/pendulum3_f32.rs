@@ -1,5 +1,6 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
+// Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
 // Cost of rates: 132 operations (3 abs, 20 add, 3 cos, 3 div, 2 min, 84 mul, 3 sin, 14 sub).
 // Cost of energy: 72 operations (16 add, 3 cos, 50 mul, 3 sin).
 // Cost of speeds: 0 operations ().

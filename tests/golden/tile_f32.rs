@@ -1,5 +1,6 @@
 // Generated from models/tile.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile: 12 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f32.
+// Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
 // Cost of rates: 868 operations (12 abs, 164 add, 5 cos, 12 div, 11 min, 510 mul, 5 sin, 149 sub).
 // Cost of energy: 340 operations (67 add, 5 cos, 9 div, 218 mul, 5 sin, 36 sub).
 // Cost of speeds: 247 operations (40 add, 5 cos, 9 div, 149 mul, 5 sin, 39 sub).

@@ -1,5 +1,6 @@
 // Generated from models/tile_minimal.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile_minimal: 3 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f64.
+// Pivots: 3; the worst over 73 sampled configurations is 0.773 of its nominal size.
 // Cost of rates: 4552 operations (3 abs, 1346 add, 10 div, 2 min, 2491 mul, 4 sqrt, 696 sub).
 // Cost of energy: 1000 operations (232 add, 7 div, 631 mul, 4 sqrt, 126 sub).
 // Cost of speeds: 0 operations ().

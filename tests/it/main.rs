@@ -1,7 +1,9 @@
 //! The only test binary.
 
+mod accuracy;
 mod agreement;
 mod bar_on_wall;
+mod bicycle_benchmark;
 mod closed_forms;
 mod cost;
 mod emulator;

@@ -54,6 +54,9 @@ emitted!(tile_loaded_f64, f64, Tile, "tile_loaded_f64");
 emitted!(tile_loaded_f32, f32, Tile, "tile_loaded_f32");
 emitted!(tile_minimal_loaded_f64, f64, TileMinimal, "tile_minimal_loaded_f64");
 emitted!(tile_minimal_loaded_f32, f32, TileMinimal, "tile_minimal_loaded_f32");
+emitted!(arm6_f64, f64, Arm6, "arm6_f64");
+emitted!(bicycle_f64, f64, Bicycle, "bicycle_f64");
+emitted!(pendulum10_f64, f64, Pendulum10, "pendulum10_f64");
 
 /// The compiled model in f64.
 ///
@@ -66,6 +69,9 @@ pub fn double(model: &str) -> Box<dyn Subject<f64>> {
         "fourbar" => Box::new(fourbar_f64::Fourbar::default()),
         "tile" => Box::new(tile_f64::Tile::default()),
         "tile_minimal" => Box::new(tile_minimal_f64::TileMinimal::default()),
+        "arm6" => Box::new(arm6_f64::Arm6::default()),
+        "bicycle" => Box::new(bicycle_f64::Bicycle::default()),
+        "pendulum10" => Box::new(pendulum10_f64::Pendulum10::default()),
         "tile loaded" => Box::new(tile_loaded_f64::Tile::default()),
         "tile_minimal loaded" => Box::new(tile_minimal_loaded_f64::TileMinimal::default()),
         _ => panic!("{:?}: `{model}` is not in build.rs", Engine::Compiled),

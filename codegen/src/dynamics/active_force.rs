@@ -1,4 +1,4 @@
-//! Generalised active forces F_r: weight, forces, torques, spring-dampers.
+//! Generalised active forces F_r: forces, torques, spring-dampers (weight stands with the inertia).
 //!
 //! F_k = sum v_k . F + w_k . tau. Sign of a spring: tension > 0 pulls its ends together.
 
@@ -8,18 +8,8 @@ use crate::kinematics::{Kinematics, Motion, flatten, lower_scalar, lower_vector,
 use crate::model::{CoordinateId, Expr, LoadKind, Model, PointId};
 use crate::vector::Vector;
 
-/// Adds weight and every load.
+/// Adds every load.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
-    if let Some(gravity) = &model.gravity {
-        let gravity = lower_vector(k, gravity);
-        for body in model.bodies.iter().filter(|b| b.weight) {
-            if let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) {
-                let weight = gravity.scaled(&mut k.dag, mass);
-                let motion = k.velocities[body.centre].clone();
-                apply(k, parts, &motion, &weight);
-            }
-        }
-    }
     for load in &model.loads {
         match &load.kind {
             LoadKind::Force { point, force, reaction } => {

@@ -5,38 +5,104 @@
 
 use super::Unprojected;
 use crate::expr::{Dag, ExprId};
-use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, value_of};
+use crate::id::Id;
+use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vector, value_of};
 use crate::model::{Body, Model};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 
 /// Adds every body's inertia.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     for body in model.bodies.iter() {
-        translation(k, body, parts);
+        translation(model, k, body, parts);
         rotation(k, body, parts);
     }
 }
 
-fn translation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+/// Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
+fn translation(model: &Model, k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
     let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { return };
     if k.dag.is_zero(mass) {
         return;
     }
-    let velocity = k.velocities[body.centre].clone();
-    let partials: Vec<(UnknownId, Vector)> = velocity.partials.clone().into_iter().collect();
+    let mut motion = k.velocities[body.centre].clone();
+    if let (true, Some(gravity)) = (body.weight, &model.gravity) {
+        let gravity = lower_vector(k, gravity);
+        motion.bias = motion.bias.minus(&mut k.dag, &gravity);
+    }
+    let products = cheapest_products(k, body, &motion);
+    for (a, b, product) in products.mass {
+        let term = k.dag.mul(mass, product);
+        parts.add_mass(&mut k.dag, a, b, term);
+    }
+    for (a, product) in products.force {
+        let term = k.dag.mul(mass, product);
+        let term = k.dag.negate(term);
+        parts.add_force(&mut k.dag, a, term);
+    }
+}
+
+/// v_k . v_l for k <= l, and v_k . bias; zeros left out.
+struct Products {
+    mass: Vec<(UnknownId, UnknownId, ExprId)>,
+    force: Vec<(UnknownId, ExprId)>,
+}
+
+/// The products of a motion with every vector kept in the triads where it is short, or all of them
+/// resolved in the body's triad, or in the inertial one: whichever takes fewest operations.
+fn cheapest_products(k: &mut Kinematics, body: &Body, motion: &Motion) -> Products {
+    let mixed = products(k, motion);
+    let terms = motion.partials.values().chain([&motion.bias]).map(|v| v.terms.len());
+    if terms.max().unwrap_or(0) <= 1 {
+        return mixed;
+    }
+    let own = body.frame.map(|f| k.frame_triad[f]);
+    let deepest = motion.partials.values().flat_map(|v| v.terms.keys()).max().copied();
+    let candidates = [own.or(deepest), Some(TriadId::from_index(0))];
+    let mut best = (cost(k, &mixed), mixed);
+    for triad in candidates.into_iter().flatten() {
+        let resolved = resolve(k, motion, triad);
+        let products = products(k, &resolved);
+        let cost = cost(k, &products);
+        if cost < best.0 {
+            best = (cost, products);
+        }
+    }
+    best.1
+}
+
+fn products(k: &mut Kinematics, motion: &Motion) -> Products {
+    let partials: Vec<(UnknownId, &Vector)> = motion.partials.iter().map(|(&u, v)| (u, v)).collect();
+    let mut found = Products { mass: Vec::new(), force: Vec::new() };
     for (i, (a, v)) in partials.iter().enumerate() {
         for (b, w) in &partials[i..] {
             let product = k.triads.dot(&mut k.dag, v, w);
-            let term = k.dag.mul(mass, product);
-            if !k.dag.is_zero(term) {
-                parts.add_mass(&mut k.dag, *a, *b, term);
+            if !k.dag.is_zero(product) {
+                found.mass.push((*a, *b, product));
             }
         }
-        let product = k.triads.dot(&mut k.dag, v, &velocity.bias);
-        let term = k.dag.mul(mass, product);
-        let term = k.dag.negate(term);
-        parts.add_force(&mut k.dag, *a, term);
+        let product = k.triads.dot(&mut k.dag, v, &motion.bias);
+        if !k.dag.is_zero(product) {
+            found.force.push((*a, product));
+        }
     }
+    found
+}
+
+fn resolve(k: &mut Kinematics, motion: &Motion, triad: TriadId) -> Motion {
+    let mut in_triad = |v: &Vector| {
+        let components = k.triads.express(&mut k.dag, v, triad);
+        Vector::new(&k.dag, triad, components)
+    };
+    Motion {
+        partials: motion.partials.iter().map(|(&u, v)| (u, in_triad(v))).collect(),
+        bias: in_triad(&motion.bias),
+    }
+}
+
+fn cost(k: &Kinematics, products: &Products) -> usize {
+    let mass = products.mass.iter().map(|(_, _, e)| *e);
+    let roots: Vec<_> = mass.chain(products.force.iter().map(|(_, e)| *e)).collect();
+    k.dag.cone_cost(&roots)
 }
 
 fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {

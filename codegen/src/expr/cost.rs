@@ -1,6 +1,7 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0.
 
 use super::{Dag, ExprId, Node};
+use crate::id::Id;
 use rustc_hash::FxHashSet as HashSet;
 use std::collections::BTreeMap;
 
@@ -27,15 +28,10 @@ impl Dag {
         matches!(self.node(id), Node::Unary(..) | Node::Binary(..)) && !self.is_constant(id)
     }
 
-    /// Without any symbol in it (depth is small: constants fold as they are built).
+    /// Free of symbols?
     #[must_use]
     pub fn is_constant(&self, id: ExprId) -> bool {
-        match self.node(id) {
-            Node::Number(_) | Node::Pi => true,
-            Node::Symbol(_) => false,
-            Node::Negate(a) | Node::Unary(_, a) => self.is_constant(a),
-            Node::Binary(_, a, b) => self.is_constant(a) && self.is_constant(b),
-        }
+        self.constant[id.index()]
     }
 
     /// Operations by kind, for the header of a generated file.

@@ -76,6 +76,8 @@ pub enum Binary {
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
     nodes: IdVec<ExprId, Node>,
+    /// Whether a node is free of symbols.
+    constant: Vec<bool>,
     index: HashMap<Node, ExprId>,
     symbols: IdVec<SymbolId, String>,
     names: HashMap<ExprId, String>,
@@ -161,7 +163,14 @@ impl Dag {
         if let Some(&id) = self.index.get(&node) {
             return id;
         }
+        let constant = match node {
+            Node::Number(_) | Node::Pi => true,
+            Node::Symbol(_) => false,
+            Node::Negate(a) | Node::Unary(_, a) => self.is_constant(a),
+            Node::Binary(_, a, b) => self.is_constant(a) && self.is_constant(b),
+        };
         let id = self.nodes.push(node);
+        self.constant.push(constant);
         self.index.insert(node, id);
         id
     }

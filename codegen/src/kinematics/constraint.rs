@@ -45,7 +45,7 @@ struct Equation {
 /// Fills candidate rows (cheapest first) and the plain residuals.
 pub(super) fn derive(model: &Model, k: &mut Kinematics) {
     let mut rows = Vec::new();
-    for point in model.points.ids().filter(|&p| position::is_lifted(model, p)) {
+    for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
         for equation in closures(model, k, point) {
             rows.extend(project(k, equation));
         }

@@ -35,9 +35,10 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
     }
 }
 
-/// A point that closes loops: its velocity is an unknown of its own.
+/// A point that closes loops, whose velocity is an unknown of its own, or whose velocity is stated:
+/// later positions refer to it by itself.
 pub(super) fn is_lifted(model: &Model, point: PointId) -> bool {
-    !model.points[point].closures.is_empty()
+    !model.points[point].closures.is_empty() || model.points[point].velocity.is_some()
 }
 
 /// The same vector without lifted points: each is replaced by its first position expression.

@@ -67,8 +67,12 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             k.angular[triad] = motion;
         }
     }
-    for point in model.points.ids() {
-        if !position::is_lifted(model, point) {
+    for entity in &model.order {
+        let Entity::Point(point) = *entity else { continue };
+        if let Some(velocity) = &model.points[point].velocity {
+            let velocity = lower::vector(k, velocity);
+            k.velocities[point] = linear_motion(k, &velocity);
+        } else if !position::is_lifted(model, point) {
             let position = k.positions[point].clone();
             k.velocities[point] = derivative(k, &position);
         }
@@ -97,7 +101,7 @@ fn lift(model: &Model, k: &mut Kinematics) {
         let name = format!("w_{}", model.frames[frame].name);
         k.angular[triad] = unknown_vector(k, triad, &name);
     }
-    for point in model.points.ids().filter(|&p| position::is_lifted(model, p)) {
+    for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
         let triad = home_of(model, k, point);
         let name = format!("v_{}", model.points[point].name);
         k.velocities[point] = unknown_vector(k, triad, &name);
@@ -169,6 +173,26 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
     }
     partials.retain(|_, p| !k.dag.is_zero(*p));
     partials
+}
+
+/// The motion of a vector given as linear in the unknowns: `v_k = dv/dy_k`, `bias = sum_k v_k' y_k`.
+fn linear_motion(k: &mut Kinematics, velocity: &Vector) -> Motion {
+    let mut motion = Motion::default();
+    for (&triad, components) in &velocity.terms {
+        for unknown in k.unknowns.ids().collect::<Vec<_>>() {
+            let y = k.unknowns[unknown].value;
+            let Some(symbol) = k.dag.as_symbol(y) else { continue };
+            let partial = components.map(|c| k.dag.derivative(c, symbol));
+            let partial = Vector::new(&k.dag, triad, partial);
+            if !partial.is_zero() {
+                motion.add_partial(k, unknown, &partial);
+                let rate = derivative(k, &partial);
+                let rate = motion_value(k, &rate).scaled(&mut k.dag, y);
+                motion.bias = motion.bias.plus(&mut k.dag, &rate);
+            }
+        }
+    }
+    motion
 }
 
 /// Value of a scalar's rate: `sum_k partials[k] y_k`.

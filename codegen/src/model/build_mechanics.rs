@@ -260,10 +260,11 @@ impl Builder<'_> {
             name: "O".to_owned(),
             position: origin,
             closures: Vec::new(),
+            velocity: None,
             span: Span::default(),
         });
         for (key, value) in self.entries("points") {
-            let (position, closures) = match value {
+            let (position, closures, velocity) = match value {
                 Value::Table(_) => {
                     let Some(fields) = Fields::new(key, value, self.found) else { continue };
                     let position = self.needed(&fields, "position", Unit::LENGTH, "\"l*link.x\"");
@@ -271,17 +272,21 @@ impl Builder<'_> {
                         Some((items, _)) => items.iter().map(|item| self.expression(item)).collect(),
                         None => Vec::new(),
                     };
+                    let velocity = self.optional(&fields, "velocity", Unit::VELOCITY);
                     fields.finish(self.found);
-                    (position, closures)
+                    if let (Some(_), Some(_)) = (closures.first(), &velocity) {
+                        self.found.push(
+                            Diagnostic::error(format!("point `{}` has closures and a velocity", key.name))
+                                .label(key.span, "its velocity follows from the closures")
+                                .help("leave one of them out"),
+                        );
+                    }
+                    (position, closures, velocity)
                 }
-                bare => (self.expression(bare), Vec::new()),
+                bare => (self.expression(bare), Vec::new(), None),
             };
-            self.draft.model.points.push(Point {
-                name: key.name.clone(),
-                position,
-                closures,
-                span: key.span,
-            });
+            let (name, span) = (key.name.clone(), key.span);
+            self.draft.model.points.push(Point { name, position, closures, velocity, span });
         }
     }
 

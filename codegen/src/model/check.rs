@@ -132,6 +132,9 @@ impl Checker<'_> {
             for closure in &point.closures {
                 self.expect(closure, Type::vector(Unit::LENGTH), "a position");
             }
+            if let Some(velocity) = &point.velocity {
+                self.expect(velocity, Type::vector(Unit::VELOCITY), "a velocity");
+            }
         }
         for body in model.bodies.iter() {
             if let Some(mass) = &body.mass {

@@ -251,6 +251,9 @@ pub struct Point {
     /// Other expressions of the same position, one per closed loop: each gives the configuration
     /// constraint `position - closure = 0` (3 equations).
     pub closures: Vec<Expr>,
+    /// Its velocity in N (m/s), where no coordinates locate it: a body that rolls. The position
+    /// then counts only up to a displacement that nothing depends on.
+    pub velocity: Option<Expr>,
     /// Where it is declared.
     pub span: Span,
 }

@@ -112,7 +112,10 @@ fn references(model: &Model, node: Node) -> Vec<(Node, Span)> {
     match node {
         Node::Parameter(id) => collect(&model.parameters[id].value, &mut result),
         Node::Definition(id) => collect(&model.definitions[id].value, &mut result),
-        Node::Point(id) => collect(&model.points[id].position, &mut result),
+        Node::Point(id) => {
+            collect(&model.points[id].position, &mut result);
+            model.points[id].velocity.iter().for_each(|velocity| collect(velocity, &mut result));
+        }
         Node::Coordinate(id) => {
             if let Some(form) = &model.coordinates[id].closed_form {
                 collect(form, &mut result);

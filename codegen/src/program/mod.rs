@@ -48,6 +48,8 @@ pub struct Program {
     pub residual: ExprId,
     /// Pivots of all eliminations.
     pub pivots: Vec<Pivot>,
+    /// Number of configurations at which they were screened.
+    pub n_samples: usize,
     /// Solver of dependent coordinates at the start.
     pub assembly: Assembly,
     /// The nominal configuration.
@@ -128,7 +130,7 @@ fn assemble(
     let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
     let worst_pivot = worst_pivot(&mut k.dag, &pivots);
     let residual = largest(&mut k.dag, &k.residuals.clone());
-    let correction = correction(&k, &state, solution);
+    let correction = correction(model, &k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let mut program = Program {
         name: model.name.clone(),
@@ -146,6 +148,7 @@ fn assemble(
         correction,
         residual,
         pivots,
+        n_samples: k.samples.len(),
         assembly,
         nominal: k.samples[0].clone(),
         dag: k.dag,
@@ -183,9 +186,16 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
 }
 
 /// Corrections of the dependent coordinates whose rate is a speed.
-fn correction(k: &Kinematics, state: &[CoordinateId], solution: &Solution) -> Vec<(usize, ExprId)> {
+///
+/// A free coordinate whose speed a motion constraint gives is where it is: nothing to correct.
+fn correction(
+    model: &Model,
+    k: &Kinematics,
+    state: &[CoordinateId],
+    solution: &Solution,
+) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
-    for (index, &c) in state.iter().enumerate() {
+    for (index, &c) in state.iter().enumerate().filter(|(_, c)| !model.coordinates[**c].independent) {
         // A dependent coordinate's rate is one dependent speed.
         let Some((unknown, _)) = k.rates[c].partials.first_key_value() else { continue };
         if matches!(k.unknowns[*unknown].kind, UnknownKind::Dependent(_)) {

@@ -26,6 +26,15 @@ pub(super) fn text(program: &Program, options: &EmitOptions, answers: &[Answer])
         program.inputs.len(),
         program.parameters.len()
     );
+    if let Some(worst) = program.pivots.iter().min_by(|a, b| a.worst.total_cmp(&b.worst)) {
+        let _ = writeln!(
+            text,
+            "// Pivots: {}; the worst over {} sampled configurations is {:.3} of its nominal size.",
+            program.pivots.len(),
+            program.n_samples,
+            worst.worst
+        );
+    }
     for answer in answers {
         let kinds = program.dag.operations_by_kind(&answer.roots(program));
         let total: usize = kinds.values().sum();

@@ -1,10 +1,12 @@
 //! Tests of the generator, one binary.
 
+mod expr;
 mod expressions;
 mod geometry;
 mod layering;
 mod model_errors;
 mod models;
 mod rejected;
+mod rolling;
 mod textbook;
 mod units;

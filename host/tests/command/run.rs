@@ -250,7 +250,7 @@ fn scenes_run_with_the_same_arguments() {
         "--every",
         "50",
         "--set",
-        "C=10",
+        "K=4000",
         "--csv",
         "-",
         "--plot",

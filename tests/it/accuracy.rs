@@ -1,0 +1,113 @@
+//! Round-off of the generated f64 equations: 1,000 random states per model and the hard ones,
+//! against 200-bit arithmetic of the same doubles in another formulation (tests/peers/exact.py).
+//!
+//! Errors of the independent accelerations are relative to the largest acceleration of the state.
+//! Dependent speeds count there: at a state where the one independent acceleration of a linkage
+//! happens to vanish, the others say how large its terms are.
+
+use serde_json::Value;
+use smartbed_runtime::mechanism::Mechanism;
+use smartbed_tests::interpreted::InterpretedSubject;
+use smartbed_tests::subject::Subject;
+
+/// Well-conditioned mechanisms: some ten roundings of 1.1e-16.
+const SHORT_CHAINS: f64 = 3e-15;
+/// Long chains and the bicycle, whose roll and steer equations cancel.
+const LONG_CHAINS: f64 = 1e-14;
+/// Hard states.
+const HARD: f64 = 1e-13;
+/// 1e-6 rad from the change point: the linkage amplifies a rounding a million times.
+const AT_CHANGE_POINT: f64 = 1e-11;
+
+/// A reference file.
+fn read(model: &str) -> Value {
+    let path = format!("{}/reference/accuracy/{model}.json", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number")).collect()
+}
+
+fn set_parameters(subject: &mut InterpretedSubject<f64>, parameters: &Value) {
+    for (name, value) in parameters.as_object().expect("parameters by name") {
+        subject.set_parameter(name, value.as_f64().expect("a number"));
+    }
+}
+
+/// The error at one state: [q, u, inputs, u_dot, largest acceleration].
+fn error(subject: &mut InterpretedSubject<f64>, state: &Value) -> f64 {
+    let [q, u, inputs, expected] = [0, 1, 2, 3].map(|part| numbers(&state[part]));
+    let scale = state[4].as_f64().expect("a number");
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    subject.rates(0.0, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("slices fit");
+    u_dot.iter().zip(&expected).fold(0.0, |worst, (a, e)| largest(worst, (a - e).abs() / scale))
+}
+
+/// The larger of two, or what is not a number.
+fn largest(a: f64, b: f64) -> f64 {
+    if b <= a || a.is_nan() { a } else { b }
+}
+
+/// The largest and the median error over the random states.
+fn random_states(model: &str, bound: f64) {
+    let reference = read(model);
+    let mut subject = InterpretedSubject::new(model, &[]);
+    set_parameters(&mut subject, &reference["parameters"]);
+    let states = reference["states"].as_array().expect("states");
+    let mut errors: Vec<f64> = states.iter().map(|state| error(&mut subject, state)).collect();
+    errors.sort_by(f64::total_cmp);
+    let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
+    println!("{model}: {} states, worst {worst:.1e}, median {median:.1e}", errors.len());
+    assert!(worst <= bound, "{model}: {worst:e}");
+}
+
+#[test]
+fn tile_is_accurate_at_random_states() {
+    random_states("tile", SHORT_CHAINS);
+}
+
+#[test]
+fn arm6_is_accurate_at_random_states() {
+    random_states("arm6", SHORT_CHAINS);
+}
+
+#[test]
+fn fourbar_is_accurate_at_random_states() {
+    random_states("fourbar", SHORT_CHAINS);
+}
+
+#[test]
+fn bicycle_is_accurate_at_random_states() {
+    random_states("bicycle", LONG_CHAINS);
+}
+
+#[test]
+fn pendulum3_is_accurate_at_random_states() {
+    random_states("pendulum3", LONG_CHAINS);
+}
+
+#[test]
+fn pendulum10_is_accurate_at_random_states() {
+    random_states("pendulum10", LONG_CHAINS);
+}
+
+#[test]
+fn hard_states_are_accurate() {
+    let mut failed = Vec::new();
+    for model in ["tile", "bicycle", "fourbar"] {
+        let mut subject = InterpretedSubject::new(model, &[]);
+        for case in read(model)["hard"].as_array().expect("hard states") {
+            set_parameters(&mut subject, &case["parameters"]);
+            let name = case["name"].as_str().expect("a name");
+            let bound = if name.contains("1e-06") { AT_CHANGE_POINT } else { HARD };
+            let error = error(&mut subject, &case["state"]);
+            println!("{model}, {name}: {error:.1e}");
+            if !(error <= bound) {
+                failed.push(format!("{model}, {name}: {error:e}"));
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{failed:?}");
+}

@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Forward dynamics by the generator and by its peers: operations, time and error, one interleaved run.
+
+    python3 tests/peers/run.py [--models tile,arm6] [--rounds 21]
+
+Makes a virtual environment under target/peers-venv, installs the peers with pip, builds each
+mechanism with each, compiles the C with gcc -O3, compares all outputs at 1,000 states with 200-bit
+arithmetic, times them in turns, prints the table and writes tests/peers/results/<machine>/.
+Needs python3 with venv, gcc, g++ and cargo. What cannot be installed or built stays in the table.
+"""
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import venv
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+VENV = ROOT / "target" / "peers-venv"
+# Package on the index by module.
+PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "casadi": "casadi", "sympy": "sympy", "symforce": "symforce",
+            "pinocchio": "pin", "mujoco": "mujoco"}
+
+
+def prepare():
+    """The environment's interpreter, with whatever could be installed."""
+    python = VENV / "bin" / "python"
+    if not python.exists():
+        venv.create(VENV, with_pip=True)
+    for module, package in PACKAGES.items():
+        if subprocess.run([python, "-c", f"import {module}"], capture_output=True).returncode:
+            print(f"installing {package} ...", flush=True)
+            done = subprocess.run([python, "-m", "pip", "install", "-q", package], capture_output=True, text=True)
+            if done.returncode:
+                print(f"  {package} cannot be installed: {done.stderr.strip().splitlines()[-1:]}", flush=True)
+    return python
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--models", default="tile,arm6,bicycle,fourbar,pendulum10", help="which, with commas between")
+    parser.add_argument("--rounds", type=int, default=21, help="turns of the interleaved timing")
+    arguments = parser.parse_args()
+    python = prepare()
+    if pathlib.Path(sys.prefix).resolve() != VENV.resolve():
+        os.execv(python, [str(python), *sys.argv])
+    import compare
+
+    compare.run(arguments.models.split(","), arguments.rounds, ROOT / "target" / "peers", HERE / "results")
+
+
+if __name__ == "__main__":
+    main()
