@@ -5,5 +5,22 @@
 //! the exit status.
 
 pub mod failure;
+
+pub mod number;
+pub mod output;
+pub mod progress;
+pub mod suggest;
+
+pub mod configuration;
+pub mod engine;
+pub mod model_argument;
+
+pub mod plot;
+pub mod view;
+
+pub mod check;
+pub mod derive;
+pub mod eval;
 pub mod firmware;
+pub mod run;
 pub mod scene;

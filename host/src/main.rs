@@ -1,12 +1,13 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{Parser, Subcommand};
-use smartbed::firmware;
+use smartbed::{check, derive, eval, firmware, run};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Derive, run, plot and measure mechanisms; build and emulate the firmware.
 #[derive(Parser)]
-#[command(name = "smartbed", bin_name = "cargo smartbed", version)]
+#[command(name = "smartbed", bin_name = "cargo smartbed", version, max_term_width = 100)]
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
@@ -14,18 +15,38 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
+    Check(check::Arguments),
+    /// Derive the equations of motion and write them as Rust.
+    Derive(derive::Arguments),
+    /// Evaluate the equations at given states.
+    Eval(eval::Arguments),
+    /// Simulate, and write rows, plots or an animation.
+    Run(run::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
     Firmware(firmware::Arguments),
 }
 
 fn main() -> ExitCode {
-    let done = match CommandLine::parse().command {
+    let command_line = match CommandLine::try_parse() {
+        Ok(command_line) => command_line,
+        // A wrong command line is a wrong input (1); help and version are answers (0).
+        Err(message) => {
+            let _ = message.print();
+            return ExitCode::from(u8::from(message.use_stderr()));
+        }
+    };
+    let done = match command_line.command {
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Derive(arguments) => derive::run(&arguments),
+        Command::Eval(arguments) => eval::run(&arguments),
+        Command::Run(arguments) => run::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            let _ = writeln!(std::io::stderr(), "error: {failure}");
             ExitCode::from(failure.status())
         }
     }

@@ -111,6 +111,12 @@ impl Answer {
     }
 }
 
+/// Name of the emitted struct that implements the runtime's `Mechanism`.
+#[must_use]
+pub fn mechanism_name(program: &Program) -> String {
+    name::type_name(&program.name).to_string()
+}
+
 /// The formatted source text.
 ///
 /// # Panics

@@ -1,0 +1,185 @@
+//! `smartbed check`: what a model is, before anything is run.
+//!
+//! In: a model. Out: counts, degrees of freedom, independent speeds and why, rank and conditioning of the
+//! constraints and worst pivots over samples, units, warnings, cost of each answer.
+
+mod rank;
+mod text;
+
+use crate::failure::Failure;
+use crate::{model_argument, output};
+use rank::Rank;
+use serde_json::{Value, json};
+use smartbed_codegen::model::{Model, SpeedMeaning};
+use smartbed_codegen::{Answer, ParameterChoice, Program, kinematics, program};
+
+/// Pivots of which less than this share of nominal is left somewhere are worth a warning.
+const SMALL_PIVOT: f64 = 0.02;
+/// A constraint of which less is independent of the others makes a configuration nearly singular.
+const NEARLY_SINGULAR: f64 = 1e-4;
+
+/// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Example:
+  cargo smartbed check tile")]
+pub struct Arguments {
+    /// The model: a path, or a name under models/.
+    pub model: String,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Everything that is said about a model.
+#[derive(Debug)]
+pub(crate) struct Report {
+    /// The report as JSON; the text is made from it and from `warnings`.
+    pub facts: Value,
+    /// Rendered warnings with their places.
+    pub warnings: String,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong model.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let model = model_argument::read(&arguments.model)?;
+    let choice = ParameterChoice::default();
+    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let rank = Rank::over_samples(&model, &mut kinematics);
+    let report = report(&model, &program, &rank);
+    if arguments.json {
+        output::print(&format!("{}\n", report.facts));
+    } else {
+        output::print(&text::render(&report));
+    }
+    Ok(())
+}
+
+fn report(model: &Model, program: &Program, rank: &Rank) -> Report {
+    let found = model.warnings();
+    let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
+    let numeric = numeric_warnings(program, rank);
+    let rendered = found.to_string() + &numeric.iter().map(|w| format!("warning: {w}\n")).collect::<String>();
+    warnings.extend(numeric);
+    let facts = json!({
+        "model": model.name,
+        "doc": model.doc,
+        "path": program.path,
+        "counts": counts(model, program, rank),
+        "dof": { "stated": model.dof.map(|(n, _)| n), "found": rank.freedom() },
+        "independent_speeds": independent(model),
+        "constraints": {
+            "speeds": rank.unknowns, "rank": rank.smallest, "largest_rank": rank.largest,
+            "samples": rank.samples, "least_left": rank.least_left, "worst_at": worst_place(program, rank),
+        },
+        "pivots": pivots(program),
+        "units": units(model, program),
+        "cost": cost(program),
+        "warnings": warnings,
+    });
+    Report { facts, warnings: rendered }
+}
+
+fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
+    json!({
+        "coordinates": model.coordinates.len(),
+        "coordinates_in_state": program.q.len(),
+        "speeds": model.speeds.len(),
+        "independent_speeds": program.u.len(),
+        "inputs": model.inputs.len(),
+        "parameters": model.parameters.len(),
+        "tunable_parameters": program.parameters.len(),
+        "frames": model.frames.len() - 1,
+        "points": model.points.len() - 1,
+        "bodies": model.bodies.len(),
+        "loads": model.loads.len(),
+        "configuration_constraints": rank.residuals,
+        "motion_constraints": model.motion_constraints.len(),
+        "outputs": model.outputs.len(),
+        "laws": model.laws.len(),
+    })
+}
+
+/// Independent speeds with their meaning and the reason.
+fn independent(model: &Model) -> Value {
+    let free = model.speeds.iter().all(|s| s.independent);
+    let reason = if free {
+        "no constraint binds it"
+    } else {
+        "declared independent; the others follow from the constraints"
+    };
+    let speeds = model.speeds.iter().filter(|s| s.independent).map(|speed| {
+        let meaning = match &speed.meaning {
+            SpeedMeaning::RateOf(c) => format!("d({})/dt", model.coordinates[*c].name),
+            SpeedMeaning::Combination(_) => "a combination of rates".to_owned(),
+        };
+        json!({ "name": speed.name, "meaning": meaning, "why": reason })
+    });
+    speeds.collect()
+}
+
+fn pivots(program: &Program) -> Value {
+    /// Longest expression that is shown.
+    const SHOWN: usize = 48;
+    let pivots = program.pivots.iter().map(|p| {
+        json!({ "expression": program.dag.print(p.value, SHOWN), "nominal": p.nominal, "worst": p.worst })
+    });
+    pivots.collect()
+}
+
+fn units(model: &Model, program: &Program) -> Value {
+    let row = |kind: &str, name: &str, unit: &str, doc: &str| json!({ "kind": kind, "name": name, "unit": unit, "doc": doc });
+    let mut rows = Vec::new();
+    rows.extend(model.coordinates.iter().map(|c| row("coordinate", &c.name, &c.unit, &c.doc)));
+    rows.extend(model.speeds.iter().map(|s| row("speed", &s.name, &s.unit, "")));
+    rows.extend(model.inputs.iter().map(|i| row("input", &i.name, &i.unit, &i.doc)));
+    rows.extend(model.parameters.iter().map(|p| {
+        let kind = if program.parameters.iter().any(|t| t.name == p.name) { "parameter" } else { "fixed" };
+        row(kind, &p.name, &p.unit, &p.doc)
+    }));
+    rows.extend(model.outputs.iter().map(|o| row("output", &o.name, &o.unit, "")));
+    Value::Array(rows)
+}
+
+fn cost(program: &Program) -> Value {
+    let costs = Answer::ALL.iter().map(|answer| {
+        let roots = answer.roots(program);
+        json!({
+            "answer": answer.name(), "operations": program.dag.cone_cost(&roots),
+            "by_kind": program.dag.operations_by_kind(&roots),
+        })
+    });
+    costs.collect()
+}
+
+/// The configuration with the worst conditioning.
+fn worst_place(program: &Program, rank: &Rank) -> Value {
+    let place = program.q.iter().zip(&rank.worst_at).map(|(q, x)| (q.name.clone(), json!(x)));
+    Value::Object(place.collect())
+}
+
+fn numeric_warnings(program: &Program, rank: &Rank) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if rank.smallest < rank.largest {
+        warnings.push(format!(
+            "the constraints lose rank: {} at some samples, {} at others; near there the motion is not determined",
+            rank.smallest, rank.largest
+        ));
+    } else if rank.least_left < NEARLY_SINGULAR {
+        warnings.push(format!(
+            "a sampled configuration is nearly singular: only {:.1e} of a constraint is independent of the others",
+            rank.least_left
+        ));
+    }
+    for pivot in program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT) {
+        warnings.push(format!(
+            "the pivot {} falls to {:.1e} of its nominal value within the sampled range",
+            program.dag.print(pivot.value, 48),
+            pivot.worst
+        ));
+    }
+    warnings
+}

@@ -1,0 +1,157 @@
+//! Rank of the constraints at sampled configurations, from numbers.
+//!
+//! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion
+//! constraints: rows over the speeds, without the unknowns that the derivation lifts. Out: rank at
+//! every sample, and the worst conditioning. Rows are scaled by their largest length and orthogonalised, the
+//! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
+//! is the share of it that the rows before do not say already.
+
+use smartbed_codegen::expr::ExprId;
+use smartbed_codegen::id::Id;
+use smartbed_codegen::kinematics::{Kinematics, eliminate};
+use smartbed_codegen::model::Model;
+use std::collections::BTreeMap;
+
+/// A row of which less is left follows from the others.
+const ZERO: f64 = 1e-8;
+
+/// What the samples say.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Rank {
+    /// Speeds.
+    pub unknowns: usize,
+    /// Scalar configuration constraints.
+    pub residuals: usize,
+    /// Configurations looked at.
+    pub samples: usize,
+    /// Smallest rank over the samples.
+    pub smallest: usize,
+    /// Largest rank over the samples.
+    pub largest: usize,
+    /// Least that was left of a row that counts, at the worst sample; 1 without constraints.
+    pub least_left: f64,
+    /// That sample's coordinates.
+    pub worst_at: Vec<f64>,
+}
+
+impl Rank {
+    /// Looks at every sample.
+    pub fn over_samples(model: &Model, k: &mut Kinematics) -> Self {
+        let mut table = eliminate::sample_table(model, k);
+        let (samples, unknowns) = (k.samples.len(), model.speeds.len());
+        let mut rank = Self {
+            unknowns,
+            residuals: k.residuals.len(),
+            samples,
+            smallest: usize::MAX,
+            largest: 0,
+            least_left: 1.0,
+            worst_at: k.samples.first().cloned().unwrap_or_default(),
+        };
+        let rows = rows(model, k);
+        let mut matrices = vec![vec![vec![0.0; unknowns]; rows.len()]; samples];
+        for (r, row) in rows.iter().enumerate() {
+            for (&column, &coefficient) in row {
+                let values = table.values(&k.dag, coefficient);
+                for (matrix, value) in matrices.iter_mut().zip(values) {
+                    matrix[r][column] = *value;
+                }
+            }
+        }
+        scale(&mut matrices, rows.len());
+        for (sample, matrix) in matrices.into_iter().enumerate() {
+            let (found, left) = numeric_rank(matrix);
+            rank.smallest = rank.smallest.min(found);
+            rank.largest = rank.largest.max(found);
+            if left < rank.least_left {
+                rank.least_left = left;
+                rank.worst_at.clone_from(&k.samples[sample]);
+            }
+        }
+        rank.smallest = rank.smallest.min(rank.largest);
+        rank
+    }
+
+    /// Degrees of freedom left by the constraints.
+    pub fn freedom(&self) -> usize {
+        self.unknowns - self.largest
+    }
+}
+
+/// Every constraint as coefficients of the speeds.
+fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
+    let mut rows = Vec::new();
+    for residual in k.residuals.clone() {
+        let mut row: BTreeMap<usize, ExprId> = BTreeMap::new();
+        for coordinate in model.coordinates.ids() {
+            let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
+            let slope = k.dag.derivative(residual, symbol);
+            for (&speed, &share) in &k.rates[coordinate].partials {
+                let term = k.dag.mul(slope, share);
+                let sum = match row.get(&speed.index()) {
+                    Some(&mine) => k.dag.add(mine, term),
+                    None => term,
+                };
+                row.insert(speed.index(), sum);
+            }
+        }
+        rows.push(row);
+    }
+    let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
+    for row in k.rows.iter().filter(|row| is_motion(&row.name)) {
+        let of_speeds = row.coefficients.iter().map(|(u, &c)| (u.index(), c));
+        rows.push(of_speeds.filter(|(column, _)| *column < model.speeds.len()).collect());
+    }
+    rows
+}
+
+/// Divides every row by its largest length over the samples: a row that vanishes at a sample is small
+/// there, and not a direction made of rounding errors.
+fn scale(matrices: &mut [Vec<Vec<f64>>], rows: usize) {
+    for r in 0..rows {
+        let largest = matrices.iter().map(|matrix| norm(&matrix[r])).fold(0.0, f64::max);
+        if largest > 0.0 {
+            matrices.iter_mut().for_each(|matrix| matrix[r].iter_mut().for_each(|x| *x /= largest));
+        }
+    }
+}
+
+/// Rank, and the least that was left of a row that counts.
+fn numeric_rank(mut rows: Vec<Vec<f64>>) -> (usize, f64) {
+    let (mut rank, mut least_left) = (0, 1.0_f64);
+    while let Some((index, left)) = most_left(&rows).filter(|(_, left)| *left > ZERO) {
+        let unit: Vec<f64> = rows.swap_remove(index).iter().map(|x| x / left).collect();
+        for row in &mut rows {
+            let along: f64 = row.iter().zip(&unit).map(|(x, e)| x * e).sum();
+            row.iter_mut().zip(&unit).for_each(|(x, e)| *x -= along * e);
+        }
+        (rank, least_left) = (rank + 1, least_left.min(left));
+    }
+    (rank, least_left)
+}
+
+fn most_left(rows: &[Vec<f64>]) -> Option<(usize, f64)> {
+    rows.iter().map(|row| norm(row)).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn norm(row: &[f64]) -> f64 {
+    row.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dependent_rows_do_not_count() {
+        let rows = vec![vec![0.6, 0.8, 0.0], vec![0.3, 0.4, 0.0], vec![0.0, 0.0, 1.0]];
+        let (rank, left) = numeric_rank(rows);
+        assert_eq!(rank, 2);
+        assert!((left - 1.0).abs() < 1e-15, "{left}");
+        // Two directions 0.1 rad apart: sin 0.1 is left of the second.
+        let rows = vec![vec![1.0, 0.0], vec![0.1_f64.cos(), 0.1_f64.sin()]];
+        let (rank, left) = numeric_rank(rows);
+        assert_eq!(rank, 2);
+        assert!((left - 0.1_f64.sin()).abs() < 1e-15, "{left}");
+    }
+}

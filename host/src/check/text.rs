@@ -1,0 +1,122 @@
+//! The report of `check` for people.
+
+use super::Report;
+use serde_json::Value;
+use std::fmt::Write as _;
+
+/// Tables and sentences.
+pub(super) fn render(report: &Report) -> String {
+    let facts = &report.facts;
+    let mut text = String::new();
+    let _ = writeln!(text, "{} ({})", word(&facts["model"]), word(&facts["path"]));
+    if !word(&facts["doc"]).is_empty() {
+        let _ = writeln!(text, "{}", word(&facts["doc"]));
+    }
+    counts(&facts["counts"], &mut text);
+    freedom(facts, &mut text);
+    pivots(&facts["pivots"], &mut text);
+    cost(&facts["cost"], &mut text);
+    units(&facts["units"], &mut text);
+    if report.warnings.is_empty() {
+        text.push_str("\nno warnings\n");
+    } else {
+        let _ = write!(text, "\n{}", report.warnings);
+    }
+    text
+}
+
+fn word(value: &Value) -> String {
+    value
+        .as_str()
+        .map_or_else(|| if value.is_null() { String::new() } else { value.to_string() }, str::to_owned)
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn counts(counts: &Value, text: &mut String) {
+    text.push('\n');
+    for (name, n) in counts.as_object().into_iter().flatten() {
+        if n.as_u64() != Some(0) {
+            let _ = writeln!(text, "{:>6} {}", n.to_string(), name.replace('_', " "));
+        }
+    }
+}
+
+fn freedom(facts: &Value, text: &mut String) {
+    let (dof, rank) = (&facts["dof"], &facts["constraints"]);
+    let stated = if dof["stated"].is_null() { "none".to_owned() } else { dof["stated"].to_string() };
+    let _ = writeln!(text, "\ndegrees of freedom: {} found, {stated} stated", dof["found"]);
+    if rank["largest_rank"].as_u64() != Some(0) {
+        let _ = writeln!(
+            text,
+            "constraints: rank {} among {} speeds at {} samples",
+            rank["rank"], rank["speeds"], rank["samples"]
+        );
+        let left = rank["least_left"].as_f64().unwrap_or(1.0);
+        let place: Vec<String> = rank["worst_at"]
+            .as_object()
+            .into_iter()
+            .flatten()
+            .map(|(name, x)| format!("{name} = {:.4}", x.as_f64().unwrap_or(f64::NAN)))
+            .collect();
+        let _ = writeln!(
+            text,
+            "worst conditioning: {left:.2} of a constraint is independent of the others, at {}",
+            place.join(", ")
+        );
+    }
+    for speed in list(&facts["independent_speeds"]) {
+        let _ = writeln!(
+            text,
+            "independent: {} = {} ({})",
+            word(&speed["name"]),
+            word(&speed["meaning"]),
+            word(&speed["why"])
+        );
+    }
+}
+
+fn pivots(pivots: &Value, text: &mut String) {
+    if list(pivots).is_empty() {
+        return;
+    }
+    text.push_str("\npivots         nominal  worst/nominal\n");
+    for pivot in list(pivots) {
+        let number = |key: &str| pivot[key].as_f64().unwrap_or(f64::NAN);
+        let (nominal, worst) = (number("nominal"), number("worst"));
+        let _ = writeln!(text, "{nominal:>22.4e} {worst:>14.4}  {}", word(&pivot["expression"]));
+    }
+}
+
+fn cost(cost: &Value, text: &mut String) {
+    text.push_str("\nanswer       operations\n");
+    for answer in list(cost) {
+        let kinds: Vec<String> =
+            answer["by_kind"].as_object().into_iter().flatten().map(|(k, n)| format!("{n} {k}")).collect();
+        let _ = writeln!(
+            text,
+            "{:<12} {:>10}  {}",
+            word(&answer["answer"]),
+            answer["operations"].to_string(),
+            kinds.join(", ")
+        );
+    }
+}
+
+fn units(units: &Value, text: &mut String) {
+    let widest = |key: &str| list(units).iter().map(|row| word(&row[key]).chars().count()).max().unwrap_or(0);
+    let (kind, name, unit) = (widest("kind"), widest("name"), widest("unit"));
+    text.push_str("\nunits\n");
+    for row in list(units) {
+        let line = format!(
+            "  {:<kind$}  {:<name$}  {:<unit$}  {}",
+            word(&row["kind"]),
+            word(&row["name"]),
+            word(&row["unit"]),
+            word(&row["doc"])
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+}

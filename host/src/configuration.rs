@@ -1,0 +1,153 @@
+//! Complete configurations: left-out dependent coordinates are solved for.
+//!
+//! In: parameters and some coordinates. Out: all coordinates in the program's order. The branch is
+//! the one connected to the nominal configuration; dependent coordinates given beside left-out ones
+//! are start values. A complete configuration is returned as it is.
+
+use smartbed_codegen::Program;
+use smartbed_codegen::kinematics::{Assembly, Unreachable};
+use smartbed_codegen::model::Model;
+
+/// Most steps from the default parameters to others.
+const MAX_STEPS: usize = 64;
+/// Most places from which left-out coordinates are searched for.
+const MAX_STARTS: usize = 64;
+/// Multiples of the golden section, less whole numbers, cover the unit interval evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Solver of configurations of one program.
+#[derive(Clone, Debug)]
+pub struct Configurations {
+    assembly: Assembly,
+    independent: Vec<bool>,
+    ranges: Vec<(f64, f64)>,
+    nominal: Vec<f64>,
+    defaults: Vec<f64>,
+}
+
+impl Configurations {
+    /// For a program derived from `model`.
+    #[must_use]
+    pub fn new(model: &Model, program: &Program) -> Self {
+        let declared = |name: &str| model.coordinates.iter().find(|c| c.name == name);
+        Self {
+            assembly: program.assembly.clone(),
+            independent: program.q.iter().map(|q| declared(&q.name).is_some_and(|c| c.independent)).collect(),
+            ranges: program
+                .q
+                .iter()
+                .map(|q| declared(&q.name).map_or((q.value, q.value), |c| c.range))
+                .collect(),
+            nominal: program.nominal.clone(),
+            defaults: program.parameters.iter().map(|p| p.value).collect(),
+        }
+    }
+
+    /// Is the coordinate at this place independent?
+    #[must_use]
+    pub fn is_independent(&self, index: usize) -> bool {
+        self.independent.get(index).copied().unwrap_or(false)
+    }
+
+    /// The nominal configuration at these parameters, reached from that at the default ones.
+    ///
+    /// # Errors
+    /// If it cannot be assembled there.
+    pub fn nominal_at(&mut self, parameters: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        if parameters == self.defaults {
+            self.assembly.set_parameters(parameters);
+            return Ok(self.nominal.clone());
+        }
+        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut steps = 1;
+        while steps <= MAX_STEPS {
+            match self.walk(parameters, steps) {
+                Ok(q) => return Ok(q),
+                Err(unreachable) => last = unreachable,
+            }
+            steps *= 4;
+        }
+        Err(last)
+    }
+
+    fn walk(&mut self, parameters: &[f64], steps: usize) -> Result<Vec<f64>, Unreachable> {
+        let mut q = self.nominal.clone();
+        for step in 1..=steps {
+            let part = step as f64 / steps as f64;
+            let on_the_way = self
+                .defaults
+                .iter()
+                .zip(parameters)
+                .map(|(from, to)| if step == steps { *to } else { from + part * (to - from) });
+            let on_the_way: Vec<f64> = on_the_way.collect();
+            self.assembly.set_parameters(&on_the_way);
+            self.assembly.correct(&mut q)?;
+        }
+        Ok(q)
+    }
+
+    /// All coordinates; `given[i]` is the value of the i-th one. A complete list comes back as it is.
+    ///
+    /// # Errors
+    /// As [`Configurations::solve`].
+    pub fn complete(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
+        match given.iter().copied().collect() {
+            Some(q) => Ok(q),
+            None => self.solve(parameters, given),
+        }
+    }
+
+    /// Coordinates that meet the constraints: independent ones as given (left-out ones nominal),
+    /// dependent ones solved for, from start values where given.
+    ///
+    /// # Errors
+    /// If no dependent coordinates were found.
+    pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
+        let nominal = self.nominal_at(parameters)?;
+        let mut target = nominal.clone();
+        for (i, value) in given.iter().enumerate() {
+            if let (true, Some(value)) = (self.is_independent(i), value) {
+                target[i] = *value;
+            }
+        }
+        let reached = self.assembly.continue_to(&nominal, &target);
+        let guessed = given.iter().enumerate().any(|(i, v)| v.is_some() && !self.is_independent(i));
+        if !guessed {
+            return reached;
+        }
+        let mut q = reached.unwrap_or(target);
+        for (mine, value) in q.iter_mut().zip(given) {
+            *mine = value.unwrap_or(*mine);
+        }
+        let near = q.clone();
+        match self.assembly.correct(&mut q) {
+            Ok(()) => Ok(q),
+            Err(unreachable) => self.search(near, given).ok_or(unreachable),
+        }
+    }
+
+    /// Newton from many places of the left-out dependent coordinates; of the solutions found the one
+    /// nearest to the start values that were given.
+    fn search(&mut self, near: Vec<f64>, given: &[Option<f64>]) -> Option<Vec<f64>> {
+        let mut best: Option<(f64, Vec<f64>)> = None;
+        let mut draw = 0_u64;
+        for _ in 0..MAX_STARTS {
+            let mut q = near.clone();
+            for (i, mine) in q.iter_mut().enumerate() {
+                if given[i].is_none() && !self.is_independent(i) {
+                    let (low, high) = self.ranges[i];
+                    draw += 1;
+                    *mine = low + (high - low) * (draw as f64 * GOLDEN).fract();
+                }
+            }
+            if self.assembly.correct(&mut q).is_ok() {
+                let off =
+                    q.iter().zip(given).filter_map(|(x, g)| Some((x - (*g)?).abs())).fold(0.0, f64::max);
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, q));
+                }
+            }
+        }
+        best.map(|(_, q)| q)
+    }
+}

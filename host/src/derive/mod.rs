@@ -1,0 +1,182 @@
+//! `smartbed derive`: the equations of motion as Rust, one file or a crate that stands on its own.
+
+use crate::engine::crate_text;
+use crate::failure::Failure;
+use crate::{model_argument, output};
+use clap::ValueEnum;
+use smartbed_codegen::model::Model;
+use smartbed_codegen::{Answer, EmitOptions, ParameterChoice, Program, ScalarType, program, rust};
+use std::path::Path;
+
+/// Derive the equations of motion and write them as no_std Rust.
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Example:
+  cargo smartbed derive tile --scalar f32 -o tile.rs
+  cargo smartbed derive fourbar --crate ../fourbar")]
+pub struct Arguments {
+    /// The model: a path, or a name under models/.
+    pub model: String,
+    /// Where the file goes; - is standard output.
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    pub output: String,
+    /// Write a crate without dependency on this project into this folder instead.
+    #[arg(long = "crate", value_name = "DIR", conflicts_with = "output")]
+    pub folder: Option<String>,
+    /// The scalar of the emitted code.
+    #[arg(long, value_enum, default_value_t)]
+    pub scalar: EmittedScalar,
+    /// The form of the equations.
+    #[arg(long, value_enum, default_value_t)]
+    pub form: Form,
+    /// Only these functions, without the struct that joins them to the runtime:
+    /// rates, energy, speeds, outputs, projection.
+    #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
+    pub answers: Vec<Answer>,
+    /// Keep these fixed parameters as fields.
+    #[arg(long, value_delimiter = ',', value_name = "NAME")]
+    pub keep: Vec<String>,
+    /// Changes a parameter's default, or the folded value of a fixed one; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Print one JSON object about what was derived.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Scalars of emitted code.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum EmittedScalar {
+    /// 32-bit floating point.
+    F32,
+    /// 64-bit floating point.
+    #[default]
+    F64,
+    /// Eight mechanisms side by side in f32.
+    F32x8,
+    /// Four mechanisms side by side in f64.
+    F64x4,
+}
+
+impl EmittedScalar {
+    fn scalar_type(self) -> ScalarType {
+        match self {
+            Self::F32 => ScalarType::F32,
+            Self::F64 => ScalarType::F64,
+            Self::F32x8 => ScalarType::Path("wide::f32x8".to_owned()),
+            Self::F64x4 => ScalarType::Path("wide::f64x4".to_owned()),
+        }
+    }
+}
+
+/// Forms of the equations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum Form {
+    /// All coordinates, independent speeds, dependent ones eliminated.
+    #[default]
+    Reduced,
+    /// As reduced, but refused unless the model needs no dependent coordinates as state.
+    Minimal,
+    /// Only what needs no mass: speeds, outputs, projection.
+    Kinematic,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong model or a form that it does not have.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let model = model_argument::read(&arguments.model)?;
+    let choice = choice(arguments, &model)?;
+    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let options = EmitOptions {
+        scalar: arguments.scalar.scalar_type(),
+        answers: answers(arguments, &model)?,
+        ..Default::default()
+    };
+    let written = match &arguments.folder {
+        None => {
+            output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;
+            arguments.output.clone()
+        }
+        Some(folder) => {
+            for (path, text) in crate_text::library(&program, &options.scalar, &options) {
+                let file = Path::new(folder).join(path);
+                if let Some(parent) = file.parent() {
+                    std::fs::create_dir_all(parent)
+                        .map_err(|e| Failure::Wrong(format!("cannot create {}: {e}", parent.display())))?;
+                }
+                output::write(&file.display().to_string(), text.as_bytes())?;
+            }
+            folder.clone()
+        }
+    };
+    report(arguments, &program, &written);
+    Ok(())
+}
+
+/// What was written, where the text itself does not go to standard output.
+fn report(arguments: &Arguments, program: &Program, written: &str) {
+    if written == "-" {
+        return;
+    }
+    let operations = |answer: Answer| program.dag.cone_cost(&answer.roots(program));
+    let text = if arguments.json {
+        let costs = Answer::ALL.map(|a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
+        let costs = serde_json::Map::from_iter(costs);
+        let done = serde_json::json!({"model": program.name, "output": written, "operations": costs});
+        format!("{done}\n")
+    } else {
+        format!("{}: {} operations per evaluation, in {written}\n", program.name, operations(Answer::Rates))
+    };
+    output::print(&text);
+}
+
+/// Parameters kept and changed, by names that exist.
+fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failure> {
+    let mut choice = ParameterChoice { keep: arguments.keep.clone(), ..Default::default() };
+    for change in &arguments.set {
+        let (name, value) = model_argument::assignment(change)?;
+        choice.values.insert(name, value);
+    }
+    let known = || model.parameters.iter().map(|p| p.name.as_str());
+    for name in choice.keep.iter().chain(choice.values.keys()) {
+        if !known().any(|k| k == name) {
+            let help = crate::suggest::help(name, known());
+            return Err(Failure::Wrong(format!("`{}` has no parameter `{name}`{help}", model.name)));
+        }
+    }
+    Ok(choice)
+}
+
+/// The functions of the form.
+fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure> {
+    const KINEMATIC: [Answer; 3] = [Answer::Speeds, Answer::Outputs, Answer::Projection];
+    match arguments.form {
+        Form::Reduced => Ok(arguments.answers.clone()),
+        Form::Minimal => {
+            let dependent: Vec<&str> = model
+                .coordinates
+                .iter()
+                .filter(|c| !c.independent && c.closed_form.is_none())
+                .map(|c| c.name.as_str())
+                .collect();
+            if dependent.is_empty() {
+                return Ok(arguments.answers.clone());
+            }
+            Err(Failure::Wrong(format!(
+                "--form minimal: `{}` has dependent coordinates as state ({}); expected a closed form for each of \
+                 them in the model (closed_form = \"...\"), or use --form reduced",
+                model.name,
+                dependent.join(", ")
+            )))
+        }
+        Form::Kinematic => match arguments.answers.iter().find(|a| !KINEMATIC.contains(a)) {
+            Some(dynamic) => Err(Failure::Wrong(format!(
+                "--form kinematic: the answer `{}` needs masses; expected some of speeds, outputs, projection",
+                dynamic.name()
+            ))),
+            None if arguments.answers.is_empty() => Ok(KINEMATIC.to_vec()),
+            None => Ok(arguments.answers.clone()),
+        },
+    }
+}

@@ -1,0 +1,177 @@
+//! The emitted Rust, compiled into a dynamic library and called through its one C function.
+
+use super::{Engine, EngineScalar, cache, crate_text};
+use crate::failure::Failure;
+use libloading::Library;
+use smartbed_codegen::Program;
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+
+/// The C function: which answer, arguments, results; whether the lengths fit.
+type AnswerFunction<S> = unsafe extern "C" fn(u32, *const S, usize, *mut S, usize) -> bool;
+
+/// Numbers of the answers in the C function.
+#[derive(Clone, Copy)]
+enum Which {
+    Rates = 0,
+    Energy = 1,
+    Speeds = 2,
+    Outputs = 3,
+    Projection = 4,
+}
+
+/// A mechanism whose equations were compiled a moment ago, or are from the cache.
+#[derive(Debug)]
+pub struct Compiled<S> {
+    function: AnswerFunction<S>,
+    /// Keeps the function's code loaded.
+    _library: Library,
+    n_q: usize,
+    n_u: usize,
+    n_inputs: usize,
+    n_speeds: usize,
+    n_outputs: usize,
+    corrected: Vec<usize>,
+    angles: Vec<bool>,
+    /// t, q, u, inputs, parameters.
+    arguments: Vec<S>,
+    rates: Vec<S>,
+}
+
+impl<S: EngineScalar> Compiled<S> {
+    /// Compiles the program, if it is not in the cache, and loads it.
+    ///
+    /// # Errors
+    /// As [`cache::library`]; [`Failure::Wrong`] if the library cannot be loaded.
+    pub fn new(program: &Program) -> Result<Self, Failure> {
+        let files = crate_text::dynamic(program, S::scalar_type(), &cache::libm_version());
+        let path = cache::library(&files)?;
+        let (library, function) =
+            load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
+        let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
+        let mut arguments = vec![S::ZERO; 1 + n_q + n_u + n_inputs];
+        arguments.extend(program.parameters.iter().map(|p| S::from_f64(p.value)));
+        Ok(Self {
+            function,
+            _library: library,
+            n_q,
+            n_u,
+            n_inputs,
+            n_speeds: program.speeds.len(),
+            n_outputs: program.outputs.len(),
+            corrected: program.correction.iter().map(|(i, _)| *i).collect(),
+            angles: program.q.iter().map(|q| q.is_angle).collect(),
+            arguments,
+            rates: vec![S::ZERO; n_q + n_u + 1],
+        })
+    }
+
+    fn set(&mut self, t: S, q: &[S], u: &[S], inputs: Option<&[S]>) -> Result<(), Fault> {
+        if q.len() != self.n_q || u.len() != self.n_u || inputs.is_some_and(|i| i.len() != self.n_inputs) {
+            return Err(Fault::Shape);
+        }
+        let values = [t].into_iter().chain(q.iter().chain(u).chain(inputs.unwrap_or_default()).copied());
+        self.arguments.iter_mut().zip(values).for_each(|(mine, value)| *mine = value);
+        Ok(())
+    }
+
+    fn answer(&self, which: Which, results: &mut [S]) -> Result<(), Fault> {
+        call(self.function, which, &self.arguments, results)
+    }
+}
+
+#[expect(unsafe_code, reason = "a compiled library is loaded through the C interface of the system")]
+fn load<S>(path: &std::path::Path) -> Result<(Library, AnswerFunction<S>), libloading::Error> {
+    // SAFETY: the library is this program's own, written by `crate_text::dynamic`: it has no
+    // initialisers, and the symbol has exactly this type for the scalar that it was emitted with.
+    unsafe {
+        let library = Library::new(path)?;
+        let function = *library.get::<AnswerFunction<S>>(b"smartbed_answer\0")?;
+        Ok((library, function))
+    }
+}
+
+#[expect(unsafe_code, reason = "the one call through the C interface of a compiled library")]
+fn call<S>(
+    function: AnswerFunction<S>,
+    which: Which,
+    arguments: &[S],
+    results: &mut [S],
+) -> Result<(), Fault> {
+    let (n_arguments, n_results) = (arguments.len(), results.len());
+    // SAFETY: pointers and lengths are those of two slices; the library is loaded as long as the
+    // mechanism that holds `function`.
+    let fits =
+        unsafe { function(which as u32, arguments.as_ptr(), n_arguments, results.as_mut_ptr(), n_results) };
+    if fits { Ok(()) } else { Err(Fault::Shape) }
+}
+
+impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
+    fn n_q(&self) -> usize {
+        self.n_q
+    }
+    fn n_u(&self) -> usize {
+        self.n_u
+    }
+    fn n_inputs(&self) -> usize {
+        self.n_inputs
+    }
+    fn is_angle(&self, index: usize) -> bool {
+        self.angles.get(index).copied().unwrap_or(false)
+    }
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        inputs: &[S],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        self.set(t, q, u, Some(inputs))?;
+        call(self.function, Which::Rates, &self.arguments, &mut self.rates)?;
+        if q_dot.len() != self.n_q || u_dot.len() != self.n_u {
+            return Err(Fault::Shape);
+        }
+        let (first, rest) = self.rates.split_at(self.n_q);
+        q_dot.copy_from_slice(first);
+        u_dot.copy_from_slice(&rest[..self.n_u]);
+        Ok(rest[self.n_u])
+    }
+    fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
+        if q.len() != self.n_q {
+            return Err(Fault::Shape);
+        }
+        self.arguments[1..=self.n_q].copy_from_slice(q);
+        let mut results = vec![S::ZERO; self.corrected.len() + 1];
+        self.answer(Which::Projection, &mut results)?;
+        for (&index, &correction) in self.corrected.iter().zip(&results) {
+            q[index] = q[index] + correction;
+        }
+        Ok(results[self.corrected.len()])
+    }
+    fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
+        self.set(self.arguments[0], q, u, None)?;
+        let mut energy = [S::ZERO; 2];
+        self.answer(Which::Energy, &mut energy)?;
+        Ok((energy[0], energy[1]))
+    }
+}
+
+impl<S: EngineScalar> Engine<S> for Compiled<S> {
+    fn set_parameters(&mut self, values: &[S]) {
+        let first = 1 + self.n_q + self.n_u + self.n_inputs;
+        self.arguments[first..].iter_mut().zip(values).for_each(|(mine, value)| *mine = *value);
+    }
+    fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        self.set(self.arguments[0], q, u, None)?;
+        let mut values = vec![S::ZERO; self.n_speeds];
+        self.answer(Which::Speeds, &mut values)?;
+        Ok(values)
+    }
+    fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault> {
+        self.set(t, q, u, Some(inputs))?;
+        let mut values = vec![S::ZERO; self.n_outputs];
+        self.answer(Which::Outputs, &mut values)?;
+        Ok(values)
+    }
+}

@@ -1,0 +1,105 @@
+//! A small crate that stands on its own: emitted equations, the runtime's numbers, a manifest.
+//!
+//! In: a program and a scalar. Out: (path, text) of every file. The crate needs `libm`, and `wide` for
+//! lanes; nothing else of this project.
+
+use smartbed_codegen::{EmitOptions, Program, ScalarType, rust};
+use smartbed_runtime::SOURCES;
+
+/// (path within the crate, text).
+pub type Files = Vec<(String, String)>;
+
+/// The no_std crate of `derive --crate`.
+#[must_use]
+pub fn library(program: &Program, scalar: &ScalarType, options: &EmitOptions) -> Files {
+    let lanes = matches!(scalar, ScalarType::Path(_));
+    let wide = if lanes { "wide = { version = \"1.7\", default-features = false }\n" } else { "" };
+    let features = if lanes { "default = [\"simd\"]\n" } else { "" };
+    let name = crate_name(&program.name);
+    let about = if program.doc.is_empty() { &program.name } else { &program.doc };
+    let manifest = format!(
+        "# Written by `smartbed derive --crate`.
+[package]
+name = \"{name}\"
+description = {about:?}
+version = \"0.1.0\"
+edition = \"2024\"
+rust-version = \"1.89\"
+
+[dependencies]
+libm = {{ version = \"0.2\", default-features = false }}
+{wide}
+[features]
+{features}simd = []
+counting = []
+
+[profile.release]
+panic = \"abort\"
+
+# Stands on its own, also inside the folder of a workspace.
+[workspace]
+"
+    );
+    let root = format!(
+        "//! {}
+//!
+//! `equations` is generated; `real` and `mechanism` are the parts of the runtime that it needs.
+#![no_std]
+
+pub mod equations;
+pub mod mechanism;
+pub mod real;
+
+pub use equations::*;
+",
+        about.replace('\n', " ")
+    );
+    let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
+    let options = EmitOptions { runtime: "crate".to_owned(), ..options.clone() };
+    files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
+    files.extend(sources());
+    files
+}
+
+/// The dynamic library of `--engine compiled`: one C function that gives any answer.
+#[must_use]
+pub fn dynamic(program: &Program, scalar: ScalarType, libm: &str) -> Files {
+    let manifest = format!(
+        "[package]
+name = \"smartbed-compiled\"
+version = \"0.1.0\"
+edition = \"2024\"
+
+[lib]
+crate-type = [\"cdylib\"]
+
+[dependencies]
+libm = {{ version = \"{libm}\", default-features = false }}
+
+[features]
+simd = []
+counting = []
+
+[workspace]
+"
+    );
+    let options = EmitOptions { scalar, runtime: "crate".to_owned(), answers: Vec::new() };
+    let root = include_str!("dynamic.rs.txt").replace("MECHANISM", &rust::mechanism_name(program));
+    let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
+    files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
+    files.extend(sources());
+    files
+}
+
+fn sources() -> impl Iterator<Item = (String, String)> {
+    SOURCES.iter().map(|(path, text)| (format!("src/{path}"), (*text).to_owned()))
+}
+
+/// `my tile` -> `my-tile`: what cargo takes for the name of a package.
+fn crate_name(model: &str) -> String {
+    let name: String = model
+        .chars()
+        .map(|c| if c.is_ascii_alphanumeric() || c == '_' { c.to_ascii_lowercase() } else { '-' })
+        .collect();
+    if name.starts_with(|c: char| c.is_ascii_alphabetic()) { name } else { format!("model-{name}") }
+}

@@ -1,0 +1,106 @@
+//! What evaluates a program: the interpreter, or the emitted Rust compiled on the spot. Same bits.
+
+pub mod cache;
+pub mod compiled;
+pub mod crate_text;
+
+use crate::failure::Failure;
+use clap::ValueEnum;
+use smartbed_codegen::{Interpreted, Program, ScalarType};
+use smartbed_runtime::integrator::tableau::Tabulated;
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+
+/// Which engine.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum EngineKind {
+    /// At once, no compiler in between.
+    #[default]
+    Interpreter,
+    /// The emitted Rust, compiled once per model into a cache.
+    Compiled,
+}
+
+/// Scalars that one state can be computed with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum ScalarKind {
+    /// 32-bit floating point, as on the microcontroller.
+    F32,
+    /// 64-bit floating point.
+    #[default]
+    F64,
+}
+
+/// A scalar that an engine computes with.
+pub trait EngineScalar: Tabulated {
+    /// Its name in emitted files.
+    fn scalar_type() -> ScalarType;
+}
+
+impl EngineScalar for f32 {
+    fn scalar_type() -> ScalarType {
+        ScalarType::F32
+    }
+}
+
+impl EngineScalar for f64 {
+    fn scalar_type() -> ScalarType {
+        ScalarType::F64
+    }
+}
+
+/// Equations of motion and everything else a program answers.
+pub trait Engine<S: EngineScalar>: Mechanism<S> {
+    /// Sets all tunable parameters, in the program's order.
+    fn set_parameters(&mut self, values: &[S]);
+    /// All speeds, dependent ones included.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault>;
+    /// The model's outputs.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault>;
+    /// Largest constraint residual of a configuration, which stays as it is.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if `q` has not the stated length.
+    fn residual(&mut self, q: &[S]) -> Result<S, Fault> {
+        self.project(&mut q.to_vec())
+    }
+}
+
+impl<S: EngineScalar> Engine<S> for Interpreted<S> {
+    fn set_parameters(&mut self, values: &[S]) {
+        Interpreted::set_parameters(self, values);
+    }
+    fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        Interpreted::speeds(self, q, u)
+    }
+    fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault> {
+        Interpreted::outputs(self, t, q, u, inputs)
+    }
+}
+
+/// The engine of a kind, with the program's default parameters.
+///
+/// # Errors
+/// [`Failure::Lacking`] without a compiler; [`Failure::Wrong`] if the emitted Rust does not compile.
+pub fn new<S: EngineScalar>(kind: EngineKind, program: &Program) -> Result<Box<dyn Engine<S>>, Failure> {
+    Ok(match kind {
+        EngineKind::Interpreter => Box::new(Interpreted::<S>::new(program)),
+        EngineKind::Compiled => Box::new(compiled::Compiled::<S>::new(program)?),
+    })
+}
+
+/// A fault in words.
+#[must_use]
+pub fn explain(fault: Fault) -> &'static str {
+    match fault {
+        Fault::Shape => "a list has the wrong length",
+        Fault::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
+        Fault::NonFinite => "a value has become infinite or not a number",
+        Fault::StepSize => "the tolerance is not met even with the smallest step",
+    }
+}

@@ -1,0 +1,151 @@
+//! `smartbed eval`: the equations at given states, for scripts and for comparison with other tools.
+//!
+//! In: a model and a JSON file of states ([`states`]). Out: JSON in the same order ([`write`]).
+//! The model is derived once, with every parameter that any state names kept tunable.
+
+pub mod states;
+mod write;
+
+use crate::configuration::Configurations;
+use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::{model_argument, output};
+use smartbed_codegen::model::Model;
+use smartbed_codegen::{Answer, ParameterChoice, Program, program};
+use states::State;
+use write::Evaluated;
+
+/// Evaluate the equations of motion at given states.
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Example:
+  cargo smartbed eval tile --states in.json -o out.json
+  with in.json: {\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0}, \"u\": {\"u_hA\": 0.1},
+                              \"inputs\": {\"FA\": 30}, \"parameters\": {\"M\": 8}}]}
+
+SI units. Independent coordinates must be given; dependent ones are solved for where left out.
+Left-out speeds and inputs are 0, left-out parameters are the model's.")]
+pub struct Arguments {
+    /// The model: a path, or a name under models/.
+    pub model: String,
+    /// JSON file of states; - is standard input.
+    #[arg(long, value_name = "IN.json")]
+    pub states: String,
+    /// Where the answers go; - is standard output.
+    #[arg(short, long, value_name = "OUT.json", default_value = "-")]
+    pub output: String,
+    /// What evaluates.
+    #[arg(long, value_enum, default_value_t)]
+    pub engine: EngineKind,
+    /// What it computes with.
+    #[arg(long, value_enum, default_value_t)]
+    pub scalar: ScalarKind,
+    /// Only these: rates, energy, speeds, outputs, projection [default: all but speeds].
+    #[arg(long, value_delimiter = ',', value_parser = answer)]
+    pub answers: Vec<Answer>,
+    /// Print one JSON object about what was done (the answers are JSON in any case).
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The answer of a name.
+pub(crate) fn answer(name: &str) -> Result<Answer, String> {
+    let names = Answer::ALL.map(Answer::name);
+    Answer::ALL
+        .into_iter()
+        .find(|a| a.name() == name)
+        .ok_or_else(|| format!("no such answer{}", crate::suggest::help(name, names)))
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong model or state, status 2 without a compiler for `--engine compiled`.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let model = model_argument::read(&arguments.model)?;
+    let states = states::read(&arguments.states)?;
+    let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };
+    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let text = match arguments.scalar {
+        ScalarKind::F32 => evaluate::<f32>(arguments, &model, &program, &states)?,
+        ScalarKind::F64 => evaluate::<f64>(arguments, &model, &program, &states)?,
+    };
+    output::write(&arguments.output, text.as_bytes())?;
+    if arguments.json && arguments.output != "-" {
+        let done = serde_json::json!({
+            "model": program.name, "states": states.len(), "output": arguments.output,
+        });
+        output::print(&format!("{done}\n"));
+    }
+    Ok(())
+}
+
+fn evaluate<S: EngineScalar>(
+    arguments: &Arguments,
+    model: &Model,
+    program: &Program,
+    states: &[State],
+) -> Result<String, Failure> {
+    let answers = match arguments.answers.as_slice() {
+        [] => &[Answer::Rates, Answer::Energy, Answer::Outputs, Answer::Projection],
+        given => given,
+    };
+    let mut engine = engine::new::<S>(arguments.engine, program)?;
+    let mut configurations = Configurations::new(model, program);
+    let mut progress = Progress::new("evaluating");
+    let mut text = String::from("{\"states\": [");
+    for (number, state) in states.iter().enumerate() {
+        progress.at(number as f64 / states.len() as f64);
+        let at =
+            |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
+        let given = state.resolve(program, &configurations).map_err(at)?;
+        let q = configurations.complete(&given.parameters, &given.q).map_err(|unreachable| {
+            at(format!(
+                "the dependent coordinates cannot be found: a constraint residual of {:.1e} is left; expected \
+                 independent coordinates within reach of the nominal configuration (its branch is followed), \
+                 or start values of the dependent ones nearer to a solution",
+                unreachable.residual
+            ))
+        })?;
+        engine.set_parameters(&rounded::<S>(&given.parameters));
+        let evaluated = one(engine.as_mut(), &q, &given.u, &given.inputs)
+            .map_err(|fault| at(explain(fault).to_owned()))?;
+        if let Some(what) = evaluated.not_finite() {
+            return Err(at(format!(
+                "{what} is not finite: the configuration is singular, or a number too large"
+            )));
+        }
+        text.push_str(if number == 0 { "\n" } else { ",\n" });
+        evaluated.write(program, answers, &mut text);
+    }
+    text.push_str("\n]}\n");
+    Ok(text)
+}
+
+fn rounded<S: EngineScalar>(values: &[f64]) -> Vec<S> {
+    values.iter().map(|&x| S::from_f64(x)).collect()
+}
+
+fn one<S: EngineScalar>(
+    engine: &mut dyn Engine<S>,
+    q: &[f64],
+    u: &[f64],
+    inputs: &[f64],
+) -> Result<Evaluated, smartbed_runtime::mechanism::Fault> {
+    let (state_q, state_u, state_inputs) = (rounded::<S>(q), rounded::<S>(u), rounded::<S>(inputs));
+    let (mut q_dot, mut u_dot) = (vec![S::ZERO; q.len()], vec![S::ZERO; u.len()]);
+    let pivot = engine.rates(S::ZERO, &state_q, &state_u, &state_inputs, &mut q_dot, &mut u_dot)?;
+    let energy = engine.energy(&state_q, &state_u)?;
+    let widened = |values: Vec<S>| values.into_iter().map(S::to_f64).collect::<Vec<f64>>();
+    Ok(Evaluated {
+        q: q.to_vec(),
+        u: u.to_vec(),
+        q_dot: widened(q_dot),
+        u_dot: widened(u_dot),
+        pivot: pivot.to_f64(),
+        energy: [energy.0.to_f64(), energy.1.to_f64()],
+        speeds: widened(engine.speeds(&state_q, &state_u)?),
+        outputs: widened(engine.outputs(S::ZERO, &state_q, &state_u, &state_inputs)?),
+        residual: engine.residual(&state_q)?.to_f64(),
+    })
+}

@@ -1,0 +1,207 @@
+//! States files: `{"states": [{"q": {name: value}, "u": {...}, "inputs": {...}, "parameters": {...}}]}`.
+//!
+//! In: text. Out: named numbers per state, then lists in a program's order. Every name must exist and
+//! belong where it stands; messages say which state and which name.
+
+use crate::configuration::Configurations;
+use crate::failure::Failure;
+use crate::suggest;
+use serde_json::{Map, Value};
+use smartbed_codegen::Program;
+use smartbed_codegen::model::Model;
+use smartbed_codegen::program::Quantity;
+use std::io::Read;
+
+/// Names of the groups of a state.
+const GROUPS: [&str; 4] = ["q", "u", "inputs", "parameters"];
+/// Most states in one file.
+const MOST_STATES: usize = 1_000_000;
+
+/// One state as written: named numbers.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct State {
+    /// Coordinates.
+    pub q: Vec<(String, f64)>,
+    /// Independent speeds.
+    pub u: Vec<(String, f64)>,
+    /// Inputs.
+    pub inputs: Vec<(String, f64)>,
+    /// Parameters.
+    pub parameters: Vec<(String, f64)>,
+}
+
+/// One state in a program's order.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Given {
+    /// Coordinates; `None` is solved for.
+    pub q: Vec<Option<f64>>,
+    /// Independent speeds.
+    pub u: Vec<f64>,
+    /// Inputs.
+    pub inputs: Vec<f64>,
+    /// Tunable parameters.
+    pub parameters: Vec<f64>,
+}
+
+/// Reads a states file; `-` is standard input.
+///
+/// # Errors
+/// [`Failure::Wrong`] with the place.
+pub fn read(path: &str) -> Result<Vec<State>, Failure> {
+    let text = if path == "-" {
+        let mut text = String::new();
+        std::io::stdin().read_to_string(&mut text).map(|_| text)
+    } else {
+        std::fs::read_to_string(path)
+    };
+    let text = text.map_err(|e| Failure::Wrong(format!("cannot read {path}: {e}")))?;
+    parse(&text).map_err(|message| Failure::Wrong(format!("{path}: {message}")))
+}
+
+/// Reads the text of a states file.
+///
+/// # Errors
+/// What is wrong and where.
+pub fn parse(text: &str) -> Result<Vec<State>, String> {
+    let value: Value = serde_json::from_str(text).map_err(|e| format!("not JSON: {e}"))?;
+    let expected = "expected {\"states\": [{\"q\": {...}, \"u\": {...}, ...}, ...]}";
+    let list = value.get("states").ok_or_else(|| format!("there is no \"states\"; {expected}"))?;
+    let list = list.as_array().ok_or_else(|| format!("\"states\" is no list; {expected}"))?;
+    if list.len() > MOST_STATES {
+        return Err(format!("{} states; at most {MOST_STATES} are taken at once", list.len()));
+    }
+    list.iter().enumerate().map(|(n, s)| state(s).map_err(|m| format!("states[{n}]{m}"))).collect()
+}
+
+fn state(value: &Value) -> Result<State, String> {
+    let groups = value.as_object().ok_or(": expected an object {\"q\": {...}, ...}")?;
+    if let Some(unknown) = groups.keys().find(|k| !GROUPS.contains(&k.as_str())) {
+        return Err(format!(": unknown key `{unknown}`{}", suggest::help(unknown, GROUPS)));
+    }
+    let mut state = State::default();
+    let lists = [&mut state.q, &mut state.u, &mut state.inputs, &mut state.parameters];
+    for (name, list) in GROUPS.into_iter().zip(lists) {
+        *list = match groups.get(name) {
+            None => Vec::new(),
+            Some(Value::Object(numbers)) => named_numbers(numbers).map_err(|m| format!(".{name}{m}"))?,
+            Some(_) => return Err(format!(".{name}: expected an object {{name: number, ...}}")),
+        };
+    }
+    Ok(state)
+}
+
+fn named_numbers(numbers: &Map<String, Value>) -> Result<Vec<(String, f64)>, String> {
+    let number = |(name, value): (&String, &Value)| match value.as_f64() {
+        Some(x) if x.is_finite() => Ok((name.clone(), x)),
+        _ => Err(format!(".{name}: expected a number, found {value}")),
+    };
+    numbers.iter().map(number).collect()
+}
+
+/// Names of all parameters that any state names, in the model's order.
+///
+/// # Errors
+/// [`Failure::Wrong`] for a name that the model has not.
+pub fn parameters(states: &[State], model: &Model) -> Result<Vec<String>, Failure> {
+    let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    let mut named = std::collections::BTreeSet::new();
+    for (n, state) in states.iter().enumerate() {
+        for (name, _) in &state.parameters {
+            if !known.contains(&name.as_str()) {
+                let help = suggest::help(name, known);
+                let model = &model.name;
+                return Err(Failure::Wrong(format!(
+                    "states[{n}].parameters: `{model}` has no parameter `{name}`{help}"
+                )));
+            }
+            named.insert(name.as_str());
+        }
+    }
+    Ok(known.into_iter().filter(|name| named.contains(name)).map(str::to_owned).collect())
+}
+
+impl State {
+    /// The numbers in the program's order.
+    ///
+    /// # Errors
+    /// A name that does not belong where it stands; a left-out independent coordinate.
+    pub fn resolve(&self, program: &Program, configurations: &Configurations) -> Result<Given, String> {
+        let q = place(&self.q, &program.q, "q", "coordinate")?;
+        for (i, value) in q.iter().enumerate() {
+            if value.is_none() && configurations.is_independent(i) {
+                let name = &program.q[i].name;
+                return Err(format!("q: the independent coordinate `{name}` is left out"));
+            }
+        }
+        if let Some((name, _)) = self.u.iter().find(|(name, _)| {
+            program.speeds.iter().any(|(s, _)| s == name) && !program.u.iter().any(|u| u.name == *name)
+        }) {
+            let independent: Vec<&str> = program.u.iter().map(|u| u.name.as_str()).collect();
+            return Err(format!(
+                "u: the speed `{name}` is dependent: it follows from {}",
+                independent.join(", ")
+            ));
+        }
+        let or_default = |values: Vec<Option<f64>>, list: &[Quantity]| -> Vec<f64> {
+            values.iter().zip(list).map(|(v, quantity)| v.unwrap_or(quantity.value)).collect()
+        };
+        Ok(Given {
+            q,
+            u: or_default(place(&self.u, &program.u, "u", "independent speed")?, &program.u),
+            inputs: or_default(place(&self.inputs, &program.inputs, "inputs", "input")?, &program.inputs),
+            parameters: or_default(
+                place(&self.parameters, &program.parameters, "parameters", "parameter")?,
+                &program.parameters,
+            ),
+        })
+    }
+}
+
+/// The named numbers in the order of `list`.
+fn place(
+    named: &[(String, f64)],
+    list: &[Quantity],
+    group: &str,
+    kind: &str,
+) -> Result<Vec<Option<f64>>, String> {
+    let mut values = vec![None; list.len()];
+    for (name, value) in named {
+        let Some(index) = list.iter().position(|x| x.name == *name) else {
+            let help = suggest::help(name, list.iter().map(|x| x.name.as_str()));
+            return Err(format!("{group}: the model has no {kind} `{name}`{help}"));
+        };
+        values[index] = Some(*value);
+    }
+    Ok(values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_named() {
+        let cases = [
+            ("[]", "there is no \"states\""),
+            ("{\"states\": 3}", "no list"),
+            ("{\"states\": [3]}", "states[0]: expected an object"),
+            ("{\"states\": [{}, {\"Q\": {}}]}", "states[1]: unknown key `Q`"),
+            ("{\"states\": [{\"q\": []}]}", "states[0].q: expected an object"),
+            ("{\"states\": [{\"u\": {\"a\": \"1\"}}]}", "states[0].u.a: expected a number, found \"1\""),
+            ("{\"states\": [{\"u\": {\"a\": 1e999}}]}", "not JSON"),
+            ("{\"states\":\n x}", "line 2"),
+        ];
+        for (text, message) in cases {
+            let found = parse(text).expect_err(text);
+            assert!(found.contains(message), "{text}: {found}");
+        }
+    }
+
+    #[test]
+    fn every_digit_is_read() {
+        // Half an ulp matters here: a fast parser may miss the nearest double.
+        let text = "{\"states\": [{\"q\": {\"a\": 1.7976931348623157e308, \"b\": 0.1000000000000000055}}]}";
+        let states = parse(text).expect("valid");
+        assert_eq!(states[0].q, [("a".to_owned(), f64::MAX), ("b".to_owned(), 0.1)]);
+    }
+}

@@ -1,0 +1,68 @@
+//! One evaluated state as JSON, with the names of the program and 17 significant digits.
+
+use crate::number::{json_number, json_object};
+use smartbed_codegen::program::Quantity;
+use smartbed_codegen::{Answer, Program};
+
+/// Everything known about one state.
+pub(super) struct Evaluated {
+    pub q: Vec<f64>,
+    pub u: Vec<f64>,
+    pub q_dot: Vec<f64>,
+    pub u_dot: Vec<f64>,
+    pub pivot: f64,
+    pub energy: [f64; 2],
+    pub speeds: Vec<f64>,
+    pub outputs: Vec<f64>,
+    pub residual: f64,
+}
+
+impl Evaluated {
+    /// What is not a number, or infinite.
+    pub fn not_finite(&self) -> Option<&'static str> {
+        let lists: [(&str, &[f64]); 6] = [
+            ("q_dot", &self.q_dot),
+            ("u_dot", &self.u_dot),
+            ("energy", &self.energy),
+            ("a speed", &self.speeds),
+            ("an output", &self.outputs),
+            ("the constraint residual", std::slice::from_ref(&self.residual)),
+        ];
+        lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())).map(|(name, _)| name)
+    }
+
+    /// Appends `{"q": ..., "u": ..., ...}`.
+    pub fn write(&self, program: &Program, answers: &[Answer], text: &mut String) {
+        let quantities = |list: &[Quantity], values: &[f64]| {
+            json_object(list.iter().map(|x| x.name.as_str()).zip(values.iter().copied()))
+        };
+        let named = |list: &[(String, _)], values: &[f64]| {
+            json_object(list.iter().map(|(name, _)| name.as_str()).zip(values.iter().copied()))
+        };
+        let mut parts = vec![
+            format!("\"q\": {}", quantities(&program.q, &self.q)),
+            format!("\"u\": {}", quantities(&program.u, &self.u)),
+        ];
+        for answer in answers {
+            match answer {
+                Answer::Rates => {
+                    parts.push(format!("\"q_dot\": {}", quantities(&program.q, &self.q_dot)));
+                    parts.push(format!("\"u_dot\": {}", quantities(&program.u, &self.u_dot)));
+                    parts.push(format!("\"worst_pivot\": {}", json_number(self.pivot)));
+                }
+                Answer::Energy => {
+                    let energy = ["kinetic", "potential"].into_iter().zip(self.energy);
+                    parts.push(format!("\"energy\": {}", json_object(energy)));
+                }
+                Answer::Speeds => parts.push(format!("\"speeds\": {}", named(&program.speeds, &self.speeds))),
+                Answer::Outputs => {
+                    parts.push(format!("\"outputs\": {}", named(&program.outputs, &self.outputs)));
+                }
+                Answer::Projection => {
+                    parts.push(format!("\"constraint_residual\": {}", json_number(self.residual)));
+                }
+            }
+        }
+        text.push_str(&format!("  {{{}}}", parts.join(", ")));
+    }
+}

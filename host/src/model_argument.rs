@@ -1,0 +1,112 @@
+//! The model on a command line: a path, or the name of a file under `models/`; and `name=value`.
+//!
+//! Names are looked up in `models/` and `models/scenes/` of the current folder and of the folders above
+//! it, up to the root of the workspace (the first folder with a Cargo.lock).
+
+use crate::failure::Failure;
+use crate::suggest;
+use smartbed_codegen::model::{self, Model};
+use std::path::{Path, PathBuf};
+
+/// Finds the file of a model or scene.
+///
+/// # Errors
+/// [`Failure::Wrong`] with the likely name, if there is no such file.
+pub fn find(argument: &str) -> Result<PathBuf, Failure> {
+    let given = Path::new(argument);
+    if given.is_file() {
+        return Ok(given.to_owned());
+    }
+    let mut known = Vec::new();
+    for folder in model_folders() {
+        for candidate in [folder.join(argument), folder.join(format!("{argument}.toml"))] {
+            if candidate.is_file() {
+                return Ok(candidate);
+            }
+        }
+        known.extend(names_in(&folder));
+    }
+    known.sort();
+    known.dedup();
+    let help = suggest::help(argument, known.iter().map(String::as_str));
+    Err(Failure::Wrong(format!(
+        "no model `{argument}`: expected the path of a file, or the name of one under models/{help}"
+    )))
+}
+
+/// Finds and reads a model.
+///
+/// # Errors
+/// [`Failure::Wrong`] if there is none, or with everything that is wrong in it.
+pub fn read(argument: &str) -> Result<Model, Failure> {
+    let path = find(argument)?;
+    model::read(&path).map_err(|errors| wrong(&errors))
+}
+
+/// A rendered list of findings as a failure; the command prints `error: ` in front of it.
+#[must_use]
+pub fn wrong(errors: &smartbed_codegen::Diagnostics) -> Failure {
+    let text = errors.to_string();
+    let text = text.trim_end();
+    Failure::Wrong(text.strip_prefix("error: ").unwrap_or(text).to_owned())
+}
+
+/// A `NAME=NUMBER` of the command line.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it is none.
+pub fn assignment(text: &str) -> Result<(String, f64), Failure> {
+    let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
+    match parts {
+        Some((name, Ok(value))) if !name.is_empty() && value.is_finite() => Ok((name.to_owned(), value)),
+        _ => Err(Failure::Wrong(format!(
+            "--set {text}: expected NAME=NUMBER in SI units, for example --set M=8"
+        ))),
+    }
+}
+
+/// `models/` and its folder of scenes, nearest first.
+fn model_folders() -> Vec<PathBuf> {
+    let mut folders = Vec::new();
+    let here = std::env::current_dir().unwrap_or_default();
+    for (depth, folder) in here.ancestors().enumerate() {
+        // Written relative to where we are: the path ends up in generated files and messages.
+        let prefix: PathBuf = std::iter::repeat_n("..", depth).collect();
+        folders.extend([prefix.join("models"), prefix.join("models/scenes")]);
+        if folder.join("Cargo.lock").is_file() {
+            break;
+        }
+    }
+    folders.retain(|f| f.is_dir());
+    folders
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|f| f.path());
+    files
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .filter_map(|p| Some(p.file_stem()?.to_string_lossy().into_owned()))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn assignments() {
+        assert_eq!(assignment("M=8"), Ok(("M".to_owned(), 8.0)));
+        for wrong in ["M", "M=", "=3", "M=heavy", "M=nan", "M=1e999"] {
+            let failure = assignment(wrong).expect_err(wrong);
+            assert!(failure.to_string().contains("NAME=NUMBER"), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn models_are_found_from_below() {
+        // Tests run in the package's folder: the models lie one above.
+        assert_eq!(find("tile").map(|p| p.ends_with("models/tile.toml")), Ok(true));
+        let failure = find("tyle").expect_err("a slip");
+        assert!(failure.to_string().contains("did you mean `tile"), "{failure}");
+    }
+}

@@ -1,0 +1,52 @@
+//! Numbers as text: 17 significant digits, which read back as the same f64.
+
+use std::fmt::Write as _;
+
+/// `x` with 17 significant digits; valid in JSON and CSV if `x` is finite.
+#[must_use]
+pub fn digits(x: f64) -> String {
+    format!("{x:.16e}")
+}
+
+/// `{"name": value, ...}` in the given order; what is not finite becomes `null`.
+pub fn json_object<'a>(entries: impl IntoIterator<Item = (&'a str, f64)>) -> String {
+    let mut text = String::from("{");
+    for (n, (name, value)) in entries.into_iter().enumerate() {
+        let separator = if n == 0 { "" } else { ", " };
+        let _ = write!(text, "{separator}{}: {}", json_string(name), json_number(value));
+    }
+    text + "}"
+}
+
+/// A JSON number, or `null`.
+#[must_use]
+pub fn json_number(x: f64) -> String {
+    if x.is_finite() { digits(x) } else { "null".to_owned() }
+}
+
+/// A JSON string with its quotes.
+#[must_use]
+pub fn json_string(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_read_back() {
+        for x in [0.1, -1.0 / 3.0, 5e-324, f64::MAX, 0.0, -0.0] {
+            assert_eq!(digits(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
+        }
+        assert_eq!(digits(0.1), "1.0000000000000001e-1");
+    }
+
+    #[test]
+    fn json_is_json() {
+        let text = json_object([("a\"b", 0.5), ("c", f64::NAN)]);
+        let value: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(value["a\"b"], 0.5);
+        assert!(value["c"].is_null());
+    }
+}

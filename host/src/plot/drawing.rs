@@ -1,0 +1,58 @@
+//! A picture as lines and words, in pixels from the upper left corner.
+
+/// Red, green, blue.
+pub type Color = [u8; 3];
+
+/// Where a text's given point lies.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Anchor {
+    /// At its left end.
+    Start,
+    /// In its middle.
+    Middle,
+    /// At its right end.
+    End,
+}
+
+/// Something drawn.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Item {
+    /// Straight lines from point to point.
+    Line {
+        /// Points.
+        points: Vec<(f64, f64)>,
+        /// Colour.
+        color: Color,
+        /// Width.
+        width: f64,
+    },
+    /// Words; upright letters are `size` high.
+    Text {
+        /// Middle of the text's height.
+        at: (f64, f64),
+        /// The words.
+        text: String,
+        /// Height of the letters.
+        size: f64,
+        /// Which part is at `at`.
+        anchor: Anchor,
+        /// Turned to read from bottom to top.
+        upwards: bool,
+    },
+}
+
+/// A picture.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Drawing {
+    /// Width.
+    pub width: usize,
+    /// Height.
+    pub height: usize,
+    /// What is on it, back to front.
+    pub items: Vec<Item>,
+}
+
+/// Text and axes.
+pub const INK: Color = [40, 40, 40];
+/// Grid lines.
+pub const PALE: Color = [222, 222, 222];

@@ -1,0 +1,70 @@
+//! A drawing as SVG.
+
+use super::drawing::{Anchor, Color, Drawing, INK, Item};
+use std::fmt::Write as _;
+
+/// The file's text.
+#[must_use]
+pub fn text(drawing: &Drawing) -> String {
+    let Drawing { width, height, .. } = drawing;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+    );
+    for item in &drawing.items {
+        match item {
+            Item::Line { points, color, width } => {
+                let places: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
+                let _ = writeln!(
+                    svg,
+                    "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" \
+                     stroke-linejoin=\"round\"/>",
+                    places.join(" "),
+                    hex(*color)
+                );
+            }
+            Item::Text { at: (x, y), text, size, anchor, upwards } => {
+                let anchor = match anchor {
+                    Anchor::Start => "start",
+                    Anchor::Middle => "middle",
+                    Anchor::End => "end",
+                };
+                let turn = if *upwards {
+                    format!(" transform=\"rotate(-90 {x:.2} {y:.2})\"")
+                } else {
+                    String::new()
+                };
+                // Letters are centred by hand: renderers disagree about `dominant-baseline`.
+                let base = y + 0.35 * size;
+                let _ = writeln!(
+                    svg,
+                    "<text x=\"{x:.2}\" y=\"{base:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\" \
+                     fill=\"{}\"{turn}>{}</text>",
+                    hex(INK),
+                    escaped(text)
+                );
+            }
+        }
+    }
+    svg + "</svg>\n"
+}
+
+fn hex([r, g, b]: Color) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Text without what XML reads as markup.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,183 @@
+//! The energy ledger of a run, an observer in f64: what was put in, taken out, and is left over.
+//!
+//! total = kinetic + gravity + spring; imbalance = total - total at the start + damping - actuator -
+//! external, which is 0 in exact arithmetic. Works are integrals of powers over each step by
+//! Simpson's rule; between two states a cubic (Hermite) or the method's own dense output.
+
+use super::observers::{LEDGER, Observers};
+use smartbed_codegen::{Interpreted, Program};
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+
+/// Names of the columns of a row, the contract's order; what a rigid mechanism has not stays 0.
+pub const COLUMNS: [&str; 12] = [
+    "kinetic",
+    "gravity",
+    "spring",
+    "pressure",
+    "damping",
+    "drag",
+    "impact",
+    "friction",
+    "actuator",
+    "external",
+    "total",
+    "imbalance",
+];
+
+/// Stored energies and accounts (J).
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Accounts {
+    /// Kinetic energy.
+    pub kinetic: f64,
+    /// Energy of weight, zero at the origin.
+    pub gravity: f64,
+    /// Energy of springs.
+    pub spring: f64,
+    /// Work taken out by loads that depend on speeds.
+    pub damping: f64,
+    /// Work put in by the inputs.
+    pub actuator: f64,
+    /// Work put in by other loads.
+    pub external: f64,
+    /// kinetic + gravity + spring at the start.
+    pub start: f64,
+}
+
+impl Accounts {
+    /// Kinetic and stored energies.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.gravity + self.spring
+    }
+
+    /// What no account explains.
+    #[must_use]
+    pub fn imbalance(&self) -> f64 {
+        self.total() - self.start + self.damping - self.actuator - self.external
+    }
+
+    /// The values of [`COLUMNS`].
+    #[must_use]
+    pub fn columns(&self) -> [f64; 12] {
+        let (total, imbalance) = (self.total(), self.imbalance());
+        let Self { kinetic, gravity, spring, damping, actuator, external, .. } = *self;
+        [kinetic, gravity, spring, 0.0, damping, 0.0, 0.0, 0.0, actuator, external, total, imbalance]
+    }
+}
+
+/// A state with what the ledger needs to know of it.
+#[derive(Clone, Debug, Default)]
+struct Moment {
+    t: f64,
+    x: Vec<f64>,
+    x_dot: Vec<f64>,
+    kinetic: f64,
+    /// In the order of [`LEDGER`].
+    entries: [f64; 5],
+}
+
+/// Keeps the accounts.
+#[derive(Debug)]
+pub struct Ledger {
+    mechanism: Interpreted<f64>,
+    observer: Interpreted<f64>,
+    law: Interpreted<f64>,
+    law_inputs: Vec<usize>,
+    inputs: Vec<f64>,
+    last: Moment,
+    accounts: Accounts,
+}
+
+impl Ledger {
+    /// Opens the ledger at a state x = [q, u].
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the state has not the program's length.
+    pub fn open(program: &Program, observers: &Observers, t: f64, x: &[f64]) -> Result<Self, Fault> {
+        let mut ledger = Self {
+            mechanism: Interpreted::new(program),
+            observer: Interpreted::new(&observers.ledger()),
+            law: Interpreted::new(&observers.laws()),
+            law_inputs: observers.law_inputs.clone(),
+            inputs: vec![0.0; program.inputs.len()],
+            last: Moment::default(),
+            accounts: Accounts::default(),
+        };
+        ledger.last = ledger.moment(t, x)?;
+        ledger.store();
+        ledger.accounts.start = ledger.accounts.total();
+        Ok(ledger)
+    }
+
+    /// The accounts at the last state.
+    #[must_use]
+    pub fn accounts(&self) -> Accounts {
+        self.accounts
+    }
+
+    /// Books the step from the last state to (t, x); between them a cubic is assumed.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn step(&mut self, t: f64, x: &[f64]) -> Result<(), Fault> {
+        let new = self.moment(t, x)?;
+        let h = t - self.last.t;
+        let ends = self.last.x.iter().zip(&new.x).zip(self.last.x_dot.iter().zip(&new.x_dot));
+        let middle: Vec<f64> =
+            ends.map(|((a, b), (a_dot, b_dot))| 0.5 * (a + b) + 0.125 * h * (a_dot - b_dot)).collect();
+        self.book(&[middle], new)
+    }
+
+    /// Books the step through the given states, equally spaced in time, an odd number of them.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn step_through(&mut self, between: &[Vec<f64>], t: f64, x: &[f64]) -> Result<(), Fault> {
+        let new = self.moment(t, x)?;
+        self.book(between, new)
+    }
+
+    /// Simpson's rule over the last state, those between, and the new one.
+    fn book(&mut self, between: &[Vec<f64>], new: Moment) -> Result<(), Fault> {
+        let h = (new.t - self.last.t) / (between.len() + 1) as f64;
+        let mut sums: [f64; 3] = std::array::from_fn(|i| self.last.entries[2 + i] + new.entries[2 + i]);
+        for (n, x) in between.iter().enumerate() {
+            let weight = if n % 2 == 0 { 4.0 } else { 2.0 };
+            let entries = self.entries(self.last.t + (n + 1) as f64 * h, x)?;
+            sums.iter_mut().zip(&entries[2..]).for_each(|(sum, power)| *sum += weight * power);
+        }
+        self.accounts.actuator += sums[0] * h / 3.0;
+        self.accounts.damping += sums[1] * h / 3.0;
+        self.accounts.external += sums[2] * h / 3.0;
+        self.last = new;
+        self.store();
+        Ok(())
+    }
+
+    fn store(&mut self) {
+        self.accounts.kinetic = self.last.kinetic;
+        [self.accounts.gravity, self.accounts.spring] = [self.last.entries[0], self.last.entries[1]];
+    }
+
+    fn moment(&mut self, t: f64, x: &[f64]) -> Result<Moment, Fault> {
+        let entries = self.entries(t, x)?;
+        let (q, u) = x.split_at_checked(self.mechanism.n_q()).ok_or(Fault::Shape)?;
+        let mut x_dot = vec![0.0; x.len()];
+        let (q_dot, u_dot) = x_dot.split_at_mut(q.len());
+        self.mechanism.rates(t, q, u, &self.inputs, q_dot, u_dot)?;
+        let (kinetic, _) = self.mechanism.energy(q, u)?;
+        Ok(Moment { t, x: x.to_vec(), x_dot, kinetic, entries })
+    }
+
+    /// The observer's outputs; leaves the inputs commanded at (t, x) in `inputs`.
+    fn entries(&mut self, t: f64, x: &[f64]) -> Result<[f64; 5], Fault> {
+        let (q, u) = x.split_at_checked(self.mechanism.n_q()).ok_or(Fault::Shape)?;
+        let commanded = self.law.outputs(t, q, u, &vec![0.0; self.inputs.len()])?;
+        for (&input, value) in self.law_inputs.iter().zip(commanded) {
+            self.inputs[input] = value;
+        }
+        let found = self.observer.outputs(t, q, u, &self.inputs)?;
+        debug_assert_eq!(found.len(), LEDGER.len());
+        found.try_into().map_err(|_| Fault::Shape)
+    }
+}

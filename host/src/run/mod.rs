@@ -1,0 +1,215 @@
+//! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
+
+mod body;
+pub mod ledger;
+pub mod observers;
+pub mod settings;
+pub mod simulate;
+
+use crate::configuration::Configurations;
+use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
+use crate::failure::Failure;
+use crate::number::{digits, json_number, json_object};
+use crate::output::{self, Output};
+use crate::plot::Recording;
+use crate::progress::Progress;
+use crate::view::Film;
+use crate::{model_argument, plot, view};
+use observers::Observers;
+use settings::Settings;
+use simulate::{Row, Setup, Summary, columns};
+use smartbed_codegen::model::Model;
+use smartbed_codegen::{Program, program};
+use std::fmt::Write as _;
+
+/// Simulate a mechanism or a scene.
+#[derive(clap::Args, Clone, Default, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed run pendulum3 --plot motion.svg
+  cargo smartbed run tile --seconds 2 --step 1e-3 --method rk4 --set M=8 --set hA=0.02 --csv -
+  cargo smartbed run fourbar --error 1e-12 --view fourbar.html
+  cargo smartbed run single_spring --csv - --set C=10
+
+Left-out settings are those of the model's [run]; the start is the model's [start], left-out
+coordinates are nominal, dependent ones are solved for. SI units.")]
+pub struct Arguments {
+    /// The model or scene: a path, or a name under models/.
+    pub model: String,
+    /// Simulated time (s).
+    #[arg(long, value_name = "T")]
+    pub seconds: Option<f64>,
+    /// Step (s); the first one of an adaptive method.
+    #[arg(long, value_name = "H")]
+    pub step: Option<f64>,
+    /// Integration method: euler, semi-implicit, rk4 or dormand-prince; a scene has its own.
+    #[arg(long, value_name = "M")]
+    pub method: Option<String>,
+    /// Allowed error per step, of a method of adaptive step [default: 1e-9].
+    #[arg(long, value_name = "E")]
+    pub error: Option<f64>,
+    /// What is computed with.
+    #[arg(long, value_enum, default_value_t)]
+    pub scalar: ScalarKind,
+    /// A row every N steps.
+    #[arg(long, value_name = "N")]
+    pub every: Option<usize>,
+    /// Write the rows to this file; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
+    /// Plot coordinates and energies over time.
+    #[arg(long, value_name = "FILE.svg|.png")]
+    pub plot: Option<String>,
+    /// Write an animation that any browser shows.
+    #[arg(long, value_name = "FILE.html")]
+    pub view: Option<String>,
+    /// Changes a parameter or a start value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// What evaluates.
+    #[arg(long, value_enum, default_value_t)]
+    pub engine: EngineKind,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a
+/// compiler for `--engine compiled`.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(file) = &arguments.plot {
+        plot::format_of(file)?;
+    }
+    let path = model_argument::find(&arguments.model)?;
+    if body::is_scene(&path) {
+        return body::simulate(arguments, &path);
+    }
+    let clock = Progress::new("run");
+    let model = model_argument::read(&arguments.model)?;
+    let settings = Settings::new(&model, arguments)?;
+    let wrong = |e| model_argument::wrong(&e);
+    let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
+    let start = start(&model, &program, &settings)?;
+    let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };
+    let summary = match arguments.scalar {
+        ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
+        ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
+    };
+    let text = report(arguments, setup, &summary, clock.seconds());
+    if arguments.csv.as_deref() == Some("-") {
+        eprint!("{text}");
+    } else {
+        output::print(&text);
+    }
+    Ok(())
+}
+
+/// Coordinates and independent speeds at the start.
+fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
+    let mut configurations = Configurations::new(model, program);
+    let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
+    let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
+    let mut x = configurations.solve(&parameters, &given).map_err(|unreachable| {
+        Failure::Wrong(format!(
+            "the start cannot be assembled: a constraint residual of {:.1e} is left; expected independent \
+             coordinates within reach of the nominal configuration",
+            unreachable.residual
+        ))
+    })?;
+    x.extend(program.u.iter().map(|u| settings.start.get(&u.name).copied().unwrap_or(0.0)));
+    Ok(x)
+}
+
+/// Simulates and writes what is asked for.
+fn record<S: EngineScalar>(
+    arguments: &Arguments,
+    model: &Model,
+    setup: Setup<'_>,
+) -> Result<Summary, Failure> {
+    let engine = engine::new::<S>(arguments.engine, setup.program)?;
+    let names = columns(setup.program);
+    let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
+    if let Some(csv) = &mut csv {
+        csv.write(&(names.join(",") + "\n"))?;
+    }
+    let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
+    let mut film = arguments.view.as_ref().map(|_| Film::new(model));
+    let summary = simulate::simulate(setup, engine, |row: &Row| {
+        if let Some(csv) = &mut csv {
+            csv.write(&line(&row.values))?;
+        }
+        if let Some(recording) = &mut recording {
+            recording.push(&row.values);
+        }
+        if let Some(film) = &mut film {
+            film.push(row.values[0], &row.places);
+        }
+        Ok(())
+    })?;
+    if let Some(csv) = csv {
+        csv.finish()?;
+    }
+    if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
+        plot::write(file, &plot::motion(setup.program, &names, recording))?;
+    }
+    if let (Some(file), Some(film)) = (&arguments.view, &film) {
+        output::write(
+            file,
+            view::page(if model.doc.is_empty() { &model.name } else { &model.doc }, film).as_bytes(),
+        )?;
+    }
+    Ok(summary)
+}
+
+fn line(values: &[f64]) -> String {
+    let mut text = String::with_capacity(24 * values.len());
+    for (n, &value) in values.iter().enumerate() {
+        let separator = if n == 0 { "" } else { "," };
+        let _ = write!(text, "{separator}{}", digits(value));
+    }
+    text + "\n"
+}
+
+/// What was done, for people or for machines.
+fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
+    let names = columns(setup.program);
+    let (settings, method) = (setup.settings, setup.settings.method.name());
+    if arguments.json {
+        let last = json_object(names.iter().map(String::as_str).zip(summary.last.iter().copied()));
+        return format!(
+            "{{\"model\": {}, \"method\": \"{method}\", \"seconds\": {}, \"steps\": {}, \"evaluations\": {}, \
+             \"rows\": {}, \"worst_pivot\": {}, \"residual_before_projection\": {}, \"imbalance\": {}, \
+             \"elapsed\": {}, \"last\": {last}}}\n",
+            crate::number::json_string(&setup.program.name),
+            json_number(settings.seconds),
+            summary.steps,
+            summary.evaluations,
+            summary.rows,
+            json_number(summary.pivot),
+            json_number(summary.residual),
+            json_number(summary.imbalance),
+            json_number(elapsed),
+        );
+    }
+    let mut text = format!(
+        "{}: {} s in {} steps ({method}), {} evaluations, {elapsed:.2} s\n",
+        setup.program.name, settings.seconds, summary.steps, summary.evaluations
+    );
+    if !setup.program.correction.is_empty() {
+        let _ = writeln!(
+            text,
+            "constraints: worst pivot {:.3} of nominal, largest residual before projection {:.1e}",
+            summary.pivot, summary.residual
+        );
+    }
+    let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
+    let width = names.iter().map(String::len).max().unwrap_or(0);
+    let shown = 1 + setup.program.q.len() + setup.program.speeds.len();
+    for (name, value) in names.iter().zip(&summary.last).take(shown) {
+        let _ = writeln!(text, "  {name:width$} {value:>14.6e}");
+    }
+    text
+}

@@ -1,0 +1,233 @@
+//! What is watched beside the motion: laws, energies, powers of loads, places of points.
+//!
+//! In: a model. Out: the same model with these as its outputs, written in the model's own language,
+//! so that the derivation lowers them like anything else. The program that moves is another one and
+//! does not know of them.
+//! Signs: `actuator` and `external` are power into the mechanism, `damping` is power out of it.
+//! A load's power is split: what vanishes with the inputs is the actuator's; the rest is damping
+//! where it depends on speeds, else external.
+
+use smartbed_codegen::id::Id;
+use smartbed_codegen::model::expression::{Expr, ExprKind};
+use smartbed_codegen::model::unit::Unit;
+use smartbed_codegen::model::{Axis, FrameId, Load, LoadKind, Model, Output};
+use smartbed_codegen::source::Span;
+use smartbed_codegen::{Diagnostics, ParameterChoice, Program, program};
+
+/// Ledger entries in order: two stored energies (J), three powers (W).
+pub const LEDGER: [&str; 5] = ["gravity", "spring", "actuator", "damping", "external"];
+
+/// Derived observers.
+#[derive(Clone, Debug)]
+pub struct Observers {
+    program: Program,
+    /// The inputs that have laws, in the order of the laws.
+    pub law_inputs: Vec<usize>,
+}
+
+impl Observers {
+    /// Derives them.
+    ///
+    /// # Errors
+    /// As the derivation of the model.
+    pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Self, Diagnostics> {
+        let mut watched = model.clone();
+        let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
+        let laws = model.laws.iter().map(|(_, law)| law.clone());
+        watched.outputs = laws.chain(ledger(model)).chain(places(model)).map(output).collect();
+        Ok(Self { program: program::derive(&watched, choice)?, law_inputs })
+    }
+
+    /// A program whose outputs are the laws.
+    #[must_use]
+    pub fn laws(&self) -> Program {
+        self.part(0, self.law_inputs.len())
+    }
+
+    /// A program whose outputs are the entries of [`LEDGER`].
+    #[must_use]
+    pub fn ledger(&self) -> Program {
+        self.part(self.law_inputs.len(), LEDGER.len())
+    }
+
+    /// A program whose outputs are x, y, z of every point.
+    #[must_use]
+    pub fn places(&self) -> Program {
+        let first = self.law_inputs.len() + LEDGER.len();
+        self.part(first, self.program.outputs.len() - first)
+    }
+
+    fn part(&self, first: usize, n: usize) -> Program {
+        let mut part = self.program.clone();
+        part.outputs = self.program.outputs[first..first + n].to_vec();
+        part
+    }
+}
+
+fn output(value: Expr) -> Output {
+    Output { name: String::new(), value, unit: String::new(), span: Span::default() }
+}
+
+/// Stored energies and powers as expressions, in the order of [`LEDGER`].
+fn ledger(model: &Model) -> [Expr; 5] {
+    let mut sums: [Expr; 5] = std::array::from_fn(|_| number(0.0));
+    let mut book = |entry: usize, term: Expr| {
+        let sum = std::mem::replace(&mut sums[entry], number(0.0));
+        sums[entry] = add(sum, term);
+    };
+    for body in model.bodies.iter().filter(|b| b.weight) {
+        if let (Some(gravity), Some(mass)) = (&model.gravity, &body.mass) {
+            let height = dot(gravity.clone(), node(ExprKind::Point(body.centre)));
+            book(0, negate(times(mass.clone(), height)));
+        }
+    }
+    for Load { kind, .. } in &model.loads {
+        match kind {
+            LoadKind::Force { point, force, reaction } => {
+                let velocity = relative(*point, *reaction, ExprKind::Velocity);
+                split(model, force, &velocity).into_iter().for_each(|(entry, power)| book(entry, power));
+            }
+            LoadKind::Torque { frame, torque, reaction } => {
+                let velocity = relative(*frame, *reaction, ExprKind::AngularVelocity);
+                split(model, torque, &velocity).into_iter().for_each(|(entry, power)| book(entry, power));
+            }
+            LoadKind::Spring { ends: [a, b], stiffness, rest_length, damping } => {
+                let line = relative(*b, Some(*a), ExprKind::Point);
+                let length = node(ExprKind::Norm(Box::new(line.clone())));
+                book(1, spring_energy(stiffness, length.clone(), rest_length));
+                if let Some(damping) = damping {
+                    let along = dot(relative(*b, Some(*a), ExprKind::Velocity), line);
+                    let rate = node(ExprKind::Divide(Box::new(along), Box::new(length)));
+                    book(3, times(damping.clone(), square(rate)));
+                }
+            }
+            LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
+                book(1, spring_energy(stiffness, node(ExprKind::Coordinate(*coordinate)), rest));
+                if let Some(damping) = damping {
+                    book(3, times(damping.clone(), square(node(ExprKind::Rate(*coordinate)))));
+                }
+            }
+        }
+    }
+    sums
+}
+
+/// x, y, z in N of every point but the origin.
+fn places(model: &Model) -> impl Iterator<Item = Expr> + '_ {
+    let inertial = FrameId::from_index(0);
+    model.points.ids().skip(1).flat_map(move |point| {
+        [Axis::X, Axis::Y, Axis::Z]
+            .map(|axis| dot(node(ExprKind::Point(point)), node(ExprKind::Axis(inertial, axis))))
+    })
+}
+
+/// 1/2 k (length - rest)^2.
+fn spring_energy(stiffness: &Expr, length: Expr, rest: &Expr) -> Expr {
+    let stretch = node(ExprKind::Subtract(Box::new(length), Box::new(rest.clone())));
+    times(number(0.5), times(stiffness.clone(), square(stretch)))
+}
+
+/// The load's power by ledger entry.
+fn split(model: &Model, load: &Expr, velocity: &Expr) -> Vec<(usize, Expr)> {
+    let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
+    let is_speed = |e: &Expr| {
+        use ExprKind::{AngularVelocity, Rate, Speed, Velocity};
+        matches!(e.kind, Speed(_) | Rate(_) | Velocity(_) | AngularVelocity(_))
+    };
+    let mut parts = Vec::new();
+    let mut passive = load.clone();
+    if mentions(model, load, &is_input) {
+        passive = without_inputs(model, load);
+        let active = node(ExprKind::Subtract(Box::new(load.clone()), Box::new(passive.clone())));
+        parts.push((2, dot(active, velocity.clone())));
+    }
+    let power = dot(passive.clone(), velocity.clone());
+    parts.push(if mentions(model, &passive, &is_speed) { (3, negate(power)) } else { (4, power) });
+    parts
+}
+
+/// Does the expression, or a definition in it, contain such a node?
+fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool {
+    let mut found = false;
+    let mut definitions = Vec::new();
+    let mut look = |root: &Expr, definitions: &mut Vec<_>| {
+        root.visit(&mut |e| {
+            found |= wanted(e);
+            if let ExprKind::Definition(id) = e.kind
+                && !definitions.contains(&id)
+            {
+                definitions.push(id);
+            }
+        });
+    };
+    look(expr, &mut definitions);
+    let mut next = 0;
+    while let Some(&id) = definitions.get(next) {
+        look(&model.definitions[id].value, &mut definitions);
+        next += 1;
+    }
+    found
+}
+
+/// The expression with every input 0; definitions that depend on inputs are written out.
+fn without_inputs(model: &Model, expr: &Expr) -> Expr {
+    let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
+    let inner = |e: &Expr| Box::new(without_inputs(model, e));
+    let kind = match &expr.kind {
+        ExprKind::Input(_) => ExprKind::Number(0.0),
+        ExprKind::Definition(id) if mentions(model, &model.definitions[*id].value, &is_input) => {
+            return without_inputs(model, &model.definitions[*id].value);
+        }
+        ExprKind::Negate(a) => ExprKind::Negate(inner(a)),
+        ExprKind::Norm(a) => ExprKind::Norm(inner(a)),
+        ExprKind::Power(a, n) => ExprKind::Power(inner(a), *n),
+        ExprKind::Add(a, b) => ExprKind::Add(inner(a), inner(b)),
+        ExprKind::Subtract(a, b) => ExprKind::Subtract(inner(a), inner(b)),
+        ExprKind::Multiply(a, b) => ExprKind::Multiply(inner(a), inner(b)),
+        ExprKind::Divide(a, b) => ExprKind::Divide(inner(a), inner(b)),
+        ExprKind::Dot(a, b) => ExprKind::Dot(inner(a), inner(b)),
+        ExprKind::Cross(a, b) => ExprKind::Cross(inner(a), inner(b)),
+        ExprKind::Call(function, arguments) => {
+            ExprKind::Call(*function, arguments.iter().map(|a| without_inputs(model, a)).collect())
+        }
+        other => other.clone(),
+    };
+    Expr { kind, ..expr.clone() }
+}
+
+/// `of(a) - of(b)`, or `of(a)` against the ground.
+fn relative<T>(a: T, b: Option<T>, of: impl Fn(T) -> ExprKind) -> Expr {
+    let first = node(of(a));
+    match b {
+        Some(b) => node(ExprKind::Subtract(Box::new(first), Box::new(node(of(b))))),
+        None => first,
+    }
+}
+
+fn node(kind: ExprKind) -> Expr {
+    Expr { kind, span: Span::default(), unit: Unit::NONE }
+}
+
+fn number(x: f64) -> Expr {
+    node(ExprKind::Number(x))
+}
+
+fn add(a: Expr, b: Expr) -> Expr {
+    node(ExprKind::Add(Box::new(a), Box::new(b)))
+}
+
+fn times(a: Expr, b: Expr) -> Expr {
+    node(ExprKind::Multiply(Box::new(a), Box::new(b)))
+}
+
+fn negate(a: Expr) -> Expr {
+    node(ExprKind::Negate(Box::new(a)))
+}
+
+fn square(a: Expr) -> Expr {
+    node(ExprKind::Power(Box::new(a), 2))
+}
+
+fn dot(a: Expr, b: Expr) -> Expr {
+    node(ExprKind::Dot(Box::new(a), Box::new(b)))
+}

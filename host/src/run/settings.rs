@@ -1,0 +1,163 @@
+//! What a run is: the model's `[start]` and `[run]`, changed by the command line.
+
+use super::Arguments;
+use crate::failure::Failure;
+use crate::{model_argument, suggest};
+use clap::ValueEnum;
+use smartbed_codegen::ParameterChoice;
+use smartbed_codegen::model::{Model, StartRef};
+use smartbed_runtime::integrator::Method as FixedMethod;
+use std::collections::BTreeMap;
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e9;
+/// Error per step of the adaptive method, unless told otherwise.
+const ERROR: f64 = 1e-9;
+
+/// Integration methods by the names of the command line and of models.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum Method {
+    /// Explicit Euler, order 1.
+    Euler,
+    /// Semi-implicit Euler, order 1, energy bounded.
+    SemiImplicit,
+    /// Kutta's classical method, order 4.
+    Rk4,
+    /// Dormand and Prince 5(4), adaptive.
+    DormandPrince,
+}
+
+impl Method {
+    /// The method of fixed step; `None` for the adaptive one.
+    #[must_use]
+    pub fn fixed(self) -> Option<FixedMethod> {
+        match self {
+            Self::Euler => Some(FixedMethod::ExplicitEuler),
+            Self::SemiImplicit => Some(FixedMethod::SemiImplicitEuler),
+            Self::Rk4 => Some(FixedMethod::Rk4),
+            Self::DormandPrince => None,
+        }
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_possible_value().map_or(String::new(), |v| v.get_name().to_owned())
+    }
+}
+
+/// Numbers of a run.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Simulated time (s).
+    pub seconds: f64,
+    /// Step (s); the first one of the adaptive method.
+    pub step: f64,
+    /// Method.
+    pub method: Method,
+    /// A row is written every so many steps of `step`.
+    pub every: usize,
+    /// Error per step of the adaptive method, absolute and relative.
+    pub error: f64,
+    /// Start values by name: coordinates and independent speeds.
+    pub start: BTreeMap<String, f64>,
+    /// Changed parameters.
+    pub choice: ParameterChoice,
+}
+
+impl Settings {
+    /// The model's settings with those of the command line.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] for a number out of range or an unknown name.
+    pub fn new(model: &Model, arguments: &Arguments) -> Result<Self, Failure> {
+        let mut settings = Self {
+            seconds: arguments.seconds.unwrap_or(model.run.seconds),
+            step: arguments.step.unwrap_or(model.run.step),
+            method: method(model, arguments)?,
+            every: arguments.every.unwrap_or(model.run.every),
+            error: arguments.error.unwrap_or(ERROR),
+            start: BTreeMap::new(),
+            choice: ParameterChoice::default(),
+        };
+        settings.check()?;
+        for (owner, value) in &model.start {
+            let name = match owner {
+                StartRef::Coordinate(id) => &model.coordinates[*id].name,
+                StartRef::Speed(id) => &model.speeds[*id].name,
+            };
+            settings.set_start(model, name, *value)?;
+        }
+        for change in &arguments.set {
+            let (name, value) = model_argument::assignment(change)?;
+            if model.parameters.iter().any(|p| p.name == name) {
+                settings.choice.values.insert(name, value);
+            } else {
+                settings.set_start(model, &name, value)?;
+            }
+        }
+        Ok(settings)
+    }
+
+    fn check(&self) -> Result<(), Failure> {
+        let wrong = |message: String| Err(Failure::Wrong(message));
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        if !(self.seconds >= 0.0 && self.seconds.is_finite()) {
+            return wrong(format!("--seconds {}: expected a time of 0 or more", self.seconds));
+        }
+        if !positive(self.step) {
+            return wrong(format!("--step {}: expected a time above 0, for example 1e-3", self.step));
+        }
+        if self.seconds / self.step > MOST_STEPS {
+            return wrong(format!(
+                "{} s in steps of {} s are more than {MOST_STEPS:e} steps; take a larger --step",
+                self.seconds, self.step
+            ));
+        }
+        if self.every == 0 {
+            return wrong("--every 0: expected a number of steps of 1 or more".to_owned());
+        }
+        if !positive(self.error) {
+            return wrong(format!("--error {}: expected a number above 0, for example 1e-9", self.error));
+        }
+        Ok(())
+    }
+
+    fn set_start(&mut self, model: &Model, name: &str, value: f64) -> Result<(), Failure> {
+        let coordinates = model.coordinates.iter().filter(|c| c.closed_form.is_none()).map(|c| &c.name);
+        let speeds = model.speeds.iter().filter(|s| s.independent).map(|s| &s.name);
+        let mut starts = coordinates.chain(speeds).map(String::as_str);
+        if starts.clone().any(|s| s == name) {
+            self.start.insert(name.to_owned(), value);
+            return Ok(());
+        }
+        if model.speeds.iter().any(|s| s.name == name) {
+            return Err(Failure::Wrong(format!(
+                "the speed `{name}` is dependent: it follows from the independent ones and cannot be set"
+            )));
+        }
+        let known = model.parameters.iter().map(|p| p.name.as_str()).chain(&mut starts);
+        let help = suggest::help(name, known);
+        Err(Failure::Wrong(format!("`{}` has no parameter or start value `{name}`{help}", model.name)))
+    }
+
+    /// Time between rows (s).
+    #[must_use]
+    pub fn row_interval(&self) -> f64 {
+        self.step * self.every as f64
+    }
+}
+
+/// The method of the command line; else the adaptive one if an error is asked for; else the model's.
+fn method(model: &Model, arguments: &Arguments) -> Result<Method, Failure> {
+    let (place, name) = match (&arguments.method, arguments.error) {
+        (Some(name), _) => ("--method", name),
+        (None, Some(_)) => return Ok(Method::DormandPrince),
+        (None, None) => ("[run] method", &model.run.method),
+    };
+    Method::from_str(name, false).map_err(|_| {
+        let names: Vec<String> = Method::value_variants().iter().map(|m| m.name()).collect();
+        let help = suggest::help(name, names.iter().map(String::as_str));
+        Failure::Wrong(format!("{place}: there is no method `{name}`{help}"))
+    })
+}

@@ -1,0 +1,366 @@
+//! Steps a mechanism from start to end and hands over its rows.
+//!
+//! In: a program, its observers, settings, the start. Out: rows at equal intervals, each a list of
+//! numbers under [`columns`], and a [`Summary`]. Observers see states that are given; deleting them
+//! changes no bit of the motion.
+
+use super::ledger::{self, Ledger};
+use super::observers::Observers;
+use super::settings::Settings;
+use crate::engine::{Engine, EngineScalar, explain};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use smartbed_codegen::{Interpreted, Program};
+use smartbed_runtime::integrator::step_size::Tolerance;
+use smartbed_runtime::integrator::{DormandPrince, Method, Report, dormand_prince};
+use smartbed_runtime::mechanism::{Fault, System};
+use smartbed_runtime::real::Scalar;
+use smartbed_runtime::state::State;
+
+/// Most steps of the adaptive method.
+const MOST_STEPS: u64 = 100_000_000;
+/// Parts of an adaptive step in which powers are integrated: an even number.
+const PARTS: usize = 8;
+/// A rest of the time below this share of a step is rounding.
+const ROUNDING: f64 = 1e-3;
+
+/// A mechanism with its laws: what integrators step.
+#[derive(Debug)]
+pub struct Plant<E, S> {
+    engine: E,
+    law: Interpreted<S>,
+    law_inputs: Vec<usize>,
+    inputs: Vec<S>,
+    projections: u8,
+    evaluations: u64,
+}
+
+/// One row of a run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Row {
+    /// Numbers under the names of [`columns`].
+    pub values: Vec<f64>,
+    /// x, y, z of every point.
+    pub places: Vec<f64>,
+}
+
+/// What a run was.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Summary {
+    /// Steps taken.
+    pub steps: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+    /// Rows handed over.
+    pub rows: u64,
+    /// Worst pivot met, relative to nominal.
+    pub pivot: f64,
+    /// Largest constraint residual before a projection.
+    pub residual: f64,
+    /// Largest absolute imbalance of the ledger at any row (J).
+    pub imbalance: f64,
+    /// The last row.
+    pub last: Vec<f64>,
+}
+
+/// Everything a run needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup<'a> {
+    /// The equations.
+    pub program: &'a Program,
+    /// What is watched.
+    pub observers: &'a Observers,
+    /// Numbers.
+    pub settings: &'a Settings,
+    /// Coordinates and independent speeds at the start.
+    pub start: &'a [f64],
+}
+
+/// Names of a row's numbers.
+#[must_use]
+pub fn columns(program: &Program) -> Vec<String> {
+    let mut names = vec!["t".to_owned()];
+    names.extend(program.q.iter().map(|q| q.name.clone()));
+    names.extend(program.speeds.iter().map(|(name, _)| name.clone()));
+    names.extend(ledger::COLUMNS.map(str::to_owned));
+    let more = program.outputs.iter().map(|(name, _)| name).chain(program.inputs.iter().map(|i| &i.name));
+    for name in more {
+        // A name twice would make the table ambiguous; the contract's columns come first.
+        if !names.contains(name) {
+            names.push(name.clone());
+        }
+    }
+    names
+}
+
+impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> System<S> for Plant<E, S> {
+    fn n_x(&self) -> usize {
+        self.engine.n_q() + self.engine.n_u()
+    }
+    fn n_q(&self) -> usize {
+        self.engine.n_q()
+    }
+    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        self.evaluations += 1;
+        self.command(t, x)?;
+        let n_q = self.engine.n_q();
+        let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
+        let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
+    }
+    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
+        let n_q = self.engine.n_q();
+        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        self.engine.project(q)
+    }
+    fn projections(&self) -> u8 {
+        self.projections
+    }
+}
+
+impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S> {
+    /// Joins an engine and the laws.
+    pub fn new(engine: E, program: &Program, observers: &Observers) -> Self {
+        Self {
+            engine,
+            law: Interpreted::new(&observers.laws()),
+            law_inputs: observers.law_inputs.clone(),
+            inputs: vec![S::ZERO; program.inputs.len()],
+            projections: u8::from(!program.correction.is_empty()),
+            evaluations: 0,
+        }
+    }
+
+    /// Sets the inputs that have laws; the others stay 0.
+    fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        if self.law_inputs.is_empty() {
+            return Ok(());
+        }
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        let commanded = self.law.outputs(t, q, u, &vec![S::ZERO; self.inputs.len()])?;
+        for (&input, value) in self.law_inputs.iter().zip(commanded) {
+            self.inputs[input] = value;
+        }
+        Ok(())
+    }
+}
+
+/// Makes rows, and keeps what the summary needs.
+struct Recorder<'a, F> {
+    program: &'a Program,
+    places: Interpreted<f64>,
+    sink: F,
+    summary: Summary,
+    columns: Vec<String>,
+}
+
+impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
+    fn row<E, S>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], ledger: &Ledger) -> Result<(), Failure>
+    where
+        E: std::ops::DerefMut<Target = dyn Engine<S>>,
+        S: EngineScalar,
+    {
+        let failure = |fault| Failure::Wrong(format!("t = {t} s: {}", explain(fault)));
+        let n_q = self.program.q.len();
+        let (q, u) = x.split_at(n_q);
+        plant.command(S::from_f64(t), x).map_err(failure)?;
+        let speeds = plant.engine.speeds(q, u).map_err(failure)?;
+        let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
+        let accounts = ledger.accounts();
+        let mut values = vec![t];
+        values.extend(q.iter().chain(&speeds).map(|x| x.to_f64()));
+        values.extend(accounts.columns());
+        let more = self.program.outputs.iter().map(|(name, _)| name).zip(&outputs);
+        let inputs = self.program.inputs.iter().map(|i| &i.name).zip(&plant.inputs);
+        for (name, value) in more.chain(inputs) {
+            if self.columns.get(values.len()) == Some(name) {
+                values.push(value.to_f64());
+            }
+        }
+        let (wide_q, wide_u): (Vec<f64>, Vec<f64>) =
+            (q.iter().map(|x| x.to_f64()).collect(), u.iter().map(|x| x.to_f64()).collect());
+        let no_inputs = vec![0.0; plant.inputs.len()];
+        let places = self.places.outputs(t, &wide_q, &wide_u, &no_inputs).map_err(failure)?;
+        self.summary.rows += 1;
+        self.summary.imbalance = self.summary.imbalance.max(accounts.imbalance().abs());
+        self.summary.last.clone_from(&values);
+        (self.sink)(&Row { values, places })
+    }
+
+    fn took<S: Scalar>(&mut self, report: Report<S>) {
+        self.summary.steps += 1;
+        self.summary.pivot = self.summary.pivot.min(report.pivot.to_f64());
+        self.summary.residual = self.summary.residual.max(report.residual.to_f64());
+    }
+}
+
+/// Runs from start to end.
+///
+/// # Errors
+/// [`Failure::Wrong`] with the time, if a step is refused; the sink's own failures.
+pub fn simulate<S: EngineScalar>(
+    setup: Setup<'_>,
+    engine: Box<dyn Engine<S>>,
+    sink: impl FnMut(&Row) -> Result<(), Failure>,
+) -> Result<Summary, Failure> {
+    let mut plant = Plant::new(engine, setup.program, setup.observers);
+    let mut x: Vec<S> = setup.start.iter().map(|&x| S::from_f64(x)).collect();
+    let mut low = vec![S::ZERO; x.len()];
+    let mut recorder = Recorder {
+        program: setup.program,
+        places: Interpreted::new(&setup.observers.places()),
+        sink,
+        summary: Summary {
+            steps: 0,
+            evaluations: 0,
+            rows: 0,
+            pivot: 1.0,
+            residual: 0.0,
+            imbalance: 0.0,
+            last: Vec::new(),
+        },
+        columns: columns(setup.program),
+    };
+    let ledger = Ledger::open(setup.program, setup.observers, 0.0, &widened(&x))
+        .map_err(|fault| Failure::Wrong(format!("t = 0 s: {}", explain(fault))))?;
+    let mut state = State::new(&mut x, &mut low).map_err(|f| Failure::Wrong(explain(f).to_owned()))?;
+    recorder.row(&mut plant, 0.0, state.x(), &ledger)?;
+    match setup.settings.method.fixed() {
+        Some(method) => fixed(setup, method, &mut plant, &mut state, ledger, &mut recorder)?,
+        None => adaptive(setup, &mut plant, &mut state, ledger, &mut recorder)?,
+    }
+    recorder.summary.evaluations = plant.evaluations;
+    Ok(recorder.summary)
+}
+
+fn widened<S: Scalar>(x: &[S]) -> Vec<f64> {
+    x.iter().map(|x| x.to_f64()).collect()
+}
+
+/// A refused step in words.
+fn refused(t: f64, fault: Fault) -> Failure {
+    let hint = match fault {
+        Fault::Singular => "; expected a motion that keeps away from singular configurations",
+        Fault::NonFinite | Fault::StepSize => "; try a smaller --step or another --method",
+        Fault::Shape => "",
+    };
+    Failure::Wrong(format!("t = {t:.6} s: {}{hint}", explain(fault)))
+}
+
+fn fixed<E, S, F>(
+    setup: Setup<'_>,
+    method: Method,
+    plant: &mut Plant<E, S>,
+    state: &mut State<'_, S>,
+    mut ledger: Ledger,
+    recorder: &mut Recorder<'_, F>,
+) -> Result<(), Failure>
+where
+    E: std::ops::DerefMut<Target = dyn Engine<S>>,
+    S: EngineScalar,
+    F: FnMut(&Row) -> Result<(), Failure>,
+{
+    let Settings { seconds, step, every, .. } = *setup.settings;
+    let steps = (seconds / step - ROUNDING).ceil().max(0.0) as u64;
+    let mut scratch = vec![S::ZERO; method.scratch(state.x().len())];
+    let mut progress = Progress::new("running");
+    for n in 1..=steps {
+        let t = (n - 1) as f64 * step;
+        let is_short = seconds - t < (1.0 - ROUNDING) * step;
+        let (h, end) = if is_short { (seconds - t, seconds) } else { (step, n as f64 * step) };
+        let report = method
+            .step(plant, S::from_f64(t), S::from_f64(h), state, &mut scratch)
+            .map_err(|fault| refused(t, fault))?;
+        recorder.took(report);
+        ledger.step(end, &widened(state.x())).map_err(|fault| refused(end, fault))?;
+        if n % every as u64 == 0 || n == steps {
+            recorder.row(plant, end, state.x(), &ledger)?;
+        }
+        progress.at(n as f64 / steps as f64);
+    }
+    Ok(())
+}
+
+fn adaptive<E, S, F>(
+    setup: Setup<'_>,
+    plant: &mut Plant<E, S>,
+    state: &mut State<'_, S>,
+    mut ledger: Ledger,
+    recorder: &mut Recorder<'_, F>,
+) -> Result<(), Failure>
+where
+    E: std::ops::DerefMut<Target = dyn Engine<S>>,
+    S: EngineScalar,
+    F: FnMut(&Row) -> Result<(), Failure>,
+{
+    let Settings { seconds, step, error, .. } = *setup.settings;
+    let n = state.x().len();
+    let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
+    let tolerance = Tolerance { absolute: S::from_f64(error), relative: S::from_f64(error) };
+    let mut method = DormandPrince::new(n, tolerance, S::from_f64(step), &mut memory)
+        .map_err(|fault| refused(0.0, fault))?;
+    let interval = setup.settings.row_interval();
+    let rows = (seconds / interval - ROUNDING).ceil().max(0.0) as u64;
+    let mut progress = Progress::new("running");
+    let (mut t, mut next_row) = (0.0_f64, 1_u64);
+    let mut inside = vec![S::ZERO; n];
+    let mut dense = |method: &DormandPrince<'_, S>, plant: &mut Plant<E, S>, theta: f64| {
+        method.dense(S::from_f64(theta), &mut inside)?;
+        // Between two states on the constraints the interpolant is a little off them.
+        plant.project(&mut inside)?;
+        Ok::<Vec<S>, Fault>(inside.clone())
+    };
+    for _ in 0..MOST_STEPS {
+        if next_row > rows {
+            return Ok(());
+        }
+        let left = seconds - t;
+        let taken =
+            method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(|f| refused(t, f))?;
+        recorder.took(taken.report);
+        let h = taken.h.to_f64();
+        let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
+        // The step is booked in two parts wherever a row lies inside it.
+        let mut from = 0.0;
+        while next_row <= rows {
+            let at = if next_row == rows { seconds } else { next_row as f64 * interval };
+            if at > end {
+                break;
+            }
+            let theta = ((at - t) / h).min(1.0);
+            let x = if theta < 1.0 {
+                dense(&method, plant, theta).map_err(|f| refused(at, f))?
+            } else {
+                state.x().to_vec()
+            };
+            book(&mut ledger, (from, theta), at, &x, |th| dense(&method, plant, th))
+                .map_err(|f| refused(at, f))?;
+            recorder.row(plant, at, &x, &ledger)?;
+            (from, next_row) = (theta, next_row + 1);
+        }
+        if from < 1.0 {
+            let x = state.x().to_vec();
+            book(&mut ledger, (from, 1.0), end, &x, |th| dense(&method, plant, th))
+                .map_err(|f| refused(end, f))?;
+        }
+        t = end;
+        progress.at(t / seconds);
+    }
+    Err(Failure::Wrong(format!("t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --error")))
+}
+
+/// Books the share `from..to` of a step, which ends at time `t` with `x`.
+fn book<S: Scalar>(
+    ledger: &mut Ledger,
+    (from, to): (f64, f64),
+    t: f64,
+    x: &[S],
+    mut dense: impl FnMut(f64) -> Result<Vec<S>, Fault>,
+) -> Result<(), Fault> {
+    let mut between = Vec::with_capacity(PARTS - 1);
+    for part in 1..PARTS {
+        let theta = from + (to - from) * part as f64 / PARTS as f64;
+        between.push(widened(&dense(theta)?));
+    }
+    ledger.step_through(&between, t, &widened(x))
+}

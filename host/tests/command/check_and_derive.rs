@@ -1,0 +1,121 @@
+//! `check`, `derive` and the command line itself.
+
+use crate::support::{command, file, finish, smartbed, written};
+use std::process::Command;
+
+#[test]
+fn check_counts_the_tile() {
+    let done = smartbed(&["check", "tile", "--json"]);
+    let facts = done.json();
+    assert_eq!(facts["dof"], serde_json::json!({"stated": 3, "found": 3}));
+    assert_eq!(facts["counts"]["coordinates"], 12);
+    assert_eq!(facts["counts"]["independent_speeds"], 3);
+    assert_eq!(facts["independent_speeds"][0]["meaning"], "d(hA)/dt");
+    assert_eq!(facts["cost"][0]["answer"], "rates");
+    assert!(facts["cost"][0]["operations"].as_u64().expect("a number") > 100);
+    assert_eq!(facts["constraints"]["rank"], facts["constraints"]["largest_rank"]);
+    let unit = |name: &str| {
+        let rows = facts["units"].as_array().expect("rows");
+        rows.iter().find(|r| r["name"] == name).expect("a row")["unit"].clone()
+    };
+    assert_eq!((unit("Ix"), unit("u_hA")), ("kg m^2".into(), "m/s".into()));
+    let text = smartbed(&["check", "tile"]).out;
+    for part in ["degrees of freedom: 3 found, 3 stated", "independent: u_hA = d(hA)/dt", "answer", "units"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+}
+
+#[test]
+fn check_warns_of_what_is_never_used() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum3.toml"));
+    let model = model
+        .expect("a model")
+        .replace("[repeat.link]\n", "spare = { value = 1, unit = \"kg\" }\n\n[repeat.link]\n");
+    let path = written("spare.toml", &model);
+    let text = smartbed(&["check", &path]).out;
+    assert!(text.contains("parameter `spare` is never used") && text.contains("spare.toml:"), "{text}");
+    let facts = smartbed(&["check", &path, "--json"]).json();
+    assert_eq!(facts["warnings"][0], "parameter `spare` is never used");
+}
+
+#[test]
+fn check_shows_the_errors_of_a_model() {
+    let done =
+        smartbed(&["check", &written("broken.toml", "format = 1\nname = \"broken\"\n[bodies]\nb = 3\n")]);
+    assert!(done.message().contains("broken.toml:4:"), "{done:?}");
+}
+
+#[test]
+fn derive_writes_rust_and_the_same_bytes_each_time() {
+    let path = file("tile.rs").display().to_string();
+    let done = smartbed(&["derive", "tile", "--scalar", "f32", "-o", &path, "--json"]);
+    assert!(done.json()["operations"]["rates"].as_u64().expect("a number") > 100);
+    let text = std::fs::read_to_string(path).expect("written");
+    assert!(text.contains("pub type S = f32;") && !text.contains("f64"), "f32 only");
+    assert_eq!(text, smartbed(&["derive", "tile", "--scalar", "f32"]).out);
+    let lanes = smartbed(&["derive", "fourbar", "--scalar", "f32x8"]).out;
+    assert!(lanes.contains("pub type S = wide::f32x8;"));
+}
+
+#[test]
+fn forms_give_what_they_say_or_explain_why_not() {
+    let functions = |arguments: &[&str]| -> Vec<String> {
+        let text = smartbed(arguments).out;
+        let names = text.lines().filter_map(|l| l.strip_prefix("pub fn ")?.split('(').next());
+        names.map(str::to_owned).collect()
+    };
+    assert_eq!(functions(&["derive", "fourbar", "--form", "kinematic"]), ["speeds", "outputs", "projection"]);
+    assert_eq!(functions(&["derive", "fourbar", "--answers", "energy"]), ["energy"]);
+    assert_eq!(functions(&["derive", "tile_minimal", "--form", "minimal"]).len(), 5);
+    let done = smartbed(&["derive", "fourbar", "--form", "minimal"]);
+    assert!(done.message().contains("dependent coordinates as state (q2, q3)"), "{done:?}");
+    let done = smartbed(&["derive", "fourbar", "--form", "kinematic", "--answers", "rates"]);
+    assert!(done.message().contains("needs masses"), "{done:?}");
+}
+
+#[test]
+fn a_derived_crate_compiles_on_its_own() {
+    for (scalar, folder) in [("f32", "fourbar_f32"), ("f64x4", "fourbar_f64x4")] {
+        let folder = file(folder);
+        let done =
+            smartbed(&["derive", "fourbar", "--scalar", scalar, "--crate", &folder.display().to_string()]);
+        assert_eq!(done.status, 0, "{done:?}");
+        let mut cargo = Command::new(env!("CARGO"));
+        // Its dependencies are the workspace's own: nothing is fetched.
+        cargo
+            .args(["check", "--quiet", "--offline", "--target-dir"])
+            .arg(file("derived"))
+            .current_dir(&folder);
+        let done = finish(cargo);
+        assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}");
+    }
+}
+
+#[test]
+fn every_command_has_help_with_an_example() {
+    for name in ["check", "derive", "eval", "run", "firmware"] {
+        let done = smartbed(&[name, "--help"]);
+        assert_eq!(done.status, 0);
+        assert!(done.out.contains("Example") && done.out.contains("--json"), "{name}: {}", done.out);
+    }
+    assert_eq!(smartbed(&["--version"]).status, 0);
+}
+
+#[test]
+fn models_are_found_by_name_from_any_folder_below() {
+    let mut below = command(&["check", "pendulum"]);
+    below.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/src/check"));
+    assert_eq!(finish(below).status, 0);
+    let done = smartbed(&["check", "pendulum33"]);
+    assert!(done.message().contains("did you mean `pendulum3`?"), "{done:?}");
+}
+
+#[test]
+fn a_wrong_command_line_is_a_wrong_input() {
+    for arguments in [&["frob"][..], &["run"], &["run", "tile", "--method", "magic"], &["eval", "tile"], &[]]
+    {
+        let done = smartbed(arguments);
+        assert_eq!(done.status, 1, "{arguments:?} {done:?}");
+        assert!(!done.err.is_empty());
+    }
+}

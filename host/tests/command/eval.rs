@@ -1,0 +1,157 @@
+//! `eval`: solved coordinates, engines with equal bits, messages with places.
+
+use crate::support::{command, eval, finish, numbers, smartbed, written};
+use serde_json::Value;
+
+/// A configuration of the four-bar linkage away from nominal, only the crank given.
+const CRANK: &str = r#"{"states": [{"q": {"q1": 1.2}, "u": {"u1": 0.7}, "inputs": {"T": 3},
+    "parameters": {"m2": 2.5}}]}"#;
+
+fn state(done: &crate::support::Done) -> Value {
+    done.json()["states"][0].clone()
+}
+
+#[test]
+fn left_out_coordinates_close_the_loop() {
+    let state = state(&eval("crank.json", "fourbar", CRANK, &[]));
+    // The loop in plain words: three links from the origin end at the ground pin (2, 0).
+    let q = |name: &str| state["q"][name].as_f64().expect("a number");
+    let (lengths, angles) = ([1.0, 2.2, 1.8], [q("q1"), q("q2"), q("q3")]);
+    let x: f64 = lengths.iter().zip(angles).map(|(l, a)| l * a.cos()).sum();
+    let y: f64 = lengths.iter().zip(angles).map(|(l, a)| l * a.sin()).sum();
+    // Sums of three numbers of order one, each rounded.
+    assert!((x - 2.0).abs() < 2e-15 && y.abs() < 2e-15, "{x} {y}");
+    assert_eq!(q("q1"), 1.2);
+    assert!(state["constraint_residual"].as_f64().expect("a number") < 2e-15);
+    for key in ["q", "q_dot"] {
+        assert_eq!(state[key].as_object().map(serde_json::Map::len), Some(3), "{key}");
+    }
+    for key in ["u", "u_dot"] {
+        assert_eq!(state[key].as_object().map(serde_json::Map::len), Some(1), "{key}");
+    }
+    assert!(state["energy"]["kinetic"].as_f64().expect("a number") > 0.0);
+    assert!(state["energy"]["potential"].is_f64() && state["outputs"].is_object());
+}
+
+#[test]
+fn dependent_coordinates_beside_left_out_ones_choose_the_branch() {
+    // The rocker folded to the other side: the mirror image about the line from crank pin to ground.
+    let nominal = state(&eval("near.json", "fourbar", r#"{"states": [{"q": {"q1": 1}}]}"#, &[]));
+    let other = state(&eval("far.json", "fourbar", r#"{"states": [{"q": {"q1": 1, "q2": -1.6}}]}"#, &[]));
+    let q2 = |s: &Value| s["q"]["q2"].as_f64().expect("a number");
+    assert!((q2(&nominal) - q2(&other)).abs() > 1.0, "{nominal} {other}");
+    assert!(other["constraint_residual"].as_f64().expect("a number") < 2e-15);
+}
+
+#[test]
+fn a_complete_configuration_is_never_altered() {
+    let given = r#"{"states": [{"q": {"q1": 1.0, "q2": 0.4, "q3": -1.9}}]}"#;
+    let state = state(&eval("complete.json", "fourbar", given, &[]));
+    assert_eq!(numbers(&state["q"]), [1.0, 0.4, -1.9]);
+    // It does not close, and the answer says so.
+    assert!(state["constraint_residual"].as_f64().expect("a number") > 1e-3);
+}
+
+#[test]
+fn both_engines_give_the_same_bytes() {
+    for scalar in ["f32", "f64"] {
+        let name = format!("bits_{scalar}.json");
+        let run = |engine| eval(&name, "fourbar", CRANK, &["--scalar", scalar, "--engine", engine]);
+        let (interpreted, compiled) = (run("interpreter"), run("compiled"));
+        assert_eq!((interpreted.status, compiled.status), (0, 0), "{compiled:?}");
+        assert_eq!(interpreted.out, compiled.out, "{scalar}");
+    }
+}
+
+#[test]
+fn without_a_compiler_the_message_names_one() {
+    // A model with a name of its own for this process: its library cannot be in the cache.
+    let models = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
+    let text = std::fs::read_to_string(models.join("pendulum3.toml")).expect("a model");
+    let model = written("unique.toml", &text.replace("pendulum3", &format!("unique_{}", std::process::id())));
+    let states = written("rest.json", r#"{"states": [{"q": {"q0": 0, "q1": 0, "q2": 0}}]}"#);
+    let mut command = command(&["eval", &model, "--states", &states, "--engine", "compiled"]);
+    command.env("PATH", "/nonexistent");
+    let done = finish(command);
+    assert_eq!(done.status, 2, "{done:?}");
+    assert!(done.err.contains("apt-get install") && done.err.contains("--engine interpreter"), "{done:?}");
+}
+
+#[test]
+fn fixed_parameters_may_be_named() {
+    // A payload on the tile, folded away by default, makes it heavier: more force for the same rest.
+    let at = |mass: &str| {
+        let states = format!(
+            r#"{{"states": [{{"q": {{"hA": 0, "hB": 0, "hC": 0}}, "parameters": {{"m_payload": {mass}}}}}]}}"#
+        );
+        state(&eval(&format!("payload{mass}.json"), "tile", &states, &[]))["u_dot"]["u_hA"]
+            .as_f64()
+            .expect("a number")
+    };
+    // Weight over inertia; the reflected inertia of the drives has none: falling faster with payload.
+    let fall = |payload: f64| {
+        let weight = 3.0 * (0.8 + 0.15) + 6.0 + payload;
+        -9.81 * weight / (weight + 3.0 * 2.0)
+    };
+    for (mass, payload) in [("0", 0.0), ("2.5", 2.5)] {
+        let found = at(mass);
+        assert!((found - fall(payload)).abs() < 1e-13 * fall(payload).abs(), "{found} {}", fall(payload));
+    }
+}
+
+#[test]
+fn mistakes_are_explained_where_they_were_made() {
+    let cases = [
+        (
+            r#"{"states": [{"q": {"q1": 1}}, {"q": {"q9": 1}}]}"#,
+            "states[1]: q: the model has no coordinate `q9`",
+        ),
+        (r#"{"states": [{"q": {}}]}"#, "the independent coordinate `q1` is left out"),
+        (
+            r#"{"states": [{"q": {"q1": 1}, "u": {"u2": 1}}]}"#,
+            "the speed `u2` is dependent: it follows from u1",
+        ),
+        (r#"{"states": [{"q": {"q1": 1}, "inputs": {"t": 1}}]}"#, "did you mean `T`?"),
+        (r#"{"states": [{"q": {"q1": 1}, "parameters": {"mm": 1}}]}"#, "no parameter `mm`"),
+        (
+            r#"{"states": [{"q": {"q1": 1}, "parameters": {"l2": 0.01}}]}"#,
+            "states[0]: the dependent coordinates",
+        ),
+        (r#"{"states": [{"q": {"q1": "1"}}]}"#, "states[0].q.q1: expected a number"),
+        (r#"{"states": ["#, "not JSON"),
+    ];
+    for (number, (states, message)) in cases.into_iter().enumerate() {
+        let done = eval(&format!("mistake{number}.json"), "fourbar", states, &[]);
+        assert!(done.message().contains(message), "{states}: {done:?}");
+    }
+    let unreachable =
+        eval("far_away.json", "fourbar", r#"{"states": [{"q": {"q1": 1}, "parameters": {"l4": 9}}]}"#, &[]);
+    assert!(unreachable.message().contains("residual of"), "{unreachable:?}");
+}
+
+#[test]
+fn singular_states_are_named() {
+    // Without mass at the tip nothing resists: the mass matrix is singular.
+    let states = r#"{"states": [{"q": {"q0": 0.1, "q1": 0.2, "q2": 0.3}, "parameters": {"m2": 0}}]}"#;
+    let done = eval("massless.json", "pendulum3", states, &[]);
+    assert!(done.message().contains("states[0]: ") && done.err.contains("not finite"), "{done:?}");
+}
+
+#[test]
+fn answers_may_be_chosen() {
+    let done = eval("chosen.json", "fourbar", CRANK, &["--answers", "energy,speeds"]);
+    let keys: Vec<String> = state(&done).as_object().expect("an object").keys().cloned().collect();
+    assert_eq!(keys, ["energy", "q", "speeds", "u"]);
+    let done = eval("chosen.json", "fourbar", CRANK, &["--answers", "energie"]);
+    assert!(done.message().contains("did you mean `energy`?"), "{done:?}");
+}
+
+#[test]
+fn files_and_standard_output_hold_the_same() {
+    let path = crate::support::file("out.json").display().to_string();
+    let states = written("same.json", CRANK);
+    let done = smartbed(&["eval", "fourbar", "--states", &states, "-o", &path, "--json"]);
+    assert_eq!(done.json()["states"], 1);
+    let to_file = std::fs::read_to_string(&path).expect("written");
+    assert_eq!(to_file, smartbed(&["eval", "fourbar", "--states", &states]).out);
+}

@@ -1,0 +1,8 @@
+//! The `smartbed` program as its users run it: answers, messages, exit statuses.
+
+mod check_and_derive;
+mod eval;
+mod nonsense;
+mod reference;
+mod run;
+mod support;
