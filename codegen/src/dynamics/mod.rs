@@ -5,9 +5,12 @@
 //! No mass matrix of the dependent speeds is ever inverted.
 
 mod active_force;
+mod augmented;
 mod energy;
 mod inertia_force;
 mod solve;
+
+pub use augmented::Augmented;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
@@ -35,6 +38,8 @@ pub struct Dynamics {
     pub values: HashMap<SymbolId, ExprId>,
     /// Pivots of the mass matrix.
     pub pivots: Vec<Pivot>,
+    /// The same equations before the elimination.
+    pub augmented: Augmented,
 }
 
 /// Inertia and forces over all unknowns.
@@ -80,11 +85,21 @@ pub fn derive(
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
+    let augmented = augmented::derive(k, solution, &parts, &values);
     let (mass_matrix, forcing) = project(k, solution, &parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
     let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
-    Ok(Dynamics { mass_matrix, forcing, u_dot, kinetic: energies[0], potential: energies[1], values, pivots })
+    Ok(Dynamics {
+        mass_matrix,
+        forcing,
+        u_dot,
+        kinetic: energies[0],
+        potential: energies[1],
+        values,
+        pivots,
+        augmented,
+    })
 }
 
 /// y = T u for every unknown that is not an independent speed; named after the unknown.

@@ -43,6 +43,8 @@ pub struct Solution {
     pub correction: BTreeMap<UnknownId, ExprId>,
     /// Pivots that are not constants, in order.
     pub pivots: Vec<Pivot>,
+    /// The rows that were solved.
+    pub rows: Vec<Row>,
 }
 
 /// One equation during elimination: sum coefficients y = right.
@@ -86,6 +88,7 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     }
     back_substitute(k, done, &mut solution);
     check_consequences(model, k, table, &solution)?;
+    solution.rows = chosen;
     Ok(solution)
 }
 

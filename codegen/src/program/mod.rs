@@ -7,7 +7,7 @@ pub mod interpreter;
 mod reciprocal;
 
 use crate::diagnostic::Diagnostics;
-use crate::dynamics::{self, Dynamics};
+use crate::dynamics::{self, Augmented, Dynamics};
 use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, UnknownKind};
@@ -46,6 +46,8 @@ pub struct Program {
     pub correction: Vec<(usize, ExprId)>,
     /// Largest constraint residual before the correction.
     pub residual: ExprId,
+    /// The equations before the elimination, with multipliers.
+    pub augmented: Augmented,
     /// Pivots of all eliminations.
     pub pivots: Vec<Pivot>,
     /// Number of configurations at which they were screened.
@@ -147,6 +149,7 @@ fn assemble(
         outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
         correction,
         residual,
+        augmented: dynamics.augmented,
         pivots,
         n_samples: k.samples.len(),
         assembly,
@@ -278,6 +281,7 @@ impl Program {
         roots.extend(self.outputs.iter().map(|(_, e)| *e));
         roots.extend(self.correction.iter().map(|(_, e)| *e));
         roots.push(self.residual);
+        roots.extend(self.augmented_roots());
         roots
     }
 
@@ -310,5 +314,18 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
+        let augmented = &mut self.augmented;
+        for part in
+            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
+        {
+            part.iter_mut().for_each(|e| *e = image(*e));
+        }
+    }
+
+    /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.
+    #[must_use]
+    pub fn augmented_roots(&self) -> Vec<ExprId> {
+        let parts = &self.augmented;
+        [&parts.mass, &parts.jacobian, &parts.forcing, &parts.bias].into_iter().flatten().copied().collect()
     }
 }

@@ -57,10 +57,12 @@ pub enum Answer {
     Outputs,
     /// Newton's correction of the dependent coordinates.
     Projection,
+    /// The equations before the elimination; emitted only on request.
+    Augmented,
 }
 
 impl Answer {
-    /// Every answer, in the order of the emitted file.
+    /// Every answer of a complete file, in its order; [`Answer::Augmented`] is a form of its own.
     pub const ALL: [Self; 5] = [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection];
 
     /// Name of the emitted function and of the answer on the command line.
@@ -72,6 +74,7 @@ impl Answer {
             Self::Speeds => "speeds",
             Self::Outputs => "outputs",
             Self::Projection => "projection",
+            Self::Augmented => "augmented",
         }
     }
 
@@ -93,6 +96,7 @@ impl Answer {
                 roots.push(program.residual);
                 roots
             }
+            Self::Augmented => program.augmented_roots(),
         }
     }
 
@@ -106,6 +110,9 @@ impl Answer {
             Self::Outputs => "Requested outputs in the order of `OUTPUT_NAMES`.",
             Self::Projection => {
                 "Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them."
+            }
+            Self::Augmented => {
+                "Mass matrix M, Jacobian J (row-major), forcing f and bias b of M y' - J' lambda = f, J y' = -b, y as in `UNKNOWN_NAMES`."
             }
         }
     }
@@ -133,6 +140,10 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     };
     items.extend(constants(program, options));
     items.extend(parameters(program, options));
+    if answers.contains(&Answer::Augmented) {
+        let doc = "Speeds and lifted twists of the augmented form, in order.";
+        items.extend(names_constant("UNKNOWN_NAMES", doc, &program.augmented.unknowns));
+    }
     let mut bodies = Vec::new();
     for &answer in &answers {
         let body = Body::new(program, &answer.roots(program), &options.scalar);
@@ -277,6 +288,10 @@ fn function(program: &Program, answer: Answer, arguments: &TokenStream) -> Token
         Answer::Energy => quote!((S, S)),
         Answer::Speeds | Answer::Outputs => quote!([S; #n]),
         Answer::Projection => quote!(([S; #corrections], S)),
+        Answer::Augmented => {
+            let [a, b, c, d] = augmented_lengths(program);
+            quote!(([S; #a], [S; #b], [S; #c], [S; #d]))
+        }
     };
     let (ident, doc, body) = (format_ident!("{}", answer.name()), answer.doc(), placeholder(answer));
     let operations = format!("{} operations.", program.dag.cone_cost(&answer.roots(program)));
@@ -307,5 +322,19 @@ fn result(program: &Program, answer: Answer, results: &[String]) -> String {
             let (corrections, residual) = results.split_at(results.len() - 1);
             format!("({}, {})", list(corrections), residual.concat())
         }
+        Answer::Augmented => {
+            let mut rest = results;
+            let parts = augmented_lengths(program).map(|n| {
+                let (part, after) = rest.split_at(n);
+                rest = after;
+                list(part)
+            });
+            format!("({})", parts.join(", "))
+        }
     }
+}
+
+fn augmented_lengths(program: &Program) -> [usize; 4] {
+    let parts = &program.augmented;
+    [parts.mass.len(), parts.jacobian.len(), parts.forcing.len(), parts.bias.len()]
 }

@@ -1,5 +1,6 @@
 //! Tests of the generator, one binary.
 
+mod augmented;
 mod expr;
 mod expressions;
 mod geometry;

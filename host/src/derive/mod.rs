@@ -76,6 +76,9 @@ pub enum Form {
     Reduced,
     /// As reduced, but refused unless the model needs no dependent coordinates as state.
     Minimal,
+    /// Before the elimination: mass matrix, Jacobian, forcing and bias over all speeds and the
+    /// twists of bodies that close loops, for a solver with multipliers.
+    Augmented,
     /// Only what needs no mass: speeds, outputs, projection.
     Kinematic,
 }
@@ -153,6 +156,8 @@ fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure>
     const KINEMATIC: [Answer; 3] = [Answer::Speeds, Answer::Outputs, Answer::Projection];
     match arguments.form {
         Form::Reduced => Ok(arguments.answers.clone()),
+        Form::Augmented if arguments.answers.is_empty() => Ok(vec![Answer::Augmented]),
+        Form::Augmented => Ok([&[Answer::Augmented], arguments.answers.as_slice()].concat()),
         Form::Minimal => {
             let dependent: Vec<&str> = model
                 .coordinates

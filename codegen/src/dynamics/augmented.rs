@@ -1,0 +1,59 @@
+//! The augmented form, before anything is eliminated (thesis Eq. 2.5 with its multipliers):
+//!
+//! `[ M_y  -J' ] [ y'     ]   [ forcing ]`
+//! `[ J     0  ] [ lambda ] = [ -bias   ]`
+//!
+//! y: all speeds and lifted twists. The multipliers depend on how the rows are written: they are
+//! not joint reactions.
+
+use super::Unprojected;
+use crate::expr::{ExprId, SymbolId};
+use crate::kinematics::eliminate::Solution;
+use crate::kinematics::{Kinematics, UnknownId};
+use rustc_hash::FxHashMap as HashMap;
+
+/// Matrices of the augmented system, row-major.
+#[derive(Clone, Debug, Default)]
+pub struct Augmented {
+    /// Names of the unknowns y.
+    pub unknowns: Vec<String>,
+    /// M_y, n x n.
+    pub mass: Vec<ExprId>,
+    /// J, m x n.
+    pub jacobian: Vec<ExprId>,
+    /// Active forces less the inertia bias, n.
+    pub forcing: Vec<ExprId>,
+    /// Acceleration-level bias of the rows, m.
+    pub bias: Vec<ExprId>,
+}
+
+/// Collects the system; speeds inside forces and biases become functions of the independent ones.
+pub(super) fn derive(
+    k: &mut Kinematics,
+    solution: &Solution,
+    parts: &Unprojected,
+    values: &HashMap<SymbolId, ExprId>,
+) -> Augmented {
+    let zero = k.dag.zero();
+    let all: Vec<UnknownId> = k.unknowns.ids().collect();
+    let mut mass = Vec::new();
+    for &a in &all {
+        for &b in &all {
+            mass.push(parts.mass.get(&(a.min(b), a.max(b))).copied().unwrap_or(zero));
+        }
+    }
+    let mut jacobian = Vec::new();
+    let mut bias = Vec::new();
+    for row in &solution.rows {
+        jacobian.extend(all.iter().map(|u| row.coefficients.get(u).copied().unwrap_or(zero)));
+        bias.push(row.bias);
+    }
+    let forcing: Vec<ExprId> = all.iter().map(|u| parts.force.get(u).copied().unwrap_or(zero)).collect();
+    Augmented {
+        unknowns: k.unknowns.iter().map(|u| u.name.clone()).collect(),
+        mass,
+        jacobian,
+        forcing: k.dag.substitute(&forcing, values),
+        bias: k.dag.substitute(&bias, values),
+    }
+}
