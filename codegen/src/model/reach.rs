@@ -131,6 +131,7 @@ impl Reaches<'_> {
                         self.frames[id] = self.frames[id] | self.of(e);
                     }
                 }
+                Entity::Coordinate(_) => {}
                 Entity::Point(id) => {
                     let position = &self.model.points[id].position;
                     self.within(position, CONFIGURATION, "a position", found);
