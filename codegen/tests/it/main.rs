@@ -1,7 +1,9 @@
 //! Tests of the generator, one binary.
 
 mod expr;
+mod example_crate;
 mod expressions;
+mod fuzz;
 mod geometry;
 mod layering;
 mod machines;
