@@ -54,7 +54,9 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
     let chosen = choose(model, k, table, &unknown)?;
     let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
-    let (values, pivots) = sparse::solve(&mut k.dag, table, equations);
+    let Some((values, pivots)) = sparse::solve(&mut k.dag, table, equations) else {
+        return Err(rank::explain(model, k, table, None));
+    };
     let mut solution = Solution::default();
     for pivot in k.rate_pivots.iter().copied().chain(pivots) {
         record(&k.dag, table, pivot, &mut solution.pivots);

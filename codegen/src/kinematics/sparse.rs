@@ -25,12 +25,12 @@ pub(super) struct Equation {
 /// Values of the unknowns for every right-hand side.
 pub(super) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
 
-/// Solves the equations; also the pivots divided by, in order.
+/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
 pub(super) fn solve(
     dag: &mut Dag,
     table: &mut SampleTable,
     mut equations: Vec<Equation>,
-) -> (Values, Vec<ExprId>) {
+) -> Option<(Values, Vec<ExprId>)> {
     let mut done: Vec<(UnknownId, ExprId, Equation)> = Vec::new();
     let mut pivots = Vec::new();
     while let Some((r, column)) = pick(dag, table, &equations) {
@@ -44,7 +44,7 @@ pub(super) fn solve(
         }
         done.push((column, pivot, row));
     }
-    (back_substitute(dag, done), pivots)
+    Some((back_substitute(dag, done)?, pivots))
 }
 
 /// (row, column) of least fill among the safe pivots; the safest if none is safe.
@@ -106,7 +106,7 @@ fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: Unknown
     }
 }
 
-fn back_substitute(dag: &mut Dag, done: Vec<(UnknownId, ExprId, Equation)>) -> Values {
+fn back_substitute(dag: &mut Dag, done: Vec<(UnknownId, ExprId, Equation)>) -> Option<Values> {
     let mut known = Values::new();
     for (column, pivot, row) in done.into_iter().rev() {
         let mut values = row.right;
@@ -114,12 +114,12 @@ fn back_substitute(dag: &mut Dag, done: Vec<(UnknownId, ExprId, Equation)>) -> V
             if other == column {
                 continue;
             }
-            for (value, &x) in values.iter_mut().zip(&known[&other]) {
+            for (value, &x) in values.iter_mut().zip(known.get(&other)?) {
                 let product = dag.mul(coefficient, x);
                 *value = dag.sub(*value, product);
             }
         }
         known.insert(column, values.into_iter().map(|v| dag.div(v, pivot)).collect());
     }
-    known
+    Some(known)
 }

@@ -54,7 +54,9 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     let equations = equations(model, k)?;
     let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
     let mut table = screening_table(model, k);
-    let (values, pivots) = sparse::solve(&mut k.dag, &mut table, equations);
+    let Some((values, pivots)) = sparse::solve(&mut k.dag, &mut table, equations) else {
+        return Err(not_invertible(model));
+    };
     let singular = pivots.iter().any(|&p| !(SINGULAR < table.values(&k.dag, p)[0].abs()));
     if values.len() < states.len() || singular {
         return Err(not_invertible(model));

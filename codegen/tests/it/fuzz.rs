@@ -46,7 +46,7 @@ fn scalar(random: &mut Random, n: usize, depth: usize) -> String {
             _ => format!("q{}", random.below(n)),
         };
     }
-    let mut part = |random: &mut Random| scalar(random, n, depth - 1);
+    let part = |random: &mut Random| scalar(random, n, depth - 1);
     match random.below(9) {
         0 => format!("({} + {})", part(random), part(random)),
         1 => format!("({} - {})", part(random), part(random)),
