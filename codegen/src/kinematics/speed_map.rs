@@ -57,8 +57,8 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     let Some((values, pivots)) = sparse::solve(&mut k.dag, &mut table, equations) else {
         return Err(not_invertible(model));
     };
-    let singular = pivots.iter().any(|&p| !(SINGULAR < table.values(&k.dag, p)[0].abs()));
-    if values.len() < states.len() || singular {
+    let usable = pivots.iter().all(|&p| SINGULAR < table.values(&k.dag, p)[0].abs());
+    if values.len() < states.len() || !usable {
         return Err(not_invertible(model));
     }
     k.rate_pivots = pivots;
