@@ -220,16 +220,17 @@ fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) ->
     Ok(())
 }
 
-/// Largest residual of one equation after finite moves along the others, every way they leave free.
+/// Largest residual of one equation after finite moves along the others, every way they leave free;
+/// infinite if there are such ways and none can be walked.
 fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: usize) -> f64 {
     let (_, rows) = equations.at(q);
     let others_rows: Vec<Vec<f64>> = others.iter().map(|&i| rows[i].clone()).collect();
-    let mut worst = 0.0_f64;
-    for direction in free_directions(&others_rows, q.len()) {
-        let Some(there) = equations.walk(q, &direction, others) else { continue };
-        worst = worst.max(largest(&equations.at(&there).0[suspect..=suspect]));
+    let directions = free_directions(&others_rows, q.len());
+    let ends: Vec<Vec<f64>> = directions.iter().filter_map(|d| equations.walk(q, d, others)).collect();
+    if ends.is_empty() && !directions.is_empty() {
+        return f64::INFINITY;
     }
-    worst
+    ends.iter().map(|end| largest(&equations.at(end).0[suspect..=suspect])).fold(0.0, f64::max)
 }
 
 /// Keeps only the residuals `kept`, and no rows of a scalar equation that is dropped as a whole.
@@ -272,6 +273,7 @@ fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual:
     );
     for (i, (_, span)) in places.iter().enumerate() {
         let text = match i {
+            0 if residual.is_infinite() => "the others leave no way to move".to_owned(),
             0 => format!("violated by {residual:.1e} after a move of {MOVE} along the others"),
             _ => "involved".to_owned(),
         };
