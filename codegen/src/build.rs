@@ -58,6 +58,12 @@ pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics>
         println!("cargo::rerun-if-changed={}", file.path);
     }
     let program = program::derive(&model, &options.parameters)?;
+    for line in [model.warnings(), program.warnings.clone()]
+        .iter()
+        .flat_map(|w| w.to_string().lines().map(str::to_owned).collect::<Vec<_>>())
+    {
+        println!("cargo::warning={line}");
+    }
     let text = rust::emit(&program, &options.emit);
     let fail = |message: String| Diagnostics::one(Source::default(), Diagnostic::error(message));
     let directory = std::env::var_os("OUT_DIR")

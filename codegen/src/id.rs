@@ -70,6 +70,10 @@ impl<I: Id, T> IdVec<I, T> {
     pub fn enumerate(&self) -> impl DoubleEndedIterator<Item = (I, &T)> {
         self.items.iter().enumerate().map(|(i, x)| (I::from_index(i), x))
     }
+    /// The element of an id, if there is one.
+    pub fn get(&self, id: I) -> Option<&T> {
+        self.items.get(id.index())
+    }
     /// The elements as a slice.
     #[must_use]
     pub fn as_slice(&self) -> &[T] {

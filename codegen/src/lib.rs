@@ -8,7 +8,8 @@
 //! ```no_run
 //! smartbed_codegen::build("models/tile.toml", &smartbed_codegen::Options::default());
 //! ```
-//! and in the crate: `include!(concat!(env!("OUT_DIR"), "/tile.rs"));`
+//! and in the crate: `include!(concat!(env!("OUT_DIR"), "/tile.rs"));`. A complete small crate of this
+//! kind is `examples/pendulum_crate`; the language is described in `docs/models.md` of the repository.
 //!
 //! Without a compiler in between:
 //! ```

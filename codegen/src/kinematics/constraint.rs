@@ -7,10 +7,10 @@
 //! Any set of independent rows that spans all of them is equivalent on the constraints.
 
 use super::velocity::{self, Motion, Rate};
-use super::{Kinematics, UnknownId, lower, orientation, position};
+use super::{Kinematics, Place, UnknownId, lower, orientation, position};
 use crate::expr::ExprId;
 use crate::id::Id;
-use crate::model::{Axis, FrameId, Model, PointId};
+use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
 use crate::vector::{TriadId, Vector, cross_components, dot_components};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -62,12 +62,13 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 let motion = velocity::derivative(k, &residual);
                 let triads = triads_of(&motion);
                 let name = constraint.name.clone();
-                add_residuals(k, &residual);
+                add_residuals(k, &residual, &Place { name: name.clone(), span: constraint.span });
                 rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
             }
             lower::Value::Scalar(e) => {
                 let rate = velocity::scalar_rate(k, e);
                 k.residuals.push(e);
+                k.residual_names.push(Place { name: constraint.name.clone(), span: constraint.span });
                 rows.extend(row(k, &constraint.name, rate, e));
             }
             lower::Value::Pending => {}
@@ -83,8 +84,30 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             rows.extend(motion_row(k, &constraint.name, e));
         }
     }
+    rows.extend(speeds_in_closed_form(model, k));
     rows.sort_by_key(|row| row.cost);
     k.rows = rows;
+}
+
+/// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.
+fn speeds_in_closed_form(model: &Model, k: &mut Kinematics) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (speed, declared) in model.speeds.enumerate() {
+        let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
+        if !k.is_state[coordinate] {
+            let closed = k.rates[coordinate].clone();
+            let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.negate(closed.bias) };
+            for (unknown, partial) in closed.partials {
+                let partial = k.dag.negate(partial);
+                rate.partials.insert(unknown, partial);
+            }
+            let one = k.dag.one();
+            rate.partials.insert(k.unknown_of(speed), one);
+            let zero = k.dag.zero();
+            rows.extend(row(k, &declared.name, rate, zero));
+        }
+    }
+    rows
 }
 
 /// V_P - d/dt(expression) = 0 for every expression of a closing point's position.
@@ -100,7 +123,8 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
         if nth > 0 {
             let flat = position::flatten(k, &place);
             let residual = reference.minus(&mut k.dag, &flat);
-            add_residuals(k, &residual);
+            let name = format!("{} closure {}", declared.name, nth + 1);
+            add_residuals(k, &residual, &Place { name, span: expression.span });
         }
         // Vectors that are constant in the body's triad turn with the body; Newton's residual must
         // see them where the body has them, or it would not converge quadratically.
@@ -152,6 +176,8 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
         };
         let triads = BTreeSet::from([TriadId::from_index(0), triad]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
+        let difference = k.triads.express(&mut k.dag, &residual, TriadId::from_index(0));
+        k.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }
     equations
@@ -164,10 +190,11 @@ fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
 }
 
 /// The inertial components of a residual that are not identically zero.
-fn add_residuals(k: &mut Kinematics, residual: &Vector) {
+fn add_residuals(k: &mut Kinematics, residual: &Vector, place: &Place) {
     for e in k.triads.express(&mut k.dag, residual, TriadId::from_index(0)) {
         if !k.dag.is_zero(e) {
             k.residuals.push(e);
+            k.residual_names.push(place.clone());
         }
     }
 }

@@ -2,14 +2,13 @@
 //!
 //! In: candidate rows. Out: T, beta and delta with y = T u, y' = T u' + beta for all unknowns y, and
 //! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
-//! are independent at every sampled configuration; pivots by least fill (Markowitz), never from
-//! structure alone: a pivot must be far from zero, relative to its row, at every sample.
+//! are independent at every sampled configuration.
 
-use super::{Kinematics, Row, UnknownId, UnknownKind};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use super::sparse::{self, Equation};
+use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
+use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
-use crate::id::Id;
 use crate::model::Model;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
@@ -18,8 +17,6 @@ use std::collections::BTreeMap;
 const INDEPENDENT: f64 = 1e-3;
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
-/// A pivot relative to the largest entry of its row, at the worst sample.
-const SAFE_PIVOT: f64 = 0.05;
 
 /// A pivot and its size at the nominal configuration.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -47,13 +44,6 @@ pub struct Solution {
     pub rows: Vec<Row>,
 }
 
-/// One equation during elimination: sum coefficients y = right.
-struct Equation {
-    coefficients: BTreeMap<UnknownId, ExprId>,
-    /// One entry per independent speed, then bias, then residual.
-    right: Vec<ExprId>,
-}
-
 /// Solves for every unknown.
 ///
 /// # Errors
@@ -65,28 +55,28 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         .collect();
     let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
     let chosen = choose(model, k, table, &unknown)?;
-    let mut equations: Vec<Equation> =
-        chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
+    let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
+    let Some((values, pivots)) = sparse::solve(&mut k.dag, table, equations) else {
+        return Err(rank::explain(model, k, table, None));
+    };
     let mut solution = Solution::default();
-    let mut done: Vec<(UnknownId, ExprId, Equation)> = Vec::new();
-    while !equations.is_empty() {
-        let (r, column) = pick(&k.dag, table, &equations);
-        let row = equations.swap_remove(r);
-        let pivot = row.coefficients[&column];
+    for pivot in k.rate_pivots.iter().copied().chain(pivots) {
         record(&k.dag, table, pivot, &mut solution.pivots);
-        for other in &mut equations {
-            subtract(&mut k.dag, other, &row, column, pivot);
-        }
-        done.push((column, pivot, row));
     }
+    let n = independent.len();
     for (column, &id) in independent.iter().enumerate() {
         let (zero, one) = (k.dag.zero(), k.dag.one());
-        let unit = (0..independent.len()).map(|j| if j == column { one } else { zero }).collect();
+        let unit = (0..n).map(|j| if j == column { one } else { zero }).collect();
         solution.partials.insert(id, unit);
         solution.bias.insert(id, zero);
         solution.correction.insert(id, zero);
     }
-    back_substitute(k, done, &mut solution);
+    for (id, mut values) in values {
+        solution.correction.insert(id, values[n + 1]);
+        solution.bias.insert(id, values[n]);
+        values.truncate(n);
+        solution.partials.insert(id, values);
+    }
     check_consequences(model, k, table, &solution)?;
     solution.rows = chosen;
     Ok(solution)
@@ -108,7 +98,7 @@ fn choose(
     while chosen.len() < n {
         let cheapest = (0..candidates.len()).min_by_key(|&i| added_cost(k, candidates[i], &paid));
         let Some(row) = cheapest.map(|i| candidates.remove(i)) else {
-            return Err(under_determined(model, chosen.len(), n));
+            return Err(rank::explain(model, k, table, None));
         };
         let numbers = numeric_row(&k.dag, table, row, &column, n);
         // Most dependent rows show at the first sample: no need to look at the others.
@@ -185,26 +175,15 @@ fn check_consequences(
                 }
             }
             if sum.iter().zip(&size).any(|(s, m)| s.abs() > CONSEQUENCE * m.max(CONSEQUENCE)) {
-                return Err(over_determined(model, &row.name));
+                return Err(rank::explain(model, k, table, Some(&row.name)));
             }
         }
     }
     Ok(())
 }
 
-fn over_determined(model: &Model, name: &str) -> Diagnostics {
-    let mut error = Diagnostic::error(format!(
-        "`{name}` does not follow from the other constraints: the mechanism has fewer degrees of freedom than independent speeds"
-    ))
-    .help("declare fewer coordinates `independent`, or remove the constraint");
-    for speed in model.speeds.iter().filter(|s| s.independent) {
-        error = error.label(speed.span, "declared independent");
-    }
-    Diagnostics { source: model.source.clone(), items: vec![error] }
-}
-
 /// Unit rows of the unknown columns at every sample; zero rows stay zero.
-fn numeric_row(
+pub(super) fn numeric_row(
     dag: &Dag,
     table: &mut SampleTable,
     row: &Row,
@@ -228,12 +207,12 @@ fn numeric_row(
     numbers
 }
 
-fn norm(v: &[f64]) -> f64 {
+pub(super) fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// Gram-Schmidt, twice for accuracy.
-fn orthogonal_part(v: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
+pub(super) fn orthogonal_part(v: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
     let mut rest = v.to_vec();
     for _ in 0..2 {
         for b in basis {
@@ -242,23 +221,6 @@ fn orthogonal_part(v: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
         }
     }
     rest
-}
-
-fn under_determined(model: &Model, rank: usize, needed: usize) -> Diagnostics {
-    let mut error = Diagnostic::error(format!(
-        "the constraints determine only {rank} of the {needed} dependent unknowns at every sampled configuration"
-    ))
-    .help(
-        "either a constraint is missing, or one is singular: its rate vanishes or follows from the \
-         others wherever they hold (state it in another, regular form), or more coordinates are independent than declared",
-    );
-    for constraint in model.configuration_constraints.iter().chain(&model.motion_constraints) {
-        error = error.label(constraint.span, "one of the constraints");
-    }
-    for point in model.points.iter().filter(|p| !p.closures.is_empty()) {
-        error = error.label(point.span, "a closed loop");
-    }
-    Diagnostics { source: model.source.clone(), items: vec![error] }
 }
 
 fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {
@@ -271,41 +233,6 @@ fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {
     right.push(dag.negate(row.bias));
     right.push(dag.negate(row.residual));
     Equation { coefficients, right }
-}
-
-/// (row, column) of least fill among the safe pivots; the safest if none is safe.
-fn pick(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> (usize, UnknownId) {
-    let mut in_column: BTreeMap<UnknownId, usize> = BTreeMap::new();
-    for equation in equations {
-        for &column in equation.coefficients.keys() {
-            *in_column.entry(column).or_insert(0) += 1;
-        }
-    }
-    let mut candidates = Vec::new();
-    for (r, equation) in equations.iter().enumerate() {
-        let largest = row_maximum(dag, table, equation);
-        for (&column, &entry) in &equation.coefficients {
-            let relative = table.values(dag, entry).iter().zip(&largest).map(|(x, m)| x.abs() / m);
-            let safety = relative.fold(f64::INFINITY, f64::min);
-            let fill = (equation.coefficients.len() - 1) * (in_column[&column] - 1);
-            let score = (fill, usize::from(!dag.is_constant(entry)), dag.cone_cost(&[entry]), column.index());
-            candidates.push((safety, score, (r, column)));
-        }
-    }
-    let safe = candidates.iter().filter(|(safety, ..)| *safety > SAFE_PIVOT);
-    let safest = || candidates.iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    let chosen = safe.min_by_key(|(_, score, _)| *score).or_else(safest);
-    chosen.map_or((0, UnknownId::from_index(0)), |(_, _, place)| *place)
-}
-
-fn row_maximum(dag: &Dag, table: &mut SampleTable, equation: &Equation) -> Vec<f64> {
-    let mut largest = vec![0.0_f64; table.points()];
-    for &entry in equation.coefficients.values() {
-        for (m, x) in largest.iter_mut().zip(table.values(dag, entry)) {
-            *m = m.max(x.abs());
-        }
-    }
-    largest
 }
 
 fn record(dag: &Dag, table: &mut SampleTable, pivot: ExprId, pivots: &mut Vec<Pivot>) {
@@ -321,54 +248,6 @@ pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Piv
     let nominal = values[0].abs();
     let smallest = values.iter().fold(f64::INFINITY, |m, x| m.min(x.abs()));
     Pivot { value, nominal, worst: smallest / nominal }
-}
-
-/// `other -= (other[column] / pivot) row`.
-fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: UnknownId, pivot: ExprId) {
-    let Some(entry) = other.coefficients.remove(&column) else { return };
-    let factor = dag.div(entry, pivot);
-    for (&c, &x) in &row.coefficients {
-        if c == column {
-            continue;
-        }
-        let product = dag.mul(factor, x);
-        let new = match other.coefficients.get(&c) {
-            Some(&mine) => dag.sub(mine, product),
-            None => dag.negate(product),
-        };
-        if dag.is_zero(new) {
-            other.coefficients.remove(&c);
-        } else {
-            other.coefficients.insert(c, new);
-        }
-    }
-    for (mine, &x) in other.right.iter_mut().zip(&row.right) {
-        let product = dag.mul(factor, x);
-        *mine = dag.sub(*mine, product);
-    }
-}
-
-fn back_substitute(k: &mut Kinematics, done: Vec<(UnknownId, ExprId, Equation)>, solution: &mut Solution) {
-    for (column, pivot, row) in done.into_iter().rev() {
-        let n = row.right.len() - 2;
-        let mut values = row.right;
-        for (other, coefficient) in row.coefficients {
-            if other == column {
-                continue;
-            }
-            let known = &solution.partials[&other];
-            let all: Vec<ExprId> =
-                known.iter().copied().chain([solution.bias[&other], solution.correction[&other]]).collect();
-            for (value, x) in values.iter_mut().zip(all) {
-                let product = k.dag.mul(coefficient, x);
-                *value = k.dag.sub(*value, product);
-            }
-        }
-        let values: Vec<ExprId> = values.into_iter().map(|v| k.dag.div(v, pivot)).collect();
-        solution.correction.insert(column, values[n + 1]);
-        solution.bias.insert(column, values[n]);
-        solution.partials.insert(column, values[..n].to_vec());
-    }
 }
 
 /// Table of all symbols at the sampled configurations: speeds and inputs random, parameters default.

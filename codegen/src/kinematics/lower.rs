@@ -23,9 +23,12 @@ pub enum Value {
 pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
     let mut dag = Dag::default();
     let time = dag.symbol("t");
-    let q = model.coordinates.iter().map(|c| dag.symbol(&c.name)).collect();
-    let inputs = model.inputs.iter().map(|i| dag.symbol(&i.name)).collect();
     let zero = dag.zero();
+    let is_state: IdVec<_, bool> = model.coordinates.iter().map(|c| c.closed_form.is_none()).collect();
+    let q =
+        model.coordinates.iter().map(|c| if c.closed_form.is_none() { dag.symbol(&c.name) } else { zero });
+    let q = q.collect();
+    let inputs = model.inputs.iter().map(|i| dag.symbol(&i.name)).collect();
     let mut unknowns = IdVec::default();
     for (speed, declared) in model.speeds.enumerate() {
         let value = dag.symbol(&declared.name);
@@ -42,6 +45,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         triads,
         time,
         q,
+        is_state,
         inputs,
         parameters: model.parameters.iter().map(|_| zero).collect(),
         parameter_values: model.parameter_defaults(),
@@ -55,6 +59,9 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         velocities: IdVec::default(),
         rows: Vec::new(),
         residuals: Vec::new(),
+        residual_names: Vec::new(),
+        fixed_vectors: Vec::new(),
+        rate_pivots: Vec::new(),
         samples: Vec::new(),
     };
     parameters(model, choice, &mut k);

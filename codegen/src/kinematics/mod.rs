@@ -7,11 +7,14 @@
 
 mod assemble;
 mod constraint;
+pub(crate) mod diagnose;
 pub mod eliminate;
 pub mod linear;
 mod lower;
 mod orientation;
 mod position;
+mod rank;
+mod sparse;
 mod speed_map;
 mod velocity;
 
@@ -19,6 +22,7 @@ use crate::diagnostic::Diagnostics;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::{Id, IdVec, ids};
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
+use crate::source::Span;
 use crate::vector::{TriadId, Triads, Vector};
 use std::collections::BTreeMap;
 
@@ -57,6 +61,15 @@ pub enum UnknownKind {
     Lifted,
 }
 
+/// An equation of the model, for messages.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Place {
+    /// Its name.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+}
+
 /// How the derivation treats parameters.
 #[derive(Clone, Debug, Default)]
 pub struct ParameterChoice {
@@ -77,6 +90,8 @@ pub struct Kinematics {
     pub time: ExprId,
     /// Coordinates: symbols, or closed forms of other coordinates.
     pub q: IdVec<CoordinateId, ExprId>,
+    /// Is the coordinate state? (Else it is given in closed form.)
+    pub is_state: IdVec<CoordinateId, bool>,
     /// Inputs: symbols.
     pub inputs: IdVec<InputId, ExprId>,
     /// Parameters: symbols where tunable, folded expressions where fixed.
@@ -103,6 +118,12 @@ pub struct Kinematics {
     pub rows: Vec<Row>,
     /// Configuration constraints as scalars: 0 when satisfied.
     pub residuals: Vec<ExprId>,
+    /// What each residual belongs to.
+    pub residual_names: Vec<Place>,
+    /// Vectors stated to be fixed in a frame: inertial components less the stated ones.
+    pub fixed_vectors: Vec<(Place, [ExprId; 3])>,
+    /// What the speeds' definition divides by.
+    pub rate_pivots: Vec<ExprId>,
     /// Coordinates at sampled configurations that satisfy the constraints, nominal first.
     pub samples: Vec<Vec<f64>>,
 }
@@ -111,7 +132,7 @@ impl Kinematics {
     /// Symbol of a coordinate; `None` for a closed form.
     #[must_use]
     pub fn coordinate_symbol(&self, coordinate: CoordinateId) -> Option<SymbolId> {
-        self.dag.as_symbol(self.q[coordinate])
+        if self.is_state[coordinate] { self.dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
     /// The unknown of a speed.
@@ -129,8 +150,8 @@ impl Kinematics {
 /// not fit.
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Kinematics, Diagnostics> {
     let mut k = lower::symbols(model, choice);
-    speed_map::derive(model, &mut k)?;
     position::derive(model, &mut k);
+    speed_map::derive(model, &mut k)?;
     velocity::derive(model, &mut k);
     constraint::derive(model, &mut k);
     assemble::derive(model, &mut k)?;

@@ -1,4 +1,5 @@
-//! Orientations of frames, positions of points, values of definitions, in the model's order.
+//! Orientations of frames, positions of points, values of definitions and of coordinates in closed
+//! form, in the model's order.
 
 use super::lower::{self, Value};
 use super::{Kinematics, orientation};
@@ -20,6 +21,13 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                     k.dag.name(e, &definition.name);
                 }
                 k.definitions[id] = value;
+            }
+            Entity::Coordinate(id) => {
+                if let Some(form) = &model.coordinates[id].closed_form {
+                    let value = lower::scalar(k, form);
+                    k.dag.name(value, &model.coordinates[id].name);
+                    k.q[id] = value;
+                }
             }
             Entity::Frame(id) => orientation::derive(model, k, id),
             Entity::Point(id) => {

@@ -1,29 +1,210 @@
 //! Kinematic differential equations: q_dot = N(q) u.
+//!
+//! In: every speed as the rate of a coordinate or as a linear combination u = Y(q) q_dot. Out: the
+//! rates as linear forms in the speeds, N = Y^-1 by sparse elimination with pivots screened at random
+//! configurations. A coordinate in closed form is no state: its rate follows from those of the
+//! coordinates that it is a function of, and a speed of its own is a dependent one.
 
-use super::{Kinematics, Rate};
+use super::sparse::{self, Equation};
+use super::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, assemble, lower, velocity};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::id::Id;
-use crate::model::{Model, SpeedMeaning};
+use crate::expr::tape::SampleTable;
+use crate::expr::{ExprId, SymbolId};
+use crate::id::{Id, IdVec};
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::{CoordinateId, Entity, Model, Speed, SpeedMeaning};
+use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
+
+/// Random configurations, besides the nominal one, at which pivots are screened.
+const SCREENED: usize = 16;
+/// A pivot of this size at the nominal configuration means: the rates do not follow.
+const SINGULAR: f64 = 1e-9;
 
 /// Fills the rates of all coordinates.
 pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    let zero = k.dag.zero();
-    let one = k.dag.one();
+    let (zero, one) = (k.dag.zero(), k.dag.one());
     k.rates = model.coordinates.iter().map(|_| Rate { partials: BTreeMap::new(), bias: zero }).collect();
-    for (speed, declared) in model.speeds.enumerate() {
-        match &declared.meaning {
-            SpeedMeaning::RateOf(coordinate) => {
-                let unknown = super::UnknownId::from_index(speed.index());
-                k.rates[*coordinate].partials.insert(unknown, one);
-            }
-            SpeedMeaning::Combination(expression) => {
-                let error = Diagnostic::error("speeds as combinations of rates cannot be derived yet")
-                    .label(expression.span, "not the rate of one coordinate")
-                    .help("use the coordinates' own speeds, and state the rest as a motion constraint");
-                return Err(Diagnostics::one(model.source.clone(), error));
+    if model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::Combination(_))) {
+        invert(model, k)?;
+    } else {
+        for (speed, declared) in model.speeds.enumerate() {
+            if let SpeedMeaning::RateOf(coordinate) = declared.meaning
+                && k.is_state[coordinate]
+            {
+                k.rates[coordinate].partials.insert(UnknownId::from_index(speed.index()), one);
             }
         }
     }
+    closed_forms(model, k);
     Ok(())
+}
+
+/// Rates of coordinates in closed form, by the chain rule.
+fn closed_forms(model: &Model, k: &mut Kinematics) {
+    for id in model.coordinates.ids() {
+        if !k.is_state[id] {
+            k.rates[id] = velocity::scalar_rate(k, k.q[id]);
+        }
+    }
+}
+
+/// N = Y^-1, row by row; then the part of q'' that is quadratic in the speeds.
+fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    let equations = equations(model, k)?;
+    let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
+    let mut table = screening_table(model, k);
+    let Some((values, pivots)) = sparse::solve(&mut k.dag, &mut table, equations) else {
+        return Err(not_invertible(model));
+    };
+    let usable = pivots.iter().all(|&p| SINGULAR < table.values(&k.dag, p)[0].abs());
+    if values.len() < states.len() || !usable {
+        return Err(not_invertible(model));
+    }
+    k.rate_pivots = pivots;
+    for (&coordinate, row) in states.iter().zip(values.values()) {
+        let entries = row.iter().enumerate().filter(|(_, e)| !k.dag.is_zero(**e));
+        k.rates[coordinate].partials = entries.map(|(u, &e)| (UnknownId::from_index(u), e)).collect();
+    }
+    for &coordinate in &states {
+        let rate = k.rates[coordinate].clone();
+        k.rates[coordinate].bias = velocity::bias_of(k, &rate.partials);
+    }
+    Ok(())
+}
+
+/// Y q_dot = u: one equation per speed; unknown c is the rate of coordinate c, right-hand side s is u_s.
+fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnostics> {
+    let (zero, one) = (k.dag.zero(), k.dag.one());
+    let symbols = rates_as_unknowns(model, k);
+    let real = std::mem::replace(&mut k.unknowns, symbols.clone());
+    let pending = lower_definitions(model, k);
+    let mut equations = Vec::new();
+    let mut found = Diagnostics::new(model.source.clone());
+    for (speed, declared) in model.speeds.enumerate() {
+        let coefficients = match &declared.meaning {
+            SpeedMeaning::RateOf(coordinate) if k.is_state[*coordinate] => {
+                BTreeMap::from([(UnknownId::from_index(coordinate.index()), one)])
+            }
+            // A dependent speed, not an equation for the rates.
+            SpeedMeaning::RateOf(_) => continue,
+            SpeedMeaning::Combination(expression) => {
+                let value = lower::scalar(k, expression);
+                coefficients(k, value, &symbols).unwrap_or_else(|| {
+                    found.push(affine(declared, expression));
+                    BTreeMap::new()
+                })
+            }
+        };
+        let mut right = vec![zero; model.speeds.len()];
+        right[speed.index()] = one;
+        equations.push(Equation { coefficients, right });
+    }
+    k.unknowns = real;
+    for definition in pending {
+        k.definitions[definition] = lower::Value::Pending;
+    }
+    for rate in model.coordinates.ids() {
+        k.rates[rate].partials.clear();
+    }
+    found.finish(equations)
+}
+
+/// Lets q_dot(c) stand for a symbol of its own while the combinations are read.
+fn rates_as_unknowns(model: &Model, k: &mut Kinematics) -> IdVec<UnknownId, Unknown> {
+    let one = k.dag.one();
+    let mut symbols = IdVec::default();
+    for (id, coordinate) in model.coordinates.enumerate() {
+        let name = format!("rate of {}", coordinate.name);
+        let value = k.dag.symbol(&name);
+        let unknown = symbols.push(Unknown { name, value, kind: UnknownKind::Lifted });
+        if k.is_state[id] {
+            k.rates[id].partials.insert(unknown, one);
+        }
+    }
+    let real = std::mem::replace(&mut k.unknowns, symbols);
+    closed_forms(model, k);
+    std::mem::replace(&mut k.unknowns, real)
+}
+
+/// Lowers definitions that wait for rates only; they are lowered again once the rates are known.
+fn lower_definitions(model: &Model, k: &mut Kinematics) -> Vec<crate::model::DefinitionId> {
+    let mut lowered = Vec::new();
+    for entity in &model.order {
+        let Entity::Definition(id) = *entity else { continue };
+        let definition = &model.definitions[id];
+        if k.definitions[id] == lower::Value::Pending && !needs_speeds(k, &definition.value) {
+            k.definitions[id] = lower::value(k, &definition.value);
+            lowered.push(id);
+        }
+    }
+    lowered
+}
+
+fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
+    let mut found = false;
+    expr.visit(&mut |e| {
+        found |= match &e.kind {
+            ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Speed(_) => true,
+            ExprKind::Definition(id) => k.definitions[*id] == lower::Value::Pending,
+            _ => false,
+        };
+    });
+    found
+}
+
+/// Coefficients of the rates; `None` if something remains when all of them are 0.
+fn coefficients(
+    k: &mut Kinematics,
+    value: ExprId,
+    symbols: &IdVec<UnknownId, Unknown>,
+) -> Option<BTreeMap<UnknownId, ExprId>> {
+    let zero = k.dag.zero();
+    let mut result = BTreeMap::new();
+    let mut at_rest: HashMap<SymbolId, ExprId> = HashMap::default();
+    for (id, unknown) in symbols.enumerate() {
+        let Some(symbol) = k.dag.as_symbol(unknown.value) else { continue };
+        at_rest.insert(symbol, zero);
+        let slope = k.dag.derivative(value, symbol);
+        if !k.dag.is_zero(slope) {
+            result.insert(id, slope);
+        }
+    }
+    let remains = k.dag.substitute(&[value], &at_rest)[0];
+    k.dag.is_zero(remains).then_some(result)
+}
+
+/// Coordinates at the nominal and at random places of their ranges, constraints or not.
+fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
+    let mut random = assemble::Random(0x5CA1_AB1E);
+    let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
+    for (id, coordinate) in model.coordinates.enumerate() {
+        if let Some(symbol) = k.coordinate_symbol(id) {
+            let places = (0..SCREENED).map(|_| random.between(coordinate.range));
+            symbols.insert(symbol, std::iter::once(coordinate.nominal).chain(places).collect());
+        }
+    }
+    for (id, &expr) in k.parameters.enumerate() {
+        if let Some(symbol) = k.dag.as_symbol(expr) {
+            symbols.insert(symbol, vec![k.parameter_values[id]; 1 + SCREENED]);
+        }
+    }
+    SampleTable::new(symbols, 1 + SCREENED)
+}
+
+fn affine(speed: &Speed, expression: &Expr) -> Diagnostic {
+    Diagnostic::error(format!("the speed `{}` does not vanish at rest", speed.name))
+        .label(expression.span, "this has a part without a rate")
+        .help("a speed is a sum of rates with coefficients that depend on coordinates: u = a(q)*q_dot(q1) + ...")
+}
+
+fn not_invertible(model: &Model) -> Diagnostics {
+    let mut error = Diagnostic::error("the rates of the coordinates do not follow from the speeds")
+        .help("at the nominal configuration the speeds, as combinations of rates, must be independent: as many as coordinates, none a combination of the others");
+    for speed in model.speeds.iter() {
+        if let SpeedMeaning::Combination(expression) = &speed.meaning {
+            error = error.label(expression.span, "one of the combinations");
+        }
+    }
+    Diagnostics::one(model.source.clone(), error)
 }

@@ -133,19 +133,24 @@ pub(super) fn scalar_rate(k: &mut Kinematics, s: ExprId) -> Rate {
     if k.dag.is_constant(s) {
         return rate;
     }
-    for (unknown, partial) in total_derivative(k, s) {
-        rate.partials.insert(unknown, partial);
-        // bias: (d/dt partial) y
-        let change: Vec<_> = total_derivative(k, partial).into_iter().collect();
+    rate.partials = total_derivative(k, s);
+    rate.bias = bias_of(k, &rate.partials);
+    rate
+}
+
+/// sum_k (d/dt partial_k) y_k: what remains of the second derivative.
+pub(super) fn bias_of(k: &mut Kinematics, partials: &BTreeMap<UnknownId, ExprId>) -> ExprId {
+    let mut bias = k.dag.zero();
+    for (&unknown, &partial) in partials {
         let y = k.unknowns[unknown].value;
-        for (other, second) in change {
+        for (other, second) in total_derivative(k, partial) {
             let z = k.unknowns[other].value;
             let product = k.dag.mul(y, z);
             let term = k.dag.mul(second, product);
-            rate.bias = k.dag.add(rate.bias, term);
+            bias = k.dag.add(bias, term);
         }
     }
-    rate
+    bias
 }
 
 /// Coefficients of the unknowns in s'.

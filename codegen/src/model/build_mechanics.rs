@@ -144,11 +144,21 @@ impl Builder<'_> {
                 }
             }
         }
-        let (speeds, coordinates) = (self.draft.model.speeds.len(), self.draft.model.coordinates.len());
-        if let Some((key, _)) = self.entries("speeds").first().filter(|_| speeds != coordinates) {
+        // A coordinate in closed form is no state and may go without a speed.
+        let model = &self.draft.model;
+        let with_speed = |c: CoordinateId| {
+            model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == c))
+        };
+        let needed =
+            model.coordinates.enumerate().filter(|(id, c)| c.closed_form.is_none() || with_speed(*id));
+        let (speeds, coordinates) = (model.speeds.len(), needed.count());
+        let missing =
+            model.coordinates.enumerate().find(|(id, c)| c.closed_form.is_none() && !with_speed(*id));
+        let place = self.entries("speeds").first().map(|(key, _)| key.span).or(missing.map(|(_, c)| c.span));
+        if let Some(place) = place.filter(|_| speeds != coordinates) {
             self.found.push(
                 Diagnostic::error(format!("{speeds} speeds for {coordinates} coordinates"))
-                    .label(key.span, "there must be one speed per coordinate")
+                    .label(place, "there must be one speed per coordinate")
                     .help("a coordinate whose rate enters [speeds] has no speed of its own: give it `speed = false`"),
             );
         }

@@ -5,8 +5,14 @@ use super::document::Value;
 use super::fields::Fields;
 use super::repeat::wrong_kind;
 use super::scope::{Binding, suggestion};
+use super::unit::Unit;
 use super::*;
 use crate::diagnostic::Diagnostic;
+
+/// The unit of a quantity; none if its entry was faulty, which has been reported.
+fn known(unit: Option<&Unit>) -> Unit {
+    unit.copied().unwrap_or(Unit::NONE)
+}
 
 impl Builder<'_> {
     /// Configurations, start values, laws and the run.
@@ -17,7 +23,7 @@ impl Builder<'_> {
             let mut values = Vec::new();
             for (key, value) in fields.table("values", self.found).map_or(&[][..], |t| &t.entries) {
                 if let Some(id) = self.coordinate_named(key) {
-                    let unit = self.draft.units.coordinates[id];
+                    let unit = known(self.draft.units.coordinates.get(id));
                     values.push((id, self.quantity(value, si(unit))));
                 }
             }
@@ -33,8 +39,10 @@ impl Builder<'_> {
     fn start(&mut self) {
         for (key, value) in self.entries("start") {
             let (of, unit) = match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
-                Some(Binding::Coordinate(id)) => (StartRef::Coordinate(id), self.draft.units.coordinates[id]),
-                Some(Binding::Speed(id)) => (StartRef::Speed(id), self.draft.units.speeds[id]),
+                Some(Binding::Coordinate(id)) => {
+                    (StartRef::Coordinate(id), known(self.draft.units.coordinates.get(id)))
+                }
+                Some(Binding::Speed(id)) => (StartRef::Speed(id), known(self.draft.units.speeds.get(id))),
                 _ => {
                     let state = |b: &Binding| matches!(b, Binding::Coordinate(_) | Binding::Speed(_));
                     self.unknown_key(key, "coordinate or speed", state);
@@ -50,7 +58,7 @@ impl Builder<'_> {
         for (key, value) in self.entries("law") {
             match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
                 Some(Binding::Input(id)) => {
-                    let value = self.quantity(value, si(self.draft.units.inputs[id]));
+                    let value = self.quantity(value, si(known(self.draft.units.inputs.get(id))));
                     self.draft.model.laws.push((id, value));
                 }
                 _ => self.unknown_key(key, "input", |b| matches!(b, Binding::Input(_))),

@@ -108,6 +108,7 @@ impl Checker<'_> {
                         }
                     }
                 },
+                Entity::Coordinate(_) => {}
                 Entity::Point(id) if crate::id::Id::index(id) == 0 => {}
                 Entity::Point(id) => {
                     self.expect(&draft.model.points[id].position, Type::vector(Unit::LENGTH), "a position");

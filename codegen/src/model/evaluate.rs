@@ -30,7 +30,7 @@ impl Constants {
                 Entity::Definition(id) => {
                     constants.definitions[id] = constants.value(&model.definitions[id].value);
                 }
-                Entity::Frame(_) | Entity::Point(_) => {}
+                Entity::Frame(_) | Entity::Point(_) | Entity::Coordinate(_) => {}
             }
         }
         constants

@@ -108,6 +108,8 @@ pub enum Entity {
     Frame(FrameId),
     /// A point.
     Point(PointId),
+    /// A coordinate given in closed form.
+    Coordinate(CoordinateId),
 }
 
 /// A number the author may change.

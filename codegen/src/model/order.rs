@@ -56,7 +56,7 @@ fn visit(
         let node = *node;
         let Some((reference, _)) = next.get(*at).copied() else {
             state.insert(node, true);
-            order.extend(entity(node));
+            order.extend(entity(model, node));
             stack.pop();
             continue;
         };
@@ -77,13 +77,13 @@ fn visit(
     }
 }
 
-fn entity(node: Node) -> Option<Entity> {
+fn entity(model: &Model, node: Node) -> Option<Entity> {
     match node {
         Node::Parameter(id) => Some(Entity::Parameter(id)),
         Node::Definition(id) => Some(Entity::Definition(id)),
         Node::Frame(id) => Some(Entity::Frame(id)),
         Node::Point(id) => Some(Entity::Point(id)),
-        Node::Coordinate(_) => None,
+        Node::Coordinate(id) => model.coordinates[id].closed_form.as_ref().map(|_| Entity::Coordinate(id)),
     }
 }
 

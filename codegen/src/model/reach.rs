@@ -101,7 +101,7 @@ pub fn check(draft: &Draft, found: &mut Diagnostics) {
     of.values(draft, found);
     model.loads.iter().for_each(|load| of.load(&load.kind, found));
     for output in &model.outputs {
-        of.within(&output.value, STATE | Reach::INPUTS | Reach::TIME, "an output", found);
+        of.within(&output.value, STATE | Reach::RATES | Reach::INPUTS | Reach::TIME, "an output", found);
     }
 }
 
@@ -131,6 +131,7 @@ impl Reaches<'_> {
                         self.frames[id] = self.frames[id] | self.of(e);
                     }
                 }
+                Entity::Coordinate(_) => {}
                 Entity::Point(id) => {
                     let position = &self.model.points[id].position;
                     self.within(position, CONFIGURATION, "a position", found);
@@ -188,7 +189,7 @@ impl Reaches<'_> {
     }
 
     fn load(&self, kind: &LoadKind, found: &mut Diagnostics) {
-        let anything = STATE | Reach::INPUTS | Reach::TIME;
+        let anything = STATE | Reach::RATES | Reach::INPUTS | Reach::TIME;
         let constants = |of: [Option<&Expr>; 3], found: &mut Diagnostics| {
             of.into_iter()
                 .flatten()

@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
 use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, UnknownKind};
+use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
 
 /// Everything derived from a model.
@@ -56,6 +56,8 @@ pub struct Program {
     pub assembly: Assembly,
     /// The nominal configuration.
     pub nominal: Vec<f64>,
+    /// What only numbers show and is no error: redundant constraints that were dropped.
+    pub warnings: Diagnostics,
 }
 
 /// The forward dynamics answer.
@@ -95,10 +97,13 @@ pub struct Quantity {
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
+    let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
     let dynamics = dynamics::derive(model, &mut k, &solution, &mut table)?;
     let assembly = Assembly::new(model, &mut k);
-    Ok(assemble(model, k, &solution, dynamics, assembly))
+    let mut program = assemble(model, k, &solution, dynamics, assembly);
+    program.warnings = warnings;
+    Ok(program)
 }
 
 fn assemble(
@@ -132,7 +137,7 @@ fn assemble(
     let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
     let worst_pivot = worst_pivot(&mut k.dag, &pivots);
     let residual = largest(&mut k.dag, &k.residuals.clone());
-    let correction = correction(model, &k, &state, solution);
+    let correction = correction(model, &mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let mut program = Program {
         name: model.name.clone(),
@@ -154,6 +159,7 @@ fn assemble(
         n_samples: k.samples.len(),
         assembly,
         nominal: k.samples[0].clone(),
+        warnings: Diagnostics::default(),
         dag: k.dag,
     };
     reciprocal::share(&mut program);
@@ -188,22 +194,21 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
     })
 }
 
-/// Corrections of the dependent coordinates whose rate is a speed.
+/// Corrections of the dependent coordinates: those of the speeds through q_dot = N u.
 ///
 /// A free coordinate whose speed a motion constraint gives is where it is: nothing to correct.
 fn correction(
     model: &Model,
-    k: &Kinematics,
+    k: &mut Kinematics,
     state: &[CoordinateId],
     solution: &Solution,
 ) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
     for (index, &c) in state.iter().enumerate().filter(|(_, c)| !model.coordinates[**c].independent) {
-        // A dependent coordinate's rate is one dependent speed.
-        let Some((unknown, _)) = k.rates[c].partials.first_key_value() else { continue };
-        if matches!(k.unknowns[*unknown].kind, UnknownKind::Dependent(_)) {
-            corrections.push((index, solution.correction[unknown]));
-        }
+        let rate = k.rates[c].partials.clone();
+        let terms: Vec<ExprId> =
+            rate.into_iter().map(|(unknown, n)| k.dag.mul(n, solution.correction[&unknown])).collect();
+        corrections.push((index, k.dag.sum(&terms)));
     }
     corrections.retain(|(_, e)| !k.dag.is_zero(*e));
     corrections

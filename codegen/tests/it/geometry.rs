@@ -65,7 +65,7 @@ impl<'a> Place<'a> {
         };
         for entity in &model.order {
             match *entity {
-                Entity::Parameter(_) => {}
+                Entity::Parameter(_) | Entity::Coordinate(_) => {}
                 Entity::Definition(id) => place.definitions[id] = place.value(&model.definitions[id].value),
                 Entity::Frame(id) => place.frames[id] = place.frame(&model.frames[id].orientation),
                 Entity::Point(id) => place.points[id] = place.value(&model.points[id].position).vector(),

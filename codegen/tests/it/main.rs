@@ -2,12 +2,16 @@
 
 mod augmented;
 mod expr;
+mod example_crate;
 mod expressions;
+mod fuzz;
 mod geometry;
 mod layering;
+mod machines;
 mod model_errors;
 mod models;
 mod rejected;
 mod rolling;
+mod speeds;
 mod textbook;
 mod units;

@@ -1,0 +1,294 @@
+//! What only numbers show: frames that are none, constraints that are redundant or singular.
+//!
+//! An equation whose rate follows from the rates of the others is redundant if it stays satisfied
+//! after a finite move along them; it is then dropped with a warning. If it does not, the formulation
+//! is singular: there the mechanism moves in ways that the equation forbids, and no speed can be
+//! solved from it. Such a model is refused.
+
+use super::{Kinematics, linear};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expr::SymbolId;
+use crate::expr::tape::{SampleTable, Tape};
+use crate::model::{Model, Orientation};
+use crate::source::Span;
+use crate::vector::Turn;
+
+/// A row counts as dependent if this part of its length is left beside the others.
+const DEPENDENT: f64 = 1e-5;
+/// Length of the finite move, in the coordinates' SI units.
+const MOVE: f64 = 0.1;
+/// A redundant equation stays satisfied to this residual after the move.
+const STAYS: f64 = 1e-10;
+/// The others are satisfied to this residual after the move.
+const SATISFIED: f64 = 1e-12;
+/// Most corrections after a move.
+const MAX_CORRECTIONS: usize = 40;
+/// Deviation of a stated constancy or orthonormality that is more than rounding.
+const NOT_CONSTANT: f64 = 1e-9;
+
+/// Checks the frames and the configuration constraints; drops what is redundant.
+///
+/// # Errors
+/// A frame whose axes are not orthonormal or whose fixed vectors are not fixed; singular constraints.
+pub(crate) fn check(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+) -> Result<Diagnostics, Diagnostics> {
+    let mut found = Diagnostics::new(model.source.clone());
+    fixed_vectors(k, table, &mut found);
+    axes(model, k, table, &mut found);
+    let mut warnings = found.finish(Diagnostics::new(model.source.clone()))?;
+    constraints(model, k, &mut warnings)?;
+    Ok(warnings)
+}
+
+/// Largest absolute value over all samples.
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m, v| if v.is_nan() { f64::INFINITY } else { v.abs().max(m) })
+}
+
+fn fixed_vectors(k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
+    for (place, difference) in &k.fixed_vectors {
+        let worst = difference.iter().map(|&e| largest(table.values(&k.dag, e))).fold(0.0, f64::max);
+        if NOT_CONSTANT < worst {
+            let message = format!("{}: it is not fixed there", place.name);
+            found.push(
+                Diagnostic::error(message)
+                    .label(place.span, format!("the vector differs from the stated one by up to {worst:.1e}"))
+                    .help("`fixed` states what the constraints imply, at every configuration: correct the components, or remove it"),
+            );
+        }
+    }
+}
+
+/// Axes given as directions must be orthonormal wherever the constraints hold.
+fn axes(model: &Model, k: &mut Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
+    for (id, frame) in model.frames.enumerate() {
+        let Orientation::Directions { .. } = frame.orientation else { continue };
+        let Turn::Directions { rows } = k.triads.turn(k.frame_triad[id]).clone() else { continue };
+        let rows = rows.map(|row| row.map(|e| table.values(&k.dag, e).to_vec()));
+        let product =
+            |i: usize, j: usize, s: usize| -> f64 { (0..3).map(|c| rows[i][c][s] * rows[j][c][s]).sum() };
+        let deviations: Vec<f64> = (0..table.points())
+            .flat_map(|s| (0..9).map(move |ij| (ij / 3, ij % 3, s)))
+            .map(|(i, j, s)| product(i, j, s) - f64::from(u8::from(i == j)))
+            .collect();
+        let worst = largest(&deviations);
+        if NOT_CONSTANT < worst {
+            found.push(
+                Diagnostic::error(format!("the axes of frame `{}` are not orthonormal", frame.name))
+                    .label(frame.span, format!("a product of two axes is off by up to {worst:.1e}"))
+                    .help("give unit vectors at right angles: divide by the norm, take a cross product"),
+            );
+        }
+    }
+}
+
+/// Residuals and their derivatives by all coordinates, in numbers.
+struct Equations {
+    tape: Tape<f64>,
+    arguments: Vec<f64>,
+    /// Number of equations and of coordinates.
+    size: (usize, usize),
+}
+
+impl Equations {
+    fn new(k: &Kinematics) -> Self {
+        // A copy: what is derived here for numbers alone must not leave a trace in the program.
+        let mut dag = k.dag.clone();
+        let mut symbols: Vec<SymbolId> = k.q.ids().filter_map(|c| k.coordinate_symbol(c)).collect();
+        let mut roots = k.residuals.clone();
+        for &residual in &k.residuals {
+            roots.extend(symbols.iter().map(|&s| dag.derivative(residual, s)));
+        }
+        let size = (k.residuals.len(), symbols.len());
+        let mut arguments = vec![0.0; symbols.len()];
+        for (id, &expr) in k.parameters.enumerate() {
+            if let Some(symbol) = k.dag.as_symbol(expr) {
+                symbols.push(symbol);
+                arguments.push(k.parameter_values[id]);
+            }
+        }
+        Self { tape: Tape::new(&dag, &roots, &symbols), arguments, size }
+    }
+
+    /// Residuals, and one row of derivatives each.
+    fn at(&mut self, q: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let (m, n) = self.size;
+        self.arguments[..n].copy_from_slice(q);
+        let mut values = vec![0.0; m * (n + 1)];
+        self.tape.run(&self.arguments, &mut values);
+        let rows = values[m..].chunks(n.max(1)).map(<[f64]>::to_vec).collect();
+        values.truncate(m);
+        (values, rows)
+    }
+
+    /// From `q` along `direction`, then back onto the equations `kept`; none if that fails.
+    fn walk(&mut self, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
+        let mut at: Vec<f64> = q.iter().zip(direction).map(|(q, d)| q + MOVE * d).collect();
+        for _ in 0..MAX_CORRECTIONS {
+            let (residuals, rows) = self.at(&at);
+            let kept_residuals: Vec<f64> = kept.iter().map(|&i| residuals[i]).collect();
+            if largest(&kept_residuals) < SATISFIED {
+                return Some(at);
+            }
+            // The shortest correction: J' y with J J' y = -residual.
+            let gram: Vec<f64> = kept
+                .iter()
+                .flat_map(|&i| kept.iter().map(|&j| dot(&rows[i], &rows[j])).collect::<Vec<_>>())
+                .collect();
+            let right = kept_residuals.iter().map(|r| -r).collect();
+            let (y, _) = linear::solve(gram, right, kept.len());
+            for (&i, y) in kept.iter().zip(&y) {
+                at.iter_mut().zip(&rows[i]).for_each(|(q, j)| *q += y * j);
+            }
+        }
+        None
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// An orthonormal basis of the rows and the indices of those that depend on earlier ones.
+fn basis_of(rows: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<usize>) {
+    let (mut basis, mut dependent): (Vec<Vec<f64>>, _) = (Vec::new(), Vec::new());
+    for (i, row) in rows.iter().enumerate() {
+        let length = dot(row, row).sqrt();
+        let mut rest = row.clone();
+        for _ in 0..2 {
+            for b in &basis {
+                let part = dot(&rest, b);
+                rest.iter_mut().zip(b).for_each(|(x, y)| *x -= part * y);
+            }
+        }
+        let left = dot(&rest, &rest).sqrt();
+        if left <= DEPENDENT * length {
+            dependent.push(i);
+        } else {
+            basis.push(rest.iter().map(|x| x / left).collect());
+        }
+    }
+    (basis, dependent)
+}
+
+/// Unit vectors that span what is orthogonal to the rows.
+fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
+    let axis = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
+    let all: Vec<Vec<f64>> = rows.iter().cloned().chain((0..n).map(axis)).collect();
+    let (basis, _) = basis_of(&all);
+    let rank = basis_of(rows).0.len();
+    basis.into_iter().skip(rank).collect()
+}
+
+/// Drops redundant equations with a warning; refuses singular ones.
+fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) -> Result<(), Diagnostics> {
+    if k.residuals.is_empty() || k.samples[0].is_empty() {
+        return Ok(());
+    }
+    let mut equations = Equations::new(k);
+    let nominal = k.samples[0].clone();
+    let (_, rows) = equations.at(&nominal);
+    let (_, suspects) = basis_of(&rows);
+    let mut kept: Vec<usize> = (0..rows.len()).collect();
+    let mut errors = Diagnostics::new(model.source.clone());
+    for suspect in suspects {
+        let others: Vec<usize> = kept.iter().copied().filter(|&i| i != suspect).collect();
+        let residual = after_moves(&mut equations, &nominal, &others, suspect);
+        if residual < STAYS {
+            kept = others;
+            let place = &k.residual_names[suspect];
+            warnings.push(
+                Diagnostic::warning(format!(
+                    "`{}` follows from the other constraints and is dropped",
+                    place.name
+                ))
+                .label(
+                    place.span,
+                    format!("still satisfied ({residual:.0e}) after a move of {MOVE} along the others"),
+                )
+                .help("remove it, or the part of it that the others imply"),
+            );
+        } else {
+            errors.push(singular(k, &mut equations, suspect, residual));
+        }
+    }
+    errors.finish(())?;
+    drop_rows(k, &kept);
+    Ok(())
+}
+
+/// Largest residual of one equation after finite moves along the others, every way they leave free;
+/// infinite if there are such ways and none can be walked.
+fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: usize) -> f64 {
+    let (_, rows) = equations.at(q);
+    let others_rows: Vec<Vec<f64>> = others.iter().map(|&i| rows[i].clone()).collect();
+    let directions = free_directions(&others_rows, q.len());
+    let ends: Vec<Vec<f64>> = directions.iter().filter_map(|d| equations.walk(q, d, others)).collect();
+    if ends.is_empty() && !directions.is_empty() {
+        return f64::INFINITY;
+    }
+    ends.iter().map(|end| largest(&equations.at(end).0[suspect..=suspect])).fold(0.0, f64::max)
+}
+
+/// Keeps only the residuals `kept`, and no rows of a scalar equation that is dropped as a whole.
+fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
+    let names: Vec<&str> = kept.iter().map(|&i| k.residual_names[i].name.as_str()).collect();
+    let dropped: Vec<String> = (k.residual_names.iter().map(|p| p.name.clone()))
+        .filter(|name| !names.contains(&name.as_str()))
+        .collect();
+    k.rows.retain(|row| !dropped.contains(&row.name));
+    k.residuals = kept.iter().map(|&i| k.residuals[i]).collect();
+    k.residual_names = kept.iter().map(|&i| k.residual_names[i].clone()).collect();
+}
+
+fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual: f64) -> Diagnostic {
+    let deficient = |q: &Vec<f64>, equations: &mut Equations| !basis_of(&equations.at(q).1).1.is_empty();
+    let count = k.samples.iter().filter(|q| deficient(q, equations)).count();
+    let (_, rows) = equations.at(&k.samples[0]);
+    let (basis, dependent) = basis_of(&rows);
+    let involved = involved(&rows, &dependent, suspect);
+    let mut places: Vec<(&str, Span)> =
+        vec![(&k.residual_names[suspect].name, k.residual_names[suspect].span)];
+    for i in involved {
+        let place = &k.residual_names[i];
+        if places.iter().all(|(name, _)| *name != place.name) {
+            places.push((&place.name, place.span));
+        }
+    }
+    let names: Vec<String> = places.iter().map(|(name, _)| format!("`{name}`")).collect();
+    let mut error = Diagnostic::error(format!(
+        "the constraints are singular: rank {} of {} at {count} of {} sampled configurations; involved: {}",
+        basis.len(),
+        rows.len(),
+        k.samples.len(),
+        names.join(", ")
+    ))
+    .help(
+        "its rate vanishes or follows from the others, yet it does not: no speed can be solved from it. State it in \
+         another form (unit vectors at mutual angles of 120 degrees, for example: their sum is zero), \
+         or, if the mechanism is singular only there, give another nominal configuration",
+    );
+    for (i, (_, span)) in places.iter().enumerate() {
+        let text = match i {
+            0 if residual.is_infinite() => "the others leave no way to move".to_owned(),
+            0 => format!("violated by {residual:.1e} after a move of {MOVE} along the others"),
+            _ => "involved".to_owned(),
+        };
+        error = error.label(*span, text);
+    }
+    error
+}
+
+/// Which equations' rates the rate of `suspect` is a combination of.
+fn involved(rows: &[Vec<f64>], dependent: &[usize], suspect: usize) -> Vec<usize> {
+    /// Smaller weights are rounding.
+    const WEIGHT: f64 = 1e-6;
+    let others: Vec<usize> = (0..rows.len()).filter(|i| !dependent.contains(i)).collect();
+    let columns = others.len();
+    let matrix = (0..rows[suspect].len()).flat_map(|c| others.iter().map(move |&i| rows[i][c])).collect();
+    let (weights, _) = linear::solve(matrix, rows[suspect].clone(), columns);
+    others.into_iter().zip(weights).filter(|(_, w)| WEIGHT < w.abs()).map(|(i, _)| i).collect()
+}

@@ -1,0 +1,113 @@
+//! Degrees of freedom counted from the rank of all constraint rows, and the errors that follow.
+//!
+//! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
+
+use super::eliminate::numeric_row;
+use super::{Kinematics, UnknownId, UnknownKind};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expr::tape::SampleTable;
+use crate::model::Model;
+use rustc_hash::FxHashMap as HashMap;
+
+/// A unit row with less than this left beside the others depends on them.
+const DEPENDENT: f64 = 1e-8;
+
+/// Rank of all rows over the given unknowns, at every sample.
+fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
+    let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
+    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
+    for row in &k.rows {
+        let numbers = numeric_row(&k.dag, table, row, &column, unknowns.len());
+        for (basis, v) in bases.iter_mut().zip(numbers) {
+            let rest = super::eliminate::orthogonal_part(&v, basis);
+            let length = super::eliminate::norm(&rest);
+            if DEPENDENT < length {
+                basis.push(rest.into_iter().map(|x| x / length).collect());
+            }
+        }
+    }
+    bases.iter().map(Vec::len).collect()
+}
+
+/// Why the dependent unknowns cannot be solved for, or why there is a row too many (`extra`).
+pub(super) fn explain(
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    extra: Option<&str>,
+) -> Diagnostics {
+    let all: Vec<UnknownId> = k.unknowns.ids().collect();
+    let independent = |u: &UnknownId| matches!(k.unknowns[*u].kind, UnknownKind::Independent(_));
+    let dependent: Vec<UnknownId> = all.iter().copied().filter(|u| !independent(u)).collect();
+    let declared = all.len() - dependent.len();
+    let over_all = ranks(k, table, &all);
+    let dof = all.len() - over_all.first().copied().unwrap_or(0);
+    let error = if dof != declared {
+        wrong_dof(model, dof, declared, all.len(), extra)
+    } else {
+        let found = ranks(k, table, &dependent);
+        dead_point(model, k, &found, dependent.len())
+    };
+    Diagnostics::one(model.source.clone(), error)
+}
+
+fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra: Option<&str>) -> Diagnostic {
+    let message = format!(
+        "the mechanism has {dof} degrees of freedom, but {declared} speeds are independent ({unknowns} unknown speeds less constraints of rank {})",
+        unknowns - dof
+    );
+    let mut error = match extra {
+        Some(name) if dof < declared => Diagnostic::error(format!("{message}: `{name}` ties them together"))
+            .help("declare fewer coordinates `independent`, or remove the constraint"),
+        _ => Diagnostic::error(message)
+            .help("a constraint is missing, or more coordinates are `independent = true`"),
+    };
+    if let Some((_, span)) = model.dof {
+        error = error.label(span, "stated");
+    }
+    for speed in model.speeds.iter().filter(|s| s.independent) {
+        error = error.label(speed.span, "declared independent");
+    }
+    label_constraints(model, error)
+}
+
+/// The number of degrees of freedom is right, but these independent speeds do not give the others.
+fn dead_point(model: &Model, k: &Kinematics, found: &[usize], needed: usize) -> Diagnostic {
+    let bad: Vec<usize> = (0..found.len()).filter(|&s| found[s] < needed).collect();
+    let states = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some());
+    let names: Vec<&str> = states.map(|c| model.coordinates[c].name.as_str()).collect();
+    let (rank, place) = match bad.first() {
+        Some(&s) => {
+            let values: Vec<String> =
+                names.iter().zip(&k.samples[s]).map(|(n, q)| format!("{n} = {q:.4}")).collect();
+            (
+                found[s],
+                format!(
+                    "at {} of {} sampled configurations, first at {}",
+                    bad.len(),
+                    found.len(),
+                    values.join(", ")
+                ),
+            )
+        }
+        None => (needed, "they nearly depend on each other at a sampled configuration".to_owned()),
+    };
+    let mut error = Diagnostic::error(format!(
+        "the independent speeds do not determine the others: rank {rank} of {needed} needed; {place}"
+    ))
+    .help("a dead point of these independent coordinates: choose others, or keep it out of `range`, `nominal` and the configurations");
+    for speed in model.speeds.iter().filter(|s| s.independent) {
+        error = error.label(speed.span, "declared independent");
+    }
+    label_constraints(model, error)
+}
+
+fn label_constraints(model: &Model, mut error: Diagnostic) -> Diagnostic {
+    for constraint in model.configuration_constraints.iter().chain(&model.motion_constraints) {
+        error = error.label(constraint.span, "one of the constraints");
+    }
+    for point in model.points.iter().filter(|p| !p.closures.is_empty()) {
+        error = error.label(point.span, "a closed loop");
+    }
+    error
+}
