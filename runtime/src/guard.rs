@@ -55,6 +55,10 @@ fn smallest_guard<S: Scalar>(
         let guard = match mode {
             Mode::Free => gap,
             Mode::Departing if armed == Some(i) => gap,
+            // Going away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
+            Mode::Departing if ground.gap_rate(vec3::at(motion.vel, i)) >= S::ZERO => {
+                gap.max(S::ZERO) + ground.tolerance
+            }
             Mode::Departing => gap + ground.tolerance,
             Mode::Held | Mode::Stuck => {
                 system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h

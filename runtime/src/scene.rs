@@ -19,7 +19,7 @@ pub const MAX_EVENTS: usize = 64;
 pub const MAX_SUBSTEPS: usize = 4096;
 /// Passes of an anchored impact: the swing is some thousandths of the energy, each pass gains that factor.
 const ANCHOR_PASSES: usize = 3;
-/// A rebound whose flight would last less than this part of a step ends at rest (Zeno).
+/// A rebound whose flight would last less than this part of a step, or stay within the tolerance, ends at rest (Zeno).
 const ZENO_FLIGHT: f64 = 1e-2;
 
 /// What advances.
@@ -249,6 +249,7 @@ fn accept<S: Scalar, O: Observer<S>>(
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
     let lost = slide(system, state, tau, work)?;
+    lift_departing(system, state.modes, work)?;
     let flow = Flow { before: &state.motion, after: &work.end, tau, friction: lost, impact: S::ZERO };
     observer.flow(system, flow);
     state.motion.copy_from(&work.end);
@@ -258,6 +259,24 @@ fn accept<S: Scalar, O: Observer<S>>(
         settle_modes(system, ground, state);
     }
     Ok(())
+}
+
+/// Departing points that go away, yet lie below the surface by the method's error, are put on it.
+fn lift_departing<S: Scalar>(
+    system: &System<S>,
+    modes: &[Mode],
+    work: &mut Workspace<S>,
+) -> Result<(), BodyError<S>> {
+    let Some(ground) = system.ground.filter(Ground::has_events) else { return Ok(()) };
+    let mut lifted = false;
+    for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
+        let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
+        if leaves && ground.gap(vec3::at(work.end.pos, i)) < -ground.tolerance {
+            lift(&ground, &mut work.end, i);
+            lifted = true;
+        }
+    }
+    if lifted { work.end.refresh(system) } else { Ok(()) }
 }
 
 /// Friction of the points that slide, with the mean normal force of the stretch; returns the loss [J].
@@ -372,12 +391,22 @@ fn mark_touching<S: Scalar>(
 /// Lifts touching points by the rounding that located them below the surface.
 fn place_on_surface<S: Scalar>(ground: &Ground<S>, motion: &mut Motion<S>, points: &[PointImpact<S>]) {
     for (i, _) in points.iter().enumerate().filter(|(_, p)| p.touching) {
-        let gap = ground.gap(vec3::at(motion.pos, i));
-        if gap < S::ZERO {
-            vec3::add_at(motion.pos, i, vec3::scale(ground.normal, -gap));
-            if let Some(rest) = motion.pos_rest.get_mut(i) {
-                *rest = vec3::tangential(*rest, ground.normal);
-            }
+        let x = vec3::at(motion.pos, i);
+        // Deeper ones returned within the tolerance: lifting them would feed a bounce.
+        let rounding = S::from_f64(2.0) * S::EPSILON * (S::ONE + ground.offset.abs() + vec3::norm(x));
+        if ground.gap(x) >= -rounding {
+            lift(ground, motion, i);
+        }
+    }
+}
+
+/// Puts point i on the surface.
+fn lift<S: Scalar>(ground: &Ground<S>, motion: &mut Motion<S>, i: usize) {
+    let gap = ground.gap(vec3::at(motion.pos, i));
+    if gap < S::ZERO {
+        vec3::add_at(motion.pos, i, vec3::scale(ground.normal, -gap));
+        if let Some(rest) = motion.pos_rest.get_mut(i) {
+            *rest = vec3::tangential(*rest, ground.normal);
         }
     }
 }
@@ -474,7 +503,9 @@ fn hold_or_rebound<S: Scalar>(
         }
         let rate = ground.gap_rate(vec3::at(state.motion.vel, i));
         let pressing = system.normal_force(state.motion.force(i)) * system.body.inverse_mass(i);
-        let flight_ends = S::from_f64(2.0) * rate < S::from_f64(ZENO_FLIGHT) * h * pressing;
+        let is_short = S::from_f64(2.0) * rate < S::from_f64(ZENO_FLIGHT) * h * pressing;
+        let is_low = rate * rate < S::from_f64(2.0) * ground.tolerance * pressing;
+        let flight_ends = is_short || is_low;
         if rate > S::ZERO && !flight_ends {
             *mode = Mode::Departing;
             continue;
