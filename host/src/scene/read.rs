@@ -96,7 +96,8 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, Strin
 /// Part of the largest stable step up to which the ledger anchor helps; above it, it harms.
 const ANCHOR_STEP: f64 = 0.25;
 
-/// Without a word about it, Verlet on an undamped body is anchored to the ledger; a damped body cannot be.
+/// Without a word about it, methods that let the energy of an undamped body drift are anchored to the ledger at
+/// each touch: Verlet lifts it there, Runge-Kutta and Nystrom damp it. A damped body cannot be anchored.
 fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
     let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
     let small = scene.largest_step.is_some_and(|largest| scene.step <= ANCHOR_STEP * largest);
@@ -109,7 +110,8 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
         return Err(fields.error("anchor", message));
     }
     if fields.get("anchor").is_none() {
-        *anchor = scene.method == Method::Verlet && !damped && small;
+        let drifts = matches!(scene.method, Method::Verlet | Method::Rk4 | Method::Nystrom4);
+        *anchor = drifts && !damped && small;
     }
     Ok(())
 }
