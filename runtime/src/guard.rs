@@ -94,7 +94,6 @@ pub fn shorten_to_event<S: Scalar>(
 }
 
 /// The bracket of the first event, if there is one, and the number of steps tried for it.
-#[expect(clippy::type_complexity, reason = "the pair is the whole answer")]
 fn find_bracket<S: Scalar>(
     system: &System<S>,
     ground: &Ground<S>,
@@ -116,8 +115,7 @@ fn find_bracket<S: Scalar>(
         advance(system, start, top, method, work)?;
         let above = guard(&work.end, Some(point));
         if above > S::ZERO {
-            let late =
-                Bracket { lo: top, guard_lo: above, hi: h, guard_hi, guess: None, armed: Some(point) };
+            let late = Bracket { lo: top, guard_lo: above, hi: h, guard_hi, guess: None, armed: Some(point) };
             return Ok((Some(late), 1));
         }
         return Ok((Some(whole), 1));

@@ -166,8 +166,13 @@ fn massless_point_in_space_is_in_balance() {
         let length = tilt.iter().map(|c| c * c).sum::<f64>().sqrt();
         let normal: [f64; 3] = tilt.map(|c| c / length);
         for height in [-0.3, -0.1, 0.0, 0.1, 0.3] {
-            let ground =
-                Ground { normal, offset: height, law: ContactLaw::MasslessPoint, friction: 0.0, tolerance: 1e-11 };
+            let ground = Ground {
+                normal,
+                offset: height,
+                law: ContactLaw::MasslessPoint,
+                friction: 0.0,
+                tolerance: 1e-11,
+            };
             let mut pos = [[0.05, -0.02, 0.0], [0.6, 0.0, 0.7], [-0.4, 0.5, 0.8], [-0.3, -0.6, 0.75]];
             massless::settle(&body, &ground, &mut pos);
             let force = pull(&pos, &springs);

@@ -120,8 +120,7 @@ const EVALUATIONS_PER_EVENT: usize = 6;
 fn an_event_costs_at_most_six_force_evaluations() {
     for name in CASES {
         let scene = scene(name, "verlet", 1e-3);
-        let mut simulation =
-            Simulation::<f64>::new(&scene.lists, &scene.around, scene.method).expect("body");
+        let mut simulation = Simulation::<f64>::new(&scene.lists, &scene.around, scene.method).expect("body");
         simulation.begin(scene.step, &mut ()).expect("begin");
         let (mut events, mut extra, mut most) = (0, 0, 0);
         for _ in 0..(scene.seconds / scene.step) as usize {

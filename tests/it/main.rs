@@ -19,5 +19,6 @@ mod golden;
 mod hard_cases;
 mod impact_property;
 mod newton_euler_oracle;
+mod rigid_impact;
 mod tile_equations;
 mod tile_motion;

@@ -106,7 +106,8 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
         return Ok(());
     };
     if *anchor && damped {
-        let message = "a damped body has no energy to be anchored to; set C = 0 and air_drag = 0, or anchor = false";
+        let message =
+            "a damped body has no energy to be anchored to; set C = 0 and air_drag = 0, or anchor = false";
         return Err(fields.error("anchor", message));
     }
     if fields.get("anchor").is_none() {

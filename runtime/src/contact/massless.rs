@@ -106,9 +106,7 @@ fn balance<S: Scalar>(
 /// By Sylvester's criterion.
 fn is_positive_definite<S: Scalar>(a: &[Vec3<S>; 3]) -> bool {
     let minors = vec3::cross(a[1], a[2]);
-    a[0][0] > S::ZERO
-        && a[0][0] * a[1][1] - a[0][1] * a[1][0] > S::ZERO
-        && vec3::dot(a[0], minors) > S::ZERO
+    a[0][0] > S::ZERO && a[0][0] * a[1][1] - a[0][1] * a[1][0] > S::ZERO && vec3::dot(a[0], minors) > S::ZERO
 }
 
 /// Solves the symmetric 3 x 3 system by Cramer's rule; 0 where it has no solution.

@@ -8,6 +8,7 @@ pub mod compensation;
 pub mod friction;
 pub mod massless;
 pub mod restitution;
+pub mod rigid;
 pub mod soft;
 
 use crate::body::Body;
