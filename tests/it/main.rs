@@ -19,6 +19,7 @@ mod golden;
 mod hard_cases;
 mod impact_property;
 mod newton_euler_oracle;
+mod pair_impact;
 mod rigid_impact;
 mod tile_equations;
 mod tile_motion;

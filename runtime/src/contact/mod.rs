@@ -7,6 +7,7 @@
 pub mod compensation;
 pub mod friction;
 pub mod massless;
+pub mod pair;
 pub mod restitution;
 pub mod rigid;
 pub mod soft;
