@@ -19,8 +19,22 @@ struct Bracket<S> {
     lo: S,
     guard_lo: S,
     hi: S,
+    guard_hi: S,
+    /// Root of the parabola through gap and rate at `lo` and gap at `hi`, of the point that crosses first.
+    guess: Option<S>,
     /// A departing point that rises and returns within the step: its guard is armed.
     armed: Option<usize>,
+}
+
+/// Where a step ends and what it took to find out.
+#[derive(Clone, Copy, Debug)]
+pub struct Shortened<S> {
+    /// Length of the step [s].
+    pub tau: S,
+    /// An event ends it.
+    pub is_event: bool,
+    /// Steps tried beyond the one handed in, each with the method's force evaluations.
+    pub trials: usize,
 }
 
 /// Smallest guard [m] of a state; `h` scales normal forces.
@@ -41,6 +55,10 @@ fn smallest_guard<S: Scalar>(
         let guard = match mode {
             Mode::Free => gap,
             Mode::Departing if armed == Some(i) => gap,
+            // Going away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
+            Mode::Departing if ground.gap_rate(vec3::at(motion.vel, i)) >= S::ZERO => {
+                gap.max(S::ZERO) + ground.tolerance
+            }
             Mode::Departing => gap + ground.tolerance,
             Mode::Held | Mode::Stuck => {
                 system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h
@@ -53,7 +71,7 @@ fn smallest_guard<S: Scalar>(
 
 /// Looks at the step of length `h` just tried (its end is in `work.end`) and shortens it to the first event.
 ///
-/// Returns the length of the step whose end is then in `work.end`, and whether an event ends it.
+/// The end of the shortened step is then in `work.end`.
 ///
 /// # Errors
 /// From the trial steps.
@@ -64,13 +82,18 @@ pub fn shorten_to_event<S: Scalar>(
     h: S,
     method: Method<S>,
     work: &mut Workspace<S>,
-) -> Result<(S, bool), BodyError<S>> {
-    match find_bracket(system, ground, start, h, method, work)? {
-        Some(bracket) => locate(system, ground, start, h, bracket, method, work).map(|tau| (tau, true)),
-        None => Ok((h, false)),
+) -> Result<Shortened<S>, BodyError<S>> {
+    let (bracket, trials) = find_bracket(system, ground, start, h, method, work)?;
+    match bracket {
+        Some(bracket) => {
+            let (tau, more) = locate(system, ground, start, h, bracket, method, work)?;
+            Ok(Shortened { tau, is_event: true, trials: trials + more })
+        }
+        None => Ok(Shortened { tau: h, is_event: false, trials }),
     }
 }
 
+/// The bracket of the first event, if there is one, and the number of steps tried for it.
 fn find_bracket<S: Scalar>(
     system: &System<S>,
     ground: &Ground<S>,
@@ -78,27 +101,56 @@ fn find_bracket<S: Scalar>(
     h: S,
     method: Method<S>,
     work: &mut Workspace<S>,
-) -> Result<Option<Bracket<S>>, BodyError<S>> {
+) -> Result<(Option<Bracket<S>>, usize), BodyError<S>> {
     let guard = |motion: &Motion<S>, armed| smallest_guard(system, ground, start.modes, motion, h, armed);
     let guard_lo = guard(start.motion, None).max(S::ZERO);
-    if guard(&work.end, None) < S::ZERO {
-        if let Some((point, top)) = find_return(ground, start, h, &work.end) {
-            advance(system, start, top, method, work)?;
-            let above = guard(&work.end, Some(point));
-            if above > S::ZERO {
-                return Ok(Some(Bracket { lo: top, guard_lo: above, hi: h, armed: Some(point) }));
-            }
+    let guard_hi = guard(&work.end, None);
+    if guard_hi < S::ZERO {
+        let guess = first_crossing(ground, start, h, &work.end);
+        let whole = Bracket { lo: S::ZERO, guard_lo, hi: h, guard_hi, guess, armed: None };
+        let Some((point, top)) = find_return(ground, start, h, &work.end) else {
+            return Ok((Some(whole), 0));
+        };
+        let guard_hi = guard(&work.end, Some(point));
+        advance(system, start, top, method, work)?;
+        let above = guard(&work.end, Some(point));
+        if above > S::ZERO {
+            let late = Bracket { lo: top, guard_lo: above, hi: h, guard_hi, guess: None, armed: Some(point) };
+            return Ok((Some(late), 1));
         }
-        return Ok(Some(Bracket { lo: S::ZERO, guard_lo, hi: h, armed: None }));
+        return Ok((Some(whole), 1));
     }
     if let Some(bottom) = find_dip(ground, start, h, &work.end) {
         advance(system, start, bottom, method, work)?;
-        if guard(&work.end, None) < S::ZERO {
-            return Ok(Some(Bracket { lo: S::ZERO, guard_lo, hi: bottom, armed: None }));
+        let guard_hi = guard(&work.end, None);
+        if guard_hi < S::ZERO {
+            let guess = first_crossing(ground, start, bottom, &work.end);
+            let dip = Bracket { lo: S::ZERO, guard_lo, hi: bottom, guard_hi, guess, armed: None };
+            return Ok((Some(dip), 1));
         }
         advance(system, start, h, method, work)?;
+        return Ok((None, 2));
     }
-    Ok(None)
+    Ok((None, 0))
+}
+
+/// Time of the earliest zero of the parabolas g0 + r0 s + (g1 - g0 - r0) s^2 of the free points that end
+/// below the surface: exact for Verlet, whose positions are parabolas of the step.
+fn first_crossing<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
+    let mut first: Option<S> = None;
+    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Free) {
+        let g0 = ground.gap(vec3::at(start.motion.pos, i));
+        let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
+        let g1 = ground.gap(vec3::at(end.pos, i));
+        if g1 < S::ZERO && g0 > S::ZERO {
+            // Of opposite signs at both ends, so the root is real: s = 2 g0/(sqrt(r0^2 - 4 b g0) - r0).
+            let b = g1 - g0 - r0;
+            let root = (r0 * r0 - S::from_f64(4.0) * b * g0).max(S::ZERO).sqrt();
+            let time = h * (S::from_f64(2.0) * g0 / (root - r0));
+            first = Some(first.map_or(time, |t| t.min(time)));
+        }
+    }
+    first
 }
 
 /// Gap over a step as the cubic through values and rates at both ends: g0 + r0 s + b s^2 + c s^3, 0 <= s <= 1.
@@ -165,7 +217,17 @@ fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S
     time
 }
 
-/// Root of the smallest guard by false position (Anderson & Bjorck 1973), every fourth trial a bisection.
+/// Zero of the parabola tau(f) through three points (tau, f); not a number where two have the same f.
+fn inverse_parabola<S: Scalar>([(a, fa), (b, fb), (c, fc)]: [(S, S); 3]) -> S {
+    let at_a = a * (fb / (fa - fb)) * (fc / (fa - fc));
+    let at_b = b * (fa / (fb - fa)) * (fc / (fb - fc));
+    let at_c = c * (fa / (fc - fa)) * (fb / (fc - fb));
+    at_a + at_b + at_c
+}
+
+/// Root of the smallest guard by inverse parabolas through the last three trials; where these leave the
+/// bracket, by false position (Anderson & Bjorck 1973); every sixth trial is a bisection.
+/// Returns the time and the number of steps tried.
 ///
 /// Ends where the guard is negative by no more than rounding, with that state in `work.end`.
 fn locate<S: Scalar>(
@@ -176,41 +238,42 @@ fn locate<S: Scalar>(
     bracket: Bracket<S>,
     method: Method<S>,
     work: &mut Workspace<S>,
-) -> Result<S, BodyError<S>> {
+) -> Result<(S, usize), BodyError<S>> {
     let half = S::from_f64(0.5);
     let small = S::EPSILON * (S::ONE + ground.offset.abs());
     // Shifted by half of what is allowed: the root aimed at lies on the negative side.
-    let mut shifted = |tau: S| {
-        advance(system, start, tau, method, work)?;
-        let guard = smallest_guard(system, ground, start.modes, &work.end, h, bracket.armed);
-        Ok((guard, guard + half * small))
-    };
-    let (mut old, mut f_old) = (bracket.lo, bracket.guard_lo + half * small);
-    let mut new = bracket.hi;
-    let (mut guard, mut f_new) = shifted(new)?;
+    let shift = half * small;
+    let (mut old, mut f_old) = (bracket.lo, bracket.guard_lo + shift);
+    let (mut new, mut f_new) = (bracket.hi, bracket.guard_hi + shift);
+    let mut points = [(old, f_old), (old, f_old), (new, f_new)];
     let mut negative = new;
     for trial in 0..TRIALS {
-        if guard < S::ZERO {
-            negative = new;
-            if -guard <= small {
-                return Ok(new);
-            }
-        }
         if (new - old).abs() <= S::from_f64(2.0) * S::EPSILON * new.max(old) {
             break;
         }
+        let inside = |t: &S| *t > new.min(old) && *t < new.max(old);
         let secant = (old * f_new - new * f_old) / (f_new - f_old);
-        let inside = secant > new.min(old) && secant < new.max(old);
-        let tau = if inside && trial % 4 != 3 { secant } else { half * (old + new) };
-        let (guard_tau, f_tau) = shifted(tau)?;
+        let curved = if trial == 0 { bracket.guess } else { Some(inverse_parabola(points)) };
+        let guess = curved.filter(inside).or(Some(secant).filter(inside));
+        let tau = if trial % 6 == 5 { None } else { guess }.unwrap_or(half * (old + new));
+        advance(system, start, tau, method, work)?;
+        let guard = smallest_guard(system, ground, start.modes, &work.end, h, bracket.armed);
+        if guard < S::ZERO {
+            negative = tau;
+            if -guard <= small {
+                return Ok((tau, trial + 1));
+            }
+        }
+        let f_tau = guard + shift;
         if (f_tau < S::ZERO) == (f_new < S::ZERO) {
             let ratio = S::ONE - f_tau / f_new;
             f_old = f_old * if ratio > S::ZERO { ratio } else { half };
         } else {
             (old, f_old) = (new, f_new);
         }
-        (new, guard, f_new) = (tau, guard_tau, f_tau);
+        (new, f_new) = (tau, f_tau);
+        points = [points[1], points[2], (tau, f_tau)];
     }
     advance(system, start, negative, method, work)?;
-    Ok(negative)
+    Ok((negative, TRIALS))
 }

@@ -72,11 +72,11 @@ fn mass_ratio_of_a_million() {
         assert!(worst <= 1e-12 && deepest(&rows) <= 1e-9, "{masses}: energy {worst:e}");
         let (single, _) = all::<f32>(&scene(&text));
         let worst = single.iter().map(|r| (r.energy.total - start).abs() / start).fold(0.0, f64::max);
-        assert!(worst <= 1e-5 && deepest(&single) <= 1e-6, "{masses} in f32: energy {worst:e}");
+        assert!(worst <= 1e-5 && deepest(&single) <= 1e-9, "{masses} in f32: energy {worst:e}");
     }
 }
 
-/// Outcome: 1000 m/s at 1 ms: the touch is located inside the step, depth at most 1e-9 m (f32: 1e-6 m, its rounding).
+/// Outcome: 1000 m/s at 1 ms: the touch is located inside the step, depth at most 1e-9 m, in f32 too: a touching point is put on the surface.
 #[test]
 fn fast_impact() {
     let text = "shape = \"chain\"\ndrop_height = 1.0\ninitial_velocity = -1000.0\nK = 1e6\nT = 0.02\nmethod = \"verlet\"\n";
@@ -84,7 +84,9 @@ fn fast_impact() {
     let (single, single_events) = all::<f32>(&scene(text));
     assert!(!events.is_empty() && !single_events.is_empty());
     // Up to the row after the touch at 1 ms; later the spring of 1 m, pressed by 1000 m/s, is turned inside out.
-    assert!(deepest(&rows[..3]) <= 1e-9 && deepest(&single[..3]) <= 1e-6);
+    let depths = [deepest(&rows[..3]), deepest(&single[..3])];
+    println!("depth after an impact at 1000 m/s: {depths:?}");
+    assert!(depths.iter().all(|d| *d <= 1e-9), "{depths:?}");
 }
 
 /// Outcome: all corners within the cluster tolerance (1e-11 m) touch together; a cube tilted by 1e-15 is the flat

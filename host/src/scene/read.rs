@@ -89,7 +89,32 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, Strin
         return Err(fields.error("step", "expected a step > 0 [s]"));
     }
     check_step(&fields, &mut scene)?;
+    choose_anchor(&fields, &mut scene)?;
     Ok(scene)
+}
+
+/// Part of the largest stable step up to which the ledger anchor helps; above it, it harms.
+const ANCHOR_STEP: f64 = 0.25;
+
+/// Without a word about it, methods that let the energy of an undamped body drift are anchored to the ledger at
+/// each touch: Verlet lifts it there, Runge-Kutta and Nystrom damp it. A damped body cannot be anchored.
+fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
+    let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
+    let small = scene.largest_step.is_some_and(|largest| scene.step <= ANCHOR_STEP * largest);
+    let Some(ContactLaw::Compensation { anchor, .. }) = scene.around.ground.as_mut().map(|g| &mut g.law)
+    else {
+        return Ok(());
+    };
+    if *anchor && damped {
+        let message =
+            "a damped body has no energy to be anchored to; set C = 0 and air_drag = 0, or anchor = false";
+        return Err(fields.error("anchor", message));
+    }
+    if fields.get("anchor").is_none() {
+        let drifts = matches!(scene.method, Method::Verlet | Method::Rk4 | Method::Nystrom4);
+        *anchor = drifts && !damped && small;
+    }
+    Ok(())
 }
 
 /// Computes the largest stable step and refuses a larger one.

@@ -149,7 +149,8 @@ impl<S: Scalar> Simulation<S> {
     /// # Errors
     /// From the gas law.
     pub fn begin<O: Observer<S>>(&mut self, h: S, observer: &mut O) -> Result<(), BodyError<S>> {
-        self.with(|system, state, work| state.begin(system, h, work, observer))
+        let method = self.method;
+        self.with(|system, state, work| state.begin(system, h, method, work, observer))
     }
 
     /// Advances by h.

@@ -302,6 +302,14 @@ pub(crate) fn place_positions<S: Scalar>(start: Start<S>, work: &mut Workspace<S
     sum_compensated(from.pos, from.pos_rest, work.dx, work.end.pos, work.end.pos_rest);
 }
 
+/// Moves the end's positions by `dx`, by compensated sums.
+pub(crate) fn shift_positions<S: Scalar>(work: &mut Workspace<S>) {
+    let Workspace { end, dx, stage_pos, stage_vel, .. } = work;
+    copy(stage_pos, end.pos);
+    copy(stage_vel, end.pos_rest);
+    sum_compensated(stage_pos, stage_vel, dx, end.pos, end.pos_rest);
+}
+
 /// Velocities at the end; a held point keeps none along the normal, not even rounding.
 pub(crate) fn place_velocities<S: Scalar>(system: &System<S>, start: Start<S>, work: &mut Workspace<S>) {
     let (from, end) = (start.motion, &mut work.end);

@@ -3,16 +3,16 @@
 //! A point of mass 0 rests where its springs balance, on or above the ground: it minimises
 //! sum K (|x - x_k| - L)^2/2 with gap >= 0. No inertia, hence no impact and no event: the contact
 //! force is continuous. Dampers of its springs must be 0: without inertia its speed is not a state.
-//! Gauss-Newton with a small ridge (least motion where a chain leaves directions open), first free,
-//! then along the surface if it ended below. Several such points are swept in turn.
+//! Newton's method where the stiffness is positive definite, else Gauss-Newton; a small ridge means least
+//! motion where a chain leaves directions open. First free, then along the surface if it ended below. Several such points are swept in turn.
 
 use super::Ground;
 use crate::body::Body;
 use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 
-/// Gauss-Newton corrections of one point in one sweep.
-const CORRECTIONS: usize = 12;
+/// Corrections of one point in one sweep.
+const CORRECTIONS: usize = 30;
 /// Sweeps over all massless points; one is enough where no spring joins two of them.
 const SWEEPS: usize = 30;
 /// Ridge relative to the stiffness, in roots of the rounding unit: keeps a chain's open directions in
@@ -41,6 +41,7 @@ fn settle_point<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S
         for _ in 0..CORRECTIONS {
             let (force, stiffness) = balance(body, ground, pos, i, sliding);
             let correction = solve(stiffness, force);
+            let correction = if sliding { vec3::tangential(correction, ground.normal) } else { correction };
             vec3::add_at(pos, i, correction);
             if vec3::norm(correction) <= S::EPSILON * (S::ONE + vec3::norm(vec3::at(pos, i))) {
                 break;
@@ -54,7 +55,8 @@ fn settle_point<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S
     }
 }
 
-/// Spring force on point i and sum of K d d^T + ridge, both along the surface only if `sliding`.
+/// Spring force on point i and its stiffness, both along the surface only if `sliding`: the sum of
+/// K d d^T + K (1 - L/l) (1 - d d^T) + ridge, or without its second term where that leaves it indefinite.
 fn balance<S: Scalar>(
     body: &Body<S>,
     ground: &Ground<S>,
@@ -64,21 +66,47 @@ fn balance<S: Scalar>(
 ) -> (Vec3<S>, [Vec3<S>; 3]) {
     let mut force = vec3::zero();
     let mut stiffness = [vec3::zero(); 3];
+    let mut exact = [vec3::zero(); 3];
     let mut ridge = S::ZERO;
     for spring in body.springs.iter().filter(|s| s.tail == i || s.head == i) {
         let other = if spring.tail == i { spring.head } else { spring.tail };
         let (d, length) = vec3::direction(vec3::sub(vec3::at(pos, other), vec3::at(pos, i)));
         let d = if sliding { vec3::tangential(d, ground.normal) } else { d };
         force = vec3::axpy(force, spring.tension(length), d);
-        for (row, component) in stiffness.iter_mut().zip(d) {
+        let across = if length > S::ZERO { spring.tension(length) / length } else { S::ZERO };
+        let axes = [[S::ONE, S::ZERO, S::ZERO], [S::ZERO, S::ONE, S::ZERO], [S::ZERO, S::ZERO, S::ONE]];
+        let rows = stiffness.iter_mut().zip(exact.iter_mut()).zip(axes.iter().zip(d));
+        for ((row, exact), (axis, component)) in rows {
             *row = vec3::axpy(*row, spring.stiffness * component, d);
+            let axis = if sliding { vec3::tangential(*axis, ground.normal) } else { *axis };
+            *exact = vec3::axpy(*exact, (spring.stiffness - across) * component, d);
+            *exact = vec3::axpy(*exact, across, axis);
         }
         ridge = ridge + S::from_f64(RIDGE) * S::EPSILON.sqrt() * spring.stiffness;
     }
-    stiffness[0][0] = stiffness[0][0] + ridge;
-    stiffness[1][1] = stiffness[1][1] + ridge;
-    stiffness[2][2] = stiffness[2][2] + ridge;
-    (force, stiffness)
+    let ridged = |mut a: [Vec3<S>; 3]| {
+        a[0][0] = a[0][0] + ridge;
+        a[1][1] = a[1][1] + ridge;
+        a[2][2] = a[2][2] + ridge;
+        a
+    };
+    if sliding {
+        // Along the normal nothing may move: any stiffness there keeps the solution well conditioned.
+        let across = ridge / (S::from_f64(RIDGE) * S::EPSILON.sqrt());
+        let rows = stiffness.iter_mut().zip(exact.iter_mut()).zip(ground.normal);
+        for ((row, exact), component) in rows {
+            *row = vec3::axpy(*row, across * component, ground.normal);
+            *exact = vec3::axpy(*exact, across * component, ground.normal);
+        }
+    }
+    let exact = ridged(exact);
+    (force, if is_positive_definite(&exact) { exact } else { ridged(stiffness) })
+}
+
+/// By Sylvester's criterion.
+fn is_positive_definite<S: Scalar>(a: &[Vec3<S>; 3]) -> bool {
+    let minors = vec3::cross(a[1], a[2]);
+    a[0][0] > S::ZERO && a[0][0] * a[1][1] - a[0][1] * a[1][0] > S::ZERO && vec3::dot(a[0], minors) > S::ZERO
 }
 
 /// Solves the symmetric 3 x 3 system by Cramer's rule; 0 where it has no solution.

@@ -7,7 +7,9 @@
 pub mod compensation;
 pub mod friction;
 pub mod massless;
+pub mod pair;
 pub mod restitution;
+pub mod rigid;
 pub mod soft;
 
 use crate::body::Body;

@@ -4,21 +4,22 @@
 //! over, which the next step makes up) and a report. The observer sees everything and changes nothing.
 //! Invariant: on an error the state is the last good one. Work per step is bounded.
 
-use crate::advance::{Method, Motion, Start, Workspace, advance, moreau};
+mod touch;
+
+use crate::advance::{Method, Motion, Start, Workspace, advance, moreau, shift_positions};
 use crate::body::energy::eval_energies;
-use crate::body::vec3::{self, Vec3};
+use crate::body::vec3;
 use crate::body::{BodyError, pressure};
-use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
-use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution, soft};
-use crate::guard;
+use crate::contact::compensation::{Impact, PointImpact};
+use crate::contact::{ContactLaw, Ground, Mode, System, friction, soft};
+use crate::guard::{self, Shortened};
 use crate::real::Scalar;
+use touch::{apply_law, hold_or_rebound, lift, mark_touching, place_on_surface, release, rub};
 
 /// Events handled in one step; the rest of the step is carried over to the next.
 pub const MAX_EVENTS: usize = 64;
 /// Substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
-/// A rebound whose flight would last less than this part of a step ends at rest (Zeno).
-const ZENO_FLIGHT: f64 = 1e-2;
 
 /// What advances.
 #[derive(Debug)]
@@ -87,6 +88,8 @@ pub struct StepReport {
     pub events: usize,
     /// Stretches without events.
     pub substeps: usize,
+    /// Steps tried to locate events, each with the method's force evaluations.
+    pub trials: usize,
     /// The step ended early: [`MAX_EVENTS`] or [`MAX_SUBSTEPS`] was reached.
     pub cut_short: bool,
 }
@@ -96,6 +99,27 @@ impl<S: Scalar> State<'_, S> {
     #[must_use]
     pub fn t(&self) -> S {
         self.time[0]
+    }
+
+    /// What the total energy has above its mean over the body's vibrations, because of the method [J].
+    ///
+    /// Verlet keeps m v^2/2 + V + h^2 (alpha v.V''v - (1/8 - alpha) m |a|^2) of a linear body, for every alpha;
+    /// alpha = 1/16 has the total energy as its mean. A touch takes a point's acceleration away and so would
+    /// lift that mean, if it left the total energy of the instant as it is.
+    fn energy_swing(&self, system: &System<S>, h: S, method: Method<S>, mode: impl Fn(usize) -> Mode) -> S {
+        if method != Method::Verlet {
+            return S::ZERO;
+        }
+        let mut sum = S::ZERO;
+        for (i, mass) in system.body.mass.iter().enumerate() {
+            let a = system.acceleration(i, mode(i), self.motion.force(i));
+            sum = sum + *mass * vec3::dot(a, a);
+        }
+        for spring in system.body.springs {
+            let rate = spring.stretch(self.motion.pos, self.motion.vel).rate;
+            sum = sum - spring.stiffness * rate * rate;
+        }
+        S::from_f64(1.0 / 16.0) * h * h * sum
     }
 
     fn pass(&mut self, tau: S) {
@@ -113,11 +137,13 @@ impl<S: Scalar> State<'_, S> {
         &mut self,
         system: &System<S>,
         h: S,
+        method: Method<S>,
         work: &mut Workspace<S>,
         observer: &mut O,
     ) -> Result<(), BodyError<S>> {
         self.motion.refresh(system)?;
-        self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total();
+        self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total()
+            - self.energy_swing(system, h, method, |i| self.modes.get(i).copied().unwrap_or_default());
         if let Some(ground) = &system.ground
             && ground.has_events()
         {
@@ -127,7 +153,7 @@ impl<S: Scalar> State<'_, S> {
                 let still = ground.gap_rate(vec3::at(self.motion.vel, i)) == S::ZERO;
                 *mode = if on_ground && still { Mode::Held } else { Mode::Free };
             }
-            resolve(system, ground, self, h, work, observer)?;
+            resolve(system, ground, self, (h, method), work, observer)?;
         }
         Ok(())
     }
@@ -166,18 +192,19 @@ pub fn step<S: Scalar, O: Observer<S>>(
             continue;
         }
         let start = Start { motion: &state.motion, modes: state.modes };
-        let (tau, is_event) = match &system.ground {
+        let Shortened { tau, is_event, trials } = match &system.ground {
             Some(ground) if ground.has_events() => {
                 guard::shorten_to_event(system, ground, start, tau, method, work)?
             }
-            _ => (tau, false),
+            _ => Shortened { tau, is_event: false, trials: 0 },
         };
+        report.trials += trials;
         pressure::check_inflation(&system.body, work.end.pos)?;
         accept(system, state, tau, work, observer)?;
         remaining = remaining - tau;
         if let (true, Some(ground)) = (is_event, &system.ground) {
             report.events += 1;
-            resolve(system, ground, state, h, work, observer)?;
+            resolve(system, ground, state, (h, method), work, observer)?;
         }
     }
     Ok(report)
@@ -220,10 +247,8 @@ fn accept<S: Scalar, O: Observer<S>>(
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
-    let lost = slide(system, state, tau, work);
-    if lost > S::ZERO {
-        work.end.refresh(system)?;
-    }
+    let lost = slide(system, state, tau, work)?;
+    lift_departing(system, state.modes, work)?;
     let flow = Flow { before: &state.motion, after: &work.end, tau, friction: lost, impact: S::ZERO };
     observer.flow(system, flow);
     state.motion.copy_from(&work.end);
@@ -235,23 +260,65 @@ fn accept<S: Scalar, O: Observer<S>>(
     Ok(())
 }
 
+/// Departing points that go away, yet lie below the surface by the method's error, are put on it.
+fn lift_departing<S: Scalar>(
+    system: &System<S>,
+    modes: &[Mode],
+    work: &mut Workspace<S>,
+) -> Result<(), BodyError<S>> {
+    let Some(ground) = system.ground.filter(Ground::has_events) else { return Ok(()) };
+    let mut lifted = false;
+    for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
+        let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
+        if leaves && ground.gap(vec3::at(work.end.pos, i)) < -ground.tolerance {
+            lift(&ground, &mut work.end, i);
+            lifted = true;
+        }
+    }
+    if lifted { work.end.refresh(system) } else { Ok(()) }
+}
+
 /// Friction of the points that slide, with the mean normal force of the stretch; returns the loss [J].
-fn slide<S: Scalar>(system: &System<S>, state: &State<S>, tau: S, work: &mut Workspace<S>) -> S {
-    let Some(ground) = system.ground.filter(|g| g.friction > S::ZERO) else { return S::ZERO };
+///
+/// A change of speed dv spread over the stretch moves the point by dv tau/2: order 2, and a point that
+/// sticks does not creep. The loss is what the speeds lose plus the work of the forces on that way.
+fn slide<S: Scalar>(
+    system: &System<S>,
+    state: &State<S>,
+    tau: S,
+    work: &mut Workspace<S>,
+) -> Result<S, BodyError<S>> {
+    let Some(ground) = system.ground.filter(|g| g.friction > S::ZERO) else { return Ok(S::ZERO) };
+    let half = S::from_f64(0.5);
     let push = |motion: &Motion<S>, i: usize, mode: Mode| match mode {
         Mode::Held => system.normal_force(motion.force(i)).max(S::ZERO),
         Mode::Stuck => S::ZERO,
         _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
     };
-    let mut lost = S::ZERO;
+    let (mut lost, mut slid) = (S::ZERO, false);
     for (i, mode) in state.modes.iter().enumerate() {
-        let mean = S::from_f64(0.5) * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
+        let mean = half * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
         let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
+        let (mut way, mut loss) = (vec3::zero(), S::ZERO);
         if let Some(v) = work.end.vel.get_mut(i) {
-            lost = lost + friction::apply(v, ground.normal, mass, ground.friction, tau * mean);
+            let before = *v;
+            loss = friction::apply(v, ground.normal, mass, ground.friction, tau * mean);
+            way = vec3::scale(vec3::sub(*v, before), half * tau);
+        }
+        slid |= loss > S::ZERO;
+        lost = lost + loss + half * vec3::dot(vec3::at(work.end.elastic, i), way);
+        if let Some(row) = work.dx.get_mut(i) {
+            *row = way;
         }
     }
-    lost
+    if slid {
+        shift_positions(work);
+        work.end.refresh(system)?;
+        for (way, force) in work.dx.iter().zip(work.end.elastic.iter()) {
+            lost = lost + half * vec3::dot(*force, *way);
+        }
+    }
+    Ok(lost)
 }
 
 /// Arms guards of points that are clear of the ground; sticks and unsticks the held ones.
@@ -278,14 +345,15 @@ fn resolve<S: Scalar, O: Observer<S>>(
     system: &System<S>,
     ground: &Ground<S>,
     state: &mut State<S>,
-    h: S,
+    (h, method): (S, Method<S>),
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
     let touching = mark_touching(system, ground, state, work.impacts);
     let mut impact = None;
     if touching {
-        let mut hit = apply_law(system, ground, state, work.impacts);
+        place_on_surface(ground, &mut state.motion, work.impacts);
+        let mut hit = apply_law(system, ground, state, (h, method), work);
         hit.friction = rub(system, ground, state.motion.vel, work.impacts);
         state.motion.vel_rest.iter_mut().for_each(|v| *v = vec3::zero());
         state.motion.refresh(system)?;
@@ -298,109 +366,6 @@ fn resolve<S: Scalar, O: Observer<S>>(
     let event = Event { time: state.t(), impact, points: work.impacts, modes: state.modes, released };
     observer.event(system, event);
     Ok(())
-}
-
-/// Marks the set B; true if it has a member.
-fn mark_touching<S: Scalar>(
-    system: &System<S>,
-    ground: &Ground<S>,
-    state: &State<S>,
-    points: &mut [PointImpact<S>],
-) -> bool {
-    let mut any = false;
-    for (i, (point, mode)) in points.iter_mut().zip(state.modes.iter()).enumerate() {
-        let near = ground.gap(vec3::at(state.motion.pos, i)) <= ground.tolerance;
-        let closing = ground.gap_rate(vec3::at(state.motion.vel, i)) < S::ZERO;
-        let moves = system.body.inverse_mass(i) > S::ZERO;
-        *point = PointImpact::none();
-        point.touching = near && closing && moves && !mode.is_held();
-        any |= point.touching;
-    }
-    any
-}
-
-fn apply_law<S: Scalar>(
-    system: &System<S>,
-    ground: &Ground<S>,
-    state: &mut State<S>,
-    points: &mut [PointImpact<S>],
-) -> Impact<S> {
-    let modes = &*state.modes;
-    match ground.law {
-        ContactLaw::Newton { restitution } => {
-            restitution::apply(system, restitution, state.motion.vel, points)
-        }
-        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
-            let now = eval_energies(&system.body, state.motion.pos, state.motion.vel).total();
-            let drift = if anchor { state.anchor - now } else { S::ZERO };
-            let law = Compensation { eta, anchor: drift, plastic_alone };
-            let receiver = |k: usize| {
-                system.body.inverse_mass(k) > S::ZERO && !modes.get(k).is_some_and(|m| m.is_held())
-            };
-            compensation::apply(system, law, state.motion.pos, state.motion.vel, points, receiver)
-        }
-        _ => Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO },
-    }
-}
-
-/// Friction of the impulses; returns the loss [J].
-fn rub<S: Scalar>(
-    system: &System<S>,
-    ground: &Ground<S>,
-    vel: &mut [Vec3<S>],
-    points: &[PointImpact<S>],
-) -> S {
-    let mut lost = S::ZERO;
-    for ((v, point), mass) in vel.iter_mut().zip(points).zip(system.body.mass) {
-        if point.touching {
-            lost = lost + friction::apply(v, ground.normal, *mass, ground.friction, point.impulse);
-        }
-    }
-    lost
-}
-
-/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs [J].
-fn hold_or_rebound<S: Scalar>(
-    system: &System<S>,
-    ground: &Ground<S>,
-    state: &mut State<S>,
-    h: S,
-    points: &[PointImpact<S>],
-) -> S {
-    let mut lost = S::ZERO;
-    for (i, (mode, point)) in state.modes.iter_mut().zip(points).enumerate() {
-        if !point.touching {
-            continue;
-        }
-        let rate = ground.gap_rate(vec3::at(state.motion.vel, i));
-        let pressing = system.normal_force(state.motion.force(i)) * system.body.inverse_mass(i);
-        let flight_ends = S::from_f64(2.0) * rate < S::from_f64(ZENO_FLIGHT) * h * pressing;
-        if rate > S::ZERO && !flight_ends {
-            *mode = Mode::Departing;
-            continue;
-        }
-        *mode = Mode::Held;
-        if rate > S::ZERO {
-            let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
-            lost = lost + S::from_f64(0.5) * mass * rate * rate;
-        }
-        if let Some(v) = state.motion.vel.get_mut(i) {
-            *v = vec3::tangential(*v, ground.normal);
-        }
-    }
-    lost
-}
-
-/// Lets go of held points that the ground would have to pull; returns how many.
-fn release<S: Scalar>(system: &System<S>, state: &mut State<S>) -> usize {
-    let mut released = 0;
-    for (i, mode) in state.modes.iter_mut().enumerate() {
-        if mode.is_held() && system.normal_force(state.motion.force(i)) < S::ZERO {
-            *mode = Mode::Departing;
-            released += 1;
-        }
-    }
-    released
 }
 
 fn step_moreau<S: Scalar, O: Observer<S>>(
@@ -425,5 +390,5 @@ fn step_moreau<S: Scalar, O: Observer<S>>(
     observer.flow(system, flow);
     state.motion.copy_from(&work.end);
     state.pass(h);
-    Ok(StepReport { events: 0, substeps: 1, cut_short: false })
+    Ok(StepReport { substeps: 1, ..StepReport::default() })
 }

@@ -1,0 +1,185 @@
+//! What an event does: the touching points are marked, put on the surface, struck by the law, rubbed; then held or
+//! let fly, and points that the ground would have to pull are let go.
+//!
+//! Invariant: positions change by the rounding that located the event, nothing else.
+
+use super::State;
+use crate::advance::{Method, Motion, Workspace, copy};
+use crate::body::energy::eval_energies;
+use crate::body::vec3::{self, Vec3};
+use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
+use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution};
+use crate::real::Scalar;
+
+/// A rebound whose flight would last less than this part of a step, or stay within the tolerance, ends at rest (Zeno).
+const ZENO_FLIGHT: f64 = 1e-2;
+/// Passes of an anchored impact: the swing is some thousandths of the energy, each pass gains that factor.
+const ANCHOR_PASSES: usize = 3;
+
+/// Marks the set B; true if it has a member.
+pub(super) fn mark_touching<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &State<S>,
+    points: &mut [PointImpact<S>],
+) -> bool {
+    let mut any = false;
+    for (i, (point, mode)) in points.iter_mut().zip(state.modes.iter()).enumerate() {
+        let near = ground.gap(vec3::at(state.motion.pos, i)) <= ground.tolerance;
+        let closing = ground.gap_rate(vec3::at(state.motion.vel, i)) < S::ZERO;
+        let moves = system.body.inverse_mass(i) > S::ZERO;
+        *point = PointImpact::none();
+        point.touching = near && closing && moves && !mode.is_held();
+        any |= point.touching;
+    }
+    any
+}
+
+/// Lifts touching points by the rounding that located them below the surface.
+pub(super) fn place_on_surface<S: Scalar>(
+    ground: &Ground<S>,
+    motion: &mut Motion<S>,
+    points: &[PointImpact<S>],
+) {
+    for (i, _) in points.iter().enumerate().filter(|(_, p)| p.touching) {
+        let x = vec3::at(motion.pos, i);
+        // Deeper ones returned within the tolerance: lifting them would feed a bounce.
+        let rounding = S::from_f64(2.0) * S::EPSILON * (S::ONE + ground.offset.abs() + vec3::norm(x));
+        if ground.gap(x) >= -rounding {
+            lift(ground, motion, i);
+        }
+    }
+}
+
+/// Puts point i on the surface.
+pub(super) fn lift<S: Scalar>(ground: &Ground<S>, motion: &mut Motion<S>, i: usize) {
+    let gap = ground.gap(vec3::at(motion.pos, i));
+    if gap < S::ZERO {
+        vec3::add_at(motion.pos, i, vec3::scale(ground.normal, -gap));
+        if let Some(rest) = motion.pos_rest.get_mut(i) {
+            *rest = vec3::tangential(*rest, ground.normal);
+        }
+    }
+}
+
+pub(super) fn apply_law<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    (h, method): (S, Method<S>),
+    work: &mut Workspace<S>,
+) -> Impact<S> {
+    match ground.law {
+        ContactLaw::Newton { restitution } => {
+            restitution::apply(system, restitution, state.motion.vel, work.impacts)
+        }
+        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
+            let law = Compensation { eta, anchor: S::ZERO, plastic_alone };
+            if anchor {
+                anchored(system, law, state, (h, method), work)
+            } else {
+                compensate(system, law, state, work.impacts)
+            }
+        }
+        _ => Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO },
+    }
+}
+
+fn compensate<S: Scalar>(
+    system: &System<S>,
+    law: Compensation<S>,
+    state: &mut State<S>,
+    points: &mut [PointImpact<S>],
+) -> Impact<S> {
+    let modes = &*state.modes;
+    let receiver =
+        |k: usize| system.body.inverse_mass(k) > S::ZERO && !modes.get(k).is_some_and(|m| m.is_held());
+    compensation::apply(system, law, state.motion.pos, state.motion.vel, points, receiver)
+}
+
+/// Compensation that ends at the ledger's energy. The swing after it depends on the speeds it gives: the
+/// first pass takes those before.
+fn anchored<S: Scalar>(
+    system: &System<S>,
+    law: Compensation<S>,
+    state: &mut State<S>,
+    (h, method): (S, Method<S>),
+    work: &mut Workspace<S>,
+) -> Impact<S> {
+    let now = eval_energies(&system.body, state.motion.pos, state.motion.vel).total();
+    copy(work.stage_vel, state.motion.vel);
+    let mut hit = Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO };
+    for _ in 0..ANCHOR_PASSES {
+        let held = |i: usize| match work.impacts.get(i) {
+            Some(point) if point.touching => Mode::Held,
+            _ => state.modes.get(i).copied().unwrap_or_default(),
+        };
+        let swing = state.energy_swing(system, h, method, held);
+        let law = Compensation { anchor: state.anchor + swing - now, ..law };
+        copy(state.motion.vel, work.stage_vel);
+        hit = compensate(system, law, state, work.impacts);
+    }
+    hit
+}
+
+/// Friction of the impulses; returns the loss [J].
+pub(super) fn rub<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    vel: &mut [Vec3<S>],
+    points: &[PointImpact<S>],
+) -> S {
+    let mut lost = S::ZERO;
+    for ((v, point), mass) in vel.iter_mut().zip(points).zip(system.body.mass) {
+        if point.touching {
+            lost = lost + friction::apply(v, ground.normal, *mass, ground.friction, point.impulse);
+        }
+    }
+    lost
+}
+
+/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs [J].
+pub(super) fn hold_or_rebound<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    h: S,
+    points: &[PointImpact<S>],
+) -> S {
+    let mut lost = S::ZERO;
+    for (i, (mode, point)) in state.modes.iter_mut().zip(points).enumerate() {
+        if !point.touching {
+            continue;
+        }
+        let rate = ground.gap_rate(vec3::at(state.motion.vel, i));
+        let pressing = system.normal_force(state.motion.force(i)) * system.body.inverse_mass(i);
+        let is_short = S::from_f64(2.0) * rate < S::from_f64(ZENO_FLIGHT) * h * pressing;
+        let is_low = rate * rate < S::from_f64(2.0) * ground.tolerance * pressing;
+        let flight_ends = is_short || is_low;
+        if rate > S::ZERO && !flight_ends {
+            *mode = Mode::Departing;
+            continue;
+        }
+        *mode = Mode::Held;
+        if rate > S::ZERO {
+            let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
+            lost = lost + S::from_f64(0.5) * mass * rate * rate;
+        }
+        if let Some(v) = state.motion.vel.get_mut(i) {
+            *v = vec3::tangential(*v, ground.normal);
+        }
+    }
+    lost
+}
+
+/// Lets go of held points that the ground would have to pull; returns how many.
+pub(super) fn release<S: Scalar>(system: &System<S>, state: &mut State<S>) -> usize {
+    let mut released = 0;
+    for (i, mode) in state.modes.iter_mut().enumerate() {
+        if mode.is_held() && system.normal_force(state.motion.force(i)) < S::ZERO {
+            *mode = Mode::Departing;
+            released += 1;
+        }
+    }
+    released
+}

@@ -1,0 +1,195 @@
+//! The other contact laws against closed forms: Hunt-Crossley, Newton, friction on a slope, massless points in 3-D.
+
+use smartbed::scene::parse;
+use smartbed::scene::run::{EventRecord, Row, run};
+use smartbed_runtime::body::{Body, Spring};
+use smartbed_runtime::contact::{ContactLaw, Ground, massless};
+
+const G: f64 = 9.81;
+
+fn all(text: &str) -> (Vec<Row>, Vec<EventRecord>) {
+    let scene = parse("law", &format!("format = 1\n{text}"), &[]).expect("scene");
+    let mut rows = Vec::new();
+    let events = run::<f64>(&scene, |row| rows.push(row.clone())).expect("run");
+    (rows, events)
+}
+
+/// Root of a rising function.
+fn bisect(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if f(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    high
+}
+
+/// v dv = -(k/m) d^1.5 (1 + a v) dd on the way in and out, so G(v) = v/a - ln(1 + a v)/a^2 is 2/5 (k/m) d^2.5:
+/// the depth follows from G(v0), the speed of leaving v1 from G(-v1) = G(v0).
+#[test]
+fn hunt_crossley_takes_what_its_closed_form_says() {
+    const STIFFNESS: f64 = 1e5;
+    for (v0, a) in [(1.0, 0.2), (0.3, 0.2), (1.0, 0.02), (2.0, 0.4)] {
+        let text = format!(
+            "points = [[0.0, 0.0, 0.001]]\ng = 0.0\ninitial_velocity = {:e}\nlaw = \"hunt_crossley\"\nstiffness = {STIFFNESS}\ndissipation = {a}\nmethod = \"rk4\"\nstep = 1e-5\nT = 0.1\n",
+            -v0
+        );
+        let (rows, _) = all(&text);
+        let potential = |v: f64| v / a - (a * v).ln_1p() / (a * a);
+        let v1 = bisect(|v| potential(-v) - potential(v0), 0.0, v0);
+        let depth = (2.5 / STIFFNESS * potential(v0)).powf(0.4);
+        let end = rows.last().expect("rows");
+        let deepest = rows.iter().map(|r| -r.pos[0][2]).fold(0.0, f64::max);
+        println!(
+            "Hunt-Crossley {v0} m/s, a {a}: e = {:.6} (closed form {:.6}), depth {deepest:.6e} ({depth:.6e})",
+            end.vel[0][2] / v0,
+            v1 / v0
+        );
+        // The force starts as depth^1.5: at its kink a method of order 4 is one of order 2.5, 1e-5^2.5.
+        assert!((end.vel[0][2] - v1).abs() <= 1e-6 * v0);
+        // Rows are 1e-5 s apart; around the deepest point depth changes by a h^2/2 of about 1e-7 of 1 cm.
+        assert!((deepest / depth - 1.0).abs() <= 1e-5);
+        let taken = 0.5 * (v0 * v0 - v1 * v1);
+        assert!((end.energy.accounts[2] - taken).abs() <= 1e-5, "the ledger's impact account");
+        assert!(end.energy.imbalance.abs() <= 1e-5);
+    }
+}
+
+/// Drop from 1 m: speeds of approach e^n v, times 2 e^n v/g apart, impulses (1 + e) e^n v.
+#[test]
+fn newton_bounces_are_a_geometric_series() {
+    const E: f64 = 0.8;
+    let (rows, events) =
+        all("points = [[0.0, 0.0, 1.0]]\nlaw = \"newton\"\ne = 0.8\nmethod = \"verlet\"\nT = 3.0\n");
+    let speed = (2.0 * G).sqrt();
+    let mut time = speed / G;
+    for (n, event) in events.iter().enumerate() {
+        let v = speed * E.powi(n as i32);
+        let (_, approach, impulse) = event.touches[0];
+        assert!((event.time - time).abs() <= 1e-12, "bounce {n}: {} against {time}", event.time);
+        assert!((approach - v).abs() <= 1e-11 && (impulse - (1.0 + E) * v).abs() <= 1e-11);
+        time += 2.0 * E * v / G;
+    }
+    assert!(events.len() >= 4);
+    let left = G * E.powi(2 * events.len() as i32);
+    let end = rows.last().expect("rows").energy;
+    assert!((end.total - left).abs() <= 1e-11 && end.imbalance.abs() <= 1e-11);
+}
+
+/// A floor that rises at 30 degrees towards +x, a point on it with a speed along it.
+fn slope(mu: f64, speed: f64, method: &str) -> (Vec<Row>, [f64; 2]) {
+    let (sin, cos) = (30.0_f64.to_radians().sin(), 30.0_f64.to_radians().cos());
+    let text = format!(
+        "points = [[0.0, 0.0, 0.0]]\nmu = {mu}\nmethod = \"{method}\"\nT = 1.0\ninitial_velocity = [{:e}, 0.0, {:e}]\nfloor = {{ normal = [{:e}, 0.0, {cos:e}], offset = 0.0 }}\n",
+        speed * cos,
+        speed * sin,
+        -sin
+    );
+    (all(&text).0, [sin, cos])
+}
+
+/// Way up the slope.
+fn along(row: &Row, [sin, cos]: [f64; 2]) -> f64 {
+    row.pos[0][0] * cos + row.pos[0][2] * sin
+}
+
+#[test]
+fn sliding_down_a_slope_follows_its_parabola() {
+    for method in ["verlet", "rk4", "energy_momentum"] {
+        let (rows, unit) = slope(0.3, 0.0, method);
+        let a = G * (unit[0] - 0.3 * unit[1]);
+        for row in &rows {
+            let error = along(row, unit) + 0.5 * a * row.t * row.t;
+            assert!(error.abs() <= 1e-12, "{method} at {}: {error:e}", row.t);
+            assert!(row.energy.imbalance.abs() <= 1e-11, "{method}: {:e}", row.energy.imbalance);
+        }
+        let taken = rows.last().expect("rows").energy.accounts[3];
+        // mu m g cos times the way.
+        assert!((taken - 0.3 * G * unit[1] * 0.5 * a).abs() <= 1e-11, "{method}: {taken}");
+    }
+}
+
+#[test]
+fn sliding_up_a_slope_ends_where_friction_says() {
+    const H: f64 = 1e-3;
+    for method in ["verlet", "rk4", "energy_momentum"] {
+        // tan 30 = 0.577: with mu = 0.8 it stays at the top, v^2/(2 g (sin + mu cos)) up.
+        let (rows, unit) = slope(0.8, 2.0, method);
+        let deceleration = G * (unit[0] + 0.8 * unit[1]);
+        let top = 4.0 / (2.0 * deceleration);
+        let end = rows.last().expect("rows");
+        // The stop falls inside a step: its speed there, at most a h, is gone h too early or too late.
+        assert!((along(end, unit) - top).abs() <= deceleration * H * H, "{method}");
+        assert_eq!(end.vel[0], [0.0; 3], "{method}");
+        let stopped = &rows[rows.len() / 2];
+        assert_eq!(stopped.pos, end.pos, "{method}: no creep");
+        assert!(end.energy.imbalance.abs() <= 1e-11, "{method}: {:e}", end.energy.imbalance);
+    }
+}
+
+/// Forces of the springs on point 0, written out anew.
+fn pull(pos: &[[f64; 3]], springs: &[Spring<f64>]) -> [f64; 3] {
+    let mut force = [0.0; 3];
+    for s in springs.iter().filter(|s| s.tail == 0 || s.head == 0) {
+        let other = s.tail + s.head;
+        let d = [0, 1, 2].map(|c| pos[other][c] - pos[0][c]);
+        let length = d.iter().map(|c| c * c).sum::<f64>().sqrt();
+        (0..3).for_each(|c| force[c] += s.stiffness * (length - s.rest_length) * d[c] / length);
+    }
+    force
+}
+
+/// A massless corner under three springs in space, above and on grounds of any orientation: free, its springs
+/// balance; on the ground they balance along it and press on it.
+#[test]
+fn massless_point_in_space_is_in_balance() {
+    let springs: Vec<Spring<f64>> = [(1, 0, 900.0, 1.0), (0, 2, 1400.0, 1.1), (3, 0, 700.0, 0.9)]
+        .map(|(tail, head, stiffness, rest_length)| Spring {
+            tail,
+            head,
+            stiffness,
+            damping: 0.0,
+            rest_length,
+        })
+        .to_vec();
+    let body = Body::new(Body {
+        mass: &[0.0, 1.0, 1.0, 1.0],
+        fixed: &[false; 4],
+        springs: &springs,
+        gravity: [0.0, 0.0, -G],
+        air_drag: 0.0,
+        facets: &[],
+        inflation: None,
+    })
+    .expect("body");
+    let (mut pressed, mut hung) = (0, 0);
+    for tilt in [[0.0, 0.0, 1.0], [0.2, 0.0, 1.0], [-0.1, 0.3, 1.0]] {
+        let length = tilt.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let normal: [f64; 3] = tilt.map(|c| c / length);
+        for height in [-0.3, -0.1, 0.0, 0.1, 0.3] {
+            let ground = Ground {
+                normal,
+                offset: height,
+                law: ContactLaw::MasslessPoint,
+                friction: 0.0,
+                tolerance: 1e-11,
+            };
+            let mut pos = [[0.05, -0.02, 0.0], [0.6, 0.0, 0.7], [-0.4, 0.5, 0.8], [-0.3, -0.6, 0.75]];
+            massless::settle(&body, &ground, &mut pos);
+            let force = pull(&pos, &springs);
+            let dot = |a: [f64; 3]| a.iter().zip(normal).map(|(x, n)| x * n).sum::<f64>();
+            let (gap, press) = (dot(pos[0]) - height, -dot(force));
+            let tangential = [0, 1, 2].map(|c| force[c] + press * normal[c]);
+            let size = |a: [f64; 3]| a.iter().map(|c| c.abs()).fold(0.0, f64::max);
+            // Rounding of lengths of 1 m under 1 kN/m.
+            assert!(size(tangential) <= 1e-9, "{normal:?} {height}: {tangential:?}");
+            if gap.abs() <= 1e-12 {
+                assert!(press >= -1e-9, "the ground pulls by {press}");
+                pressed += 1;
+            } else {
+                assert!(gap > 0.0 && press.abs() <= 1e-9, "gap {gap}, {press}");
+                hung += 1;
+            }
+        }
+    }
+    assert!(pressed >= 3 && hung >= 3, "{pressed} pressed, {hung} free");
+}
