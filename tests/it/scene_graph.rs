@@ -54,7 +54,7 @@ fn energies_have_the_colours_of_the_thesis() {
     {
         assert!(svg.contains(&format!(">{label}</text>")), "{label}");
     }
-    for picture in ["start, 0.000 s", "first touch, ", "most compressed, ", "end, 3.000 s"] {
+    for picture in ["start, 0.000 s", "first touch, ", "compressed, ", "end, 3.000 s"] {
         assert!(svg.contains(picture), "{picture}");
     }
     assert!(!svg.contains("NaN") && !svg.contains("inf"), "numbers only");

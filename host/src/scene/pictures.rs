@@ -1,4 +1,4 @@
-//! Pictures of a body from the side: at the start, at the first touch, most compressed, at the end.
+//! Pictures of a body from the side: at the start, at the first touch, where a spring is compressed most, at the end.
 //!
 //! In: rows as they come. Out: four pictures in one row at one scale, metres on both axes alike.
 //! Projection: (x + 0.35 y, z + 0.2 y), so that a body's depth shows; a plane body stays plane.
@@ -82,7 +82,7 @@ impl Pictures {
         let named = [
             ("start", &self.start),
             ("first touch", &self.touch),
-            ("most compressed", &self.compressed),
+            ("compressed", &self.compressed),
             ("end", &self.end),
         ];
         let frames: Vec<(&str, &Frame)> =
