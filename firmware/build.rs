@@ -1,7 +1,8 @@
 //! Derives the model into `OUT_DIR` and, for the chip, gives the linker its memory.
 //!
 //! In, all optional: `SMARTBED_MODEL` (path of a model), `SMARTBED_SET` (`name=value;...`),
-//! `SMARTBED_STEPS`, `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
+//! `SMARTBED_STEPS`, `SMARTBED_SCENE` (path of a scene's tables, for the scene's image),
+//! `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
 //! They are read here, at build time, so that host and chip change together.
 
 use smartbed_codegen::{Options, ScalarType};
@@ -33,6 +34,17 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let steps: u32 = option("SMARTBED_STEPS", STEPS).parse()?;
     fs::write(out.join("steps.rs"), format!("{steps}"))?;
+
+    if env::var_os("CARGO_FEATURE_SCENE").is_some() {
+        let tables = option("SMARTBED_SCENE", "");
+        println!("cargo::rerun-if-changed={tables}");
+        let text = fs::read_to_string(&tables).map_err(|e| {
+            format!(
+                "SMARTBED_SCENE={tables}: {e}; `cargo smartbed firmware SCENE` writes the tables and builds"
+            )
+        })?;
+        fs::write(out.join("scene.rs"), text)?;
+    }
 
     let inject = option("SMARTBED_INJECT", "");
     if !inject.is_empty() {

@@ -31,44 +31,4 @@ fn main() -> std::process::ExitCode {
 
 #[cfg(target_os = "none")]
 #[expect(unsafe_code, reason = "cortex-m-rt asks for an unsafe handler: a hard fault may come anywhere")]
-mod chip {
-    //! Start, end and faults of the image.
-
-    use cortex_m_rt::{ExceptionFrame, entry, exception};
-    use cortex_m_semihosting::{debug, hio};
-
-    #[cfg(inject)]
-    mod inject;
-
-    #[entry]
-    fn main() -> ! {
-        #[cfg(inject)]
-        inject::defect();
-        let done = super::demonstrate(|bytes| {
-            if let Ok(mut out) = hio::hstdout() {
-                // A host that does not listen is no reason to stop.
-                let _ = out.write_all(bytes);
-            }
-        });
-        end(done)
-    }
-
-    /// Tells the emulator how it went.
-    fn end(done: bool) -> ! {
-        debug::exit(if done { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
-        loop {
-            cortex_m::asm::wfi();
-        }
-    }
-
-    #[exception]
-    unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
-        end(false)
-    }
-
-    /// Never linked in: the image's checks refuse whatever could call it.
-    #[panic_handler]
-    fn panic(_: &core::panic::PanicInfo) -> ! {
-        end(false)
-    }
-}
+mod chip;

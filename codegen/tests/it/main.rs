@@ -1,8 +1,8 @@
 //! Tests of the generator, one binary.
 
 mod augmented;
-mod expr;
 mod example_crate;
+mod expr;
 mod expressions;
 mod fuzz;
 mod geometry;

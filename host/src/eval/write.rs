@@ -61,6 +61,8 @@ impl Evaluated {
                 Answer::Projection => {
                     parts.push(format!("\"constraint_residual\": {}", json_number(self.residual)));
                 }
+                // A form of `derive`; the command line does not offer it here.
+                Answer::Augmented => {}
             }
         }
         text.push_str(&format!("  {{{}}}", parts.join(", ")));

@@ -10,6 +10,7 @@ use super::chip::Chip;
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
+use crate::scene::{self, Simulation, tables};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -31,6 +32,8 @@ pub struct Settings {
     pub set: Vec<String>,
     /// A defect for the checks to find.
     pub inject: Option<String>,
+    /// Constant tables in Rust, if the model is a scene.
+    pub tables: Option<String>,
 }
 
 impl Settings {
@@ -39,31 +42,75 @@ impl Settings {
     /// # Errors
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
-        for change in &arguments.set {
-            let number = change.split_once('=').map(|(name, value)| (name, value.parse::<f64>()));
-            if !matches!(number, Some((name, Ok(value))) if !name.is_empty() && value.is_finite()) {
-                return Err(Failure::Wrong(format!(
-                    "--set {change}: expected NAME=NUMBER, for example --set M=8"
-                )));
-            }
-        }
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
-        check_names(&model, &arguments.set)?;
-        Ok(Self {
-            model,
-            steps: arguments.steps.unwrap_or(STEPS),
-            set: arguments.set.clone(),
-            inject: arguments.inject.clone(),
-        })
+        let (tables, steps) = if scene::read::is_scene(&model) {
+            let (tables, steps) = print_scene(&model, &arguments.set)?;
+            (Some(tables), steps)
+        } else {
+            check_changes(&arguments.set)?;
+            check_names(&model, &arguments.set)?;
+            (None, STEPS)
+        };
+        let steps = arguments.steps.unwrap_or(steps);
+        Ok(Self { model, steps, set: arguments.set.clone(), inject: arguments.inject.clone(), tables })
     }
 
-    /// Hands the settings to the firmware's build script.
-    fn export(&self, command: &mut Command) {
-        command.env("SMARTBED_MODEL", &self.model);
-        command.env("SMARTBED_STEPS", self.steps.to_string());
-        command.env("SMARTBED_SET", self.set.join(";"));
-        command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
+    /// Name of the program that is built.
+    fn program(&self) -> &'static str {
+        if self.tables.is_some() { "scene" } else { "tile" }
     }
+
+    /// Functions of the image that are counted: a step, and an evaluation of a mechanism's rates.
+    #[must_use]
+    pub fn counted(&self) -> &'static [&'static str] {
+        if self.tables.is_some() { &["scene_step"] } else { &["tile_step", "tile_rates"] }
+    }
+
+    /// Hands the settings to the firmware's build script; tables through a file in `folder`.
+    fn export(&self, command: &mut Command, folder: &Path) -> Result<(), Failure> {
+        command.env("SMARTBED_STEPS", self.steps.to_string());
+        command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
+        match &self.tables {
+            None => {
+                command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
+            }
+            Some(tables) => {
+                let file = folder.join("scene.rs");
+                std::fs::write(&file, tables)
+                    .map_err(|e| Failure::Wrong(format!("{}: {e}", file.display())))?;
+                command.args(["--features", "scene"]).env("SMARTBED_SCENE", file);
+                command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses changes that are not `name=number`.
+fn check_changes(set: &[String]) -> Result<(), Failure> {
+    for change in set {
+        let number = change.split_once('=').map(|(name, value)| (name, value.parse::<f64>()));
+        if !matches!(number, Some((name, Ok(value))) if !name.is_empty() && value.is_finite()) {
+            return Err(Failure::Wrong(format!(
+                "--set {change}: expected NAME=NUMBER, for example --set M=8"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Reads a scene; returns its constant tables and its number of steps.
+fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
+    let scene = scene::open(&path.display().to_string(), set).map_err(Failure::Wrong)?;
+    scene.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    if scene.method.control_order() > 0 {
+        let why = format!("{}: the chip takes steps of fixed length", path.display());
+        return Err(Failure::Wrong(format!("{why}: choose another method, for example --set method=verlet")));
+    }
+    let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
+        .map_err(|e| Failure::Wrong(format!("{}: {}", path.display(), scene::run::describe(&e))))?;
+    let steps = u32::try_from(scene.steps()).unwrap_or(u32::MAX);
+    Ok((tables::rust(&simulation, scene.step as f32), steps))
 }
 
 /// Reads the model, so that its errors come first, and looks up the names of the changes.
@@ -82,14 +129,13 @@ fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
 
 /// A path, or a name under models/.
 fn find_model(workspace: &Path, model: &str) -> Result<PathBuf, Failure> {
-    let named = workspace.join("models").join(model).with_extension("toml");
+    let named = ["models", "models/scenes"].map(|f| workspace.join(f).join(model).with_extension("toml"));
     let given = Path::new(model);
     if given.is_file() {
         fs::canonicalize(given).map_err(|e| Failure::Wrong(format!("{model}: {e}")))
-    } else if named.is_file() {
-        Ok(named)
     } else {
-        Err(Failure::Wrong(format!("no model `{model}`: expected a file, or the name of one under models/")))
+        let why = format!("no model `{model}`: expected a file, or the name of one under models/");
+        named.into_iter().find(|path| path.is_file()).ok_or(Failure::Wrong(why))
     }
 }
 
@@ -105,7 +151,7 @@ pub fn image(
     settings: &Settings,
 ) -> Result<PathBuf, Failure> {
     let target = chip.target.to_uppercase().replace('-', "_");
-    let mut cargo = build(toolchain, workspace, folder, settings);
+    let mut cargo = build(toolchain, workspace, folder, settings)?;
     cargo.args(["--target", chip.target]);
     if toolchain.core_from_source {
         cargo.arg("-Zbuild-std=core");
@@ -115,7 +161,7 @@ pub fn image(
     }
     cargo.env(format!("CARGO_TARGET_{target}_RUSTFLAGS"), format!("-Ctarget-cpu={}", chip.cpu));
     succeed(cargo, "the image does not build")?;
-    Ok(folder.join(chip.target).join("firmware/tile"))
+    Ok(folder.join(chip.target).join("firmware").join(settings.program()))
 }
 
 /// Builds and runs the same simulation on the host; returns what it prints.
@@ -128,20 +174,25 @@ pub fn simulation(
     folder: &Path,
     settings: &Settings,
 ) -> Result<String, Failure> {
-    let mut cargo = build(toolchain, workspace, folder, settings);
+    let mut cargo = build(toolchain, workspace, folder, settings)?;
     // Optimising std and all takes seconds and saves milliseconds.
     cargo.env("CARGO_PROFILE_FIRMWARE_LTO", "off");
     succeed(cargo, "the simulation does not build for the host")?;
-    run_limited(&mut clean(&folder.join("firmware/tile")), TIME_LIMIT)
+    run_limited(&mut clean(&folder.join("firmware").join(settings.program())), TIME_LIMIT)
         .map_err(|e| Failure::Wrong(format!("the simulation fails on the host: {e}")))
 }
 
-fn build(toolchain: &Toolchain, workspace: &Path, folder: &Path, settings: &Settings) -> Command {
+fn build(
+    toolchain: &Toolchain,
+    workspace: &Path,
+    folder: &Path,
+    settings: &Settings,
+) -> Result<Command, Failure> {
     let mut cargo = toolchain.cargo();
-    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", "tile"]);
+    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", settings.program()]);
     cargo.args(["--profile", "firmware", "--target-dir"]).arg(folder).current_dir(workspace);
-    settings.export(&mut cargo);
-    cargo
+    settings.export(&mut cargo, folder)?;
+    Ok(cargo)
 }
 
 /// Runs a build; its messages go to standard error.
@@ -167,7 +218,8 @@ mod tests {
     #[test]
     fn a_change_must_be_a_number() {
         for wrong in ["M", "M=", "=3", "M=heavy", "M=nan"] {
-            assert!(settings(wrong).unwrap_err().to_string().contains("NAME=NUMBER"), "{wrong}");
+            let failure = check_changes(&[wrong.to_owned()]).unwrap_err();
+            assert!(failure.to_string().contains("NAME=NUMBER"), "{wrong}");
         }
     }
 

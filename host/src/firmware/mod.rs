@@ -1,5 +1,7 @@
 //! `smartbed firmware`: model in; image, its checks, its cost and its trajectory's digest out.
 //!
+//! A scene of a flexible body goes the same way: its constant tables are printed for the firmware from
+//! the value that the host steps.
 //! Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
 //! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
 //! plug-in ([`emulator`]), compare the digests of chip and host, print ([`report`]).
@@ -23,18 +25,15 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// Functions of the image that are counted: a step, and an evaluation of the mechanism's rates.
-const COUNTED: [&str; 2] = ["tile_step", "tile_rates"];
-
 /// Generate, build for the microcontroller, check, and run in the emulator.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json"
+    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000"
 )]
 pub struct Arguments {
-    /// The model: a path, or a name under models/ [default: tile].
+    /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
     pub model: Option<String>,
-    /// Number of steps of 1 ms [default: 10000].
+    /// Number of steps: of 1 ms [default: 10000], of a scene its own [default: all].
     #[arg(long, value_name = "N")]
     pub steps: Option<u32>,
     /// Changes a parameter, on the chip and on the host; may be repeated.
@@ -86,7 +85,7 @@ pub fn measure(arguments: &Arguments) -> Result<Report, Failure> {
         let plugin = emulator::plugin(&toolchain, &workspace, &folder)?;
         let host = compile::simulation(&toolchain, &workspace, &folder, &settings)?;
         eprintln!("running {} steps in the emulator", settings.steps);
-        let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, &COUNTED)?;
+        let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, settings.counted())?;
         report.add_run(&run, &host)?;
     }
     Ok(report)

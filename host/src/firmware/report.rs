@@ -43,8 +43,8 @@ pub struct Outcome {
     pub instructions: u64,
     /// One step.
     pub step: Count,
-    /// One evaluation of the mechanism's rates.
-    pub rates: Count,
+    /// One evaluation of a mechanism's rates; a scene has none.
+    pub rates: Option<Count>,
 }
 
 impl Report {
@@ -74,14 +74,15 @@ impl Report {
     /// # Errors
     /// [`Failure::Wrong`] if either printed no digest or the counts are not one per step.
     pub fn add_run(&mut self, run: &Run, host: &str) -> Result<(), Failure> {
-        let [step, rates] = run.counts.as_slice() else {
-            return Err(Failure::Wrong("the plug-in counted other functions than asked for".to_owned()));
+        let Some((step, rates)) = run.counts.split_first() else {
+            return Err(Failure::Wrong("the plug-in counted nothing".to_owned()));
         };
-        let steps = u64::from(self.settings.steps);
-        if step.calls != steps || rates.calls < steps {
-            let (calls, evaluations) = (step.calls, rates.calls);
+        let (steps, rates) = (u64::from(self.settings.steps), rates.first());
+        if step.calls != steps || rates.is_some_and(|r| r.calls < steps) {
+            let evaluations = rates.map_or(0, |r| r.calls);
             return Err(Failure::Wrong(format!(
-                "{steps} steps, but {calls} calls of a step and {evaluations} of the rates were counted"
+                "{steps} steps, but {} calls of a step and {evaluations} of the rates were counted",
+                step.calls
             )));
         }
         self.run = Some(Outcome {
@@ -89,7 +90,7 @@ impl Report {
             host_digest: digest(host)?,
             instructions: run.instructions,
             step: step.clone(),
-            rates: rates.clone(),
+            rates: rates.cloned(),
         });
         Ok(())
     }
@@ -135,7 +136,8 @@ impl Report {
                     format!("DIFFERS: {}", run.host_digest)
                 },
             );
-            for (name, count) in [("step", &run.step), ("rates", &run.rates)] {
+            let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
+            for (name, count) in counts.into_iter().filter_map(|(name, count)| Some((name, count?))) {
                 let [min, median, max] = count.instructions;
                 let [low, high] = count.cycles;
                 line(
@@ -192,7 +194,7 @@ impl Report {
                 "host_digest": run.host_digest,
                 "instructions": run.instructions,
                 "step": count(&run.step),
-                "rates": count(&run.rates),
+                "rates": run.rates.as_ref().map(count),
             })
         });
         let report = json!({

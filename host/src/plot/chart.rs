@@ -30,6 +30,10 @@ pub struct Curve {
     pub name: String,
     /// One value per time.
     pub values: Vec<f64>,
+    /// Its colour; else one by its place.
+    pub color: Option<Color>,
+    /// Its own abscissae; else the common ones.
+    pub across: Option<Vec<f64>>,
 }
 
 /// Curves of one unit.
@@ -42,12 +46,12 @@ pub struct Panel {
 }
 
 /// An axis: values from `low` to `high` on pixels from `from` to `to`.
-#[derive(Clone, Copy)]
-struct Axis {
-    low: f64,
-    high: f64,
-    from: f64,
-    to: f64,
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Axis {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
     tick: f64,
 }
 
@@ -70,18 +74,26 @@ impl Axis {
         Self { low: middle - half, high: middle + half, from, to, tick: round_step(spread / ticks) }
     }
 
-    fn place(&self, value: f64) -> f64 {
+    /// Around sorted values in the middle, at a given number of pixels per unit.
+    pub(crate) fn scaled(sorted: &[f64], (from, to): (f64, f64), pixels_per_unit: f64) -> Self {
+        let middle = 0.5 * (sorted.first().unwrap_or(&0.0) + sorted.last().unwrap_or(&0.0));
+        let half = 0.5 * (to - from).abs() / pixels_per_unit;
+        let ticks = ((to - from).abs() / 60.0).max(2.0);
+        Self { low: middle - half, high: middle + half, from, to, tick: round_step(2.0 * half / ticks) }
+    }
+
+    pub(crate) fn place(&self, value: f64) -> f64 {
         self.from + (value - self.low) / (self.high - self.low) * (self.to - self.from)
     }
 
-    fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
         let first = (self.low / self.tick - 1e-9).ceil();
         let count = ((self.high / self.tick + 1e-9).floor() - first).clamp(0.0, 40.0) as usize;
         (0..=count).map(move |n| (first + n as f64) * self.tick)
     }
 
     /// As many digits as the tick needs.
-    fn label(&self, value: f64) -> String {
+    pub(crate) fn label(&self, value: f64) -> String {
         let value = if value.abs() < 1e-9 * self.tick { 0.0 } else { value };
         let largest = self.low.abs().max(self.high.abs());
         if !(1e-3..1e5).contains(&largest) {
@@ -148,8 +160,14 @@ fn draw_panel(
     let (size, anchor) = (LARGE, Anchor::Middle);
     items.push(Item::Text { at, text: panel.label.clone(), size, anchor, upwards: true });
     for (number, curve) in panel.curves.iter().enumerate() {
-        let color = COLORS[number % COLORS.len()];
-        let points = time.iter().zip(&curve.values).filter(|(t, v)| t.is_finite() && v.is_finite());
+        let color = curve.color.unwrap_or(COLORS[number % COLORS.len()]);
+        let points = curve
+            .across
+            .as_deref()
+            .unwrap_or(time)
+            .iter()
+            .zip(&curve.values)
+            .filter(|(t, v)| t.is_finite() && v.is_finite());
         items.push(line(points.map(|(t, v)| (x.place(*t), y.place(*v))).collect(), color, 1.6));
         let at = top + 12.0 + 20.0 * number as f64;
         items.push(line(vec![(x.to + 12.0, at), (x.to + 36.0, at)], color, 2.5));
@@ -157,11 +175,11 @@ fn draw_panel(
     }
 }
 
-fn line(points: Vec<(f64, f64)>, color: Color, width: f64) -> Item {
+pub(crate) fn line(points: Vec<(f64, f64)>, color: Color, width: f64) -> Item {
     Item::Line { points, color, width }
 }
 
-fn text(at: (f64, f64), text: &str, size: f64, anchor: Anchor) -> Item {
+pub(crate) fn text(at: (f64, f64), text: &str, size: f64, anchor: Anchor) -> Item {
     Item::Text { at, text: text.to_owned(), size, anchor, upwards: false }
 }
 

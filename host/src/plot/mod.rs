@@ -96,7 +96,7 @@ pub fn write(file: &str, drawing: &Drawing) -> Result<(), Failure> {
 pub fn motion(program: &Program, names: &[String], recording: &Recording) -> Drawing {
     let curve = |name: &str| {
         let index = names.iter().position(|n| n == name)?;
-        Some(Curve { name: name.to_owned(), values: recording.column(index) })
+        Some(Curve { name: name.to_owned(), values: recording.column(index), color: None, across: None })
     };
     let mut panels: Vec<Panel> = Vec::new();
     for q in &program.q {

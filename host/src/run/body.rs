@@ -5,29 +5,15 @@ use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
 use crate::output::{self, Output};
-use crate::plot::chart::{self, Curve, Panel};
-use crate::plot::{self, Recording};
 use crate::progress::Progress;
+use crate::scene::graph::{self, Album};
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
 use crate::view::{self, Film};
 use smartbed_runtime::real::Scalar;
 use std::path::Path;
 
-/// Most points whose height is plotted.
-const PLOTTED: usize = 8;
-
-/// Is the text at this path a scene and not a mechanism?
-#[must_use]
-pub(super) fn is_scene(path: &Path) -> bool {
-    if path.extension().is_some_and(|e| e == "json") {
-        return true;
-    }
-    let text = std::fs::read_to_string(path).unwrap_or_default();
-    // A text that cannot be read is a mechanism's: its reader explains best.
-    let table = text.parse::<toml::Table>().unwrap_or_default();
-    table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
-}
+pub(super) use read::is_scene;
 
 /// Runs it.
 ///
@@ -38,6 +24,7 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(), Failure
         return Err(Failure::Wrong("--engine compiled: a scene is stepped by the runtime itself".to_owned()));
     }
     let scene = read::open(&path.display().to_string(), &settings(arguments)).map_err(Failure::Wrong)?;
+    scene.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
     let clock = Progress::new("running");
     let done = match arguments.scalar {
         ScalarKind::F32 => record::<f32>(arguments, &scene)?,
@@ -114,8 +101,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     if let Some(csv) = &mut csv {
         csv.write(&(csv_header(n) + "\n"))?;
     }
-    let shown = n.min(PLOTTED);
-    let mut recording = arguments.plot.as_ref().map(|_| Recording::new(1 + shown + ENERGIES.len()));
+    let mut album = arguments.plot.as_ref().map(|_| Album::new(scene));
     let mut film = arguments.view.as_ref().map(|_| Film::of_points(n, scene.lists.springs.clone()));
     let mut progress = Progress::new("running");
     let (mut rows, mut imbalance, mut total) = (0, 0.0_f64, [f64::NAN; 2]);
@@ -126,8 +112,8 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         {
             failure = csv.write(&(csv_line(row) + "\n")).err();
         }
-        if let Some(recording) = &mut recording {
-            recording.push(&plotted(row, shown));
+        if let Some(album) = &mut album {
+            album.push(row);
         }
         if let Some(film) = &mut film {
             film.push(row.t, row.pos.as_flattened());
@@ -142,39 +128,11 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         Some(failure) => return Err(failure),
         None => csv.map_or(Ok(()), Output::finish)?,
     }
-    if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        plot::write(file, &heights_and_energies(scene, shown, recording))?;
+    if let (Some(file), Some(album)) = (&arguments.plot, &album) {
+        graph::write(file, album, scene, &events)?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(file, view::page(&scene.title, film).as_bytes())?;
     }
     Ok(Done { events, rows, imbalance, total })
-}
-
-/// Energies and accounts of a plot.
-const ENERGIES: [&str; 10] = [
-    "kinetic", "gravity", "spring", "pressure", "damping", "drag", "impact", "friction", "actuator", "total",
-];
-
-/// Time, heights, energies.
-fn plotted(row: &Row, shown: usize) -> Vec<f64> {
-    let heights = row.pos.iter().take(shown).map(|x| x[2]);
-    let energy = &row.energy;
-    let energies = energy.stored.iter().chain(&energy.accounts).copied();
-    std::iter::once(row.t).chain(heights).chain(energies).chain([energy.total]).collect()
-}
-
-fn heights_and_energies(scene: &Scene, shown: usize, recording: &Recording) -> plot::drawing::Drawing {
-    let curve = |name: String, index: usize| Curve { name, values: recording.column(index) };
-    let heights = (0..shown).map(|i| curve(format!("z{i}"), 1 + i)).collect();
-    let energies = ENERGIES.iter().enumerate().map(|(i, name)| curve((*name).to_owned(), 1 + shown + i));
-    let panels = [
-        Panel { label: "height [m]".to_owned(), curves: heights },
-        // An account that nothing was booked to tells nothing.
-        Panel {
-            label: "energy [J]".to_owned(),
-            curves: energies.filter(|c| c.values.iter().any(|x| *x != 0.0)).collect(),
-        },
-    ];
-    chart::draw(&scene.title, "time [s]", &recording.column(0), &panels)
 }

@@ -8,6 +8,10 @@ pub mod run;
 pub mod shape;
 pub mod simulation;
 
+pub mod graph;
+pub mod pictures;
+pub mod tables;
+
 pub use lists::Lists;
 pub use read::{Scene, open, parse};
 pub use simulation::{Simulation, Surroundings};

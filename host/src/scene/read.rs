@@ -29,7 +29,21 @@ pub struct Scene {
     pub every: usize,
     /// Largest stable step [s], if the springs set one.
     pub largest_step: Option<f64>,
+    /// What is allowed but should be known; for standard error.
+    pub warnings: Vec<String>,
 }
+
+impl Scene {
+    /// Whole steps in the run; a rest below a thousandth of a step is rounding.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize
+    }
+}
+
+/// w_max h above which energy compensation lets an undamped body gain energy from impact to impact:
+/// measured on a bar of 50 masses and 20 bounces with Verlet, below 1 % at 0.1, 64 % at 0.5.
+const COMPENSATION_FINE: f64 = 0.1;
 
 /// Part of the shortest rest length within which points touch together.
 const CLUSTER: f64 = 1e-11;
@@ -41,6 +55,18 @@ const KNOWN: &str = "format title \
     g air_drag floor law mu eta e stiffness dissipation cluster_tolerance anchor plastic_alone massless \
     pressure pressure_form gas ambient exponent volume dead_volume \
     T seconds step method tolerance every allow_unstable";
+
+/// Is the text at this path a scene and not a mechanism?
+#[must_use]
+pub fn is_scene(path: &std::path::Path) -> bool {
+    if path.extension().is_some_and(|e| e == "json") {
+        return true;
+    }
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    // A text that cannot be read is a mechanism's: its reader explains best.
+    let table = text.parse::<toml::Table>().unwrap_or_default();
+    table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
+}
 
 /// Reads the scene at a path, or the one of that name under models/scenes.
 ///
@@ -83,6 +109,7 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, Strin
         seconds: fields.not_negative("T", fields.not_negative("seconds", 3.0)?)?,
         every: fields.count("every", 1, 1)?,
         largest_step: None,
+        warnings: Vec::new(),
         lists,
     };
     if scene.step <= 0.0 {
@@ -90,6 +117,7 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, Strin
     }
     check_step(&fields, &mut scene)?;
     choose_anchor(&fields, &mut scene)?;
+    scene.warnings.extend(warn_of_gain(path, &scene));
     Ok(scene)
 }
 
@@ -134,6 +162,23 @@ fn check_step(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
         return Err(fields.error("step", &message));
     }
     Ok(())
+}
+
+/// Says so where energy compensation and the step's own energy error add up. The method that keeps the
+/// energy exactly has none; a damped body loses it again.
+fn warn_of_gain(path: &str, scene: &Scene) -> Option<String> {
+    let compensated = matches!(scene.around.ground?.law, ContactLaw::Compensation { eta, .. } if eta > 0.0);
+    let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
+    let exact = matches!(scene.method, Method::EnergyMomentum) || scene.method.control_order() > 0;
+    let stiffness = 2.0 * scene.step / scene.largest_step?;
+    (compensated && !damped && !exact && stiffness > COMPENSATION_FINE * (1.0 + 1e-9)).then(|| {
+        format!(
+            "{path}: `step`: w_max h = {stiffness:.2} with energy compensation on an undamped body: above \
+             {COMPENSATION_FINE} it may gain energy from impact to impact; take a step up to {:.1e} s, \
+             method = \"energy_momentum\" or law = \"massless_point\"",
+            scene.step * COMPENSATION_FINE / stiffness
+        )
+    })
 }
 
 fn read_body(fields: &Fields) -> Result<Lists, String> {

@@ -24,6 +24,64 @@ pub struct EventRecord {
     pub released: usize,
     /// Points held after the event.
     pub held: Vec<usize>,
+    /// Work and impulse of the ground, for a touch.
+    pub work: Option<WorkImpulse>,
+}
+
+/// Work over impulse of one impact (thesis Eqs. 4.14 to 4.26), all touching points together.
+///
+/// Compression: the ground stops the points, dW = v dP with v = -v_b + P/m. Restitution: the springs give
+/// the energy back, W = -Q + b l + A l^2 with l from 0 to lambda (no receiver: b = 0, as in Eq. 4.26).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkImpulse {
+    /// P at the end of compression: sum of m v_b [N s].
+    pub stopping: f64,
+    /// Q: energy taken by then, sum of m v_b^2/2 [J].
+    pub taken: f64,
+    /// Energy given back at the end [J].
+    pub returned: f64,
+    /// A lambda^2, the quadratic part of it [J].
+    pub quadratic: f64,
+    /// P at the end: sum of J [N s].
+    pub impulse: f64,
+}
+
+impl WorkImpulse {
+    /// (P, W) along the impact, so many points in each phase: from (0, 0) over (P_c, -Q) to the end.
+    #[must_use]
+    pub fn curve(&self, points: usize) -> Vec<(f64, f64)> {
+        let shares = (0..=points).map(|n| n as f64 / points.max(1) as f64);
+        let compression = shares.clone().map(|s| (s * self.stopping, -(2.0 - s) * s * self.taken));
+        let linear = self.returned - self.quadratic;
+        let restitution = shares.skip(1).map(|s| {
+            let impulse = self.stopping + s * (self.impulse - self.stopping);
+            (impulse, -self.taken + s * linear + s * s * self.quadratic)
+        });
+        compression.chain(restitution).collect()
+    }
+}
+
+/// From the field of the impact, which its points still hold.
+fn work_impulse<S: Scalar>(system: &System<S>, event: &Event<S>) -> Option<WorkImpulse> {
+    let impact = event.impact?;
+    let mut work = WorkImpulse { stopping: 0.0, taken: 0.0, returned: 0.0, quadratic: 0.0, impulse: 0.0 };
+    let lambda = impact.lambda.to_f64();
+    for (point, mass) in event.points.iter().zip(system.body.mass) {
+        let mass = mass.to_f64();
+        let field: f64 = point.field.iter().map(|c| c.to_f64() * c.to_f64()).sum();
+        work.quadratic += 0.5 * mass * field * lambda * lambda;
+        if point.touching {
+            let approach = point.approach.to_f64();
+            work.stopping += mass * approach;
+            work.taken += 0.5 * mass * approach * approach;
+            work.impulse += point.impulse.to_f64();
+        }
+    }
+    work.returned = work.taken - impact.lost.to_f64();
+    if lambda == 0.0 {
+        work.quadratic = work.returned;
+    }
+    Some(work)
 }
 
 /// Energies and accounts at one time [J].
@@ -50,11 +108,14 @@ pub struct Row {
     pub vel: Vec<[f64; 3]>,
     /// Energies.
     pub energy: EnergyRow,
+    /// Touches so far.
+    pub touches: usize,
 }
 
 struct Watch<S> {
     ledger: Ledger<S>,
     events: Vec<EventRecord>,
+    touches: usize,
 }
 
 impl<S: Scalar> Observer<S> for Watch<S> {
@@ -71,7 +132,9 @@ impl<S: Scalar> Observer<S> for Watch<S> {
             lambda: event.impact.map(|i| i.lambda.to_f64()),
             released: event.released,
             held: event.modes.iter().enumerate().filter(|(_, m)| m.is_held()).map(|(i, _)| i).collect(),
+            work: work_impulse(system, &event),
         };
+        self.touches += usize::from(!record.touches.is_empty());
         if !record.touches.is_empty() || record.released > 0 {
             self.events.push(record);
         }
@@ -87,22 +150,17 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| explain(0.0, e))?;
     let h = S::from_f64(scene.step);
-    let mut watch = Watch { ledger: open_ledger(&simulation), events: Vec::new() };
+    let mut watch = Watch { ledger: open_ledger(&simulation), events: Vec::new(), touches: 0 };
     simulation.begin(h, &mut watch).map_err(|e| explain(0.0, e))?;
-    emit(&row(&simulation, &watch.ledger));
-    let steps = steps_in(scene.seconds, scene.step);
+    emit(&row(&simulation, &watch));
+    let steps = scene.steps();
     for n in 1..=steps {
         simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
         if n % scene.every == 0 || n == steps {
-            emit(&row(&simulation, &watch.ledger));
+            emit(&row(&simulation, &watch));
         }
     }
     Ok(watch.events)
-}
-
-/// Whole steps in a run; a rest below a thousandth of a step is rounding.
-fn steps_in(seconds: f64, step: f64) -> usize {
-    (seconds / step - 1e-3).ceil().max(0.0) as usize
 }
 
 fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
@@ -111,7 +169,8 @@ fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
     Ledger { start, damping: zero, drag: zero, impact: zero, friction: zero, actuator: zero }
 }
 
-fn row<S: Scalar>(simulation: &Simulation<S>, ledger: &Ledger<S>) -> Row {
+fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
+    let ledger = &watch.ledger;
     let energies = eval_stored(&simulation.system(), simulation.pos(), simulation.vel());
     let widen = |rows: &[[S; 3]]| rows.iter().map(|x| x.map(Scalar::to_f64)).collect();
     Row {
@@ -126,6 +185,7 @@ fn row<S: Scalar>(simulation: &Simulation<S>, ledger: &Ledger<S>) -> Row {
             total: energies.total().to_f64(),
             imbalance: ledger.imbalance(&energies).to_f64(),
         },
+        touches: watch.touches,
     }
 }
 

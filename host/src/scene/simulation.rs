@@ -112,6 +112,12 @@ impl<S: Scalar> Simulation<S> {
         System { body: self.body(), ground: self.ground }
     }
 
+    /// Method of integration.
+    #[must_use]
+    pub fn method(&self) -> Method<S> {
+        self.method
+    }
+
     /// Lets the runtime work on the views of this memory.
     fn with<R>(
         &mut self,

@@ -1,0 +1,105 @@
+//! A flexible scene on the ground, stepped in single precision; prints the digest of its trajectory.
+//!
+//! In: constant tables that `smartbed firmware SCENE` prints from the very value that the host steps.
+//! Out: the [`Digest`] of every (x, v), point by point, after each step of fixed length.
+//! [`scene_step`] is a symbol of the image so that the emulator can count it.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+use smartbed_firmware::{STEPS, digest::Digest};
+use smartbed_runtime::advance::{MOTION_ROWS, Motion, Workspace};
+use smartbed_runtime::body::{Body, BodyError};
+use smartbed_runtime::contact::compensation::PointImpact;
+use smartbed_runtime::contact::{Mode, System};
+use smartbed_runtime::scene::{State, step};
+
+/// The scene.
+#[allow(clippy::all, unused_imports, reason = "generated: which variants a scene names depends on it")]
+mod table {
+    use smartbed_runtime::advance::Method::{self, *};
+    use smartbed_runtime::body::Gas::*;
+    use smartbed_runtime::body::PressureForm::*;
+    use smartbed_runtime::body::{Inflation, Spring};
+    use smartbed_runtime::contact::ContactLaw::*;
+    use smartbed_runtime::contact::Ground;
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
+}
+use table::{
+    AIR_DRAG, FACETS, FIXED, GRAVITY, GROUND, INFLATION, MASS, METHOD, POINTS, POS, SCRATCH, SPRINGS, STEP,
+    VEL,
+};
+
+/// Takes all steps.
+fn simulate() -> Result<Digest, BodyError<f32>> {
+    let body = Body {
+        mass: &MASS,
+        fixed: &FIXED,
+        springs: &SPRINGS,
+        gravity: GRAVITY,
+        air_drag: AIR_DRAG,
+        facets: &FACETS,
+        inflation: INFLATION,
+    };
+    let system = System { body: Body::new(body)?, ground: GROUND };
+    let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];
+    let mut scratch = [[0.0; 3]; SCRATCH];
+    let mut impacts = [PointImpact::none(); POINTS];
+    let mut modes = [Mode::Free; POINTS];
+    let (motion, _) = Motion::cut(&mut memory, POINTS)?;
+    motion.pos.iter_mut().zip(&POS).for_each(|(x, start)| *x = *start);
+    motion.vel.iter_mut().zip(&VEL).for_each(|(v, start)| *v = *start);
+    let mut work = Workspace::new(&mut scratch, &mut impacts, POINTS, METHOD)?;
+    let mut state =
+        State { motion, modes: &mut modes, time: [0.0; 2], carry: 0.0, next_step: 0.0, anchor: 0.0 };
+    state.begin(&system, STEP, &mut work, &mut ())?;
+    let mut digest = Digest::default();
+    for _ in 0..STEPS {
+        scene_step(&system, &mut state, &mut work)?;
+        digest.add(state.motion.pos.as_flattened());
+        digest.add(state.motion.vel.as_flattened());
+    }
+    Ok(digest)
+}
+
+/// One step of the scene's length: forces, touches and releases inside it.
+///
+/// # Errors
+/// As [`step`]; the state is then the last good one.
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+pub fn scene_step(
+    system: &System<f32>,
+    state: &mut State<f32>,
+    work: &mut Workspace<f32>,
+) -> Result<(), BodyError<f32>> {
+    step(system, state, STEP, METHOD, work, &mut ()).map(|_| ())
+}
+
+/// Runs all steps and hands the report to `write`; false if a step was refused.
+fn demonstrate(mut write: impl FnMut(&[u8])) -> bool {
+    match simulate() {
+        Ok(digest) => {
+            write(b"digest ");
+            write(&digest.hex());
+            write(b"\n");
+            true
+        }
+        Err(_) => {
+            write(b"a step was refused\n");
+            false
+        }
+    }
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() -> std::process::ExitCode {
+    use std::io::Write;
+    let mut text = Vec::new();
+    let done = demonstrate(|bytes| text.extend_from_slice(bytes));
+    let written = std::io::stdout().write_all(&text).is_ok();
+    if done && written { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }
+}
+
+#[cfg(target_os = "none")]
+#[expect(unsafe_code, reason = "cortex-m-rt asks for an unsafe handler: a hard fault may come anywhere")]
+mod chip;

@@ -1,0 +1,180 @@
+//! Pictures of a body from the side: at the start, at the first touch, where a spring is compressed most, at the end.
+//!
+//! In: rows as they come. Out: four pictures in one row at one scale, metres on both axes alike.
+//! Projection: (x + 0.35 y, z + 0.2 y), so that a body's depth shows; a plane body stays plane.
+//! Springs are grey at rest length, red stretched, blue compressed.
+
+use super::read::Scene;
+use super::run::Row;
+use crate::plot::chart::{Axis, line, text};
+use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
+
+/// Right and up per depth.
+const DEPTH: [f64; 2] = [0.35, 0.2];
+/// Strain that gets the full colour.
+const FULL_STRAIN: f64 = 0.1;
+const WIDTH: f64 = 1000.0;
+const LEFT: f64 = 110.0;
+const BETWEEN: f64 = 24.0;
+const TOP: f64 = 60.0;
+const BOTTOM: f64 = 60.0;
+/// Height of a picture: at least and at most.
+const HEIGHT: [f64; 2] = [160.0, 420.0];
+const SMALL: f64 = 14.0;
+
+/// A body at one time.
+#[derive(Clone, Debug)]
+struct Frame {
+    time: f64,
+    pos: Vec<[f64; 3]>,
+}
+
+/// The four pictures, as far as the run has come.
+#[derive(Clone, Debug)]
+pub struct Pictures {
+    springs: Vec<[usize; 2]>,
+    rest_lengths: Vec<f64>,
+    least: f64,
+    start: Option<Frame>,
+    touch: Option<Frame>,
+    compressed: Option<Frame>,
+    end: Option<Frame>,
+}
+
+impl Pictures {
+    /// None yet.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let (springs, rest_lengths) = (scene.lists.springs.clone(), scene.lists.rest_lengths.clone());
+        let least = f64::INFINITY;
+        Self { springs, rest_lengths, least, start: None, touch: None, compressed: None, end: None }
+    }
+
+    /// Looks at a row: keeps it if it is the first, the first after a touch, or the most compressed.
+    pub fn push(&mut self, row: &Row) {
+        let frame = || Some(Frame { time: row.t, pos: row.pos.clone() });
+        if self.start.is_none() {
+            self.start = frame();
+        }
+        if self.touch.is_none() && row.touches > 0 {
+            self.touch = frame();
+        }
+        let strains = (0..self.springs.len()).map(|s| self.strain(&row.pos, s));
+        let least = strains.fold(f64::INFINITY, f64::min);
+        if least < self.least {
+            self.least = least;
+            self.compressed = frame();
+        }
+        self.end = frame();
+    }
+
+    /// Change of a spring's length over its rest length.
+    fn strain(&self, pos: &[[f64; 3]], spring: usize) -> f64 {
+        let [a, b] = self.springs[spring];
+        let length = (0..3).map(|c| (pos[b][c] - pos[a][c]).powi(2)).sum::<f64>().sqrt();
+        let rest = self.rest_lengths[spring];
+        if rest > 0.0 { length / rest - 1.0 } else { 0.0 }
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn draw(&self, scene: &Scene) -> Drawing {
+        let named = [
+            ("start", &self.start),
+            ("first touch", &self.touch),
+            ("compressed", &self.compressed),
+            ("end", &self.end),
+        ];
+        let frames: Vec<(&str, &Frame)> =
+            named.into_iter().filter_map(|(name, frame)| Some((name, frame.as_ref()?))).collect();
+        let ground = scene.around.ground.filter(|g| g.normal[2] > 0.0);
+        let places = frames.iter().flat_map(|(_, f)| f.pos.iter().map(project));
+        let (mut across, mut up): (Vec<f64>, Vec<f64>) = places.unzip();
+        if let Some(ground) = &ground {
+            up.push(ground.offset / ground.normal[2]);
+        }
+        across.sort_by(f64::total_cmp);
+        up.sort_by(f64::total_cmp);
+        let range = |v: &[f64]| v.last().unwrap_or(&1.0) - v.first().unwrap_or(&0.0);
+        let n = frames.len().max(1) as f64;
+        let column = (WIDTH - LEFT - 30.0) / n - BETWEEN;
+        // One scale for both axes: whichever direction is tighter decides.
+        let (wide, tall) = (1.1 * range(&across).max(1e-9), 1.1 * range(&up).max(1e-9));
+        let scale = (column / wide).min(HEIGHT[1] / tall);
+        let height = (scale * tall).max(HEIGHT[0]);
+        let mut items = vec![text((LEFT, 20.0), "the body from the side", 16.0, Anchor::Start)];
+        for (number, (name, frame)) in frames.iter().enumerate() {
+            let left = LEFT + number as f64 * (column + BETWEEN);
+            let x = Axis::scaled(&across, (left, left + column), scale);
+            let z = Axis::scaled(&up, (TOP + height, TOP), scale);
+            frame_items(&mut items, &x, &z, number == 0);
+            let title = format!("{name}, {:.3} s", frame.time);
+            items.push(text((left, TOP - 12.0), &title, SMALL, Anchor::Start));
+            if let Some(ground) = &ground {
+                items.push(line(ground_line(ground, &x, &z), INK, 2.5));
+            }
+            self.draw_springs(frame, &x, &z, &mut items);
+        }
+        let at = (18.0, TOP + 0.5 * height);
+        let (size, anchor) = (16.0, Anchor::Middle);
+        items.push(Item::Text { at, text: "z [m]".to_owned(), size, anchor, upwards: true });
+        let middle = 0.5 * (LEFT + WIDTH);
+        items.push(text((middle, TOP + height + 42.0), "x [m]", 16.0, Anchor::Middle));
+        Drawing { width: WIDTH as usize, height: (TOP + height + BOTTOM) as usize, items }
+    }
+
+    fn draw_springs(&self, frame: &Frame, x: &Axis, z: &Axis, items: &mut Vec<Item>) {
+        let place = |p: &[f64; 3]| {
+            let (right, up) = project(p);
+            (x.place(right), z.place(up))
+        };
+        for (number, [a, b]) in self.springs.iter().enumerate() {
+            let color = strain_color(self.strain(&frame.pos, number));
+            items.push(line(vec![place(&frame.pos[*a]), place(&frame.pos[*b])], color, 1.6));
+        }
+        for point in &frame.pos {
+            let (x, z) = place(point);
+            items.push(line(vec![(x - 1.5, z), (x + 1.5, z)], INK, 3.0));
+        }
+    }
+}
+
+fn project(p: &[f64; 3]) -> (f64, f64) {
+    (p[0] + DEPTH[0] * p[1], p[2] + DEPTH[1] * p[1])
+}
+
+/// Where the plane of the ground meets y = 0.
+fn ground_line(ground: &smartbed_runtime::contact::Ground<f64>, x: &Axis, z: &Axis) -> Vec<(f64, f64)> {
+    let [nx, _, nz] = ground.normal;
+    [x.low, x.high].map(|at| (x.place(at), z.place((ground.offset - nx * at) / nz))).to_vec()
+}
+
+/// Frame, grid and ticks.
+fn frame_items(items: &mut Vec<Item>, x: &Axis, z: &Axis, is_first: bool) {
+    for tick in z.ticks() {
+        let at = z.place(tick);
+        items.push(line(vec![(x.from, at), (x.to, at)], PALE, 1.0));
+        if is_first {
+            items.push(text((x.from - 8.0, at), &z.label(tick), SMALL, Anchor::End));
+        }
+    }
+    for tick in x.ticks() {
+        let at = x.place(tick);
+        items.push(line(vec![(at, z.from), (at, z.to)], PALE, 1.0));
+        items.push(text((at, z.from + 16.0), &x.label(tick), SMALL, Anchor::Middle));
+    }
+    let corners = [(x.from, z.from), (x.to, z.from), (x.to, z.to), (x.from, z.to), (x.from, z.from)];
+    items.push(line(corners.to_vec(), INK, 1.0));
+}
+
+/// Grey at rest, red stretched, blue compressed.
+fn strain_color(strain: f64) -> Color {
+    const REST: Color = [130, 130, 130];
+    let share = (strain.abs() / FULL_STRAIN).min(1.0);
+    let full = if strain > 0.0 { [214, 39, 40] } else { [31, 119, 180] };
+    let mut color = REST;
+    for (c, f) in color.iter_mut().zip(full) {
+        *c = (f64::from(*c) + share * (f64::from(f) - f64::from(*c))).round() as u8;
+    }
+    color
+}

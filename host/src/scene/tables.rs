@@ -1,0 +1,59 @@
+//! A scene as Rust constants for the firmware: printed from the simulation that the host steps.
+//!
+//! In: a [`Simulation`] in single precision before its first step. Out: the text of a Rust file.
+//! `Debug` of the runtime's plain types is their Rust expression, and of an f32 the shortest decimal
+//! that reads back to the same bits; so the tables hold exactly the host's numbers.
+
+use super::Simulation;
+use smartbed_runtime::advance::workspace_len;
+use std::fmt::Debug;
+use std::fmt::Write as _;
+
+/// The constants; `step` is the scene's step [s].
+#[must_use]
+pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
+    let system = simulation.system();
+    let body = &system.body;
+    let method = simulation.method();
+    let n = body.points();
+    let mut text = String::new();
+    let mut constant = |name: &str, kind: &str, value: &dyn Debug| {
+        let _ = writeln!(text, "pub const {name}: {kind} = {value:?};");
+    };
+    constant("POINTS", "usize", &n);
+    constant("SCRATCH", "usize", &workspace_len(n, method));
+    constant("STEP", "f32", &step);
+    constant("METHOD", "Method<f32>", &method);
+    constant("GRAVITY", "[f32; 3]", &body.gravity);
+    constant("AIR_DRAG", "f32", &body.air_drag);
+    constant("GROUND", "Option<Ground<f32>>", &system.ground);
+    constant("INFLATION", "Option<Inflation<f32>>", &body.inflation);
+    let mut table = |name: &str, kind: &str, length: usize, values: &dyn Debug| {
+        let _ = writeln!(text, "pub static {name}: [{kind}; {length}] = {values:?};");
+    };
+    table("MASS", "f32", n, &body.mass);
+    table("FIXED", "bool", n, &body.fixed);
+    table("SPRINGS", "Spring<f32>", body.springs.len(), &body.springs);
+    table("FACETS", "[usize; 4]", body.facets.len(), &body.facets);
+    table("POS", "[f32; 3]", n, &simulation.pos());
+    table("VEL", "[f32; 3]", n, &simulation.vel());
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rust;
+    use crate::scene::{Simulation, parse};
+
+    #[test]
+    fn numbers_are_those_of_the_simulation() {
+        let scene = parse("x", "format = 1\nshape = \"chain\"\ndrop_height = 0.1\n", &[]).expect("a scene");
+        let simulation =
+            Simulation::<f32>::new(&scene.lists, &scene.around, scene.method).expect("a simulation");
+        let text = rust(&simulation, 1e-3);
+        assert!(text.contains("static POS: [[f32; 3]; 2] = [[0.0, 0.0, 0.1], [0.0, 0.0, 1.1]];"), "{text}");
+        assert!(text.contains("Spring { tail: 0, head: 1, stiffness: 5000.0,"), "{text}");
+        assert!(text.contains("law: Compensation { eta: 1.0,"), "{text}");
+        assert!(text.contains("METHOD: Method<f32> = EnergyMomentum;"), "{text}");
+    }
+}
