@@ -1,7 +1,7 @@
 //! Tests of the generator, one binary.
 
-mod expr;
 mod example_crate;
+mod expr;
 mod expressions;
 mod fuzz;
 mod geometry;
