@@ -102,7 +102,10 @@ fn random_pairs_conserve() {
         ];
         worst.iter_mut().zip(found).for_each(|(w, f)| *w = w.max(f));
     }
-    println!("20000 pairs: energy, momentum, angular momentum, approach left: {worst:.1?}");
+    let [energy, momentum, angular, left] = worst;
+    println!(
+        "20000 pairs: energy {energy:.1e}, momentum {momentum:.1e}, angular {angular:.1e}, approach left {left:.1e}"
+    );
     assert!(worst.iter().all(|w| *w <= 1e-12), "{worst:?}");
 }
 
