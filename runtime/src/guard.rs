@@ -29,7 +29,7 @@ struct Bracket<S> {
 /// Where a step ends and what it took to find out.
 #[derive(Clone, Copy, Debug)]
 pub struct Shortened<S> {
-    /// Length of the step [s].
+    /// Length of the step (s).
     pub tau: S,
     /// An event ends it.
     pub is_event: bool,
@@ -37,7 +37,7 @@ pub struct Shortened<S> {
     pub trials: usize,
 }
 
-/// Smallest guard [m] of a state; `h` scales normal forces.
+/// Smallest guard (m) of a state; `h` scales normal forces.
 fn smallest_guard<S: Scalar>(
     system: &System<S>,
     ground: &Ground<S>,

@@ -11,7 +11,7 @@ use crate::contact::{ContactLaw, System, soft};
 use crate::real::Scalar;
 use crate::scene::{Event, Flow, Observer, State};
 
-/// Accounts of a run [J].
+/// Accounts of a run (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ledger<S> {
     /// Total energy at the start.
@@ -55,7 +55,7 @@ impl<S: Scalar> Ledger<S> {
         }
     }
 
-    /// Change of the total energy minus the sum of the entries [J].
+    /// Change of the total energy minus the sum of the entries (J).
     #[must_use]
     pub fn imbalance(&self, energies: &Energies<S>) -> S {
         let taken = self.damping + self.drag + self.impact + self.friction;
@@ -63,7 +63,7 @@ impl<S: Scalar> Ledger<S> {
     }
 }
 
-/// Powers of what dissipates at one time [W].
+/// Powers of what dissipates at one time (W).
 #[derive(Clone, Copy)]
 struct Power<S> {
     damping: S,

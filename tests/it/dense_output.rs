@@ -60,7 +60,7 @@ fn touch(y: &[f64]) -> Vec<f64> {
     vec![0.0, y[1], 0.0, if pushed_down { -speed } else { speed }]
 }
 
-/// A released bottom's guard sleeps until it is this high [m].
+/// A released bottom's guard sleeps until it is this high (m).
 const ASLEEP: f64 = 1e-11;
 
 /// Drops the spring from 1 m for 3 s: event times, end, evaluations.

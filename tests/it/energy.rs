@@ -6,7 +6,7 @@ use smartbed_tests::subject::{self, Built, ENGINES, Subject};
 /// Central difference of the energy along the motion: rounding 1e-16/1e-5 and truncation 1e-10,
 /// times energies of up to 100 J and rates of up to 1000 W.
 const DIFFERENCING: f64 = 1e-8;
-/// Time step of the difference [s].
+/// Time step of the difference (s).
 const DELTA: f64 = 1e-5;
 
 /// Energy at a time `dt` along the tangent of the motion.
@@ -22,7 +22,7 @@ fn energy_after(subject: &mut dyn Subject<f64>, case: &Case, rates: &subject::Ra
     kinetic + potential
 }
 
-/// Power of the inputs minus friction [W]. Every input acts on the speed of the same index.
+/// Power of the inputs minus friction (W). Every input acts on the speed of the same index.
 fn power(model: &str, case: &Case) -> f64 {
     let u: Vec<f64> = case.state.u.iter().map(|(_, u)| *u).collect();
     let inputs: f64 = case.state.inputs.iter().zip(&u).map(|((_, f), u)| f * u).sum();

@@ -8,9 +8,9 @@ use smartbed_tests::reference::data;
 use smartbed_tests::subject::{self, Built, ENGINES, Engine, Rates, State, Subject};
 use smartbed_tests::tolerance::{largest, relative_error};
 
-/// Radius of the reference's tile [m].
+/// Radius of the reference's tile (m).
 const R: f64 = 0.2;
-/// Middle of the stroke [m].
+/// Middle of the stroke (m).
 const NOMINAL: f64 = 0.0;
 /// Random states as demanded of the two tiles.
 const STATES: usize = 10_000;

@@ -8,9 +8,9 @@ use smartbed_tests::reference::data;
 use smartbed_tests::stepping::{self, Run, SERVO_DAMPING, SERVO_STIFFNESS};
 use smartbed_tests::subject::{Built, Engine, State, Subject};
 
-/// Radius of the reference's tile [m].
+/// Radius of the reference's tile (m).
 const R: f64 = 0.2;
-/// Height at which the servo trajectory starts [m].
+/// Height at which the servo trajectory starts (m).
 const MIDDLE: f64 = 0.12;
 
 /// A compiled model with the reference's parameters.

@@ -152,7 +152,7 @@ pub struct SampleTable {
 const UNKNOWN: usize = usize::MAX;
 
 impl SampleTable {
-    /// `symbols[k][s]` is the value of symbol k at sample s.
+    /// `symbols[k](s)` is the value of symbol k at sample s.
     #[must_use]
     pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
         Self { symbols, points, place: Vec::new(), values: Vec::new() }

@@ -66,9 +66,9 @@ const DENSE: [[f64; 16]; 4] = [
 /// One accepted step; dense output of order 7.
 #[derive(Clone, Debug)]
 pub struct Dense {
-    /// Time at its start [s].
+    /// Time at its start (s).
     pub t: f64,
-    /// Its length [s].
+    /// Its length (s).
     pub h: f64,
     start: Vec<f64>,
     coefficients: [Vec<f64>; 7],
@@ -93,7 +93,7 @@ impl Dense {
 pub struct Dop853<F> {
     f: F,
     tolerance: f64,
-    /// Time [s].
+    /// Time (s).
     pub t: f64,
     /// State.
     pub y: Vec<f64>,
@@ -104,7 +104,7 @@ pub struct Dop853<F> {
 }
 
 impl<F: FnMut(f64, &[f64], &mut [f64])> Dop853<F> {
-    /// Starts at (t, y); `step` [s] is the length tried first.
+    /// Starts at (t, y); `step` (s) is the length tried first.
     pub fn new(f: F, t: f64, y: Vec<f64>, tolerance: f64, step: f64) -> Dop853<F> {
         let slope = vec![0.0; y.len()];
         let mut solver = Dop853 { f, tolerance, t, y: Vec::new(), slope, step, evaluations: 0 };

@@ -7,23 +7,23 @@ use std::collections::BTreeMap;
 /// Points, springs and facets of one body, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lists {
-    /// Where the points start [m].
+    /// Where the points start (m).
     pub points: Vec<[f64; 3]>,
-    /// Masses [kg].
+    /// Masses (kg).
     pub masses: Vec<f64>,
     /// True where a point is held in space.
     pub fixed: Vec<bool>,
     /// Ends of each spring.
     pub springs: Vec<[usize; 2]>,
-    /// Rest lengths [m].
+    /// Rest lengths (m).
     pub rest_lengths: Vec<f64>,
-    /// K of each spring [N/m].
+    /// K of each spring (N/m).
     pub stiffness: Vec<f64>,
-    /// C of each spring [N s/m].
+    /// C of each spring (N s/m).
     pub damping: Vec<f64>,
     /// Corners of each facet, counter-clockwise from outside; a triangle repeats its third.
     pub facets: Vec<[usize; 4]>,
-    /// Velocity at the start [m/s].
+    /// Velocity at the start (m/s).
     pub velocities: Vec<[f64; 3]>,
 }
 

@@ -21,13 +21,13 @@ pub struct Scene {
     pub around: Surroundings,
     /// Method of integration.
     pub method: Method<f64>,
-    /// Step [s].
+    /// Step (s).
     pub step: f64,
-    /// Length of the run [s].
+    /// Length of the run (s).
     pub seconds: f64,
     /// Steps between two rows of output.
     pub every: usize,
-    /// Largest stable step [s], if the springs set one.
+    /// Largest stable step (s), if the springs set one.
     pub largest_step: Option<f64>,
     /// What is allowed but should be known; for standard error.
     pub warnings: Vec<String>,

@@ -14,9 +14,9 @@ use super::simulation::Simulation;
 /// One touch or release, for plots of work against impulse and for tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EventRecord {
-    /// Time [s].
+    /// Time (s).
     pub time: f64,
-    /// Points that touched: number, speed of approach [m/s], ground impulse [N s].
+    /// Points that touched: number, speed of approach (m/s), ground impulse (N s).
     pub touches: Vec<(usize, f64, f64)>,
     /// lambda of the compensation, for a touch.
     pub lambda: Option<f64>,
@@ -34,15 +34,15 @@ pub struct EventRecord {
 /// the energy back, W = -Q + b l + A l^2 with l from 0 to lambda (no receiver: b = 0, as in Eq. 4.26).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkImpulse {
-    /// P at the end of compression: sum of m v_b [N s].
+    /// P at the end of compression: sum of m v_b (N s).
     pub stopping: f64,
-    /// Q: energy taken by then, sum of m v_b^2/2 [J].
+    /// Q: energy taken by then, sum of m v_b^2/2 (J).
     pub taken: f64,
-    /// Energy given back at the end [J].
+    /// Energy given back at the end (J).
     pub returned: f64,
-    /// A lambda^2, the quadratic part of it [J].
+    /// A lambda^2, the quadratic part of it (J).
     pub quadratic: f64,
-    /// P at the end: sum of J [N s].
+    /// P at the end: sum of J (N s).
     pub impulse: f64,
 }
 
@@ -84,7 +84,7 @@ fn work_impulse<S: Scalar>(system: &System<S>, event: &Event<S>) -> Option<WorkI
     Some(work)
 }
 
-/// Energies and accounts at one time [J].
+/// Energies and accounts at one time (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyRow {
     /// Kinetic, gravity, spring, pressure.
@@ -100,11 +100,11 @@ pub struct EnergyRow {
 /// One row of output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Time [s].
+    /// Time (s).
     pub t: f64,
-    /// Positions [m].
+    /// Positions (m).
     pub pos: Vec<[f64; 3]>,
-    /// Velocities [m/s].
+    /// Velocities (m/s).
     pub vel: Vec<[f64; 3]>,
     /// Energies.
     pub energy: EnergyRow,

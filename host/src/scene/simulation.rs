@@ -15,9 +15,9 @@ use super::lists::Lists;
 /// What surrounds a body: constants in f64.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
-    /// Acceleration of gravity [m/s^2].
+    /// Acceleration of gravity (m/s^2).
     pub gravity: [f64; 3],
-    /// Viscous force of the air per point and speed [N s/m].
+    /// Viscous force of the air per point and speed (N s/m).
     pub air_drag: f64,
     /// Ground, if any.
     pub ground: Option<Ground<f64>>,
@@ -168,19 +168,19 @@ impl<S: Scalar> Simulation<S> {
         self.with(|system, state, work| step(system, state, h, method, work, observer))
     }
 
-    /// Largest stable step of an explicit method in the present state [s].
+    /// Largest stable step of an explicit method in the present state (s).
     #[must_use]
     pub fn largest_stable_step(&self) -> Option<S> {
         largest_stable_step(&self.body(), self.pos())
     }
 
-    /// Positions [m].
+    /// Positions (m).
     #[must_use]
     pub fn pos(&self) -> &[Vec3<S>] {
         &self.motion[..self.mass.len()]
     }
 
-    /// Velocities [m/s].
+    /// Velocities (m/s).
     #[must_use]
     pub fn vel(&self) -> &[Vec3<S>] {
         &self.motion[2 * self.mass.len()..3 * self.mass.len()]
@@ -192,13 +192,13 @@ impl<S: Scalar> Simulation<S> {
         &self.modes
     }
 
-    /// Time [s].
+    /// Time (s).
     #[must_use]
     pub fn t(&self) -> S {
         self.time[0]
     }
 
-    /// Masses [kg].
+    /// Masses (kg).
     #[must_use]
     pub fn mass(&self) -> &[S] {
         &self.mass

@@ -9,7 +9,7 @@ use smartbed_runtime::advance::workspace_len;
 use std::fmt::Debug;
 use std::fmt::Write as _;
 
-/// The constants; `step` is the scene's step [s].
+/// The constants; `step` is the scene's step (s).
 #[must_use]
 pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
     let system = simulation.system();

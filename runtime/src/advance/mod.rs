@@ -73,17 +73,17 @@ impl<S: Scalar> Method<S> {
 /// Positions, speeds and forces of all points at one time.
 #[derive(Debug)]
 pub struct Motion<'a, S> {
-    /// Positions [m].
+    /// Positions (m).
     pub pos: &'a mut [Vec3<S>],
     /// What rounding dropped from the positions.
     pub pos_rest: &'a mut [Vec3<S>],
-    /// Velocities [m/s].
+    /// Velocities (m/s).
     pub vel: &'a mut [Vec3<S>],
     /// What rounding dropped from the velocities.
     pub vel_rest: &'a mut [Vec3<S>],
-    /// Forces of positions [N].
+    /// Forces of positions (N).
     pub elastic: &'a mut [Vec3<S>],
-    /// Forces of speeds [N].
+    /// Forces of speeds (N).
     pub viscous: &'a mut [Vec3<S>],
 }
 
@@ -109,7 +109,7 @@ impl<'a, S: Scalar> Motion<'a, S> {
         Ok((Motion { pos, pos_rest, vel, vel_rest, elastic, viscous }, buffer))
     }
 
-    /// Total force on point i [N].
+    /// Total force on point i (N).
     #[must_use]
     pub fn force(&self, i: usize) -> Vec3<S> {
         vec3::add(vec3::at(self.elastic, i), vec3::at(self.viscous, i))

@@ -12,9 +12,9 @@ use crate::real::Scalar;
 /// What the ground took in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taken<S> {
-    /// By the impact law [J].
+    /// By the impact law (J).
     pub impact: S,
-    /// By friction [J].
+    /// By friction (J).
     pub friction: S,
 }
 

@@ -1,6 +1,6 @@
 //! Kinetic and stored energies of a body (thesis Eqs. 4.5 to 4.9).
 //!
-//! In: positions and velocities. Out: energies [J]. Gravity is 0 at the origin.
+//! In: positions and velocities. Out: energies (J). Gravity is 0 at the origin.
 
 use super::vec3::{self, Vec3};
 use super::{Body, pressure};

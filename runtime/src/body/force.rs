@@ -8,7 +8,7 @@ use super::vec3::{self, Vec3};
 use super::{Body, BodyError, pressure};
 use crate::real::Scalar;
 
-/// Forces of positions: gravity, springs, pressure [N].
+/// Forces of positions: gravity, springs, pressure (N).
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] where a gas law has no volume left.
@@ -29,7 +29,7 @@ pub fn eval_elastic<S: Scalar>(
     pressure::accumulate_force(body, pos, force)
 }
 
-/// Forces of speeds: dampers along the springs and air [N].
+/// Forces of speeds: dampers along the springs and air (N).
 pub fn eval_viscous<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
     for (f, v) in force.iter_mut().zip(vel) {
         *f = vec3::scale(*v, -body.air_drag);

@@ -18,15 +18,15 @@ pub use vec3::Vec3;
 /// What never changes in a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'a, S> {
-    /// Mass of each point [kg], > 0; 0 only for a massless contact point.
+    /// Mass of each point (kg), > 0; 0 only for a massless contact point.
     pub mass: &'a [S],
     /// True where a point is held in space.
     pub fixed: &'a [bool],
     /// Spring-dampers, in the order in which their forces are summed.
     pub springs: &'a [Spring<S>],
-    /// Acceleration of gravity [m/s^2], downwards.
+    /// Acceleration of gravity (m/s^2), downwards.
     pub gravity: Vec3<S>,
-    /// Viscous force of the air per point and speed [N s/m], >= 0.
+    /// Viscous force of the air per point and speed (N s/m), >= 0.
     pub air_drag: S,
     /// Corners of each facet, counter-clockwise seen from outside; a triangle repeats its third.
     pub facets: &'a [[usize; 4]],
@@ -72,19 +72,19 @@ pub enum BodyError<S> {
     },
     /// The body grows without end under its pressure; the last good state stands.
     PressureTooHigh {
-        /// Gauge pressure [Pa] that no equilibrium carries.
+        /// Gauge pressure (Pa) that no equilibrium carries.
         pressure: S,
         /// The spring stretched beyond [`pressure::STRETCH_LIMIT`].
         spring: usize,
     },
     /// The enclosed volume is not positive, so a gas law has no pressure; the last good state stands.
     Collapsed {
-        /// Enclosed volume [m^3].
+        /// Enclosed volume (m^3).
         volume: S,
     },
     /// An implicit step did not settle: the step is too large.
     NotConverged {
-        /// Length of the step [s].
+        /// Length of the step (s).
         step: S,
     },
 }

@@ -32,19 +32,19 @@ pub enum PressureForm {
 /// What the gas does when the volume changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gas<S> {
-    /// Gauge pressure [Pa] held constant.
+    /// Gauge pressure (Pa) held constant.
     Constant(S),
     /// p_abs V^n = constant.
     Polytropic {
-        /// Gauge pressure at `volume` [Pa].
+        /// Gauge pressure at `volume` (Pa).
         pressure: S,
-        /// Pressure outside [Pa], absolute.
+        /// Pressure outside (Pa), absolute.
         ambient: S,
-        /// Volume at which `pressure` holds [m^3], > 0.
+        /// Volume at which `pressure` holds (m^3), > 0.
         volume: S,
         /// n: 1 slow, 1.4 fast.
         exponent: S,
-        /// Volume [m^3] that the facets do not see (between an open sheet and its base).
+        /// Volume (m^3) that the facets do not see (between an open sheet and its base).
         dead_volume: S,
     },
 }
@@ -58,7 +58,7 @@ pub struct Inflation<S> {
     pub form: PressureForm,
 }
 
-/// Outward vectors [m^2] at the corners a, b, c, d of one facet; times the pressure they are forces.
+/// Outward vectors (m^2) at the corners a, b, c, d of one facet; times the pressure they are forces.
 #[must_use]
 pub fn corner_shares<S: Scalar>(form: PressureForm, corners: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
     let [a, b, c, d] = corners;
@@ -101,7 +101,7 @@ pub fn corners<S: Scalar>(pos: &[Vec3<S>], facet: &[usize; 4]) -> [Vec3<S>; 4] {
     facet.map(|p| vec3::at(pos, p))
 }
 
-/// Volume between the facets and the origin [m^3]: the enclosed volume of a closed surface.
+/// Volume between the facets and the origin (m^3): the enclosed volume of a closed surface.
 //   Euler's theorem for the cubic V: V = sum x . dV/dx / 3
 #[must_use]
 pub fn enclosed_volume<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
@@ -115,7 +115,7 @@ pub fn enclosed_volume<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
     triple * S::from_f64(1.0 / 3.0)
 }
 
-/// Gauge pressure [Pa] at a facet volume [m^3].
+/// Gauge pressure (Pa) at a facet volume (m^3).
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] where a gas law meets a volume that is not positive.
@@ -133,7 +133,7 @@ pub fn gauge_pressure<S: Scalar>(gas: &Gas<S>, facet_volume: S) -> Result<S, Bod
     }
 }
 
-/// Energy [J] that the gas can still give: -p V, or the work of the gas law against the air outside.
+/// Energy (J) that the gas can still give: -p V, or the work of the gas law against the air outside.
 #[must_use]
 pub fn energy<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
     let Some(inflation) = body.inflation else { return S::ZERO };
@@ -155,7 +155,7 @@ pub fn energy<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
     }
 }
 
-/// Adds the pressure's forces [N].
+/// Adds the pressure's forces (N).
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] where a gas law has no volume left.

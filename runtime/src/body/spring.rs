@@ -14,11 +14,11 @@ pub struct Spring<S> {
     pub tail: usize,
     /// Point at its end.
     pub head: usize,
-    /// K [N/m], >= 0.
+    /// K (N/m), >= 0.
     pub stiffness: S,
-    /// C along the spring [N s/m], >= 0.
+    /// C along the spring (N s/m), >= 0.
     pub damping: S,
-    /// L [m], >= 0.
+    /// L (m), >= 0.
     pub rest_length: S,
 }
 
@@ -27,9 +27,9 @@ pub struct Spring<S> {
 pub struct Stretch<S> {
     /// Unit vector tail -> head, or 0.
     pub direction: Vec3<S>,
-    /// Length [m].
+    /// Length (m).
     pub length: S,
-    /// Rate of length [m/s].
+    /// Rate of length (m/s).
     pub rate: S,
 }
 
@@ -42,19 +42,19 @@ impl<S: Scalar> Spring<S> {
         Stretch { direction, length, rate }
     }
 
-    /// Unit vector tail -> head (0 at length 0), and length [m].
+    /// Unit vector tail -> head (0 at length 0), and length (m).
     #[must_use]
     pub fn direction(&self, pos: &[Vec3<S>]) -> (Vec3<S>, S) {
         vec3::direction(vec3::sub(vec3::at(pos, self.head), vec3::at(pos, self.tail)))
     }
 
-    /// Elastic tension K (l - L) [N].
+    /// Elastic tension K (l - L) (N).
     #[must_use]
     pub fn tension(&self, length: S) -> S {
         self.stiffness * (length - self.rest_length)
     }
 
-    /// Stored energy K (l - L)^2 / 2 [J], Eq. 4.9.
+    /// Stored energy K (l - L)^2 / 2 (J), Eq. 4.9.
     #[must_use]
     pub fn energy(&self, pos: &[Vec3<S>]) -> S {
         let (_, length) = self.direction(pos);

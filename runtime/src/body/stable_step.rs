@@ -15,7 +15,7 @@ pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, w
 /// Squarings of A/trace(A) before its dominant eigenvalue is read off: the 64th power.
 const SQUARINGS: usize = 6;
 
-/// Largest step [s] for which velocity Verlet and its kin stay stable; None where no spring bounds it.
+/// Largest step (s) for which velocity Verlet and its kin stay stable; None where no spring bounds it.
 #[must_use]
 pub fn largest_stable_step<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> Option<S> {
     let half = S::from_f64(0.5);

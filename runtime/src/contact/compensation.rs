@@ -40,9 +40,9 @@ pub struct PointImpact<S> {
     pub field: Vec3<S>,
     /// u: ground impulse per lambda.
     pub lift: S,
-    /// Speed of approach v_b before the impact [m/s].
+    /// Speed of approach v_b before the impact (m/s).
     pub approach: S,
-    /// Normal impulse of the ground [N s], >= 0.
+    /// Normal impulse of the ground (N s), >= 0.
     pub impulse: S,
 }
 
@@ -65,18 +65,18 @@ impl<S: Scalar> PointImpact<S> {
 pub struct Impact<S> {
     /// Root taken.
     pub root: Root,
-    /// lambda [N s]: impulse in a spring is lambda w.
+    /// lambda (N s): impulse in a spring is lambda w.
     pub lambda: S,
-    /// Kinetic energy lost by the law [J], (1 - eta) of what the touching points had.
+    /// Kinetic energy lost by the law (J), (1 - eta) of what the touching points had.
     pub lost: S,
-    /// Energy lost to friction [J].
+    /// Energy lost to friction (J).
     pub friction: S,
 }
 
 /// Applies the impact to `vel`; B is marked in `points`, which returns the impulses.
 ///
 /// `receiver(k)` tells whether point k may take energy (not fixed, not touching, not resting).
-/// `anchor` [J] is added to the compensated energy where the result keeps Q >= 0 (0 leaves the law alone).
+/// `anchor` (J) is added to the compensated energy where the result keeps Q >= 0 (0 leaves the law alone).
 pub fn apply<S: Scalar>(
     system: &System<S>,
     law: Compensation<S>,
@@ -110,7 +110,7 @@ pub fn apply<S: Scalar>(
 pub struct Compensation<S> {
     /// Share of the energy given back.
     pub eta: S,
-    /// Energy added to make up for drift [J].
+    /// Energy added to make up for drift (J).
     pub anchor: S,
     /// Without a receiver the energy is lost.
     pub plastic_alone: bool,
@@ -120,7 +120,7 @@ fn mass<S: Scalar>(system: &System<S>, i: usize) -> S {
     system.body.mass.get(i).copied().unwrap_or(S::ZERO)
 }
 
-/// v_i.n := 0 on B; returns the kinetic energy that this takes [J].
+/// v_i.n := 0 on B; returns the kinetic energy that this takes (J).
 fn stop_touching<S: Scalar>(system: &System<S>, vel: &mut [Vec3<S>], points: &mut [PointImpact<S>]) -> S {
     let Some(ground) = system.ground else { return S::ZERO };
     let mut taken = S::ZERO;
@@ -197,7 +197,7 @@ fn choose_root<S: Scalar>(system: &System<S>, points: &[PointImpact<S>], a: S, b
     (Root::Plus, two * energy / (b + s))
 }
 
-/// No receiver: each point keeps eta of its own energy; returns the energy kept [J].
+/// No receiver: each point keeps eta of its own energy; returns the energy kept (J).
 fn rebound<S: Scalar>(
     system: &System<S>,
     law: Compensation<S>,

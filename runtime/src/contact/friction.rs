@@ -6,7 +6,7 @@
 use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 
-/// Slows v along the surface by the friction of a normal impulse J [N s]; returns the energy lost [J].
+/// Slows v along the surface by the friction of a normal impulse J (N s); returns the energy lost (J).
 pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: S, impulse: S) -> S {
     let slip = vec3::tangential(*v, normal);
     let speed = vec3::norm(slip);

@@ -42,14 +42,14 @@ pub enum ContactLaw<S> {
     MasslessPoint,
     /// Linear spring of the ground on the depth.
     Penalty {
-        /// Stiffness of the ground [N/m].
+        /// Stiffness of the ground (N/m).
         stiffness: S,
     },
     /// N = k depth^1.5 (1 + a depth_rate), never pulling.
     HuntCrossley {
         /// k [N/m^1.5].
         stiffness: S,
-        /// a [s/m].
+        /// a (s/m).
         dissipation: S,
     },
 }
@@ -59,13 +59,13 @@ pub enum ContactLaw<S> {
 pub struct Ground<S> {
     /// Outward unit normal.
     pub normal: Vec3<S>,
-    /// n.x of the surface [m].
+    /// n.x of the surface (m).
     pub offset: S,
     /// Law between ground and points.
     pub law: ContactLaw<S>,
     /// Coulomb's coefficient, >= 0.
     pub friction: S,
-    /// Points within this gap [m] of one that touches, and closing, touch together; also the gap from
+    /// Points within this gap (m) of one that touches, and closing, touch together; also the gap from
     /// which a released point's guard is armed.
     pub tolerance: S,
 }
@@ -93,13 +93,13 @@ impl Mode {
 }
 
 impl<S: Scalar> Ground<S> {
-    /// gap [m].
+    /// gap (m).
     #[must_use]
     pub fn gap(&self, x: Vec3<S>) -> S {
         vec3::dot(self.normal, x) - self.offset
     }
 
-    /// gap rate [m/s].
+    /// gap rate (m/s).
     #[must_use]
     pub fn gap_rate(&self, v: Vec3<S>) -> S {
         vec3::dot(self.normal, v)
@@ -122,7 +122,7 @@ pub struct System<'a, S> {
 }
 
 impl<S: Scalar> System<'_, S> {
-    /// Acceleration of point i [m/s^2] under a force, after what holds it has taken its part.
+    /// Acceleration of point i (m/s^2) under a force, after what holds it has taken its part.
     #[must_use]
     pub fn acceleration(&self, i: usize, mode: Mode, force: Vec3<S>) -> Vec3<S> {
         self.admissible(mode, vec3::scale(force, self.body.inverse_mass(i)))
@@ -138,7 +138,7 @@ impl<S: Scalar> System<'_, S> {
         }
     }
 
-    /// Normal force of the ground on a held point [N], thesis Eq. 4.1: what holds it against `force`.
+    /// Normal force of the ground on a held point (N), thesis Eq. 4.1: what holds it against `force`.
     #[must_use]
     pub fn normal_force(&self, force: Vec3<S>) -> S {
         self.ground.map_or(S::ZERO, |ground| -vec3::dot(force, ground.normal))

@@ -37,13 +37,13 @@ pub struct Touch<S> {
 pub struct PairImpact<S> {
     /// Root taken.
     pub root: Root,
-    /// Speed of approach v_b [m/s].
+    /// Speed of approach v_b (m/s).
     pub approach: S,
-    /// lambda [N s].
+    /// lambda (N s).
     pub lambda: S,
-    /// J [N s], >= 0.
+    /// J (N s), >= 0.
     pub impulse: S,
-    /// Energy lost, (1 - eta) M v_b^2/2 [J].
+    /// Energy lost, (1 - eta) M v_b^2/2 (J).
     pub lost: S,
 }
 

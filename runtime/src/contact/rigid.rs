@@ -12,26 +12,26 @@ use crate::real::Scalar;
 /// A rigid body at the instant of touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody<S> {
-    /// m [kg].
+    /// m (kg).
     pub mass: S,
     /// Inverse of the inertia about the centre of mass, rows [1/(kg m^2)].
     pub inverse_inertia: [Vec3<S>; 3],
-    /// Velocity of the centre of mass [m/s].
+    /// Velocity of the centre of mass (m/s).
     pub velocity: Vec3<S>,
-    /// Angular velocity [rad/s].
+    /// Angular velocity (rad/s).
     pub spin: Vec3<S>,
 }
 
 /// Work and impulse of one impact: the two ends of its phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkImpulse<S> {
-    /// v_0: rate of the gap before [m/s].
+    /// v_0: rate of the gap before (m/s).
     pub approach: S,
-    /// M [kg].
+    /// M (kg).
     pub mass: S,
-    /// P_c [N s].
+    /// P_c (N s).
     pub compression: S,
-    /// P_f [N s].
+    /// P_f (N s).
     pub last: S,
 }
 
@@ -43,13 +43,13 @@ impl<S: Scalar> WorkImpulse<S> {
         WorkImpulse { approach, mass, compression, last: (S::ONE + restitution) * compression }
     }
 
-    /// v(P) = v_0 + P/M [m/s], Eq. 4.17.
+    /// v(P) = v_0 + P/M (m/s), Eq. 4.17.
     #[must_use]
     pub fn rate(&self, impulse: S) -> S {
         self.approach + impulse / self.mass
     }
 
-    /// W(P) [J]: the integral of v dP, Eqs. 4.24 and 4.25; the curve of Fig. 4.2.
+    /// W(P) (J): the integral of v dP, Eqs. 4.24 and 4.25; the curve of Fig. 4.2.
     #[must_use]
     pub fn work(&self, impulse: S) -> S {
         impulse * (self.approach + S::from_f64(0.5) * impulse / self.mass)
@@ -57,7 +57,7 @@ impl<S: Scalar> WorkImpulse<S> {
 }
 
 impl<S: Scalar> RigidBody<S> {
-    /// Velocity of the point at r from the centre of mass [m/s].
+    /// Velocity of the point at r from the centre of mass (m/s).
     #[must_use]
     pub fn point_velocity(&self, r: Vec3<S>) -> Vec3<S> {
         vec3::add(self.velocity, vec3::cross(self.spin, r))
@@ -68,7 +68,7 @@ impl<S: Scalar> RigidBody<S> {
         self.inverse_inertia.map(|row| vec3::dot(row, moment))
     }
 
-    /// M at the point r along n [kg].
+    /// M at the point r along n (kg).
     #[must_use]
     pub fn effective_mass(&self, r: Vec3<S>, normal: Vec3<S>) -> S {
         let arm = vec3::cross(r, normal);

@@ -6,7 +6,7 @@ use super::{ContactLaw, Ground};
 use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 
-/// Normal force of the ground on one point [N] and the part of it that dissipates [N].
+/// Normal force of the ground on one point (N) and the part of it that dissipates (N).
 #[must_use]
 pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S, S) {
     let depth = -ground.gap(x);
@@ -24,7 +24,7 @@ pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S
     }
 }
 
-/// Energy stored in the ground by one point [J].
+/// Energy stored in the ground by one point (J).
 #[must_use]
 pub fn energy<S: Scalar>(ground: &Ground<S>, x: Vec3<S>) -> S {
     let depth = (-ground.gap(x)).max(S::ZERO);

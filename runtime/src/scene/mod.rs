@@ -28,20 +28,20 @@ pub struct State<'a, S> {
     pub motion: Motion<'a, S>,
     /// Each point against the ground.
     pub modes: &'a mut [Mode],
-    /// Time [s] and what rounding dropped from it.
+    /// Time (s) and what rounding dropped from it.
     pub time: [S; 2],
-    /// Part of earlier steps still to be made up [s].
+    /// Part of earlier steps still to be made up (s).
     pub carry: S,
-    /// Length with which an adaptive method goes on [s]; 0 before the first step.
+    /// Length with which an adaptive method goes on (s); 0 before the first step.
     pub next_step: S,
-    /// Energy that an undamped body should have [J]; kept only for the ledger anchor.
+    /// Energy that an undamped body should have (J); kept only for the ledger anchor.
     pub anchor: S,
 }
 
 /// A touch or a release.
 #[derive(Clone, Copy, Debug)]
 pub struct Event<'a, S> {
-    /// Time [s].
+    /// Time (s).
     pub time: S,
     /// The impact, for a touch.
     pub impact: Option<Impact<S>>,
@@ -60,11 +60,11 @@ pub struct Flow<'a, 'm, S> {
     pub before: &'a Motion<'m, S>,
     /// State at its end.
     pub after: &'a Motion<'m, S>,
-    /// Its length [s].
+    /// Its length (s).
     pub tau: S,
-    /// Energy lost to sliding friction in it [J].
+    /// Energy lost to sliding friction in it (J).
     pub friction: S,
-    /// Energy lost to the impact law in it [J] (time stepping laws).
+    /// Energy lost to the impact law in it (J) (time stepping laws).
     pub impact: S,
 }
 
@@ -95,13 +95,13 @@ pub struct StepReport {
 }
 
 impl<S: Scalar> State<'_, S> {
-    /// Time [s].
+    /// Time (s).
     #[must_use]
     pub fn t(&self) -> S {
         self.time[0]
     }
 
-    /// What the total energy has above its mean over the body's vibrations, because of the method [J].
+    /// What the total energy has above its mean over the body's vibrations, because of the method (J).
     ///
     /// Verlet keeps m v^2/2 + V + h^2 (alpha v.V''v - (1/8 - alpha) m |a|^2) of a linear body, for every alpha;
     /// alpha = 1/16 has the total energy as its mean. A touch takes a point's acceleration away and so would
@@ -210,7 +210,7 @@ pub fn step<S: Scalar, O: Observer<S>>(
     Ok(report)
 }
 
-/// Length of the next try [s].
+/// Length of the next try (s).
 fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
     let wanted = if method.control_order() == 0 {
         // What earlier steps left over does not lengthen this one: it is made up in pieces.
@@ -278,7 +278,7 @@ fn lift_departing<S: Scalar>(
     if lifted { work.end.refresh(system) } else { Ok(()) }
 }
 
-/// Friction of the points that slide, with the mean normal force of the stretch; returns the loss [J].
+/// Friction of the points that slide, with the mean normal force of the stretch; returns the loss (J).
 ///
 /// A change of speed dv spread over the stretch moves the point by dv tau/2: order 2, and a point that
 /// sticks does not creep. The loss is what the speeds lose plus the work of the forces on that way.

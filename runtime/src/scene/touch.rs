@@ -122,7 +122,7 @@ fn anchored<S: Scalar>(
     hit
 }
 
-/// Friction of the impulses; returns the loss [J].
+/// Friction of the impulses; returns the loss (J).
 pub(super) fn rub<S: Scalar>(
     system: &System<S>,
     ground: &Ground<S>,
@@ -138,7 +138,7 @@ pub(super) fn rub<S: Scalar>(
     lost
 }
 
-/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs [J].
+/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs (J).
 pub(super) fn hold_or_rebound<S: Scalar>(
     system: &System<S>,
     ground: &Ground<S>,

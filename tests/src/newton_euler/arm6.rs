@@ -37,7 +37,7 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// From the reference's arrays and the fixed angles [deg].
+    /// From the reference's arrays and the fixed angles (deg).
     ///
     /// # Panics
     /// If an array is too short.

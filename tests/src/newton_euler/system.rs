@@ -1,8 +1,10 @@
 //! Newton-Euler per body with the joints solved numerically, dense and in f64.
 //!
 //! Unknown: acceleration of every free body and one multiplier per joint row.
+//! ```text
 //!     [ M  J^T ] [ a ]   [ f     ]
 //!     [ J  0   ] [-l ] = [ gamma ]      M a = f + J^T l,  J a = gamma
+//! ```
 //! M = diag(m, I), f = applied forces and the gyroscopic -w x I w. Independent of the generator:
 //! nothing here knows generalised coordinates, partial velocities or elimination.
 

@@ -19,7 +19,7 @@ pub struct Reference {
     pub input_names: Vec<String>,
     /// Names of the parameters.
     pub parameter_names: Vec<String>,
-    /// Fixed joint angles of the arm [deg]; azimuths of the tile; empty elsewhere.
+    /// Fixed joint angles of the arm (deg); azimuths of the tile; empty elsewhere.
     pub alpha_degrees: Vec<f64>,
     /// The states.
     pub samples: Vec<Sample>,
