@@ -50,7 +50,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     let mut work = Workspace::new(&mut scratch, &mut impacts, POINTS, METHOD)?;
     let mut state =
         State { motion, modes: &mut modes, time: [0.0; 2], carry: 0.0, next_step: 0.0, anchor: 0.0 };
-    state.begin(&system, STEP, &mut work, &mut ())?;
+    state.begin(&system, STEP, METHOD, &mut work, &mut ())?;
     let mut digest = Digest::default();
     for _ in 0..STEPS {
         scene_step(&system, &mut state, &mut work)?;
