@@ -1,39 +1,62 @@
-//! Replacing symbols by expressions, rebuilding (and so simplifying) what depends on them.
+//! Rebuilding expressions with some nodes replaced, which simplifies what depends on them.
 
 use super::{Dag, ExprId, Node, SymbolId};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
+/// What nodes have become: the image of every node reached, the node itself elsewhere.
+pub struct Image(Vec<ExprId>);
+
+impl Image {
+    /// What `id` has become.
+    #[must_use]
+    pub fn of(&self, id: ExprId) -> ExprId {
+        self.0.get(id.index()).copied().unwrap_or(id)
+    }
+}
+
 impl Dag {
-    /// `roots` with every symbol of `replacement` replaced, once, by its expression.
-    pub fn substitute(&mut self, roots: &[ExprId], replacement: &HashMap<SymbolId, ExprId>) -> Vec<ExprId> {
+    /// Rebuilds what `roots` need, operands first; `replace` may give a node another image than the
+    /// same operator on its operands' images. Names go with the nodes.
+    pub fn rebuild(
+        &mut self,
+        roots: &[ExprId],
+        mut replace: impl FnMut(&mut Self, ExprId, &Image) -> Option<ExprId>,
+    ) -> Image {
         let order = self.reachable(roots);
-        let mut image: Vec<Option<ExprId>> = vec![None; order.last().map_or(0, |id| id.index() + 1)];
+        let n = order.last().map_or(0, |id| id.index() + 1);
+        let mut image = Image((0..n).map(ExprId::from_index).collect());
         for &id in &order {
-            let of = |a: ExprId| image[a.index()].unwrap_or(a);
-            let new = match self.node(id) {
-                Node::Number(_) | Node::Pi => id,
-                Node::Symbol(symbol) => replacement.get(&symbol).copied().unwrap_or(id),
-                Node::Negate(a) => match of(a) {
-                    x if x == a => id,
-                    x => self.negate(x),
-                },
-                Node::Unary(function, a) => match of(a) {
-                    x if x == a => id,
-                    x => self.unary(function, x),
-                },
-                Node::Binary(operator, a, b) => match (of(a), of(b)) {
-                    (x, y) if x == a && y == b => id,
-                    (x, y) => self.binary(operator, x, y),
-                },
+            let new = match replace(self, id, &image) {
+                Some(new) => new,
+                None => self.with_operands(id, &image),
             };
             if new != id
                 && let Some(name) = self.name_of(id).map(str::to_owned)
             {
                 self.name(new, &name);
             }
-            image[id.index()] = Some(new);
+            image.0[id.index()] = new;
         }
-        roots.iter().map(|r| image[r.index()].unwrap_or(*r)).collect()
+        image
+    }
+
+    /// The same operator on the images of its operands.
+    fn with_operands(&mut self, id: ExprId, image: &Image) -> ExprId {
+        match self.node(id) {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
+            Node::Negate(a) if image.of(a) == a => id,
+            Node::Negate(a) => self.negate(image.of(a)),
+            Node::Unary(_, a) if image.of(a) == a => id,
+            Node::Unary(function, a) => self.unary(function, image.of(a)),
+            Node::Binary(_, a, b) if image.of(a) == a && image.of(b) == b => id,
+            Node::Binary(operator, a, b) => self.binary(operator, image.of(a), image.of(b)),
+        }
+    }
+
+    /// `roots` with every symbol of `replacement` replaced, once, by its expression.
+    pub fn substitute(&mut self, roots: &[ExprId], replacement: &HashMap<SymbolId, ExprId>) -> Vec<ExprId> {
+        let image = self.rebuild(roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
+        roots.iter().map(|&root| image.of(root)).collect()
     }
 }

@@ -5,7 +5,6 @@
 
 use super::Program;
 use crate::expr::{Binary, ExprId, Node};
-use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
 /// Rewrites all answers of a program.
@@ -18,31 +17,16 @@ pub(super) fn share(program: &mut Program) {
             *quotients.entry(divisor).or_insert(0) += 1;
         }
     }
-    let dag = &mut program.dag;
-    let mut image: Vec<ExprId> =
-        (0..order.last().map_or(0, |id| id.index() + 1)).map(ExprId::from_index).collect();
-    for &id in &order {
-        let of = |a: ExprId| image[a.index()];
-        let new = match dag.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
-            Node::Negate(a) => dag.negate(of(a)),
-            Node::Unary(function, a) => dag.unary(function, of(a)),
-            Node::Binary(Binary::Div, a, divisor) if quotients[&divisor] > 1 => {
-                let one = dag.one();
-                let reciprocal = dag.div(one, of(divisor));
-                dag.mul(of(a), reciprocal)
-            }
-            Node::Binary(operator, a, b) => dag.binary(operator, of(a), of(b)),
-        };
-        if new != id
-            && let Some(name) = dag.name_of(id).map(str::to_owned)
-        {
-            dag.name(new, &name);
+    let image = program.dag.rebuild(&roots, |dag, id, image| match dag.node(id) {
+        Node::Binary(Binary::Div, a, divisor) if quotients[&divisor] > 1 => {
+            let one = dag.one();
+            let reciprocal = dag.div(one, image.of(divisor));
+            Some(dag.mul(image.of(a), reciprocal))
         }
-        image[id.index()] = new;
-    }
-    program.map_roots(|e| image[e.index()]);
+        _ => None,
+    });
+    program.map_roots(|e| image.of(e));
     for pivot in &mut program.pivots {
-        pivot.value = image.get(pivot.value.index()).copied().unwrap_or(pivot.value);
+        pivot.value = image.of(pivot.value);
     }
 }
