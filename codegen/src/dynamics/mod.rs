@@ -6,9 +6,12 @@
 
 mod active_force;
 mod augmented;
+mod composite;
 mod energy;
 mod inertia_force;
 mod solve;
+mod spatial;
+mod tree;
 
 pub use augmented::Augmented;
 
