@@ -1,7 +1,7 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 195 operations (3 abs, 35 add, 3 cos, 3 div, 2 min, 124 mul, 3 sin, 22 sub).
+// Cost of rates: 189 operations (3 abs, 34 add, 3 cos, 3 div, 2 min, 122 mul, 3 sin, 19 sub).
 // Cost of energy: 113 operations (22 add, 3 cos, 2 div, 77 mul, 3 sin, 6 sub).
 // Cost of speeds: 26 operations (3 cos, 2 div, 14 mul, 3 sin, 4 sub).
 // Cost of outputs: 0 operations ().
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///195 operations.
+///189 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -151,28 +151,27 @@ pub fn rates(
     let t25 = l3 * (t10 * t10);
     let t26 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
     let u2_dot_bias = t4 * (t25 + (t15 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t26 * t16));
-    let t27 = 0.5_f64 * l3;
-    let t28 = t27 * sin_q3;
-    let t29 = t27 * cos_q3;
-    let t30 = m3 * (t13 * t28 + t12 * t29);
-    let u3_dot_bias = t8 * (t15 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t16 + t26 * t25);
-    let t31 = t21 * cos_q2;
-    let t32 = m2 * (g * t31 - t15 * (sin_q1 * t31 - cos_q1 * (t21 * sin_q2))) + m3 * (t22 * t18 + t23 * t19);
+    let t27 = t21 * cos_q2;
+    let t28 = m2 * (g * t27 - t15 * (sin_q1 * t27 - cos_q1 * (t21 * sin_q2))) + m3 * (t22 * t18 + t23 * t19);
     let I2 = p.I2;
-    let t33 = I2 + m2 * (t21 * t21) + m3 * (t22 * t22 + t23 * t23);
-    let t34 = m3 * (t22 * t28 + t23 * t29);
-    let t35 = T - t20 - t24 * u2_dot_bias - t30 * u3_dot_bias + t5 * (t32 + t33 * u2_dot_bias + t34 * u3_dot_bias);
+    let t29 = I2 + m2 * (t21 * t21) + m3 * (t22 * t22 + t23 * t23);
+    let t30 = 0.5_f64 * l3;
+    let t31 = t30 * sin_q3;
+    let t32 = t30 * cos_q3;
+    let t33 = m3 * (t22 * t31 + t23 * t32);
+    let t34 = m3 * (t13 * t31 + t12 * t32) - t33 * t5;
+    let u3_dot_bias = t8 * (t15 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t16 + t26 * t25);
+    let t35 = T - t20 - t24 * u2_dot_bias + t5 * (t28 + t29 * u2_dot_bias) - t34 * u3_dot_bias;
     let I3 = p.I3;
-    let t36 = I3 + m3 * (t28 * t28 + t29 * t29);
-    let t37 = t9 * (m3 * (t28 * t18 + t29 * t19) + t34 * u2_dot_bias + t36 * u3_dot_bias);
+    let t36 = I3 + m3 * (t31 * t31 + t32 * t32);
+    let t37 = t9 * (m3 * (t31 * t18 + t32 * t19) + t33 * u2_dot_bias + t36 * u3_dot_bias);
     let forcing_u1 = t35 + t37;
     let I1 = p.I1;
     let t38 = I1 + m1 * (t11 * t11) + m2 * (l1 * l1) + m3 * (t13 * t13 + t12 * t12);
-    let t39 = t38 - t24 * t5 - t30 * t9 - t5 * (t24 - t33 * t5 - t34 * t9);
-    let mass_u1_u1 = t39 - t9 * (t30 - t34 * t5 - t36 * t9);
-    let t40 = forcing_u1 / mass_u1_u1;
-    let t41 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, u2, u3], [t40], t41)
+    let mass_u1_u1 = t38 - t5 * (2.0_f64 * t24 - t29 * t5) - t9 * (2.0_f64 * t34 - t36 * t9);
+    let t39 = forcing_u1 / mass_u1_u1;
+    let t40 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, u2, u3], [t39], t40)
 }
 ///Kinetic and potential energy (J).
 ///
@@ -223,7 +222,7 @@ pub fn energy(
     let t16 = 0.5_f64 * (u1 * u1 * t4) - t8 * (u1 * t11) - m3 * (t2 * t13 + t3 * t14) * (u1 * t15);
     let I2 = p.I2;
     let t17 = (I2 + m2 * (t5 * t5) + m3 * (t6 * t6 + t7 * t7)) * (t11 * t11);
-    let t18 = t16 + 0.5_f64 * t17 + m3 * (t6 * t13 + t7 * t14) * (t11 * t15);
+    let t18 = t16 + 0.5_f64 * t17 + m3 * (t6 * t13 + t7 * t14) * (t15 * t11);
     let I3 = p.I3;
     let t19 = t18 + 0.5_f64 * ((I3 + m3 * (t13 * t13 + t14 * t14)) * (t15 * t15));
     let g = p.g;

@@ -1,6 +1,6 @@
 //! Dependent speeds and lifted unknowns by one sparse symbolic elimination.
 //!
-//! In: candidate rows. Out: T, beta and delta with y = T u, y' = T u' + beta for all unknowns y, and
+//! In: candidate rows. Out: for every unknown y one step y = sum c z, y' = sum c z' + b; T with y = T u; and
 //! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
 //! are independent at every sampled configuration.
 
@@ -36,14 +36,26 @@ pub struct Pivot {
 pub struct Solution {
     /// `speeds[y][j]`: coefficient of independent speed j in y. Independent speeds are in it too.
     pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
-    /// y' without the independent accelerations.
-    pub bias: BTreeMap<UnknownId, ExprId>,
     /// Newton's correction of what y is the rate of.
     pub correction: BTreeMap<UnknownId, ExprId>,
     /// Pivots that are not constants, in order.
     pub pivots: Vec<Pivot>,
+    /// The same, each unknown by those after it and the independent ones, in the order of the elimination.
+    pub steps: Vec<Step>,
     /// The rows that were solved.
     pub rows: Vec<Row>,
+}
+
+/// A dependent unknown by unknowns that are eliminated after it and by independent ones:
+/// `y = sum coefficients[z] z`, `y' = sum coefficients[z] z' + bias`.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The dependent unknown y.
+    pub unknown: UnknownId,
+    /// Non-zero coefficients.
+    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    /// Acceleration level: what the speeds contribute.
+    pub bias: ExprId,
 }
 
 /// Solves for every unknown.
@@ -58,11 +70,12 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
     let chosen = choose(model, k, table, &unknown)?;
     let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
-    let Some((values, pivots)) = sparse::solve(&mut k.dag, table, equations) else {
+    let eliminations = sparse::eliminate(&mut k.dag, table, equations);
+    let Some(values) = sparse::back_substitute(&mut k.dag, &eliminations) else {
         return Err(rank::explain(model, k, table, None));
     };
     let mut solution = Solution::default();
-    for pivot in k.rate_pivots.iter().copied().chain(pivots) {
+    for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
         record(&k.dag, table, pivot, &mut solution.pivots);
     }
     let n = independent.len();
@@ -70,18 +83,25 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         let (zero, one) = (k.dag.zero(), k.dag.one());
         let unit = (0..n).map(|j| if j == column { one } else { zero }).collect();
         solution.partials.insert(id, unit);
-        solution.bias.insert(id, zero);
         solution.correction.insert(id, zero);
     }
+    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, &independent)).collect();
     for (id, mut values) in values {
         solution.correction.insert(id, values[n + 1]);
-        solution.bias.insert(id, values[n]);
         values.truncate(n);
         solution.partials.insert(id, values);
     }
     check_consequences(model, k, table, &solution)?;
     solution.rows = chosen;
     Ok(solution)
+}
+
+/// An elimination with the right-hand sides of the independent speeds among the coefficients.
+fn step(dag: &Dag, elimination: sparse::Elimination, independent: &[UnknownId]) -> Step {
+    let mut coefficients = elimination.coefficients;
+    coefficients.extend(independent.iter().copied().zip(elimination.right.iter().copied()));
+    coefficients.retain(|_, c| !dag.is_zero(*c));
+    Step { unknown: elimination.unknown, coefficients, bias: elimination.right[independent.len()] }
 }
 
 /// Takes independent rows, each time the one that adds the fewest operations to those taken.
