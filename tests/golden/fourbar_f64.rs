@@ -1,11 +1,11 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 195 operations (3 abs, 35 add, 3 cos, 3 div, 2 min, 124 mul, 3 sin, 22 sub).
-// Cost of energy: 113 operations (22 add, 3 cos, 2 div, 77 mul, 3 sin, 6 sub).
-// Cost of speeds: 26 operations (3 cos, 2 div, 14 mul, 3 sin, 4 sub).
+// Cost of rates: 185 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 118 mul, 3 sin, 21 sub).
+// Cost of energy: 109 operations (21 add, 3 cos, 2 div, 75 mul, 3 sin, 5 sub).
+// Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
-// Cost of projection: 51 operations (2 abs, 11 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
+// Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///195 operations.
+///185 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -116,67 +116,65 @@ pub fn rates(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
-    let t3 = l2 * (t1 - t2);
-    let t4 = 1.0_f64 / t3;
-    let t5 = l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * t4;
-    let t6 = u1 * t5;
-    let u2 = -t6;
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t2 = l2 * t1;
+    let t3 = 1.0_f64 / t2;
+    let t4 = l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * t3;
+    let t5 = u1 * t4;
+    let t6 = l1 * cos_q1;
+    let t7 = l1 * sin_q1;
+    let t8 = sin_q2 * t6 - cos_q2 * t7;
     let l3 = p.l3;
-    let t7 = l3 * (t2 - t1);
-    let t8 = 1.0_f64 / t7;
-    let t9 = l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * t8;
-    let t10 = u1 * t9;
-    let u3 = -t10;
+    let t9 = l3 * t1;
+    let t10 = 1.0_f64 / t9;
+    let t11 = t8 * t10;
+    let t12 = u1 * t11;
+    let m3 = p.m3;
+    let t13 = l2 * sin_q2;
+    let t14 = 0.5_f64 * l3;
+    let t15 = t14 * sin_q3;
+    let t16 = l2 * cos_q2;
+    let t17 = t14 * cos_q3;
+    let t18 = m3 * (t13 * t15 + t16 * t17);
+    let t19 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t20 = l3 * (t12 * t12);
+    let t21 = l1 * (u1 * u1);
+    let t22 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t23 = l2 * (t5 * t5);
+    let u3_dot_bias = t10 * (t19 * t20 + (t21 * t22 + t23));
+    let m2 = p.m2;
+    let g = p.g;
+    let t24 = 0.5_f64 * l2;
+    let t25 = t24 * cos_q2;
+    let t26 = l3 * (t12 * (0.5_f64 * t12));
+    let t27 = cos_q3 * t26 + (cos_q1 * t21 + cos_q2 * t23);
+    let t28 = sin_q2 * t23 + (sin_q1 * t21 - g) + sin_q3 * t26;
+    let t29 = m2 * (g * t25 - t21 * (sin_q1 * t25 - cos_q1 * (t24 * sin_q2))) + m3 * (t13 * t27 - t16 * t28);
+    let I2 = p.I2;
+    let t30 = I2 + m2 * (t24 * t24) + m3 * (t13 * t13 + t16 * t16);
+    let t31 = t3 * (t20 + (t21 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t19 * t23));
+    let t32 = m3 * (t7 * t13 + t6 * t16) + m2 * (t24 * (l1 * t22));
     let T = inputs[0];
     let m1 = p.m1;
-    let g = p.g;
-    let t11 = 0.5_f64 * l1;
-    let m2 = p.m2;
-    let t12 = l1 * cos_q1;
-    let t13 = l1 * sin_q1;
-    let t14 = g * t12 - (sin_q2 * t12 - cos_q2 * t13) * (l2 * (t6 * (0.5_f64 * t6)));
-    let m3 = p.m3;
-    let t15 = l1 * (u1 * u1);
-    let t16 = l2 * (t6 * t6);
-    let t17 = l3 * (t10 * (0.5_f64 * t10));
-    let t18 = cos_q1 * t15 + cos_q2 * t16 + cos_q3 * t17;
-    let t19 = g - sin_q1 * t15 - sin_q2 * t16 - sin_q3 * t17;
-    let t20 = m1 * (g * (t11 * cos_q1)) + m2 * t14 + m3 * (t13 * t18 + t12 * t19);
-    let t21 = 0.5_f64 * l2;
-    let t22 = l2 * sin_q2;
-    let t23 = l2 * cos_q2;
-    let t24 = m2 * (t21 * (sin_q2 * t13 + cos_q2 * t12)) + m3 * (t13 * t22 + t12 * t23);
-    let t25 = l3 * (t10 * t10);
-    let t26 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let u2_dot_bias = t4 * (t25 + (t15 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t26 * t16));
-    let t27 = 0.5_f64 * l3;
-    let t28 = t27 * sin_q3;
-    let t29 = t27 * cos_q3;
-    let t30 = m3 * (t13 * t28 + t12 * t29);
-    let u3_dot_bias = t8 * (t15 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t16 + t26 * t25);
-    let t31 = t21 * cos_q2;
-    let t32 = m2 * (g * t31 - t15 * (sin_q1 * t31 - cos_q1 * (t21 * sin_q2))) + m3 * (t22 * t18 + t23 * t19);
-    let I2 = p.I2;
-    let t33 = I2 + m2 * (t21 * t21) + m3 * (t22 * t22 + t23 * t23);
-    let t34 = m3 * (t22 * t28 + t23 * t29);
-    let t35 = T - t20 - t24 * u2_dot_bias - t30 * u3_dot_bias + t5 * (t32 + t33 * u2_dot_bias + t34 * u3_dot_bias);
+    let t33 = 0.5_f64 * l1;
+    let t34 = m1 * (g * (t33 * cos_q1)) - m2 * (t8 * (l2 * (t5 * (0.5_f64 * t5))) - g * t6);
+    let t35 = m3 * (t7 * t15 + t6 * t17);
+    let t36 = t32 * t31 + (T + (m3 * (t6 * t28 - t7 * t27) - t34)) - t35 * u3_dot_bias;
     let I3 = p.I3;
-    let t36 = I3 + m3 * (t28 * t28 + t29 * t29);
-    let t37 = t9 * (m3 * (t28 * t18 + t29 * t19) + t34 * u2_dot_bias + t36 * u3_dot_bias);
-    let forcing_u1 = t35 + t37;
+    let t37 = I3 + m3 * (t15 * t15 + t17 * t17);
+    let t38 = t11 * (t18 * t31 + m3 * (t17 * t28 - t15 * t27) - t37 * u3_dot_bias);
+    let forcing_u1 = t4 * (t18 * u3_dot_bias + (t29 - t30 * t31)) + t36 - t38;
     let I1 = p.I1;
-    let t38 = I1 + m1 * (t11 * t11) + m2 * (l1 * l1) + m3 * (t13 * t13 + t12 * t12);
-    let t39 = t38 - t24 * t5 - t30 * t9 - t5 * (t24 - t33 * t5 - t34 * t9);
-    let mass_u1_u1 = t39 - t9 * (t30 - t34 * t5 - t36 * t9);
-    let t40 = forcing_u1 / mass_u1_u1;
-    let t41 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, u2, u3], [t40], t41)
+    let t39 = l1 * l1;
+    let t40 = t4 * t32 - (I1 + m1 * (t33 * t33) + m2 * t39 + m3 * t39);
+    let mass_u1_u1 = t11 * (t18 * t4 - t35 + t37 * t11) + (t4 * (t18 * t11 - (t32 - t30 * t4)) - (t40 + t35 * t11));
+    let t41 = forcing_u1 / mass_u1_u1;
+    let t42 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, -t5, -t12], [t41], t42)
 }
 ///Kinetic and potential energy (J).
 ///
-///113 operations.
+///109 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -191,46 +189,46 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> (S, S) {
-    let u1 = u[0];
-    let I1 = p.I1;
-    let m1 = p.m1;
-    let l1 = p.l1;
-    let t1 = 0.5_f64 * l1;
-    let m2 = p.m2;
+    let I3 = p.I3;
     let m3 = p.m3;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t2 = l1 * sin_q1;
-    let t3 = l1 * cos_q1;
-    let t4 = I1 + m1 * (t1 * t1) + m2 * (l1 * l1) + m3 * (t2 * t2 + t3 * t3);
-    let l2 = p.l2;
-    let t5 = 0.5_f64 * l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t6 = l2 * sin_q2;
-    let t7 = l2 * cos_q2;
-    let t8 = m2 * (t5 * (sin_q2 * t2 + cos_q2 * t3)) + m3 * (t2 * t6 + t3 * t7);
+    let l3 = p.l3;
+    let t1 = 0.5_f64 * l3;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t9 = cos_q2 * sin_q3;
-    let t10 = sin_q2 * cos_q3;
-    let t11 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t9 - t10))));
-    let l3 = p.l3;
-    let t12 = 0.5_f64 * l3;
-    let t13 = t12 * sin_q3;
-    let t14 = t12 * cos_q3;
-    let t15 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t10 - t9))));
-    let t16 = 0.5_f64 * (u1 * u1 * t4) - t8 * (u1 * t11) - m3 * (t2 * t13 + t3 * t14) * (u1 * t15);
+    let t2 = t1 * sin_q3;
+    let t3 = t1 * cos_q3;
+    let u1 = u[0];
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t4 = l1 * cos_q1;
+    let t5 = l1 * sin_q1;
+    let t6 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t7 = u1 * ((sin_q2 * t4 - cos_q2 * t5) * (1.0_f64 / (l3 * t6)));
+    let l2 = p.l2;
+    let t8 = l2 * sin_q2;
+    let t9 = l2 * cos_q2;
+    let t10 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t6)));
     let I2 = p.I2;
-    let t17 = (I2 + m2 * (t5 * t5) + m3 * (t6 * t6 + t7 * t7)) * (t11 * t11);
-    let t18 = t16 + 0.5_f64 * t17 + m3 * (t6 * t13 + t7 * t14) * (t11 * t15);
-    let I3 = p.I3;
-    let t19 = t18 + 0.5_f64 * ((I3 + m3 * (t13 * t13 + t14 * t14)) * (t15 * t15));
+    let m2 = p.m2;
+    let t11 = 0.5_f64 * l2;
+    let t12 = (I2 + m2 * (t11 * t11) + m3 * (t8 * t8 + t9 * t9)) * (t10 * t10);
+    let I1 = p.I1;
+    let m1 = p.m1;
+    let t13 = 0.5_f64 * l1;
+    let t14 = l1 * l1;
+    let t15 = u1 * u1 * (I1 + m1 * (t13 * t13) + m2 * t14 + m3 * t14);
+    let t16 = m3 * (t5 * t8 + t4 * t9) + m2 * (t11 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
+    let t17 = 0.5_f64 * t15 - t16 * (u1 * t10) - m3 * (t5 * t2 + t4 * t3) * (u1 * t7);
+    let t18 = m3 * (t8 * t2 + t9 * t3) * (t10 * t7) + (0.5_f64 * t12 + t17);
+    let t19 = 0.5_f64 * ((I3 + m3 * (t2 * t2 + t3 * t3)) * (t7 * t7)) + t18;
     let g = p.g;
     let t20 = g * sin_q1;
     let t21 = l1 * t20;
     let t22 = g * sin_q2;
-    let t23 = m1 * (t1 * t20) + m2 * (t21 + t5 * t22) + m3 * (t21 + l2 * t22 + t12 * (g * sin_q3));
+    let t23 = m1 * (t13 * t20) + m2 * (t21 + t11 * t22) + m3 * (t21 + l2 * t22 + t1 * (g * sin_q3));
     (t19, t23)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
@@ -259,14 +257,10 @@ pub fn speeds(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
-    let t3 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t1 - t2))));
-    let u2 = -t3;
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
     let l3 = p.l3;
-    let t4 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t2 - t1))));
-    let u3 = -t4;
-    [u1, u2, u3]
+    let t2 = u1 * ((sin_q2 * (l1 * cos_q1) - cos_q2 * (l1 * sin_q1)) * (1.0_f64 / (l3 * t1)));
+    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1))), -t2]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -289,7 +283,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///51 operations.
+///50 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -304,23 +298,23 @@ pub fn projection(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> ([S; 2usize], S) {
-    let l3 = p.l3;
-    let l1 = p.l1;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let q3 = q[2];
-    let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let l4 = p.l4;
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let t2 = l3 + (l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) - l4 * cos_q3 + l2 * t1);
-    let t3 = cos_q2 * sin_q3;
-    let t4 = sin_q2 * cos_q3;
-    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t1;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let l3 = p.l3;
+    let t2 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let l4 = p.l4;
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t3 = l3 + (l2 * t2 - (l4 * cos_q3 - l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3)));
+    let t4 = 1.0_f64 / (l2 * t1) * t3;
+    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t2;
     let t6 = Real::max(Real::abs(l1 * cos_q1 - l4 + l2 * cos_q2 + l3 * cos_q3), Real::abs(l1 * sin_q1 + l2 * sin_q2 + l3 * sin_q3));
-    ([-t2 * (1.0_f64 / (l2 * (t3 - t4))), -t5 * (1.0_f64 / (l3 * (t4 - t3)))], t6)
+    ([t4, -t5 * (1.0_f64 / (l3 * t1))], t6)
 }
 ///Four-bar linkage driven by a torque on the crank.
 #[derive(Clone, Copy, Debug, Default)]
