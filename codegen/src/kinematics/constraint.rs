@@ -7,7 +7,7 @@
 //! Any set of independent rows that spans all of them is equivalent on the constraints.
 
 use super::velocity::{self, Motion, Rate};
-use super::{Kinematics, Place, UnknownId, lower, orientation, position};
+use super::{Kinematics, Place, UnknownId, lower, orientation, position, rank};
 use crate::expr::ExprId;
 use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
@@ -92,9 +92,18 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             lower::Value::Pending => {}
         }
     }
-    rows.extend(speeds_in_closed_form(model, k));
     rows.sort_by_key(|row| row.cost);
     k.rows = rows;
+}
+
+/// Adds the derivatives of closed forms where the constraints do not give all dependent speeds.
+pub(super) fn complete(model: &Model, k: &mut Kinematics) {
+    if k.is_state.iter().all(|&state| state) || rank::determined(model, k) {
+        return;
+    }
+    let rows = speeds_in_closed_form(model, k);
+    k.rows.extend(rows);
+    k.rows.sort_by_key(|row| row.cost);
 }
 
 /// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.
@@ -103,7 +112,11 @@ fn speeds_in_closed_form(model: &Model, k: &mut Kinematics) -> Vec<Row> {
     for (speed, declared) in model.speeds.enumerate() {
         let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
         if !k.is_state[coordinate] {
-            let closed = k.rates[coordinate].clone();
+            let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
+            let closed = match form {
+                Some(form) => velocity::scalar_rate(k, form),
+                None => k.rates[coordinate].clone(),
+            };
             let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.negate(closed.bias) };
             for (unknown, partial) in closed.partials {
                 let partial = k.dag.negate(partial);

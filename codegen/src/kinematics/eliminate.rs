@@ -364,5 +364,9 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     for unknown in k.unknowns.iter() {
         set(&k.dag, unknown.value, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
     }
+    for &(coordinate, form) in &k.closed_forms {
+        let values = SampleTable::new(symbols.clone(), points).values(&k.dag, form).to_vec();
+        symbols.extend(k.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
+    }
     SampleTable::new(symbols, points)
 }

@@ -46,6 +46,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         time,
         q,
         is_state,
+        closed_forms: Vec::new(),
         inputs,
         parameters: model.parameters.iter().map(|_| zero).collect(),
         parameter_values: model.parameter_defaults(),

@@ -185,7 +185,7 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
     }
     let symbols = k.dag.symbols_of(s);
     for coordinate in k.rates.ids() {
-        let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
+        let Some(symbol) = k.variable(coordinate) else { continue };
         if !symbols.contains(&symbol) {
             continue;
         }
