@@ -1,8 +1,8 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 185 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 118 mul, 3 sin, 21 sub).
-// Cost of energy: 109 operations (21 add, 3 cos, 2 div, 75 mul, 3 sin, 5 sub).
+// Cost of rates: 183 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 116 mul, 3 sin, 21 sub).
+// Cost of energy: 106 operations (21 add, 3 cos, 2 div, 72 mul, 3 sin, 5 sub).
 // Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///185 operations.
+///183 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -165,16 +165,15 @@ pub fn rates(
     let t38 = t11 * (t18 * t31 + m3 * (t17 * t28 - t15 * t27) - t37 * u3_dot_bias);
     let forcing_u1 = t4 * (t18 * u3_dot_bias + (t29 - t30 * t31)) + t36 - t38;
     let I1 = p.I1;
-    let t39 = l1 * l1;
-    let t40 = t4 * t32 - (I1 + m1 * (t33 * t33) + m2 * t39 + m3 * t39);
-    let mass_u1_u1 = t11 * (t18 * t4 - t35 + t37 * t11) + (t4 * (t18 * t11 - (t32 - t30 * t4)) - (t40 + t35 * t11));
-    let t41 = forcing_u1 / mass_u1_u1;
-    let t42 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, -t5, -t12], [t41], t42)
+    let t39 = I1 + m1 * (t33 * t33) - t4 * t32 + l1 * l1 * (m2 + m3);
+    let mass_u1_u1 = t4 * (t18 * t11 - (t32 - t30 * t4)) + t39 + t11 * (t18 * t4 - t35 + t37 * t11 - t35);
+    let t40 = forcing_u1 / mass_u1_u1;
+    let t41 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, -t5, -t12], [t40], t41)
 }
 ///Kinetic and potential energy (J).
 ///
-///109 operations.
+///106 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -189,47 +188,46 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> (S, S) {
-    let I3 = p.I3;
+    let I2 = p.I2;
+    let m2 = p.m2;
+    let l2 = p.l2;
+    let t1 = 0.5_f64 * l2;
     let m3 = p.m3;
-    let l3 = p.l3;
-    let t1 = 0.5_f64 * l3;
-    let q3 = q[2];
-    let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t2 = t1 * sin_q3;
-    let t3 = t1 * cos_q3;
-    let u1 = u[0];
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t2 = l2 * sin_q2;
+    let t3 = l2 * cos_q2;
+    let u1 = u[0];
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t4 = l1 * cos_q1;
-    let t5 = l1 * sin_q1;
-    let t6 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
-    let t7 = u1 * ((sin_q2 * t4 - cos_q2 * t5) * (1.0_f64 / (l3 * t6)));
-    let l2 = p.l2;
-    let t8 = l2 * sin_q2;
-    let t9 = l2 * cos_q2;
-    let t10 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t6)));
-    let I2 = p.I2;
-    let m2 = p.m2;
-    let t11 = 0.5_f64 * l2;
-    let t12 = (I2 + m2 * (t11 * t11) + m3 * (t8 * t8 + t9 * t9)) * (t10 * t10);
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t4 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t5 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t4)));
+    let t6 = (I2 + m2 * (t1 * t1) + m3 * (t2 * t2 + t3 * t3)) * (t5 * t5);
     let I1 = p.I1;
     let m1 = p.m1;
-    let t13 = 0.5_f64 * l1;
-    let t14 = l1 * l1;
-    let t15 = u1 * u1 * (I1 + m1 * (t13 * t13) + m2 * t14 + m3 * t14);
-    let t16 = m3 * (t5 * t8 + t4 * t9) + m2 * (t11 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
-    let t17 = 0.5_f64 * t15 - t16 * (u1 * t10) - m3 * (t5 * t2 + t4 * t3) * (u1 * t7);
-    let t18 = m3 * (t8 * t2 + t9 * t3) * (t10 * t7) + (0.5_f64 * t12 + t17);
-    let t19 = 0.5_f64 * ((I3 + m3 * (t2 * t2 + t3 * t3)) * (t7 * t7)) + t18;
+    let t7 = 0.5_f64 * l1;
+    let t8 = u1 * u1 * (I1 + m1 * (t7 * t7) + l1 * l1 * (m2 + m3));
+    let I3 = p.I3;
+    let l3 = p.l3;
+    let t9 = 0.5_f64 * l3;
+    let t10 = t9 * sin_q3;
+    let t11 = t9 * cos_q3;
+    let t12 = l1 * cos_q1;
+    let t13 = l1 * sin_q1;
+    let t14 = u1 * ((sin_q2 * t12 - cos_q2 * t13) * (1.0_f64 / (l3 * t4)));
+    let t15 = t6 + t8 + (I3 + m3 * (t10 * t10 + t11 * t11)) * (t14 * t14);
+    let t16 = m3 * (t13 * t2 + t12 * t3) + m2 * (t1 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
+    let t17 = m3 * (t13 * t10 + t12 * t11) * (u1 * t14) + t16 * (u1 * t5);
+    let t18 = 0.5_f64 * t15 - (t17 - m3 * (t2 * t10 + t3 * t11) * (t5 * t14));
     let g = p.g;
-    let t20 = g * sin_q1;
-    let t21 = l1 * t20;
-    let t22 = g * sin_q2;
-    let t23 = m1 * (t13 * t20) + m2 * (t21 + t11 * t22) + m3 * (t21 + l2 * t22 + t1 * (g * sin_q3));
-    (t19, t23)
+    let t19 = g * sin_q1;
+    let t20 = l1 * t19;
+    let t21 = g * sin_q2;
+    let t22 = m1 * (t7 * t19) + m2 * (t20 + t1 * t21) + m3 * (t20 + l2 * t21 + t9 * (g * sin_q3));
+    (t18, t22)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

@@ -2,7 +2,7 @@
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
 // Cost of rates: 118 operations (3 abs, 20 add, 3 cos, 3 div, 2 min, 72 mul, 3 sin, 12 sub).
-// Cost of energy: 68 operations (16 add, 3 cos, 46 mul, 3 sin).
+// Cost of energy: 66 operations (16 add, 3 cos, 44 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
@@ -136,7 +136,7 @@ pub fn rates(
 }
 ///Kinetic and potential energy (J).
 ///
-///68 operations.
+///66 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -159,28 +159,28 @@ pub fn energy(
     let t1 = l2 * cos_q2;
     let t2 = l2 * sin_q2;
     let mass_u2_u2 = m2 * (t1 * t1 + t2 * t2);
-    let l1 = p.l1;
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t3 = l1 * cos_q1;
-    let t4 = l1 * sin_q1;
-    let mass_u1_u2 = m2 * (t3 * t1 + t4 * t2);
     let u1 = u[1];
+    let l1 = p.l1;
     let m1 = p.m1;
-    let t5 = m1 + m2;
-    let mass_u1_u1 = l1 * l1 * t5;
-    let l0 = p.l0;
-    let q0 = q[0];
-    let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t6 = l0 * cos_q0;
-    let t7 = l0 * sin_q0;
-    let mass_u0_u2 = m2 * (t6 * t1 + t7 * t2);
+    let t3 = m1 + m2;
+    let mass_u1_u1 = l1 * l1 * t3;
     let u0 = u[0];
-    let mass_u0_u1 = (t6 * t3 + t7 * t4) * t5;
+    let l0 = p.l0;
     let m0 = p.m0;
     let mass_u0_u0 = l0 * l0 * (m2 + (m0 + m1));
-    let t8 = mass_u0_u2 * (u0 * u2) + (u0 * u1 * mass_u0_u1 + 0.5_f32 * (u0 * u0 * mass_u0_u0));
-    let t9 = 0.5_f32 * (u2 * u2 * mass_u2_u2) + (mass_u1_u2 * (u1 * u2) + (0.5_f32 * (u1 * u1 * mass_u1_u1) + t8));
+    let t4 = 0.5_f32 * (u2 * u2 * mass_u2_u2 + (u1 * u1 * mass_u1_u1 + u0 * u0 * mass_u0_u0));
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t5 = l1 * cos_q1;
+    let t6 = l1 * sin_q1;
+    let mass_u1_u2 = m2 * (t5 * t1 + t6 * t2);
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t7 = l0 * cos_q0;
+    let t8 = l0 * sin_q0;
+    let mass_u0_u2 = m2 * (t7 * t1 + t8 * t2);
+    let mass_u0_u1 = (t7 * t5 + t8 * t6) * t3;
+    let t9 = t4 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u2 * (u0 * u2) + u0 * u1 * mass_u0_u1));
     let g = p.g;
     let t10 = l0 * (g * cos_q0);
     let t11 = t10 + l1 * (g * cos_q1);

@@ -23,6 +23,8 @@ struct Bound {
 const SHORT_CHAINS: f64 = 3e-15;
 /// Goal of long chains and the bicycle, whose roll and steer equations cancel.
 const LONG_CHAINS: f64 = 1e-14;
+/// The median error of a shortened program may be this many times that of the program as derived.
+const SHORTENED: f64 = 1.5;
 /// Hard states.
 const HARD: f64 = 1e-13;
 /// 1e-6 rad from the change point the linkage amplifies a rounding a million times: goal 1e-11, reached 3.0e-11.
@@ -62,12 +64,19 @@ fn largest(a: f64, b: f64) -> f64 {
 /// The largest and the median error over the random states, at every effort.
 fn random_states(model: &str, Bound { goal, holds }: Bound) {
     let reference = read(model);
-    for effort in [Effort::None, Effort::Default] {
+    let mut derived = f64::NAN;
+    for effort in [Effort::None, Effort::Default, Effort::All] {
         let errors = errors(model, effort, &reference);
         let n = errors.len();
         let (median, worst) = (errors[n / 2], errors[n - 1]);
         println!("{model}, {effort:?}: {n} states, worst {worst:.1e}, median {median:.1e}, goal {goal:.0e}");
-        assert!(worst <= holds, "{model}, {effort:?}: {worst:e}");
+        // The worst of many states is a matter of luck within a factor of two; the median is not.
+        let allowed = if effort == Effort::All { 2.0 * holds } else { holds };
+        assert!(worst <= allowed, "{model}, {effort:?}: {worst:e}");
+        if effort == Effort::None {
+            derived = median;
+        }
+        assert!(median <= SHORTENED * derived, "{model}, {effort:?}: median {median:e} against {derived:e}");
     }
 }
 
@@ -114,7 +123,7 @@ fn pendulum10_is_accurate_at_random_states() {
 #[test]
 fn hard_states_are_accurate() {
     let mut failed = Vec::new();
-    for effort in [Effort::None, Effort::Default] {
+    for effort in [Effort::None, Effort::Default, Effort::All] {
         for model in ["tile", "bicycle", "fourbar"] {
             hard_states(model, effort, &mut failed);
         }
