@@ -1,8 +1,8 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 183 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 116 mul, 3 sin, 21 sub).
-// Cost of energy: 106 operations (21 add, 3 cos, 2 div, 72 mul, 3 sin, 5 sub).
+// Cost of rates: 176 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 113 mul, 3 sin, 17 sub).
+// Cost of energy: 107 operations (21 add, 3 cos, 2 div, 73 mul, 3 sin, 5 sub).
 // Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///183 operations.
+///176 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -129,51 +129,59 @@ pub fn rates(
     let t10 = 1.0_f64 / t9;
     let t11 = t8 * t10;
     let t12 = u1 * t11;
+    let t13 = l2 * cos_q2;
     let m3 = p.m3;
-    let t13 = l2 * sin_q2;
     let t14 = 0.5_f64 * l3;
-    let t15 = t14 * sin_q3;
-    let t16 = l2 * cos_q2;
-    let t17 = t14 * cos_q3;
-    let t18 = m3 * (t13 * t15 + t16 * t17);
-    let t19 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let t20 = l3 * (t12 * t12);
-    let t21 = l1 * (u1 * u1);
-    let t22 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
-    let t23 = l2 * (t5 * t5);
-    let u3_dot_bias = t10 * (t19 * t20 + (t21 * t22 + t23));
+    let t15 = m3 * t14;
+    let t16 = cos_q3 * t15;
+    let t17 = l2 * sin_q2;
+    let t18 = sin_q3 * t15;
+    let t19 = t13 * t16 + t17 * t18;
+    let t20 = t19 * t4 - (t6 * t16 + t7 * t18);
+    let t21 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t22 = t12 * t12;
+    let t23 = l3 * t22;
+    let t24 = l1 * (u1 * u1);
+    let t25 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t26 = l2 * (t5 * t5);
+    let u3_dot_bias = t10 * (t21 * t23 + (t24 * t25 + t26));
     let m2 = p.m2;
     let g = p.g;
-    let t24 = 0.5_f64 * l2;
-    let t25 = t24 * cos_q2;
-    let t26 = l3 * (t12 * (0.5_f64 * t12));
-    let t27 = cos_q3 * t26 + (cos_q1 * t21 + cos_q2 * t23);
-    let t28 = sin_q2 * t23 + (sin_q1 * t21 - g) + sin_q3 * t26;
-    let t29 = m2 * (g * t25 - t21 * (sin_q1 * t25 - cos_q1 * (t24 * sin_q2))) + m3 * (t13 * t27 - t16 * t28);
+    let t27 = 0.5_f64 * l2;
+    let t28 = t27 * cos_q2;
+    let t29 = t15 * t22;
+    let t30 = cos_q1 * t24 + cos_q2 * t26;
+    let t31 = cos_q3 * t29 + m3 * t30;
+    let t32 = sin_q2 * t26 + (sin_q1 * t24 - g);
+    let t33 = sin_q3 * t29 + m3 * t32;
+    let t34 = m2 * (g * t28 - t24 * (sin_q1 * t28 - cos_q1 * (t27 * sin_q2))) + (t17 * t31 - t13 * t33);
+    let t35 = m3 * t17;
+    let t36 = m3 * t13;
     let I2 = p.I2;
-    let t30 = I2 + m2 * (t24 * t24) + m3 * (t13 * t13 + t16 * t16);
-    let t31 = t3 * (t20 + (t21 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t19 * t23));
-    let t32 = m3 * (t7 * t13 + t6 * t16) + m2 * (t24 * (l1 * t22));
+    let t37 = t17 * t35 + t13 * t36 + (I2 + m2 * (t27 * t27));
+    let t38 = t3 * (t23 + (t24 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t21 * t26));
+    let t39 = t7 * t35 + t6 * t36 + m2 * (t27 * (l1 * t25));
     let T = inputs[0];
     let m1 = p.m1;
-    let t33 = 0.5_f64 * l1;
-    let t34 = m1 * (g * (t33 * cos_q1)) - m2 * (t8 * (l2 * (t5 * (0.5_f64 * t5))) - g * t6);
-    let t35 = m3 * (t7 * t15 + t6 * t17);
-    let t36 = t32 * t31 + (T + (m3 * (t6 * t28 - t7 * t27) - t34)) - t35 * u3_dot_bias;
+    let t40 = 0.5_f64 * l1;
+    let t41 = m1 * t40;
+    let t42 = t41 * (g * cos_q1) - m2 * (t8 * (l2 * (t5 * (0.5_f64 * t5))) - g * t6);
+    let t43 = t4 * (t34 - t37 * t38) + (t39 * t38 + (T - (t42 + (t7 * t31 - t6 * t33))));
     let I3 = p.I3;
-    let t37 = I3 + m3 * (t15 * t15 + t17 * t17);
-    let t38 = t11 * (t18 * t31 + m3 * (t17 * t28 - t15 * t27) - t37 * u3_dot_bias);
-    let forcing_u1 = t4 * (t18 * u3_dot_bias + (t29 - t30 * t31)) + t36 - t38;
+    let t44 = I3 + t14 * t15;
+    let t45 = t11 * (t19 * t38 + t15 * (cos_q3 * t32 - sin_q3 * t30) - t44 * u3_dot_bias);
+    let forcing_u1 = t20 * u3_dot_bias + t43 - t45;
     let I1 = p.I1;
-    let t39 = I1 + m1 * (t33 * t33) - t4 * t32 + l1 * l1 * (m2 + m3);
-    let mass_u1_u1 = t4 * (t18 * t11 - (t32 - t30 * t4)) + t39 + t11 * (t18 * t4 - t35 + t37 * t11 - t35);
-    let t40 = forcing_u1 / mass_u1_u1;
-    let t41 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, -t5, -t12], [t40], t41)
+    let t46 = m2 * (l1 * l1) + (t40 * t41 + (t7 * (m3 * t7) + t6 * (m3 * t6)));
+    let t47 = t46 + t4 * (t37 * t4 - 2.0_f64 * t39) + t11 * (2.0_f64 * t20 + t11 * t44);
+    let mass_u1_u1 = I1 + t47;
+    let t48 = forcing_u1 / mass_u1_u1;
+    let t49 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, -t5, -t12], [t48], t49)
 }
 ///Kinetic and potential energy (J).
 ///
-///106 operations.
+///107 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -188,46 +196,49 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> (S, S) {
-    let I2 = p.I2;
-    let m2 = p.m2;
     let l2 = p.l2;
-    let t1 = 0.5_f64 * l2;
-    let m3 = p.m3;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t2 = l2 * sin_q2;
+    let t1 = l2 * sin_q2;
+    let m3 = p.m3;
+    let t2 = m3 * t1;
     let t3 = l2 * cos_q2;
+    let t4 = m3 * t3;
+    let I2 = p.I2;
+    let m2 = p.m2;
+    let t5 = 0.5_f64 * l2;
     let u1 = u[0];
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t4 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
-    let t5 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t4)));
-    let t6 = (I2 + m2 * (t1 * t1) + m3 * (t2 * t2 + t3 * t3)) * (t5 * t5);
+    let t6 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t7 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t6)));
+    let t8 = (t1 * t2 + t3 * t4 + (I2 + m2 * (t5 * t5))) * (t7 * t7);
     let I1 = p.I1;
+    let t9 = 0.5_f64 * l1;
     let m1 = p.m1;
-    let t7 = 0.5_f64 * l1;
-    let t8 = u1 * u1 * (I1 + m1 * (t7 * t7) + l1 * l1 * (m2 + m3));
+    let t10 = l1 * sin_q1;
+    let t11 = l1 * cos_q1;
+    let t12 = m2 * (l1 * l1) + (t9 * (m1 * t9) + (t10 * (m3 * t10) + t11 * (m3 * t11)));
     let I3 = p.I3;
     let l3 = p.l3;
-    let t9 = 0.5_f64 * l3;
-    let t10 = t9 * sin_q3;
-    let t11 = t9 * cos_q3;
-    let t12 = l1 * cos_q1;
-    let t13 = l1 * sin_q1;
-    let t14 = u1 * ((sin_q2 * t12 - cos_q2 * t13) * (1.0_f64 / (l3 * t4)));
-    let t15 = t6 + t8 + (I3 + m3 * (t10 * t10 + t11 * t11)) * (t14 * t14);
-    let t16 = m3 * (t13 * t2 + t12 * t3) + m2 * (t1 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
-    let t17 = m3 * (t13 * t10 + t12 * t11) * (u1 * t14) + t16 * (u1 * t5);
-    let t18 = 0.5_f64 * t15 - (t17 - m3 * (t2 * t10 + t3 * t11) * (t5 * t14));
+    let t13 = 0.5_f64 * l3;
+    let t14 = m3 * t13;
+    let t15 = u1 * ((sin_q2 * t11 - cos_q2 * t10) * (1.0_f64 / (l3 * t6)));
+    let t16 = t8 + u1 * u1 * (I1 + t12) + (I3 + t13 * t14) * (t15 * t15);
+    let t17 = cos_q3 * t14;
+    let t18 = sin_q3 * t14;
+    let t19 = t10 * t2 + t11 * t4 + m2 * (t5 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
+    let t20 = (t11 * t17 + t10 * t18) * (u1 * t15) + t19 * (u1 * t7) - (t3 * t17 + t1 * t18) * (t7 * t15);
+    let t21 = 0.5_f64 * t16 - t20;
     let g = p.g;
-    let t19 = g * sin_q1;
-    let t20 = l1 * t19;
-    let t21 = g * sin_q2;
-    let t22 = m1 * (t7 * t19) + m2 * (t20 + t1 * t21) + m3 * (t20 + l2 * t21 + t9 * (g * sin_q3));
-    (t18, t22)
+    let t22 = g * sin_q1;
+    let t23 = l1 * t22;
+    let t24 = g * sin_q2;
+    let t25 = m1 * (t9 * t22) + m2 * (t23 + t5 * t24) + m3 * (t23 + l2 * t24 + t13 * (g * sin_q3));
+    (t21, t25)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

@@ -48,7 +48,11 @@ pub fn program_with(model: &str, keep: &[&str], effort: Effort) -> Program {
 #[must_use]
 pub fn emitted(name: &str, scalar: ScalarType) -> String {
     let text = std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let model = model::parse(&format!("models/{name}.toml"), &text).unwrap_or_else(|found| panic!("{found}"));
+    // Paths count from the root of the workspace, wherever the tests run.
+    let root = path(name).parent().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default();
+    let load = |base: &Path| std::fs::read_to_string(root.join(base)).map_err(|error| error.to_string());
+    let model = model::parse_with(&format!("models/{name}.toml"), &text, &load);
+    let model = model.unwrap_or_else(|found| panic!("{found}"));
     let program =
         program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"));
     rust::emit(&program, &EmitOptions { scalar, ..EmitOptions::default() })

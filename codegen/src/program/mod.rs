@@ -14,6 +14,7 @@ use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
 use crate::value::Effort;
+use rustc_hash::FxHashMap as HashMap;
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]
@@ -151,6 +152,7 @@ fn assemble(
     let residual = largest(&mut k.dag, &k.residuals.clone());
     let correction = correction(model, &mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
+    let closed_forms = k.closed_form_values();
     let mut program = Program {
         name: model.name.clone(),
         doc: model.doc.clone(),
@@ -174,6 +176,7 @@ fn assemble(
         warnings: Diagnostics::default(),
         dag: k.dag,
     };
+    program.substitute(&closed_forms);
     reciprocal::share(&mut program);
     program
 }
@@ -311,6 +314,19 @@ impl Program {
     #[must_use]
     pub fn operations(&self) -> usize {
         self.dag.cone_cost(&self.forward_dynamics())
+    }
+
+    /// Puts expressions in the place of symbols, in every result.
+    fn substitute(&mut self, replacement: &HashMap<SymbolId, ExprId>) {
+        if replacement.is_empty() {
+            return;
+        }
+        let roots = self.all_roots();
+        let image = self.dag.rebuild(&roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
+        self.map_roots(|e| image.of(e));
+        for pivot in &mut self.pivots {
+            pivot.value = image.of(pivot.value);
+        }
     }
 
     /// Replaces every result by its image (results keep their meaning).
