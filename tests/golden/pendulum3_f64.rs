@@ -1,12 +1,11 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 123 operations (3 abs, 21 add, 3 cos, 3 div, 2 min, 75 mul, 3 sin, 13 sub).
-// Cost of energy: 72 operations (18 add, 3 cos, 48 mul, 3 sin).
+// Cost of rates: 132 operations (3 abs, 24 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 11 sub).
+// Cost of energy: 79 operations (19 add, 3 cos, 54 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 9 operations (1 add, 8 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -37,7 +36,6 @@ pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
 pub const NOMINAL: [f64; 3usize] = [0f64, 0f64, 0f64];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Upper mass (kg), models/pendulum3.toml:10.
@@ -68,64 +66,9 @@ impl Default for Parameters {
         }
     }
 }
-/// What the functions below need of the parameters, from [`prepare`].
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-#[allow(non_snake_case, reason = "names are the model's")]
-pub struct Prepared {
-    ///The parameter `m0`.
-    pub m0: S,
-    ///The parameter `m1`.
-    pub m1: S,
-    ///The parameter `m2`.
-    pub m2: S,
-    ///The parameter `l0`.
-    pub l0: S,
-    ///The parameter `l1`.
-    pub l1: S,
-    ///The parameter `l2`.
-    pub l2: S,
-    ///The parameter `g`.
-    pub g: S,
-    ///Of parameters alone.
-    pub k7: S,
-    ///Of parameters alone.
-    pub k8: S,
-    ///Of parameters alone.
-    pub prepared_mass_u2_u2: S,
-    ///Of parameters alone.
-    pub k10: S,
-    ///Of parameters alone.
-    pub k11: S,
-}
-/// Computes what depends on parameters alone: once, and again when one of them changes.
-///
-///9 operations.
-#[allow(
-    non_snake_case,
-    clippy::all,
-    clippy::pedantic,
-    reason = "generated straight-line arithmetic"
-)]
-#[must_use]
-pub fn prepare(p: &Parameters) -> Prepared {
-    let m0 = p.m0;
-    let m1 = p.m1;
-    let m2 = p.m2;
-    let l0 = p.l0;
-    let l1 = p.l1;
-    let l2 = p.l2;
-    let g = p.g;
-    let t1 = m0 * l0;
-    let t2 = m2 * l2;
-    let mass_u2_u2 = l2 * t2;
-    let t3 = m1 * (l1 * l1);
-    let t4 = l0 * t1 + m1 * (l0 * l0);
-    Prepared { m0, m1, m2, l0, l1, l2, g, k7: t1, k8: t2, prepared_mass_u2_u2: mass_u2_u2, k10: t3, k11: t4 }
-}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///123 operations.
+///132 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -138,7 +81,7 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Prepared,
+    p: &Parameters,
 ) -> ([S; 3usize], [S; 3usize], S) {
     let u0 = u[0];
     let u1 = u[1];
@@ -146,60 +89,60 @@ pub fn rates(
     let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * cos_q0;
-    let m2 = p.m2;
-    let t2 = l0 * (u0 * u0);
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let l1 = p.l1;
-    let t3 = l1 * (u1 * u1);
-    let t4 = sin_q0 * t2 + sin_q1 * t3;
+    let t1 = l0 * sin_q0;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k8 = p.k8;
-    let t5 = u2 * u2 * k8;
-    let t6 = m2 * t4 + sin_q2 * t5;
-    let t7 = l0 * sin_q0;
-    let g = p.g;
-    let t8 = g + cos_q0 * t2 + cos_q1 * t3;
-    let t9 = m2 * t8 + cos_q2 * t5;
-    let k7 = p.k7;
+    let m2 = p.m2;
+    let l2 = p.l2;
+    let t2 = m2 * l2;
+    let t3 = sin_q2 * t2;
+    let t4 = l0 * cos_q0;
+    let t5 = cos_q2 * t2;
+    let mass_u0_u2 = t1 * t3 + t4 * t5;
+    let m0 = p.m0;
+    let t6 = m0 * l0;
     let m1 = p.m1;
-    let t10 = k7 * (g * sin_q0) + m1 * (g * t7 + t3 * (cos_q1 * t7 - sin_q1 * t1));
-    let forcing_u0 = t1 * t6 - t7 * t9 - t10;
-    let k11 = p.k11;
-    let mass_u0_u0 = t1 * (m2 * t1) + t7 * (m2 * t7) + k11;
-    let t11 = 1.0_f64 / mass_u0_u0;
-    let t12 = l1 * cos_q1;
-    let t13 = m2 * t12;
-    let t14 = l1 * sin_q1;
-    let t15 = m2 * t14;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t7)) + (t1 * t13 + t7 * t15);
-    let t16 = mass_u0_u1 * t11;
-    let k10 = p.k10;
-    let mass_u1_u1 = k10 + (t12 * t13 + t14 * t15);
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t16;
-    let t17 = 1.0_f64 / pivot_1;
-    let forcing_u1 = t12 * t6 - t14 * t9 - m1 * (g * t14 + t2 * (cos_q0 * t14 - sin_q0 * t12));
-    let t18 = forcing_u1 - forcing_u0 * t16;
-    let t19 = sin_q2 * k8;
-    let t20 = cos_q2 * k8;
-    let mass_u1_u2 = t14 * t19 + t12 * t20;
-    let mass_u0_u2 = t7 * t19 + t1 * t20;
-    let t21 = mass_u1_u2 - mass_u0_u2 * t16;
-    let t22 = t21 * t17;
-    let t23 = mass_u0_u2 * t11;
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let pivot_2 = prepared_mass_u2_u2 - mass_u0_u2 * t23 - t21 * t22;
-    let t24 = (k8 * (sin_q2 * t8 - cos_q2 * t4) + forcing_u0 * t23 + t22 * t18) / pivot_2;
-    let t25 = t17 * t18 + t22 * t24;
-    let t26 = forcing_u0 * t11 - t16 * t25 + t23 * t24;
-    let t27 = Real::min(Real::min(0.3333333333333333_f64 * Real::abs(mass_u0_u0), 1.4999999999999998_f64 * Real::abs(pivot_1)), 2.0_f64 * Real::abs(pivot_2));
-    ([u0, u1, u2], [t26, t25, -t24], t27)
+    let mass_u0_u0 = t4 * (m2 * t4) + t1 * (m2 * t1) + (l0 * t6 + m1 * (l0 * l0));
+    let t7 = 1.0_f64 / mass_u0_u0;
+    let t8 = mass_u0_u2 * t7;
+    let l1 = p.l1;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t9 = l1 * cos_q1;
+    let t10 = m2 * t9;
+    let t11 = l1 * sin_q1;
+    let t12 = m2 * t11;
+    let mass_u1_u1 = m1 * (l1 * l1) + (t9 * t10 + t11 * t12);
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t4 + sin_q1 * t1)) + (t4 * t10 + t1 * t12);
+    let t13 = mass_u0_u1 * t7;
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t13;
+    let t14 = 1.0_f64 / pivot_1;
+    let mass_u1_u2 = t11 * t3 + t9 * t5;
+    let t15 = mass_u0_u2 * t13 - mass_u1_u2;
+    let t16 = t14 * t15;
+    let t17 = l0 * (u0 * u0);
+    let t18 = l1 * (u1 * u1);
+    let t19 = sin_q0 * t17 + sin_q1 * t18;
+    let t20 = u2 * u2 * t2;
+    let t21 = m2 * t19 + sin_q2 * t20;
+    let g = p.g;
+    let t22 = g + cos_q0 * t17 + cos_q1 * t18;
+    let t23 = m2 * t22 + cos_q2 * t20;
+    let forcing_u1 = t9 * t21 - t11 * t23 - m1 * (g * t11 + t17 * (cos_q0 * t11 - sin_q0 * t9));
+    let t24 = t6 * (g * sin_q0) + m1 * (g * t1 + t18 * (cos_q1 * t1 - sin_q1 * t4));
+    let t25 = t1 * t23 - t4 * t21 + t24;
+    let t26 = forcing_u1 + t13 * t25;
+    let mass_u2_u2 = l2 * t2;
+    let t27 = t15 * t16 + (mass_u0_u2 * t8 - mass_u2_u2);
+    let t28 = (t16 * t26 + (t8 * t25 + t2 * (cos_q2 * t19 - sin_q2 * t22))) / t27;
+    let t29 = t14 * t26 - t16 * t28;
+    let t30 = t8 * t28 - (t13 * t29 + t7 * t25);
+    let t31 = Real::min(Real::min(0.3333333333333333_f64 * Real::abs(mass_u0_u0), 1.4999999999999998_f64 * Real::abs(pivot_1)), 2.0_f64 * Real::abs(t27));
+    ([u0, u1, u2], [t30, t29, -t28], t31)
 }
 ///Kinetic and potential energy (J).
 ///
-///72 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -212,46 +155,44 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Prepared,
+    p: &Parameters,
 ) -> (S, S) {
+    let u2 = u[2];
+    let l2 = p.l2;
+    let m2 = p.m2;
+    let t1 = m2 * l2;
+    let mass_u2_u2 = l2 * t1;
     let u0 = u[0];
     let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * cos_q0;
-    let m2 = p.m2;
-    let t2 = l0 * sin_q0;
-    let k11 = p.k11;
-    let mass_u0_u0 = t1 * (m2 * t1) + t2 * (m2 * t2) + k11;
+    let t2 = l0 * cos_q0;
+    let t3 = l0 * sin_q0;
+    let m0 = p.m0;
     let m1 = p.m1;
+    let mass_u0_u0 = t2 * (m2 * t2) + t3 * (m2 * t3) + (l0 * (m0 * l0) + m1 * (l0 * l0));
+    let u1 = u[1];
     let l1 = p.l1;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t3 = l1 * cos_q1;
-    let t4 = m2 * t3;
-    let t5 = l1 * sin_q1;
-    let t6 = m2 * t5;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t2)) + (t1 * t4 + t2 * t6);
-    let u1 = u[1];
+    let t4 = l1 * cos_q1;
+    let t5 = m2 * t4;
+    let t6 = l1 * sin_q1;
+    let t7 = m2 * t6;
+    let mass_u1_u1 = m1 * (l1 * l1) + (t4 * t5 + t6 * t7);
+    let t8 = 0.5_f64 * (u2 * u2 * mass_u2_u2 + (u0 * u0 * mass_u0_u0 + u1 * u1 * mass_u1_u1));
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k8 = p.k8;
-    let t7 = sin_q2 * k8;
-    let t8 = cos_q2 * k8;
-    let mass_u0_u2 = t2 * t7 + t1 * t8;
-    let u2 = u[2];
-    let t9 = 0.5_f64 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
-    let k10 = p.k10;
-    let mass_u1_u1 = k10 + (t3 * t4 + t5 * t6);
-    let mass_u1_u2 = t5 * t7 + t3 * t8;
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let t10 = t9 + 0.5_f64 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f64 * (u2 * u2 * prepared_mass_u2_u2);
-    let m0 = p.m0;
+    let t9 = sin_q2 * t1;
+    let t10 = cos_q2 * t1;
+    let mass_u1_u2 = t6 * t9 + t4 * t10;
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t2 + sin_q1 * t3)) + (t2 * t5 + t3 * t7);
+    let mass_u0_u2 = t3 * t9 + t2 * t10;
+    let t11 = t8 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
     let g = p.g;
-    let t11 = l0 * (g * cos_q0);
-    let t12 = t11 + l1 * (g * cos_q1);
-    let l2 = p.l2;
-    (t10, -(m0 * t11 + m1 * t12 + m2 * (t12 + l2 * (g * cos_q2))))
+    let t12 = l0 * (g * cos_q0);
+    let t13 = t12 + l1 * (g * cos_q1);
+    (t11, -(m0 * t12 + m1 * t13 + m2 * (t13 + l2 * (g * cos_q2))))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -268,7 +209,7 @@ pub fn speeds(
     _q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> [S; 3usize] {
     let u0 = u[0];
     let u1 = u[1];
@@ -290,7 +231,7 @@ pub fn outputs(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> [S; 0usize] {
     []
 }
@@ -309,75 +250,31 @@ pub fn projection(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> ([S; 0usize], S) {
     ([], 0.0_f64)
 }
 ///Triple pendulum: point masses on massless rods, absolute angles from the downward vertical.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Pendulum3 {
-    parameters: Parameters,
-    prepared: Prepared,
-}
-impl Default for Pendulum3 {
-    fn default() -> Self {
-        Self::new(Parameters::default())
-    }
+    /// Tunable parameters.
+    pub parameters: Parameters,
 }
 impl Pendulum3 {
-    /// The mechanism with these parameters.
-    #[must_use]
-    pub fn new(parameters: Parameters) -> Self {
-        Self {
-            parameters,
-            prepared: prepare(&parameters),
-        }
-    }
-    /// Its parameters.
-    #[must_use]
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
-    }
-    /// What depends on them alone.
-    #[must_use]
-    pub fn prepared(&self) -> &Prepared {
-        &self.prepared
-    }
-    /// Changes all parameters and prepares anew.
-    pub fn set_parameters(&mut self, parameters: Parameters) {
-        *self = Self::new(parameters);
-    }
-    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
-    #[must_use]
-    pub fn parameter(&self, index: usize) -> Option<S> {
+    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
+    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
         Some(
             match index {
-                0usize => self.parameters.m0,
-                1usize => self.parameters.m1,
-                2usize => self.parameters.m2,
-                3usize => self.parameters.l0,
-                4usize => self.parameters.l1,
-                5usize => self.parameters.l2,
-                6usize => self.parameters.g,
+                0usize => &mut self.parameters.m0,
+                1usize => &mut self.parameters.m1,
+                2usize => &mut self.parameters.m2,
+                3usize => &mut self.parameters.l0,
+                4usize => &mut self.parameters.l1,
+                5usize => &mut self.parameters.l2,
+                6usize => &mut self.parameters.g,
                 _ => return None,
             },
         )
-    }
-    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
-    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
-        let place = match index {
-            0usize => &mut self.parameters.m0,
-            1usize => &mut self.parameters.m1,
-            2usize => &mut self.parameters.m2,
-            3usize => &mut self.parameters.l0,
-            4usize => &mut self.parameters.l1,
-            5usize => &mut self.parameters.l2,
-            6usize => &mut self.parameters.g,
-            _ => return false,
-        };
-        *place = value;
-        self.prepared = prepare(&self.parameters);
-        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
@@ -412,7 +309,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
         Ok(pivot)
     }
     #[allow(
@@ -428,7 +325,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.prepared,
+            &self.parameters,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -451,7 +348,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.prepared,
+                &self.parameters,
             ),
         )
     }

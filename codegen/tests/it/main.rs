@@ -15,3 +15,4 @@ mod rolling;
 mod speeds;
 mod textbook;
 mod units;
+mod value_graph;
