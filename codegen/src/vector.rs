@@ -315,11 +315,31 @@ impl Triads {
                     if dag.cone_cost(&[other]) < dag.cone_cost(&[product]) {
                         product = other;
                     }
+                    if let Some(other) = self.dot_along_axes(dag, (s, x), (t, y))
+                        && dag.cone_cost(&[other]) <= dag.cone_cost(&[product])
+                    {
+                        product = other;
+                    }
                 }
                 total = dag.add(total, product);
             }
         }
         total
+    }
+
+    /// (x e) . (y f) = x y (e . f), for vectors along one axis each: one cosine serves all such products.
+    fn dot_along_axes(
+        &self,
+        dag: &mut Dag,
+        a: (TriadId, &Components),
+        b: (TriadId, &Components),
+    ) -> Option<ExprId> {
+        let [(e, x), (f, y)] = [along_axis(dag, a.1)?, along_axis(dag, b.1)?];
+        let mut unit = [dag.zero(); 3];
+        unit[e] = dag.one();
+        let cosine = self.express_term(dag, a.0, unit, b.0)[f];
+        let size = dag.mul(x, y);
+        Some(dag.mul(size, cosine))
     }
 
     /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
@@ -357,6 +377,15 @@ fn rotate(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool
     turned[i] = dag.sub(ci, sj);
     turned[j] = dag.add(si, cj);
     turned
+}
+
+/// The only axis with a component, and that component.
+fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
+    let mut found = (0..3).filter(|&i| !dag.is_zero(components[i]));
+    match (found.next(), found.next()) {
+        (Some(i), None) => Some((i, components[i])),
+        _ => None,
+    }
 }
 
 /// a . b of components in one triad.
