@@ -145,7 +145,7 @@ pub enum Turn {
 pub struct Triads {
     turns: IdVec<TriadId, Turn>,
     /// (triad, axis) -> where else that unit vector has constant components.
-    constants: BTreeMap<(TriadId, Axis), (TriadId, Components)>,
+    constants: BTreeMap<(TriadId, Axis), Vec<(TriadId, Components)>>,
 }
 
 impl Triads {
@@ -158,6 +158,17 @@ impl Triads {
     #[must_use]
     pub fn turn(&self, triad: TriadId) -> &Turn {
         &self.turns[triad]
+    }
+
+    /// The triad in which `axis` of `triad` stays an axis itself, among those fixed in `frame`.
+    #[must_use]
+    pub fn aligned(&self, dag: &Dag, (triad, axis): (TriadId, Axis), frame: TriadId) -> Option<TriadId> {
+        let is_fixed = |t: TriadId| match self.turns[t] {
+            Turn::Simple { parent, angle, .. } => parent == frame && dag.is_constant(angle),
+            _ => false,
+        };
+        let places = self.constants.get(&(triad, axis))?;
+        places.iter().map(|(other, _)| *other).find(|&other| is_fixed(other))
     }
 
     /// Number of triads.
@@ -174,7 +185,7 @@ impl Triads {
 
     /// Records that `axis` of `triad` has the constant `components` in `other` on the constraints.
     pub fn declare_constant(&mut self, triad: TriadId, axis: Axis, other: TriadId, components: Components) {
-        self.constants.insert((triad, axis), (other, components));
+        self.constants.entry((triad, axis)).or_default().push((other, components));
     }
 
     /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
@@ -203,10 +214,8 @@ impl Triads {
             if dag.is_zero(component) {
                 continue;
             }
-            let (other, constant) = self.constants.get(&(triad, axis))?;
-            if *other != target {
-                return None;
-            }
+            let places = self.constants.get(&(triad, axis))?;
+            let (_, constant) = places.iter().rev().find(|(other, _)| *other == target)?;
             for k in 0..3 {
                 let term = dag.mul(component, constant[k]);
                 total[k] = dag.add(total[k], term);
@@ -380,7 +389,7 @@ fn rotate(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool
 }
 
 /// The only axis with a component, and that component.
-fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
+pub fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
     let mut found = (0..3).filter(|&i| !dag.is_zero(components[i]));
     match (found.next(), found.next()) {
         (Some(i), None) => Some((i, components[i])),
