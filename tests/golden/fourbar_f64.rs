@@ -1,8 +1,8 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 189 operations (3 abs, 34 add, 3 cos, 3 div, 2 min, 122 mul, 3 sin, 19 sub).
-// Cost of energy: 113 operations (22 add, 3 cos, 2 div, 77 mul, 3 sin, 6 sub).
+// Cost of rates: 118 operations (3 abs, 15 add, 3 cos, 3 div, 2 min, 76 mul, 3 sin, 13 sub).
+// Cost of energy: 79 operations (12 add, 3 cos, 2 div, 54 mul, 3 sin, 5 sub).
 // Cost of speeds: 26 operations (3 cos, 2 div, 14 mul, 3 sin, 4 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 51 operations (2 abs, 11 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///189 operations.
+///118 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -116,66 +116,56 @@ pub fn rates(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
+    let t1 = sin_q3 * cos_q2;
+    let t2 = cos_q3 * sin_q2;
     let t3 = l2 * (t1 - t2);
     let t4 = 1.0_f64 / t3;
     let t5 = l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * t4;
     let t6 = u1 * t5;
     let u2 = -t6;
+    let t7 = cos_q1 * sin_q2;
+    let t8 = sin_q1 * cos_q2;
+    let t9 = t7 - t8;
     let l3 = p.l3;
-    let t7 = l3 * (t2 - t1);
-    let t8 = 1.0_f64 / t7;
-    let t9 = l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * t8;
-    let t10 = u1 * t9;
-    let u3 = -t10;
+    let t10 = l3 * (t2 - t1);
+    let t11 = 1.0_f64 / t10;
+    let t12 = l1 * t9 * t11;
+    let t13 = u1 * t12;
+    let u3 = -t13;
     let T = inputs[0];
     let m1 = p.m1;
     let g = p.g;
-    let t11 = 0.5_f64 * l1;
+    let t14 = 0.5_f64 * l1;
     let m2 = p.m2;
-    let t12 = l1 * cos_q1;
-    let t13 = l1 * sin_q1;
-    let t14 = g * t12 - (sin_q2 * t12 - cos_q2 * t13) * (l2 * (t6 * (0.5_f64 * t6)));
-    let m3 = p.m3;
-    let t15 = l1 * (u1 * u1);
-    let t16 = l2 * (t6 * t6);
-    let t17 = l3 * (t10 * (0.5_f64 * t10));
-    let t18 = cos_q1 * t15 + cos_q2 * t16 + cos_q3 * t17;
-    let t19 = g - sin_q1 * t15 - sin_q2 * t16 - sin_q3 * t17;
-    let t20 = m1 * (g * (t11 * cos_q1)) + m2 * t14 + m3 * (t13 * t18 + t12 * t19);
-    let t21 = 0.5_f64 * l2;
-    let t22 = l2 * sin_q2;
-    let t23 = l2 * cos_q2;
-    let t24 = m2 * (t21 * (sin_q2 * t13 + cos_q2 * t12)) + m3 * (t13 * t22 + t12 * t23);
-    let t25 = l3 * (t10 * t10);
-    let t26 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let u2_dot_bias = t4 * (t25 + (t15 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t26 * t16));
-    let t27 = t21 * cos_q2;
-    let t28 = m2 * (g * t27 - t15 * (sin_q1 * t27 - cos_q1 * (t21 * sin_q2))) + m3 * (t22 * t18 + t23 * t19);
+    let t15 = 0.5_f64 * l2;
+    let t16 = t6 * t6;
+    let t17 = m1 * (cos_q1 * (g * t14)) + m2 * (cos_q1 * (l1 * g) - t9 * (l1 * (t15 * t16)));
+    let t18 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t19 = m2 * (t18 * (l1 * t15));
+    let t20 = l3 * (t13 * t13);
+    let t21 = l1 * (u1 * u1);
+    let t22 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
+    let t23 = l2 * t16;
+    let u2_dot_bias = t4 * (t20 + (t21 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t22 * t23));
     let I2 = p.I2;
-    let t29 = I2 + m2 * (t21 * t21) + m3 * (t22 * t22 + t23 * t23);
-    let t30 = 0.5_f64 * l3;
-    let t31 = t30 * sin_q3;
-    let t32 = t30 * cos_q3;
-    let t33 = m3 * (t22 * t31 + t23 * t32);
-    let t34 = m3 * (t13 * t31 + t12 * t32) - t33 * t5;
-    let u3_dot_bias = t8 * (t15 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t16 + t26 * t25);
-    let t35 = T - t20 - t24 * u2_dot_bias + t5 * (t28 + t29 * u2_dot_bias) - t34 * u3_dot_bias;
+    let t24 = I2 + m2 * (t15 * t15);
+    let t25 = m2 * (cos_q2 * (g * t15) - (t8 - t7) * (t15 * t21)) + t24 * u2_dot_bias;
+    let m3 = p.m3;
+    let t26 = 0.5_f64 * l3;
     let I3 = p.I3;
-    let t36 = I3 + m3 * (t31 * t31 + t32 * t32);
-    let t37 = t9 * (m3 * (t31 * t18 + t32 * t19) + t33 * u2_dot_bias + t36 * u3_dot_bias);
-    let forcing_u1 = t35 + t37;
+    let t27 = I3 + m3 * (t26 * t26);
+    let u3_dot_bias = t11 * (t21 * t18 + t23 + t22 * t20);
+    let forcing_u1 = T - t17 - t19 * u2_dot_bias + t5 * t25 - t12 * (m3 * (cos_q3 * (g * t26)) - t27 * u3_dot_bias);
     let I1 = p.I1;
-    let t38 = I1 + m1 * (t11 * t11) + m2 * (l1 * l1) + m3 * (t13 * t13 + t12 * t12);
-    let mass_u1_u1 = t38 - t5 * (2.0_f64 * t24 - t29 * t5) - t9 * (2.0_f64 * t34 - t36 * t9);
-    let t39 = forcing_u1 / mass_u1_u1;
-    let t40 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, u2, u3], [t39], t40)
+    let t28 = I1 + m1 * (t14 * t14) + m2 * (l1 * l1) - t5 * (2.0_f64 * t19 - t24 * t5);
+    let mass_u1_u1 = t28 + t12 * (t27 * t12);
+    let t29 = forcing_u1 / mass_u1_u1;
+    let t30 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t3), 0.7410293039248327_f64 * Real::abs(t10)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, u2, u3], [t29], t30)
 }
 ///Kinetic and potential energy (J).
 ///
-///113 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -196,41 +186,30 @@ pub fn energy(
     let l1 = p.l1;
     let t1 = 0.5_f64 * l1;
     let m2 = p.m2;
-    let m3 = p.m3;
+    let t2 = 0.5_f64 * (u1 * u1 * (I1 + m1 * (t1 * t1) + m2 * (l1 * l1)));
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t2 = l1 * sin_q1;
-    let t3 = l1 * cos_q1;
-    let t4 = I1 + m1 * (t1 * t1) + m2 * (l1 * l1) + m3 * (t2 * t2 + t3 * t3);
-    let l2 = p.l2;
-    let t5 = 0.5_f64 * l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t6 = l2 * sin_q2;
-    let t7 = l2 * cos_q2;
-    let t8 = m2 * (t5 * (sin_q2 * t2 + cos_q2 * t3)) + m3 * (t2 * t6 + t3 * t7);
+    let l2 = p.l2;
+    let t3 = 0.5_f64 * l2;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t9 = cos_q2 * sin_q3;
-    let t10 = sin_q2 * cos_q3;
-    let t11 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t9 - t10))));
-    let l3 = p.l3;
-    let t12 = 0.5_f64 * l3;
-    let t13 = t12 * sin_q3;
-    let t14 = t12 * cos_q3;
-    let t15 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t10 - t9))));
-    let t16 = 0.5_f64 * (u1 * u1 * t4) - t8 * (u1 * t11) - m3 * (t2 * t13 + t3 * t14) * (u1 * t15);
+    let t4 = sin_q3 * cos_q2;
+    let t5 = cos_q3 * sin_q2;
+    let t6 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t4 - t5))));
+    let t7 = t2 - m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * (l1 * t3)) * (u1 * t6);
     let I2 = p.I2;
-    let t17 = (I2 + m2 * (t5 * t5) + m3 * (t6 * t6 + t7 * t7)) * (t11 * t11);
-    let t18 = t16 + 0.5_f64 * t17 + m3 * (t6 * t13 + t7 * t14) * (t15 * t11);
     let I3 = p.I3;
-    let t19 = t18 + 0.5_f64 * ((I3 + m3 * (t13 * t13 + t14 * t14)) * (t15 * t15));
+    let m3 = p.m3;
+    let l3 = p.l3;
+    let t8 = 0.5_f64 * l3;
+    let t9 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f64 / (l3 * (t5 - t4))));
+    let t10 = t7 + 0.5_f64 * ((I2 + m2 * (t3 * t3)) * (t6 * t6)) + 0.5_f64 * ((I3 + m3 * (t8 * t8)) * (t9 * t9));
     let g = p.g;
-    let t20 = g * sin_q1;
-    let t21 = l1 * t20;
-    let t22 = g * sin_q2;
-    let t23 = m1 * (t1 * t20) + m2 * (t21 + t5 * t22) + m3 * (t21 + l2 * t22 + t12 * (g * sin_q3));
-    (t19, t23)
+    let t11 = sin_q1 * (l1 * g);
+    let t12 = m1 * (sin_q1 * (g * t1)) + m2 * (t11 + sin_q2 * (g * t3)) + m3 * (t11 + sin_q2 * (l2 * g) + sin_q3 * (g * t8));
+    (t10, t12)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -258,8 +237,8 @@ pub fn speeds(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
+    let t1 = sin_q3 * cos_q2;
+    let t2 = cos_q3 * sin_q2;
     let t3 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f64 / (l2 * (t1 - t2))));
     let u2 = -t3;
     let l3 = p.l3;
@@ -313,10 +292,10 @@ pub fn projection(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t1 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
     let t2 = l3 + (l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) - l4 * cos_q3 + l2 * t1);
-    let t3 = cos_q2 * sin_q3;
-    let t4 = sin_q2 * cos_q3;
+    let t3 = sin_q3 * cos_q2;
+    let t4 = cos_q3 * sin_q2;
     let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t1;
     let t6 = Real::max(Real::abs(l1 * cos_q1 - l4 + l2 * cos_q2 + l3 * cos_q3), Real::abs(l1 * sin_q1 + l2 * sin_q2 + l3 * sin_q3));
     ([-t2 * (1.0_f64 / (l2 * (t3 - t4))), -t5 * (1.0_f64 / (l3 * (t4 - t3)))], t6)
