@@ -1,11 +1,12 @@
 // Generated from models/tile.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile: 12 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f32.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 731 operations (12 abs, 140 add, 5 cos, 12 div, 11 min, 431 mul, 5 sin, 115 sub).
-// Cost of energy: 234 operations (43 add, 5 cos, 9 div, 156 mul, 5 sin, 16 sub).
-// Cost of speeds: 151 operations (20 add, 5 cos, 9 div, 92 mul, 5 sin, 20 sub).
+// Cost of rates: 687 operations (12 abs, 129 add, 5 cos, 12 div, 11 min, 405 mul, 5 sin, 108 sub).
+// Cost of energy: 209 operations (40 add, 5 cos, 9 div, 132 mul, 5 sin, 18 sub).
+// Cost of speeds: 146 operations (21 add, 5 cos, 9 div, 89 mul, 5 sin, 17 sub).
 // Cost of outputs: 11 operations (1 add, 2 cos, 5 mul, 2 sin, 1 sub).
-// Cost of projection: 512 operations (9 abs, 94 add, 6 cos, 11 div, 8 max, 280 mul, 6 sin, 2 sqrt, 96 sub).
+// Cost of projection: 437 operations (9 abs, 87 add, 6 cos, 10 div, 8 max, 237 mul, 6 sin, 1 sqrt, 73 sub).
+// Cost of prepare: 20 operations (6 add, 8 mul, 6 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -93,6 +94,7 @@ pub const NOMINAL: [f32; 12usize] = [
 ];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Radius of the circle of screws (m), models/tile.toml:11.
@@ -141,9 +143,103 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `R`.
+    pub R: S,
+    ///The parameter `ms`.
+    pub ms: S,
+    ///The parameter `mc`.
+    pub mc: S,
+    ///The parameter `Ic2`.
+    pub Ic2: S,
+    ///The parameter `M`.
+    pub M: S,
+    ///The parameter `Ix`.
+    pub Ix: S,
+    ///The parameter `Iy`.
+    pub Iy: S,
+    ///The parameter `Iz`.
+    pub Iz: S,
+    ///The parameter `c`.
+    pub c: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+    ///Of parameters alone.
+    pub k23: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///20 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let R = p.R;
+    let ms = p.ms;
+    let mc = p.mc;
+    let Ic2 = p.Ic2;
+    let M = p.M;
+    let Ix = p.Ix;
+    let Iy = p.Iy;
+    let Iz = p.Iz;
+    let c = p.c;
+    let g = p.g;
+    let t1 = 0.8660254_f32 * R;
+    let t2 = 0.5_f32 * R;
+    let Ic1 = p.Ic1;
+    let Ic3 = p.Ic3;
+    let t3 = 0.5_f32 * (Ic1 + Ic2 - Ic3);
+    let t4 = ms + mc;
+    let t5 = g * t4;
+    let t6 = Iz - Iy;
+    let t7 = Ix - Iz;
+    let t8 = Iy - Ix;
+    let mr = p.mr;
+    let t9 = mr + t4;
+    let t10 = 0.57735026_f32 * M;
+    let t11 = 1.3333334_f32 * M;
+    let t12 = 0.5_f32 * (Ic1 - (Ic2 + Ic3));
+    let t13 = t3 + t12;
+    let t14 = 0.5_f32 * (Ic2 - (Ic1 + Ic3));
+    Prepared { R, ms, mc, Ic2, M, Ix, Iy, Iz, c, g, k10: t1, k11: t2, k12: t3, k13: t4, k14: t5, k15: t6, k16: t7, k17: t8, k18: t9, k19: t10, k20: t11, k21: t12, k22: t13, k23: t14 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///731 operations.
+///687 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -156,271 +252,254 @@ pub fn rates(
     q: &[S; 12usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 12usize], [S; 3usize], S) {
     let u_hA = u[0];
-    let thB = q[6];
-    let (sin_thB, cos_thB) = Real::sin_cos(thB);
-    let psiB = q[5];
-    let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
-    let thA = q[2];
-    let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let psiA = q[1];
-    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t1 = cos_thA * sin_psiA;
-    let t2 = cos_thA * cos_psiA;
-    let t3 = cos_psiB * (0.5_f32 * t1 + 0.8660254_f32 * t2) - sin_psiB * (0.5_f32 * t2 - 0.8660254_f32 * t1);
-    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t3);
-    let t4 = cos_thA * cos_thA;
-    let t5 = 1.0_f32 / t4;
-    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t5;
-    let thC = q[10];
-    let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t6 = 0.57735026_f32 * sin_thC;
-    let t7 = 0.57735026_f32 * sin_thB;
-    let v_G_y_per_u_hA = t6 - t7;
     let sA = q[3];
     let sB = q[7];
     let sC = q[11];
-    let t8 = sA + (sB + sC);
-    let t9 = 1.0_f32 / t8;
-    let w_platform_z_per_u_hA = v_G_y_per_u_hA * t9;
+    let t1 = sA + (sB + sC);
+    let t2 = 1.0_f32 / t1;
+    let thB = q[6];
+    let (sin_thB, cos_thB) = Real::sin_cos(thB);
+    let thC = q[10];
+    let (sin_thC, cos_thC) = Real::sin_cos(thC);
+    let t3 = sin_thB - sin_thC;
+    let t4 = 0.57735026_f32 * t3;
+    let t5 = t2 * t4;
     let u_hB = u[1];
-    let t10 = 0.8660254_f32 * sin_thA;
-    let t11 = 0.5_f32 * v_G_y_per_u_hA;
-    let t12 = t10 - t11;
-    let w_platform_z_per_u_hB = t12 * t9;
+    let thA = q[2];
+    let (sin_thA, cos_thA) = Real::sin_cos(thA);
+    let t6 = 0.8660254_f32 * sin_thA;
+    let t7 = 0.28867513_f32 * t3;
+    let t8 = t6 + t7;
+    let w_platform_z_per_u_hB = t2 * t8;
     let u_hC = u[2];
-    let t13 = t10 + t11;
-    let t14 = t13 * t9;
-    let w_platform_z = u_hA * w_platform_z_per_u_hA + u_hB * w_platform_z_per_u_hB - u_hC * t14;
-    let t15 = (t7 - t6) * t5;
-    let t16 = 0.8660254_f32 * sB;
-    let t17 = 0.8660254_f32 * sC;
-    let t18 = 1.0_f32 / t17;
-    let w_platform_x_per_u_hA = v_G_z_per_u_hA * t18;
-    let t19 = t16 * w_platform_x_per_u_hA;
-    let w_platform_x_per_w_platform_y = (sA + 0.5_f32 * sC) * t18;
-    let t20 = sA + 0.5_f32 * sB + t16 * w_platform_x_per_w_platform_y;
+    let t9 = t6 - t7;
+    let t10 = t2 * t9;
+    let t11 = u_hA * t5 - u_hB * w_platform_z_per_u_hB + u_hC * t10;
+    let t12 = cos_thA * cos_thA;
+    let t13 = 1.0_f32 / t12;
+    let psiB = q[5];
+    let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
+    let psiA = q[1];
+    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
+    let t14 = cos_thA * sin_psiA;
+    let t15 = cos_thA * cos_psiA;
+    let t16 = cos_psiB * (0.5_f32 * t14 + 0.8660254_f32 * t15) + sin_psiB * (0.8660254_f32 * t14 - 0.5_f32 * t15);
+    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t16);
+    let u_psiA_per_w_platform_z = t13 * v_G_z_per_u_hA;
+    let t17 = 0.8660254_f32 * sB;
+    let t18 = 0.8660254_f32 * sC;
+    let t19 = 1.0_f32 / t18;
+    let w_platform_x_per_w_platform_y = (sA + 0.5_f32 * sC) * t19;
+    let t20 = sA + 0.5_f32 * sB + t17 * w_platform_x_per_w_platform_y;
     let t21 = 1.0_f32 / t20;
-    let w_platform_y_per_u_hC = t19 * t21;
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t21;
-    let t22 = (v_G_z_per_u_hA + t19) * t21;
-    let w_platform_y = u_hC * w_platform_y_per_u_hC + (u_hB * w_platform_y_per_u_hB - u_hA * t22);
-    let u_psiA = u_psiA_per_w_platform_z * w_platform_z - t15 * w_platform_y;
-    let t23 = 1.0_f32 / cos_thA;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t23;
-    let t24 = v_G_y_per_u_hA * t23;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - t24 * w_platform_z;
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let t25 = 0.57735026_f32 * v_G_y;
+    let w_platform_y_per_u_hB = t21 * v_G_z_per_u_hA;
+    let w_platform_x_per_u_hA = t19 * v_G_z_per_u_hA;
+    let t22 = t17 * w_platform_x_per_u_hA;
+    let t23 = t21 * (v_G_z_per_u_hA + t22);
+    let w_platform_y_per_u_hC = t21 * t22;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * t23 + u_hC * w_platform_y_per_u_hC;
+    let t24 = t13 * t4;
+    let t25 = t11 * u_psiA_per_w_platform_z + w_platform_y * t24;
+    let t26 = 1.0_f32 / cos_thA;
+    let u_thA_per_w_platform_y = t26 * v_G_z_per_u_hA;
+    let t27 = t26 * t4;
+    let u_thA = w_platform_y * u_thA_per_w_platform_y - t11 * t27;
     let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let t26 = 1.1547005_f32 * t12;
-    let t27 = v_G_x_per_w_platform_z * w_platform_z - u_hB * t26;
-    let u_sA = t25 - t27 - u_hA * sin_thA;
-    let t28 = cos_thB * cos_thB;
-    let t29 = 1.0_f32 / t28;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t29;
-    let t30 = 0.8660254_f32 * t12 * t29;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y + (u_hA * w_platform_x_per_u_hA - u_hC * w_platform_x_per_u_hA);
-    let t31 = 0.5_f32 * t12 * t29;
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t30 * w_platform_x + t31 * w_platform_y);
-    let t32 = 1.0_f32 / cos_thB;
-    let t33 = t12 * t32;
-    let t34 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let t35 = t34 * t32;
-    let t36 = 0.5_f32 * v_G_z_per_u_hA;
-    let t37 = t36 * t32;
-    let t38 = t33 * w_platform_z + (t35 * w_platform_x + t37 * w_platform_y);
-    let u_thB = -t38;
+    let t28 = 1.1547005_f32 * t8;
+    let v_G_y = sA * t11 - u_hA * t4;
+    let t29 = v_G_x_per_w_platform_z * t11 + u_hB * t28 + 0.57735026_f32 * v_G_y;
+    let u_sA = t29 - u_hA * sin_thA;
+    let t30 = cos_thB * cos_thB;
+    let t31 = 1.0_f32 / t30;
+    let t32 = t31 * (0.5_f32 * t8);
+    let w_platform_x = w_platform_x_per_u_hA * (u_hA - u_hC) + w_platform_x_per_w_platform_y * w_platform_y;
+    let t33 = t31 * (0.8660254_f32 * t8);
+    let u_psiB_per_w_platform_z = t31 * v_G_z_per_u_hA;
+    let t34 = w_platform_y * t32 + w_platform_x * t33 + t11 * u_psiB_per_w_platform_z;
+    let t35 = 1.0_f32 / cos_thB;
+    let t36 = t35 * t8;
+    let t37 = 0.5_f32 * v_G_z_per_u_hA;
+    let t38 = t35 * t37;
+    let u_thB = t11 * t36 - (w_platform_y * t38 + t16 * w_platform_x);
     let t39 = 0.5_f32 * sin_thA;
-    let t40 = 0.8660254_f32 * v_G_y_per_u_hA;
-    let u_sB_per_u_hB = t39 + t40;
-    let v_G_x = t27 - t25;
-    let t41 = 0.5_f32 * v_G_x;
+    let t40 = 0.5_f32 * t3;
+    let u_sB_per_u_hB = t39 - t40;
+    let t41 = 0.5_f32 * t29;
     let t42 = 0.8660254_f32 * v_G_y;
-    let u_sB = u_hB * u_sB_per_u_hB + t41 - t42;
+    let u_sB = u_hB * u_sB_per_u_hB - t41 - t42;
     let t43 = cos_thC * cos_thC;
     let t44 = 1.0_f32 / t43;
-    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t44;
-    let u_psiC_per_w_platform_y = 0.5_f32 * t13 * t44;
-    let t45 = 0.8660254_f32 * t13 * t44;
-    let u_psiC = u_psiC_per_w_platform_z * w_platform_z + (u_psiC_per_w_platform_y * w_platform_y - t45 * w_platform_x);
+    let u_psiC_per_w_platform_y = t44 * (0.5_f32 * t9);
+    let t45 = t44 * (0.8660254_f32 * t9);
+    let u_psiC_per_w_platform_z = t44 * v_G_z_per_u_hA;
+    let u_psiC = w_platform_y * u_psiC_per_w_platform_y - w_platform_x * t45 - t11 * u_psiC_per_w_platform_z;
     let t46 = 1.0_f32 / cos_thC;
-    let u_thC_per_w_platform_z = t13 * t46;
-    let u_thC_per_w_platform_x = t34 * t46;
-    let t47 = t36 * t46;
-    let u_thC = u_thC_per_w_platform_z * w_platform_z + (u_thC_per_w_platform_x * w_platform_x - t47 * w_platform_y);
-    let u_sC_per_u_hC = t39 - t40;
-    let u_sC = t42 + (u_hC * u_sC_per_u_hC + t41);
-    let FA = inputs[0];
-    let c = p.c;
-    let ms = p.ms;
-    let g = p.g;
-    let mc = p.mc;
-    let t48 = ms * g + mc * g;
-    let M = p.M;
-    let t49 = 1.3333334_f32 * M;
-    let t50 = w_platform_y * w_platform_x;
-    let t51 = 2.0_f32 * (w_platform_z * u_sA) + sA * t50;
-    let t52 = 0.8660254_f32 * w_platform_y;
-    let t53 = 0.5_f32 * w_platform_x;
-    let t54 = t52 - t53;
-    let t55 = 0.8660254_f32 * w_platform_x;
-    let t56 = 0.5_f32 * w_platform_y;
-    let t57 = t55 + t56;
-    let t58 = t54 * t57;
-    let t59 = sB * t58;
-    let t60 = 2.0_f32 * (w_platform_z * u_sB);
-    let t61 = M * (g * sin_thA) + M * (1.1547005_f32 * (t59 - t60));
-    let t62 = t49 * t51 - (M * (g * v_G_y_per_u_hA) + 0.57735026_f32 * t61);
-    let t63 = 0.57735026_f32 * M;
-    let t64 = v_G_x_per_w_platform_z * t63;
-    let t65 = sA * t49;
-    let t66 = v_G_y_per_u_hA * (t64 + t65);
-    let t67 = t53 + t52;
-    let t68 = t55 - t56;
-    let t69 = t67 * t68;
-    let w_platform_z_dot_bias = t9 * (sC * t69 - 2.0_f32 * (w_platform_z * u_sC) - (t60 - t59) - t51);
-    let Ic1 = p.Ic1;
-    let Ic3 = p.Ic3;
-    let t70 = Ic1 - Ic3;
-    let t71 = cos_thC * u_psiC;
-    let t72 = sin_thC * u_psiC;
-    let t73 = t71 * t72;
+    let t47 = t46 * t37;
+    let u_thC_per_w_platform_x = t46 * (0.8660254_f32 * v_G_z_per_u_hA);
+    let u_thC_per_w_platform_z = t46 * t9;
+    let t48 = w_platform_y * t47 - w_platform_x * u_thC_per_w_platform_x + t11 * u_thC_per_w_platform_z;
+    let u_sC_per_u_hC = t39 + t40;
+    let u_sC = t42 + (u_hC * u_sC_per_u_hC - t41);
+    let k22 = p.k22;
+    let k21 = p.k21;
+    let k23 = p.k23;
+    let t49 = sin_thC * (sin_thC * k22) - k21 - k23;
+    let t50 = sin_thB * (sin_thB * k22) - k21 - k23;
     let Ic2 = p.Ic2;
-    let t74 = w_platform_z * w_platform_z;
-    let t75 = w_platform_z * t67;
-    let t76 = cos_thC * t73 - sin_thC * (u_thC * u_thC + t71 * t71) + (t13 * t69 - u_sC_per_u_hC * (t74 + t68 * t68) - v_G_z_per_u_hA * t75);
-    let t77 = t70 * t73 + Ic2 * (t46 * t76);
-    let Iy = p.Iy;
     let Ix = p.Ix;
-    let t78 = cos_thA * u_psiA;
-    let t79 = sin_thA * u_psiA;
-    let t80 = t78 * t79;
-    let t81 = w_platform_x * w_platform_z;
-    let t82 = cos_thA * t80 - sin_thA * (u_thA * u_thA + t78 * t78) + (v_G_z_per_u_hA * t81 + (sin_thA * (w_platform_y * w_platform_y + t74) + v_G_y_per_u_hA * t50));
-    let t83 = t70 * t80 + Ic2 * (t23 * t82);
-    let t84 = cos_thB * u_psiB;
-    let t85 = sin_thB * u_psiB;
-    let t86 = t84 * t85;
-    let t87 = w_platform_z * t54;
-    let t88 = cos_thB * t86 - sin_thB * (t38 * t38 + t84 * t84) + (v_G_z_per_u_hA * t87 - (u_sB_per_u_hB * (t74 + t57 * t57) + t12 * t58));
-    let t89 = t70 * t86 + Ic2 * (t32 * t88);
-    let t90 = Ic3 - Ic2;
-    let t91 = u_psiA * u_thA;
-    let t92 = sin_thA * t91;
-    let t93 = Ic2 - Ic1;
-    let t94 = u_thA * t79;
-    let t95 = sin_thA * (t90 * (u_thA * t78) - Ic1 * (cos_thA * t91)) + cos_thA * (Ic3 * t92 + t93 * t94);
-    let t96 = sin_thA * (Ic1 * sin_thA) + cos_thA * (Ic3 * cos_thA);
-    let u_psiA_dot_bias = t5 * (cos_thA * (t94 + t92) - (v_G_y_per_u_hA * t81 - v_G_z_per_u_hA * t50));
-    let t97 = t95 - t96 * u_psiA_dot_bias;
-    let t98 = u_thC_per_w_platform_z * t77 - ((Iy - Ix) * t50 + t24 * t83 + t33 * t89) + u_psiA_per_w_platform_z * t97;
-    let t99 = u_psiB * t38;
-    let t100 = sin_thB * t99;
-    let t101 = t38 * t85;
-    let t102 = sin_thB * (Ic1 * (cos_thB * t99) - t90 * (t38 * t84)) - cos_thB * (Ic3 * t100 + t93 * t101);
-    let t103 = sin_thB * (Ic1 * sin_thB) + cos_thB * (Ic3 * cos_thB);
-    let t104 = t102 + t103 * (t29 * (cos_thB * (t101 + t100) + (v_G_z_per_u_hA * t58 + t12 * t87)));
-    let t105 = u_psiC * u_thC;
-    let t106 = sin_thC * t105;
-    let t107 = u_thC * t72;
-    let t108 = sin_thC * (t90 * (u_thC * t71) - Ic1 * (cos_thC * t105)) + cos_thC * (Ic3 * t106 + t93 * t107);
-    let t109 = sin_thC * (Ic1 * sin_thC) + cos_thC * (Ic3 * cos_thC);
-    let u_psiC_dot_bias = t44 * (cos_thC * (t107 + t106) - (v_G_z_per_u_hA * t69 + t13 * t75));
-    let t110 = t108 - t109 * u_psiC_dot_bias;
-    let t111 = t98 + u_psiB_per_w_platform_z * t104 + u_psiC_per_w_platform_z * t110 + v_G_x_per_w_platform_z * t61 - t64 * t51 - sA * t62;
-    let t112 = M * v_G_x_per_w_platform_z;
+    let t51 = t33 * (t33 * t50) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t16 * (Ic2 * t16)));
+    let t52 = t45 * (t45 * t49) + t51;
+    let t53 = w_platform_x_per_w_platform_y * t52;
+    let t54 = t32 * t50;
+    let t55 = Ic2 * t38;
+    let t56 = Ic2 * t47;
+    let t57 = u_psiC_per_w_platform_y * t49;
+    let t58 = t33 * t54 + (t16 * t55 - u_thC_per_w_platform_x * t56) - t45 * t57;
+    let M = p.M;
+    let t59 = sA * M;
+    let t60 = sin_thA * (sin_thA * k22) - k21 - k23;
+    let Iy = p.Iy;
+    let t61 = t24 * (t24 * t60) + (t47 * t56 + (t38 * t55 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
+    let t62 = w_platform_x_per_w_platform_y * (t53 + 2.0_f32 * t58) + (sA * t59 + (u_psiC_per_w_platform_y * t57 + (t32 * t54 + t61)));
+    let t63 = u_psiC_per_w_platform_z * t49;
+    let t64 = u_psiB_per_w_platform_z * t50;
+    let t65 = Ic2 * u_thC_per_w_platform_z;
+    let t66 = Ic2 * t36;
+    let t67 = t45 * t63 + (t33 * t64 - (u_thC_per_w_platform_x * t65 + t16 * t66));
+    let t68 = t5 * t67;
+    let t69 = w_platform_x_per_u_hA * (t53 + t58);
+    let t70 = u_psiA_per_w_platform_z * t60;
+    let t71 = Ic2 * t27;
+    let t72 = t32 * t64 + (t24 * t70 - (t38 * t66 + u_thA_per_w_platform_y * t71 - t47 * t65));
+    let t73 = u_psiC_per_w_platform_y * t63 - t72;
+    let t74 = w_platform_x_per_w_platform_y * t68 + (t69 + (t59 * v_G_z_per_u_hA - t5 * t73));
+    let t75 = w_platform_x_per_u_hA * t52;
+    let k20 = p.k20;
+    let t76 = sA * k20;
+    let k19 = p.k19;
+    let t77 = v_G_x_per_w_platform_z * k19;
+    let t78 = M * v_G_x_per_w_platform_z;
     let Iz = p.Iz;
-    let t113 = Ic2 * t24;
-    let t114 = Ic2 * t33;
-    let t115 = Ic2 * u_thC_per_w_platform_z;
-    let t116 = t96 * u_psiA_per_w_platform_z;
-    let t117 = t103 * u_psiB_per_w_platform_z;
-    let t118 = Iz + t24 * t113 + t33 * t114 + u_thC_per_w_platform_z * t115 + u_psiA_per_w_platform_z * t116 + u_psiB_per_w_platform_z * t117;
-    let t119 = t109 * u_psiC_per_w_platform_z;
-    let t120 = sA * (t65 + 2.0_f32 * t64) + (v_G_x_per_w_platform_z * t112 + (t118 + u_psiC_per_w_platform_z * t119));
-    let t121 = t111 - t120 * w_platform_z_dot_bias;
-    let t122 = FA - u_hA * c - t48 + v_G_y_per_u_hA * t62 + t66 * w_platform_z_dot_bias + w_platform_z_per_u_hA * t121;
-    let v_G_z_dot_bias = 2.0_f32 * (w_platform_y * u_sA) - sA * t81;
-    let t123 = M * (g * v_G_z_per_u_hA) + M * v_G_z_dot_bias;
-    let t124 = t35 * t114 + u_thC_per_w_platform_x * t115 - t30 * t117 - t45 * t119;
-    let t125 = w_platform_z_per_u_hA * t124;
-    let t126 = t18 * (2.0_f32 * (u_sC * t68) + sC * t75 - v_G_z_dot_bias);
-    let t127 = u_thC_per_w_platform_x * t77 - ((Iz - Iy) * (w_platform_y * w_platform_z) + t35 * t89) - t30 * t104;
-    let t128 = Ix + t35 * (Ic2 * t35) + u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + t30 * (t103 * t30);
-    let t129 = t128 + t45 * (t109 * t45);
-    let t130 = t127 - t45 * t110 - t124 * w_platform_z_dot_bias + t129 * t126;
-    let t131 = w_platform_x_per_u_hA * t130;
-    let t132 = sA * M;
-    let t133 = t37 * t114 - u_thA_per_w_platform_y * t113 - t47 * t115 - t15 * t116 - t31 * t117;
-    let t134 = t133 + u_psiC_per_w_platform_y * t119;
-    let t135 = Ic2 * t37;
-    let t136 = Ic2 * t47;
-    let t137 = t103 * t31;
-    let t138 = t109 * u_psiC_per_w_platform_y;
-    let t139 = t35 * t135 - u_thC_per_w_platform_x * t136 + t30 * t137 - t45 * t138;
-    let t140 = w_platform_x_per_w_platform_y * t129;
-    let t141 = w_platform_x_per_u_hA * (t139 + t140);
-    let t142 = v_G_z_per_u_hA * t132 + w_platform_z_per_u_hA * t134 + t141 + w_platform_x_per_w_platform_y * t125;
-    let w_platform_y_dot_bias = t21 * (t16 * t126 - (2.0_f32 * (u_sB * t57) + sB * t87 + v_G_z_dot_bias));
-    let t143 = u_thA_per_w_platform_y * t83 - (Ix - Iz) * t81 - t37 * t89 - t47 * t77 - t15 * t97;
-    let t144 = t143 - t31 * t104 + u_psiC_per_w_platform_y * t110 - t134 * w_platform_z_dot_bias - sA * t123 + t139 * t126;
-    let t145 = Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y) + t37 * t135 + t47 * t136 + t15 * (t96 * t15);
-    let t146 = sA * t132 + (t145 + t31 * t137 + u_psiC_per_w_platform_y * t138) + w_platform_x_per_w_platform_y * (t140 + 2.0_f32 * t139);
-    let t147 = t144 + w_platform_x_per_w_platform_y * t130 - t146 * w_platform_y_dot_bias;
-    let forcing_u_hA = t122 - v_G_z_per_u_hA * t123 + t125 * t126 + t131 - t142 * w_platform_y_dot_bias - t22 * t147;
-    let mr = p.mr;
-    let t148 = mc + (ms + mr);
-    let t149 = v_G_z_per_u_hA * (M * v_G_z_per_u_hA) + (t148 + v_G_y_per_u_hA * (v_G_y_per_u_hA * t49) + w_platform_z_per_u_hA * (w_platform_z_per_u_hA * t120 - 2.0_f32 * t66));
-    let t150 = w_platform_x_per_u_hA * t129;
-    let mass_u_hA_u_hA = t149 + w_platform_x_per_u_hA * (t150 + 2.0_f32 * t125) - t22 * (2.0_f32 * t142 - t22 * t146);
-    let t151 = 1.0_f32 / mass_u_hA_u_hA;
-    let t152 = t26 * t63;
-    let t153 = w_platform_z_per_u_hB * t120;
-    let t154 = t26 * t112 + sA * t152;
-    let t155 = w_platform_z_per_u_hB * t124;
-    let t156 = w_platform_x_per_u_hA * t155;
-    let t157 = w_platform_z_per_u_hB * t134 + w_platform_x_per_w_platform_y * t155;
-    let t158 = w_platform_y_per_u_hB * t146;
-    let t159 = v_G_y_per_u_hA * t152 + w_platform_z_per_u_hA * (t153 - t154) - t66 * w_platform_z_per_u_hB + t156 - t22 * (t157 + t158);
-    let mass_u_hA_u_hB = t159 + w_platform_y_per_u_hB * t142;
-    let t160 = mass_u_hA_u_hB * t151;
-    let mass_u_hB_u_hB = t148 + t26 * (M * t26) + w_platform_z_per_u_hB * (t153 - 2.0_f32 * t154) + w_platform_y_per_u_hB * (t158 + 2.0_f32 * t157);
-    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t160;
-    let t161 = 1.0_f32 / pivot_1;
+    let t79 = u_psiB_per_w_platform_z * t64 + (u_psiA_per_w_platform_z * t70 + (u_thC_per_w_platform_z * t65 + (t36 * t66 + (Iz + t27 * t71))));
+    let t80 = sA * (t76 + 2.0_f32 * t77) + (v_G_x_per_w_platform_z * t78 + (u_psiC_per_w_platform_z * t63 + t79));
+    let t81 = (t77 + t76) * t4;
+    let k18 = p.k18;
+    let t82 = t5 * (t5 * t80 - 2.0_f32 * t81) + (k18 + t4 * (k20 * t4)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let mass_u_hA_u_hA = t23 * (t23 * t62 - 2.0_f32 * t74) + (w_platform_x_per_u_hA * (2.0_f32 * t68 + t75) + t82);
+    let t83 = 1.0_f32 / mass_u_hA_u_hA;
+    let t84 = w_platform_y_per_u_hB * t62;
+    let t85 = w_platform_z_per_u_hB * t67;
+    let t86 = w_platform_z_per_u_hB * t73 - w_platform_x_per_w_platform_y * t85;
+    let t87 = w_platform_x_per_u_hA * t85;
+    let t88 = k19 * t28;
+    let t89 = sA * t88 + t78 * t28;
+    let t90 = w_platform_z_per_u_hB * t80;
+    let t91 = t23 * (t84 + t86) + (t87 - (w_platform_z_per_u_hB * t81 - (t4 * t88 - t5 * (t89 - t90))));
+    let mass_u_hA_u_hB = w_platform_y_per_u_hB * t74 - t91;
+    let t92 = t83 * mass_u_hA_u_hB;
+    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (t84 + 2.0_f32 * t86) + (k18 + t28 * (M * t28) - w_platform_z_per_u_hB * (2.0_f32 * t89 - t90));
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t92;
+    let t93 = 1.0_f32 / pivot_1;
+    let t94 = t10 * t67;
+    let t95 = t69 + t10 * t73 - w_platform_x_per_w_platform_y * t94;
+    let t96 = w_platform_y_per_u_hC * t62;
+    let t97 = t95 - t96;
+    let t98 = t10 * t80;
+    let mass_u_hB_u_hC = w_platform_y_per_u_hC * t86 - (w_platform_y_per_u_hB * t97 - (t87 + (t10 * t89 - w_platform_z_per_u_hB * t98)));
+    let t99 = w_platform_x_per_u_hA * t68 - (t5 * t98 - t10 * t81 - w_platform_x_per_u_hA * (t75 - t94)) - t23 * t97;
+    let mass_u_hA_u_hC = w_platform_y_per_u_hC * t74 - t99;
+    let t100 = mass_u_hB_u_hC - t92 * mass_u_hA_u_hC;
+    let t101 = t93 * t100;
+    let t102 = t11 * w_platform_x;
+    let v_G_z_dot_bias = sA * t102 + 2.0_f32 * (w_platform_y * u_sA);
+    let t103 = 0.8660254_f32 * w_platform_y;
+    let t104 = 0.5_f32 * w_platform_x;
+    let t105 = t103 + t104;
+    let t106 = t11 * t105;
+    let t107 = 0.5_f32 * w_platform_y;
+    let t108 = 0.8660254_f32 * w_platform_x;
+    let t109 = t107 - t108;
+    let t110 = t19 * (v_G_z_dot_bias + (sC * t106 + 2.0_f32 * (u_sC * t109)));
+    let g = p.g;
+    let t111 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
+    let t112 = t105 * t109;
+    let t113 = t104 - t103;
+    let t114 = t107 + t108;
+    let t115 = t113 * t114;
+    let t116 = 2.0_f32 * (t11 * u_sB) - sB * t115;
+    let t117 = w_platform_y * w_platform_x;
+    let t118 = sA * t117 - 2.0_f32 * (t11 * u_sA);
+    let w_platform_z_dot_bias = t2 * (2.0_f32 * (t11 * u_sC) - sC * t112 + t116 - t118);
+    let t119 = 2.0_f32 * (u_psiC * t48);
+    let t120 = sin_thC * t119;
+    let u_psiC_dot_bias = t44 * (t9 * t106 + v_G_z_per_u_hA * t112 - cos_thC * t120);
+    let k12 = p.k12;
+    let t121 = t49 * u_psiC_dot_bias - (sin_thC * (k12 * (cos_thC * t119)) + cos_thC * (k21 * t120));
+    let t122 = t11 * t113;
+    let t123 = 2.0_f32 * u_thB;
+    let t124 = sin_thB * t34;
+    let t125 = t123 * t124;
+    let t126 = cos_thB * t34;
+    let t127 = t50 * (t31 * (t8 * t122 - v_G_z_per_u_hA * t115 + cos_thB * t125)) + (sin_thB * (k12 * (t123 * t126)) + cos_thB * (k21 * t125));
+    let t128 = 2.0_f32 * u_thA;
+    let t129 = sin_thA * t25;
+    let t130 = t128 * t129;
+    let t131 = cos_thA * t25;
+    let t132 = t60 * (t13 * (t4 * t102 - v_G_z_per_u_hA * t117 + cos_thA * t130)) + (sin_thA * (k12 * (t128 * t131)) + cos_thA * (k21 * t130));
+    let t133 = t11 * t11;
+    let t134 = cos_thC * u_psiC;
+    let t135 = sin_thC * u_psiC * t134;
+    let t136 = v_G_z_per_u_hA * t106 - (t9 * t112 + u_sC_per_u_hC * (t109 * t109 + t133)) - (sin_thC * (t134 * t134 + t48 * t48) - cos_thC * t135);
+    let t137 = Ic2 * (t46 * t136) + k22 * t135;
+    let t138 = t124 * t126;
+    let t139 = sin_thB * (t126 * t126 + u_thB * u_thB) - cos_thB * t138 - (t8 * t115 - u_sB_per_u_hB * (t133 + t114 * t114) + v_G_z_per_u_hA * t122);
+    let t140 = k22 * t138 - Ic2 * (t35 * t139);
+    let t141 = t129 * t131;
+    let t142 = cos_thA * t141 - sin_thA * (t131 * t131 + u_thA * u_thA) - (v_G_z_per_u_hA * t102 - (sin_thA * (t133 + w_platform_y * w_platform_y) - t4 * t117));
+    let t143 = Ic2 * (t26 * t142) + k22 * t141;
+    let k16 = p.k16;
+    let t144 = t24 * t132 + (t47 * t137 + (t38 * t140 - (u_thA_per_w_platform_y * t143 + k16 * t102)));
+    let t145 = t58 * t110 + (sA * t111 + (t73 * w_platform_z_dot_bias + (u_psiC_per_w_platform_y * t121 + (t32 * t127 + t144))));
+    let k15 = p.k15;
+    let t146 = t45 * t121 + (u_thC_per_w_platform_x * t137 + (k15 * (t11 * w_platform_y) - t16 * t140) - t33 * t127);
+    let t147 = t67 * w_platform_z_dot_bias + t146 - t52 * t110;
+    let t148 = t21 * (t17 * t110 + (v_G_z_dot_bias + (sB * t122 + 2.0_f32 * (u_sB * t114))));
+    let t149 = t145 - w_platform_x_per_w_platform_y * t147 - t62 * t148;
+    let t150 = w_platform_x_per_u_hA * t147;
+    let t151 = M * (g * sin_thA + 1.1547005_f32 * t116);
+    let t152 = k20 * t118 - (0.57735026_f32 * t151 - M * (g * t4));
+    let k14 = p.k14;
+    let c = p.c;
+    let FA = inputs[0];
+    let k17 = p.k17;
+    let t153 = u_psiA_per_w_platform_z * t132 - (t36 * t140 - (t27 * t143 - k17 * t117) - u_thC_per_w_platform_z * t137);
+    let t154 = sA * t152 + (t77 * t118 + (u_psiC_per_w_platform_z * t121 - (u_psiB_per_w_platform_z * t127 + t153) - v_G_x_per_w_platform_z * t151));
+    let t155 = t80 * w_platform_z_dot_bias + t154;
+    let t156 = t81 * w_platform_z_dot_bias + (t4 * t152 + (k14 + (u_hA * c - FA))) - t5 * t155;
+    let forcing_u_hA = t23 * t149 + (t74 * t148 + (t150 - (t68 * t110 + (v_G_z_per_u_hA * t111 + t156))));
     let FB = inputs[1];
-    let t162 = FB - u_hB * c - t48 - t26 * t61 + t152 * t51 + t154 * w_platform_z_dot_bias;
-    let forcing_u_hB = t162 + w_platform_z_per_u_hB * t121 + t155 * t126 - t157 * w_platform_y_dot_bias + w_platform_y_per_u_hB * t147;
-    let t163 = forcing_u_hB - forcing_u_hA * t160;
-    let t164 = t14 * t120;
-    let t165 = w_platform_y_per_u_hC * t146;
-    let t166 = t14 * t124;
-    let t167 = t14 * t134 + t141 + w_platform_x_per_w_platform_y * t166;
-    let t168 = t165 - t167;
-    let mass_u_hB_u_hC = t154 * t14 - w_platform_z_per_u_hB * t164 - t156 + w_platform_y_per_u_hB * t168 + w_platform_y_per_u_hC * t157;
-    let t169 = t66 * t14 - w_platform_z_per_u_hA * t164 - w_platform_x_per_u_hA * (t166 + t150) - w_platform_x_per_u_hA * t125 - t22 * t168;
-    let mass_u_hA_u_hC = t169 + w_platform_y_per_u_hC * t142;
-    let t170 = mass_u_hB_u_hC - mass_u_hA_u_hC * t160;
-    let t171 = t170 * t161;
+    let t157 = t89 * w_platform_z_dot_bias + (t88 * t118 - (t28 * t151 + (k14 + (u_hB * c - FB))));
+    let forcing_u_hB = t86 * t148 + (t85 * t110 - (w_platform_z_per_u_hB * t155 - t157)) - w_platform_y_per_u_hB * t149;
+    let t158 = t92 * forcing_u_hA - forcing_u_hB;
+    let t159 = t83 * mass_u_hA_u_hC;
     let FC = inputs[2];
-    let t172 = FC - u_hC * c - t48 - t14 * t121 - t166 * t126 - t131 + t167 * w_platform_y_dot_bias;
-    let forcing_u_hC = t172 + w_platform_y_per_u_hC * t147;
-    let t173 = mass_u_hA_u_hC * t151;
-    let mass_u_hC_u_hC = t148 + t14 * t164 + w_platform_x_per_u_hA * (t150 + 2.0_f32 * t166) + w_platform_y_per_u_hC * (t165 - 2.0_f32 * t167);
-    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t173 - t170 * t171;
-    let t174 = (forcing_u_hC - forcing_u_hA * t173 - t171 * t163) / pivot_2;
-    let t175 = t161 * t163 - t171 * t174;
-    let t176 = forcing_u_hA * t151 - t160 * t175 - t173 * t174;
-    let t177 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t4)), Real::abs(t28));
-    let t178 = Real::min(Real::min(Real::min(t177, Real::abs(t43)), 1.6666666_f32 * Real::min(Real::abs(t8), Real::abs(t20))), 5.773503_f32 * Real::abs(t17));
-    let t179 = Real::min(Real::min(Real::min(t178, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
-    ([u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, u_thC, u_sC], [t176, t175, t174], t179)
+    let t160 = t95 * t148 + (t150 - (FC - u_hC * c - k14 + t10 * t155 - t94 * t110));
+    let mass_u_hC_u_hC = w_platform_x_per_u_hA * (t75 - 2.0_f32 * t94) + (k18 + t10 * t98) - w_platform_y_per_u_hC * (2.0_f32 * t95 - t96);
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t159 - t100 * t101;
+    let t161 = (t101 * t158 - (t159 * forcing_u_hA + (w_platform_y_per_u_hC * t149 + t160))) / pivot_2;
+    let t162 = t101 * t161 + t93 * t158;
+    let t163 = t92 * t162 + t83 * forcing_u_hA - t159 * t161;
+    let t164 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t12)), Real::abs(t30));
+    let t165 = Real::min(Real::min(Real::min(t164, Real::abs(t43)), 1.6666666_f32 * Real::min(Real::abs(t1), Real::abs(t20))), 5.773503_f32 * Real::abs(t18));
+    let t166 = Real::min(Real::min(Real::min(t165, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
+    ([u_hA, -t25, u_thA, u_sA, u_hB, -t34, u_thB, u_sB, u_hC, u_psiC, -t48, u_sC], [t163, -t162, t161], t166)
 }
 ///Kinetic and potential energy (J).
 ///
-///234 operations.
+///209 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -433,105 +512,103 @@ pub fn energy(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let mc = p.mc;
-    let ms = p.ms;
-    let mr = p.mr;
-    let t1 = mc + (ms + mr);
+    let k18 = p.k18;
     let u_hC = u[2];
     let u_hB = u[1];
     let u_hA = u[0];
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let Ic1 = p.Ic1;
-    let Ic3 = p.Ic3;
+    let k22 = p.k22;
+    let k21 = p.k21;
+    let k23 = p.k23;
+    let sA = q[3];
+    let sB = q[7];
+    let sC = q[11];
+    let t1 = 1.0_f32 / (sA + (sB + sC));
     let thB = q[6];
     let (sin_thB, cos_thB) = Real::sin_cos(thB);
+    let thC = q[10];
+    let (sin_thC, cos_thC) = Real::sin_cos(thC);
+    let t2 = sin_thB - sin_thC;
+    let t3 = 0.57735026_f32 * t2;
+    let t4 = 0.8660254_f32 * sin_thA;
+    let t5 = 0.28867513_f32 * t2;
+    let t6 = t4 + t5;
+    let w_platform_z_per_u_hB = t1 * t6;
+    let t7 = t4 - t5;
+    let t8 = u_hA * (t1 * t3) - u_hB * w_platform_z_per_u_hB + u_hC * (t1 * t7);
+    let t9 = 1.0_f32 / (cos_thA * cos_thA);
     let psiB = q[5];
     let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
     let psiA = q[1];
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t2 = cos_thA * sin_psiA;
-    let t3 = cos_thA * cos_psiA;
-    let t4 = cos_psiB * (0.5_f32 * t2 + 0.8660254_f32 * t3) - sin_psiB * (0.5_f32 * t3 - 0.8660254_f32 * t2);
-    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t4);
-    let t5 = 1.0_f32 / (cos_thA * cos_thA);
-    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t5;
-    let thC = q[10];
-    let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t6 = 0.57735026_f32 * sin_thC;
-    let t7 = 0.57735026_f32 * sin_thB;
-    let v_G_y_per_u_hA = t6 - t7;
-    let sA = q[3];
-    let sB = q[7];
-    let sC = q[11];
-    let t8 = 1.0_f32 / (sA + (sB + sC));
-    let w_platform_z_per_u_hA = v_G_y_per_u_hA * t8;
-    let t9 = 0.8660254_f32 * sin_thA;
-    let t10 = 0.5_f32 * v_G_y_per_u_hA;
-    let t11 = t9 - t10;
-    let w_platform_z_per_u_hB = t11 * t8;
-    let t12 = t9 + t10;
-    let w_platform_z = u_hA * w_platform_z_per_u_hA + u_hB * w_platform_z_per_u_hB - u_hC * (t12 * t8);
+    let t10 = cos_thA * sin_psiA;
+    let t11 = cos_thA * cos_psiA;
+    let t12 = cos_psiB * (0.5_f32 * t10 + 0.8660254_f32 * t11) + sin_psiB * (0.8660254_f32 * t10 - 0.5_f32 * t11);
+    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t12);
+    let u_psiA_per_w_platform_z = t9 * v_G_z_per_u_hA;
     let t13 = 0.8660254_f32 * sB;
     let t14 = 1.0_f32 / (0.8660254_f32 * sC);
-    let w_platform_x_per_u_hA = v_G_z_per_u_hA * t14;
-    let t15 = t13 * w_platform_x_per_u_hA;
     let w_platform_x_per_w_platform_y = (sA + 0.5_f32 * sC) * t14;
-    let t16 = 1.0_f32 / (sA + 0.5_f32 * sB + t13 * w_platform_x_per_w_platform_y);
+    let t15 = 1.0_f32 / (sA + 0.5_f32 * sB + t13 * w_platform_x_per_w_platform_y);
+    let w_platform_y_per_u_hB = t15 * v_G_z_per_u_hA;
+    let w_platform_x_per_u_hA = t14 * v_G_z_per_u_hA;
+    let t16 = t13 * w_platform_x_per_u_hA;
     let w_platform_y_per_u_hC = t15 * t16;
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t16;
-    let w_platform_y = u_hC * w_platform_y_per_u_hC + (u_hB * w_platform_y_per_u_hB - u_hA * ((v_G_z_per_u_hA + t15) * t16));
-    let u_psiA = u_psiA_per_w_platform_z * w_platform_z - (t7 - t6) * t5 * w_platform_y;
-    let t17 = 0.5_f32 * (t1 * (u_hA * u_hA)) + 0.5_f32 * ((sin_thA * (Ic1 * sin_thA) + cos_thA * (Ic3 * cos_thA)) * (u_psiA * u_psiA));
+    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t15 * (v_G_z_per_u_hA + t16)) + u_hC * w_platform_y_per_u_hC;
+    let t17 = t8 * u_psiA_per_w_platform_z + w_platform_y * (t9 * t3);
+    let t18 = k18 * (u_hA * u_hA) + (sin_thA * (sin_thA * k22) - k21 - k23) * (t17 * t17);
     let Ic2 = p.Ic2;
-    let t18 = 1.0_f32 / cos_thA;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t18;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t18 * w_platform_z;
-    let t19 = 1.0_f32 / (cos_thB * cos_thB);
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t19;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y + (u_hA * w_platform_x_per_u_hA - u_hC * w_platform_x_per_u_hA);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (0.8660254_f32 * t11 * t19 * w_platform_x + 0.5_f32 * t11 * t19 * w_platform_y);
-    let t20 = 0.5_f32 * (t1 * (u_hB * u_hB)) + (t17 + 0.5_f32 * (Ic2 * (u_thA * u_thA))) + 0.5_f32 * ((sin_thB * (Ic1 * sin_thB) + cos_thB * (Ic3 * cos_thB)) * (u_psiB * u_psiB));
-    let t21 = 1.0_f32 / cos_thB;
-    let t22 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let t23 = 0.5_f32 * v_G_z_per_u_hA;
-    let t24 = t11 * t21 * w_platform_z + (t22 * t21 * w_platform_x + t23 * t21 * w_platform_y);
+    let t19 = 1.0_f32 / cos_thA;
+    let u_thA_per_w_platform_y = t19 * v_G_z_per_u_hA;
+    let u_thA = w_platform_y * u_thA_per_w_platform_y - t8 * (t19 * t3);
+    let t20 = 1.0_f32 / (cos_thB * cos_thB);
+    let w_platform_x = w_platform_x_per_u_hA * (u_hA - u_hC) + w_platform_x_per_w_platform_y * w_platform_y;
+    let u_psiB_per_w_platform_z = t20 * v_G_z_per_u_hA;
+    let t21 = w_platform_y * (t20 * (0.5_f32 * t6)) + w_platform_x * (t20 * (0.8660254_f32 * t6)) + t8 * u_psiB_per_w_platform_z;
+    let t22 = k18 * (u_hB * u_hB) + (t18 + Ic2 * (u_thA * u_thA)) + (sin_thB * (sin_thB * k22) - k21 - k23) * (t21 * t21);
+    let t23 = 1.0_f32 / cos_thB;
+    let t24 = 0.5_f32 * v_G_z_per_u_hA;
+    let u_thB = t8 * (t23 * t6) - (w_platform_y * (t23 * t24) + t12 * w_platform_x);
     let t25 = 1.0_f32 / (cos_thC * cos_thC);
-    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t25;
-    let u_psiC_per_w_platform_y = 0.5_f32 * t12 * t25;
-    let u_psiC = u_psiC_per_w_platform_z * w_platform_z + (u_psiC_per_w_platform_y * w_platform_y - 0.8660254_f32 * t12 * t25 * w_platform_x);
-    let t26 = 0.5_f32 * (t1 * (u_hC * u_hC)) + (t20 + 0.5_f32 * (Ic2 * (t24 * t24))) + 0.5_f32 * ((sin_thC * (Ic1 * sin_thC) + cos_thC * (Ic3 * cos_thC)) * (u_psiC * u_psiC));
+    let u_psiC_per_w_platform_y = t25 * (0.5_f32 * t7);
+    let u_psiC_per_w_platform_z = t25 * v_G_z_per_u_hA;
+    let u_psiC = w_platform_y * u_psiC_per_w_platform_y - w_platform_x * (t25 * (0.8660254_f32 * t7)) - t8 * u_psiC_per_w_platform_z;
+    let t26 = k18 * (u_hC * u_hC) + (t22 + Ic2 * (u_thB * u_thB)) + (sin_thC * (sin_thC * k22) - k21 - k23) * (u_psiC * u_psiC);
     let t27 = 1.0_f32 / cos_thC;
-    let u_thC_per_w_platform_z = t12 * t27;
-    let u_thC_per_w_platform_x = t22 * t27;
-    let u_thC = u_thC_per_w_platform_z * w_platform_z + (u_thC_per_w_platform_x * w_platform_x - t23 * t27 * w_platform_y);
+    let u_thC_per_w_platform_x = t27 * (0.8660254_f32 * v_G_z_per_u_hA);
+    let u_thC_per_w_platform_z = t27 * t7;
+    let t28 = w_platform_y * (t27 * t24) - w_platform_x * u_thC_per_w_platform_x + t8 * u_thC_per_w_platform_z;
     let Ix = p.Ix;
     let Iy = p.Iy;
-    let t28 = t26 + 0.5_f32 * (Ic2 * (u_thC * u_thC)) + 0.5_f32 * (Ix * (w_platform_x * w_platform_x)) + 0.5_f32 * (Iy * (w_platform_y * w_platform_y));
+    let t29 = t26 + Ic2 * (t28 * t28) + Ix * (w_platform_x * w_platform_x) + Iy * (w_platform_y * w_platform_y);
     let Iz = p.Iz;
     let M = p.M;
     let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let v_G_x = v_G_x_per_w_platform_z * w_platform_z - u_hB * (1.1547005_f32 * t11) - 0.57735026_f32 * v_G_y;
-    let t29 = t28 + 0.5_f32 * (Iz * (w_platform_z * w_platform_z)) + 0.5_f32 * (M * (v_G_x * v_G_x)) + 0.5_f32 * (M * (v_G_y * v_G_y));
-    let v_G_z = u_hA * v_G_z_per_u_hA + sA * w_platform_y;
-    let t30 = t29 + 0.5_f32 * (M * (v_G_z * v_G_z));
+    let v_G_y = sA * t8 - u_hA * t3;
+    let t30 = v_G_x_per_w_platform_z * t8 + u_hB * (1.1547005_f32 * t6) + 0.57735026_f32 * v_G_y;
+    let t31 = t29 + Iz * (t8 * t8) + M * (t30 * t30) + M * (v_G_y * v_G_y);
+    let v_G_z = sA * w_platform_y + u_hA * v_G_z_per_u_hA;
+    let t32 = 0.5_f32 * (t31 + M * (v_G_z * v_G_z));
     let hA = q[0];
     let g = p.g;
-    let t31 = hA * g;
-    let hB = q[4];
-    let t32 = hB * g;
+    let t33 = hA * g;
+    let mc = p.mc;
     let hC = q[8];
-    let t33 = hC * g;
-    let t34 = ms * t31 + mc * t31 + ms * t32 + mc * t32 + ms * t33;
-    let t35 = t34 + mc * t33 + M * (t31 + sin_thA * (sA * g));
-    (t30, t35)
+    let t34 = hC * g;
+    let ms = p.ms;
+    let hB = q[4];
+    let t35 = hB * g;
+    let k13 = p.k13;
+    let t36 = mc * t34 + (ms * t34 + (mc * t35 + (ms * t35 + k13 * t33)));
+    let t37 = M * (t33 + sin_thA * (sA * g)) + t36;
+    (t32, t37)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///151 operations.
+///146 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -544,85 +621,78 @@ pub fn speeds(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 12usize] {
     let u_hA = u[0];
-    let thB = q[6];
-    let (sin_thB, cos_thB) = Real::sin_cos(thB);
-    let psiB = q[5];
-    let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
-    let thA = q[2];
-    let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let psiA = q[1];
-    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t1 = cos_thA * sin_psiA;
-    let t2 = cos_thA * cos_psiA;
-    let t3 = cos_psiB * (0.5_f32 * t1 + 0.8660254_f32 * t2) - sin_psiB * (0.5_f32 * t2 - 0.8660254_f32 * t1);
-    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t3);
-    let t4 = 1.0_f32 / (cos_thA * cos_thA);
-    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t4;
-    let thC = q[10];
-    let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t5 = 0.57735026_f32 * sin_thC;
-    let t6 = 0.57735026_f32 * sin_thB;
-    let v_G_y_per_u_hA = t5 - t6;
     let sA = q[3];
     let sB = q[7];
     let sC = q[11];
-    let t7 = 1.0_f32 / (sA + (sB + sC));
-    let w_platform_z_per_u_hA = v_G_y_per_u_hA * t7;
+    let t1 = 1.0_f32 / (sA + (sB + sC));
+    let thB = q[6];
+    let (sin_thB, cos_thB) = Real::sin_cos(thB);
+    let thC = q[10];
+    let (sin_thC, cos_thC) = Real::sin_cos(thC);
+    let t2 = sin_thB - sin_thC;
+    let t3 = 0.57735026_f32 * t2;
     let u_hB = u[1];
-    let t8 = 0.8660254_f32 * sin_thA;
-    let t9 = 0.5_f32 * v_G_y_per_u_hA;
-    let t10 = t8 - t9;
-    let w_platform_z_per_u_hB = t10 * t7;
+    let thA = q[2];
+    let (sin_thA, cos_thA) = Real::sin_cos(thA);
+    let t4 = 0.8660254_f32 * sin_thA;
+    let t5 = 0.28867513_f32 * t2;
+    let t6 = t4 + t5;
+    let w_platform_z_per_u_hB = t1 * t6;
     let u_hC = u[2];
-    let t11 = t8 + t9;
-    let w_platform_z = u_hA * w_platform_z_per_u_hA + u_hB * w_platform_z_per_u_hB - u_hC * (t11 * t7);
-    let t12 = 0.8660254_f32 * sB;
-    let t13 = 1.0_f32 / (0.8660254_f32 * sC);
-    let w_platform_x_per_u_hA = v_G_z_per_u_hA * t13;
-    let t14 = t12 * w_platform_x_per_u_hA;
-    let w_platform_x_per_w_platform_y = (sA + 0.5_f32 * sC) * t13;
-    let t15 = 1.0_f32 / (sA + 0.5_f32 * sB + t12 * w_platform_x_per_w_platform_y);
-    let w_platform_y_per_u_hC = t14 * t15;
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t15;
-    let w_platform_y = u_hC * w_platform_y_per_u_hC + (u_hB * w_platform_y_per_u_hB - u_hA * ((v_G_z_per_u_hA + t14) * t15));
-    let u_psiA = u_psiA_per_w_platform_z * w_platform_z - (t6 - t5) * t4 * w_platform_y;
-    let t16 = 1.0_f32 / cos_thA;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t16;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t16 * w_platform_z;
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let t17 = 0.57735026_f32 * v_G_y;
+    let t7 = t4 - t5;
+    let t8 = u_hA * (t1 * t3) - u_hB * w_platform_z_per_u_hB + u_hC * (t1 * t7);
+    let t9 = 1.0_f32 / (cos_thA * cos_thA);
+    let psiB = q[5];
+    let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
+    let psiA = q[1];
+    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
+    let t10 = cos_thA * sin_psiA;
+    let t11 = cos_thA * cos_psiA;
+    let t12 = cos_psiB * (0.5_f32 * t10 + 0.8660254_f32 * t11) + sin_psiB * (0.8660254_f32 * t10 - 0.5_f32 * t11);
+    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t12);
+    let u_psiA_per_w_platform_z = t9 * v_G_z_per_u_hA;
+    let t13 = 0.8660254_f32 * sB;
+    let t14 = 1.0_f32 / (0.8660254_f32 * sC);
+    let w_platform_x_per_w_platform_y = (sA + 0.5_f32 * sC) * t14;
+    let t15 = 1.0_f32 / (sA + 0.5_f32 * sB + t13 * w_platform_x_per_w_platform_y);
+    let w_platform_y_per_u_hB = t15 * v_G_z_per_u_hA;
+    let w_platform_x_per_u_hA = t14 * v_G_z_per_u_hA;
+    let t16 = t13 * w_platform_x_per_u_hA;
+    let w_platform_y_per_u_hC = t15 * t16;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t15 * (v_G_z_per_u_hA + t16)) + u_hC * w_platform_y_per_u_hC;
+    let t17 = 1.0_f32 / cos_thA;
+    let u_thA_per_w_platform_y = t17 * v_G_z_per_u_hA;
+    let u_thA = w_platform_y * u_thA_per_w_platform_y - t8 * (t17 * t3);
     let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let t18 = v_G_x_per_w_platform_z * w_platform_z - u_hB * (1.1547005_f32 * t10);
-    let u_sA = t17 - t18 - u_hA * sin_thA;
+    let v_G_y = sA * t8 - u_hA * t3;
+    let t18 = v_G_x_per_w_platform_z * t8 + u_hB * (1.1547005_f32 * t6) + 0.57735026_f32 * v_G_y;
+    let u_sA = t18 - u_hA * sin_thA;
     let t19 = 1.0_f32 / (cos_thB * cos_thB);
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t19;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y + (u_hA * w_platform_x_per_u_hA - u_hC * w_platform_x_per_u_hA);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (0.8660254_f32 * t10 * t19 * w_platform_x + 0.5_f32 * t10 * t19 * w_platform_y);
-    let t20 = 1.0_f32 / cos_thB;
-    let t21 = 0.8660254_f32 * v_G_z_per_u_hA;
+    let w_platform_x = w_platform_x_per_u_hA * (u_hA - u_hC) + w_platform_x_per_w_platform_y * w_platform_y;
+    let u_psiB_per_w_platform_z = t19 * v_G_z_per_u_hA;
+    let t20 = w_platform_y * (t19 * (0.5_f32 * t6)) + w_platform_x * (t19 * (0.8660254_f32 * t6)) + t8 * u_psiB_per_w_platform_z;
+    let t21 = 1.0_f32 / cos_thB;
     let t22 = 0.5_f32 * v_G_z_per_u_hA;
-    let u_thB = -(t10 * t20 * w_platform_z + (t21 * t20 * w_platform_x + t22 * t20 * w_platform_y));
+    let u_thB = t8 * (t21 * t6) - (w_platform_y * (t21 * t22) + t12 * w_platform_x);
     let t23 = 0.5_f32 * sin_thA;
-    let t24 = 0.8660254_f32 * v_G_y_per_u_hA;
-    let u_sB_per_u_hB = t23 + t24;
-    let v_G_x = t18 - t17;
-    let t25 = 0.5_f32 * v_G_x;
+    let t24 = 0.5_f32 * t2;
+    let u_sB_per_u_hB = t23 - t24;
+    let t25 = 0.5_f32 * t18;
     let t26 = 0.8660254_f32 * v_G_y;
-    let u_sB = u_hB * u_sB_per_u_hB + t25 - t26;
+    let u_sB = u_hB * u_sB_per_u_hB - t25 - t26;
     let t27 = 1.0_f32 / (cos_thC * cos_thC);
-    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t27;
-    let u_psiC_per_w_platform_y = 0.5_f32 * t11 * t27;
-    let u_psiC = u_psiC_per_w_platform_z * w_platform_z + (u_psiC_per_w_platform_y * w_platform_y - 0.8660254_f32 * t11 * t27 * w_platform_x);
+    let u_psiC_per_w_platform_y = t27 * (0.5_f32 * t7);
+    let u_psiC_per_w_platform_z = t27 * v_G_z_per_u_hA;
+    let u_psiC = w_platform_y * u_psiC_per_w_platform_y - w_platform_x * (t27 * (0.8660254_f32 * t7)) - t8 * u_psiC_per_w_platform_z;
     let t28 = 1.0_f32 / cos_thC;
-    let u_thC_per_w_platform_z = t11 * t28;
-    let u_thC_per_w_platform_x = t21 * t28;
-    let u_thC = u_thC_per_w_platform_z * w_platform_z + (u_thC_per_w_platform_x * w_platform_x - t22 * t28 * w_platform_y);
-    let u_sC_per_u_hC = t23 - t24;
-    let u_sC = t26 + (u_hC * u_sC_per_u_hC + t25);
-    [u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, u_thC, u_sC]
+    let u_thC_per_w_platform_x = t28 * (0.8660254_f32 * v_G_z_per_u_hA);
+    let u_thC_per_w_platform_z = t28 * t7;
+    let u_sC_per_u_hC = t23 + t24;
+    let u_sC = t26 + (u_hC * u_sC_per_u_hC - t25);
+    [u_hA, -(t8 * u_psiA_per_w_platform_z + w_platform_y * (t9 * t3)), u_thA, u_sA, u_hB, -t20, u_thB, u_sB, u_hC, u_psiC, -(w_platform_y * (t28 * t22) - w_platform_x * u_thC_per_w_platform_x + t8 * u_thC_per_w_platform_z), u_sC]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -639,7 +709,7 @@ pub fn outputs(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 3usize] {
     let sA = q[3];
     let thA = q[2];
@@ -655,7 +725,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///512 operations.
+///437 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -668,219 +738,243 @@ pub fn projection(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 9usize], S) {
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let psiA = q[1];
-    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t1 = cos_thA * cos_psiA;
-    let t2 = cos_thA * sin_psiA;
-    let t3 = sin_thA * sin_thA;
-    let t4 = 1.0_f32 / Real::sqrt(t3 + (t2 * t2 + t1 * t1));
-    let t5 = t2 * t4;
-    let t6 = t1 * t4;
-    let t7 = 1.0_f32 / (cos_thA * cos_thA);
+    let t1 = 1.0_f32 / (cos_thA * cos_thA);
     let thB = q[6];
     let (sin_thB, cos_thB) = Real::sin_cos(thB);
-    let t8 = 0.57735026_f32 * sin_thB;
-    let thC = q[10];
-    let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t9 = 0.57735026_f32 * sin_thC;
-    let R = p.R;
     let psiB = q[5];
     let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
-    let t10 = 0.5_f32 * t2;
-    let t11 = 0.8660254_f32 * t1;
-    let t12 = t10 + t11;
-    let t13 = 0.5_f32 * t1;
-    let t14 = 0.8660254_f32 * t2;
-    let t15 = t13 - t14;
-    let t16 = 1.1547005_f32 * (cos_psiB * t12 - sin_psiB * t15);
-    let t17 = sin_thB * t16;
-    let t18 = 1.1547005_f32 * (sin_thA * cos_thB + sin_thB * (cos_psiB * t15 + sin_psiB * t12));
-    let t19 = cos_psiB * t17 + sin_psiB * t18;
-    let t20 = sin_psiB * t17 - cos_psiB * t18;
-    let t21 = 0.5_f32 * t19 + 0.8660254_f32 * t20;
-    let t22 = 0.5_f32 * t21;
-    let t23 = 0.5_f32 * t20;
-    let t24 = 0.8660254_f32 * t19;
-    let t25 = t23 - t24;
-    let t26 = 0.8660254_f32 * t25;
-    let v_G_z_per_u_hA = cos_thB * t16;
-    let hA = q[0];
+    let psiA = q[1];
+    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
+    let t2 = cos_thA * sin_psiA;
+    let t3 = 0.5_f32 * t2;
+    let t4 = cos_thA * cos_psiA;
+    let t5 = 0.8660254_f32 * t4;
+    let t6 = t3 + t5;
+    let t7 = 0.8660254_f32 * t2;
+    let t8 = 0.5_f32 * t4;
+    let t9 = t7 - t8;
+    let t10 = cos_psiB * t6 + sin_psiB * t9;
+    let t11 = 1.1547005_f32 * t10;
+    let v_G_z_per_u_hA = cos_thB * t11;
+    let u_psiA_per_w_platform_z = t1 * v_G_z_per_u_hA;
+    let sA = q[3];
     let sB = q[7];
-    let t27 = 0.5_f32 * sB;
-    let t28 = sin_thA * t4;
-    let t29 = 0.8660254_f32 * sB;
-    let v_G_y_per_u_hA = t9 - t8;
-    let t30 = 0.57735026_f32 * cos_thC;
+    let sC = q[11];
+    let R = p.R;
+    let thC = q[10];
+    let (sin_thC, cos_thC) = Real::sin_cos(thC);
+    let t12 = 0.57735026_f32 * cos_thC;
     let psiC = q[9];
     let (sin_psiC, cos_psiC) = Real::sin_cos(psiC);
-    let t31 = t30 * cos_psiC;
-    let t32 = t30 * sin_psiC;
-    let t33 = 0.57735026_f32 * cos_thB;
-    let t34 = t33 * cos_psiB;
-    let t35 = t33 * sin_psiB;
-    let t36 = 0.5_f32 * t31 - 0.8660254_f32 * t32 - (0.5_f32 * t34 + 0.8660254_f32 * t35);
-    let t37 = v_G_y_per_u_hA * t6 + t36 * t28;
-    let t38 = 0.5_f32 * t35 - 0.8660254_f32 * t34;
-    let t39 = 0.8660254_f32 * t31 + 0.5_f32 * t32;
-    let t40 = t38 - t39;
-    let t41 = t36 * t5 + t40 * t6;
-    let t42 = v_G_y_per_u_hA * t5 - t40 * t28;
-    let t43 = 1.0_f32 / Real::sqrt(t41 * t41 + (t37 * t37 + t42 * t42));
-    let t44 = t37 * t43;
-    let t45 = t42 * t43;
-    let t46 = t6 * t44 + t5 * t45;
-    let hB = q[4];
-    let t47 = hA + (t27 * t28 + t29 * t46 - hB);
-    let t48 = t41 * t43;
-    let t49 = t6 * t48 - t28 * t45;
-    let t50 = t27 * t5 + t29 * t49;
-    let t51 = t5 * t48 + t28 * t44;
-    let t52 = t29 * t51 - t27 * t6;
-    let t53 = R * t21;
-    let sA = q[3];
-    let t54 = sA * (cos_thA * (sin_psiA * (t24 - t23) - cos_psiA * t21) - sin_thA * v_G_z_per_u_hA);
-    let t55 = R * (t22 - t26) - (v_G_z_per_u_hA * t47 + (t25 * t50 - t21 * t52) - t53 - t54);
-    let t56 = sA * t28;
-    let t57 = sA * t5;
-    let t58 = sA * t6;
-    let t59 = t54 + (v_G_z_per_u_hA * t56 + (t25 * t57 + t21 * t58));
+    let t13 = t12 * cos_psiC - cos_thC * sin_psiC;
+    let t14 = 0.57735026_f32 * cos_thB;
+    let t15 = t14 * cos_psiB + cos_thB * sin_psiB;
+    let t16 = t13 - t15;
+    let t17 = 0.25_f32 * t16;
+    let t18 = t17 - t5;
+    let t19 = 0.8660254_f32 * sC;
+    let t20 = 0.5_f32 * t16;
+    let t21 = sin_thB - sin_thC;
+    let t22 = 0.57735026_f32 * t21;
+    let t23 = sin_thA * t20 - t4 * t22;
+    let t24 = cos_thB * cos_psiB - t14 * sin_psiB;
+    let t25 = t12 * sin_psiC + cos_thC * cos_psiC;
+    let t26 = t24 + t25;
+    let t27 = 0.5_f32 * t26;
+    let t28 = t2 * t22 - sin_thA * t27;
+    let t29 = t2 * t20 - t4 * t27;
+    let t30 = 1.0_f32 / Real::sqrt(t28 * t28 + t23 * t23 + t29 * t29);
+    let t31 = t23 * t30;
+    let t32 = t29 * t30;
+    let t33 = sin_thA * t31 + t2 * t32;
+    let t34 = 0.5_f32 * sC;
+    let t35 = t19 * t33 + t4 * t34;
+    let t36 = t28 * t30;
+    let t37 = t4 * t32 + sin_thA * t36;
+    let t38 = t19 * t37 - t2 * t34;
+    let t39 = 0.25_f32 * t26;
+    let t40 = t39 - t7;
+    let t41 = 0.8660254_f32 * sin_thA;
+    let t42 = 0.28867513_f32 * t21;
+    let t43 = t41 - t42;
     let hC = q[8];
-    let sC = q[11];
-    let t60 = 0.8660254_f32 * sC;
-    let t61 = 0.5_f32 * sC;
-    let t62 = hA - (hC + (t60 * t46 - t61 * t28));
-    let t63 = t61 * t5 - t60 * t49;
-    let t64 = t61 * t6 + t60 * t51;
-    let t65 = R * (t26 + t22) - (v_G_z_per_u_hA * t62 + (t25 * t63 + t21 * t64) - t53 - t54);
-    let t66 = 1.0_f32 / t60;
-    let t67 = (t65 - t59) * t66;
-    let w_platform_x_per_w_platform_y = (sA + t61) * t66;
-    let t68 = (t55 - t59 + t29 * t67) * (1.0_f32 / (sA + t27 + t29 * w_platform_x_per_w_platform_y));
-    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t7;
-    let t69 = t36 * t58 - t40 * t57 - v_G_y_per_u_hA * t56;
-    let t70 = sA * (cos_thA * (cos_psiA * t36 + sin_psiA * (t39 - t38)) - sin_thA * v_G_y_per_u_hA);
-    let t71 = 0.8660254_f32 * sin_thA;
-    let t72 = 0.5_f32 * v_G_y_per_u_hA;
-    let t73 = t71 - t72;
-    let t74 = 0.5_f32 * t40;
-    let t75 = t14 - t74;
-    let t76 = 0.5_f32 * t36;
-    let t77 = t11 + t76;
-    let t78 = t73 * t47 + (t75 * t50 - t77 * t52) - R * t77 - sA * (cos_thA * (sin_psiA * (t74 - t14) - cos_psiA * t77) - sin_thA * t73);
-    let t79 = R * (0.5_f32 * t77 - 0.8660254_f32 * t75);
-    let t80 = t14 + t74;
-    let t81 = t11 - t76;
-    let t82 = t71 + t72;
-    let t83 = R * t81 - (t82 * t62 + (t80 * t63 + t81 * t64)) - sA * (sin_thA * t82 + cos_thA * (cos_psiA * t81 + sin_psiA * t80));
-    let t84 = t69 - t70 + (t78 - t79 + (R * (0.8660254_f32 * t80 + 0.5_f32 * t81) + t83));
-    let t85 = t84 * (1.0_f32 / (sA + (sB + sC)));
-    let t86 = (t1 * t5 - t2 * t6) * t7 - (t8 - t9) * t7 * t68 - u_psiA_per_w_platform_z * t85;
-    let t87 = 1.0_f32 / cos_thA;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t87;
-    let t88 = (t28 - sin_thA) * t87 + u_thA_per_w_platform_y * t68 + v_G_y_per_u_hA * t87 * t85;
-    let t89 = sA * (t3 + cos_thA * (cos_psiA * t1 + sin_psiA * t2)) - (sin_thA * t56 + (t2 * t57 + t1 * t58));
+    let t44 = t4 * t31 - t2 * t36;
+    let hA = q[0];
+    let t45 = hC + (t19 * t44 - sin_thA * t34) - hA;
+    let t46 = R * t18 - (t35 * t18 - t38 * t40 + t43 * t45) - sA * (cos_thA * (sin_psiA * t40 + cos_psiA * t18) - sin_thA * t43);
+    let t47 = 0.5_f32 * sB;
+    let t48 = 0.8660254_f32 * sB;
+    let t49 = t4 * t47 - t48 * t33;
+    let t50 = t5 + t17;
+    let t51 = t48 * t37 + t2 * t47;
+    let t52 = t7 + t39;
+    let t53 = t41 + t42;
+    let hB = q[4];
+    let t54 = hA + (t48 * t44 + sin_thA * t47 - hB);
+    let t55 = t49 * t50 + t51 * t52 + t53 * t54 - R * t50 + sA * (cos_thA * (sin_psiA * t52 + cos_psiA * t50) + sin_thA * t53);
+    let t56 = t55 + R * (0.8660254_f32 * t52 - 0.5_f32 * t50);
+    let t57 = sA * t4;
+    let t58 = sA * t2;
+    let t59 = sA * sin_thA;
+    let t60 = t57 * t20 + t58 * t27 + t59 * t22 - sA * (cos_thA * (sin_psiA * t27 + cos_psiA * t20) + sin_thA * t22);
+    let t61 = 1.0_f32 / (sA + (sB + sC)) * (t46 + R * (0.5_f32 * t18 + 0.8660254_f32 * t40) - t56 - t60);
+    let t62 = 1.0_f32 / t19;
+    let w_platform_x_per_w_platform_y = (sA + t34) * t62;
+    let t63 = 1.1547005_f32 * (sin_thB * (cos_psiB * t9 - sin_psiB * t6) - sin_thA * cos_thB);
+    let t64 = sin_thB * t11;
+    let t65 = cos_psiB * t63 + sin_psiB * t64;
+    let t66 = sin_psiB * t63 - cos_psiB * t64;
+    let t67 = 0.8660254_f32 * t65 - 0.5_f32 * t66;
+    let t68 = 0.5_f32 * t65 + 0.8660254_f32 * t66;
+    let t69 = R * t67;
+    let t70 = t35 * t67 - t38 * t68 - v_G_z_per_u_hA * t45 - t69 - R * (0.5_f32 * t67 + 0.8660254_f32 * t68);
+    let t71 = t62 * t70;
+    let t72 = t48 * t71 + (R * t66 - (t69 - (t49 * t67 + t51 * t68 + v_G_z_per_u_hA * t54)));
+    let t73 = 1.0_f32 / (sA + t47 + t48 * w_platform_x_per_w_platform_y) * t72;
+    let t74 = u_psiA_per_w_platform_z * t61 + t1 * t22 * t73;
+    let t75 = 1.0_f32 / cos_thA;
+    let u_thA_per_w_platform_y = t75 * v_G_z_per_u_hA;
+    let t76 = t75 * t22 * t61 - u_thA_per_w_platform_y * t73;
+    let t77 = t60 + sA * t61;
     let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let t90 = t70 - t69 + sA * t85;
-    let t91 = 1.1547005_f32 * (t79 - t78) + v_G_x_per_w_platform_z * t85 + 0.57735026_f32 * t90;
-    let t92 = t89 + t91;
-    let t93 = cos_thB * cos_psiB;
-    let t94 = cos_thB * sin_psiB;
-    let t95 = 0.5_f32 * t93 + 0.8660254_f32 * t94;
-    let t96 = 0.5_f32 * t5;
-    let t97 = 0.8660254_f32 * t49;
-    let t98 = 0.8660254_f32 * t93 - 0.5_f32 * t94;
-    let t99 = 0.8660254_f32 * t51;
-    let t100 = 0.5_f32 * t6;
-    let t101 = 1.0_f32 / (cos_thB * cos_thB);
-    let t102 = w_platform_x_per_w_platform_y * t68 - t67;
-    let t103 = (t95 * (t96 + t97) - t98 * (t99 - t100)) * t101 - 0.8660254_f32 * t73 * t101 * t102;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t101;
-    let t104 = t103 - 0.5_f32 * t73 * t101 * t68 - u_psiB_per_w_platform_z * t85;
-    let t105 = 1.0_f32 / cos_thB;
-    let t106 = 0.5_f32 * t28;
-    let t107 = 0.8660254_f32 * t46;
-    let t108 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let t109 = 0.5_f32 * v_G_z_per_u_hA;
-    let t110 = (sin_thB + (t106 + t107)) * t105 + t108 * t105 * t102 + t109 * t105 * t68;
-    let t111 = t73 * t105 * t85 - t110;
-    let t112 = 0.8660254_f32 * t90;
-    let t113 = 0.8660254_f32 * t40;
-    let t114 = t10 + t113;
-    let t115 = 0.8660254_f32 * t36;
-    let t116 = t115 - t13;
-    let t117 = 0.5_f32 * sin_thA;
-    let t118 = 0.8660254_f32 * v_G_y_per_u_hA;
-    let u_sB_per_u_hB = t117 + t118;
-    let t119 = R * t116 + (u_sB_per_u_hB * t47 + (t114 * t50 + t116 * t52)) - sA * (cos_thA * (cos_psiA * t116 - sin_psiA * t114) - sin_thA * u_sB_per_u_hB);
-    let t120 = 0.5_f32 * t91;
-    let t121 = 1.0_f32 / (cos_thC * cos_thC);
-    let u_psiC_per_w_platform_y = 0.5_f32 * t82 * t121;
-    let t122 = cos_thC * sin_psiC;
-    let t123 = 0.8660254_f32 * t122;
-    let t124 = cos_thC * cos_psiC;
-    let t125 = 0.5_f32 * t124;
-    let t126 = 0.8660254_f32 * t124 + 0.5_f32 * t122;
-    let t127 = ((t123 - t125) * (t96 - t97) + t126 * (t100 + t99)) * t121 + 0.8660254_f32 * t82 * t121 * t102;
-    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t121;
-    let t128 = u_psiC_per_w_platform_y * t68 - t127 - u_psiC_per_w_platform_z * t85;
-    let t129 = 1.0_f32 / cos_thC;
-    let u_thC_per_w_platform_x = t108 * t129;
-    let u_thC_per_w_platform_z = t82 * t129;
-    let t130 = u_thC_per_w_platform_x * t102 - (sin_thC + (t106 - t107)) * t129 - t109 * t129 * t68 - u_thC_per_w_platform_z * t85;
-    let t131 = t10 - t113;
-    let t132 = t13 + t115;
-    let u_sC_per_u_hC = t117 - t118;
-    let t133 = u_sC_per_u_hC * t62 + (t131 * t63 + t132 * t64) - R * t132 - sA * (cos_thA * (sin_psiA * (t113 - t10) - cos_psiA * t132) - sin_thA * u_sC_per_u_hC);
-    let t134 = R * (0.8660254_f32 * t131 + 0.5_f32 * t132) - t133 - t120 + t112;
-    let t135 = sA * cos_thA;
-    let t136 = sin_psiA * t135;
-    let t137 = 0.8660254_f32 * R;
-    let t138 = sB * cos_thB;
-    let t139 = sin_psiB * t138;
-    let t140 = cos_psiB * t138;
-    let t141 = R - cos_psiA * t135 + 0.5_f32 * R;
-    let t142 = Real::max(Real::abs(t136 + t137 + (0.5_f32 * t139 - 0.8660254_f32 * t140)), Real::abs(t141 - (0.5_f32 * t140 + 0.8660254_f32 * t139)));
-    let t143 = sA * sin_thA;
-    let t144 = sC * cos_thC;
-    let t145 = cos_psiC * t144;
-    let t146 = sin_psiC * t144;
-    let t147 = Real::max(Real::max(t142, Real::abs(hA - hB + t143 - sB * sin_thB)), Real::abs(t136 - t137 + (0.8660254_f32 * t145 + 0.5_f32 * t146)));
-    let t148 = Real::max(Real::max(t147, Real::abs(t141 + (0.8660254_f32 * t146 - 0.5_f32 * t145))), Real::abs(t143 + (hA - hC) - sC * sin_thC));
-    let t149 = Real::max(Real::max(t148, Real::abs(t2 + t98 - t126)), Real::abs(t125 - t123 + (t95 - t1)));
-    let t150 = Real::max(t149, Real::abs(sin_thC + (sin_thA + sin_thB)));
-    ([t86, t88, t92, t104, t111, -(t112 + (R * (0.8660254_f32 * t114 + 0.5_f32 * t116) + t119 + t120)), t128, t130, t134], t150)
+    let t78 = 0.57735026_f32 * t77 + (v_G_x_per_w_platform_z * t61 + 1.1547005_f32 * t56);
+    let t79 = sA - (t4 * t57 + t2 * t58 + sin_thA * t59) - t78;
+    let t80 = 1.0_f32 / (cos_thB * cos_thB);
+    let u_psiB_per_w_platform_z = t80 * v_G_z_per_u_hA;
+    let t81 = w_platform_x_per_w_platform_y * t73 - t71;
+    let t82 = 0.8660254_f32 * t33;
+    let t83 = 0.8660254_f32 * t24;
+    let t84 = 0.8660254_f32 * t37;
+    let t85 = 0.8660254_f32 * t15;
+    let t86 = t80 * (0.8660254_f32 * t53) * t81 + t80 * ((t8 - t82) * t83 + (t3 + t84) * t85);
+    let t87 = u_psiB_per_w_platform_z * t61 + (t80 * (0.5_f32 * t53) * t73 + t86);
+    let t88 = 1.0_f32 / cos_thB;
+    let t89 = 0.5_f32 * v_G_z_per_u_hA;
+    let t90 = 0.5_f32 * sin_thA;
+    let t91 = 0.8660254_f32 * t44;
+    let t92 = t88 * t89 * t73 - (t88 * (sin_thB + (t90 + t91)) - t10 * t81) - t88 * t53 * t61;
+    let t93 = 0.5_f32 * t78;
+    let t94 = 0.4330127_f32 * t16;
+    let t95 = t8 - t94;
+    let t96 = 0.4330127_f32 * t26;
+    let t97 = t3 - t96;
+    let t98 = 0.5_f32 * t21;
+    let u_sB_per_u_hB = t90 - t98;
+    let t99 = t49 * t95 + t51 * t97 + u_sB_per_u_hB * t54 - R * t95 + sA * (cos_thA * (sin_psiA * t97 + cos_psiA * t95) + sin_thA * u_sB_per_u_hB);
+    let t100 = 0.8660254_f32 * t77;
+    let t101 = t93 - (t99 - R * (0.5_f32 * t95 - 0.8660254_f32 * t97)) + t100;
+    let t102 = 1.0_f32 / (cos_thC * cos_thC);
+    let u_psiC_per_w_platform_z = t102 * v_G_z_per_u_hA;
+    let u_psiC_per_w_platform_y = t102 * (0.5_f32 * t43);
+    let t103 = 0.8660254_f32 * t25;
+    let t104 = 0.8660254_f32 * t13;
+    let t105 = t102 * ((t8 + t82) * t103 + (t84 - t3) * t104) - t102 * (0.8660254_f32 * t43) * t81;
+    let t106 = u_psiC_per_w_platform_z * t61 - (u_psiC_per_w_platform_y * t73 + t105);
+    let t107 = 1.0_f32 / cos_thC;
+    let u_thC_per_w_platform_z = t107 * t43;
+    let u_thC_per_w_platform_x = t107 * (0.8660254_f32 * v_G_z_per_u_hA);
+    let t108 = u_thC_per_w_platform_z * t61 - (u_thC_per_w_platform_x * t81 + t107 * (sin_thC + (t90 - t91)) - t107 * t89 * t73);
+    let t109 = t3 + t96;
+    let t110 = t8 + t94;
+    let u_sC_per_u_hC = t90 + t98;
+    let t111 = t38 * t109 - t35 * t110 + u_sC_per_u_hC * t45 + R * t110 - sA * (cos_thA * (sin_psiA * t109 + cos_psiA * t110) + sin_thA * u_sC_per_u_hC);
+    let t112 = t93 + (t111 + R * (0.5_f32 * t110 + 0.8660254_f32 * t109)) - t100;
+    let t113 = sB * cos_thB;
+    let t114 = sin_psiB * t113;
+    let t115 = cos_psiB * t113;
+    let k10 = p.k10;
+    let k11 = p.k11;
+    let t116 = k11 + (R - t57);
+    let t117 = Real::max(Real::abs(0.5_f32 * t114 - 0.8660254_f32 * t115 + (k10 + t58)), Real::abs(t116 - (0.5_f32 * t115 + 0.8660254_f32 * t114)));
+    let t118 = sC * cos_thC;
+    let t119 = cos_psiC * t118;
+    let t120 = sin_psiC * t118;
+    let t121 = Real::max(Real::max(t117, Real::abs(hA - hB + t59 - sB * sin_thB)), Real::abs(0.8660254_f32 * t119 + 0.5_f32 * t120 - (k10 - t58)));
+    let t122 = Real::max(Real::max(t121, Real::abs(0.8660254_f32 * t120 - 0.5_f32 * t119 + t116)), Real::abs(sC * sin_thC + (hC - hA - t59)));
+    let t123 = Real::max(Real::max(Real::max(t122, Real::abs(t2 + t83 - t103)), Real::abs(t104 - (t4 - t85))), Real::abs(sin_thC + (sin_thA + sin_thB)));
+    ([t74, t76, t79, t87, t92, t101, t106, t108, t112], t123)
 }
 ///Three-legged tile: screws A, B, C lift connectors; rods at 120 degrees carry the platform.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Tile {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Tile {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Tile {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.R,
-                1usize => &mut self.parameters.ms,
-                2usize => &mut self.parameters.mr,
-                3usize => &mut self.parameters.mc,
-                4usize => &mut self.parameters.Ic1,
-                5usize => &mut self.parameters.Ic2,
-                6usize => &mut self.parameters.Ic3,
-                7usize => &mut self.parameters.M,
-                8usize => &mut self.parameters.Ix,
-                9usize => &mut self.parameters.Iy,
-                10usize => &mut self.parameters.Iz,
-                11usize => &mut self.parameters.c,
-                12usize => &mut self.parameters.g,
+                0usize => self.parameters.R,
+                1usize => self.parameters.ms,
+                2usize => self.parameters.mr,
+                3usize => self.parameters.mc,
+                4usize => self.parameters.Ic1,
+                5usize => self.parameters.Ic2,
+                6usize => self.parameters.Ic3,
+                7usize => self.parameters.M,
+                8usize => self.parameters.Ix,
+                9usize => self.parameters.Iy,
+                10usize => self.parameters.Iz,
+                11usize => self.parameters.c,
+                12usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.R,
+            1usize => &mut self.parameters.ms,
+            2usize => &mut self.parameters.mr,
+            3usize => &mut self.parameters.mc,
+            4usize => &mut self.parameters.Ic1,
+            5usize => &mut self.parameters.Ic2,
+            6usize => &mut self.parameters.Ic3,
+            7usize => &mut self.parameters.M,
+            8usize => &mut self.parameters.Ix,
+            9usize => &mut self.parameters.Iy,
+            10usize => &mut self.parameters.Iz,
+            11usize => &mut self.parameters.c,
+            12usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
@@ -915,7 +1009,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -931,7 +1025,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -954,7 +1048,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

@@ -22,7 +22,7 @@ fn executed(model: &str) -> Operations {
 }
 
 /// Most operations that closed loops may take, scaling of the pivots included.
-const CLOSED_LOOPS: [(&str, usize); 3] = [("fourbar", 115), ("tile", 710), ("tile_minimal", 740)];
+const CLOSED_LOOPS: [(&str, usize); 3] = [("fourbar", 95), ("tile", 670), ("tile_minimal", 695)];
 
 #[test]
 fn closed_loops_take_few_operations() {

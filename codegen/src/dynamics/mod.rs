@@ -7,10 +7,13 @@
 
 mod active_force;
 mod augmented;
+mod composite;
 mod energy;
 mod inertia_force;
 mod reduce;
 mod solve;
+mod spatial;
+mod tree;
 
 pub use augmented::Augmented;
 

@@ -75,13 +75,21 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
         }
     }
     for constraint in &model.motion_constraints {
-        let scalars = match lower::value(k, &constraint.expression) {
-            lower::Value::Vector(v) => k.triads.express(&mut k.dag, &v, TriadId::from_index(0)).to_vec(),
-            lower::Value::Scalar(e) => vec![e],
-            lower::Value::Pending => Vec::new(),
-        };
-        for e in scalars {
-            rows.extend(motion_row(k, &constraint.name, e));
+        match lower::value(k, &constraint.expression) {
+            lower::Value::Vector(v) => {
+                let motion = velocity::linear_motion(k, &v);
+                let triads = triads_of(&motion);
+                // A component that vanishes all the time has a rate that vanishes, in any triad.
+                for &triad in &triads {
+                    for e in k.triads.express(&mut k.dag, &v, triad) {
+                        rows.extend(motion_row(k, &constraint.name, e));
+                    }
+                }
+                let (name, residual) = (constraint.name.clone(), Vector::zero());
+                rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
+            }
+            lower::Value::Scalar(e) => rows.extend(motion_row(k, &constraint.name, e)),
+            lower::Value::Pending => {}
         }
     }
     rows.sort_by_key(|row| row.cost);
@@ -309,11 +317,8 @@ fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
             continue;
         }
         rate.partials.insert(unknown, coefficient);
-        let change = velocity::scalar_rate(k, coefficient);
-        let change = velocity::rate_value(k, &change);
-        let term = k.dag.mul(change, value);
-        rate.bias = k.dag.add(rate.bias, term);
     }
+    rate.bias = velocity::configuration_rate(k, e);
     let zero = k.dag.zero();
     row(k, name, rate, zero)
 }

@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
 const INDEPENDENT: f64 = 1e-3;
+/// A row that adds more operations than this is worth a search for a cheaper one.
+const DEAR: usize = 100;
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 
@@ -138,7 +140,74 @@ fn choose(
         pay(&k.dag, row, &mut paid);
         chosen.push(row.clone());
     }
+    exchange(k, table, &column, &mut chosen);
     Ok(chosen)
+}
+
+/// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
+/// dear where others bring what it needs.
+fn exchange(k: &Kinematics, table: &mut SampleTable, column: &HashMap<UnknownId, usize>, chosen: &mut [Row]) {
+    for _ in 0..chosen.len() {
+        let without = |i: usize| {
+            let mut paid = HashSet::default();
+            chosen
+                .iter()
+                .enumerate()
+                .filter(|(j, _)| *j != i)
+                .for_each(|(_, row)| pay(&k.dag, row, &mut paid));
+            paid
+        };
+        let mut prices: Vec<(usize, usize)> =
+            (0..chosen.len()).map(|i| (added_cost(k, &chosen[i], &without(i)), i)).collect();
+        prices.retain(|(price, _)| *price > DEAR);
+        prices.sort_by_key(|&(price, i)| (std::cmp::Reverse(price), i));
+        let better = prices.iter().find_map(|&(price, i)| {
+            let others: Vec<&Row> =
+                chosen.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
+            cheaper(k, table, column, &others, &without(i), price).map(|row| (i, row))
+        });
+        let Some((i, row)) = better else { return };
+        chosen[i] = row;
+    }
+}
+
+/// The cheapest row below `price` that is independent of `others`.
+fn cheaper(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    column: &HashMap<UnknownId, usize>,
+    others: &[&Row],
+    paid: &HashSet<ExprId>,
+    price: usize,
+) -> Option<Row> {
+    let mut list: Vec<(usize, &Row)> = (k.rows.iter())
+        .map(|row| (added_cost(k, row, paid), row))
+        .filter(|(cost, _)| *cost < price)
+        .collect();
+    list.sort_by_key(|(cost, _)| *cost);
+    list.into_iter().map(|(_, row)| row).find(|row| is_independent(k, table, column, others, row)).cloned()
+}
+
+/// Is `row` independent of `others` at every sample?
+fn is_independent(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    column: &HashMap<UnknownId, usize>,
+    others: &[&Row],
+    row: &Row,
+) -> bool {
+    let n = column.len();
+    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
+    for other in others {
+        let numbers = numeric_row(&k.dag, table, other, column, n);
+        for (basis, v) in bases.iter_mut().zip(numbers) {
+            let rest = orthogonal_part(&v, basis);
+            let length = norm(&rest);
+            basis.push(rest.into_iter().map(|x| x / length).collect());
+        }
+    }
+    let numbers = numeric_row(&k.dag, table, row, column, n);
+    numbers.iter().zip(&bases).all(|(v, basis)| norm(&orthogonal_part(v, basis)) > INDEPENDENT)
 }
 
 /// Operations that a row adds to the expressions paid for already, plus what an entry costs later.

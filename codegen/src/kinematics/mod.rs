@@ -34,7 +34,10 @@ pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub(crate) use position::flatten;
 pub use velocity::{Motion, Rate};
-pub(crate) use velocity::{motion_value as value_of, rate_value as rate_of};
+pub(crate) use velocity::{
+    derivative as derivative_of, is_lifted_triad, motion_value as value_of, rate_value as rate_of,
+    scalar_rate as scalar_rate_of,
+};
 
 ids! {
     /// An unknown of the velocity level: a speed, or a component of a lifted twist.

@@ -4,7 +4,9 @@
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
 pub mod interpreter;
+mod prepared;
 mod reciprocal;
+mod shorten;
 
 use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
@@ -12,6 +14,7 @@ use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
+use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
 
 /// Everything derived from a model.
@@ -96,6 +99,14 @@ pub struct Quantity {
 /// # Errors
 /// What only numbers show: see the stages.
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
+    derive_with(model, choice, Effort::default())
+}
+
+/// [`derive`] with another effort to shorten the program.
+///
+/// # Errors
+/// As for [`derive`].
+pub fn derive_with(model: &Model, choice: &ParameterChoice, effort: Effort) -> Result<Program, Diagnostics> {
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
@@ -104,6 +115,8 @@ pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagno
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;
+    shorten::answers(&mut program, &mut table, effort);
+    mark_angles(&mut program);
     Ok(program)
 }
 
@@ -166,7 +179,6 @@ fn assemble(
     };
     program.substitute(&closed_forms);
     reciprocal::share(&mut program);
-    mark_angles(&mut program);
     program
 }
 
@@ -299,10 +311,10 @@ impl Program {
         self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
     }
 
-    /// Operations of one evaluation of q' and u', parameters at run time.
+    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
     #[must_use]
     pub fn operations(&self) -> usize {
-        self.dag.cone_cost(&self.forward_dynamics())
+        self.dag.state_cost(&self.forward_dynamics())
     }
 
     /// Puts expressions in the place of symbols, in every result.
@@ -320,6 +332,17 @@ impl Program {
 
     /// Replaces every result by its image (results keep their meaning).
     fn map_roots(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
+        self.map_answers(&mut image);
+        let augmented = &mut self.augmented;
+        for part in
+            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
+        {
+            part.iter_mut().for_each(|e| *e = image(*e));
+        }
+    }
+
+    /// The same for all results but those of the augmented form.
+    fn map_answers(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
         let rates = &mut self.rates;
         for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {
             *e = image(*e);
@@ -335,12 +358,6 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
-        let augmented = &mut self.augmented;
-        for part in
-            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
-        {
-            part.iter_mut().for_each(|e| *e = image(*e));
-        }
     }
 
     /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.
