@@ -7,6 +7,7 @@ mod expressions;
 mod fuzz;
 mod geometry;
 mod layering;
+mod loops;
 mod machines;
 mod model_errors;
 mod models;
