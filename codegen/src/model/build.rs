@@ -19,12 +19,12 @@ use crate::id::Id;
 pub struct Units {
     /// Of parameters.
     pub parameters: IdVec<ParameterId, Unit>,
-    /// Of coordinates.
-    pub coordinates: IdVec<CoordinateId, Unit>,
+    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of it.
+    pub coordinates: IdVec<CoordinateId, Scale>,
     /// Of speeds.
-    pub speeds: IdVec<SpeedId, Unit>,
+    pub speeds: IdVec<SpeedId, Scale>,
     /// Of inputs.
-    pub inputs: IdVec<InputId, Unit>,
+    pub inputs: IdVec<InputId, Scale>,
     /// Of definitions that state one.
     pub definitions: IdVec<DefinitionId, Option<Unit>>,
     /// Of outputs that state one.
@@ -390,7 +390,7 @@ impl<'a> Builder<'a> {
             let doc = fields.doc(self.found);
             let (unit, scale) = self.unit(&fields);
             fields.finish(self.found);
-            self.draft.units.inputs.push(scale.map_or(Unit::NONE, |s| s.unit));
+            self.draft.units.inputs.push(scale.unwrap_or(si(Unit::NONE)));
             self.draft.model.inputs.push(Input { name: key.name.clone(), doc, unit, span: key.span });
         }
     }

@@ -152,7 +152,7 @@ impl Checker<'_> {
             self.expect(gravity, Type::vector(Unit::ACCELERATION), "gravity");
         }
         for (id, coordinate) in model.coordinates.enumerate() {
-            let unit = Type::scalar(draft.units.coordinates[id]);
+            let unit = Type::scalar(draft.units.coordinates[id].unit);
             let numbers = draft.coordinate_values[id].iter().flatten();
             for value in coordinate.closed_form.iter().chain(numbers) {
                 self.expect(value, unit, &quoted(&coordinate.name));
@@ -160,25 +160,25 @@ impl Checker<'_> {
         }
         for (id, speed) in model.speeds.enumerate() {
             if let SpeedMeaning::Combination(value) = &speed.meaning {
-                self.expect(value, Type::scalar(draft.units.speeds[id]), &quoted(&speed.name));
+                self.expect(value, Type::scalar(draft.units.speeds[id].unit), &quoted(&speed.name));
             }
         }
         for (of, value) in &draft.start_values {
             let unit = match of {
-                StartRef::Coordinate(id) => draft.units.coordinates[*id],
-                StartRef::Speed(id) => draft.units.speeds[*id],
+                StartRef::Coordinate(id) => draft.units.coordinates[*id].unit,
+                StartRef::Speed(id) => draft.units.speeds[*id].unit,
             };
             self.expect(value, Type::scalar(unit), "this start value");
         }
         for (id, value) in draft.configuration_values.iter().flatten() {
             self.expect(
                 value,
-                Type::scalar(draft.units.coordinates[*id]),
+                Type::scalar(draft.units.coordinates[*id].unit),
                 &quoted(&model.coordinates[*id].name),
             );
         }
         for (id, value) in &model.laws {
-            self.expect(value, Type::scalar(draft.units.inputs[*id]), &quoted(&model.inputs[*id].name));
+            self.expect(value, Type::scalar(draft.units.inputs[*id].unit), &quoted(&model.inputs[*id].name));
         }
     }
 
@@ -200,7 +200,7 @@ impl Checker<'_> {
                     }
                 }
                 LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
-                    let q = draft.units.coordinates[*coordinate];
+                    let q = draft.units.coordinates[*coordinate].unit;
                     // A generalised force works along q: its unit is J per unit of q.
                     let stiff = over(over(Unit::TORQUE, q), q);
                     self.expect(stiffness, Type::scalar(stiff), "a stiffness");
@@ -265,10 +265,10 @@ impl Checker<'_> {
             ExprKind::Pi | ExprKind::Degree => Type::scalar(Unit::NONE),
             ExprKind::Time => Type::scalar(Unit::TIME),
             ExprKind::Parameter(id) => Type::scalar(units.parameters[*id]),
-            ExprKind::Coordinate(id) => Type::scalar(units.coordinates[*id]),
-            ExprKind::Rate(id) => Type::scalar(units.coordinates[*id].per(Unit::TIME).ok_or(Reported)?),
-            ExprKind::Speed(id) => Type::scalar(units.speeds[*id]),
-            ExprKind::Input(id) => Type::scalar(units.inputs[*id]),
+            ExprKind::Coordinate(id) => Type::scalar(units.coordinates[*id].unit),
+            ExprKind::Rate(id) => Type::scalar(units.coordinates[*id].unit.per(Unit::TIME).ok_or(Reported)?),
+            ExprKind::Speed(id) => Type::scalar(units.speeds[*id].unit),
+            ExprKind::Input(id) => Type::scalar(units.inputs[*id].unit),
             ExprKind::Definition(id) => self.definitions[crate::id::Id::index(*id)].ok_or(Reported)?,
             ExprKind::Point(_) => Type::vector(Unit::LENGTH),
             ExprKind::Velocity(_) => Type::vector(Unit::VELOCITY),
@@ -458,7 +458,7 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
         let [nominal, low, high] = &draft.coordinate_values[id];
         let nominal = nominal.as_ref().map_or(0.0, &mut value);
         // Without a range: once around for angles, one unit to both sides for the rest.
-        let reach = if draft.units.coordinates[id] == Unit::NONE { std::f64::consts::PI } else { 1.0 };
+        let reach = if draft.units.coordinates[id].unit == Unit::NONE { std::f64::consts::PI } else { 1.0 };
         let low = low.as_ref().map_or(nominal - reach, &mut value);
         let high = high.as_ref().map_or(nominal + reach, &mut value);
         let coordinate = &mut model.coordinates[id];
