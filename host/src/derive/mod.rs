@@ -91,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
     let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    model_argument::print_warnings(&program);
     let options = EmitOptions {
         scalar: arguments.scalar.scalar_type(),
         answers: answers(arguments, &model)?,

@@ -66,6 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let states = states::read(&arguments.states)?;
     let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };
     let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    model_argument::print_warnings(&program);
     let text = match arguments.scalar {
         ScalarKind::F32 => evaluate::<f32>(arguments, &model, &program, &states)?,
         ScalarKind::F64 => evaluate::<f64>(arguments, &model, &program, &states)?,

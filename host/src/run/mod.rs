@@ -91,6 +91,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = Settings::new(&model, arguments)?;
     let wrong = |e| model_argument::wrong(&e);
     let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    model_argument::print_warnings(&program);
     let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
     let start = start(&model, &program, &settings)?;
     let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };

@@ -39,6 +39,58 @@ fn check_warns_of_what_is_never_used() {
 }
 
 #[test]
+fn check_finds_what_the_samples_miss() {
+    // Crank almost as long as the rod: cos(b) is sqrt(1 - (r/l)^2) where the crank stands upright, in a
+    // valley a few degrees wide that 64 samples over 355 degrees step over.
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
+    let model = model.expect("a model").replace(
+        "q = { unit = \"rad\", independent = true, nominal = \"60*deg\", range = [-3.1, 3.1]",
+        "q = { unit = \"deg\", independent = true, nominal = 20, range = [-60, 95]",
+    );
+    let model = model
+        .replace("value = 0.3, unit = \"m\"", "value = 0.1000001, unit = \"m\"")
+        .replace("nominal = -0.29, range = [-0.4, 0.4]", "nominal = -0.349, range = [-1.6, 1.6]")
+        .replace("nominal = 0.337, range = [0.2, 0.4]", "nominal = 0.188, range = [-0.1, 0.3]");
+    let path = written("nearly_singular.toml", &model);
+    let facts = smartbed(&["check", &path, "--json"]).json();
+    let nearest = &facts["nearest_to_singular"];
+    let q = nearest["at"][0].as_str().expect("a place").to_owned();
+    assert_eq!(q, "q = 90.0000 deg");
+    let sampled = facts["pivots"][0]["worst"].as_f64().expect("a number");
+    let found = nearest["pivot"].as_f64().expect("a number");
+    let nominal = (1.0 - (20.0_f64.to_radians().sin() / 1.000_001).powi(2)).sqrt();
+    let exact = (1.0 - 1.000_001_f64.powi(-2)).sqrt() / nominal;
+    assert!((found / exact - 1.0).abs() < 1e-3, "{found} is not {exact}");
+    assert!(2.0 * found < sampled, "{found} against {sampled} at the samples");
+    let text = smartbed(&["check", &path]).out;
+    assert!(text.contains("warning: within the ranges a configuration is nearly singular"), "{text}");
+}
+
+#[test]
+fn dropped_constraints_are_named_by_every_command_that_derives() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
+    let model = model.expect("a model").replace(
+        "[constraints.configuration]\n",
+        "[constraints.configuration]\nagain = \"dot(D - C, N.x)*2\"\n",
+    );
+    let path = written("redundant.toml", &model);
+    let message = "follows from the other constraints and is dropped";
+    let done = smartbed(&["check", &path]);
+    assert!(done.out.contains(message) && done.out.contains("redundant.toml:"), "{done:?}");
+    let out = file("redundant.rs").display().to_string();
+    let states = written("redundant.json", "{\"states\": [{\"q\": {\"q1\": 1}}]}");
+    for arguments in [
+        &["derive", &path, "-o", &out][..],
+        &["run", &path, "--seconds", "0.01"],
+        &["eval", &path, "--states", &states],
+    ] {
+        let done = smartbed(arguments);
+        assert_eq!(done.status, 0, "{done:?}");
+        assert!(done.err.contains(message), "{arguments:?}: {done:?}");
+    }
+}
+
+#[test]
 fn check_shows_the_errors_of_a_model() {
     let done =
         smartbed(&["check", &written("broken.toml", "format = 1\nname = \"broken\"\n[bodies]\nb = 3\n")]);
