@@ -153,7 +153,8 @@ F = 1.5
     let mut engine = smartbed_codegen::Interpreted::<f64>::new(&program);
     let zero = [0.0; 2];
     // The spring pulls q from 0 to its rest of pi: k pi^2 / 2.
-    let energy = smartbed_runtime::mechanism::Mechanism::energy(&mut engine, &zero, &zero).expect("lengths fit");
+    let energy =
+        smartbed_runtime::mechanism::Mechanism::energy(&mut engine, &zero, &zero).expect("lengths fit");
     close(energy.1, 1.5 * std::f64::consts::PI.powi(2));
     let smartbed_codegen::model::expression::ExprKind::Number(law) = model.laws[0].1.kind else {
         panic!("a number")

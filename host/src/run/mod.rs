@@ -131,7 +131,7 @@ fn record<S: EngineScalar>(
     setup: Setup<'_>,
 ) -> Result<Summary, Failure> {
     let engine = engine::new::<S>(arguments.engine, setup.program)?;
-    let names = columns(setup.program);
+    let names = columns(setup.program, setup.observers);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
         csv.write(&(names.join(",") + "\n"))?;
@@ -154,7 +154,8 @@ fn record<S: EngineScalar>(
         csv.finish()?;
     }
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        plot::write(file, &plot::motion(setup.program, &names, recording))?;
+        let closed = &setup.observers.closed;
+        plot::write(file, &plot::motion(setup.program, closed, &names, recording))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(
@@ -176,7 +177,7 @@ fn line(values: &[f64]) -> String {
 
 /// What was done, for people or for machines.
 fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
-    let names = columns(setup.program);
+    let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
     if arguments.json {
         let last = json_object(names.iter().map(String::as_str).zip(summary.last.iter().copied()));
@@ -208,7 +209,7 @@ fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
     let width = names.iter().map(String::len).max().unwrap_or(0);
-    let shown = 1 + setup.program.q.len() + setup.program.speeds.len();
+    let shown = 1 + setup.program.q.len() + setup.observers.closed.len() + setup.program.speeds.len();
     for (name, value) in names.iter().zip(&summary.last).take(shown) {
         let _ = writeln!(text, "  {name:width$} {value:>14.6e}");
     }
