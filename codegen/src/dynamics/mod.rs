@@ -102,6 +102,22 @@ pub fn derive(
     })
 }
 
+/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
+pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
+    let values = unknown_values(k, solution);
+    let (zero, n_u) = (k.dag.zero(), solution.partials.values().next().map_or(0, Vec::len));
+    Dynamics {
+        mass_matrix: Vec::new(),
+        forcing: Vec::new(),
+        u_dot: vec![zero; n_u],
+        kinetic: zero,
+        potential: zero,
+        values,
+        pivots: Vec::new(),
+        augmented: Augmented::default(),
+    }
+}
+
 /// y = T u for every unknown that is not an independent speed; named after the unknown.
 fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
     let independent: Vec<ExprId> = (k.unknowns.iter())

@@ -4,6 +4,7 @@
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
 pub mod interpreter;
+mod kinematic;
 mod reciprocal;
 
 use crate::diagnostic::Diagnostics;
@@ -12,6 +13,8 @@ use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
+
+pub use kinematic::derive_kinematic;
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]

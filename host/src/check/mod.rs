@@ -49,7 +49,9 @@ pub(crate) struct Report {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
-    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    // Without bodies there are no forces to ask for: what is checked is the kinematics.
+    let derive = if model.bodies.is_empty() { program::derive_kinematic } else { program::derive };
+    let program = derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
     let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
     let nearest = near_singular::search(&model, &program, &kinematics.samples);
@@ -83,7 +85,7 @@ fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Neares
         "nearest_to_singular": nearest.map(|n| json!({ "pivot": n.pivot, "at": at(&n.q) })),
         "pivots": pivots(program),
         "units": units(model, program),
-        "cost": cost(program),
+        "cost": cost(model, program),
         "warnings": warnings,
     });
     Report { facts, warnings: rendered }
@@ -150,8 +152,9 @@ fn units(model: &Model, program: &Program) -> Value {
     Value::Array(rows)
 }
 
-fn cost(program: &Program) -> Value {
-    let costs = Answer::ALL.iter().map(|answer| {
+fn cost(model: &Model, program: &Program) -> Value {
+    let answers: &[Answer] = if model.bodies.is_empty() { &Answer::KINEMATIC } else { &Answer::ALL };
+    let costs = answers.iter().map(|answer| {
         let roots = answer.roots(program);
         json!({
             "answer": answer.name(), "operations": program.dag.cone_cost(&roots),

@@ -126,6 +126,38 @@ fn forms_give_what_they_say_or_explain_why_not() {
 }
 
 #[test]
+fn the_kinematic_form_needs_no_masses() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
+    let model = model.expect("a model");
+    let section = |name: &str| {
+        let from = model.find(name).expect("the section");
+        from..from + model[from..].find("\n[").map_or(model.len() - from, |n| n + 1)
+    };
+    let mut bare = model.clone();
+    let mut sections = [section("[bodies]"), section("[torques]")];
+    sections.sort_by_key(|range| std::cmp::Reverse(range.start));
+    sections.into_iter().for_each(|range| bare.replace_range(range, ""));
+    let path = written("bare.toml", &bare.replace("name = \"fourbar\"", "name = \"bare\""));
+    let functions = |text: &str| text[text.find("pub fn speeds").expect("speeds")..].to_owned();
+    let done = smartbed(&["derive", &path, "--form", "kinematic"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    // Masses do not enter: the functions are those of the complete model but for the unused fields.
+    let whole = smartbed(&["derive", "fourbar", "--form", "kinematic"]).out;
+    assert_eq!(functions(&done.out), functions(&whole));
+    let out = file("bare.rs").display().to_string();
+    let facts = smartbed(&["derive", &path, "--form", "kinematic", "-o", &out, "--json"]).json();
+    assert_eq!(facts["operations"].as_object().map(serde_json::Map::len), Some(3));
+    let checked = smartbed(&["check", &path, "--json"]).json();
+    assert_eq!(checked["dof"]["found"], 1);
+    assert_eq!(checked["cost"].as_array().map(Vec::len), Some(3));
+    let done = smartbed(&["derive", &path]);
+    assert!(
+        done.message().contains("the model has no bodies") && done.err.contains("--form kinematic"),
+        "{done:?}"
+    );
+}
+
+#[test]
 fn a_derived_crate_compiles_on_its_own() {
     for (scalar, folder) in [("f32", "fourbar_f32"), ("f64x4", "fourbar_f64x4")] {
         let folder = file(folder);
