@@ -409,13 +409,16 @@ impl Builder<'_> {
     fn spring(&mut self, fields: &Fields<'_>) -> Option<LoadKind> {
         if let Some(coordinate) = fields.get("coordinate") {
             let coordinate = self.coordinate_of(Some(coordinate));
-            let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
             let scale = coordinate.and_then(|id| self.draft.units.coordinates.get(id)).copied();
+            let scale = scale.unwrap_or(si(Unit::NONE));
+            // A generalised force works along q: its unit is J per unit of q.
+            let per_q = over(over(Unit::TORQUE, scale.unit), scale.unit);
+            let stiffness = self.needed(fields, "stiffness", per_q, "\"k\"");
             let rest = match fields.get("rest") {
-                Some(value) => self.quantity(value, scale.unwrap_or(si(Unit::NONE))),
+                Some(value) => self.quantity(value, scale),
                 None => Expr { kind: ExprKind::Number(0.0), span: fields.span, unit: Unit::NONE },
             };
-            let damping = self.optional(fields, "damping", Unit::NONE);
+            let damping = self.optional(fields, "damping", over(per_q, Unit::RATE));
             return Some(LoadKind::CoordinateSpring { coordinate: coordinate?, stiffness, rest, damping });
         }
         let ends = match fields.array("between", self.found) {
@@ -429,12 +432,17 @@ impl Builder<'_> {
                 None
             }
         };
-        let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
+        let stiffness = self.needed(fields, "stiffness", over(Unit::FORCE, Unit::LENGTH), "\"k\"");
         let rest_length = self.needed(fields, "rest_length", Unit::LENGTH, "\"l0\"");
-        let damping = self.optional(fields, "damping", Unit::NONE);
+        let damping = self.optional(fields, "damping", over(Unit::FORCE, Unit::VELOCITY));
         let (a, b) = ends?;
         Some(LoadKind::Spring { ends: [a, b], stiffness, rest_length, damping })
     }
+}
+
+/// Quotient of two units; exponents beyond all bounds have been reported where they arose.
+fn over(a: Unit, b: Unit) -> Unit {
+    a.per(b).unwrap_or(Unit::NONE)
 }
 
 /// Unit text of a rate: that of the coordinate per second.

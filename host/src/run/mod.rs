@@ -59,7 +59,7 @@ pub struct Arguments {
     /// Plot coordinates and energies over time.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,
-    /// Write an animation that any browser shows.
+    /// Write an animation that any browser shows; FILE.html#t=0.5 opens it at 0.5 s.
     #[arg(long, value_name = "FILE.html")]
     pub view: Option<String>,
     /// Changes a parameter or a start value; may be repeated.

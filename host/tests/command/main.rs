@@ -7,3 +7,4 @@ mod nonsense;
 mod reference;
 mod run;
 mod support;
+mod view;
