@@ -176,6 +176,28 @@ fn a_derived_crate_compiles_on_its_own() {
 }
 
 #[test]
+fn a_derived_crate_compiles_for_the_microcontroller() {
+    const TARGET: &str = "thumbv7em-none-eabihf";
+    let folder = file("tile_chip");
+    let done = smartbed(&["derive", "tile", "--scalar", "f32", "--crate", &folder.display().to_string()]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let toolchain = smartbed::firmware::toolchain::toolchain(TARGET).expect("a toolchain");
+    // A crate fresh from `derive` has no lock file; the workspace's versions are at hand without a network.
+    let locked = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
+    std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
+    let mut cargo = toolchain.cargo();
+    cargo.args(["build", "--quiet", "--release", "--target", TARGET, "--target-dir"]).arg(file("chip"));
+    if toolchain.core_from_source {
+        cargo.arg("-Zbuild-std=core");
+    }
+    cargo.env_remove("RUSTFLAGS").current_dir(&folder);
+    let done = finish(cargo);
+    assert_eq!((done.status, done.err.as_str()), (0, ""), "{}", toolchain.describe());
+    let library = file("chip").join(TARGET).join("release/libtile.rlib");
+    assert!(std::fs::metadata(library).expect("a library").len() > 10_000);
+}
+
+#[test]
 fn every_command_has_help_with_an_example() {
     for name in ["check", "derive", "eval", "run", "firmware"] {
         let done = smartbed(&[name, "--help"]);
