@@ -235,7 +235,16 @@ impl<'a> Builder<'a> {
             }
         };
         let result = look_up(self.scope, &text.text);
-        if result.is_none() {
+        let is_name = text.text.chars().all(|c| c.is_alphanumeric() || c == '_');
+        if result.is_none() && !is_name {
+            self.found.push(
+                Diagnostic::error(format!("expected the name of a {kind}, found an expression"))
+                    .label(text.span, "this is no name")
+                    .help(format!(
+                        "declare the {kind} in [{kind}s] under a name of its own, and write that name here"
+                    )),
+            );
+        } else if result.is_none() {
             let known = known(self.scope);
             self.found.push(
                 Diagnostic::error(format!("unknown {kind} `{}`", text.text))

@@ -70,7 +70,10 @@ impl Builder<'_> {
         let known: Vec<&str> =
             self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
         let all = || match known.is_empty() {
-            true => format!("this model declares no {kind}: declare it first"),
+            true => format!(
+                "this model declares no {kind}: declare it first, in [{}s]",
+                kind.split(' ').next().unwrap_or(kind)
+            ),
             false => format!("known: {}", known.join(", ")),
         };
         self.found.push(

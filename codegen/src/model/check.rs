@@ -61,7 +61,13 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
     match model.dof {
         Some((stated, span)) if stated != independent.len() => found.push(
             Diagnostic::error(format!("dof = {stated}, but independent speeds: {}", independent.len()))
-                .label(span, format!("independent: {}", independent.join(", ")))
+                .label(
+                    span,
+                    format!(
+                        "independent: {}",
+                        if independent.is_empty() { "none".to_owned() } else { independent.join(", ") }
+                    ),
+                )
                 .help("correct dof, or mark coordinates as `independent = true` or `false`"),
         ),
         _ => {}
@@ -476,7 +482,7 @@ fn finite(value: f64, span: Span, found: &mut Diagnostics) -> f64 {
         found.push(
             Diagnostic::error("this has no finite constant value")
                 .label(span, format!("evaluates to {value}"))
-                .help("only numbers, parameters and functions of them may stand here"),
+                .help("look for a division by 0, a root or logarithm of a negative number, or a number too large"),
         );
     }
     value

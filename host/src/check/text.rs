@@ -44,7 +44,7 @@ fn counts(counts: &Value, text: &mut String) {
     text.push('\n');
     for (name, n) in counts.as_object().into_iter().flatten() {
         if n.as_u64() != Some(0) {
-            let _ = writeln!(text, "{:>6} {}", n.to_string(), name.replace('_', " "));
+            let _ = writeln!(text, "{:<26}{:>5}", name.replace('_', " "), n.to_string());
         }
     }
 }
@@ -115,7 +115,7 @@ fn cost(cost: &Value, text: &mut String) {
 fn units(units: &Value, text: &mut String) {
     let widest = |key: &str| list(units).iter().map(|row| word(&row[key]).chars().count()).max().unwrap_or(0);
     let (kind, name, unit) = (widest("kind"), widest("name"), widest("unit"));
-    text.push_str("\nunits\n");
+    text.push_str("\nunits (SI, as in tables, plots and states files)\n");
     for row in list(units) {
         let line = format!(
             "  {:<kind$}  {:<name$}  {:<unit$}  {}",

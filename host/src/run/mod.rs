@@ -99,7 +99,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
     };
-    let text = report(arguments, setup, &summary, clock.seconds());
+    let text = report(arguments, &model, setup, &summary, clock.seconds());
     if arguments.csv.as_deref() == Some("-") {
         eprint!("{text}");
     } else {
@@ -154,8 +154,9 @@ fn record<S: EngineScalar>(
         csv.finish()?;
     }
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        let closed = &setup.observers.closed;
-        plot::write(file, &plot::motion(setup.program, closed, &names, recording))?;
+        let outputs = model.outputs.iter().map(|o| (o.name.clone(), o.unit.clone()));
+        let more: Vec<(String, String)> = setup.observers.closed.iter().cloned().chain(outputs).collect();
+        plot::write(file, &plot::motion(setup.program, &more, &names, recording))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(
@@ -176,7 +177,7 @@ fn line(values: &[f64]) -> String {
 }
 
 /// What was done, for people or for machines.
-fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
+fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
     let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
     if arguments.json {
@@ -211,7 +212,19 @@ fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f
     let width = names.iter().map(String::len).max().unwrap_or(0);
     let shown = 1 + setup.program.q.len() + setup.observers.closed.len() + setup.program.speeds.len();
     for (name, value) in names.iter().zip(&summary.last).take(shown) {
-        let _ = writeln!(text, "  {name:width$} {value:>14.6e}");
+        let line = format!("  {name:width$} {value:>14.6e} {}", unit_of(model, name));
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
+}
+
+/// Unit of a column; blank for a number without one.
+fn unit_of<'a>(model: &'a Model, name: &str) -> &'a str {
+    let coordinate = model.coordinates.iter().find(|c| c.name == name).map(|c| c.unit.as_str());
+    let speed = || model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.as_str());
+    match coordinate.or_else(speed) {
+        None if name == "t" => "s",
+        None | Some("1") => "",
+        Some(unit) => unit,
+    }
 }
