@@ -204,10 +204,10 @@ impl Reader<'_> {
     fn unknown<T>(&mut self, name: &str, span: RustSpan) -> Option<T> {
         let help = if self.scope.frames.contains_key(name) {
             format!("`{name}` is a frame: its unit vectors are {name}.x, {name}.y, {name}.z")
-        } else if FUNCTIONS.iter().any(|(known, ..)| *known == name) || OTHER_FUNCTIONS.contains(&name) {
-            format!("`{name}` is a function: write {name}(...)")
         } else if let Some(speed) = self.rate_meant(name) {
             format!("the rate of a coordinate is its speed: here `{speed}`")
+        } else if FUNCTIONS.iter().any(|(known, ..)| *known == name) || OTHER_FUNCTIONS.contains(&name) {
+            format!("`{name}` is a function: write {name}(...)")
         } else {
             let known = self.scope.values.keys().map(String::as_str).chain(RESERVED);
             suggestion(name, known)

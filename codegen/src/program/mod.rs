@@ -3,6 +3,7 @@
 //! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
+pub mod arguments;
 pub mod interpreter;
 mod kinematic;
 mod reciprocal;
