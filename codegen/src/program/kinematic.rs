@@ -3,7 +3,7 @@
 //! In: a model, with or without bodies. Out: a program of which only the answers
 //! [`Answer::KINEMATIC`](crate::Answer::KINEMATIC) mean anything.
 
-use super::{Program, assemble};
+use super::{Effort, Program, assemble, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
@@ -13,7 +13,11 @@ use crate::model::Model;
 ///
 /// # Errors
 /// What only numbers show: frames that are none, constraints that are singular or do not fit.
-pub fn derive_kinematic(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
+pub fn derive_kinematic(
+    model: &Model,
+    choice: &ParameterChoice,
+    effort: Effort,
+) -> Result<Program, Diagnostics> {
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
@@ -22,5 +26,7 @@ pub fn derive_kinematic(model: &Model, choice: &ParameterChoice) -> Result<Progr
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;
+    shorten::answers(&mut program, &mut table, effort);
+    mark_angles(&mut program);
     Ok(program)
 }

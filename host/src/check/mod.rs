@@ -14,7 +14,7 @@ use near_singular::Nearest;
 use rank::Rank;
 use serde_json::{Value, json};
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::{Answer, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::{Answer, Effort, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
@@ -50,8 +50,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
     // Without bodies there are no forces to ask for: what is checked is the kinematics.
-    let derive = if model.bodies.is_empty() { program::derive_kinematic } else { program::derive };
-    let program = derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let program = match model.bodies.is_empty() {
+        true => program::derive_kinematic(&model, &choice, Effort::default()),
+        false => program::derive(&model, &choice),
+    };
+    let program = program.map_err(|e| model_argument::wrong(&e))?;
     let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
     let nearest = near_singular::search(&model, &program, &kinematics.samples);
