@@ -26,6 +26,14 @@ fn check_counts_the_tile() {
 }
 
 #[test]
+fn speeds_in_closed_form_are_no_freedom() {
+    for (model, dof) in [("slider_crank_closed", 1), ("tile_minimal", 3)] {
+        let facts = smartbed(&["check", model, "--json"]).json();
+        assert_eq!(facts["dof"]["found"], dof, "{model}");
+    }
+}
+
+#[test]
 fn check_warns_of_what_is_never_used() {
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum3.toml"));
     let model = model
