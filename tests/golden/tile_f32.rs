@@ -1,11 +1,12 @@
 // Generated from models/tile.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile: 12 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f32.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 733 operations (12 abs, 131 add, 5 cos, 12 div, 11 min, 431 mul, 5 sin, 126 sub).
-// Cost of energy: 226 operations (47 add, 5 cos, 9 div, 138 mul, 5 sin, 22 sub).
+// Cost of rates: 715 operations (12 abs, 125 add, 5 cos, 12 div, 11 min, 425 mul, 5 sin, 120 sub).
+// Cost of energy: 214 operations (41 add, 5 cos, 9 div, 135 mul, 5 sin, 19 sub).
 // Cost of speeds: 151 operations (21 add, 5 cos, 9 div, 94 mul, 5 sin, 17 sub).
 // Cost of outputs: 10 operations (1 add, 2 cos, 4 mul, 2 sin, 1 sub).
-// Cost of projection: 401 operations (9 abs, 74 add, 6 cos, 10 div, 8 max, 218 mul, 6 sin, 1 sqrt, 69 sub).
+// Cost of projection: 399 operations (9 abs, 74 add, 6 cos, 10 div, 8 max, 216 mul, 6 sin, 1 sqrt, 69 sub).
+// Cost of prepare: 20 operations (6 add, 8 mul, 6 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -93,6 +94,7 @@ pub const NOMINAL: [f32; 12usize] = [
 ];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Radius of the circle of screws (m), models/tile.toml:11.
@@ -141,9 +143,103 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `R`.
+    pub R: S,
+    ///The parameter `ms`.
+    pub ms: S,
+    ///The parameter `mc`.
+    pub mc: S,
+    ///The parameter `Ic2`.
+    pub Ic2: S,
+    ///The parameter `M`.
+    pub M: S,
+    ///The parameter `Ix`.
+    pub Ix: S,
+    ///The parameter `Iy`.
+    pub Iy: S,
+    ///The parameter `Iz`.
+    pub Iz: S,
+    ///The parameter `c`.
+    pub c: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+    ///Of parameters alone.
+    pub k23: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///20 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let R = p.R;
+    let ms = p.ms;
+    let mc = p.mc;
+    let Ic2 = p.Ic2;
+    let M = p.M;
+    let Ix = p.Ix;
+    let Iy = p.Iy;
+    let Iz = p.Iz;
+    let c = p.c;
+    let g = p.g;
+    let t1 = 0.8660254_f32 * R;
+    let t2 = 0.5_f32 * R;
+    let Ic1 = p.Ic1;
+    let Ic3 = p.Ic3;
+    let t3 = 0.5_f32 * (Ic1 + Ic2 - Ic3);
+    let t4 = ms + mc;
+    let t5 = g * t4;
+    let t6 = Iz - Iy;
+    let t7 = Ix - Iz;
+    let t8 = Iy - Ix;
+    let mr = p.mr;
+    let t9 = mr + t4;
+    let t10 = 0.57735026_f32 * M;
+    let t11 = 1.3333334_f32 * M;
+    let t12 = 0.5_f32 * (Ic1 - (Ic2 + Ic3));
+    let t13 = t3 + t12;
+    let t14 = 0.5_f32 * (Ic2 - (Ic1 + Ic3));
+    Prepared { R, ms, mc, Ic2, M, Ix, Iy, Iz, c, g, k10: t1, k11: t2, k12: t3, k13: t4, k14: t5, k15: t6, k16: t7, k17: t8, k18: t9, k19: t10, k20: t11, k21: t12, k22: t13, k23: t14 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///733 operations.
+///715 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -156,7 +252,7 @@ pub fn rates(
     q: &[S; 12usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 12usize], [S; 3usize], S) {
     let u_hA = u[0];
     let sA = q[3];
@@ -247,171 +343,168 @@ pub fn rates(
     let t50 = w_platform_y * t48 + t30 * u_thC_per_w_platform_x + t10 * u_thC_per_w_platform_z;
     let u_sC_per_w_platform_z = 1.7320508_f32 * sC;
     let u_sC = u_hC * u_sB_per_u_hB - u_sC_per_w_platform_z * t10 - t42;
-    let Ic1 = p.Ic1;
+    let k22 = p.k22;
+    let k21 = p.k21;
+    let k23 = p.k23;
+    let t51 = sin_thC * (sin_thC * k22) - k21 - k23;
+    let t52 = u_psiC_per_w_platform_z * t51;
+    let t53 = sin_thB * (sin_thB * k22) - k21 - k23;
+    let t54 = u_psiB_per_w_platform_z * t53;
     let Ic2 = p.Ic2;
-    let Ic3 = p.Ic3;
-    let t51 = 0.5_f32 * (Ic1 + Ic2 - Ic3);
-    let t52 = 0.5_f32 * (Ic1 - (Ic2 + Ic3));
-    let t53 = t51 + t52;
-    let t54 = 0.5_f32 * (Ic2 - (Ic1 + Ic3));
-    let t55 = sin_thC * (sin_thC * t53) - t52 - t54;
-    let t56 = u_psiC_per_w_platform_z * t55;
-    let t57 = sin_thB * (sin_thB * t53) - t52 - t54;
-    let t58 = u_psiB_per_w_platform_z * t57;
-    let t59 = Ic2 * u_thC_per_w_platform_z;
-    let t60 = Ic2 * t41;
-    let t61 = t46 * t56 + (t36 * t58 - (u_thC_per_w_platform_x * t59 + t15 * t60));
-    let t62 = t4 * t61;
+    let t55 = Ic2 * u_thC_per_w_platform_z;
+    let t56 = Ic2 * t41;
+    let t57 = t46 * t52 + (t36 * t54 - (u_thC_per_w_platform_x * t55 + t15 * t56));
+    let t58 = t4 * t57;
     let M = p.M;
-    let t63 = sA * M;
-    let t64 = sin_thA * (sin_thA * t53) - t52 - t54;
-    let t65 = u_psiA_per_w_platform_z * t64;
-    let t66 = Ic2 * t27;
-    let t67 = t37 * t58 + (t24 * t65 - (t40 * t60 + u_thA_per_w_platform_y * t66 - t48 * t59));
-    let t68 = u_psiC_per_w_platform_y * t56 - t67;
-    let t69 = t37 * t57;
-    let t70 = Ic2 * t40;
-    let t71 = Ic2 * t48;
-    let t72 = u_psiC_per_w_platform_y * t55;
-    let t73 = t36 * t69 + (t15 * t70 - u_thC_per_w_platform_x * t71) - t46 * t72;
+    let t59 = sA * M;
+    let t60 = sin_thA * (sin_thA * k22) - k21 - k23;
+    let t61 = u_psiA_per_w_platform_z * t60;
+    let t62 = Ic2 * t27;
+    let t63 = t37 * t54 + (t24 * t61 - (t40 * t56 + u_thA_per_w_platform_y * t62 - t48 * t55));
+    let t64 = u_psiC_per_w_platform_y * t52 - t63;
+    let t65 = t37 * t53;
+    let t66 = Ic2 * t40;
+    let t67 = Ic2 * t48;
+    let t68 = u_psiC_per_w_platform_y * t51;
+    let t69 = t36 * t65 + (t15 * t66 - u_thC_per_w_platform_x * t67) - t46 * t68;
     let Ix = p.Ix;
-    let t74 = t36 * (t36 * t57) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t15 * (Ic2 * t15)));
-    let t75 = t46 * (t46 * t55) + t74;
-    let t76 = t19 * t75;
-    let t77 = w_platform_x_per_u_hB * (t73 - t76);
-    let t78 = t19 * t62 - (t63 * v_G_z_per_u_hA - t4 * t68 - t77);
+    let t70 = t36 * (t36 * t53) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t15 * (Ic2 * t15)));
+    let t71 = t46 * (t46 * t51) + t70;
+    let t72 = t19 * t71;
+    let t73 = w_platform_x_per_u_hB * (t69 - t72);
+    let t74 = t19 * t58 - (t59 * v_G_z_per_u_hA - t4 * t64 - t73);
     let Iy = p.Iy;
-    let t79 = t24 * (t24 * t64) + (t48 * t71 + (t40 * t70 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
-    let t80 = t19 * (2.0_f32 * t73 - t76) - (sA * t63 + (u_psiC_per_w_platform_y * t72 + (t37 * t69 + t79)));
-    let t81 = w_platform_x_per_u_hB * t75;
-    let t82 = 1.3333334_f32 * M;
-    let t83 = sA * t82;
-    let t84 = 0.57735026_f32 * M;
-    let t85 = v_G_x_per_w_platform_z * t84;
-    let t86 = M * v_G_x_per_w_platform_z;
+    let t75 = t24 * (t24 * t60) + (t48 * t67 + (t40 * t66 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
+    let t76 = t19 * (2.0_f32 * t69 - t72) - (sA * t59 + (u_psiC_per_w_platform_y * t68 + (t37 * t65 + t75)));
+    let t77 = w_platform_x_per_u_hB * t71;
+    let k20 = p.k20;
+    let t78 = sA * k20;
+    let k19 = p.k19;
+    let t79 = v_G_x_per_w_platform_z * k19;
+    let t80 = M * v_G_x_per_w_platform_z;
     let Iz = p.Iz;
-    let t87 = u_psiB_per_w_platform_z * t58 + (u_psiA_per_w_platform_z * t65 + (u_thC_per_w_platform_z * t59 + (t41 * t60 + (Iz + t27 * t66))));
-    let t88 = sA * (t83 + 2.0_f32 * t85) + (v_G_x_per_w_platform_z * t86 + (u_psiC_per_w_platform_z * t56 + t87));
-    let t89 = (t85 + t83) * t6;
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t90 = ms + mc;
-    let t91 = mr + t90;
-    let t92 = t4 * (t4 * t88 - 2.0_f32 * t89) + (t91 + t6 * (t82 * t6)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
-    let mass_u_hA_u_hA = t23 * (2.0_f32 * t78 - t23 * t80) + (w_platform_x_per_u_hB * (t81 - 2.0_f32 * t62) + t92);
-    let t93 = 1.0_f32 / mass_u_hA_u_hA;
-    let t94 = w_platform_y_per_u_hB * t80;
-    let t95 = t8 * t61;
-    let t96 = t19 * t95 + (t77 + t8 * t68);
-    let t97 = t84 * t28;
-    let t98 = sA * t97 + t86 * t28;
-    let t99 = t8 * t88;
-    let t100 = w_platform_x_per_u_hB * (t81 - t95) - (t8 * t89 - (t6 * t97 - t4 * (t98 - t99)));
-    let mass_u_hA_u_hB = t23 * (t94 - t96) + (w_platform_x_per_u_hB * t62 - t100) - w_platform_y_per_u_hB * t78;
-    let t101 = t93 * mass_u_hA_u_hB;
-    let t102 = w_platform_x_per_u_hB * (2.0_f32 * t95 - t81) - (t91 + t28 * (M * t28) - t8 * (2.0_f32 * t98 - t99));
-    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (2.0_f32 * t96 - t94) - t102;
-    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t101;
-    let t103 = 1.0_f32 / pivot_1;
-    let t104 = t9 * t61;
-    let t105 = w_platform_x_per_u_hB * t104;
-    let t106 = t9 * t88;
-    let t107 = w_platform_y_per_u_hC * t80;
-    let t108 = t19 * t104 + t9 * t68;
-    let t109 = t107 + t108;
-    let mass_u_hB_u_hC = w_platform_y_per_u_hC * t96 + (t105 + (t9 * t98 - t8 * t106) - w_platform_y_per_u_hB * t109);
-    let mass_u_hA_u_hC = t23 * t109 - (t105 - (t4 * t106 - t9 * t89)) - w_platform_y_per_u_hC * t78;
-    let t110 = mass_u_hB_u_hC - t101 * mass_u_hA_u_hC;
-    let t111 = t103 * t110;
-    let t112 = t10 * t30;
-    let v_G_z_dot_bias = 2.0_f32 * (w_platform_y * u_sA) - sA * t112;
-    let t113 = 0.8660254_f32 * t10;
-    let t114 = w_platform_y * t113;
-    let t115 = 0.5_f32 * t10;
-    let t116 = t30 * t115;
-    let t117 = t114 + t116;
-    let t118 = 0.5_f32 * w_platform_y;
-    let t119 = 0.8660254_f32 * t30;
-    let t120 = t118 - t119;
-    let t121 = t18 * (v_G_z_dot_bias - (sB * t117 - 2.0_f32 * (u_sB * t120)));
-    let t122 = t114 - t116;
-    let t123 = t118 + t119;
-    let t124 = t21 * (t16 * t121 + (v_G_z_dot_bias + (sC * t122 + 2.0_f32 * (u_sC * t123))));
-    let t125 = w_platform_y * t30;
-    let t126 = sA * t125 + 2.0_f32 * (t10 * u_sA);
-    let t127 = t10 * t115;
-    let t128 = w_platform_y * t123 + t127;
-    let t129 = t10 * t113;
-    let t130 = t30 * t123 + t129;
-    let t131 = 1.7320508_f32 * (2.0_f32 * (u_sC * t113) - sC * t128) + (sC * t130 + 2.0_f32 * (u_sC * t115));
-    let t132 = t127 + w_platform_y * t120;
-    let t133 = t129 - t30 * t120;
-    let t134 = 1.7320508_f32 * (sB * t132 + 2.0_f32 * (u_sB * t113)) + (2.0_f32 * (u_sB * t115) - sB * t133);
-    let t135 = t2 * (2.0_f32 * t126 + (t131 + t134));
-    let t136 = 2.0_f32 * (u_psiC * t50);
-    let t137 = sin_thC * t136;
-    let u_psiC_dot_bias = t44 * (t45 * t122 - (t39 * t130 - t49 * t128) - cos_thC * t137);
-    let t138 = t55 * u_psiC_dot_bias - (sin_thC * (t51 * (cos_thC * t136)) + cos_thC * (t52 * t137));
-    let t139 = 2.0_f32 * (u_psiB * u_thB);
-    let t140 = sin_thB * t139;
-    let t141 = t57 * (t32 * (t39 * t133 - t49 * t132 + t35 * t117 + cos_thB * t140));
-    let t142 = t141 + (sin_thB * (t51 * (cos_thB * t139)) + cos_thB * (t52 * t140));
-    let t143 = cos_thC * u_psiC;
-    let t144 = sin_thC * u_psiC * t143;
-    let t145 = v_G_z_per_u_hA * t122 - (t6 * t130 + sin_thA * t128) - (sin_thC * (t143 * t143 + t50 * t50) - cos_thC * t144);
-    let t146 = Ic2 * (t47 * t145) + t53 * t144;
-    let t147 = cos_thB * u_psiB;
-    let t148 = sin_thB * u_psiB * t147;
-    let t149 = sin_thB * (t147 * t147 + u_thB * u_thB) - cos_thB * t148 - (t6 * t133 - sin_thA * t132 - v_G_z_per_u_hA * t117);
-    let t150 = t53 * t148 - Ic2 * (t38 * t149);
-    let t151 = t36 * t142 + (u_thC_per_w_platform_x * t146 + ((Iz - Iy) * (t10 * w_platform_y) - t15 * t150));
-    let t152 = t75 * t121 + (t61 * t135 + (t46 * t138 + t151));
+    let t81 = u_psiB_per_w_platform_z * t54 + (u_psiA_per_w_platform_z * t61 + (u_thC_per_w_platform_z * t55 + (t41 * t56 + (Iz + t27 * t62))));
+    let t82 = sA * (t78 + 2.0_f32 * t79) + (v_G_x_per_w_platform_z * t80 + (u_psiC_per_w_platform_z * t52 + t81));
+    let t83 = (t79 + t78) * t6;
+    let k18 = p.k18;
+    let t84 = t4 * (t4 * t82 - 2.0_f32 * t83) + (k18 + t6 * (k20 * t6)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let mass_u_hA_u_hA = t23 * (2.0_f32 * t74 - t23 * t76) + (w_platform_x_per_u_hB * (t77 - 2.0_f32 * t58) + t84);
+    let t85 = 1.0_f32 / mass_u_hA_u_hA;
+    let t86 = w_platform_y_per_u_hB * t76;
+    let t87 = t8 * t57;
+    let t88 = t19 * t87 + (t73 + t8 * t64);
+    let t89 = k19 * t28;
+    let t90 = sA * t89 + t80 * t28;
+    let t91 = t8 * t82;
+    let t92 = w_platform_x_per_u_hB * (t77 - t87) - (t8 * t83 - (t6 * t89 - t4 * (t90 - t91)));
+    let mass_u_hA_u_hB = t23 * (t86 - t88) + (w_platform_x_per_u_hB * t58 - t92) - w_platform_y_per_u_hB * t74;
+    let t93 = t85 * mass_u_hA_u_hB;
+    let t94 = w_platform_x_per_u_hB * (2.0_f32 * t87 - t77) - (k18 + t28 * (M * t28) - t8 * (2.0_f32 * t90 - t91));
+    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (2.0_f32 * t88 - t86) - t94;
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t93;
+    let t95 = 1.0_f32 / pivot_1;
+    let t96 = t9 * t57;
+    let t97 = w_platform_x_per_u_hB * t96;
+    let t98 = t9 * t82;
+    let t99 = w_platform_y_per_u_hC * t76;
+    let t100 = t19 * t96 + t9 * t64;
+    let t101 = t99 + t100;
+    let mass_u_hB_u_hC = w_platform_y_per_u_hC * t88 + (t97 + (t9 * t90 - t8 * t98) - w_platform_y_per_u_hB * t101);
+    let mass_u_hA_u_hC = t23 * t101 - (t97 - (t4 * t98 - t9 * t83)) - w_platform_y_per_u_hC * t74;
+    let t102 = mass_u_hB_u_hC - t93 * mass_u_hA_u_hC;
+    let t103 = t95 * t102;
+    let t104 = t10 * t30;
+    let v_G_z_dot_bias = 2.0_f32 * (w_platform_y * u_sA) - sA * t104;
+    let t105 = 0.8660254_f32 * t10;
+    let t106 = w_platform_y * t105;
+    let t107 = 0.5_f32 * t10;
+    let t108 = t30 * t107;
+    let t109 = t106 + t108;
+    let t110 = 0.5_f32 * w_platform_y;
+    let t111 = 0.8660254_f32 * t30;
+    let t112 = t110 - t111;
+    let t113 = t18 * (v_G_z_dot_bias - (sB * t109 - 2.0_f32 * (u_sB * t112)));
+    let t114 = t106 - t108;
+    let t115 = t110 + t111;
+    let t116 = t21 * (t16 * t113 + (v_G_z_dot_bias + (sC * t114 + 2.0_f32 * (u_sC * t115))));
+    let t117 = w_platform_y * t30;
+    let t118 = sA * t117 + 2.0_f32 * (t10 * u_sA);
+    let t119 = t10 * t107;
+    let t120 = w_platform_y * t115 + t119;
+    let t121 = t10 * t105;
+    let t122 = t30 * t115 + t121;
+    let t123 = 1.7320508_f32 * (2.0_f32 * (u_sC * t105) - sC * t120) + (sC * t122 + 2.0_f32 * (u_sC * t107));
+    let t124 = t119 + w_platform_y * t112;
+    let t125 = t121 - t30 * t112;
+    let t126 = 1.7320508_f32 * (sB * t124 + 2.0_f32 * (u_sB * t105)) + (2.0_f32 * (u_sB * t107) - sB * t125);
+    let t127 = t2 * (2.0_f32 * t118 + (t123 + t126));
+    let t128 = 2.0_f32 * (u_psiC * t50);
+    let t129 = sin_thC * t128;
+    let u_psiC_dot_bias = t44 * (t45 * t114 - (t39 * t122 - t49 * t120) - cos_thC * t129);
+    let k12 = p.k12;
+    let t130 = t51 * u_psiC_dot_bias - (sin_thC * (k12 * (cos_thC * t128)) + cos_thC * (k21 * t129));
+    let t131 = 2.0_f32 * (u_psiB * u_thB);
+    let t132 = sin_thB * t131;
+    let t133 = t53 * (t32 * (t39 * t125 - t49 * t124 + t35 * t109 + cos_thB * t132));
+    let t134 = t133 + (sin_thB * (k12 * (cos_thB * t131)) + cos_thB * (k21 * t132));
+    let t135 = cos_thC * u_psiC;
+    let t136 = sin_thC * u_psiC * t135;
+    let t137 = v_G_z_per_u_hA * t114 - (t6 * t122 + sin_thA * t120) - (sin_thC * (t135 * t135 + t50 * t50) - cos_thC * t136);
+    let t138 = Ic2 * (t47 * t137) + k22 * t136;
+    let k15 = p.k15;
+    let t139 = cos_thB * u_psiB;
+    let t140 = sin_thB * u_psiB * t139;
+    let t141 = sin_thB * (t139 * t139 + u_thB * u_thB) - cos_thB * t140 - (t6 * t125 - sin_thA * t124 - v_G_z_per_u_hA * t109);
+    let t142 = k22 * t140 - Ic2 * (t38 * t141);
+    let t143 = t46 * t130 + (t36 * t134 + (u_thC_per_w_platform_x * t138 + (k15 * (t10 * w_platform_y) - t15 * t142)));
+    let t144 = t71 * t113 + (t57 * t127 + t143);
     let g = p.g;
-    let t153 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
-    let t154 = 2.0_f32 * u_thA;
-    let t155 = sin_thA * t25;
-    let t156 = t154 * t155;
-    let t157 = cos_thA * t25;
-    let t158 = t64 * (t12 * (v_G_z_per_u_hA * t125 - t6 * t112 + cos_thA * t156)) + (sin_thA * (t51 * (t154 * t157)) + cos_thA * (t52 * t156));
-    let t159 = t155 * t157;
-    let t160 = t6 * t125 + sin_thA * (t10 * t10 + w_platform_y * w_platform_y) + v_G_z_per_u_hA * t112 + (cos_thA * t159 - sin_thA * (t157 * t157 + u_thA * u_thA));
-    let t161 = Ic2 * (t26 * t160) + t53 * t159;
-    let t162 = t24 * t158 + (t48 * t146 + (t40 * t150 + ((Ix - Iz) * t112 - u_thA_per_w_platform_y * t161)));
-    let t163 = t73 * t121 - (sA * t153 + (t68 * t135 + (u_psiC_per_w_platform_y * t138 - (t37 * t142 - t162))));
-    let t164 = t80 * t124 + (t19 * t152 - t163);
-    let t165 = M * (g * sin_thA + 0.57735026_f32 * t134);
-    let t166 = t82 * t126 + (0.57735026_f32 * t165 - M * (g * t6));
-    let t167 = u_psiA_per_w_platform_z * t158 - (t41 * t150 - (t27 * t161 + (Iy - Ix) * t125) - u_thC_per_w_platform_z * t146);
-    let t168 = sA * t166 + (t85 * t126 - (u_psiC_per_w_platform_z * t138 + (u_psiB_per_w_platform_z * t142 - t167) - v_G_x_per_w_platform_z * t165));
-    let t169 = t168 - t88 * t135;
-    let t170 = g * t90;
+    let t145 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
+    let t146 = 2.0_f32 * u_thA;
+    let t147 = sin_thA * t25;
+    let t148 = t146 * t147;
+    let t149 = cos_thA * t25;
+    let t150 = t60 * (t12 * (v_G_z_per_u_hA * t117 - t6 * t104 + cos_thA * t148)) + (sin_thA * (k12 * (t146 * t149)) + cos_thA * (k21 * t148));
+    let k16 = p.k16;
+    let t151 = t147 * t149;
+    let t152 = t6 * t117 + sin_thA * (t10 * t10 + w_platform_y * w_platform_y) + v_G_z_per_u_hA * t104 + (cos_thA * t151 - sin_thA * (t149 * t149 + u_thA * u_thA));
+    let t153 = Ic2 * (t26 * t152) + k22 * t151;
+    let t154 = t24 * t150 + (t48 * t138 + (t40 * t142 + (k16 * t104 - u_thA_per_w_platform_y * t153)));
+    let t155 = t69 * t113 - (sA * t145 + (t64 * t127 + (u_psiC_per_w_platform_y * t130 - (t37 * t134 - t154))));
+    let t156 = t76 * t116 + (t19 * t144 - t155);
+    let t157 = M * (g * sin_thA + 0.57735026_f32 * t126);
+    let t158 = k20 * t118 + (0.57735026_f32 * t157 - M * (g * t6));
+    let k17 = p.k17;
+    let t159 = u_psiA_per_w_platform_z * t150 - (t41 * t142 - (t27 * t153 + k17 * t117) - u_thC_per_w_platform_z * t138);
+    let t160 = sA * t158 + (t79 * t118 - (u_psiC_per_w_platform_z * t130 + (u_psiB_per_w_platform_z * t134 - t159) - v_G_x_per_w_platform_z * t157));
+    let t161 = t160 - t82 * t127;
+    let k14 = p.k14;
     let c = p.c;
     let FA = inputs[0];
-    let t171 = t4 * t169 + (t89 * t135 + (t170 + (u_hA * c - FA) - t6 * t166));
-    let t172 = w_platform_x_per_u_hB * t152;
-    let forcing_u_hA = t23 * t164 - (t78 * t124 - (t62 * t121 - (v_G_z_per_u_hA * t153 + t171) - t172));
+    let t162 = t4 * t161 + (t83 * t127 + (k14 + (u_hA * c - FA) - t6 * t158));
+    let t163 = w_platform_x_per_u_hB * t144;
+    let forcing_u_hA = t23 * t156 - (t74 * t116 - (t58 * t113 - (v_G_z_per_u_hA * t145 + t162) - t163));
     let FB = inputs[1];
-    let t173 = t97 * t126 + (t28 * t165 + (t170 + (u_hB * c - FB))) - t98 * t135;
-    let t174 = w_platform_y_per_u_hB * t164 + (t95 * t121 + (t173 - t8 * t169) - t172 - t96 * t124);
-    let t175 = t101 * forcing_u_hA + t174;
-    let t176 = t93 * mass_u_hA_u_hC;
+    let t164 = t89 * t118 + (t28 * t157 + (k14 + (u_hB * c - FB))) - t90 * t127;
+    let t165 = w_platform_y_per_u_hB * t156 + (t87 * t113 + (t164 - t8 * t161) - t163 - t88 * t116);
+    let t166 = t93 * forcing_u_hA + t165;
+    let t167 = t85 * mass_u_hA_u_hC;
     let FC = inputs[2];
-    let t177 = t104 * t121 - (t9 * t169 - (FC - u_hC * c - t170)) - t108 * t124;
-    let forcing_u_hC = t177 - w_platform_y_per_u_hC * t164;
-    let mass_u_hC_u_hC = t91 + t9 * t106 - w_platform_y_per_u_hC * (t107 + 2.0_f32 * t108);
-    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t176 - t110 * t111;
-    let t178 = (t111 * t175 - (t176 * forcing_u_hA - forcing_u_hC)) / pivot_2;
-    let t179 = t111 * t178 + t103 * t175;
-    let t180 = t101 * t179 + t93 * forcing_u_hA - t176 * t178;
-    let t181 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t11)), Real::abs(t31));
-    let t182 = Real::min(Real::min(Real::min(Real::min(t181, Real::abs(t43)), 0.8333333_f32 * Real::abs(t1)), 5.773503_f32 * Real::abs(t17)), 1.6666666_f32 * Real::abs(t20));
-    let t183 = Real::min(Real::min(Real::min(t182, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
-    ([u_hA, -t25, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, -t50, u_sC], [t180, -t179, t178], t183)
+    let t168 = t96 * t113 - (t9 * t161 - (FC - u_hC * c - k14)) - t100 * t116;
+    let forcing_u_hC = t168 - w_platform_y_per_u_hC * t156;
+    let mass_u_hC_u_hC = k18 + t9 * t98 - w_platform_y_per_u_hC * (t99 + 2.0_f32 * t100);
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t167 - t102 * t103;
+    let t169 = (t103 * t166 - (t167 * forcing_u_hA - forcing_u_hC)) / pivot_2;
+    let t170 = t103 * t169 + t95 * t166;
+    let t171 = t93 * t170 + t85 * forcing_u_hA - t167 * t169;
+    let t172 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t11)), Real::abs(t31));
+    let t173 = Real::min(Real::min(Real::min(Real::min(t172, Real::abs(t43)), 0.8333333_f32 * Real::abs(t1)), 5.773503_f32 * Real::abs(t17)), 1.6666666_f32 * Real::abs(t20));
+    let t174 = Real::min(Real::min(Real::min(t173, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
+    ([u_hA, -t25, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, -t50, u_sC], [t171, -t170, t169], t174)
 }
 ///Kinetic and potential energy (J).
 ///
-///226 operations.
+///214 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -424,103 +517,100 @@ pub fn energy(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t1 = ms + mc;
-    let t2 = mr + t1;
+    let k18 = p.k18;
     let u_hC = u[2];
     let u_hB = u[1];
     let u_hA = u[0];
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let Ic1 = p.Ic1;
-    let Ic2 = p.Ic2;
-    let Ic3 = p.Ic3;
-    let t3 = 0.5_f32 * (Ic1 - (Ic2 + Ic3));
-    let t4 = 0.5_f32 * (Ic1 + Ic2 - Ic3) + t3;
-    let t5 = 0.5_f32 * (Ic2 - (Ic1 + Ic3));
+    let k22 = p.k22;
+    let k21 = p.k21;
+    let k23 = p.k23;
     let sA = q[3];
     let sB = q[7];
     let sC = q[11];
-    let t6 = 1.0_f32 / (2.0_f32 * (sA + (sB + sC)));
+    let t1 = 1.0_f32 / (2.0_f32 * (sA + (sB + sC)));
     let thB = q[6];
     let (sin_thB, cos_thB) = Real::sin_cos(thB);
     let thC = q[10];
     let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t7 = sin_thB - sin_thC;
-    let t8 = 1.7320508_f32 * sin_thA;
-    let t9 = 0.57735026_f32 * t7;
-    let t10 = t8 + t9;
-    let t11 = u_hA * (t6 * (1.1547005_f32 * t7)) - u_hB * (t6 * t10) + u_hC * (t6 * (t8 - t9));
-    let t12 = 1.0_f32 / (cos_thA * cos_thA);
+    let t2 = sin_thB - sin_thC;
+    let t3 = 1.7320508_f32 * sin_thA;
+    let t4 = 0.57735026_f32 * t2;
+    let t5 = t3 + t4;
+    let t6 = u_hA * (t1 * (1.1547005_f32 * t2)) - u_hB * (t1 * t5) + u_hC * (t1 * (t3 - t4));
+    let t7 = 1.0_f32 / (cos_thA * cos_thA);
     let psiB = q[5];
     let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
     let psiA = q[1];
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t13 = cos_thA * sin_psiA;
-    let t14 = cos_thA * cos_psiA;
-    let t15 = cos_psiB * (0.5_f32 * t13 + 0.8660254_f32 * t14) + sin_psiB * (0.8660254_f32 * t13 - 0.5_f32 * t14);
-    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t15);
-    let u_psiA_per_w_platform_z = t12 * v_G_z_per_u_hA;
-    let t16 = 0.8660254_f32 * sC;
-    let t17 = 1.0_f32 / (0.8660254_f32 * sB);
-    let t18 = (sA + 0.5_f32 * sB) * t17;
-    let t19 = 1.0_f32 / (sA + 0.5_f32 * sC + t16 * t18);
-    let w_platform_x_per_u_hB = t17 * v_G_z_per_u_hA;
-    let t20 = t16 * w_platform_x_per_u_hB;
-    let w_platform_y_per_u_hB = t19 * t20;
-    let w_platform_y_per_u_hC = t19 * v_G_z_per_u_hA;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t19 * (v_G_z_per_u_hA + t20)) + u_hC * w_platform_y_per_u_hC;
-    let t21 = t11 * u_psiA_per_w_platform_z + w_platform_y * (t12 * t9);
-    let t22 = t2 * (u_hA * u_hA) + (sin_thA * (sin_thA * t4) - t3 - t5) * (t21 * t21);
-    let t23 = 1.0_f32 / cos_thA;
-    let u_thA_per_w_platform_y = t23 * v_G_z_per_u_hA;
-    let u_thA = w_platform_y * u_thA_per_w_platform_y - t11 * (t23 * t9);
-    let t24 = w_platform_x_per_u_hB * (u_hA - u_hB) + t18 * w_platform_y;
-    let t25 = 1.0_f32 / (cos_thB * cos_thB);
-    let t26 = 0.8660254_f32 * sin_thA;
-    let t27 = 0.28867513_f32 * t7;
-    let t28 = t26 + t27;
-    let u_psiB_per_w_platform_z = t25 * v_G_z_per_u_hA;
-    let u_psiB = t24 * (t25 * (0.8660254_f32 * t28)) - w_platform_y * (t25 * (0.5_f32 * t28)) - t11 * u_psiB_per_w_platform_z;
-    let t29 = t2 * (u_hB * u_hB) + (t22 + Ic2 * (u_thA * u_thA)) + (sin_thB * (sin_thB * t4) - t3 - t5) * (u_psiB * u_psiB);
-    let t30 = 1.0_f32 / cos_thB;
-    let t31 = 0.5_f32 * v_G_z_per_u_hA;
-    let u_thB = t15 * t24 - w_platform_y * (t30 * t31) + t11 * (t30 * t28);
-    let t32 = 1.0_f32 / (cos_thC * cos_thC);
-    let t33 = t26 - t27;
-    let u_psiC_per_w_platform_y = t32 * (0.5_f32 * t33);
-    let u_psiC_per_w_platform_z = t32 * v_G_z_per_u_hA;
-    let u_psiC = w_platform_y * u_psiC_per_w_platform_y + t24 * (t32 * (0.8660254_f32 * t33)) - t11 * u_psiC_per_w_platform_z;
-    let t34 = t2 * (u_hC * u_hC) + (t29 + Ic2 * (u_thB * u_thB)) + (sin_thC * (sin_thC * t4) - t3 - t5) * (u_psiC * u_psiC);
-    let t35 = 1.0_f32 / cos_thC;
-    let u_thC_per_w_platform_x = t35 * (0.8660254_f32 * v_G_z_per_u_hA);
-    let u_thC_per_w_platform_z = t35 * t33;
-    let t36 = w_platform_y * (t35 * t31) + t24 * u_thC_per_w_platform_x + t11 * u_thC_per_w_platform_z;
+    let t8 = cos_thA * sin_psiA;
+    let t9 = cos_thA * cos_psiA;
+    let t10 = cos_psiB * (0.5_f32 * t8 + 0.8660254_f32 * t9) + sin_psiB * (0.8660254_f32 * t8 - 0.5_f32 * t9);
+    let v_G_z_per_u_hA = cos_thB * (1.1547005_f32 * t10);
+    let u_psiA_per_w_platform_z = t7 * v_G_z_per_u_hA;
+    let t11 = 0.8660254_f32 * sC;
+    let t12 = 1.0_f32 / (0.8660254_f32 * sB);
+    let t13 = (sA + 0.5_f32 * sB) * t12;
+    let t14 = 1.0_f32 / (sA + 0.5_f32 * sC + t11 * t13);
+    let w_platform_x_per_u_hB = t12 * v_G_z_per_u_hA;
+    let t15 = t11 * w_platform_x_per_u_hB;
+    let w_platform_y_per_u_hB = t14 * t15;
+    let w_platform_y_per_u_hC = t14 * v_G_z_per_u_hA;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t14 * (v_G_z_per_u_hA + t15)) + u_hC * w_platform_y_per_u_hC;
+    let t16 = t6 * u_psiA_per_w_platform_z + w_platform_y * (t7 * t4);
+    let t17 = k18 * (u_hA * u_hA) + (sin_thA * (sin_thA * k22) - k21 - k23) * (t16 * t16);
+    let Ic2 = p.Ic2;
+    let t18 = 1.0_f32 / cos_thA;
+    let u_thA_per_w_platform_y = t18 * v_G_z_per_u_hA;
+    let u_thA = w_platform_y * u_thA_per_w_platform_y - t6 * (t18 * t4);
+    let t19 = w_platform_x_per_u_hB * (u_hA - u_hB) + t13 * w_platform_y;
+    let t20 = 1.0_f32 / (cos_thB * cos_thB);
+    let t21 = 0.8660254_f32 * sin_thA;
+    let t22 = 0.28867513_f32 * t2;
+    let t23 = t21 + t22;
+    let u_psiB_per_w_platform_z = t20 * v_G_z_per_u_hA;
+    let u_psiB = t19 * (t20 * (0.8660254_f32 * t23)) - w_platform_y * (t20 * (0.5_f32 * t23)) - t6 * u_psiB_per_w_platform_z;
+    let t24 = k18 * (u_hB * u_hB) + (t17 + Ic2 * (u_thA * u_thA)) + (sin_thB * (sin_thB * k22) - k21 - k23) * (u_psiB * u_psiB);
+    let t25 = 1.0_f32 / cos_thB;
+    let t26 = 0.5_f32 * v_G_z_per_u_hA;
+    let u_thB = t10 * t19 - w_platform_y * (t25 * t26) + t6 * (t25 * t23);
+    let t27 = 1.0_f32 / (cos_thC * cos_thC);
+    let t28 = t21 - t22;
+    let u_psiC_per_w_platform_y = t27 * (0.5_f32 * t28);
+    let u_psiC_per_w_platform_z = t27 * v_G_z_per_u_hA;
+    let u_psiC = w_platform_y * u_psiC_per_w_platform_y + t19 * (t27 * (0.8660254_f32 * t28)) - t6 * u_psiC_per_w_platform_z;
+    let t29 = k18 * (u_hC * u_hC) + (t24 + Ic2 * (u_thB * u_thB)) + (sin_thC * (sin_thC * k22) - k21 - k23) * (u_psiC * u_psiC);
+    let t30 = 1.0_f32 / cos_thC;
+    let u_thC_per_w_platform_x = t30 * (0.8660254_f32 * v_G_z_per_u_hA);
+    let u_thC_per_w_platform_z = t30 * t28;
+    let t31 = w_platform_y * (t30 * t26) + t19 * u_thC_per_w_platform_x + t6 * u_thC_per_w_platform_z;
     let Ix = p.Ix;
     let Iy = p.Iy;
-    let t37 = t34 + Ic2 * (t36 * t36) + Ix * (t24 * t24) + Iy * (w_platform_y * w_platform_y);
+    let t32 = t29 + Ic2 * (t31 * t31) + Ix * (t19 * t19) + Iy * (w_platform_y * w_platform_y);
     let Iz = p.Iz;
     let M = p.M;
     let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let v_G_y = sA * t11 - u_hA * t9;
-    let t38 = v_G_x_per_w_platform_z * t11 + u_hB * (0.57735026_f32 * t10) + 0.57735026_f32 * v_G_y;
-    let t39 = t37 + Iz * (t11 * t11) + M * (t38 * t38) + M * (v_G_y * v_G_y);
+    let v_G_y = sA * t6 - u_hA * t4;
+    let t33 = v_G_x_per_w_platform_z * t6 + u_hB * (0.57735026_f32 * t5) + 0.57735026_f32 * v_G_y;
+    let t34 = t32 + Iz * (t6 * t6) + M * (t33 * t33) + M * (v_G_y * v_G_y);
     let v_G_z = sA * w_platform_y + u_hA * v_G_z_per_u_hA;
-    let t40 = 0.5_f32 * (t39 + M * (v_G_z * v_G_z));
+    let t35 = 0.5_f32 * (t34 + M * (v_G_z * v_G_z));
     let hA = q[0];
     let g = p.g;
-    let t41 = hA * g;
+    let t36 = hA * g;
+    let mc = p.mc;
     let hC = q[8];
-    let t42 = hC * g;
+    let t37 = hC * g;
+    let ms = p.ms;
     let hB = q[4];
-    let t43 = hB * g;
-    let t44 = mc * t42 + (ms * t42 + (mc * t43 + (ms * t43 + t1 * t41)));
-    let t45 = M * (t41 + sA * (g * sin_thA)) + t44;
-    (t40, t45)
+    let t38 = hB * g;
+    let k13 = p.k13;
+    let t39 = mc * t37 + (ms * t37 + (mc * t38 + (ms * t38 + k13 * t36)));
+    let t40 = M * (t36 + sA * (g * sin_thA)) + t39;
+    (t35, t40)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -537,7 +627,7 @@ pub fn speeds(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 12usize] {
     let u_hA = u[0];
     let sA = q[3];
@@ -623,7 +713,7 @@ pub fn outputs(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 3usize] {
     let psiA = q[1];
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
@@ -640,7 +730,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///401 operations.
+///399 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -653,7 +743,7 @@ pub fn projection(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 9usize], S) {
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
@@ -784,47 +874,98 @@ pub fn projection(
     let u_sC_per_w_platform_z = 1.7320508_f32 * sC;
     let t99 = sA * cos_thA;
     let t100 = sin_psiA * t99;
-    let t101 = 0.8660254_f32 * R;
-    let t102 = sB * cos_thB;
-    let t103 = sin_psiB * t102;
-    let t104 = cos_psiB * t102;
-    let t105 = R - cos_psiA * t99 + 0.5_f32 * R;
-    let t106 = Real::max(Real::abs(t100 + t101 + (0.5_f32 * t103 - 0.8660254_f32 * t104)), Real::abs(t105 - (0.5_f32 * t104 + 0.8660254_f32 * t103)));
-    let t107 = sC * cos_thC;
-    let t108 = cos_psiC * t107;
-    let t109 = sin_psiC * t107;
-    let t110 = Real::max(Real::max(t106, Real::abs(hA - hB + t57 - sB * sin_thB)), Real::abs(0.8660254_f32 * t108 + 0.5_f32 * t109 - (t101 - t100)));
-    let t111 = Real::max(Real::max(t110, Real::abs(t105 + (0.8660254_f32 * t109 - 0.5_f32 * t108))), Real::abs(sC * sin_thC + (hC - hA - t57)));
-    let t112 = Real::max(Real::max(Real::max(t111, Real::abs(t10 + t80 - t94)), Real::abs(t95 - (t12 - t82))), Real::abs(sin_thC + (sin_thA + sin_thB)));
-    ([t70, -(t71 * t3 * t69 + u_thA_per_w_platform_y * t54), t73, t84, t89, t91, -(u_psiC_per_w_platform_z * t69 + (u_psiC_per_w_platform_y * t54 + t96)), -t98, -(t90 + (u_sC_per_w_platform_z * t69 + 2.0_f32 * t67))], t112)
+    let k10 = p.k10;
+    let t101 = sB * cos_thB;
+    let t102 = sin_psiB * t101;
+    let t103 = cos_psiB * t101;
+    let k11 = p.k11;
+    let t104 = R - cos_psiA * t99 + k11;
+    let t105 = Real::max(Real::abs(t100 + k10 + (0.5_f32 * t102 - 0.8660254_f32 * t103)), Real::abs(t104 - (0.5_f32 * t103 + 0.8660254_f32 * t102)));
+    let t106 = sC * cos_thC;
+    let t107 = cos_psiC * t106;
+    let t108 = sin_psiC * t106;
+    let t109 = Real::max(Real::max(t105, Real::abs(hA - hB + t57 - sB * sin_thB)), Real::abs(0.8660254_f32 * t107 + 0.5_f32 * t108 - (k10 - t100)));
+    let t110 = Real::max(Real::max(t109, Real::abs(t104 + (0.8660254_f32 * t108 - 0.5_f32 * t107))), Real::abs(sC * sin_thC + (hC - hA - t57)));
+    let t111 = Real::max(Real::max(Real::max(t110, Real::abs(t10 + t80 - t94)), Real::abs(t95 - (t12 - t82))), Real::abs(sin_thC + (sin_thA + sin_thB)));
+    ([t70, -(t71 * t3 * t69 + u_thA_per_w_platform_y * t54), t73, t84, t89, t91, -(u_psiC_per_w_platform_z * t69 + (u_psiC_per_w_platform_y * t54 + t96)), -t98, -(t90 + (u_sC_per_w_platform_z * t69 + 2.0_f32 * t67))], t111)
 }
 ///Three-legged tile: screws A, B, C lift connectors; rods at 120 degrees carry the platform.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Tile {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Tile {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Tile {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.R,
-                1usize => &mut self.parameters.ms,
-                2usize => &mut self.parameters.mr,
-                3usize => &mut self.parameters.mc,
-                4usize => &mut self.parameters.Ic1,
-                5usize => &mut self.parameters.Ic2,
-                6usize => &mut self.parameters.Ic3,
-                7usize => &mut self.parameters.M,
-                8usize => &mut self.parameters.Ix,
-                9usize => &mut self.parameters.Iy,
-                10usize => &mut self.parameters.Iz,
-                11usize => &mut self.parameters.c,
-                12usize => &mut self.parameters.g,
+                0usize => self.parameters.R,
+                1usize => self.parameters.ms,
+                2usize => self.parameters.mr,
+                3usize => self.parameters.mc,
+                4usize => self.parameters.Ic1,
+                5usize => self.parameters.Ic2,
+                6usize => self.parameters.Ic3,
+                7usize => self.parameters.M,
+                8usize => self.parameters.Ix,
+                9usize => self.parameters.Iy,
+                10usize => self.parameters.Iz,
+                11usize => self.parameters.c,
+                12usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.R,
+            1usize => &mut self.parameters.ms,
+            2usize => &mut self.parameters.mr,
+            3usize => &mut self.parameters.mc,
+            4usize => &mut self.parameters.Ic1,
+            5usize => &mut self.parameters.Ic2,
+            6usize => &mut self.parameters.Ic3,
+            7usize => &mut self.parameters.M,
+            8usize => &mut self.parameters.Ix,
+            9usize => &mut self.parameters.Iy,
+            10usize => &mut self.parameters.Iz,
+            11usize => &mut self.parameters.c,
+            12usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
@@ -859,7 +1000,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -875,7 +1016,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -898,7 +1039,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

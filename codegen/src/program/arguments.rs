@@ -1,4 +1,4 @@
-//! The arguments of a program's answers in their order: t, q, u, inputs, parameters.
+//! The arguments of a program's answers in their order: t, q, u, inputs, prepared values.
 //!
 //! In: slices of the state. Out: one list, or [`Fault::Shape`] where a slice has not the program's length.
 //! Interpreter and compiled code take them from here, so that they refuse the same calls.
@@ -7,7 +7,7 @@ use super::Program;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Real;
 
-/// Values of t, q, u, inputs and parameters.
+/// Values of t, q, u, inputs, and of what depends on parameters alone.
 #[derive(Clone, Debug)]
 pub struct Arguments<S> {
     n_q: usize,
@@ -17,13 +17,11 @@ pub struct Arguments<S> {
 }
 
 impl<S: Real> Arguments<S> {
-    /// Zeros, and the program's default parameters, each rounded once to the scalar.
+    /// Zeros; `n_prepared` values follow the inputs.
     #[must_use]
-    pub fn new(program: &Program) -> Self {
+    pub fn new(program: &Program, n_prepared: usize) -> Self {
         let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
-        let mut values = vec![S::ZERO; 1 + n_q + n_u + n_inputs];
-        values.extend(program.parameters.iter().map(|p| S::from_f64(p.value)));
-        Self { n_q, n_u, n_inputs, values }
+        Self { n_q, n_u, n_inputs, values: vec![S::ZERO; 1 + n_q + n_u + n_inputs + n_prepared] }
     }
 
     /// Coordinates.
@@ -50,10 +48,10 @@ impl<S: Real> Arguments<S> {
         &self.values
     }
 
-    /// Sets all parameters, in the program's order.
-    pub fn set_parameters(&mut self, parameters: &[S]) {
+    /// Where the prepared values go.
+    pub fn prepared_mut(&mut self) -> &mut [S] {
         let first = 1 + self.n_q + self.n_u + self.n_inputs;
-        self.values[first..].iter_mut().zip(parameters).for_each(|(mine, &value)| *mine = value);
+        &mut self.values[first..]
     }
 
     /// Sets time, state and inputs.

@@ -1,9 +1,9 @@
 //! A program run by the interpreter: the same operations as the emitted Rust, hence the same bits.
 
-use super::Program;
 use super::arguments::Arguments;
-use crate::expr::SymbolId;
+use super::{Program, Quantity};
 use crate::expr::tape::Tape;
+use crate::expr::{ExprId, Node, SymbolId};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::real::Real;
 
@@ -11,6 +11,8 @@ use smartbed_runtime::real::Real;
 #[derive(Clone, Debug)]
 pub struct Interpreted<S> {
     arguments: Arguments<S>,
+    /// From the parameters to the prepared values.
+    prepare: Tape<S>,
     results: Vec<S>,
     corrected: Vec<usize>,
     angles: Vec<bool>,
@@ -25,32 +27,46 @@ impl<S: Real> Interpreted<S> {
     /// The program with its default parameters, each rounded once to the scalar.
     #[must_use]
     pub fn new(program: &Program) -> Self {
-        let mut symbols: Vec<SymbolId> = vec![program.time];
-        for group in [&program.q, &program.u, &program.inputs, &program.parameters] {
-            symbols.extend(group.iter().map(|quantity| quantity.symbol));
-        }
-        let tape = |roots: Vec<_>| Tape::new(&program.dag, &roots, &symbols);
         let mut rates = program.forward_dynamics();
         rates.push(program.rates.worst_pivot);
         let mut projection: Vec<_> = program.correction.iter().map(|(_, e)| *e).collect();
         projection.push(program.residual);
-        let longest = rates.len().max(program.speeds.len()).max(program.outputs.len()).max(2);
-        Self {
-            arguments: Arguments::new(program),
+        let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
+        let answers =
+            [rates, projection, program.energy.to_vec(), second(&program.speeds), second(&program.outputs)];
+        let symbols = |list: &[Quantity]| -> Vec<SymbolId> { list.iter().map(|x| x.symbol).collect() };
+        let prepared = program.prepared(&answers.concat());
+        let prepare = Tape::new(&program.dag, &prepared, &symbols(&program.parameters));
+        let mut inputs: Vec<ExprId> = vec![program.time]
+            .into_iter()
+            .chain([&program.q, &program.u, &program.inputs].into_iter().flat_map(|list| symbols(list)))
+            .filter_map(|symbol| program.dag.find(Node::Symbol(symbol)))
+            .collect();
+        let n_prepared = prepared.len();
+        inputs.extend(prepared);
+        let longest = answers.iter().map(Vec::len).max().unwrap_or(0);
+        let [rates, projection, energy, speeds, outputs] =
+            answers.map(|roots| Tape::above(&program.dag, &roots, &inputs));
+        let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
+        let mut this = Self {
+            arguments: Arguments::new(program, n_prepared),
+            prepare,
             results: vec![S::ZERO; longest],
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
-            rates: tape(rates),
-            projection: tape(projection),
-            energy: tape(program.energy.to_vec()),
-            speeds: tape(program.speeds.iter().map(|(_, e)| *e).collect()),
-            outputs: tape(program.outputs.iter().map(|(_, e)| *e).collect()),
-        }
+            rates,
+            projection,
+            energy,
+            speeds,
+            outputs,
+        };
+        this.set_parameters(&parameters);
+        this
     }
 
     /// Sets all parameters, in the program's order.
     pub fn set_parameters(&mut self, values: &[S]) {
-        self.arguments.set_parameters(values);
+        self.prepare.run(values, self.arguments.prepared_mut());
     }
 
     /// All speeds of the model, dependent ones included, in the model's order.

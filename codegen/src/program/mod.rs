@@ -6,6 +6,7 @@
 pub mod arguments;
 pub mod interpreter;
 mod kinematic;
+mod prepared;
 mod reciprocal;
 mod shorten;
 
@@ -314,10 +315,10 @@ impl Program {
         self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
     }
 
-    /// Operations of one evaluation of q' and u', parameters at run time.
+    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
     #[must_use]
     pub fn operations(&self) -> usize {
-        self.dag.cone_cost(&self.forward_dynamics())
+        self.dag.state_cost(&self.forward_dynamics())
     }
 
     /// Puts expressions in the place of symbols, in every result.

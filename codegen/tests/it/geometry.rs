@@ -46,7 +46,8 @@ fn cross(a: Vector, b: Vector) -> Vector {
 /// Everything that has a value at one configuration.
 struct Place<'a> {
     model: &'a Model,
-    q: &'a [f64],
+    /// All coordinates; those in closed form are computed.
+    q: Vec<f64>,
     parameters: IdVec<ParameterId, f64>,
     definitions: IdVec<DefinitionId, Value>,
     frames: IdVec<FrameId, [Vector; 3]>,
@@ -54,10 +55,13 @@ struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    fn at(model: &'a Model, q: &'a [f64]) -> Self {
+    /// `state` holds the coordinates that are not in closed form, in the model's order.
+    fn at(model: &'a Model, state: &[f64]) -> Self {
+        let mut state = state.iter();
+        let mut number = |is_state: bool| if is_state { *state.next().expect("a number") } else { f64::NAN };
         let mut place = Self {
             model,
-            q,
+            q: model.coordinates.iter().map(|c| number(c.closed_form.is_none())).collect(),
             parameters: model.parameter_defaults(),
             definitions: model.definitions.iter().map(|_| Value::Scalar(f64::NAN)).collect(),
             frames: model.frames.iter().map(|_| [[f64::NAN; 3]; 3]).collect(),
@@ -65,7 +69,12 @@ impl<'a> Place<'a> {
         };
         for entity in &model.order {
             match *entity {
-                Entity::Parameter(_) | Entity::Coordinate(_) => {}
+                Entity::Parameter(_) => {}
+                Entity::Coordinate(id) => {
+                    if let Some(form) = &model.coordinates[id].closed_form {
+                        place.q[id.index()] = place.value(form).scalar();
+                    }
+                }
                 Entity::Definition(id) => place.definitions[id] = place.value(&model.definitions[id].value),
                 Entity::Frame(id) => place.frames[id] = place.frame(&model.frames[id].orientation),
                 Entity::Point(id) => place.points[id] = place.value(&model.points[id].position).vector(),

@@ -13,6 +13,7 @@ use crate::{model_argument, output};
 use near_singular::Nearest;
 use rank::Rank;
 use serde_json::{Value, json};
+use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::{Answer, Effort, ParameterChoice, Program, kinematics, program};
 
@@ -160,8 +161,8 @@ fn cost(model: &Model, program: &Program) -> Value {
     let costs = answers.iter().map(|answer| {
         let roots = answer.roots(program);
         json!({
-            "answer": answer.name(), "operations": program.dag.cone_cost(&roots),
-            "by_kind": program.dag.operations_by_kind(&roots),
+            "answer": answer.name(), "operations": program.dag.state_cost(&roots),
+            "by_kind": program.dag.operations_by_kind(&roots, Dependence::State),
         })
     });
     costs.collect()

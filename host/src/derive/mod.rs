@@ -153,7 +153,7 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
     if written == "-" {
         return;
     }
-    let operations = |answer: Answer| program.dag.cone_cost(&answer.roots(program));
+    let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
     let kinematic = arguments.form == Form::Kinematic;
     let answers: &[Answer] = if kinematic { &Answer::KINEMATIC } else { &Answer::ALL };
     let text = if arguments.json {

@@ -3,8 +3,8 @@
 use super::{Engine, EngineScalar, cache, crate_text};
 use crate::failure::Failure;
 use libloading::Library;
-use smartbed_codegen::Program;
 use smartbed_codegen::program::arguments::Arguments;
+use smartbed_codegen::{Answer, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// The C function: which answer, arguments, results; whether the lengths fit.
@@ -18,6 +18,7 @@ enum Which {
     Speeds = 2,
     Outputs = 3,
     Projection = 4,
+    Prepare = 5,
 }
 
 /// A mechanism whose equations were compiled a moment ago, or are from the cache.
@@ -44,16 +45,27 @@ impl<S: EngineScalar> Compiled<S> {
         let path = cache::library(&files)?;
         let (library, function) =
             load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
-        Ok(Self {
+        let roots: Vec<_> = Answer::ALL.iter().flat_map(|answer| answer.roots(program)).collect();
+        let n_prepared = program.prepared(&roots).len();
+        let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
+        let mut this = Self {
             function,
             _library: library,
             n_speeds: program.speeds.len(),
             n_outputs: program.outputs.len(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
-            arguments: Arguments::new(program),
+            arguments: Arguments::new(program, n_prepared),
             rates: vec![S::ZERO; program.q.len() + program.u.len() + 1],
-        })
+        };
+        this.prepare(&parameters)
+            .map_err(|_| Failure::Wrong(format!("{} lacks parameters", path.display())))?;
+        Ok(this)
+    }
+
+    /// What depends on the parameters alone.
+    fn prepare(&mut self, parameters: &[S]) -> Result<(), Fault> {
+        call(self.function, Which::Prepare, parameters, self.arguments.prepared_mut())
     }
 
     fn answer(&self, which: Which, results: &mut [S]) -> Result<(), Fault> {
@@ -132,7 +144,7 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
 
 impl<S: EngineScalar> Engine<S> for Compiled<S> {
     fn set_parameters(&mut self, values: &[S]) {
-        self.arguments.set_parameters(values);
+        self.prepare(values).expect("as many values as parameters");
     }
     fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
         self.arguments.set_state(q, u)?;
