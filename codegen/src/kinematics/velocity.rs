@@ -171,7 +171,7 @@ pub(super) fn bias_of(k: &mut Kinematics, partials: &BTreeMap<UnknownId, ExprId>
 pub(super) fn configuration_rate(k: &mut Kinematics, e: ExprId) -> ExprId {
     let mut rates = HashMap::default();
     for coordinate in k.rates.ids() {
-        if let Some(symbol) = k.coordinate_symbol(coordinate) {
+        if let Some(symbol) = k.variable(coordinate) {
             let rate = k.rates[coordinate].clone();
             rates.insert(symbol, rate_value(k, &rate));
         }

@@ -3,7 +3,9 @@
 //! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
+pub mod arguments;
 pub mod interpreter;
+mod kinematic;
 mod prepared;
 mod reciprocal;
 mod shorten;
@@ -16,6 +18,8 @@ use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
 use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
+
+pub use kinematic::derive_kinematic;
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]

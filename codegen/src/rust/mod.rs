@@ -64,6 +64,9 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// Answers that need no mass.
+    pub const KINEMATIC: [Self; 3] = [Self::Speeds, Self::Outputs, Self::Projection];
+
     /// Every answer of a complete file, in its order; [`Answer::Augmented`] is a form of its own.
     pub const ALL: [Self; 5] = [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection];
 

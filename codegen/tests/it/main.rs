@@ -4,7 +4,6 @@ mod augmented;
 mod example_crate;
 mod expr;
 mod expressions;
-mod fuzz;
 mod geometry;
 mod layering;
 mod loops;
