@@ -6,6 +6,7 @@
 
 pub mod failure;
 
+pub mod install;
 pub mod number;
 pub mod output;
 pub mod progress;
