@@ -108,7 +108,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Coordinates and independent speeds at the start.
-fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
+pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();

@@ -131,6 +131,12 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         }
     }
 
+    /// Evaluations of the equations of motion so far.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
     /// Sets the inputs that have laws; the others stay 0.
     fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         if self.law_inputs.is_empty() {

@@ -5,5 +5,6 @@ mod check_and_derive;
 mod eval;
 mod nonsense;
 mod reference;
+mod report;
 mod run;
 mod support;
