@@ -20,6 +20,7 @@ mod golden;
 mod hard_cases;
 mod impact_property;
 mod newton_euler_oracle;
+mod observed_order;
 mod pair_impact;
 mod rigid_impact;
 mod scene_graph;

@@ -57,7 +57,8 @@ fn ladder(
     measured: &mut Measured,
 ) {
     let size = extent(truth);
-    let (mut least, mut last_time, mut taken, mut idle) = (f64::INFINITY, Duration::ZERO, 0, 0);
+    let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, 0);
+    let (mut taken, mut idle) = (0, 0);
     let mut refusal = None;
     for rung in plan.rungs(subject, method, scalar, truth.seconds) {
         if last_time.mul_f64(rung.work) > plan.run {
@@ -77,7 +78,10 @@ fn ladder(
         }
         taken += 1;
         measured.points.push(point(subject, truth, plan, method, rung.control, scalar, error, &trace));
-        idle = if error > GAIN * least { idle + 1 } else { 0 };
+        // A tolerance that asks for no more work says nothing about rounding.
+        let worked = trace.evaluations > last_work;
+        idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
+        last_work = trace.evaluations;
         if error <= truth.reference.agreement || idle == 2 {
             break;
         }
@@ -142,7 +146,8 @@ fn point(
 }
 
 /// Largest distance of a coordinate from where it is at another sample: the motion's size.
-fn extent(truth: &Truth) -> f64 {
+#[must_use]
+pub fn extent(truth: &Truth) -> f64 {
     let n = truth.trace.samples.first().map_or(0, Vec::len);
     let range = |i: usize| {
         let column = truth.trace.samples.iter().map(|s| s[i]);

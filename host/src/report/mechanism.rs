@@ -127,6 +127,10 @@ impl Subject for Mechanism {
         COARSE * self.settings.step
     }
 
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
     fn weight(&self) -> f64 {
         1.0
     }

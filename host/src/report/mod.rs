@@ -13,6 +13,7 @@ pub mod json;
 pub mod markdown;
 pub mod measure;
 pub mod mechanism;
+pub mod order;
 pub mod page;
 pub mod plan;
 pub mod point;
@@ -174,6 +175,18 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
         report.sections.push(section(subject.as_ref(), &plan, arguments.seconds)?);
         progress.at((n + 1) as f64 / names.len() as f64);
     }
+    for (title, smooth) in [("smooth", true), ("with touches", false)] {
+        let orders = |s: &dyn Subject| {
+            let section = report.sections.iter().find(|section| section.name == s.name())?;
+            Some((section.name.clone(), order::observe(section, &s.methods())))
+        };
+        let of_kind = subjects.iter().filter(|s| s.is_smooth() == smooth);
+        let rows: Vec<_> = of_kind.filter_map(|s| orders(s.as_ref())).collect();
+        if !rows.is_empty() {
+            let title = format!("Observed orders, {title} (nominal in brackets)");
+            report.tables.push(order::table(&title, &rows, &report.command));
+        }
+    }
     others.into_iter().for_each(|extras| report.add(extras));
     report.sections.iter_mut().for_each(|s| front::mark(&mut s.points));
     report.elapsed = progress.seconds();
@@ -200,8 +213,11 @@ fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
     }
 }
 
-/// Measures one subject.
-fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Result<Section, Failure> {
+/// Measures one subject; without a time of its own for as long as its references agree.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it cannot be run.
+pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Result<Section, Failure> {
     let wrong = |e: String| Failure::Wrong(format!("{}: {e}", subject.name()));
     let truth = reference::make(subject, seconds.unwrap_or(plan.seconds(subject)), seconds.is_none())
         .map_err(wrong)?;
@@ -215,6 +231,7 @@ fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Result<S
         title: subject.title(),
         seconds: truth.seconds,
         asked: subject.seconds(),
+        extent: measure::extent(&truth),
         reference: truth.reference,
         points: measured.points,
         notes: measured.notes,

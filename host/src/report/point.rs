@@ -93,6 +93,8 @@ pub struct Section {
     pub asked: f64,
     /// What errors are taken against.
     pub reference: Reference,
+    /// Size of the motion: the longest way of a coordinate (m or rad).
+    pub extent: f64,
     /// All runs.
     pub points: Vec<Point>,
     /// What could not be measured, and why.

@@ -17,7 +17,7 @@ pub const SAMPLES: usize = 10;
 pub struct Method {
     /// Its name on the command line.
     pub name: String,
-    /// Order of the error in the step; of an adaptive method, that of its step control.
+    /// Order of the error in the step, on this subject; of an adaptive method, that of its step control.
     pub order: u32,
     /// Chooses its own steps.
     pub adaptive: bool,
@@ -63,6 +63,8 @@ pub trait Subject {
     fn seconds(&self) -> f64;
     /// The step to start a ladder with (s): the largest that is stable, or a coarse one.
     fn coarsest_step(&self) -> f64;
+    /// Without touches and releases?
+    fn is_smooth(&self) -> bool;
     /// Work of a simulated second in rough units of one spring over one second: what quick runs are cut by.
     fn weight(&self) -> f64;
     /// All methods.
