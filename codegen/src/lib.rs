@@ -60,6 +60,8 @@ pub mod kinematics;
 
 pub mod dynamics;
 
+pub mod value;
+
 pub mod program;
 
 pub mod rust;
@@ -72,3 +74,4 @@ pub use kinematics::ParameterChoice;
 pub use program::Program;
 pub use program::interpreter::Interpreted;
 pub use rust::{Answer, EmitOptions, ScalarType};
+pub use value::Effort;

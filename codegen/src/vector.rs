@@ -286,7 +286,7 @@ impl Triads {
     fn to_parent(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
         match &self.turns[triad] {
             Turn::Inertial => v,
-            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, false),
+            Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, false),
             Turn::Directions { rows } => std::array::from_fn(|k| {
                 let terms: [ExprId; 3] = std::array::from_fn(|j| dag.mul(v[j], rows[j][k]));
                 dag.sum(&terms)
@@ -297,7 +297,7 @@ impl Triads {
     fn to_child(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
         match &self.turns[triad] {
             Turn::Inertial => v,
-            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, true),
+            Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, true),
             Turn::Directions { rows } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
         }
     }
@@ -345,7 +345,7 @@ impl Triads {
 }
 
 /// Components after a simple rotation: child to parent, or (`inverse`) parent to child.
-fn rotate(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
+pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
     let k = axis as usize;
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (sin, cos) = (dag.sin(angle), dag.cos(angle));

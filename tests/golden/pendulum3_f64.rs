@@ -1,8 +1,8 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 133 operations (3 abs, 23 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 13 sub).
-// Cost of energy: 83 operations (20 add, 3 cos, 57 mul, 3 sin).
+// Cost of rates: 132 operations (3 abs, 22 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 13 sub).
+// Cost of energy: 81 operations (19 add, 3 cos, 56 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
@@ -68,7 +68,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///133 operations.
+///132 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -86,57 +86,63 @@ pub fn rates(
     let u0 = u[0];
     let u1 = u[1];
     let u2 = u[2];
-    let m0 = p.m0;
-    let g = p.g;
     let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * sin_q0;
-    let t2 = g * t1;
-    let m1 = p.m1;
-    let l1 = p.l1;
-    let t3 = l1 * (u1 * u1);
+    let t1 = l0 * cos_q0;
+    let m2 = p.m2;
+    let t2 = l0 * (u0 * u0);
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t4 = l0 * cos_q0;
-    let m2 = p.m2;
-    let t5 = l0 * (u0 * u0);
+    let l1 = p.l1;
+    let t3 = l1 * (u1 * u1);
+    let t4 = sin_q0 * t2 + sin_q1 * t3;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let l2 = p.l2;
-    let t6 = l2 * (u2 * u2);
-    let t7 = g + cos_q0 * t5 + cos_q1 * t3 + cos_q2 * t6;
-    let t8 = sin_q0 * t5 + sin_q1 * t3 + sin_q2 * t6;
-    let t9 = m0 * t2 + m1 * (t2 + t3 * (cos_q1 * t1 - sin_q1 * t4)) + m2 * (t1 * t7 - t4 * t8);
-    let t10 = l0 * l0;
-    let mass_u0_u0 = m0 * t10 + m1 * t10 + m2 * (t4 * t4 + t1 * t1);
-    let t11 = 1.0_f64 / mass_u0_u0;
-    let t12 = l1 * cos_q1;
-    let t13 = l1 * sin_q1;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t4 + sin_q1 * t1)) + m2 * (t4 * t12 + t1 * t13);
-    let t14 = mass_u0_u1 * t11;
-    let mass_u1_u1 = m1 * (l1 * l1) + m2 * (t12 * t12 + t13 * t13);
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t14;
-    let t15 = 1.0_f64 / pivot_1;
-    let t16 = m1 * (g * t13 + t5 * (cos_q0 * t13 - sin_q0 * t12)) + m2 * (t13 * t7 - t12 * t8);
-    let t17 = t9 * t14 - t16;
-    let t18 = l2 * cos_q2;
-    let t19 = l2 * sin_q2;
-    let mass_u1_u2 = m2 * (t12 * t18 + t13 * t19);
-    let mass_u0_u2 = m2 * (t4 * t18 + t1 * t19);
-    let t20 = mass_u1_u2 - mass_u0_u2 * t14;
-    let t21 = t20 * t15;
-    let t22 = mass_u0_u2 * t11;
-    let mass_u2_u2 = m2 * (t18 * t18 + t19 * t19);
-    let pivot_2 = mass_u2_u2 - mass_u0_u2 * t22 - t20 * t21;
-    let t23 = (t9 * t22 - m2 * (t19 * t7 - t18 * t8) - t21 * t17) / pivot_2;
-    let t24 = t15 * t17 - t21 * t23;
-    let t25 = Real::min(Real::min(0.3333333333333333_f64 * Real::abs(mass_u0_u0), 1.4999999999999998_f64 * Real::abs(pivot_1)), 2.0_f64 * Real::abs(pivot_2));
-    ([u0, u1, u2], [-(t9 * t11 + t14 * t24 + t22 * t23), t24, t23], t25)
+    let t5 = m2 * l2;
+    let t6 = u2 * u2 * t5;
+    let t7 = m2 * t4 + sin_q2 * t6;
+    let t8 = l0 * sin_q0;
+    let g = p.g;
+    let t9 = g + cos_q0 * t2 + cos_q1 * t3;
+    let t10 = m2 * t9 + cos_q2 * t6;
+    let m0 = p.m0;
+    let t11 = m0 * l0;
+    let m1 = p.m1;
+    let t12 = t11 * (g * sin_q0) + m1 * (g * t8 + t3 * (cos_q1 * t8 - sin_q1 * t1));
+    let forcing_u0 = t1 * t7 - t8 * t10 - t12;
+    let mass_u0_u0 = t1 * (m2 * t1) + t8 * (m2 * t8) + (l0 * t11 + m1 * (l0 * l0));
+    let t13 = 1.0_f64 / mass_u0_u0;
+    let t14 = l1 * cos_q1;
+    let t15 = m2 * t14;
+    let t16 = l1 * sin_q1;
+    let t17 = m2 * t16;
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t8)) + (t1 * t15 + t8 * t17);
+    let t18 = mass_u0_u1 * t13;
+    let mass_u1_u1 = m1 * (l1 * l1) + (t14 * t15 + t16 * t17);
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t18;
+    let t19 = 1.0_f64 / pivot_1;
+    let forcing_u1 = t14 * t7 - t16 * t10 - m1 * (g * t16 + t2 * (cos_q0 * t16 - sin_q0 * t14));
+    let t20 = forcing_u1 - forcing_u0 * t18;
+    let t21 = sin_q2 * t5;
+    let t22 = cos_q2 * t5;
+    let mass_u1_u2 = t16 * t21 + t14 * t22;
+    let mass_u0_u2 = t8 * t21 + t1 * t22;
+    let t23 = mass_u1_u2 - mass_u0_u2 * t18;
+    let t24 = t23 * t19;
+    let t25 = mass_u0_u2 * t13;
+    let mass_u2_u2 = l2 * t5;
+    let pivot_2 = mass_u2_u2 - mass_u0_u2 * t25 - t23 * t24;
+    let t26 = (t5 * (sin_q2 * t9 - cos_q2 * t4) + forcing_u0 * t25 + t24 * t20) / pivot_2;
+    let t27 = t19 * t20 + t24 * t26;
+    let t28 = forcing_u0 * t13 - t18 * t27 + t25 * t26;
+    let t29 = Real::min(Real::min(0.3333333333333333_f64 * Real::abs(mass_u0_u0), 1.4999999999999998_f64 * Real::abs(pivot_1)), 2.0_f64 * Real::abs(pivot_2));
+    ([u0, u1, u2], [t28, t27, -t26], t29)
 }
 ///Kinetic and potential energy (J).
 ///
-///83 operations.
+///81 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -152,39 +158,41 @@ pub fn energy(
     p: &Parameters,
 ) -> (S, S) {
     let u0 = u[0];
-    let m0 = p.m0;
     let l0 = p.l0;
-    let t1 = l0 * l0;
-    let m1 = p.m1;
-    let m2 = p.m2;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t2 = l0 * cos_q0;
-    let t3 = l0 * sin_q0;
-    let mass_u0_u0 = m0 * t1 + m1 * t1 + m2 * (t2 * t2 + t3 * t3);
+    let t1 = l0 * cos_q0;
+    let m2 = p.m2;
+    let t2 = l0 * sin_q0;
+    let m0 = p.m0;
+    let m1 = p.m1;
+    let mass_u0_u0 = t1 * (m2 * t1) + t2 * (m2 * t2) + (l0 * (m0 * l0) + m1 * (l0 * l0));
     let l1 = p.l1;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t4 = l1 * cos_q1;
+    let t3 = l1 * cos_q1;
+    let t4 = m2 * t3;
     let t5 = l1 * sin_q1;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t2 + sin_q1 * t3)) + m2 * (t2 * t4 + t3 * t5);
+    let t6 = m2 * t5;
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t2)) + (t1 * t4 + t2 * t6);
     let u1 = u[1];
-    let l2 = p.l2;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t6 = l2 * cos_q2;
-    let t7 = l2 * sin_q2;
-    let mass_u0_u2 = m2 * (t2 * t6 + t3 * t7);
+    let l2 = p.l2;
+    let t7 = m2 * l2;
+    let t8 = sin_q2 * t7;
+    let t9 = cos_q2 * t7;
+    let mass_u0_u2 = t2 * t8 + t1 * t9;
     let u2 = u[2];
-    let t8 = 0.5_f64 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
-    let mass_u1_u1 = m1 * (l1 * l1) + m2 * (t4 * t4 + t5 * t5);
-    let mass_u1_u2 = m2 * (t4 * t6 + t5 * t7);
-    let mass_u2_u2 = m2 * (t6 * t6 + t7 * t7);
-    let t9 = t8 + 0.5_f64 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f64 * (u2 * u2 * mass_u2_u2);
+    let t10 = 0.5_f64 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
+    let mass_u1_u1 = m1 * (l1 * l1) + (t3 * t4 + t5 * t6);
+    let mass_u1_u2 = t5 * t8 + t3 * t9;
+    let mass_u2_u2 = l2 * t7;
+    let t11 = t10 + 0.5_f64 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f64 * (u2 * u2 * mass_u2_u2);
     let g = p.g;
-    let t10 = l0 * (g * cos_q0);
-    let t11 = t10 + l1 * (g * cos_q1);
-    (t9, -(m0 * t10 + m1 * t11 + m2 * (t11 + l2 * (g * cos_q2))))
+    let t12 = l0 * (g * cos_q0);
+    let t13 = t12 + l1 * (g * cos_q1);
+    (t11, -(m0 * t12 + m1 * t13 + m2 * (t13 + l2 * (g * cos_q2))))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

@@ -25,26 +25,49 @@ pub(super) struct Equation {
 /// Values of the unknowns for every right-hand side.
 pub(super) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
 
-/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
-pub(super) fn solve(
+/// An unknown by those that are eliminated after it: `y = sum coefficients[z] z + right`.
+#[derive(Clone, Debug)]
+pub(super) struct Elimination {
+    /// What is eliminated.
+    pub unknown: UnknownId,
+    /// The expression divided by.
+    pub pivot: ExprId,
+    /// Non-zero coefficients.
+    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    /// Right-hand sides.
+    pub right: Vec<ExprId>,
+}
+
+/// Triangular form of the equations, in the order of the elimination.
+pub(super) fn eliminate(
     dag: &mut Dag,
     table: &mut SampleTable,
     mut equations: Vec<Equation>,
-) -> Option<(Values, Vec<ExprId>)> {
-    let mut done: Vec<(UnknownId, ExprId, Equation)> = Vec::new();
-    let mut pivots = Vec::new();
+) -> Vec<Elimination> {
+    let mut done = Vec::new();
     while let Some((r, column)) = pick(dag, table, &equations) {
         let row = equations.swap_remove(r);
         let pivot = row.coefficients[&column];
         // Its value at the samples, before what follows adds nodes.
         table.values(dag, pivot);
-        pivots.push(pivot);
+        let step = solved_for(dag, row, column, pivot);
         for other in &mut equations {
-            subtract(dag, other, &row, column, pivot);
+            substitute(dag, other, &step);
         }
-        done.push((column, pivot, row));
+        done.push(step);
     }
-    Some((back_substitute(dag, done)?, pivots))
+    done
+}
+
+/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
+pub(super) fn solve(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    equations: Vec<Equation>,
+) -> Option<(Values, Vec<ExprId>)> {
+    let done = eliminate(dag, table, equations);
+    let values = back_substitute(dag, &done)?;
+    Some((values, done.into_iter().map(|step| step.pivot).collect()))
 }
 
 /// (row, column) of least fill among the safe pivots; the safest if none is safe.
@@ -81,18 +104,26 @@ fn row_maximum(dag: &Dag, table: &mut SampleTable, equation: &Equation) -> Vec<f
     largest
 }
 
-/// `other -= (other[column] / pivot) row`.
-fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: UnknownId, pivot: ExprId) {
-    let Some(entry) = other.coefficients.remove(&column) else { return };
-    let factor = dag.div(entry, pivot);
-    for (&c, &x) in &row.coefficients {
-        if c == column {
-            continue;
-        }
-        let product = dag.mul(factor, x);
+/// The row divided by its pivot: every later use shares the quotients.
+fn solved_for(dag: &mut Dag, row: Equation, unknown: UnknownId, pivot: ExprId) -> Elimination {
+    let mut coefficients = row.coefficients;
+    coefficients.remove(&unknown);
+    for x in coefficients.values_mut() {
+        let quotient = dag.div(*x, pivot);
+        *x = dag.negate(quotient);
+    }
+    let right = row.right.into_iter().map(|x| dag.div(x, pivot)).collect();
+    Elimination { unknown, pivot, coefficients, right }
+}
+
+/// Puts an unknown's expression in its place.
+fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) {
+    let Some(entry) = other.coefficients.remove(&step.unknown) else { return };
+    for (&c, &x) in &step.coefficients {
+        let product = dag.mul(entry, x);
         let new = match other.coefficients.get(&c) {
-            Some(&mine) => dag.sub(mine, product),
-            None => dag.negate(product),
+            Some(&mine) => dag.add(mine, product),
+            None => product,
         };
         if dag.is_zero(new) {
             other.coefficients.remove(&c);
@@ -100,26 +131,24 @@ fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: Unknown
             other.coefficients.insert(c, new);
         }
     }
-    for (mine, &x) in other.right.iter_mut().zip(&row.right) {
-        let product = dag.mul(factor, x);
+    for (mine, &x) in other.right.iter_mut().zip(&step.right) {
+        let product = dag.mul(entry, x);
         *mine = dag.sub(*mine, product);
     }
 }
 
-fn back_substitute(dag: &mut Dag, done: Vec<(UnknownId, ExprId, Equation)>) -> Option<Values> {
+/// Every unknown by the right-hand sides alone; None if one never had a pivot.
+pub(super) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Values> {
     let mut known = Values::new();
-    for (column, pivot, row) in done.into_iter().rev() {
-        let mut values = row.right;
-        for (other, coefficient) in row.coefficients {
-            if other == column {
-                continue;
-            }
-            for (value, &x) in values.iter_mut().zip(known.get(&other)?) {
+    for step in done.iter().rev() {
+        let mut values = step.right.clone();
+        for (other, &coefficient) in &step.coefficients {
+            for (value, &x) in values.iter_mut().zip(known.get(other)?) {
                 let product = dag.mul(coefficient, x);
-                *value = dag.sub(*value, product);
+                *value = dag.add(*value, product);
             }
         }
-        known.insert(column, values.into_iter().map(|v| dag.div(v, pivot)).collect());
+        known.insert(step.unknown, values);
     }
     Some(known)
 }

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::{model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
-use smartbed_codegen::{Answer, EmitOptions, ParameterChoice, Program, ScalarType, program, rust};
+use smartbed_codegen::{Answer, Effort, EmitOptions, ParameterChoice, Program, ScalarType, program, rust};
 use std::path::Path;
 
 /// Derive the equations of motion and write them as no_std Rust.
@@ -28,6 +28,9 @@ pub struct Arguments {
     /// The form of the equations.
     #[arg(long, value_enum, default_value_t)]
     pub form: Form,
+    /// How hard to look for fewer operations; all takes some tenths of a second.
+    #[arg(long, value_enum, default_value_t)]
+    pub effort: EffortChoice,
     /// Only these functions, without the struct that joins them to the runtime:
     /// rates, energy, speeds, outputs, projection.
     #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
@@ -68,6 +71,28 @@ impl EmittedScalar {
     }
 }
 
+/// How hard to look for fewer operations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum EffortChoice {
+    /// The equations as derived.
+    None,
+    /// Equal values merged, common factors taken out.
+    #[default]
+    Default,
+    /// Every rule and the search over pairs of values.
+    All,
+}
+
+impl EffortChoice {
+    fn effort(self) -> Effort {
+        match self {
+            Self::None => Effort::None,
+            Self::Default => Effort::Default,
+            Self::All => Effort::All,
+        }
+    }
+}
+
 /// Forms of the equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum Form {
@@ -90,7 +115,8 @@ pub enum Form {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
-    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let effort = arguments.effort.effort();
+    let program = program::derive_with(&model, &choice, effort).map_err(|e| model_argument::wrong(&e))?;
     let options = EmitOptions {
         scalar: arguments.scalar.scalar_type(),
         answers: answers(arguments, &model)?,
