@@ -1,6 +1,7 @@
 //! The only test binary.
 
 mod accuracy;
+mod accuracy_table;
 mod agreement;
 mod bar_on_wall;
 mod bicycle_benchmark;

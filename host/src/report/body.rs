@@ -1,8 +1,9 @@
 //! A scene of a flexible body under measurement.
 
 use super::point::Control;
+use super::sheet::Sheet;
 use super::subject::{Method, SAMPLES, Subject, Trace};
-use super::{clock, closed_form};
+use super::{clock, closed_form, sheet_body};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::plot::svg;
@@ -56,6 +57,16 @@ impl Body {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Its file.
+    pub(super) fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Changes `key=value`.
+    pub(super) fn settings(&self) -> &[String] {
+        &self.settings
     }
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
@@ -187,6 +198,14 @@ impl Subject for Body {
 
     fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)> {
         closed_form::of(&self.name, &self.scene, seconds)
+    }
+
+    fn is_scene(&self) -> bool {
+        true
+    }
+
+    fn sheet(&self) -> Result<Sheet, String> {
+        sheet_body::make(self)
     }
 
     fn graph(&self) -> Result<String, String> {

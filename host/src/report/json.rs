@@ -12,6 +12,7 @@ pub fn text(report: &Report) -> String {
         "machine": report.machine,
         "command": report.command,
         "engine": report.engine,
+        "chip": report.chip,
         "elapsed": report.elapsed,
         "subjects": report.sections.iter().map(section).collect::<Vec<_>>(),
         "points": points,
@@ -35,9 +36,11 @@ fn section(section: &Section) -> Value {
 fn chip(cost: &ChipCost) -> Value {
     json!({
         "method": cost.method,
-        "step": cost.step,
         "instructions": cost.instructions,
         "cycles": { "low": cost.cycles[0], "high": cost.cycles[1] },
+        "flash": cost.flash,
+        "ram": cost.ram,
+        "stack": cost.stack,
         "command": cost.command,
     })
 }

@@ -10,16 +10,34 @@ const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-11];
 #[must_use]
 pub fn text(report: &Report) -> String {
     let mut text = format!(
-        "# Speed against error\n\n{}; made by `{}` in {:.0} s; mechanisms by the {}.\n\n\
+        "# Speed against error\n\n{}; made by `{}` in {:.0} s; mechanisms by the {}. \
+         Costs on the chip: {}.\n\n\
          Errors are the largest of any coordinate (m or rad) at ten times over the simulated time, against the \
          reference named with each subject. Time is computing time per simulated second, without output. The \
          command of a row makes its numbers again.\n\n",
-        report.machine, report.command, report.elapsed, report.engine
+        report.machine, report.command, report.elapsed, report.engine, report.chip
     );
-    push(&mut text, &summary(report));
-    report.tables.iter().for_each(|t| push(&mut text, t));
+    tables(&mut text, report);
     report.sections.iter().for_each(|s| section_text(&mut text, s));
     text
+}
+
+/// Everything but the points.
+#[must_use]
+pub fn results(report: &Report) -> String {
+    let mut text = format!(
+        "# Speed against error: {}\n\nMade by `{}` in {:.0} s; mechanisms by the {}. Costs on the chip: {}.\n\
+         What the columns mean is told in docs/report.md; all points are in the command's own report.md and \
+         report.csv, those of the fronts in the JSON file beside this one.\n\n",
+        report.machine, report.command, report.elapsed, report.engine, report.chip
+    );
+    tables(&mut text, report);
+    text
+}
+
+fn tables(text: &mut String, report: &Report) {
+    push(text, &summary(report));
+    report.tables.iter().for_each(|t| push(text, t));
 }
 
 /// The fastest way to a given error, subject by subject.
@@ -114,13 +132,16 @@ pub fn points(section: &Section) -> Table {
 /// A section's costs on the chip as a table.
 #[must_use]
 pub fn chip(section: &Section) -> Table {
-    let columns = ["on the chip, f32", "step", "instructions per step", "cycles by model", "command"];
+    let columns =
+        ["on the chip, f32", "instructions per step", "cycles by model", "flash", "RAM", "stack", "command"];
     let row = |c: &super::point::ChipCost| {
         vec![
             c.method.clone(),
-            format!("{:.3e} s", c.step),
             c.instructions.to_string(),
             format!("{}..{}", c.cycles[0], c.cycles[1]),
+            c.flash.to_string(),
+            c.ram.to_string(),
+            c.stack.to_string(),
             format!("`{}`", c.command),
         ]
     };

@@ -1,14 +1,15 @@
 //! Runs a subject with every method and a ladder of steps, in f64 and f32.
 //!
 //! In: a subject, its reference, a plan. Out: points. A ladder ends where rounding takes over, where a
-//! run would take longer than the plan allows, or where the subject's share of the time is used up.
+//! run would take longer than the plan allows, or where its share of the time is used up.
 
+use super::clock;
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::Truth;
 use super::subject::{Method, SAMPLES, Subject, Trace};
 use crate::engine::ScalarKind;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Shorter runs are repeated: the fastest of three counts.
 const SHORT: Duration = Duration::from_millis(5);
@@ -27,23 +28,18 @@ pub struct Measured {
     pub notes: Vec<String>,
 }
 
-/// Measures a subject.
+/// Measures a subject. The time is shared evenly: what one ladder leaves, the next ones have.
 #[must_use]
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let mut measured = Measured::default();
-    let mut unmeasured = Vec::new();
-    let clock = Instant::now();
-    for scalar in [ScalarKind::F64, ScalarKind::F32] {
-        for method in subject.methods() {
-            if clock.elapsed() > plan.subject {
-                unmeasured.push(format!("{} {}", method.name, name_of(scalar)));
-                continue;
-            }
-            ladder(subject, truth, plan, (&method, scalar), &mut measured);
-        }
-    }
-    if !unmeasured.is_empty() {
-        measured.notes.push(format!("not measured, the time was up: {}", unmeasured.join(", ")));
+    let methods = subject.methods();
+    let scalars = [ScalarKind::F64, ScalarKind::F32];
+    let ladders = scalars.into_iter().flat_map(|s| methods.iter().map(move |m| (m, s)));
+    let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();
+    let begin = clock::now();
+    for (n, ladder_of) in ladders.iter().enumerate() {
+        let share = (n + 1) as f64 / ladders.len() as f64;
+        ladder(subject, truth, plan, *ladder_of, begin + plan.subject.mul_f64(share), &mut measured);
     }
     measured
 }
@@ -54,6 +50,7 @@ fn ladder(
     truth: &Truth,
     plan: &Plan,
     (method, scalar): (&Method, ScalarKind),
+    end: Duration,
     measured: &mut Measured,
 ) {
     let size = extent(truth);
@@ -61,7 +58,8 @@ fn ladder(
     let (mut taken, mut idle) = (0, 0);
     let mut refusal = None;
     for rung in plan.rungs(subject, method, scalar, truth.seconds) {
-        if last_time.mul_f64(rung.work) > plan.run {
+        let no_time = taken > 0 && clock::now() > end;
+        if no_time || last_time.mul_f64(rung.work) > plan.run {
             break;
         }
         let (error, trace) = match run(subject, truth, method, rung.control, scalar) {

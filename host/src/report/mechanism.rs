@@ -2,6 +2,8 @@
 
 use super::clock;
 use super::point::Control;
+use super::sheet::Sheet;
+use super::sheet_mechanism;
 use super::subject::{Method, SAMPLES, Subject, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
@@ -27,6 +29,9 @@ const MOST_STEPS: u32 = 10_000_000;
 /// Rows of a graph.
 const ROWS: f64 = 500.0;
 
+/// A mechanism in f64 under its laws.
+pub(super) type Plant64 = Plant<Box<dyn engine::Engine<f64>>, f64>;
+
 /// A mechanism with its equations.
 pub struct Mechanism {
     name: String,
@@ -44,13 +49,54 @@ impl Mechanism {
     /// # Errors
     /// [`Failure::Wrong`] with what is wrong in it.
     pub fn open(name: &str, engine: EngineKind) -> Result<Self, Failure> {
+        Self::with(&Arguments { model: name.to_owned(), engine, ..Arguments::default() })
+    }
+
+    /// Reads and derives it, with the settings of a run.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] with what is wrong in it or in the settings.
+    pub fn with(arguments: &Arguments) -> Result<Self, Failure> {
+        let (name, engine) = (&arguments.model, arguments.engine);
         let model = model_argument::read(name)?;
-        let settings = Settings::new(&model, &Arguments { model: name.to_owned(), ..Arguments::default() })?;
+        let settings = Settings::new(&model, arguments)?;
         let wrong = |e| model_argument::wrong(&e);
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
         let start = run::start(&model, &program, &settings)?;
         Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
+    }
+
+    /// Time between two rows of output (s).
+    #[must_use]
+    pub fn row_interval(&self) -> f64 {
+        self.settings.row_interval()
+    }
+
+    /// Its model.
+    pub(super) fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Its equations.
+    pub(super) fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Coordinates and independent speeds at the start.
+    pub(super) fn start(&self) -> &[f64] {
+        &self.start
+    }
+
+    /// Its own step (s).
+    pub(super) fn step(&self) -> f64 {
+        self.settings.step
+    }
+
+    /// Other equations of the same mechanism under its laws.
+    pub(super) fn plant_of(&self, program: &Program) -> Result<Plant64, String> {
+        let engine = engine::new::<f64>(self.engine, program).map_err(|e| e.to_string())?;
+        Ok(Plant::new(engine, program, &self.observers))
     }
 
     fn plant<S: EngineScalar>(
@@ -156,7 +202,7 @@ impl Subject for Mechanism {
 
     /// Without projections: at this tolerance the constraints stay met to the rounding of the coordinates.
     fn reference(&self, seconds: f64) -> Result<Trace, String> {
-        let mut plant: Plant<Box<dyn engine::Engine<f64>>, f64> = self.plant(EngineKind::Interpreter)?;
+        let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
         let mut fault = None;
         let begin = clock::now();
         let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| {
@@ -185,6 +231,14 @@ impl Subject for Mechanism {
 
     fn closed_form(&self, _: f64) -> Option<(&'static str, Trace)> {
         None
+    }
+
+    fn is_scene(&self) -> bool {
+        false
+    }
+
+    fn sheet(&self) -> Result<Sheet, String> {
+        sheet_mechanism::make(self)
     }
 
     fn graph(&self) -> Result<String, String> {

@@ -1,10 +1,12 @@
 //! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
 //!
 //! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`reference`], are run over a ladder of steps
-//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked. The renderings
+//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
+//! observed, costs taken on the [`chip`] and put on a [`sheet`]. The renderings
 //! know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
 
 pub mod body;
+pub mod chip;
 pub mod clock;
 pub mod closed_form;
 pub mod csv;
@@ -15,9 +17,13 @@ pub mod measure;
 pub mod mechanism;
 pub mod order;
 pub mod page;
+pub mod pick;
 pub mod plan;
 pub mod point;
 pub mod reference;
+pub mod sheet;
+mod sheet_body;
+mod sheet_mechanism;
 pub mod subject;
 pub mod work_precision;
 
@@ -28,10 +34,15 @@ use crate::output;
 use crate::plot::svg;
 use crate::progress::Progress;
 use crate::suggest;
+use chip::Chip;
 use plan::Plan;
 use point::{Control, Extras, Report, Section};
 use std::path::Path;
-use subject::Subject;
+use std::time::Duration;
+use subject::{Method, Subject};
+
+/// Images for the chip are built for at most this long.
+const CHIP_TIME: Duration = Duration::from_secs(420);
 
 /// Speed against error: tables, plots, one HTML page.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -72,12 +83,29 @@ pub struct Arguments {
     /// More points and tables, from other simulators; may be repeated.
     #[arg(long, value_name = "FILE.json")]
     pub points: Vec<String>,
+    /// Write the summary, and the points of the fronts, as DIR/PROCESSOR.md and .json too.
+    #[arg(long, value_name = "DIR")]
+    pub results: Option<String>,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,
 }
 
 impl Arguments {
+    /// Is one row asked for?
+    fn is_row(&self) -> bool {
+        self.step.is_some() || self.tolerance.is_some()
+    }
+
+    /// Where costs on the chip come from.
+    fn chip(&self) -> Chip {
+        match (self.quick, self.is_row()) {
+            (true, _) => Chip::none("left out by --quick"),
+            (_, true) => Chip::none("not of a single row"),
+            _ => Chip::new(CHIP_TIME),
+        }
+    }
+
     /// The report as a command line.
     fn command(&self) -> String {
         let mut words = vec!["cargo smartbed report".to_owned()];
@@ -91,6 +119,7 @@ impl Arguments {
         option("tolerance", self.tolerance.map(|x| format!("{x:e}")));
         option("scalar", self.scalar.map(|s| measure::name_of(s).to_owned()));
         self.points.iter().for_each(|p| option("points", Some(p.clone())));
+        words.extend(self.results.as_ref().map(|f| format!("--results {f}")));
         if self.quick {
             words.push("--quick".to_owned());
         }
@@ -121,9 +150,12 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = make(arguments)?;
     write(&report, Path::new(&arguments.out))?;
+    if let Some(folder) = &arguments.results {
+        write_results(&report, Path::new(folder))?;
+    }
     if arguments.json {
         output::print(&json::text(&report));
-    } else if arguments.step.is_some() || arguments.tolerance.is_some() {
+    } else if arguments.is_row() {
         output::print(&markdown::text(&report));
     } else {
         let points: usize = report.sections.iter().map(|s| s.points.len()).sum();
@@ -166,6 +198,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
             EngineKind::Interpreter => "interpreter".to_owned(),
             EngineKind::Compiled => "compiled Rust".to_owned(),
         },
+        chip: String::new(),
         elapsed: 0.0,
         sections: Vec::new(),
         tables: Vec::new(),
@@ -187,6 +220,18 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
             report.tables.push(order::table(&title, &rows, &report.command));
         }
     }
+    let mut chip = arguments.chip();
+    if !arguments.is_row() {
+        for (subject, section) in subjects.iter().zip(&mut report.sections) {
+            chip.add(subject.as_ref(), section);
+        }
+        let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
+        report.tables.push(sheets);
+    }
+    report.chip = match chip.lacking() {
+        None => "instructions counted in the emulator, cycles by model".to_owned(),
+        Some(why) => format!("none ({why})"),
+    };
     others.into_iter().for_each(|extras| report.add(extras));
     report.sections.iter_mut().for_each(|s| front::mark(&mut s.points));
     report.elapsed = progress.seconds();
@@ -196,13 +241,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
 /// Refuses a method that the subject has not, or a step for a method that takes a tolerance.
 fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
     let Some(name) = &plan.method else { return Ok(()) };
-    let methods = subject.methods();
-    let Some(method) = methods.iter().find(|m| m.name == *name) else {
-        let help = suggest::help(name, methods.iter().map(|m| m.name.as_str()));
-        let why = format!("--method {name}: `{}` has no such method{help}", subject.name());
-        return Err(Failure::Wrong(why));
-    };
-    match (method.adaptive, plan.control) {
+    match (check_name(subject, name)?.adaptive, plan.control) {
         (true, Some(Control::Step(_))) => {
             Err(Failure::Wrong(format!("--step: {name} chooses its own steps; expected --tolerance")))
         }
@@ -211,6 +250,19 @@ fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// The subject's method of this name.
+///
+/// # Errors
+/// [`Failure::Wrong`] with the likely name, if it has none.
+pub fn check_name(subject: &dyn Subject, name: &str) -> Result<Method, Failure> {
+    let methods = subject.methods();
+    let help = suggest::help(name, methods.iter().map(|m| m.name.as_str()));
+    let found = methods.into_iter().find(|m| m.name == name);
+    found.ok_or_else(|| {
+        Failure::Wrong(format!("--method {name}: `{}` has no such method{help}", subject.name()))
+    })
 }
 
 /// Measures one subject; without a time of its own for as long as its references agree.
@@ -261,10 +313,51 @@ pub fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Writes the summary and the points of the fronts, named after the processor.
+///
+/// # Errors
+/// [`Failure::Wrong`] if one cannot be written.
+pub fn write_results(report: &Report, folder: &Path) -> Result<(), Failure> {
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(wrong)?;
+    let mut fronts = report.clone();
+    fronts.sections.iter_mut().for_each(|s| s.points.retain(|p| p.front));
+    let put = |ending: &str, text: &str| {
+        let file = folder.join(file_name(&report.machine)).with_extension(ending);
+        output::write(&file.display().to_string(), text.as_bytes())
+    };
+    put("md", &markdown::results(report))?;
+    put("json", &json::text(&fronts))
+}
+
+/// Lower case, what stands in brackets left out, words joined by hyphens.
+fn file_name(machine: &str) -> String {
+    let mut depth = 0_usize;
+    let plain = machine.chars().filter(|c| {
+        depth = if *c == '(' { depth + 1 } else { depth };
+        let outside = depth == 0;
+        depth = if *c == ')' { depth.saturating_sub(1) } else { depth };
+        outside
+    });
+    let text: String =
+        plain.map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { ' ' }).collect();
+    text.split_whitespace().collect::<Vec<_>>().join("-")
+}
+
 /// The processor's name.
 #[must_use]
 pub fn machine() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = text.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':'));
     name.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_name;
+
+    #[test]
+    fn a_processor_is_a_file_name() {
+        assert_eq!(file_name("Intel(R) Xeon(R) Processor @ 2.10GHz"), "intel-xeon-processor-2-10ghz");
+    }
 }

@@ -12,11 +12,12 @@ const PAGE: &str = include_str!("page.html");
 #[must_use]
 pub fn text(report: &Report) -> String {
     let head = format!(
-        "{}; made by <code>{}</code> in {:.0} s; mechanisms by the {}.",
+        "{}; made by <code>{}</code> in {:.0} s; mechanisms by the {}. Costs on the chip: {}.",
         escaped(&report.machine),
         escaped(&report.command),
         report.elapsed,
-        escaped(&report.engine)
+        escaped(&report.engine),
+        escaped(&report.chip)
     );
     let mut links = String::from("<a href=\"#summary\">summary</a>\n");
     let mut sections = format!("<section id=\"summary\">\n{}", table(&markdown::summary(report)));

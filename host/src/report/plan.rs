@@ -26,7 +26,7 @@ pub struct Plan {
     pub tolerance_factor: f64,
     /// Longest run that is begun.
     pub run: Duration,
-    /// Time for all runs of a subject, its reference not counted.
+    /// Computing time for all runs of a subject, its reference not counted.
     pub subject: Duration,
     /// Most spring-seconds (or seconds of a mechanism) simulated; more is cut.
     pub work: f64,
@@ -66,7 +66,7 @@ impl Plan {
             rungs: 5,
             tolerance_factor: 1e-2,
             run: Duration::from_millis(40),
-            subject: Duration::from_millis(1300),
+            subject: Duration::from_millis(700),
             work: 150.0,
             engine: EngineKind::Interpreter,
             ..Self::full()
@@ -81,6 +81,15 @@ impl Plan {
         if most >= asked { asked } else { format!("{most:.1e}").parse().unwrap_or(most) }
     }
 
+    /// Is this method wanted with this scalar?
+    #[must_use]
+    pub fn has(&self, method: &Method, scalar: ScalarKind) -> bool {
+        let fits = |control| matches!(control, Control::Tolerance(_)) == method.adaptive;
+        self.method.as_ref().is_none_or(|m| *m == method.name)
+            && self.scalar.is_none_or(|s| s == scalar)
+            && self.control.is_none_or(fits)
+    }
+
     /// The ladder of a method.
     #[must_use]
     pub fn rungs(
@@ -90,13 +99,8 @@ impl Plan {
         scalar: ScalarKind,
         seconds: f64,
     ) -> Vec<Rung> {
-        let other = self.method.as_ref().is_some_and(|m| *m != method.name);
-        if other || self.scalar.is_some_and(|s| s != scalar) {
-            return Vec::new();
-        }
         if let Some(control) = self.control {
-            let fits = matches!(control, Control::Tolerance(_)) == method.adaptive;
-            return fits.then_some(Rung { control, work: 1.0 }).into_iter().collect();
+            return vec![Rung { control, work: 1.0 }];
         }
         if method.adaptive {
             return self.tolerances(method, scalar);

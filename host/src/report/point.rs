@@ -70,12 +70,16 @@ pub struct Reference {
 pub struct ChipCost {
     /// Method.
     pub method: String,
-    /// Step (s).
-    pub step: f64,
     /// Instructions of the median step.
     pub instructions: u64,
     /// Cycles of the median step, an interval by model.
     pub cycles: [u64; 2],
+    /// Flash (bytes).
+    pub flash: u64,
+    /// Static RAM (bytes).
+    pub ram: u64,
+    /// Bound of the stack (bytes).
+    pub stack: u64,
     /// The command that makes these numbers.
     pub command: String,
 }
@@ -127,6 +131,8 @@ pub struct Report {
     pub command: String,
     /// What evaluates mechanisms.
     pub engine: String,
+    /// Costs on the chip: where from, or why not.
+    pub chip: String,
     /// Computing time of the report itself (s).
     pub elapsed: f64,
     /// Scenes and mechanisms.

@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::mechanism::Mechanism;
 use super::point::Control;
+use super::sheet::Sheet;
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -86,6 +87,13 @@ pub trait Subject {
     fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String>;
     /// The exact motion, where it is known, and its name.
     fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)>;
+    /// A scene of a flexible body, or a mechanism?
+    fn is_scene(&self) -> bool;
+    /// What is asked for and what it costs, beside everything on.
+    ///
+    /// # Errors
+    /// Why it could not be run, in words.
+    fn sheet(&self) -> Result<Sheet, String>;
     /// Motion and energies at its own settings, as SVG.
     ///
     /// # Errors

@@ -147,3 +147,41 @@ fn what_is_wrong_is_said() {
     let wrong = written("wrong-points.json", r#"{"points": [{"subject": "sleigh"}]}"#);
     said(&["report", "sleigh", "--quick", "--points", &wrong], "points[0]: expected subject, method");
 }
+
+/// Largest distance of the places in the last row of a CSV from those of another.
+fn last_row(csv: &str) -> Vec<f64> {
+    let row = csv.lines().last().expect("rows");
+    row.split(',').skip(1).take(6).map(|x| x.parse().expect("a number")).collect()
+}
+
+#[test]
+fn an_error_asked_for_is_kept() {
+    let run = |more: &[&str]| {
+        let mut arguments = vec!["run", "single_spring", "--csv", "-"];
+        arguments.extend(more);
+        let done = smartbed(&arguments);
+        assert_eq!(done.status, 0, "{}", done.err);
+        done
+    };
+    let exact = last_row(&run(&["--method", "dop853", "--tolerance", "1e-13"]).out);
+    for (asked, bound) in [("1e-3", 1e-3), ("1e-7", 1e-7)] {
+        let done = run(&["--error", asked]);
+        assert!(done.err.contains(&format!("--error {asked}: picked --method ")), "{}", done.err);
+        assert!(done.err.contains("closed form (harmonic between events)"), "why: {}", done.err);
+        let error = last_row(&done.out).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error <= bound, "{error:e} for {asked}: {}", done.err);
+    }
+}
+
+#[test]
+fn a_budget_picks_the_most_exact_that_fits() {
+    let done = smartbed(&["run", "sleigh", "--budget", "10ms"]);
+    assert_eq!(done.status, 0, "{}", done.err);
+    assert!(done.err.contains("--budget 10.000 ms: picked --method "), "{}", done.err);
+    let only = smartbed(&["run", "sleigh", "--budget", "10ms", "--method", "rk4"]);
+    assert!(only.err.contains("picked --method rk4 --step "), "{}", only.err);
+    let too_little = smartbed(&["run", "sleigh", "--budget", "1ns"]);
+    assert!(too_little.message().contains("not met by any of"), "{}", too_little.err);
+    let too_exact = smartbed(&["run", "sleigh", "--error", "1e-30"]);
+    assert!(too_exact.message().contains("nearest is --method "), "{}", too_exact.err);
+}
