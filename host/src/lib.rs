@@ -23,5 +23,6 @@ pub mod check;
 pub mod derive;
 pub mod eval;
 pub mod firmware;
+pub mod report;
 pub mod run;
 pub mod scene;

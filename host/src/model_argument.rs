@@ -35,6 +35,19 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     )))
 }
 
+/// Names of all models and scenes, models first.
+#[must_use]
+pub fn all() -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for folder in model_folders() {
+        let mut found = names_in(&folder);
+        found.sort();
+        found.retain(|name| !names.contains(name));
+        names.extend(found);
+    }
+    names
+}
+
 /// Finds and reads a model.
 ///
 /// # Errors

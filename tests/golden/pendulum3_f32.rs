@@ -1,12 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 123 operations (3 abs, 21 add, 3 cos, 3 div, 2 min, 75 mul, 3 sin, 13 sub).
-// Cost of energy: 72 operations (18 add, 3 cos, 48 mul, 3 sin).
+// Cost of rates: 121 operations (3 abs, 23 add, 3 cos, 3 div, 2 min, 74 mul, 3 sin, 10 sub).
+// Cost of energy: 69 operations (18 add, 3 cos, 45 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 9 operations (1 add, 8 mul).
+// Cost of prepare: 11 operations (1 add, 10 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -83,24 +83,28 @@ pub struct Prepared {
     pub l0: S,
     ///The parameter `l1`.
     pub l1: S,
-    ///The parameter `l2`.
-    pub l2: S,
     ///The parameter `g`.
     pub g: S,
     ///Of parameters alone.
-    pub k7: S,
+    pub k6: S,
+    ///Of parameters alone.
+    pub prepared_mass_u2_u2: S,
     ///Of parameters alone.
     pub k8: S,
     ///Of parameters alone.
-    pub prepared_mass_u2_u2: S,
+    pub k9: S,
     ///Of parameters alone.
     pub k10: S,
     ///Of parameters alone.
     pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///9 operations.
+///11 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -114,18 +118,21 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let m2 = p.m2;
     let l0 = p.l0;
     let l1 = p.l1;
-    let l2 = p.l2;
     let g = p.g;
-    let t1 = m0 * l0;
-    let t2 = m2 * l2;
-    let mass_u2_u2 = l2 * t2;
-    let t3 = m1 * (l1 * l1);
-    let t4 = l0 * t1 + m1 * (l0 * l0);
-    Prepared { m0, m1, m2, l0, l1, l2, g, k7: t1, k8: t2, prepared_mass_u2_u2: mass_u2_u2, k10: t3, k11: t4 }
+    let l2 = p.l2;
+    let t1 = m2 * l2;
+    let mass_u2_u2 = l2 * t1;
+    let t2 = l0 * g;
+    let t3 = l0 * l1;
+    let t4 = l1 * g;
+    let t5 = m1 * (l1 * l1);
+    let t6 = l2 * g;
+    let t7 = l0 * l0 * (m0 + m1);
+    Prepared { m0, m1, m2, l0, l1, g, k6: t1, prepared_mass_u2_u2: mass_u2_u2, k8: t2, k9: t3, k10: t4, k11: t5, k12: t6, k13: t7 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///123 operations.
+///121 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -146,60 +153,64 @@ pub fn rates(
     let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * cos_q0;
-    let m2 = p.m2;
-    let t2 = l0 * (u0 * u0);
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let l1 = p.l1;
-    let t3 = l1 * (u1 * u1);
-    let t4 = sin_q0 * t2 + sin_q1 * t3;
+    let t1 = l0 * sin_q0;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k8 = p.k8;
-    let t5 = u2 * u2 * k8;
-    let t6 = m2 * t4 + sin_q2 * t5;
-    let t7 = l0 * sin_q0;
-    let g = p.g;
-    let t8 = g + cos_q0 * t2 + cos_q1 * t3;
-    let t9 = m2 * t8 + cos_q2 * t5;
-    let k7 = p.k7;
-    let m1 = p.m1;
-    let t10 = k7 * (g * sin_q0) + m1 * (g * t7 + t3 * (cos_q1 * t7 - sin_q1 * t1));
-    let forcing_u0 = t1 * t6 - t7 * t9 - t10;
+    let k6 = p.k6;
+    let t2 = sin_q2 * k6;
+    let t3 = l0 * cos_q0;
+    let t4 = cos_q2 * k6;
+    let mass_u0_u2 = t1 * t2 + t3 * t4;
+    let m2 = p.m2;
+    let k13 = p.k13;
+    let mass_u0_u0 = t3 * (m2 * t3) + t1 * (m2 * t1) + k13;
+    let t5 = 1.0_f32 / mass_u0_u0;
+    let t6 = mass_u0_u2 * t5;
     let k11 = p.k11;
-    let mass_u0_u0 = t1 * (m2 * t1) + t7 * (m2 * t7) + k11;
-    let t11 = 1.0_f32 / mass_u0_u0;
-    let t12 = l1 * cos_q1;
-    let t13 = m2 * t12;
-    let t14 = l1 * sin_q1;
-    let t15 = m2 * t14;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t7)) + (t1 * t13 + t7 * t15);
-    let t16 = mass_u0_u1 * t11;
+    let l1 = p.l1;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t7 = l1 * cos_q1;
+    let t8 = m2 * t7;
+    let t9 = l1 * sin_q1;
+    let t10 = m2 * t9;
+    let mass_u1_u1 = k11 + (t7 * t8 + t9 * t10);
+    let m1 = p.m1;
+    let k9 = p.k9;
+    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t3 * t8 + t1 * t10);
+    let t11 = mass_u0_u1 * t5;
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t11;
+    let t12 = 1.0_f32 / pivot_1;
+    let mass_u1_u2 = t9 * t2 + t7 * t4;
+    let t13 = mass_u0_u2 * t11 - mass_u1_u2;
+    let t14 = t12 * t13;
+    let g = p.g;
+    let t15 = l0 * (u0 * u0);
+    let t16 = l1 * (u1 * u1);
+    let t17 = g + cos_q0 * t15 + cos_q1 * t16;
+    let t18 = u2 * u2 * k6;
+    let t19 = m2 * t17 + cos_q2 * t18;
+    let t20 = sin_q0 * t15 + sin_q1 * t16;
+    let t21 = m2 * t20 + sin_q2 * t18;
+    let m0 = p.m0;
+    let k8 = p.k8;
+    let t22 = sin_q0 * k8;
+    let t23 = sin_q0 * cos_q1 - cos_q0 * sin_q1;
+    let t24 = t1 * t19 - t3 * t21 + (m0 * t22 + m1 * (t22 + t23 * (l0 * t16)));
     let k10 = p.k10;
-    let mass_u1_u1 = k10 + (t12 * t13 + t14 * t15);
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t16;
-    let t17 = 1.0_f32 / pivot_1;
-    let forcing_u1 = t12 * t6 - t14 * t9 - m1 * (g * t14 + t2 * (cos_q0 * t14 - sin_q0 * t12));
-    let t18 = forcing_u1 - forcing_u0 * t16;
-    let t19 = sin_q2 * k8;
-    let t20 = cos_q2 * k8;
-    let mass_u1_u2 = t14 * t19 + t12 * t20;
-    let mass_u0_u2 = t7 * t19 + t1 * t20;
-    let t21 = mass_u1_u2 - mass_u0_u2 * t16;
-    let t22 = t21 * t17;
-    let t23 = mass_u0_u2 * t11;
+    let forcing_u1 = t7 * t21 - t9 * t19 + m1 * (t23 * (l1 * t15) - sin_q1 * k10);
+    let t25 = t11 * t24 + forcing_u1;
     let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let pivot_2 = prepared_mass_u2_u2 - mass_u0_u2 * t23 - t21 * t22;
-    let t24 = (k8 * (sin_q2 * t8 - cos_q2 * t4) + forcing_u0 * t23 + t22 * t18) / pivot_2;
-    let t25 = t17 * t18 + t22 * t24;
-    let t26 = forcing_u0 * t11 - t16 * t25 + t23 * t24;
-    let t27 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(pivot_2));
-    ([u0, u1, u2], [t26, t25, -t24], t27)
+    let t26 = t13 * t14 + (mass_u0_u2 * t6 - prepared_mass_u2_u2);
+    let t27 = (t14 * t25 + (t6 * t24 + k6 * (cos_q2 * t20 - sin_q2 * t17))) / t26;
+    let t28 = t12 * t25 - t14 * t27;
+    let t29 = t6 * t27 - (t11 * t28 + t5 * t24);
+    let t30 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(t26));
+    ([u0, u1, u2], [t29, t28, -t27], t30)
 }
 ///Kinetic and potential energy (J).
 ///
-///72 operations.
+///69 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -214,44 +225,46 @@ pub fn energy(
     _inputs: &[S; 0usize],
     p: &Prepared,
 ) -> (S, S) {
-    let u0 = u[0];
-    let l0 = p.l0;
-    let q0 = q[0];
-    let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * cos_q0;
-    let m2 = p.m2;
-    let t2 = l0 * sin_q0;
-    let k11 = p.k11;
-    let mass_u0_u0 = t1 * (m2 * t1) + t2 * (m2 * t2) + k11;
-    let m1 = p.m1;
+    let u2 = u[2];
+    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
     let l1 = p.l1;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t3 = l1 * cos_q1;
-    let t4 = m2 * t3;
-    let t5 = l1 * sin_q1;
-    let t6 = m2 * t5;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t1 + sin_q1 * t2)) + (t1 * t4 + t2 * t6);
-    let u1 = u[1];
+    let t1 = l1 * sin_q1;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k8 = p.k8;
-    let t7 = sin_q2 * k8;
-    let t8 = cos_q2 * k8;
-    let mass_u0_u2 = t2 * t7 + t1 * t8;
-    let u2 = u[2];
-    let t9 = 0.5_f32 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
-    let k10 = p.k10;
-    let mass_u1_u1 = k10 + (t3 * t4 + t5 * t6);
-    let mass_u1_u2 = t5 * t7 + t3 * t8;
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let t10 = t9 + 0.5_f32 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2);
+    let k6 = p.k6;
+    let t2 = sin_q2 * k6;
+    let t3 = l1 * cos_q1;
+    let t4 = cos_q2 * k6;
+    let mass_u1_u2 = t1 * t2 + t3 * t4;
+    let u1 = u[1];
+    let k11 = p.k11;
+    let m2 = p.m2;
+    let t5 = m2 * t3;
+    let t6 = m2 * t1;
+    let mass_u1_u1 = k11 + (t3 * t5 + t1 * t6);
+    let l0 = p.l0;
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t7 = l0 * sin_q0;
+    let t8 = l0 * cos_q0;
+    let mass_u0_u2 = t7 * t2 + t8 * t4;
+    let u0 = u[0];
+    let m1 = p.m1;
+    let k9 = p.k9;
+    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t8 * t5 + t7 * t6);
+    let k13 = p.k13;
+    let mass_u0_u0 = t8 * (m2 * t8) + t7 * (m2 * t7) + k13;
+    let t9 = mass_u0_u2 * (u0 * u2) + (mass_u0_u1 * (u0 * u1) + 0.5_f32 * (u0 * u0 * mass_u0_u0));
+    let t10 = 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2) + (mass_u1_u2 * (u1 * u2) + (0.5_f32 * (u1 * u1 * mass_u1_u1) + t9));
     let m0 = p.m0;
-    let g = p.g;
-    let t11 = l0 * (g * cos_q0);
-    let t12 = t11 + l1 * (g * cos_q1);
-    let l2 = p.l2;
-    (t10, -(m0 * t11 + m1 * t12 + m2 * (t12 + l2 * (g * cos_q2))))
+    let k8 = p.k8;
+    let t11 = cos_q0 * k8;
+    let k10 = p.k10;
+    let t12 = t11 + cos_q1 * k10;
+    let k12 = p.k12;
+    (t10, -(m0 * t11 + m1 * t12 + m2 * (t12 + cos_q2 * k12)))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

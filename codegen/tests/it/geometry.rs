@@ -46,8 +46,7 @@ fn cross(a: Vector, b: Vector) -> Vector {
 /// Everything that has a value at one configuration.
 struct Place<'a> {
     model: &'a Model,
-    /// All coordinates; those in closed form are computed.
-    q: Vec<f64>,
+    q: IdVec<CoordinateId, f64>,
     parameters: IdVec<ParameterId, f64>,
     definitions: IdVec<DefinitionId, Value>,
     frames: IdVec<FrameId, [Vector; 3]>,
@@ -55,13 +54,14 @@ struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    /// `state` holds the coordinates that are not in closed form, in the model's order.
+    /// `state`: the coordinates without closed form.
     fn at(model: &'a Model, state: &[f64]) -> Self {
-        let mut state = state.iter();
-        let mut number = |is_state: bool| if is_state { *state.next().expect("a number") } else { f64::NAN };
+        let mut state = state.iter().copied();
+        let mut given = |closed: bool| if closed { f64::NAN } else { state.next().expect("a coordinate") };
+        let q = model.coordinates.iter().map(|c| given(c.closed_form.is_some())).collect();
         let mut place = Self {
             model,
-            q: model.coordinates.iter().map(|c| number(c.closed_form.is_none())).collect(),
+            q,
             parameters: model.parameter_defaults(),
             definitions: model.definitions.iter().map(|_| Value::Scalar(f64::NAN)).collect(),
             frames: model.frames.iter().map(|_| [[f64::NAN; 3]; 3]).collect(),
@@ -72,7 +72,7 @@ impl<'a> Place<'a> {
                 Entity::Parameter(_) => {}
                 Entity::Coordinate(id) => {
                     if let Some(form) = &model.coordinates[id].closed_form {
-                        place.q[id.index()] = place.value(form).scalar();
+                        place.q[id] = place.value(form).scalar();
                     }
                 }
                 Entity::Definition(id) => place.definitions[id] = place.value(&model.definitions[id].value),
@@ -118,7 +118,7 @@ impl<'a> Place<'a> {
             ExprKind::Pi => Scalar(std::f64::consts::PI),
             ExprKind::Degree => Scalar(1.0_f64.to_radians()),
             ExprKind::Parameter(id) => Scalar(self.parameters[*id]),
-            ExprKind::Coordinate(id) => Scalar(self.q[id.index()]),
+            ExprKind::Coordinate(id) => Scalar(self.q[*id]),
             ExprKind::Definition(id) => self.definitions[*id],
             ExprKind::Point(id) => Vector(self.points[*id]),
             ExprKind::Axis(id, axis) => Vector(self.frames[*id][*axis as usize]),

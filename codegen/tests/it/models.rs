@@ -32,8 +32,8 @@ fn tile_has_the_names_of_the_reference() {
 #[test]
 fn tile_minimal_has_three_coordinates_and_the_outputs_of_the_reference() {
     let tile = shipped("tile_minimal");
-    let states = tile.coordinates.iter().filter(|c| c.closed_form.is_none());
-    assert_eq!(names(states.map(|c| &c.name)), ["hA", "hB", "hC"]);
+    let state = tile.coordinates.iter().filter(|c| c.closed_form.is_none());
+    assert_eq!(names(state.map(|c| &c.name)), ["hA", "hB", "hC"]);
     let outputs = ["Gx", "Gy", "Gz", "psiA", "thA", "sA", "psiB", "thB", "sB", "psiC", "thC", "sC"];
     assert_eq!(names(tile.outputs.iter().map(|o| &o.name)), outputs);
 }

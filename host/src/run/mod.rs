@@ -1,6 +1,7 @@
 //! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
 
 mod body;
+mod choose;
 pub mod ledger;
 pub mod observers;
 pub mod settings;
@@ -27,7 +28,8 @@ use std::fmt::Write as _;
 #[command(after_help = "Examples:
   cargo smartbed run pendulum3 --plot motion.svg
   cargo smartbed run tile --seconds 2 --step 1e-3 --method rk4 --set M=8 --set hA=0.02 --csv -
-  cargo smartbed run fourbar --error 1e-12 --view fourbar.html
+  cargo smartbed run fourbar --error 1e-9 --view fourbar.html
+  cargo smartbed run single_spring --budget 200us
   cargo smartbed run single_spring --csv - --set C=10
 
 Left-out settings are those of the model's [run]; the start is the model's [start], left-out
@@ -44,9 +46,15 @@ pub struct Arguments {
     /// Integration method: euler, semi-implicit, rk4 or dormand-prince; a scene has its own.
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
-    /// Allowed error per step, of a method of adaptive step [default: 1e-9].
+    /// Error allowed per step, of a method of adaptive step [default: 1e-9].
     #[arg(long, value_name = "E")]
+    pub tolerance: Option<f64>,
+    /// Picks the fastest method and step that keep every coordinate this exact (m or rad).
+    #[arg(long, value_name = "E", conflicts_with_all = ["step", "tolerance", "budget"])]
     pub error: Option<f64>,
+    /// Picks the most exact method and step with this computing time per simulated second.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["step", "tolerance"])]
+    pub budget: Option<String>,
     /// What is computed with.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
@@ -83,7 +91,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         plot::format_of(file)?;
     }
     let path = model_argument::find(&arguments.model)?;
-    if body::is_scene(&path) {
+    let is_scene = body::is_scene(&path);
+    let arguments = &choose::resolve(arguments, &path, is_scene)?;
+    if is_scene {
         return body::simulate(arguments, &path);
     }
     let clock = Progress::new("run");
@@ -109,7 +119,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Coordinates and independent speeds at the start.
-fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
+pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();

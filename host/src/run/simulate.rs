@@ -132,6 +132,24 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         }
     }
 
+    /// Evaluations of the equations of motion so far.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Energies, all speeds and outputs of a state.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if it has another length.
+    pub fn answers(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        self.engine.energy(q, u)?;
+        self.engine.speeds(q, u)?;
+        self.engine.outputs(t, q, u, &self.inputs)?;
+        Ok(())
+    }
+
     /// Sets the inputs that have laws; the others stay 0.
     fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         if self.law_inputs.is_empty() {
@@ -296,10 +314,10 @@ where
     S: EngineScalar,
     F: FnMut(&Row) -> Result<(), Failure>,
 {
-    let Settings { seconds, step, error, .. } = *setup.settings;
+    let Settings { seconds, step, tolerance, .. } = *setup.settings;
     let n = state.x().len();
     let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
-    let tolerance = Tolerance { absolute: S::from_f64(error), relative: S::from_f64(error) };
+    let tolerance = Tolerance { absolute: S::from_f64(tolerance), relative: S::from_f64(tolerance) };
     let mut method = DormandPrince::new(n, tolerance, S::from_f64(step), &mut memory)
         .map_err(|fault| refused(0.0, fault))?;
     let interval = setup.settings.row_interval();
@@ -349,7 +367,9 @@ where
         t = end;
         progress.at(t / seconds);
     }
-    Err(Failure::Wrong(format!("t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --error")))
+    Err(Failure::Wrong(format!(
+        "t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --tolerance"
+    )))
 }
 
 /// Books the share `from..to` of a step, which ends at time `t` with `x`.

@@ -6,6 +6,7 @@ mod eval;
 mod new_user;
 mod nonsense;
 mod reference;
+mod report;
 mod run;
 mod support;
 mod view;

@@ -131,7 +131,7 @@ z = 0.6
             "50",
             "--method",
             method,
-            "--error",
+            "--tolerance",
             "1e-10",
             "--csv",
             "-",
@@ -217,7 +217,9 @@ fn pictures_are_what_their_names_say() {
 
 #[test]
 fn numbers_out_of_range_are_refused() {
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 8] = [
+        (&["--tolerance", "0"], "--tolerance 0: expected"),
+        (&["--budget", "3"], "--budget 3: expected a time with its unit"),
         (&["--step", "0"], "--step 0: expected a time above 0"),
         (&["--step", "nan"], "--step NaN: expected"),
         (&["--seconds", "-1"], "expected a time of 0 or more"),
