@@ -1,8 +1,8 @@
 //! A program run by the interpreter: the same operations as the emitted Rust, hence the same bits.
 
-use super::Program;
-use crate::expr::SymbolId;
+use super::{Program, Quantity};
 use crate::expr::tape::Tape;
+use crate::expr::{ExprId, Node, SymbolId};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::real::Real;
 
@@ -12,8 +12,10 @@ pub struct Interpreted<S> {
     n_q: usize,
     n_u: usize,
     n_inputs: usize,
-    /// t, q, u, inputs, parameters.
+    /// t, q, u, inputs, prepared values.
     arguments: Vec<S>,
+    /// From the parameters to the prepared values.
+    prepare: Tape<S>,
     results: Vec<S>,
     corrected: Vec<usize>,
     angles: Vec<bool>,
@@ -28,43 +30,49 @@ impl<S: Real> Interpreted<S> {
     /// The program with its default parameters, each rounded once to the scalar.
     #[must_use]
     pub fn new(program: &Program) -> Self {
-        let mut symbols: Vec<SymbolId> = vec![program.time];
-        for group in [&program.q, &program.u, &program.inputs, &program.parameters] {
-            symbols.extend(group.iter().map(|quantity| quantity.symbol));
-        }
-        let tape = |roots: Vec<_>| Tape::new(&program.dag, &roots, &symbols);
         let mut rates = program.forward_dynamics();
         rates.push(program.rates.worst_pivot);
         let mut projection: Vec<_> = program.correction.iter().map(|(_, e)| *e).collect();
         projection.push(program.residual);
-        let mut arguments = vec![S::ZERO; symbols.len()];
-        let first = symbols.len() - program.parameters.len();
-        for (argument, parameter) in arguments[first..].iter_mut().zip(&program.parameters) {
-            *argument = S::from_f64(parameter.value);
-        }
-        let longest = rates.len().max(program.speeds.len()).max(program.outputs.len()).max(2);
-        Self {
+        let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
+        let answers =
+            [rates, projection, program.energy.to_vec(), second(&program.speeds), second(&program.outputs)];
+        let symbols = |list: &[Quantity]| -> Vec<SymbolId> { list.iter().map(|x| x.symbol).collect() };
+        let prepared = program.prepared(&answers.concat());
+        let prepare = Tape::new(&program.dag, &prepared, &symbols(&program.parameters));
+        let mut inputs: Vec<ExprId> = vec![program.time]
+            .into_iter()
+            .chain([&program.q, &program.u, &program.inputs].into_iter().flat_map(|list| symbols(list)))
+            .filter_map(|symbol| program.dag.find(Node::Symbol(symbol)))
+            .collect();
+        inputs.extend(prepared);
+        let longest = answers.iter().map(Vec::len).max().unwrap_or(0);
+        let [rates, projection, energy, speeds, outputs] =
+            answers.map(|roots| Tape::above(&program.dag, &roots, &inputs));
+        let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
+        let mut this = Self {
             n_q: program.q.len(),
             n_u: program.u.len(),
             n_inputs: program.inputs.len(),
-            arguments,
+            arguments: vec![S::ZERO; inputs.len()],
+            prepare,
             results: vec![S::ZERO; longest],
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
-            rates: tape(rates),
-            projection: tape(projection),
-            energy: tape(program.energy.to_vec()),
-            speeds: tape(program.speeds.iter().map(|(_, e)| *e).collect()),
-            outputs: tape(program.outputs.iter().map(|(_, e)| *e).collect()),
-        }
+            rates,
+            projection,
+            energy,
+            speeds,
+            outputs,
+        };
+        this.set_parameters(&parameters);
+        this
     }
 
     /// Sets all parameters, in the program's order.
     pub fn set_parameters(&mut self, values: &[S]) {
         let first = 1 + self.n_q + self.n_u + self.n_inputs;
-        for (argument, &value) in self.arguments[first..].iter_mut().zip(values) {
-            *argument = value;
-        }
+        self.prepare.run(values, &mut self.arguments[first..]);
     }
 
     fn set(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<(), Fault> {

@@ -4,6 +4,7 @@
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
 pub mod interpreter;
+mod prepared;
 mod reciprocal;
 mod shorten;
 
@@ -310,10 +311,10 @@ impl Program {
         self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
     }
 
-    /// Operations of one evaluation of q' and u', parameters at run time.
+    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
     #[must_use]
     pub fn operations(&self) -> usize {
-        self.dag.cone_cost(&self.forward_dynamics())
+        self.dag.state_cost(&self.forward_dynamics())
     }
 
     /// Puts expressions in the place of symbols, in every result.

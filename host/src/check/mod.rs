@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::{model_argument, output};
 use rank::Rank;
 use serde_json::{Value, json};
+use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::{Answer, ParameterChoice, Program, kinematics, program};
 
@@ -148,8 +149,8 @@ fn cost(program: &Program) -> Value {
     let costs = Answer::ALL.iter().map(|answer| {
         let roots = answer.roots(program);
         json!({
-            "answer": answer.name(), "operations": program.dag.cone_cost(&roots),
-            "by_kind": program.dag.operations_by_kind(&roots),
+            "answer": answer.name(), "operations": program.dag.state_cost(&roots),
+            "by_kind": program.dag.operations_by_kind(&roots, Dependence::State),
         })
     });
     costs.collect()

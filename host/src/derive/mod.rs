@@ -148,7 +148,7 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
     if written == "-" {
         return;
     }
-    let operations = |answer: Answer| program.dag.cone_cost(&answer.roots(program));
+    let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
     let text = if arguments.json {
         let costs = Answer::ALL.map(|a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
         let costs = serde_json::Map::from_iter(costs);

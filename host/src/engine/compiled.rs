@@ -3,7 +3,7 @@
 use super::{Engine, EngineScalar, cache, crate_text};
 use crate::failure::Failure;
 use libloading::Library;
-use smartbed_codegen::Program;
+use smartbed_codegen::{Answer, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// The C function: which answer, arguments, results; whether the lengths fit.
@@ -17,6 +17,7 @@ enum Which {
     Speeds = 2,
     Outputs = 3,
     Projection = 4,
+    Prepare = 5,
 }
 
 /// A mechanism whose equations were compiled a moment ago, or are from the cache.
@@ -32,7 +33,7 @@ pub struct Compiled<S> {
     n_outputs: usize,
     corrected: Vec<usize>,
     angles: Vec<bool>,
-    /// t, q, u, inputs, parameters.
+    /// t, q, u, inputs, prepared values.
     arguments: Vec<S>,
     rates: Vec<S>,
 }
@@ -48,9 +49,10 @@ impl<S: EngineScalar> Compiled<S> {
         let (library, function) =
             load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
         let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
-        let mut arguments = vec![S::ZERO; 1 + n_q + n_u + n_inputs];
-        arguments.extend(program.parameters.iter().map(|p| S::from_f64(p.value)));
-        Ok(Self {
+        let roots: Vec<_> = Answer::ALL.iter().flat_map(|answer| answer.roots(program)).collect();
+        let n_prepared = program.prepared(&roots).len();
+        let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
+        let mut this = Self {
             function,
             _library: library,
             n_q,
@@ -60,9 +62,12 @@ impl<S: EngineScalar> Compiled<S> {
             n_outputs: program.outputs.len(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
-            arguments,
+            arguments: vec![S::ZERO; 1 + n_q + n_u + n_inputs + n_prepared],
             rates: vec![S::ZERO; n_q + n_u + 1],
-        })
+        };
+        this.prepare(&parameters)
+            .map_err(|_| Failure::Wrong(format!("{} lacks parameters", path.display())))?;
+        Ok(this)
     }
 
     fn set(&mut self, t: S, q: &[S], u: &[S], inputs: Option<&[S]>) -> Result<(), Fault> {
@@ -72,6 +77,12 @@ impl<S: EngineScalar> Compiled<S> {
         let values = [t].into_iter().chain(q.iter().chain(u).chain(inputs.unwrap_or_default()).copied());
         self.arguments.iter_mut().zip(values).for_each(|(mine, value)| *mine = value);
         Ok(())
+    }
+
+    /// What depends on the parameters alone.
+    fn prepare(&mut self, parameters: &[S]) -> Result<(), Fault> {
+        let first = 1 + self.n_q + self.n_u + self.n_inputs;
+        call(self.function, Which::Prepare, parameters, &mut self.arguments[first..])
     }
 
     fn answer(&self, which: Which, results: &mut [S]) -> Result<(), Fault> {
@@ -159,8 +170,7 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
 
 impl<S: EngineScalar> Engine<S> for Compiled<S> {
     fn set_parameters(&mut self, values: &[S]) {
-        let first = 1 + self.n_q + self.n_u + self.n_inputs;
-        self.arguments[first..].iter_mut().zip(values).for_each(|(mine, value)| *mine = *value);
+        self.prepare(values).expect("as many values as parameters");
     }
     fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
         self.set(self.arguments[0], q, u, None)?;
