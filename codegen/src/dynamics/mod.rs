@@ -21,7 +21,7 @@ use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
@@ -105,6 +105,23 @@ pub fn derive(
         pivots,
         augmented,
     })
+}
+
+/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
+pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
+    let values = unknown_values(k, solution);
+    let independent = |u: &&Unknown| matches!(u.kind, UnknownKind::Independent(_));
+    let (zero, n_u) = (k.dag.zero(), k.unknowns.iter().filter(independent).count());
+    Dynamics {
+        mass_matrix: Vec::new(),
+        forcing: Vec::new(),
+        u_dot: vec![zero; n_u],
+        kinetic: zero,
+        potential: zero,
+        values,
+        pivots: Vec::new(),
+        augmented: Augmented::default(),
+    }
 }
 
 /// Value of every unknown that is not an independent speed, each from those eliminated after it;

@@ -41,11 +41,16 @@ impl Dag {
         self.dependence(id) == Dependence::Constant
     }
 
-    /// Operations by kind, for the header of a generated file.
+    /// Operations of `roots` with this dependence, by kind.
     #[must_use]
-    pub fn operations_by_kind(&self, roots: &[ExprId]) -> BTreeMap<&'static str, usize> {
+    pub fn operations_by_kind(
+        &self,
+        roots: &[ExprId],
+        dependence: Dependence,
+    ) -> BTreeMap<&'static str, usize> {
         let mut counts = BTreeMap::new();
-        for id in self.reachable(roots).into_iter().filter(|&id| self.is_operation(id)) {
+        let counted = |&id: &ExprId| self.is_operation(id) && self.dependence(id) == dependence;
+        for id in self.reachable(roots).into_iter().filter(counted) {
             let kind = match self.node(id) {
                 Node::Unary(function, _) => super::print::unary_name(function),
                 Node::Binary(operator, ..) => super::print::binary_name(operator),

@@ -67,7 +67,7 @@ pub struct Arguments {
     /// Plot coordinates and energies over time.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,
-    /// Write an animation that any browser shows.
+    /// Write an animation that any browser shows; FILE.html#t=0.5 opens it at 0.5 s.
     #[arg(long, value_name = "FILE.html")]
     pub view: Option<String>,
     /// Changes a parameter or a start value; may be repeated.
@@ -101,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = Settings::new(&model, arguments)?;
     let wrong = |e| model_argument::wrong(&e);
     let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    model_argument::print_warnings(&program);
     let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
     let start = start(&model, &program, &settings)?;
     let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };
@@ -108,7 +109,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
     };
-    let text = report(arguments, setup, &summary, clock.seconds());
+    let text = report(arguments, &model, setup, &summary, clock.seconds());
     if arguments.csv.as_deref() == Some("-") {
         eprint!("{text}");
     } else {
@@ -140,7 +141,7 @@ fn record<S: EngineScalar>(
     setup: Setup<'_>,
 ) -> Result<Summary, Failure> {
     let engine = engine::new::<S>(arguments.engine, setup.program)?;
-    let names = columns(setup.program);
+    let names = columns(setup.program, setup.observers);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
         csv.write(&(names.join(",") + "\n"))?;
@@ -163,7 +164,9 @@ fn record<S: EngineScalar>(
         csv.finish()?;
     }
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        plot::write(file, &plot::motion(setup.program, &names, recording))?;
+        let outputs = model.outputs.iter().map(|o| (o.name.clone(), o.unit.clone()));
+        let more: Vec<(String, String)> = setup.observers.closed.iter().cloned().chain(outputs).collect();
+        plot::write(file, &plot::motion(setup.program, &more, &names, recording))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(
@@ -184,8 +187,8 @@ fn line(values: &[f64]) -> String {
 }
 
 /// What was done, for people or for machines.
-fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
-    let names = columns(setup.program);
+fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
+    let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
     if arguments.json {
         let last = json_object(names.iter().map(String::as_str).zip(summary.last.iter().copied()));
@@ -217,9 +220,21 @@ fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
     let width = names.iter().map(String::len).max().unwrap_or(0);
-    let shown = 1 + setup.program.q.len() + setup.program.speeds.len();
+    let shown = 1 + setup.program.q.len() + setup.observers.closed.len() + setup.program.speeds.len();
     for (name, value) in names.iter().zip(&summary.last).take(shown) {
-        let _ = writeln!(text, "  {name:width$} {value:>14.6e}");
+        let line = format!("  {name:width$} {value:>14.6e} {}", unit_of(model, name));
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
+}
+
+/// Unit of a column; blank for a number without one.
+fn unit_of<'a>(model: &'a Model, name: &str) -> &'a str {
+    let coordinate = model.coordinates.iter().find(|c| c.name == name).map(|c| c.unit.as_str());
+    let speed = || model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.as_str());
+    match coordinate.or_else(speed) {
+        None if name == "t" => "s",
+        None | Some("1") => "",
+        Some(unit) => unit,
+    }
 }

@@ -3,8 +3,10 @@
 mod browser;
 mod check_and_derive;
 mod eval;
+mod new_user;
 mod nonsense;
 mod reference;
 mod report;
 mod run;
 mod support;
+mod view;
