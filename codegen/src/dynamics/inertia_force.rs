@@ -105,7 +105,7 @@ fn cost(k: &Kinematics, products: &Products) -> usize {
     k.dag.cone_cost(&roots)
 }
 
-fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+pub(super) fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
     let Some(frame) = body.frame else { return };
     let Some(inertia) = inertia_matrix(k, body) else { return };
     let triad = k.frame_triad[frame];

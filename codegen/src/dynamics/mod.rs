@@ -6,8 +6,10 @@
 
 mod active_force;
 mod augmented;
+mod chain;
 mod energy;
 mod inertia_force;
+mod segment;
 mod solve;
 
 pub use augmented::Augmented;
@@ -89,7 +91,7 @@ pub fn derive(
     let (mass_matrix, forcing) = project(k, solution, &parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
-    let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
+    let (u_dot, pivots) = accelerations(model, k, table, &mass_matrix, &forcing)?;
     Ok(Dynamics {
         mass_matrix,
         forcing,
@@ -100,6 +102,29 @@ pub fn derive(
         pivots,
         augmented,
     })
+}
+
+/// u' and pivots in whichever form takes fewer operations: through the mass matrix, or as a chain.
+fn accelerations(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    mass_matrix: &[Vec<ExprId>],
+    forcing: &[ExprId],
+) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
+    let chain = chain::derive(model, k, table).map(|c| (k.dag.cone_cost(&c.u_dot), c));
+    if let Some((cost, chain)) = &chain {
+        // The mass matrix alone may take longer: then it need not be solved with.
+        let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
+        if *cost <= k.dag.cone_cost(&entries) {
+            return Ok((chain.u_dot.clone(), chain.pivots.clone()));
+        }
+    }
+    let (u_dot, pivots) = solve::ldl(model, k, table, mass_matrix, forcing)?;
+    match chain {
+        Some((cost, chain)) if cost < k.dag.cone_cost(&u_dot) => Ok((chain.u_dot, chain.pivots)),
+        _ => Ok((u_dot, pivots)),
+    }
 }
 
 /// y = T u for every unknown that is not an independent speed; named after the unknown.

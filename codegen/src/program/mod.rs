@@ -8,7 +8,8 @@ mod reciprocal;
 
 use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
-use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
+use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
@@ -258,20 +259,29 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
     [q, u, inputs, parameters]
 }
 
-/// A coordinate that is read only by sines and cosines may be wrapped by whole turns.
+/// A coordinate that is read only by sines and cosines, as it is or in sums and differences that are read
+/// only by them, may be wrapped by whole turns.
 fn mark_angles(program: &mut Program) {
-    use crate::expr::Node;
     let roots = program.all_roots();
     let dag = &program.dag;
-    let reachable = dag.reachable(&roots);
-    for quantity in &mut program.q {
-        let read_elsewhere = reachable.iter().any(|&id| {
-            let trigonometric = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
-            !trigonometric
-                && dag.operands(id).into_iter().flatten().any(|a| dag.as_symbol(a) == Some(quantity.symbol))
-        });
-        let is_output = roots.iter().any(|&r| dag.as_symbol(r) == Some(quantity.symbol));
-        quantity.is_angle = quantity.unit == "rad" && !read_elsewhere && !is_output;
+    let mut periodic = vec![true; dag.len()];
+    for &root in &roots {
+        periodic[root.index()] = false;
+    }
+    for &id in dag.reachable(&roots).iter().rev() {
+        let reads_turns = match dag.node(id) {
+            Node::Unary(Unary::Sin | Unary::Cos, _) => true,
+            Node::Negate(_) | Node::Binary(Binary::Add | Binary::Sub, ..) => periodic[id.index()],
+            _ => false,
+        };
+        if !reads_turns {
+            dag.operands(id).into_iter().flatten().for_each(|a| periodic[a.index()] = false);
+        }
+    }
+    let coordinates = program.q.iter_mut().filter(|q| q.unit == "rad");
+    for quantity in coordinates {
+        let node = dag.find(Node::Symbol(quantity.symbol));
+        quantity.is_angle = node.is_none_or(|id| periodic[id.index()]);
     }
 }
 
