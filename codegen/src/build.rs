@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::kinematics::ParameterChoice;
 use crate::model;
-use crate::program;
+use crate::program::{self, Settings};
 use crate::rust;
 use crate::rust::EmitOptions;
 use crate::source::Source;
@@ -14,6 +14,8 @@ use std::path::{Path, PathBuf};
 pub struct Options {
     /// Parameters kept tunable besides the model's own, and changed values.
     pub parameters: ParameterChoice,
+    /// What the choice between forms of the equations goes by.
+    pub settings: Settings,
     /// Scalar, answers, path of the runtime.
     pub emit: EmitOptions,
     /// Name of the file in `OUT_DIR`, without `.rs`; the model file's own name if left out.
@@ -26,7 +28,7 @@ pub struct Options {
 /// Everything that is wrong with the model, each with its place.
 pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
     let model = model::read(path)?;
-    let program = program::derive(&model, &options.parameters)?;
+    let program = program::derive_with(&model, &options.parameters, options.settings)?;
     Ok(rust::emit(&program, &options.emit))
 }
 
@@ -57,7 +59,7 @@ pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics>
     for file in model.source.files.iter() {
         println!("cargo::rerun-if-changed={}", file.path);
     }
-    let program = program::derive(&model, &options.parameters)?;
+    let program = program::derive_with(&model, &options.parameters, options.settings)?;
     for line in [model.warnings(), program.warnings.clone()]
         .iter()
         .flat_map(|w| w.to_string().lines().map(str::to_owned).collect::<Vec<_>>())

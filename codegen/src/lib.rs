@@ -68,7 +68,8 @@ mod build;
 
 pub use build::{Options, build, generate, try_build};
 pub use diagnostic::Diagnostics;
+pub use expr::cost::Optimise;
 pub use kinematics::ParameterChoice;
-pub use program::Program;
 pub use program::interpreter::Interpreted;
+pub use program::{Program, Settings};
 pub use rust::{Answer, EmitOptions, ScalarType};

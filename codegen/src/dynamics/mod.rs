@@ -15,6 +15,7 @@ mod solve;
 pub use augmented::Augmented;
 
 use crate::diagnostic::Diagnostics;
+use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
@@ -81,6 +82,7 @@ pub fn derive(
     k: &mut Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
+    optimise: Optimise,
 ) -> Result<Dynamics, Diagnostics> {
     let mut parts = Unprojected::default();
     inertia_force::accumulate(model, k, &mut parts);
@@ -91,7 +93,7 @@ pub fn derive(
     let (mass_matrix, forcing) = project(k, solution, &parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
-    let (u_dot, pivots) = accelerations(model, k, table, &mass_matrix, &forcing)?;
+    let (u_dot, pivots) = accelerations(model, k, table, (&mass_matrix, &forcing), optimise)?;
     Ok(Dynamics {
         mass_matrix,
         forcing,
@@ -104,25 +106,25 @@ pub fn derive(
     })
 }
 
-/// u' and pivots in whichever form takes fewer operations: through the mass matrix, or as a chain.
+/// u' and pivots in whichever form costs less: through the mass matrix, or as a chain.
 fn accelerations(
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
-    mass_matrix: &[Vec<ExprId>],
-    forcing: &[ExprId],
+    (mass_matrix, forcing): (&[Vec<ExprId>], &[ExprId]),
+    optimise: Optimise,
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
-    let chain = chain::derive(model, k, table).map(|c| (k.dag.cone_cost(&c.u_dot), c));
-    if let Some((cost, chain)) = &chain {
-        // The mass matrix alone may take longer: then it need not be solved with.
-        let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
-        if *cost <= k.dag.cone_cost(&entries) {
-            return Ok((chain.u_dot.clone(), chain.pivots.clone()));
-        }
+    let chain = chain::derive(model, k, table).map(|c| (k.dag.cost(&c.u_dot, optimise), c));
+    // The mass matrix alone may cost more: then it need not be solved with.
+    let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
+    if let Some((cost, chain)) = &chain
+        && *cost <= k.dag.cost(&entries, optimise)
+    {
+        return Ok((chain.u_dot.clone(), chain.pivots.clone()));
     }
     let (u_dot, pivots) = solve::ldl(model, k, table, mass_matrix, forcing)?;
     match chain {
-        Some((cost, chain)) if cost < k.dag.cone_cost(&u_dot) => Ok((chain.u_dot, chain.pivots)),
+        Some((cost, chain)) if cost < k.dag.cost(&u_dot, optimise) => Ok((chain.u_dot, chain.pivots)),
         _ => Ok((u_dot, pivots)),
     }
 }

@@ -8,6 +8,7 @@ mod reciprocal;
 
 use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
+use crate::expr::cost::Optimise;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
@@ -96,11 +97,30 @@ pub struct Quantity {
 /// # Errors
 /// What only numbers show: see the stages.
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
+    derive_with(model, choice, Settings::default())
+}
+
+/// How a program is derived; the equations are the same whatever is set.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Settings {
+    /// What the choice between forms of the equations goes by.
+    pub optimise: Optimise,
+}
+
+/// [`derive`] with other settings.
+///
+/// # Errors
+/// As for [`derive`].
+pub fn derive_with(
+    model: &Model,
+    choice: &ParameterChoice,
+    settings: Settings,
+) -> Result<Program, Diagnostics> {
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
-    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table)?;
+    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, settings.optimise)?;
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;

@@ -1,12 +1,17 @@
 //! Chains and trees: the forces between mass centres as unknowns against the mass matrix, and their operations.
 
 use crate::augmented::agree;
-use smartbed_codegen::{ParameterChoice, Program, model, program};
+use smartbed_codegen::{Optimise, ParameterChoice, Program, Settings, model, program};
 use std::fmt::Write;
 
 fn derived(text: &str) -> Program {
+    derived_for(text, Optimise::Operations)
+}
+
+fn derived_for(text: &str, optimise: Optimise) -> Program {
     let model = model::parse("chain.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+    program::derive_with(&model, &ParameterChoice::default(), Settings { optimise })
+        .unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// n point masses on massless rods, absolute angles from the downward vertical.
@@ -77,6 +82,39 @@ fn point_masses_on_rods() {
 fn angles_in_differences_are_angles() {
     let program = derived(&pendulum(4));
     assert!(program.q.iter().all(|q| q.is_angle));
+}
+
+/// Centres half-way along rods with inertia.
+fn rods(n: usize) -> String {
+    let mut text = pendulum(n);
+    for i in 0..n {
+        text = text
+            .replace(&format!("position = \"P{i} - "), &format!("position = \"H{i} - "))
+            .replace(&format!("- l{i}*rod{i}.y\""), &format!("- l{i}/2*rod{i}.y\""))
+            .replace(
+                &format!("mass = \"m{i}\""),
+                &format!(
+                    "mass = \"m{i}\"\nframe = \"rod{i}\"\ninertia = {{ Izz = \"m{i}*l{i}.powi(2)/12\" }}"
+                ),
+            );
+        write!(text, "[points.H{i}]\nposition = \"P{i} - l{i}/2*rod{i}.y\"\n").expect("a string grows");
+    }
+    text
+}
+
+/// Five rods: the chain is shorter, but divides more often; ten: it is shorter and faster.
+#[test]
+fn forms_are_chosen_by_operations_or_by_time() {
+    for (n, faster) in [(5, false), (10, true)] {
+        let [short, fast] =
+            [Optimise::Operations, Optimise::Time].map(|optimise| derived_for(&rods(n), optimise));
+        assert!(is_chain(&short));
+        assert_eq!(is_chain(&fast), faster, "{n} rods");
+        assert!(short.operations() <= fast.operations());
+        assert!(fast.dag.cycles(&fast.rates.u_dot) <= short.dag.cycles(&short.rates.u_dot));
+        check(&short);
+        check(&fast);
+    }
 }
 
 /// Rods with inertia, a spring to the ground, a force and a torque, one body without weight.

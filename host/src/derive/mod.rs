@@ -5,7 +5,9 @@ use crate::failure::Failure;
 use crate::{model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
-use smartbed_codegen::{Answer, EmitOptions, ParameterChoice, Program, ScalarType, program, rust};
+use smartbed_codegen::{
+    Answer, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
+};
 use std::path::Path;
 
 /// Derive the equations of motion and write them as no_std Rust.
@@ -28,6 +30,9 @@ pub struct Arguments {
     /// The form of the equations.
     #[arg(long, value_enum, default_value_t)]
     pub form: Form,
+    /// What the choice between forms that give the same accelerations goes by.
+    #[arg(long, value_enum, default_value_t)]
+    pub optimise: OptimiseFor,
     /// Only these functions, without the struct that joins them to the runtime:
     /// rates, energy, speeds, outputs, projection.
     #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
@@ -83,6 +88,26 @@ pub enum Form {
     Kinematic,
 }
 
+/// What the choice between equal forms goes by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum OptimiseFor {
+    /// Fewest operations.
+    #[default]
+    Operations,
+    /// Least estimated time on a host.
+    Time,
+}
+
+impl OptimiseFor {
+    fn settings(self) -> Settings {
+        let optimise = match self {
+            Self::Operations => Optimise::Operations,
+            Self::Time => Optimise::Time,
+        };
+        Settings { optimise }
+    }
+}
+
 /// Does what the command line asks for.
 ///
 /// # Errors
@@ -90,7 +115,8 @@ pub enum Form {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
-    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let settings = arguments.optimise.settings();
+    let program = program::derive_with(&model, &choice, settings).map_err(|e| model_argument::wrong(&e))?;
     let options = EmitOptions {
         scalar: arguments.scalar.scalar_type(),
         answers: answers(arguments, &model)?,
