@@ -3,7 +3,7 @@
 //! `<model>_<scalar>.rs` has the model's own tunable parameters; `<model>_loaded_<scalar>.rs` keeps
 //! the fixed ones of the tiles too.
 
-use smartbed_codegen::{EmitOptions, Options, ParameterChoice, ScalarType};
+use smartbed_codegen::{EmitOptions, Options, ParameterChoice, ScalarType, Settings};
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
@@ -53,6 +53,7 @@ fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str]) {
             keep: keep.iter().map(ToString::to_string).collect(),
             ..ParameterChoice::default()
         },
+        settings: Settings::default(),
         emit: EmitOptions { scalar, ..EmitOptions::default() },
         file_name: Some(file_name.to_owned()),
     };

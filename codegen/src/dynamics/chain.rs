@@ -14,26 +14,19 @@
 //! products of their sines and cosines, and the smaller error (1.7e-15 instead of 2.4e-15).
 //!
 //! Every equation holds the unknowns of a few neighbours, so that the sparse elimination grows linearly with the
-//! length of a chain; no recursion is written anywhere. Offered where every speed is independent: with closed
-//! loops the mass matrix is small, and it stays.
+//! length of a chain; no recursion is written anywhere. Where speeds depend on others the form is not offered.
 
-use super::segment::{self, Segment};
+use super::segment::Segment;
 use super::{Unprojected, active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node};
 use crate::id::Id;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::kinematics::sparse::{self, Equation, Screening, Values};
-use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
 use crate::vector::{Components, TriadId, Vector};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Shorter chains are not tried: their mass matrix is as short.
-const FEWEST_SEGMENTS: usize = 3;
-/// Speeds that move a segment, on the average. More, and the equations are not sparse: speeds that are relative
-/// from body to body move every segment farther out.
-const MOST_MOVED: usize = 2;
 
 /// u' without a mass matrix.
 #[derive(Clone, Debug)]
@@ -44,28 +37,23 @@ pub(super) struct Chain {
     pub pivots: Vec<Pivot>,
 }
 
-/// u' with the transmitted forces eliminated; none where the form does not apply or no pivot is safe.
-pub(super) fn derive(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Option<Chain> {
-    if !k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_))) {
-        return None;
-    }
-    let segments = segment::tree(model, k);
-    let moved: usize = segments.iter().map(|s| s.motion.partials.len()).sum();
-    if segments.len() < FEWEST_SEGMENTS || moved > MOST_MOVED * segments.len() {
-        return None;
-    }
+/// u' with the transmitted forces eliminated; none where no pivot is safe. All speeds are independent.
+pub(super) fn derive(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    segments: &[Segment],
+) -> Option<Chain> {
     let mut rest = Unprojected::default();
-    for body in model.bodies.iter() {
-        inertia_force::rotation(k, body, &mut rest);
-    }
+    inertia_force::rotations(model, k, &mut rest);
     active_force::accumulate(model, k, &mut rest);
-    let equations = System::new(k, &segments).equations(&rest);
+    let equations = System::new(k, segments).equations(&rest);
     let screening =
         Screening { sizes: sizes(&k.dag, table, &equations[..3 * segments.len()]), last_resort: false };
     let speeds: Vec<UnknownId> = k.unknowns.ids().collect();
     let equations = seen_by(&speeds, equations);
     let (values, divisors) = sparse::solve_screened(&mut k.dag, table, equations, &screening)?;
-    name(k, &segments, &values);
+    name(k, segments, &values);
     let u_dot = speeds.iter().map(|u| values.get(u).map(|v| v[0])).collect::<Option<Vec<_>>>()?;
     let masses = segments.iter().map(|s| s.mass);
     let divisors: BTreeSet<ExprId> = masses.chain(divisors).map(|d| k.dag.unsigned(d)).collect();

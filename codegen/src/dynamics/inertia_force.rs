@@ -18,6 +18,13 @@ pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojec
     }
 }
 
+/// Adds every body's moment of inertia only.
+pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
+    for body in model.bodies.iter() {
+        rotation(k, body, parts);
+    }
+}
+
 /// Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
 fn translation(model: &Model, k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
     let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { return };
@@ -105,7 +112,7 @@ fn cost(k: &Kinematics, products: &Products) -> usize {
     k.dag.cone_cost(&roots)
 }
 
-pub(super) fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
     let Some(frame) = body.frame else { return };
     let Some(inertia) = inertia_matrix(k, body) else { return };
     let triad = k.frame_triad[frame];

@@ -7,6 +7,7 @@
 mod active_force;
 mod augmented;
 mod chain;
+mod composite;
 mod energy;
 mod inertia_force;
 mod segment;
@@ -22,6 +23,7 @@ use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
+use segment::Segment;
 use std::collections::BTreeMap;
 
 /// Equations of motion of the independent speeds, and the energies.
@@ -85,7 +87,14 @@ pub fn derive(
     optimise: Optimise,
 ) -> Result<Dynamics, Diagnostics> {
     let mut parts = Unprojected::default();
-    inertia_force::accumulate(model, k, &mut parts);
+    let segments = segment::sparse_tree(model, k);
+    match &segments {
+        Some(segments) => {
+            composite::accumulate(k, segments, &mut parts);
+            inertia_force::rotations(model, k, &mut parts);
+        }
+        None => inertia_force::accumulate(model, k, &mut parts),
+    }
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
@@ -93,7 +102,8 @@ pub fn derive(
     let (mass_matrix, forcing) = project(k, solution, &parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
-    let (u_dot, pivots) = accelerations(model, k, table, (&mass_matrix, &forcing), optimise)?;
+    let (u_dot, pivots) =
+        accelerations(model, k, table, segments.as_deref(), (&mass_matrix, &forcing), optimise)?;
     Ok(Dynamics {
         mass_matrix,
         forcing,
@@ -111,10 +121,12 @@ fn accelerations(
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
+    segments: Option<&[Segment]>,
     (mass_matrix, forcing): (&[Vec<ExprId>], &[ExprId]),
     optimise: Optimise,
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
-    let chain = chain::derive(model, k, table).map(|c| (k.dag.cost(&c.u_dot, optimise), c));
+    let chain = segments.and_then(|segments| chain::derive(model, k, table, segments));
+    let chain = chain.map(|c| (k.dag.cost(&c.u_dot, optimise), c));
     // The mass matrix alone may cost more: then it need not be solved with.
     let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
     if let Some((cost, chain)) = &chain

@@ -5,7 +5,7 @@
 
 use crate::expr::ExprId;
 use crate::id::Id;
-use crate::kinematics::{Kinematics, Motion, lower_scalar, lower_vector};
+use crate::kinematics::{Kinematics, Motion, UnknownKind, lower_scalar, lower_vector};
 use crate::model::Model;
 use crate::vector::{TriadId, Vector};
 
@@ -33,8 +33,26 @@ struct Centre {
     gravity: Vector,
 }
 
+/// Smaller trees gain nothing from their shared beginnings.
+const FEWEST_SEGMENTS: usize = 3;
+/// Segments that a speed moves, on the average. More, and nothing is gained: speeds that are relative from body to
+/// body move every segment farther out.
+const MOST_MOVED: usize = 2;
+
+/// The segments of a tree in which every speed moves few; none for others, nor where speeds depend on others:
+/// measured on the four-bar and the tile, sharing there gains nothing and costs accuracy.
+pub(super) fn sparse_tree(model: &Model, k: &mut Kinematics) -> Option<Vec<Segment>> {
+    let independent = k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_)));
+    if !independent || model.bodies.len() < FEWEST_SEGMENTS {
+        return None;
+    }
+    let segments = tree(model, k);
+    let moved: usize = segments.iter().map(|s| s.motion.partials.len()).sum();
+    (segments.len() >= FEWEST_SEGMENTS && moved <= MOST_MOVED * k.unknowns.len()).then_some(segments)
+}
+
 /// The segments, inner ones first. Bodies without mass have none; bodies with one centre share it.
-pub(super) fn tree(model: &Model, k: &mut Kinematics) -> Vec<Segment> {
+fn tree(model: &Model, k: &mut Kinematics) -> Vec<Segment> {
     let mut centres = centres(model, k);
     // What few speeds move lies inside.
     centres.sort_by_key(|centre| centre.motion.partials.len());

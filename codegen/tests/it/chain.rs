@@ -1,7 +1,8 @@
 //! Chains and trees: the forces between mass centres as unknowns against the mass matrix, and their operations.
 
 use crate::augmented::agree;
-use smartbed_codegen::{Optimise, ParameterChoice, Program, Settings, model, program};
+use smartbed_codegen::{Interpreted, Optimise, ParameterChoice, Program, Settings, model, program};
+use smartbed_runtime::mechanism::Mechanism;
 use std::fmt::Write;
 
 fn derived(text: &str) -> Program {
@@ -21,7 +22,7 @@ fn pendulum(n: usize) -> String {
          g = {{ value = 9.81, unit = \"m/s^2\" }}\n"
     );
     for (i, above) in (0..n).map(|i| (i, if i == 0 { "O".to_owned() } else { format!("P{}", i - 1) })) {
-        let mass = 1.0 + 0.1 * (i % 3) as f64;
+        let mass = masses(n)[i];
         write!(
             text,
             "[parameters.m{i}]\nvalue = {mass}\nunit = \"kg\"\n[parameters.l{i}]\nvalue = 0.7\nunit = \"m\"\n\
@@ -52,6 +53,51 @@ fn check(program: &Program) {
     }
 }
 
+/// The text with the positions of all masses as outputs.
+fn with_positions(text: &str, n: usize) -> String {
+    let lines: String = (0..n)
+        .map(|i| format!("x{i} = \"dot(P{i}, N.x)\"\ny{i} = \"dot(P{i}, N.y)\"\nz{i} = \"dot(P{i}, N.z)\"\n"))
+        .collect();
+    format!("{text}[outputs]\n{lines}")
+}
+
+/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and no energy is gained: tells
+/// the mass matrix and the accelerations apart from what both have in common.
+fn check_energy(program: &Program, masses: &[f64]) {
+    /// Step of central differences (s), and what is left of them.
+    const STEP: f64 = 1e-5;
+    const ROUNDING: f64 = 1e-7;
+    let mut mechanism = Interpreted::<f64>::new(program);
+    for round in 0..5 {
+        let number = |i: usize| (0.9 * (i + 1) as f64 + 1.3 * f64::from(round)).sin();
+        let q: Vec<f64> = (0..program.q.len()).map(number).collect();
+        let u: Vec<f64> = (0..program.u.len()).map(|i| number(i + 40)).collect();
+        let (mut q_dot, mut u_dot) = (q.clone(), u.clone());
+        mechanism.rates(0.0, &q, &u, &[], &mut q_dot, &mut u_dot).expect("lengths fit");
+        let moved = |x: &[f64], rate: &[f64], h: f64| -> Vec<f64> {
+            x.iter().zip(rate).map(|(x, r)| x + h * r).collect()
+        };
+        let [before, after] = [-STEP, STEP].map(|h| (moved(&q, &q_dot, h), moved(&u, &u_dot, h)));
+        let places = [&before, &after].map(|(q, u)| mechanism.outputs(0.0, q, u, &[]).expect("lengths fit"));
+        let speeds = places[0].iter().zip(&places[1]).map(|(a, b)| (b - a) / (2.0 * STEP));
+        let squares = speeds.map(|v| v * v).collect::<Vec<_>>();
+        let expected: f64 = squares.chunks(3).zip(masses).map(|(v, m)| 0.5 * m * v.iter().sum::<f64>()).sum();
+        let (kinetic, _) = mechanism.energy(&q, &u).expect("lengths fit");
+        assert!((kinetic - expected).abs() < ROUNDING * (1.0 + expected), "{kinetic} {expected}");
+        let total = [&before, &after].map(|(q, u)| {
+            let (kinetic, potential) = mechanism.energy(q, u).expect("lengths fit");
+            kinetic + potential
+        });
+        let gain = (total[1] - total[0]) / (2.0 * STEP);
+        assert!(gain.abs() < ROUNDING * (1.0 + 10.0 * total[0].abs()), "{gain} W of {} J", total[0]);
+    }
+}
+
+/// Masses of [`pendulum`].
+fn masses(n: usize) -> Vec<f64> {
+    (0..n).map(|i| 1.0 + 0.1 * (i % 3) as f64).collect()
+}
+
 /// Operations of a chain grow linearly: every link costs the same.
 #[test]
 fn operations_are_linear_in_the_number_of_links() {
@@ -71,9 +117,10 @@ fn operations_are_linear_in_the_number_of_links() {
 #[test]
 fn point_masses_on_rods() {
     for n in [3, 5, 10] {
-        let program = derived(&pendulum(n));
+        let program = derived(&with_positions(&pendulum(n), n));
         assert!(is_chain(&program));
         check(&program);
+        check_energy(&program, &masses(n));
     }
 }
 
@@ -102,10 +149,10 @@ fn rods(n: usize) -> String {
     text
 }
 
-/// Five rods: the chain is shorter, but divides more often; ten: it is shorter and faster.
+/// Seven rods: the chain is shorter, but divides more often; twelve: it is shorter and faster.
 #[test]
 fn forms_are_chosen_by_operations_or_by_time() {
-    for (n, faster) in [(5, false), (10, true)] {
+    for (n, faster) in [(7, false), (12, true)] {
         let [short, fast] =
             [Optimise::Operations, Optimise::Time].map(|optimise| derived_for(&rods(n), optimise));
         assert!(is_chain(&short));
@@ -120,8 +167,8 @@ fn forms_are_chosen_by_operations_or_by_time() {
 /// Rods with inertia, a spring to the ground, a force and a torque, one body without weight.
 #[test]
 fn rods_with_inertia_and_loads() {
-    let mut text = pendulum(6).replace("mass = \"m2\"", "mass = \"m2\"\nweight = false");
-    for i in 0..6 {
+    let mut text = pendulum(8).replace("mass = \"m2\"", "mass = \"m2\"\nweight = false");
+    for i in 0..8 {
         text = text.replace(
             &format!("mass = \"m{i}\""),
             &format!("mass = \"m{i}\"\nframe = \"rod{i}\"\ninertia = {{ Izz = \"0.02*m{i}*l{i}.powi(2)\" }}"),
@@ -145,9 +192,12 @@ fn a_tree_of_point_masses() {
     let text = pendulum(7)
         .replace("\"P4 - l5", "\"P2 - l5")
         .replace("[bodies.mass4]", "[bodies.twin]\ncentre = \"P4\"\nmass = \"2*m0\"\n[bodies.mass4]");
-    let program = derived(&text);
+    let program = derived(&with_positions(&text, 7));
     assert!(is_chain(&program));
     check(&program);
+    let mut masses = masses(7);
+    masses[4] += 2.0 * masses[0];
+    check_energy(&program, &masses);
 }
 
 /// Rods that swing in space: two angles each, cosines of the second in the pivots.
@@ -161,7 +211,9 @@ fn rods_in_space() {
         );
         write!(text, "[coordinates.p{i}]\nunit = \"rad\"\nrange = [-1, 1]\n").expect("a string grows");
     }
-    check(&derived(&text));
+    let program = derived(&with_positions(&text, 3));
+    check(&program);
+    check_energy(&program, &masses(3));
 }
 
 /// Speeds that are relative from body to body: the mass matrix stays.
