@@ -3,7 +3,7 @@
 //! `<model>_<scalar>.rs` has the model's own tunable parameters; `<model>_loaded_<scalar>.rs` keeps
 //! the fixed ones of the tiles too.
 
-use smartbed_codegen::{EmitOptions, Options, ParameterChoice, ScalarType, Settings};
+use smartbed_codegen::{Effort, EmitOptions, Optimise, Options, ParameterChoice, ScalarType};
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
@@ -34,27 +34,28 @@ fn main() {
         for (suffix, scalar) in
             [("f64", ScalarType::F64), ("f32", ScalarType::F32), ("counting", counting.clone())]
         {
-            derive(model, &format!("{model}_{suffix}"), scalar, &[]);
+            derive(model, &format!("{model}_{suffix}"), scalar, &[], Effort::Default);
         }
     }
     for model in TIMED {
-        derive(model, &format!("{model}_f64"), ScalarType::F64, &[]);
+        derive(model, &format!("{model}_f64"), ScalarType::F64, &[], Effort::Default);
     }
     for model in ["tile", "tile_minimal"] {
-        derive(model, &format!("{model}_loaded_f64"), ScalarType::F64, &LOAD);
-        derive(model, &format!("{model}_loaded_f32"), ScalarType::F32, &LOAD);
+        derive(model, &format!("{model}_loaded_f64"), ScalarType::F64, &LOAD, Effort::Default);
+        derive(model, &format!("{model}_loaded_f32"), ScalarType::F32, &LOAD, Effort::Default);
     }
 }
 
 /// One file in `OUT_DIR`.
-fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str]) {
+fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], effort: Effort) {
     let options = Options {
         parameters: ParameterChoice {
             keep: keep.iter().map(ToString::to_string).collect(),
             ..ParameterChoice::default()
         },
-        settings: Settings::default(),
         emit: EmitOptions { scalar, ..EmitOptions::default() },
+        effort,
+        optimise: Optimise::Operations,
         file_name: Some(file_name.to_owned()),
     };
     smartbed_codegen::build(format!("../models/{model}.toml"), &options);

@@ -60,6 +60,8 @@ pub mod kinematics;
 
 pub mod dynamics;
 
+pub mod value;
+
 pub mod program;
 
 pub mod rust;
@@ -68,8 +70,8 @@ mod build;
 
 pub use build::{Options, build, generate, try_build};
 pub use diagnostic::Diagnostics;
-pub use expr::cost::Optimise;
 pub use kinematics::ParameterChoice;
 pub use program::interpreter::Interpreted;
-pub use program::{Program, Settings};
+pub use program::{Optimise, Program, Settings};
 pub use rust::{Answer, EmitOptions, ScalarType};
+pub use value::Effort;

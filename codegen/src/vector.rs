@@ -284,10 +284,10 @@ impl Triads {
                 // One order for a difference, whichever way it is gone: its sine and cosine are shared.
                 v = if forth < back {
                     let angle = dag.sub(back, forth);
-                    rotate(dag, axis, angle, v, true)
+                    turn_components(dag, axis, angle, v, true)
                 } else {
                     let angle = dag.sub(forth, back);
-                    rotate(dag, axis, angle, v, false)
+                    turn_components(dag, axis, angle, v, false)
                 };
             }
             total = std::array::from_fn(|k| dag.add(total[k], v[k]));
@@ -332,7 +332,7 @@ impl Triads {
     fn to_parent(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
         match &self.turns[triad] {
             Turn::Inertial => v,
-            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, false),
+            Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, false),
             Turn::Directions { rows } => std::array::from_fn(|k| {
                 let terms: [ExprId; 3] = std::array::from_fn(|j| dag.mul(v[j], rows[j][k]));
                 dag.sum(&terms)
@@ -343,7 +343,7 @@ impl Triads {
     fn to_child(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
         match &self.turns[triad] {
             Turn::Inertial => v,
-            Turn::Simple { axis, angle, .. } => rotate(dag, *axis, *angle, v, true),
+            Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, true),
             Turn::Directions { rows } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
         }
     }
@@ -391,7 +391,7 @@ impl Triads {
 }
 
 /// Components after a simple rotation: child to parent, or (`inverse`) parent to child.
-fn rotate(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
+pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
     let k = axis as usize;
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (sin, cos) = (dag.sin(angle), dag.cos(angle));

@@ -1,11 +1,11 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 195 operations (3 abs, 35 add, 3 cos, 3 div, 2 min, 124 mul, 3 sin, 22 sub).
-// Cost of energy: 113 operations (22 add, 3 cos, 2 div, 77 mul, 3 sin, 6 sub).
-// Cost of speeds: 26 operations (3 cos, 2 div, 14 mul, 3 sin, 4 sub).
+// Cost of rates: 180 operations (3 abs, 34 add, 3 cos, 3 div, 2 min, 115 mul, 3 sin, 17 sub).
+// Cost of energy: 113 operations (23 add, 3 cos, 2 div, 77 mul, 3 sin, 5 sub).
+// Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
-// Cost of projection: 51 operations (2 abs, 11 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
+// Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -92,7 +92,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///195 operations.
+///180 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -116,63 +116,69 @@ pub fn rates(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
-    let t3 = l2 * (t1 - t2);
-    let t4 = 1.0_f32 / t3;
-    let t5 = l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * t4;
-    let t6 = u1 * t5;
-    let u2 = -t6;
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t2 = l2 * t1;
+    let t3 = 1.0_f32 / t2;
+    let t4 = l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * t3;
+    let t5 = u1 * t4;
+    let t6 = l1 * cos_q1;
+    let t7 = l1 * sin_q1;
+    let t8 = sin_q2 * t6 - cos_q2 * t7;
     let l3 = p.l3;
-    let t7 = l3 * (t2 - t1);
-    let t8 = 1.0_f32 / t7;
-    let t9 = l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * t8;
-    let t10 = u1 * t9;
-    let u3 = -t10;
+    let t9 = l3 * t1;
+    let t10 = 1.0_f32 / t9;
+    let t11 = t8 * t10;
+    let t12 = u1 * t11;
+    let t13 = l2 * cos_q2;
+    let m3 = p.m3;
+    let t14 = 0.5_f32 * l3;
+    let t15 = m3 * t14;
+    let t16 = cos_q3 * t15;
+    let t17 = l2 * sin_q2;
+    let t18 = sin_q3 * t15;
+    let t19 = t13 * t16 + t17 * t18;
+    let t20 = t19 * t4 - (t6 * t16 + t7 * t18);
+    let t21 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t22 = t12 * t12;
+    let t23 = l3 * t22;
+    let t24 = l1 * (u1 * u1);
+    let t25 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t26 = l2 * (t5 * t5);
+    let u3_dot_bias = t10 * (t21 * t23 + (t24 * t25 + t26));
+    let m2 = p.m2;
+    let g = p.g;
+    let t27 = 0.5_f32 * l2;
+    let t28 = t27 * cos_q2;
+    let t29 = t15 * t22;
+    let t30 = cos_q1 * t24 + cos_q2 * t26;
+    let t31 = cos_q3 * t29 + m3 * t30;
+    let t32 = sin_q2 * t26 + (sin_q1 * t24 - g);
+    let t33 = sin_q3 * t29 + m3 * t32;
+    let t34 = m2 * (g * t28 - t24 * (sin_q1 * t28 - cos_q1 * (t27 * sin_q2))) + (t17 * t31 - t13 * t33);
+    let t35 = m3 * t17;
+    let t36 = m3 * t13;
+    let I2 = p.I2;
+    let t37 = t17 * t35 + t13 * t36 + (I2 + m2 * (t27 * t27));
+    let t38 = t3 * (t23 + (t24 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t21 * t26));
+    let t39 = t7 * t35 + t6 * t36 + m2 * (t27 * (l1 * t25));
     let T = inputs[0];
     let m1 = p.m1;
-    let g = p.g;
-    let t11 = 0.5_f32 * l1;
-    let m2 = p.m2;
-    let t12 = l1 * cos_q1;
-    let t13 = l1 * sin_q1;
-    let t14 = g * t12 - (sin_q2 * t12 - cos_q2 * t13) * (l2 * (t6 * (0.5_f32 * t6)));
-    let m3 = p.m3;
-    let t15 = l1 * (u1 * u1);
-    let t16 = l2 * (t6 * t6);
-    let t17 = l3 * (t10 * (0.5_f32 * t10));
-    let t18 = cos_q1 * t15 + cos_q2 * t16 + cos_q3 * t17;
-    let t19 = g - sin_q1 * t15 - sin_q2 * t16 - sin_q3 * t17;
-    let t20 = m1 * (g * (t11 * cos_q1)) + m2 * t14 + m3 * (t13 * t18 + t12 * t19);
-    let t21 = 0.5_f32 * l2;
-    let t22 = l2 * sin_q2;
-    let t23 = l2 * cos_q2;
-    let t24 = m2 * (t21 * (sin_q2 * t13 + cos_q2 * t12)) + m3 * (t13 * t22 + t12 * t23);
-    let t25 = l3 * (t10 * t10);
-    let t26 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let u2_dot_bias = t4 * (t25 + (t15 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t26 * t16));
-    let t27 = 0.5_f32 * l3;
-    let t28 = t27 * sin_q3;
-    let t29 = t27 * cos_q3;
-    let t30 = m3 * (t13 * t28 + t12 * t29);
-    let u3_dot_bias = t8 * (t15 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + t16 + t26 * t25);
-    let t31 = t21 * cos_q2;
-    let t32 = m2 * (g * t31 - t15 * (sin_q1 * t31 - cos_q1 * (t21 * sin_q2))) + m3 * (t22 * t18 + t23 * t19);
-    let I2 = p.I2;
-    let t33 = I2 + m2 * (t21 * t21) + m3 * (t22 * t22 + t23 * t23);
-    let t34 = m3 * (t22 * t28 + t23 * t29);
-    let t35 = T - t20 - t24 * u2_dot_bias - t30 * u3_dot_bias + t5 * (t32 + t33 * u2_dot_bias + t34 * u3_dot_bias);
+    let t40 = 0.5_f32 * l1;
+    let t41 = m1 * t40;
+    let t42 = t41 * (g * cos_q1) - m2 * (t8 * (l2 * (t5 * (0.5_f32 * t5))) - g * t6);
+    let t43 = t4 * (t34 - t37 * t38) + (t39 * t38 + (T - (t42 + (t7 * t31 - t6 * t33))));
     let I3 = p.I3;
-    let t36 = I3 + m3 * (t28 * t28 + t29 * t29);
-    let t37 = t9 * (m3 * (t28 * t18 + t29 * t19) + t34 * u2_dot_bias + t36 * u3_dot_bias);
-    let forcing_u1 = t35 + t37;
+    let t44 = 0.5_f32 * I3;
+    let t45 = t44 + (t44 + t14 * t15);
+    let t46 = t11 * (t19 * t38 + t15 * (cos_q3 * t32 - sin_q3 * t30) - t45 * u3_dot_bias);
+    let forcing_u1 = t20 * u3_dot_bias + t43 - t46;
     let I1 = p.I1;
-    let t38 = I1 + m1 * (t11 * t11) + m2 * (l1 * l1) + m3 * (t13 * t13 + t12 * t12);
-    let t39 = t38 - t24 * t5 - t30 * t9 - t5 * (t24 - t33 * t5 - t34 * t9);
-    let mass_u1_u1 = t39 - t9 * (t30 - t34 * t5 - t36 * t9);
-    let t40 = forcing_u1 / mass_u1_u1;
-    let t41 = Real::min(Real::min(0.6062967_f32 * Real::abs(t3), 0.7410293_f32 * Real::abs(t7)), 0.4120579_f32 * Real::abs(mass_u1_u1));
-    ([u1, u2, u3], [t40], t41)
+    let t47 = 0.5_f32 * I1;
+    let t48 = t7 * (m3 * t7) + t6 * (m3 * t6) + (t47 + (t47 + t40 * t41) + m2 * (l1 * l1));
+    let mass_u1_u1 = t11 * (2.0_f32 * t20 + t45 * t11) + (t48 + t4 * (t37 * t4 - 2.0_f32 * t39));
+    let t49 = forcing_u1 / mass_u1_u1;
+    let t50 = Real::min(Real::min(0.6062967_f32 * Real::abs(t2), 0.7410293_f32 * Real::abs(t9)), 0.4120579_f32 * Real::abs(mass_u1_u1));
+    ([u1, -t5, -t12], [t49], t50)
 }
 ///Kinetic and potential energy (J).
 ///
@@ -191,47 +197,50 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> (S, S) {
-    let u1 = u[0];
-    let I1 = p.I1;
-    let m1 = p.m1;
-    let l1 = p.l1;
-    let t1 = 0.5_f32 * l1;
-    let m2 = p.m2;
+    let I3 = p.I3;
+    let t1 = 0.5_f32 * I3;
+    let l3 = p.l3;
+    let t2 = 0.5_f32 * l3;
     let m3 = p.m3;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t2 = l1 * sin_q1;
-    let t3 = l1 * cos_q1;
-    let t4 = I1 + m1 * (t1 * t1) + m2 * (l1 * l1) + m3 * (t2 * t2 + t3 * t3);
-    let l2 = p.l2;
-    let t5 = 0.5_f32 * l2;
+    let t3 = m3 * t2;
+    let u1 = u[0];
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t6 = l2 * sin_q2;
-    let t7 = l2 * cos_q2;
-    let t8 = m2 * (t5 * (sin_q2 * t2 + cos_q2 * t3)) + m3 * (t2 * t6 + t3 * t7);
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t4 = l1 * cos_q1;
+    let t5 = l1 * sin_q1;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t9 = cos_q2 * sin_q3;
-    let t10 = sin_q2 * cos_q3;
-    let t11 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f32 / (l2 * (t9 - t10))));
-    let l3 = p.l3;
-    let t12 = 0.5_f32 * l3;
-    let t13 = t12 * sin_q3;
-    let t14 = t12 * cos_q3;
-    let t15 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f32 / (l3 * (t10 - t9))));
-    let t16 = 0.5_f32 * (u1 * u1 * t4) - t8 * (u1 * t11) - m3 * (t2 * t13 + t3 * t14) * (u1 * t15);
+    let t6 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t7 = u1 * ((sin_q2 * t4 - cos_q2 * t5) * (1.0_f32 / (l3 * t6)));
+    let l2 = p.l2;
+    let t8 = l2 * cos_q2;
+    let t9 = cos_q3 * t3;
+    let t10 = l2 * sin_q2;
+    let t11 = sin_q3 * t3;
+    let t12 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f32 / (l2 * t6)));
+    let t13 = m3 * t10;
+    let t14 = m3 * t8;
     let I2 = p.I2;
-    let t17 = (I2 + m2 * (t5 * t5) + m3 * (t6 * t6 + t7 * t7)) * (t11 * t11);
-    let t18 = t16 + 0.5_f32 * t17 + m3 * (t6 * t13 + t7 * t14) * (t11 * t15);
-    let I3 = p.I3;
-    let t19 = t18 + 0.5_f32 * ((I3 + m3 * (t13 * t13 + t14 * t14)) * (t15 * t15));
+    let m2 = p.m2;
+    let t15 = 0.5_f32 * l2;
+    let t16 = (t10 * t13 + t8 * t14 + (I2 + m2 * (t15 * t15))) * (t12 * t12);
+    let I1 = p.I1;
+    let t17 = 0.5_f32 * I1;
+    let t18 = 0.5_f32 * l1;
+    let m1 = p.m1;
+    let t19 = t5 * (m3 * t5) + t4 * (m3 * t4) + (t17 + (t17 + t18 * (m1 * t18)) + m2 * (l1 * l1));
+    let t20 = t5 * t13 + t4 * t14 + m2 * (t15 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
+    let t21 = 0.5_f32 * (u1 * u1 * t19) - t20 * (u1 * t12) - (t4 * t9 + t5 * t11) * (u1 * t7);
+    let t22 = 0.5_f32 * ((t1 + (t1 + t2 * t3)) * (t7 * t7)) + ((t8 * t9 + t10 * t11) * (t12 * t7) + (0.5_f32 * t16 + t21));
     let g = p.g;
-    let t20 = g * sin_q1;
-    let t21 = l1 * t20;
-    let t22 = g * sin_q2;
-    let t23 = m1 * (t1 * t20) + m2 * (t21 + t5 * t22) + m3 * (t21 + l2 * t22 + t12 * (g * sin_q3));
-    (t19, t23)
+    let t23 = g * sin_q1;
+    let t24 = l1 * t23;
+    let t25 = g * sin_q2;
+    let t26 = m1 * (t18 * t23) + m2 * (t24 + t15 * t25) + m3 * (t24 + l2 * t25 + t2 * (g * sin_q3));
+    (t22, t26)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -259,14 +268,10 @@ pub fn speeds(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * sin_q3;
-    let t2 = sin_q2 * cos_q3;
-    let t3 = u1 * (l1 * (cos_q1 * sin_q3 - sin_q1 * cos_q3) * (1.0_f32 / (l2 * (t1 - t2))));
-    let u2 = -t3;
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
     let l3 = p.l3;
-    let t4 = u1 * (l1 * (cos_q1 * sin_q2 - sin_q1 * cos_q2) * (1.0_f32 / (l3 * (t2 - t1))));
-    let u3 = -t4;
-    [u1, u2, u3]
+    let t2 = u1 * ((sin_q2 * (l1 * cos_q1) - cos_q2 * (l1 * sin_q1)) * (1.0_f32 / (l3 * t1)));
+    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f32 / (l2 * t1))), -t2]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -289,7 +294,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///51 operations.
+///50 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -304,23 +309,23 @@ pub fn projection(
     _inputs: &[S; 1usize],
     p: &Parameters,
 ) -> ([S; 2usize], S) {
-    let l3 = p.l3;
-    let l1 = p.l1;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let q3 = q[2];
-    let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let l4 = p.l4;
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let t2 = l3 + (l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) - l4 * cos_q3 + l2 * t1);
-    let t3 = cos_q2 * sin_q3;
-    let t4 = sin_q2 * cos_q3;
-    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t1;
+    let q3 = q[2];
+    let (sin_q3, cos_q3) = Real::sin_cos(q3);
+    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let l3 = p.l3;
+    let t2 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let l4 = p.l4;
+    let l1 = p.l1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t3 = l3 + (l2 * t2 - (l4 * cos_q3 - l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3)));
+    let t4 = 1.0_f32 / (l2 * t1) * t3;
+    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t2;
     let t6 = Real::max(Real::abs(l1 * cos_q1 - l4 + l2 * cos_q2 + l3 * cos_q3), Real::abs(l1 * sin_q1 + l2 * sin_q2 + l3 * sin_q3));
-    ([-t2 * (1.0_f32 / (l2 * (t3 - t4))), -t5 * (1.0_f32 / (l3 * (t4 - t3)))], t6)
+    ([t4, -t5 * (1.0_f32 / (l3 * t1))], t6)
 }
 ///Four-bar linkage driven by a torque on the crank.
 #[derive(Clone, Copy, Debug, Default)]

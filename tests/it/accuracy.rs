@@ -6,8 +6,9 @@
 //! happens to vanish, the others say how large its terms are.
 
 use serde_json::Value;
+use smartbed_codegen::Effort;
 use smartbed_runtime::mechanism::Mechanism;
-use smartbed_tests::interpreted::InterpretedSubject;
+use smartbed_tests::interpreted::{InterpretedSubject, program_with};
 use smartbed_tests::subject::Subject;
 
 /// What a model is meant to reach, and what it may not exceed today.
@@ -58,18 +59,26 @@ fn largest(a: f64, b: f64) -> f64 {
     if b <= a || a.is_nan() { a } else { b }
 }
 
-/// The largest and the median error over the random states.
+/// The largest and the median error over the random states, at every effort.
 fn random_states(model: &str, Bound { goal, holds }: Bound) {
     let reference = read(model);
-    let mut subject = InterpretedSubject::new(model, &[]);
+    for effort in [Effort::None, Effort::Default] {
+        let errors = errors(model, effort, &reference);
+        let n = errors.len();
+        let (median, worst) = (errors[n / 2], errors[n - 1]);
+        println!("{model}, {effort:?}: {n} states, worst {worst:.1e}, median {median:.1e}, goal {goal:.0e}");
+        assert!(worst <= holds, "{model}, {effort:?}: {worst:e}");
+    }
+}
+
+/// Errors at the random states, ascending.
+fn errors(model: &str, effort: Effort, reference: &Value) -> Vec<f64> {
+    let mut subject = InterpretedSubject::of(&program_with(model, &[], effort));
     set_parameters(&mut subject, &reference["parameters"]);
     let states = reference["states"].as_array().expect("states");
     let mut errors: Vec<f64> = states.iter().map(|state| error(&mut subject, state)).collect();
     errors.sort_by(f64::total_cmp);
-    let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
-    let n = errors.len();
-    println!("{model}: {n} states, worst {worst:.1e}, median {median:.1e}, goal {goal:.0e}");
-    assert!(worst <= holds, "{model}: {worst:e}");
+    errors
 }
 
 #[test]
@@ -105,19 +114,24 @@ fn pendulum10_is_accurate_at_random_states() {
 #[test]
 fn hard_states_are_accurate() {
     let mut failed = Vec::new();
-    for model in ["tile", "bicycle", "fourbar"] {
-        let mut subject = InterpretedSubject::new(model, &[]);
-        for case in read(model)["hard"].as_array().expect("hard states") {
-            set_parameters(&mut subject, &case["parameters"]);
-            let name = case["name"].as_str().expect("a name");
-            let bound =
-                if name.contains("1e-06") { AT_CHANGE_POINT } else { Bound { goal: HARD, holds: HARD } };
-            let error = error(&mut subject, &case["state"]);
-            println!("{model}, {name}: {error:.1e}, goal {:.0e}", bound.goal);
-            if error.is_nan() || error > bound.holds {
-                failed.push(format!("{model}, {name}: {error:e}"));
-            }
+    for effort in [Effort::None, Effort::Default] {
+        for model in ["tile", "bicycle", "fourbar"] {
+            hard_states(model, effort, &mut failed);
         }
     }
     assert!(failed.is_empty(), "{failed:?}");
+}
+
+fn hard_states(model: &str, effort: Effort, failed: &mut Vec<String>) {
+    let mut subject = InterpretedSubject::of(&program_with(model, &[], effort));
+    for case in read(model)["hard"].as_array().expect("hard states") {
+        set_parameters(&mut subject, &case["parameters"]);
+        let name = case["name"].as_str().expect("a name");
+        let bound = if name.contains("1e-06") { AT_CHANGE_POINT } else { Bound { goal: HARD, holds: HARD } };
+        let error = error(&mut subject, &case["state"]);
+        println!("{model}, {effort:?}, {name}: {error:.1e}, goal {:.0e}", bound.goal);
+        if error.is_nan() || error > bound.holds {
+            failed.push(format!("{model}, {effort:?}, {name}: {error:e}"));
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! A model read from `models/` and run by the interpreter.
 
 use crate::subject::{Names, Subject};
+use smartbed_codegen::Effort;
 use smartbed_codegen::kinematics::ParameterChoice;
 use smartbed_codegen::model;
 use smartbed_codegen::program::interpreter::Interpreted;
@@ -23,12 +24,21 @@ pub fn path(model: &str) -> PathBuf {
 /// With the diagnosis, if the model is refused.
 #[must_use]
 pub fn program(model: &str, keep: &[&str]) -> Program {
+    program_with(model, keep, Effort::Default)
+}
+
+/// [`program`] with another effort to shorten it.
+///
+/// # Panics
+/// With the diagnosis, if the model is refused.
+#[must_use]
+pub fn program_with(model: &str, keep: &[&str], effort: Effort) -> Program {
     let choice = ParameterChoice {
         keep: keep.iter().map(ToString::to_string).collect(),
         ..ParameterChoice::default()
     };
     let model = model::read(&path(model)).unwrap_or_else(|found| panic!("{found}"));
-    program::derive(&model, &choice).unwrap_or_else(|found| panic!("{found}"))
+    program::derive_with(&model, &choice, effort).unwrap_or_else(|found| panic!("{found}"))
 }
 
 /// The Rust emitted for a model, with a path in it that does not depend on where the tests run.
@@ -38,7 +48,11 @@ pub fn program(model: &str, keep: &[&str]) -> Program {
 #[must_use]
 pub fn emitted(name: &str, scalar: ScalarType) -> String {
     let text = std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let model = model::parse(&format!("models/{name}.toml"), &text).unwrap_or_else(|found| panic!("{found}"));
+    // Paths count from the root of the workspace, wherever the tests run.
+    let root = path(name).parent().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default();
+    let load = |base: &Path| std::fs::read_to_string(root.join(base)).map_err(|error| error.to_string());
+    let model = model::parse_with(&format!("models/{name}.toml"), &text, &load);
+    let model = model.unwrap_or_else(|found| panic!("{found}"));
     let program =
         program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"));
     rust::emit(&program, &EmitOptions { scalar, ..EmitOptions::default() })
@@ -55,10 +69,15 @@ impl<S: Real> InterpretedSubject<S> {
     /// Derives a model.
     #[must_use]
     pub fn new(model: &str, keep: &[&str]) -> Self {
-        let program = program(model, keep);
+        Self::of(&program(model, keep))
+    }
+
+    /// Runs a derived program.
+    #[must_use]
+    pub fn of(program: &Program) -> Self {
         let of = |group: &[program::Quantity]| group.iter().map(|quantity| quantity.name.clone()).collect();
         Self {
-            engine: Interpreted::new(&program),
+            engine: Interpreted::new(program),
             names: Names {
                 q: of(&program.q),
                 u: of(&program.u),

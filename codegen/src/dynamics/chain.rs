@@ -48,11 +48,13 @@ pub(super) fn derive(
     inertia_force::rotations(model, k, &mut rest);
     active_force::accumulate(model, k, &mut rest);
     let equations = System::new(k, segments).equations(&rest);
-    let screening =
-        Screening { sizes: sizes(&k.dag, table, &equations[..3 * segments.len()]), last_resort: false };
+    let sizes = sizes(&k.dag, table, &equations[..3 * segments.len()]);
+    let screening = Screening { sizes, last_resort: false, divide_sums: true };
     let speeds: Vec<UnknownId> = k.unknowns.ids().collect();
     let equations = seen_by(&speeds, equations);
-    let (values, divisors) = sparse::solve_screened(&mut k.dag, table, equations, &screening)?;
+    let steps = sparse::eliminate_screened(&mut k.dag, table, equations, &screening);
+    let values = sparse::back_substitute(&mut k.dag, &steps)?;
+    let divisors = steps.iter().map(|step| step.pivot);
     name(k, segments, &values);
     let u_dot = speeds.iter().map(|u| values.get(u).map(|v| v[0])).collect::<Option<Vec<_>>>()?;
     let masses = segments.iter().map(|s| s.mass);

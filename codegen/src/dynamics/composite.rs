@@ -1,91 +1,341 @@
-//! Translational inertia of a tree of segments (see `segment`) by sums over what lies beyond a segment.
+//! Generalised inertia forces of a tree by composite bodies.
 //!
-//! A centre's velocity is the sum over the segments that lead to it. Hence, instead of a sum over all bodies,
-//! M_kl = sum over pairs of segments of m v_k . v_l, with m the mass at and beyond the outer one of the two if
-//! the inner one leads to it, else 0; and h_k = sum_s v_k . H_s, with H_s = sum m (a_bias - g) over the centres at
-//! and beyond segment s.
+//! With tw the twist of a node, s what its joint adds to its parent's twist, and C the inertia of all
+//! that hangs on the node, 2 T = sum over nodes of s' C s + 2 s' C (twist of the parent, moved): each
+//! column C s is formed once and carried inwards. The bias is Newton and Euler's recursion: outwards
+//! the accelerations at y' = 0, inwards the wrenches that they take. Walker, Orin 1982; Featherstone
+//! 2008, chapters 5 and 6. Everything in the triad of the node at hand.
 
-use super::Unprojected;
-use super::segment::Segment;
-use crate::expr::ExprId;
-use crate::id::Id;
-use crate::kinematics::{Kinematics, UnknownId};
-use crate::vector::{TriadId, Vector};
+use super::spatial::{Acceleration, Inertia, Wrench, gradient};
+use super::tree::{Joint, Node};
+use crate::expr::{Dag, ExprId};
+use crate::kinematics::{
+    Kinematics, Motion, Rate, UnknownId, derivative_of, lower_vector, rate_of, scalar_rate_of, value_of,
+};
+use crate::model::{Axis, Model};
+use crate::vector::{Components, Vector, dot_components};
+use std::collections::BTreeMap;
 
-/// Adds the inertia of all centres.
-pub(super) fn accumulate(k: &mut Kinematics, segments: &[Segment], parts: &mut Unprojected) {
-    let masses = masses_beyond(k, segments);
-    for (t, &mass) in masses.iter().enumerate() {
-        let outer = partials(&segments[t]);
-        let mut at = Some(t);
-        while let Some(s) = at {
-            let inner = partials(&segments[s]);
-            for (i, (a, v)) in inner.iter().enumerate() {
-                // Of a segment with itself each pair once, of two segments all.
-                for (b, w) in &outer[if s == t { i } else { 0 }..] {
-                    let product = k.triads.dot(&mut k.dag, v, w);
-                    let term = k.dag.mul(mass, product);
-                    // On the diagonal two segments count in both orders.
-                    for _ in 0..if a == b && s != t { 2 } else { 1 } {
-                        add_mass(k, parts, (*a, *b), term);
-                    }
-                }
+/// Contributions to M_y (keys k <= l) and to the forces.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Contributions {
+    pub mass: Vec<(UnknownId, UnknownId, ExprId)>,
+    pub force: Vec<(UnknownId, ExprId)>,
+}
+
+/// Angular velocity, angular acceleration at y' = 0, acceleration of the origin at y' = 0 less gravity.
+#[derive(Clone, Debug)]
+struct State {
+    w: Components,
+    alpha: Components,
+    acceleration: Acceleration,
+}
+
+/// A joint's rates: how it turns, and how its place moves in the parent's triad.
+struct Moves {
+    turn: Rate,
+    turn_rate: ExprId,
+    slide: [Rate; 3],
+}
+
+/// What hangs on a node, in its triad about its origin.
+#[derive(Clone, Debug)]
+struct Load {
+    inertia: Inertia,
+    bias: Wrench,
+    columns: BTreeMap<UnknownId, Wrench>,
+}
+
+/// Nodes from `root` inwards to which the tree may be cut: each carries all of it.
+pub(super) fn cuts(k: &Kinematics, nodes: &[Node], root: usize) -> Vec<usize> {
+    let mut list = vec![root];
+    let mut at = root;
+    loop {
+        let mut children = (at + 1..nodes.len())
+            .filter(|&i| nodes[i].joint.as_ref().is_some_and(|joint| joint.parent == at));
+        match (children.next(), children.next()) {
+            (Some(only), None) if nodes[at].own.is_zero(&k.dag) && k.dag.is_zero(nodes[only].spin) => {
+                list.push(only);
+                at = only;
             }
-            at = segments[s].inner;
-        }
-    }
-    for (segment, force) in segments.iter().zip(bias_forces_beyond(k, segments)) {
-        for (a, v) in partials(segment) {
-            let term = k.triads.dot(&mut k.dag, &v, &force);
-            let term = k.dag.negate(term);
-            parts.add_force(&mut k.dag, a, term);
+            _ => return list,
         }
     }
 }
 
-fn add_mass(k: &mut Kinematics, parts: &mut Unprojected, (a, b): (UnknownId, UnknownId), term: ExprId) {
-    if !k.dag.is_zero(term) {
-        parts.add_mass(&mut k.dag, a, b, term);
+/// Contributions of the nodes that hang on `cut`, itself included, its whole twist being its own.
+pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], cut: usize) -> Contributions {
+    let mut found = Contributions::default();
+    let base = Base::new(model, k, &nodes[cut]);
+    let mut states: Vec<Option<State>> = vec![None; nodes.len()];
+    states[cut] = Some(base.state.clone());
+    let mut moves: Vec<Option<Moves>> = nodes.iter().map(|_| None).collect();
+    for i in cut + 1..nodes.len() {
+        let Some(joint) = &nodes[i].joint else { continue };
+        let Some(inner) = states[joint.parent].clone() else { continue };
+        let motion = Moves::new(k, joint);
+        states[i] = Some(outwards(k, joint, &motion, &inner));
+        moves[i] = Some(motion);
     }
-}
-
-fn partials(segment: &Segment) -> Vec<(UnknownId, Vector)> {
-    segment.motion.partials.iter().map(|(&unknown, v)| (unknown, v.clone())).collect()
-}
-
-/// Mass at and beyond the outer end of every segment.
-fn masses_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<ExprId> {
-    let mut masses: Vec<ExprId> = segments.iter().map(|s| s.mass).collect();
-    for (s, segment) in segments.iter().enumerate().rev() {
-        if let Some(inner) = segment.inner {
-            masses[inner] = k.dag.add(masses[inner], masses[s]);
+    let dag = &mut k.dag;
+    let mut loads: Vec<Option<Load>> = Vec::new();
+    for (node, state) in nodes.iter().zip(&states) {
+        loads.push(state.as_ref().map(|state| Load {
+            inertia: node.own.clone(),
+            bias: node.own.resistance(dag, &state.acceleration),
+            columns: BTreeMap::new(),
+        }));
+    }
+    for i in (cut + 1..nodes.len()).rev() {
+        let (Some(joint), Some(motion), Some(load)) = (&nodes[i].joint, &moves[i], loads[i].take()) else {
+            continue;
+        };
+        let Some(inner) = states[joint.parent].clone() else { continue };
+        let load = inwards(k, &nodes[i], joint, motion, load, &inner, &mut found);
+        if let Some(parent) = &mut loads[joint.parent] {
+            parent.add(&mut k.dag, &load);
         }
     }
-    masses
+    if let Some(load) = loads[cut].take() {
+        base.close(k, load, &mut found);
+    }
+    found.mass.retain(|(_, _, e)| !k.dag.is_zero(*e));
+    found.force.retain(|(_, e)| !k.dag.is_zero(*e));
+    found
 }
 
-/// sum m (a_bias - g) at and beyond the outer end of every segment, resolved in the inertial triad: one set of
-/// components serves the sum outwards and the sum inwards.
-fn bias_forces_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<Vector> {
-    let inertial = TriadId::from_index(0);
-    let mut bias: Vec<Vector> = Vec::with_capacity(segments.len());
-    for segment in segments {
-        let own = k.triads.express(&mut k.dag, &segment.motion.bias, inertial);
-        let own = Vector::new(&k.dag, inertial, own);
-        bias.push(match segment.inner {
-            Some(inner) => bias[inner].plus(&mut k.dag, &own),
-            None => own,
-        });
-    }
-    let mut forces: Vec<Vector> = Vec::with_capacity(segments.len());
-    for (segment, bias) in segments.iter().zip(&bias) {
-        let falling = bias.minus(&mut k.dag, &segment.gravity);
-        forces.push(falling.scaled(&mut k.dag, segment.mass));
-    }
-    for (s, segment) in segments.iter().enumerate().rev() {
-        if let Some(inner) = segment.inner {
-            forces[inner] = forces[inner].plus(&mut k.dag, &forces[s].clone());
+impl Load {
+    fn add(&mut self, dag: &mut Dag, other: &Self) {
+        self.inertia = self.inertia.plus(dag, &other.inertia);
+        self.bias = self.bias.plus(dag, &other.bias);
+        for (&unknown, wrench) in &other.columns {
+            self.add_column(dag, unknown, wrench);
         }
     }
-    forces
+
+    fn add_column(&mut self, dag: &mut Dag, unknown: UnknownId, wrench: &Wrench) {
+        let sum = match self.columns.get(&unknown) {
+            Some(mine) => mine.plus(dag, wrench),
+            None => wrench.clone(),
+        };
+        self.columns.insert(unknown, sum);
+    }
+}
+
+impl Moves {
+    fn new(k: &mut Kinematics, joint: &Joint) -> Self {
+        let turn = scalar_rate_of(k, joint.angle);
+        let turn_rate = rate_of(k, &turn);
+        Self { turn, turn_rate, slide: joint.offset.map(|c| scalar_rate_of(k, c)) }
+    }
+}
+
+/// angle'' e at y' = 0 and w x angle' e, in the parent's triad.
+fn relative_alpha(dag: &mut Dag, axis: Axis, motion: &Moves, w: &Components) -> Components {
+    let a = axis as usize;
+    let (i, j) = ((a + 1) % 3, (a + 2) % 3);
+    let mut alpha = [motion.turn.bias; 3];
+    alpha[i] = dag.mul(motion.turn_rate, w[j]);
+    let negative = dag.mul(motion.turn_rate, w[i]);
+    alpha[j] = dag.negate(negative);
+    alpha
+}
+
+/// From the parent's state to the node's.
+fn outwards(k: &mut Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
+    let slide = motion.slide.clone().map(|rate| (rate_of(k, &rate), rate.bias));
+    let dag = &mut k.dag;
+    // a + U c + c'' + 2 w x c'
+    let mut origin = inner.acceleration.at(dag, &joint.offset);
+    let velocity = slide.map(|(rate, _)| rate);
+    let coriolis = crate::vector::cross_components(dag, &inner.w, &velocity);
+    let two = dag.number(crate::expr::number::Number::integer(2));
+    for i in 0..3 {
+        let term = dag.mul(two, coriolis[i]);
+        let term = dag.add(term, slide[i].1);
+        origin[i] = dag.add(origin[i], term);
+    }
+    let relative = relative_alpha(dag, joint.axis, motion, &inner.w);
+    let alpha = std::array::from_fn(|i| dag.add(inner.alpha[i], relative[i]));
+    let turn = |dag: &mut Dag, v| crate::vector::turn_components(dag, joint.axis, joint.angle, v, true);
+    let (alpha, origin) = (turn(dag, alpha), turn(dag, origin));
+    let mut w = turn(dag, inner.w);
+    w[joint.axis as usize] = dag.add(w[joint.axis as usize], motion.turn_rate);
+    let gradient = gradient(dag, &w, &alpha);
+    State { w, alpha, acceleration: Acceleration { origin, gradient } }
+}
+
+/// Columns and contributions of a joint; the load as its parent feels it.
+fn inwards(
+    k: &mut Kinematics,
+    node: &Node,
+    joint: &Joint,
+    motion: &Moves,
+    mut load: Load,
+    inner: &State,
+    found: &mut Contributions,
+) -> Load {
+    let dag = &mut k.dag;
+    let zero = [dag.zero(); 3];
+    let axis = joint.axis as usize;
+    let mut own: Vec<(UnknownId, Components, Components)> = Vec::new();
+    for (&unknown, &partial) in &motion.turn.partials {
+        let mut w = zero;
+        w[axis] = partial;
+        own.push((unknown, zero, w));
+    }
+    load.meet(dag, &own, found);
+    let mut load = load.turned(dag, joint);
+    load.spin(dag, node.spin, joint.axis, motion, inner, found);
+    let sliding: Vec<UnknownId> = motion.slide.iter().flat_map(|r| r.partials.keys().copied()).collect();
+    let mut own = BTreeMap::new();
+    for unknown in sliding {
+        let v = std::array::from_fn(|i| motion.slide[i].partials.get(&unknown).copied().unwrap_or(zero[0]));
+        own.insert(unknown, v);
+    }
+    let own: Vec<_> = own.into_iter().map(|(unknown, v)| (unknown, v, zero)).collect();
+    load.meet(dag, &own, found);
+    load.shifted(dag, &joint.offset)
+}
+
+impl Load {
+    /// Adds what the twists `own` (unknown, v, w) contribute against this load, and their columns.
+    fn meet(
+        &mut self,
+        dag: &mut Dag,
+        own: &[(UnknownId, Components, Components)],
+        found: &mut Contributions,
+    ) {
+        let new: Vec<Wrench> = own.iter().map(|(_, v, w)| self.inertia.momentum(dag, v, w)).collect();
+        for (n, (unknown, v, w)) in own.iter().enumerate() {
+            for (other, column) in &self.columns {
+                let product = power(dag, v, w, column);
+                found.add_mass(dag, *unknown, *other, product);
+            }
+            for ((other, ..), column) in own.iter().zip(&new).skip(n) {
+                let product = power(dag, v, w, column);
+                found.mass.push((*unknown.min(other), *unknown.max(other), product));
+            }
+            let work = power(dag, v, w, &self.bias);
+            found.force.push((*unknown, dag.negate(work)));
+        }
+        for ((unknown, ..), column) in own.iter().zip(&new) {
+            self.add_column(dag, *unknown, column);
+        }
+    }
+
+    fn turned(&self, dag: &mut Dag, joint: &Joint) -> Self {
+        Self {
+            inertia: self.inertia.turned(dag, joint.axis, joint.angle),
+            bias: self.bias.turned(dag, joint.axis, joint.angle),
+            columns: (self.columns.iter())
+                .map(|(&unknown, column)| (unknown, column.turned(dag, joint.axis, joint.angle)))
+                .collect(),
+        }
+    }
+
+    fn shifted(&self, dag: &mut Dag, offset: &Components) -> Self {
+        Self {
+            inertia: self.inertia.shifted(dag, offset),
+            bias: self.bias.shifted(dag, offset),
+            columns: (self.columns.iter())
+                .map(|(&unknown, column)| (unknown, column.shifted(dag, offset)))
+                .collect(),
+        }
+    }
+
+    /// A wheel's spin: its moment of momentum J angle' e, beside what moves with the carrier.
+    fn spin(
+        &mut self,
+        dag: &mut Dag,
+        inertia: ExprId,
+        axis: Axis,
+        motion: &Moves,
+        inner: &State,
+        found: &mut Contributions,
+    ) {
+        if dag.is_zero(inertia) {
+            return;
+        }
+        let partials: Vec<(UnknownId, ExprId)> = motion.turn.partials.iter().map(|(&u, &r)| (u, r)).collect();
+        // J (angle'' + alpha of the carrier along the axis), at y' = 0.
+        let about = dag.add(motion.turn.bias, inner.alpha[axis as usize]);
+        let resistance = dag.mul(inertia, about);
+        for (n, &(unknown, partial)) in partials.iter().enumerate() {
+            let momentum = dag.mul(inertia, partial);
+            for &(other, rate) in &partials[n..] {
+                let product = dag.mul(momentum, rate);
+                found.mass.push((unknown, other, product));
+            }
+            let mut column = Wrench::zero(dag);
+            column.moment[axis as usize] = momentum;
+            self.add_column(dag, unknown, &column);
+            let work = dag.mul(resistance, partial);
+            found.force.push((unknown, dag.negate(work)));
+        }
+        let alpha = relative_alpha(dag, axis, motion, &inner.w);
+        let moment = alpha.map(|c| dag.mul(inertia, c));
+        let gyroscopic = Wrench { force: [dag.zero(); 3], moment };
+        self.bias = self.bias.plus(dag, &gyroscopic);
+    }
+}
+
+impl Contributions {
+    /// Operations at every evaluation.
+    pub(super) fn cost(&self, dag: &Dag) -> usize {
+        let mass = self.mass.iter().map(|(_, _, e)| *e);
+        let roots: Vec<ExprId> = mass.chain(self.force.iter().map(|(_, e)| *e)).collect();
+        dag.state_cost(&roots)
+    }
+
+    /// An unknown that meets its own column of a joint farther out counts twice.
+    fn add_mass(&mut self, dag: &mut Dag, a: UnknownId, b: UnknownId, product: ExprId) {
+        let two = dag.number(crate::expr::number::Number::integer(2));
+        let entry = if a == b { dag.mul(two, product) } else { product };
+        self.mass.push((a.min(b), a.max(b), entry));
+    }
+}
+
+/// v . force + w . moment.
+fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wrench) -> ExprId {
+    let straight = dot_components(dag, v, &wrench.force);
+    let turning = dot_components(dag, w, &wrench.moment);
+    dag.add(straight, turning)
+}
+
+/// The node where the tree is cut: its whole twist, as linear forms in the unknowns.
+struct Base {
+    twists: Vec<(UnknownId, Components, Components)>,
+    state: State,
+}
+
+impl Base {
+    fn new(model: &Model, k: &mut Kinematics, node: &Node) -> Self {
+        let mut velocity = derivative_of(k, &node.origin);
+        if let Some(gravity) = &model.gravity {
+            let gravity = lower_vector(k, gravity);
+            velocity.bias = velocity.bias.minus(&mut k.dag, &gravity);
+        }
+        let angular = k.angular[node.triad].clone();
+        let here = |k: &mut Kinematics, v: &Vector| k.triads.express(&mut k.dag, v, node.triad);
+        let w = value_of(k, &angular);
+        let (w, alpha) = (here(k, &w), here(k, &angular.bias));
+        let origin = here(k, &velocity.bias);
+        let gradient = gradient(&mut k.dag, &w, &alpha);
+        let state = State { w, alpha, acceleration: Acceleration { origin, gradient } };
+        let mut unknowns: Vec<UnknownId> =
+            velocity.partials.keys().chain(angular.partials.keys()).copied().collect();
+        unknowns.sort();
+        unknowns.dedup();
+        let part = |k: &mut Kinematics, motion: &Motion, unknown: UnknownId| {
+            let v = motion.partials.get(&unknown).cloned().unwrap_or_default();
+            here(k, &v)
+        };
+        let twists = unknowns.into_iter().map(|u| (u, part(k, &velocity, u), part(k, &angular, u))).collect();
+        Self { twists, state }
+    }
+
+    fn close(self, k: &mut Kinematics, mut load: Load, found: &mut Contributions) {
+        load.meet(&mut k.dag, &self.twists, found);
+    }
 }

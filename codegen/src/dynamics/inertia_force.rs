@@ -2,8 +2,11 @@
 //!
 //! M_kl = sum m v_k . v_l + w_k . I . w_l over all bodies; the bias is
 //! h_k = sum m v_k . a_bias + w_k . (I alpha_bias + w x I w). Sign: h stands beside M y', as in Kane.
+//! Bodies that hang on one another may instead be taken as a tree of composite bodies: whichever
+//! takes fewer operations.
 
-use super::Unprojected;
+use super::composite::{self, Contributions};
+use super::{Unprojected, tree};
 use crate::expr::{Dag, ExprId};
 use crate::id::Id;
 use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vector, value_of};
@@ -12,21 +15,59 @@ use crate::vector::{Components, TriadId, Vector, cross_components, dot_component
 
 /// Adds every body's inertia.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
-    for body in model.bodies.iter() {
-        translation(model, k, body, parts);
-        rotation(k, body, parts);
+    // A tree weighs all that it carries: a body without weight stands alone.
+    let (hanging, alone): (Vec<&Body>, Vec<&Body>) = model.bodies.iter().partition(|body| body.weight);
+    let mut all = body_by_body(model, k, &alone);
+    let forest = tree::build(model, k, &hanging);
+    for (root, bodies) in forest.roots() {
+        let bodies: Vec<&Body> = bodies.into_iter().map(|i| hanging[i]).collect();
+        let mut best = body_by_body(model, k, &bodies);
+        if forest.has_joints(root) {
+            for cut in composite::cuts(k, &forest.nodes, root) {
+                let candidate = composite::contributions(model, k, &forest.nodes, cut);
+                if candidate.cost(&k.dag) < best.cost(&k.dag) {
+                    best = candidate;
+                }
+            }
+        }
+        all.mass.extend(best.mass);
+        all.force.extend(best.force);
+    }
+    all.join(&mut k.dag, parts);
+}
+
+impl Contributions {
+    fn join(self, dag: &mut Dag, parts: &mut Unprojected) {
+        for (a, b, term) in self.mass {
+            parts.add_mass(dag, a, b, term);
+        }
+        for (a, term) in self.force {
+            parts.add_force(dag, a, term);
+        }
     }
 }
 
 /// Adds every body's moment of inertia only.
 pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
+    let mut found = Contributions::default();
     for body in model.bodies.iter() {
-        rotation(k, body, parts);
+        rotation(k, body, &mut found);
     }
+    found.join(&mut k.dag, parts);
+}
+
+/// Every body for itself.
+fn body_by_body(model: &Model, k: &mut Kinematics, bodies: &[&Body]) -> Contributions {
+    let mut found = Contributions::default();
+    for body in bodies {
+        translation(model, k, body, &mut found);
+        rotation(k, body, &mut found);
+    }
+    found
 }
 
 /// Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
-fn translation(model: &Model, k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+fn translation(model: &Model, k: &mut Kinematics, body: &Body, found: &mut Contributions) {
     let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { return };
     if k.dag.is_zero(mass) {
         return;
@@ -38,13 +79,11 @@ fn translation(model: &Model, k: &mut Kinematics, body: &Body, parts: &mut Unpro
     }
     let products = cheapest_products(k, body, &motion);
     for (a, b, product) in products.mass {
-        let term = k.dag.mul(mass, product);
-        parts.add_mass(&mut k.dag, a, b, term);
+        found.mass.push((a, b, k.dag.mul(mass, product)));
     }
     for (a, product) in products.force {
         let term = k.dag.mul(mass, product);
-        let term = k.dag.negate(term);
-        parts.add_force(&mut k.dag, a, term);
+        found.force.push((a, k.dag.negate(term)));
     }
 }
 
@@ -112,7 +151,7 @@ fn cost(k: &Kinematics, products: &Products) -> usize {
     k.dag.cone_cost(&roots)
 }
 
-fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
+fn rotation(k: &mut Kinematics, body: &Body, found: &mut Contributions) {
     let Some(frame) = body.frame else { return };
     let Some(inertia) = inertia_matrix(k, body) else { return };
     let triad = k.frame_triad[frame];
@@ -125,12 +164,11 @@ fn rotation(k: &mut Kinematics, body: &Body, parts: &mut Unprojected) {
         for (b, other) in &partials[i..] {
             let term = dot_components(&mut k.dag, &momentum, other);
             if !k.dag.is_zero(term) {
-                parts.add_mass(&mut k.dag, *a, *b, term);
+                found.mass.push((*a, *b, term));
             }
         }
         let term = dot_components(&mut k.dag, w, &moment);
-        let term = k.dag.negate(term);
-        parts.add_force(&mut k.dag, *a, term);
+        found.force.push((*a, k.dag.negate(term)));
     }
 }
 

@@ -1,7 +1,8 @@
 //! Dynamics: Kane's equations F_r + F*_r = 0 in the independent speeds.
 //!
-//! Over all unknowns y (speeds and lifted twists) the inertia is sparse; the solution of the
-//! constraints, y = T u and y' = T u' + beta, projects it: M = T' M_y T, forcing = T' (F_y - h_y - M_y beta).
+//! Over all unknowns y (speeds and lifted twists) the inertia is sparse; the eliminations that solve the
+//! constraints, y = sum c z and y' = sum c z' + b, reduce it one unknown at a time (`reduce`): what comes
+//! out is M = T' M_y T and T' (F_y - h_y - M_y beta), with y = T u, but T itself is never formed.
 //! No mass matrix of the dependent speeds is ever inverted.
 
 mod active_force;
@@ -10,8 +11,12 @@ mod chain;
 mod composite;
 mod energy;
 mod inertia_force;
+mod reduce;
 mod segment;
+mod segment_inertia;
 mod solve;
+mod spatial;
+mod tree;
 
 pub use augmented::Augmented;
 
@@ -20,7 +25,7 @@ use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
-use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
@@ -90,7 +95,7 @@ pub fn derive(
     let segments = segment::sparse_tree(model, k);
     match &segments {
         Some(segments) => {
-            composite::accumulate(k, segments, &mut parts);
+            segment_inertia::accumulate(k, segments, &mut parts);
             inertia_force::rotations(model, k, &mut parts);
         }
         None => inertia_force::accumulate(model, k, &mut parts),
@@ -99,7 +104,7 @@ pub fn derive(
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
     let augmented = augmented::derive(k, solution, &parts, &values);
-    let (mass_matrix, forcing) = project(k, solution, &parts);
+    let (mass_matrix, forcing) = reduce::reduce(k, solution, parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
     let (u_dot, pivots) =
@@ -141,99 +146,20 @@ fn accelerations(
     }
 }
 
-/// y = T u for every unknown that is not an independent speed; named after the unknown.
+/// Value of every unknown that is not an independent speed, each from those eliminated after it;
+/// named after the unknown.
 fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
-    let independent: Vec<ExprId> = (k.unknowns.iter())
-        .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
-        .map(|u| u.value)
-        .collect();
-    let mut values = HashMap::default();
-    for (id, partials) in &solution.partials {
-        let unknown = k.unknowns[*id].clone();
-        if matches!(unknown.kind, UnknownKind::Independent(_)) {
-            continue;
-        }
-        let terms: Vec<_> = partials.iter().zip(&independent).map(|(&t, &u)| k.dag.mul(t, u)).collect();
+    let mut values: HashMap<UnknownId, ExprId> =
+        k.unknowns.enumerate().map(|(id, u)| (id, u.value)).collect();
+    let mut by_symbol = HashMap::default();
+    for step in solution.steps.iter().rev() {
+        let terms: Vec<_> = step.coefficients.iter().map(|(z, &c)| k.dag.mul(c, values[z])).collect();
         let value = k.dag.sum(&terms);
-        k.dag.name(value, &unknown.name);
-        if let Some(symbol) = k.dag.as_symbol(unknown.value) {
-            values.insert(symbol, value);
+        k.dag.name(value, &k.unknowns[step.unknown].name);
+        values.insert(step.unknown, value);
+        if let Some(symbol) = k.dag.as_symbol(k.unknowns[step.unknown].value) {
+            by_symbol.insert(symbol, value);
         }
     }
-    values
-}
-
-/// M = T' M_y T and T' (force - M_y beta), sums over the few non-zero entries.
-fn project(k: &mut Kinematics, solution: &Solution, parts: &Unprojected) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
-    let n = solution.partials.values().next().map_or(0, Vec::len);
-    let zero = k.dag.zero();
-    let mut mass_matrix = vec![vec![zero; n]; n];
-    let mut forcing = vec![zero; n];
-    // Rows of M_y that are not zero: unknown -> [(other, entry)].
-    let mut rows: BTreeMap<UnknownId, Vec<(UnknownId, ExprId)>> = BTreeMap::new();
-    for (&(a, b), &entry) in &parts.mass {
-        rows.entry(a).or_default().push((b, entry));
-        if a != b {
-            rows.entry(b).or_default().push((a, entry));
-        }
-    }
-    let dag = &mut k.dag;
-    for (a, entries) in &rows {
-        let t_a = &solution.partials[a];
-        // This row of M_y T, then its products with T': the upper triangle.
-        let weighted: Vec<ExprId> = (0..n)
-            .map(|column| {
-                let terms: Vec<_> =
-                    entries.iter().map(|(b, m)| dag.mul(*m, solution.partials[b][column])).collect();
-                dag.sum(&terms)
-            })
-            .collect();
-        for (row, entry) in mass_matrix.iter_mut().enumerate() {
-            for (total, &w) in entry.iter_mut().zip(&weighted).skip(row) {
-                let term = dag.mul(t_a[row], w);
-                *total = dag.add(*total, term);
-            }
-        }
-    }
-    let acting: Vec<UnknownId> = solution.partials.keys().copied().collect();
-    for a in acting {
-        let mut force = parts.force.get(&a).copied().unwrap_or(zero);
-        for (b, m) in rows.get(&a).into_iter().flatten() {
-            let term = dag.mul(*m, solution.bias[b]);
-            force = dag.sub(force, term);
-        }
-        for (total, &t) in forcing.iter_mut().zip(&solution.partials[&a]) {
-            let term = dag.mul(t, force);
-            *total = dag.add(*total, term);
-        }
-    }
-    let upper = mass_matrix.clone();
-    for (row, entries) in mass_matrix.iter_mut().enumerate() {
-        for (entry, above) in entries.iter_mut().zip(&upper).take(row) {
-            *entry = above[row];
-        }
-    }
-    name_matrix(k, solution, &mass_matrix, &forcing);
-    (mass_matrix, forcing)
-}
-
-/// Names for partial velocities, mass matrix and forcing.
-fn name_matrix(k: &mut Kinematics, solution: &Solution, mass: &[Vec<ExprId>], forcing: &[ExprId]) {
-    let speeds: Vec<String> = (k.unknowns.iter())
-        .filter(|u| matches!(u.kind, UnknownKind::Independent(_)))
-        .map(|u| u.name.clone())
-        .collect();
-    for (&id, partials) in &solution.partials {
-        let name = k.unknowns[id].name.clone();
-        for (&partial, speed) in partials.iter().zip(&speeds) {
-            k.dag.name(partial, &format!("{name}_per_{speed}"));
-        }
-        k.dag.name(solution.bias[&id], &format!("{name}_dot_bias"));
-    }
-    for (i, row) in mass.iter().enumerate() {
-        for j in i..row.len() {
-            k.dag.name(row[j], &format!("mass_{}_{}", speeds[i], speeds[j]));
-        }
-        k.dag.name(forcing[i], &format!("forcing_{}", speeds[i]));
-    }
+    by_symbol
 }

@@ -35,9 +35,9 @@ struct Centre {
 
 /// Smaller trees gain nothing from their shared beginnings.
 const FEWEST_SEGMENTS: usize = 3;
-/// Segments that a speed moves, on the average. More, and nothing is gained: speeds that are relative from body to
+/// A speed moves fewer segments than this, on the average. With more nothing is gained: speeds that are relative from body to
 /// body move every segment farther out.
-const MOST_MOVED: usize = 2;
+const TOO_MANY_MOVED: usize = 2;
 
 /// The segments of a tree in which every speed moves few; none for others, nor where speeds depend on others:
 /// measured on the four-bar and the tile, sharing there gains nothing and costs accuracy.
@@ -48,7 +48,7 @@ pub(super) fn sparse_tree(model: &Model, k: &mut Kinematics) -> Option<Vec<Segme
     }
     let segments = tree(model, k);
     let moved: usize = segments.iter().map(|s| s.motion.partials.len()).sum();
-    (segments.len() >= FEWEST_SEGMENTS && moved <= MOST_MOVED * k.unknowns.len()).then_some(segments)
+    (segments.len() >= FEWEST_SEGMENTS && moved < TOO_MANY_MOVED * k.unknowns.len()).then_some(segments)
 }
 
 /// The segments, inner ones first. Bodies without mass have none; bodies with one centre share it.

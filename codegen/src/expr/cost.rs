@@ -1,8 +1,7 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::{Binary, Dag, ExprId, Node, Unary};
-use crate::id::Id;
+use super::{Binary, Dag, Dependence, ExprId, Node, Unary};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
 
@@ -75,6 +74,14 @@ impl Dag {
         }
     }
 
+    /// Operations needed for `roots` together at every evaluation, shared parts once: what depends
+    /// on parameters alone is computed when they change.
+    #[must_use]
+    pub fn state_cost(&self, roots: &[ExprId]) -> usize {
+        let of_state = |&&id: &&ExprId| self.dependence(id) == Dependence::State && self.is_operation(id);
+        self.reachable(roots).iter().filter(of_state).count()
+    }
+
     /// Operations needed for `roots` together, shared parts once.
     #[must_use]
     pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
@@ -100,7 +107,7 @@ impl Dag {
     /// Free of symbols?
     #[must_use]
     pub fn is_constant(&self, id: ExprId) -> bool {
-        self.constant[id.index()]
+        self.dependence(id) == Dependence::Constant
     }
 
     /// Operations by kind, for the header of a generated file.

@@ -3,6 +3,7 @@
 use super::number::Number;
 use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
 
 impl Dag {
     /// Partial derivative of `expr` with respect to `symbol`.
@@ -10,42 +11,54 @@ impl Dag {
         // Ascending order: operands come before their node, so no recursion is needed.
         for id in self.reachable(&[expr]) {
             if !self.derivatives.contains_key(&(id, symbol)) {
-                let derivative = self.derivative_of_node(id, symbol);
+                let derivative = match self.as_symbol(id) {
+                    Some(s) if s == symbol => self.one(),
+                    _ => {
+                        let of = |a: Option<ExprId>| a.map(|a| self.derivatives[&(a, symbol)]);
+                        let changes = self.operands(id).map(of);
+                        self.change_of_node(id, changes)
+                    }
+                };
                 self.derivatives.insert((id, symbol), derivative);
             }
         }
         self.derivatives[&(expr, symbol)]
     }
 
-    fn derivative_of_node(&mut self, id: ExprId, symbol: SymbolId) -> ExprId {
+    /// Rate of `expr` when its symbols have the given rates and all others stand still.
+    ///
+    /// One sweep that keeps every factor whole: shorter than partial derivatives times rates
+    /// wherever a node depends on several symbols.
+    pub fn rate(&mut self, expr: ExprId, rates: &HashMap<SymbolId, ExprId>) -> ExprId {
+        let mut changes: HashMap<ExprId, ExprId> = HashMap::default();
+        for id in self.reachable(&[expr]) {
+            let change = match self.as_symbol(id).and_then(|symbol| rates.get(&symbol)) {
+                Some(&rate) => rate,
+                None => {
+                    let operands = self.operands(id).map(|a| a.map(|a| changes[&a]));
+                    self.change_of_node(id, operands)
+                }
+            };
+            changes.insert(id, change);
+        }
+        changes[&expr]
+    }
+
+    /// Change of a node from the changes of its operands; 0 for what has none.
+    fn change_of_node(&mut self, id: ExprId, changes: [Option<ExprId>; 2]) -> ExprId {
+        let zero = self.zero();
+        if changes.iter().flatten().all(|&change| change == zero) {
+            return zero;
+        }
+        let [da, db] = changes.map(|change| change.unwrap_or(zero));
         match self.node(id) {
-            Node::Number(_) | Node::Pi => self.zero(),
-            Node::Symbol(s) => {
-                if s == symbol {
-                    self.one()
-                } else {
-                    self.zero()
-                }
-            }
-            Node::Negate(a) => {
-                let da = self.derivatives[&(a, symbol)];
-                self.negate(da)
-            }
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => zero,
+            Node::Negate(_) => self.negate(da),
             Node::Unary(function, a) => {
-                let da = self.derivatives[&(a, symbol)];
-                if self.is_zero(da) {
-                    return da;
-                }
                 let slope = self.slope(function, a, id);
                 self.mul(slope, da)
             }
-            Node::Binary(operator, a, b) => {
-                let (da, db) = (self.derivatives[&(a, symbol)], self.derivatives[&(b, symbol)]);
-                if self.is_zero(da) && self.is_zero(db) {
-                    return da;
-                }
-                self.derivative_of_binary(operator, [a, b], [da, db], id)
-            }
+            Node::Binary(operator, a, b) => self.derivative_of_binary(operator, [a, b], [da, db], id),
         }
     }
 

@@ -72,14 +72,24 @@ pub enum Binary {
     Max,
 }
 
+/// What the value of a node may change with.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Dependence {
+    /// Free of symbols.
+    Constant,
+    /// Parameters only: needed once, until a parameter changes.
+    Parameters,
+    /// Time, coordinates, speeds or inputs.
+    State,
+}
+
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
     nodes: IdVec<ExprId, Node>,
-    /// Whether a node is free of symbols.
-    constant: Vec<bool>,
+    dependence: Vec<Dependence>,
     index: HashMap<Node, ExprId>,
-    symbols: IdVec<SymbolId, String>,
+    symbols: IdVec<SymbolId, (String, Dependence)>,
     names: HashMap<ExprId, String>,
     derivatives: HashMap<(ExprId, SymbolId), ExprId>,
 }
@@ -87,7 +97,13 @@ pub struct Dag {
 impl Dag {
     /// A new free symbol. Two symbols may share a name; they stay two.
     pub fn symbol(&mut self, name: &str) -> ExprId {
-        let symbol = self.symbols.push(name.to_owned());
+        let symbol = self.symbols.push((name.to_owned(), Dependence::State));
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// A new symbol that stands for a parameter.
+    pub fn parameter(&mut self, name: &str) -> ExprId {
+        let symbol = self.symbols.push((name.to_owned(), Dependence::Parameters));
         self.intern(Node::Symbol(symbol))
     }
 
@@ -109,10 +125,16 @@ impl Dag {
         self.nodes[id]
     }
 
+    /// What its value may change with.
+    #[must_use]
+    pub fn dependence(&self, id: ExprId) -> Dependence {
+        self.dependence[id.index()]
+    }
+
     /// Name of a symbol.
     #[must_use]
     pub fn symbol_name(&self, symbol: SymbolId) -> &str {
-        &self.symbols[symbol]
+        &self.symbols[symbol].0
     }
 
     /// The symbol that `id` is, if it is one.
@@ -163,14 +185,14 @@ impl Dag {
         if let Some(&id) = self.index.get(&node) {
             return id;
         }
-        let constant = match node {
-            Node::Number(_) | Node::Pi => true,
-            Node::Symbol(_) => false,
-            Node::Negate(a) | Node::Unary(_, a) => self.is_constant(a),
-            Node::Binary(_, a, b) => self.is_constant(a) && self.is_constant(b),
+        let dependence = match node {
+            Node::Number(_) | Node::Pi => Dependence::Constant,
+            Node::Symbol(symbol) => self.symbols[symbol].1,
+            Node::Negate(a) | Node::Unary(_, a) => self.dependence(a),
+            Node::Binary(_, a, b) => self.dependence(a).max(self.dependence(b)),
         };
         let id = self.nodes.push(node);
-        self.constant.push(constant);
+        self.dependence.push(dependence);
         self.index.insert(node, id);
         id
     }

@@ -1,4 +1,5 @@
-//! Local identities, one per line, directed: the right side never costs more than the left.
+//! Local identities, one per line, directed: the right side never costs more than the left (a square
+//! root less than two transcendental functions).
 
 use super::number::Number;
 use super::{Binary, Dag, ExprId, Node, Unary};
@@ -15,7 +16,7 @@ pub(super) fn negate(dag: &mut Dag, a: ExprId) -> Option<ExprId> {
 
 /// Shorter form of f(a).
 pub(super) fn unary(dag: &mut Dag, function: Unary, a: ExprId) -> Option<ExprId> {
-    use Unary::{Abs, Asin, Cos, Sign, Sin, Sqrt, Tan, Tanh};
+    use Unary::{Abs, Acos, Asin, Cos, Sign, Sin, Sqrt, Tan, Tanh};
     if let Node::Negate(x) = dag.node(a) {
         match function {
             Sin | Tan | Asin | Tanh | Sign => {
@@ -25,6 +26,15 @@ pub(super) fn unary(dag: &mut Dag, function: Unary, a: ExprId) -> Option<ExprId>
             Cos | Abs => return Some(dag.unary(function, x)), // even: f(-x) = f(x)
             _ => {}
         }
+    }
+    if let (Sin | Cos, Node::Unary(inverse @ (Asin | Acos), x)) = (function, dag.node(a)) {
+        if (function == Sin) == (inverse == Asin) {
+            return Some(x); // sin(asin x) = x, cos(acos x) = x
+        }
+        let one = dag.one();
+        let square = dag.mul(x, x);
+        let rest = dag.sub(one, square);
+        return Some(dag.sqrt(rest)); // cos(asin x) = sin(acos x) = sqrt(1 - x^2): both ranges have it >= 0
     }
     if let (Sin | Cos, Some(angle)) = (function, degrees(dag, a))
         && let Some(exact) = sine_of_degrees(if function == Sin { angle } else { angle + 90.0 })

@@ -4,7 +4,7 @@
 //! all residuals at round-off. Far targets are reached from the nominal configuration along a
 //! straight line of the independent coordinates, so the branch connected to nominal is found.
 
-use super::{Kinematics, linear};
+use super::{Kinematics, linear, speed_map};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
 use crate::expr::tape::Tape;
@@ -19,6 +19,8 @@ const MAX_STEPS: usize = 64;
 const MAX_CORRECTIONS: usize = 25;
 /// Residual (SI units, sizes of order 1) that counts as satisfied.
 const SATISFIED: f64 = 1e-12;
+/// A residual of closed forms that is more than rounding.
+const CONTRADICTION: f64 = 1e-9;
 /// Largest correction of one Newton step: farther means another branch or a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
 
@@ -156,6 +158,7 @@ impl Assembly {
 
 /// Fills the samples: nominal, stated configurations, random ones.
 pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    closed_forms(model, k)?;
     let mut assembly = Assembly::new(model, k);
     let state: Vec<CoordinateId> =
         model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
@@ -195,6 +198,46 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
     }
     k.samples = samples;
     Ok(())
+}
+
+/// Puts closed forms into the residuals. Those that hold by the forms alone are solved already.
+///
+/// # Errors
+/// If closed forms contradict a constraint that nothing else could satisfy.
+fn closed_forms(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    if k.closed_forms.is_empty() || k.residuals.is_empty() {
+        return Ok(());
+    }
+    let forms = k.closed_form_values();
+    let residuals = k.dag.substitute(&k.residuals.clone(), &forms);
+    let mut table = speed_map::screening_table(model, k);
+    let free: Vec<SymbolId> = (model.coordinates.enumerate())
+        .filter(|(_, c)| !c.independent)
+        .filter_map(|(id, _)| k.coordinate_symbol(id))
+        .collect();
+    let mut found = Diagnostics::new(model.source.clone());
+    let mut kept = Vec::new();
+    for (residual, place) in residuals.into_iter().zip(std::mem::take(&mut k.residual_names)) {
+        if k.dag.symbols_of(residual).iter().any(|symbol| free.contains(symbol)) {
+            kept.push((residual, place));
+            continue;
+        }
+        // Outside the reachable range a form may be no number.
+        let values = table.values(&k.dag, residual).iter().filter(|r| r.is_finite());
+        let worst = values.fold(0.0_f64, |worst, r| worst.max(r.abs()));
+        if CONTRADICTION < worst {
+            found.push(
+                Diagnostic::error(format!("the closed forms contradict `{}`", place.name))
+                    .label(
+                        place.span,
+                        format!("off by up to {worst:.1e} within the ranges of the coordinates"),
+                    )
+                    .help("correct the closed forms of the coordinates that occur here, or the constraint"),
+            );
+        }
+    }
+    (k.residuals, k.residual_names) = kept.into_iter().unzip();
+    found.finish(())
 }
 
 fn in_range(model: &Model, state: &[CoordinateId], q: &[f64]) -> bool {

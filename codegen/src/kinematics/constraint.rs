@@ -7,7 +7,7 @@
 //! Any set of independent rows that spans all of them is equivalent on the constraints.
 
 use super::velocity::{self, Motion, Rate};
-use super::{Kinematics, Place, UnknownId, lower, orientation, position};
+use super::{Kinematics, Place, UnknownId, lower, orientation, position, rank};
 use crate::expr::ExprId;
 use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
@@ -75,18 +75,35 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
         }
     }
     for constraint in &model.motion_constraints {
-        let scalars = match lower::value(k, &constraint.expression) {
-            lower::Value::Vector(v) => k.triads.express(&mut k.dag, &v, TriadId::from_index(0)).to_vec(),
-            lower::Value::Scalar(e) => vec![e],
-            lower::Value::Pending => Vec::new(),
-        };
-        for e in scalars {
-            rows.extend(motion_row(k, &constraint.name, e));
+        match lower::value(k, &constraint.expression) {
+            lower::Value::Vector(v) => {
+                let motion = velocity::linear_motion(k, &v);
+                let triads = triads_of(&motion);
+                // A component that vanishes all the time has a rate that vanishes, in any triad.
+                for &triad in &triads {
+                    for e in k.triads.express(&mut k.dag, &v, triad) {
+                        rows.extend(motion_row(k, &constraint.name, e));
+                    }
+                }
+                let (name, residual) = (constraint.name.clone(), Vector::zero());
+                rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
+            }
+            lower::Value::Scalar(e) => rows.extend(motion_row(k, &constraint.name, e)),
+            lower::Value::Pending => {}
         }
     }
-    rows.extend(speeds_in_closed_form(model, k));
     rows.sort_by_key(|row| row.cost);
     k.rows = rows;
+}
+
+/// Adds the derivatives of closed forms where the constraints do not give all dependent speeds.
+pub(super) fn complete(model: &Model, k: &mut Kinematics) {
+    if k.is_state.iter().all(|&state| state) || rank::determined(model, k) {
+        return;
+    }
+    let rows = speeds_in_closed_form(model, k);
+    k.rows.extend(rows);
+    k.rows.sort_by_key(|row| row.cost);
 }
 
 /// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.
@@ -95,7 +112,11 @@ fn speeds_in_closed_form(model: &Model, k: &mut Kinematics) -> Vec<Row> {
     for (speed, declared) in model.speeds.enumerate() {
         let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
         if !k.is_state[coordinate] {
-            let closed = k.rates[coordinate].clone();
+            let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
+            let closed = match form {
+                Some(form) => velocity::scalar_rate(k, form),
+                None => k.rates[coordinate].clone(),
+            };
             let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.negate(closed.bias) };
             for (unknown, partial) in closed.partials {
                 let partial = k.dag.negate(partial);
@@ -280,11 +301,8 @@ fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
             continue;
         }
         rate.partials.insert(unknown, coefficient);
-        let change = velocity::scalar_rate(k, coefficient);
-        let change = velocity::rate_value(k, &change);
-        let term = k.dag.mul(change, value);
-        rate.bias = k.dag.add(rate.bias, term);
     }
+    rate.bias = velocity::configuration_rate(k, e);
     let zero = k.dag.zero();
     row(k, name, rate, zero)
 }

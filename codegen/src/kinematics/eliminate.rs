@@ -1,6 +1,6 @@
 //! Dependent speeds and lifted unknowns by one sparse symbolic elimination.
 //!
-//! In: candidate rows. Out: T, beta and delta with y = T u, y' = T u' + beta for all unknowns y, and
+//! In: candidate rows. Out: for every unknown y one step y = sum c z, y' = sum c z' + b; T with y = T u; and
 //! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
 //! are independent at every sampled configuration.
 
@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
 const INDEPENDENT: f64 = 1e-3;
+/// A row that adds more operations than this is worth a search for a cheaper one.
+const DEAR: usize = 100;
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 
@@ -34,14 +36,26 @@ pub struct Pivot {
 pub struct Solution {
     /// `speeds[y][j]`: coefficient of independent speed j in y. Independent speeds are in it too.
     pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
-    /// y' without the independent accelerations.
-    pub bias: BTreeMap<UnknownId, ExprId>,
     /// Newton's correction of what y is the rate of.
     pub correction: BTreeMap<UnknownId, ExprId>,
     /// Pivots that are not constants, in order.
     pub pivots: Vec<Pivot>,
+    /// The same, each unknown by those after it and the independent ones, in the order of the elimination.
+    pub steps: Vec<Step>,
     /// The rows that were solved.
     pub rows: Vec<Row>,
+}
+
+/// A dependent unknown by unknowns that are eliminated after it and by independent ones:
+/// `y = sum coefficients[z] z`, `y' = sum coefficients[z] z' + bias`.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// The dependent unknown y.
+    pub unknown: UnknownId,
+    /// Non-zero coefficients.
+    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    /// Acceleration level: what the speeds contribute.
+    pub bias: ExprId,
 }
 
 /// Solves for every unknown.
@@ -56,11 +70,12 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
     let chosen = choose(model, k, table, &unknown)?;
     let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
-    let Some((values, pivots)) = sparse::solve(&mut k.dag, table, equations) else {
+    let eliminations = sparse::eliminate(&mut k.dag, table, equations);
+    let Some(values) = sparse::back_substitute(&mut k.dag, &eliminations) else {
         return Err(rank::explain(model, k, table, None));
     };
     let mut solution = Solution::default();
-    for pivot in k.rate_pivots.iter().copied().chain(pivots) {
+    for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
         record(&k.dag, table, pivot, &mut solution.pivots);
     }
     let n = independent.len();
@@ -68,18 +83,25 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         let (zero, one) = (k.dag.zero(), k.dag.one());
         let unit = (0..n).map(|j| if j == column { one } else { zero }).collect();
         solution.partials.insert(id, unit);
-        solution.bias.insert(id, zero);
         solution.correction.insert(id, zero);
     }
+    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, &independent)).collect();
     for (id, mut values) in values {
         solution.correction.insert(id, values[n + 1]);
-        solution.bias.insert(id, values[n]);
         values.truncate(n);
         solution.partials.insert(id, values);
     }
     check_consequences(model, k, table, &solution)?;
     solution.rows = chosen;
     Ok(solution)
+}
+
+/// An elimination with the right-hand sides of the independent speeds among the coefficients.
+fn step(dag: &Dag, elimination: sparse::Elimination, independent: &[UnknownId]) -> Step {
+    let mut coefficients = elimination.coefficients;
+    coefficients.extend(independent.iter().copied().zip(elimination.right.iter().copied()));
+    coefficients.retain(|_, c| !dag.is_zero(*c));
+    Step { unknown: elimination.unknown, coefficients, bias: elimination.right[independent.len()] }
 }
 
 /// Takes independent rows, each time the one that adds the fewest operations to those taken.
@@ -118,7 +140,74 @@ fn choose(
         pay(&k.dag, row, &mut paid);
         chosen.push(row.clone());
     }
+    exchange(k, table, &column, &mut chosen);
     Ok(chosen)
+}
+
+/// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
+/// dear where others bring what it needs.
+fn exchange(k: &Kinematics, table: &mut SampleTable, column: &HashMap<UnknownId, usize>, chosen: &mut [Row]) {
+    for _ in 0..chosen.len() {
+        let without = |i: usize| {
+            let mut paid = HashSet::default();
+            chosen
+                .iter()
+                .enumerate()
+                .filter(|(j, _)| *j != i)
+                .for_each(|(_, row)| pay(&k.dag, row, &mut paid));
+            paid
+        };
+        let mut prices: Vec<(usize, usize)> =
+            (0..chosen.len()).map(|i| (added_cost(k, &chosen[i], &without(i)), i)).collect();
+        prices.retain(|(price, _)| *price > DEAR);
+        prices.sort_by_key(|&(price, i)| (std::cmp::Reverse(price), i));
+        let better = prices.iter().find_map(|&(price, i)| {
+            let others: Vec<&Row> =
+                chosen.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
+            cheaper(k, table, column, &others, &without(i), price).map(|row| (i, row))
+        });
+        let Some((i, row)) = better else { return };
+        chosen[i] = row;
+    }
+}
+
+/// The cheapest row below `price` that is independent of `others`.
+fn cheaper(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    column: &HashMap<UnknownId, usize>,
+    others: &[&Row],
+    paid: &HashSet<ExprId>,
+    price: usize,
+) -> Option<Row> {
+    let mut list: Vec<(usize, &Row)> = (k.rows.iter())
+        .map(|row| (added_cost(k, row, paid), row))
+        .filter(|(cost, _)| *cost < price)
+        .collect();
+    list.sort_by_key(|(cost, _)| *cost);
+    list.into_iter().map(|(_, row)| row).find(|row| is_independent(k, table, column, others, row)).cloned()
+}
+
+/// Is `row` independent of `others` at every sample?
+fn is_independent(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    column: &HashMap<UnknownId, usize>,
+    others: &[&Row],
+    row: &Row,
+) -> bool {
+    let n = column.len();
+    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
+    for other in others {
+        let numbers = numeric_row(&k.dag, table, other, column, n);
+        for (basis, v) in bases.iter_mut().zip(numbers) {
+            let rest = orthogonal_part(&v, basis);
+            let length = norm(&rest);
+            basis.push(rest.into_iter().map(|x| x / length).collect());
+        }
+    }
+    let numbers = numeric_row(&k.dag, table, row, column, n);
+    numbers.iter().zip(&bases).all(|(v, basis)| norm(&orthogonal_part(v, basis)) > INDEPENDENT)
 }
 
 /// Operations that a row adds to the expressions paid for already, plus what an entry costs later.
@@ -274,6 +363,10 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     }
     for unknown in k.unknowns.iter() {
         set(&k.dag, unknown.value, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
+    }
+    for &(coordinate, form) in &k.closed_forms {
+        let values = SampleTable::new(symbols.clone(), points).values(&k.dag, form).to_vec();
+        symbols.extend(k.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
     }
     SampleTable::new(symbols, points)
 }

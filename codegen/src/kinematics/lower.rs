@@ -46,6 +46,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         time,
         q,
         is_state,
+        closed_forms: Vec::new(),
         inputs,
         parameters: model.parameters.iter().map(|_| zero).collect(),
         parameter_values: model.parameter_defaults(),
@@ -79,7 +80,7 @@ fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
         }
         let kept = parameter.tunable || choice.keep.contains(&parameter.name);
         k.parameters[id] = match (kept, set) {
-            (true, _) => k.dag.symbol(&parameter.name),
+            (true, _) => k.dag.parameter(&parameter.name),
             (false, Some(value)) => k.dag.constant(value),
             (false, None) => scalar(k, &parameter.value),
         };

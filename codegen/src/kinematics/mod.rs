@@ -24,6 +24,7 @@ use crate::id::{Id, IdVec, ids};
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
 use crate::source::Span;
 use crate::vector::{TriadId, Triads, Vector};
+use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
 pub use assemble::{Assembly, Unreachable, tunable_values};
@@ -32,7 +33,10 @@ pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub(crate) use position::flatten;
 pub use velocity::{Motion, Rate};
-pub(crate) use velocity::{motion_value as value_of, rate_value as rate_of};
+pub(crate) use velocity::{
+    derivative as derivative_of, is_lifted_triad, motion_value as value_of, rate_value as rate_of,
+    scalar_rate as scalar_rate_of,
+};
 
 ids! {
     /// An unknown of the velocity level: a speed, or a component of a lifted twist.
@@ -88,10 +92,13 @@ pub struct Kinematics {
     pub triads: Triads,
     /// Time.
     pub time: ExprId,
-    /// Coordinates: symbols, or closed forms of other coordinates.
+    /// Coordinates: symbols, those of [`Self::closed_forms`] included, or closed forms of other coordinates.
     pub q: IdVec<CoordinateId, ExprId>,
     /// Is the coordinate state? (Else it is given in closed form.)
     pub is_state: IdVec<CoordinateId, bool>,
+    /// Coordinates in closed form that the derivation treats as symbols, with their forms, in an order in which
+    /// each form needs earlier ones only.
+    pub closed_forms: Vec<(CoordinateId, ExprId)>,
     /// Inputs: symbols.
     pub inputs: IdVec<InputId, ExprId>,
     /// Parameters: symbols where tunable, folded expressions where fixed.
@@ -135,6 +142,25 @@ impl Kinematics {
         if self.is_state[coordinate] { self.dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
+    /// Symbol that a coordinate has while velocities are derived: state, or closed form put in at the end.
+    pub(crate) fn variable(&self, coordinate: CoordinateId) -> Option<SymbolId> {
+        let is_variable =
+            self.is_state[coordinate] || self.closed_forms.iter().any(|(c, _)| *c == coordinate);
+        if is_variable { self.dag.as_symbol(self.q[coordinate]) } else { None }
+    }
+
+    /// What stands for the symbols of coordinates in closed form: functions of the state.
+    pub(crate) fn closed_form_values(&mut self) -> HashMap<SymbolId, ExprId> {
+        let mut values = HashMap::default();
+        for (coordinate, form) in self.closed_forms.clone() {
+            let value = self.dag.substitute(&[form], &values)[0];
+            if let Some(symbol) = self.dag.as_symbol(self.q[coordinate]) {
+                values.insert(symbol, value);
+            }
+        }
+        values
+    }
+
     /// The unknown of a speed.
     #[must_use]
     pub fn unknown_of(&self, speed: SpeedId) -> UnknownId {
@@ -155,5 +181,6 @@ pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Kinematics, Dia
     velocity::derive(model, &mut k);
     constraint::derive(model, &mut k);
     assemble::derive(model, &mut k)?;
+    constraint::complete(model, &mut k);
     Ok(k)
 }

@@ -2,7 +2,7 @@
 //! form, in the model's order.
 
 use super::lower::{self, Value};
-use super::{Kinematics, orientation};
+use super::{Kinematics, orientation, speed_map};
 use crate::model::{Entity, Model, PointId};
 use crate::vector::Vector;
 
@@ -25,8 +25,14 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             Entity::Coordinate(id) => {
                 if let Some(form) = &model.coordinates[id].closed_form {
                     let value = lower::scalar(k, form);
-                    k.dag.name(value, &model.coordinates[id].name);
-                    k.q[id] = value;
+                    let name = &model.coordinates[id].name;
+                    k.dag.name(value, name);
+                    k.q[id] = if speed_map::is_variable(model, id) {
+                        k.closed_forms.push((id, value));
+                        k.dag.symbol(name)
+                    } else {
+                        value
+                    };
                 }
             }
             Entity::Frame(id) => orientation::derive(model, k, id),

@@ -29,6 +29,16 @@ fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec
     bases.iter().map(Vec::len).collect()
 }
 
+/// Do the rows give every dependent unknown, at every sample?
+pub(super) fn determined(model: &Model, k: &Kinematics) -> bool {
+    let dependent: Vec<UnknownId> = (k.unknowns.enumerate())
+        .filter(|(_, u)| !matches!(u.kind, UnknownKind::Independent(_)))
+        .map(|(id, _)| id)
+        .collect();
+    let mut table = super::eliminate::sample_table(model, k);
+    ranks(k, &mut table, &dependent).iter().all(|&rank| rank == dependent.len())
+}
+
 /// Why the dependent unknowns cannot be solved for, or why there is a row too many (`extra`).
 pub(super) fn explain(
     model: &Model,

@@ -24,14 +24,19 @@ pub(crate) struct Equation {
 /// Values of the unknowns for every right-hand side.
 pub(crate) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
 
-/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
-pub(crate) fn solve(
-    dag: &mut Dag,
-    table: &mut SampleTable,
-    equations: Vec<Equation>,
-) -> Option<(Values, Vec<ExprId>)> {
-    let screening = Screening { sizes: BTreeMap::new(), last_resort: true };
-    solve_screened(dag, table, equations, &screening)
+/// An unknown by those that are eliminated after it: `y = (sum coefficients[z] z + right) / divisor`.
+#[derive(Clone, Debug)]
+pub(crate) struct Elimination {
+    /// What is eliminated.
+    pub unknown: UnknownId,
+    /// The expression divided by.
+    pub pivot: ExprId,
+    /// Non-zero coefficients.
+    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    /// Right-hand sides.
+    pub right: Vec<ExprId>,
+    /// 1, or the pivot where the sum is divided by it, not its terms.
+    pub divisor: ExprId,
 }
 
 /// What a pivot must pass.
@@ -40,35 +45,59 @@ pub(crate) struct Screening {
     pub sizes: BTreeMap<UnknownId, f64>,
     /// Take the safest entry where none is safe? Else there is no solution.
     pub last_resort: bool,
+    /// Divide the sum, not its terms, where no other equation holds the unknown: shorter, if only the values are
+    /// wanted.
+    pub divide_sums: bool,
 }
 
-/// [`solve`] with pivots screened in another way.
-pub(crate) fn solve_screened(
+/// Triangular form of the equations, in the order of the elimination.
+pub(crate) fn eliminate(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    equations: Vec<Equation>,
+) -> Vec<Elimination> {
+    let screening = Screening { sizes: BTreeMap::new(), last_resort: true, divide_sums: false };
+    eliminate_screened(dag, table, equations, &screening)
+}
+
+/// [`eliminate`] with pivots screened in another way; what has no pivot is left out.
+pub(crate) fn eliminate_screened(
     dag: &mut Dag,
     table: &mut SampleTable,
     mut equations: Vec<Equation>,
     screening: &Screening,
-) -> Option<(Values, Vec<ExprId>)> {
-    let mut done: Vec<(UnknownId, ExprId, Equation)> = Vec::new();
-    let mut pivots = Vec::new();
+) -> Vec<Elimination> {
+    let mut done = Vec::new();
     let mut candidates: Vec<Vec<Candidate>> =
         equations.iter().map(|e| candidates_of(dag, table, e, &screening.sizes)).collect();
-    while !equations.is_empty() {
-        let (r, column) = pick(&candidates, screening.last_resort)?;
+    while let Some((r, column)) = pick(&candidates, screening.last_resort) {
         let row = equations.swap_remove(r);
         candidates.swap_remove(r);
         let pivot = row.coefficients[&column];
         // Its value at the samples, before what follows adds nodes.
         table.values(dag, pivot);
-        pivots.push(pivot);
+        let alone = equations.iter().all(|other| !other.coefficients.contains_key(&column));
+        let divisor = if alone && screening.divide_sums { pivot } else { dag.one() };
+        let step = solved_for(dag, row, column, pivot, divisor);
         for (other, theirs) in equations.iter_mut().zip(&mut candidates) {
-            if subtract(dag, other, &row, column, pivot) {
+            if substitute(dag, other, &step) {
                 *theirs = candidates_of(dag, table, other, &screening.sizes);
             }
         }
-        done.push((column, pivot, row));
+        done.push(step);
     }
-    Some((back_substitute(dag, done)?, pivots))
+    done
+}
+
+/// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
+pub(crate) fn solve(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    equations: Vec<Equation>,
+) -> Option<(Values, Vec<ExprId>)> {
+    let done = eliminate(dag, table, equations);
+    let values = back_substitute(dag, &done)?;
+    Some((values, done.into_iter().map(|step| step.pivot).collect()))
 }
 
 /// An entry as a pivot.
@@ -126,18 +155,34 @@ fn pick(rows: &[Vec<Candidate>], last_resort: bool) -> Option<(usize, UnknownId)
     safe.min_by_key(score).or_else(safest).map(|(r, _, c)| (r, c.column))
 }
 
-/// `other -= (other[column] / pivot) row`; false if there is nothing to subtract.
-fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: UnknownId, pivot: ExprId) -> bool {
-    let Some(entry) = other.coefficients.remove(&column) else { return false };
-    let factor = dag.div(entry, pivot);
-    for (&c, &x) in &row.coefficients {
-        if c == column {
-            continue;
-        }
-        let product = dag.mul(factor, x);
+/// The row solved for an unknown. Divided by its pivot unless that is the divisor: every later use shares the
+/// quotients.
+fn solved_for(
+    dag: &mut Dag,
+    row: Equation,
+    unknown: UnknownId,
+    pivot: ExprId,
+    divisor: ExprId,
+) -> Elimination {
+    let mut coefficients = row.coefficients;
+    coefficients.remove(&unknown);
+    let factor = if dag.is_one(divisor) { pivot } else { dag.one() };
+    for x in coefficients.values_mut() {
+        let quotient = dag.div(*x, factor);
+        *x = dag.negate(quotient);
+    }
+    let right = row.right.into_iter().map(|x| dag.div(x, factor)).collect();
+    Elimination { unknown, pivot, coefficients, right, divisor }
+}
+
+/// Puts an unknown's expression in its place; false if it has none.
+fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> bool {
+    let Some(entry) = other.coefficients.remove(&step.unknown) else { return false };
+    for (&c, &x) in &step.coefficients {
+        let product = dag.mul(entry, x);
         let new = match other.coefficients.get(&c) {
-            Some(&mine) => dag.sub(mine, product),
-            None => dag.negate(product),
+            Some(&mine) => dag.add(mine, product),
+            None => product,
         };
         if dag.is_zero(new) {
             other.coefficients.remove(&c);
@@ -145,27 +190,25 @@ fn subtract(dag: &mut Dag, other: &mut Equation, row: &Equation, column: Unknown
             other.coefficients.insert(c, new);
         }
     }
-    for (mine, &x) in other.right.iter_mut().zip(&row.right) {
-        let product = dag.mul(factor, x);
+    for (mine, &x) in other.right.iter_mut().zip(&step.right) {
+        let product = dag.mul(entry, x);
         *mine = dag.sub(*mine, product);
     }
     true
 }
 
-fn back_substitute(dag: &mut Dag, done: Vec<(UnknownId, ExprId, Equation)>) -> Option<Values> {
+/// Every unknown by the right-hand sides alone; None if one never had a pivot.
+pub(crate) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Values> {
     let mut known = Values::new();
-    for (column, pivot, row) in done.into_iter().rev() {
-        let mut values = row.right;
-        for (other, coefficient) in row.coefficients {
-            if other == column {
-                continue;
-            }
-            for (value, &x) in values.iter_mut().zip(known.get(&other)?) {
+    for step in done.iter().rev() {
+        let mut values = step.right.clone();
+        for (other, &coefficient) in &step.coefficients {
+            for (value, &x) in values.iter_mut().zip(known.get(other)?) {
                 let product = dag.mul(coefficient, x);
-                *value = dag.sub(*value, product);
+                *value = dag.add(*value, product);
             }
         }
-        known.insert(column, values.into_iter().map(|v| dag.div(v, pivot)).collect());
+        known.insert(step.unknown, values.into_iter().map(|v| dag.div(v, step.divisor)).collect());
     }
     Some(known)
 }

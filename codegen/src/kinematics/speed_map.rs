@@ -2,8 +2,9 @@
 //!
 //! In: every speed as the rate of a coordinate or as a linear combination u = Y(q) q_dot. Out: the
 //! rates as linear forms in the speeds, N = Y^-1 by sparse elimination with pivots screened at random
-//! configurations. A coordinate in closed form is no state: its rate follows from those of the
-//! coordinates that it is a function of, and a speed of its own is a dependent one.
+//! configurations. A coordinate in closed form is no state. With a speed of its own it takes part like
+//! one: its rate is that speed, a dependent one, and constraint rows give it where they are shorter than
+//! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
 
 use super::sparse::{self, Equation};
 use super::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, assemble, lower, velocity};
@@ -25,12 +26,12 @@ const SINGULAR: f64 = 1e-9;
 pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     let (zero, one) = (k.dag.zero(), k.dag.one());
     k.rates = model.coordinates.iter().map(|_| Rate { partials: BTreeMap::new(), bias: zero }).collect();
-    if model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::Combination(_))) {
+    if has_combinations(model) {
         invert(model, k)?;
     } else {
         for (speed, declared) in model.speeds.enumerate() {
             if let SpeedMeaning::RateOf(coordinate) = declared.meaning
-                && k.is_state[coordinate]
+                && k.variable(coordinate).is_some()
             {
                 k.rates[coordinate].partials.insert(UnknownId::from_index(speed.index()), one);
             }
@@ -40,10 +41,20 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
     Ok(())
 }
 
+fn has_combinations(model: &Model) -> bool {
+    model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::Combination(_)))
+}
+
+/// Does a coordinate in closed form have a rate that is an unknown of its own?
+pub(super) fn is_variable(model: &Model, coordinate: CoordinateId) -> bool {
+    let own = |s: &Speed| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == coordinate);
+    model.speeds.iter().any(own) && !has_combinations(model)
+}
+
 /// Rates of coordinates in closed form, by the chain rule.
 fn closed_forms(model: &Model, k: &mut Kinematics) {
     for id in model.coordinates.ids() {
-        if !k.is_state[id] {
+        if k.variable(id).is_none() {
             k.rates[id] = velocity::scalar_rate(k, k.q[id]);
         }
     }
@@ -175,7 +186,7 @@ fn coefficients(
 }
 
 /// Coordinates at the nominal and at random places of their ranges, constraints or not.
-fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
+pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
     let mut random = assemble::Random(0x5CA1_AB1E);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     for (id, coordinate) in model.coordinates.enumerate() {

@@ -11,6 +11,7 @@ use crate::expr::number::Number;
 use crate::id::Id;
 use crate::model::{Axis, Entity, FrameId, Model, PointId};
 use crate::vector::{TriadId, Turn, Vector};
+use rustc_hash::FxHashMap as HashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Rate of a scalar: `s' = sum_k partials[k] y_k`, s'' = `sum_k partials[k] y_k' + bias`.
@@ -94,6 +95,11 @@ fn lifted_frames(model: &Model) -> impl Iterator<Item = FrameId> + '_ {
     model.frames.ids().filter(|&f| orientation::is_lifted(model, f))
 }
 
+/// Is the triad's angular velocity an unknown of its own?
+pub(crate) fn is_lifted_triad(model: &Model, k: &Kinematics, triad: TriadId) -> bool {
+    lifted_frames(model).any(|f| k.frame_triad[f] == triad)
+}
+
 /// Adds the unknown twist components of bodies that close loops.
 fn lift(model: &Model, k: &mut Kinematics) {
     for frame in lifted_frames(model) {
@@ -127,7 +133,7 @@ fn unknown_vector(k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
 }
 
 /// s' and the bias of s'' for a scalar function of the coordinates.
-pub(super) fn scalar_rate(k: &mut Kinematics, s: ExprId) -> Rate {
+pub(crate) fn scalar_rate(k: &mut Kinematics, s: ExprId) -> Rate {
     let zero = k.dag.zero();
     let mut rate = Rate { partials: BTreeMap::new(), bias: zero };
     if k.dag.is_constant(s) {
@@ -139,6 +145,9 @@ pub(super) fn scalar_rate(k: &mut Kinematics, s: ExprId) -> Rate {
 }
 
 /// sum_k (d/dt partial_k) y_k: what remains of the second derivative.
+///
+/// Either partial by partial, where products of speeds are shared, or as the rate of s' in one sweep:
+/// whichever is shorter.
 pub(super) fn bias_of(k: &mut Kinematics, partials: &BTreeMap<UnknownId, ExprId>) -> ExprId {
     let mut bias = k.dag.zero();
     for (&unknown, &partial) in partials {
@@ -150,7 +159,22 @@ pub(super) fn bias_of(k: &mut Kinematics, partials: &BTreeMap<UnknownId, ExprId>
             bias = k.dag.add(bias, term);
         }
     }
-    bias
+    let rate = Rate { partials: partials.clone(), bias };
+    let value = rate_value(k, &rate);
+    let swept = configuration_rate(k, value);
+    if k.dag.cone_cost(&[swept]) < k.dag.cone_cost(&[bias]) { swept } else { bias }
+}
+
+/// d/dt of an expression through the coordinates alone, the unknowns held.
+pub(super) fn configuration_rate(k: &mut Kinematics, e: ExprId) -> ExprId {
+    let mut rates = HashMap::default();
+    for coordinate in k.rates.ids() {
+        if let Some(symbol) = k.coordinate_symbol(coordinate) {
+            let rate = k.rates[coordinate].clone();
+            rates.insert(symbol, rate_value(k, &rate));
+        }
+    }
+    k.dag.rate(e, &rates)
 }
 
 /// Coefficients of the unknowns in s'.
@@ -161,7 +185,7 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
     }
     let symbols = k.dag.symbols_of(s);
     for coordinate in k.rates.ids() {
-        let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
+        let Some(symbol) = k.variable(coordinate) else { continue };
         if !symbols.contains(&symbol) {
             continue;
         }
@@ -180,22 +204,24 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
     partials
 }
 
-/// The motion of a vector given as linear in the unknowns: `v_k = dv/dy_k`, `bias = sum_k v_k' y_k`.
-fn linear_motion(k: &mut Kinematics, velocity: &Vector) -> Motion {
+/// The motion of a vector given as linear in the unknowns: `v_k = dv/dy_k`; the bias is the vector's
+/// rate with the unknowns held, by the frame rule: that of its components and w x v.
+pub(super) fn linear_motion(k: &mut Kinematics, velocity: &Vector) -> Motion {
     let mut motion = Motion::default();
     for (&triad, components) in &velocity.terms {
         for unknown in k.unknowns.ids().collect::<Vec<_>>() {
-            let y = k.unknowns[unknown].value;
-            let Some(symbol) = k.dag.as_symbol(y) else { continue };
+            let Some(symbol) = k.dag.as_symbol(k.unknowns[unknown].value) else { continue };
             let partial = components.map(|c| k.dag.derivative(c, symbol));
             let partial = Vector::new(&k.dag, triad, partial);
-            if !partial.is_zero() {
-                motion.add_partial(k, unknown, &partial);
-                let rate = derivative(k, &partial);
-                let rate = motion_value(k, &rate).scaled(&mut k.dag, y);
-                motion.bias = motion.bias.plus(&mut k.dag, &rate);
-            }
+            motion.add_partial(k, unknown, &partial);
         }
+        let here = Vector::new(&k.dag, triad, *components);
+        let relative = components.map(|c| configuration_rate(k, c));
+        let relative = Vector::new(&k.dag, triad, relative);
+        let angular = k.angular[triad].clone();
+        let w = motion_value(k, &angular);
+        let turning = k.triads.cross(&mut k.dag, &w, &here);
+        motion.bias = motion.bias.plus(&mut k.dag, &relative).plus(&mut k.dag, &turning);
     }
     motion
 }
@@ -293,7 +319,7 @@ fn kane_angular_velocity(k: &mut Kinematics, triad: TriadId, rows: [[ExprId; 3];
 }
 
 /// Time derivative in N of a vector given as components in triads and lifted points.
-pub(super) fn derivative(k: &mut Kinematics, vector: &Vector) -> Motion {
+pub(crate) fn derivative(k: &mut Kinematics, vector: &Vector) -> Motion {
     let mut motion = Motion::default();
     for (&point, &factor) in &vector.points {
         let velocity = k.velocities[point].clone();

@@ -5,15 +5,18 @@
 
 pub mod interpreter;
 mod reciprocal;
+mod shorten;
 
 use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
-use crate::expr::cost::Optimise;
+pub use crate::expr::cost::Optimise;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
+use crate::value::Effort;
+use rustc_hash::FxHashMap as HashMap;
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]
@@ -103,8 +106,16 @@ pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagno
 /// How a program is derived; the equations are the same whatever is set.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Settings {
+    /// How hard to look for fewer operations.
+    pub effort: Effort,
     /// What the choice between forms of the equations goes by.
     pub optimise: Optimise,
+}
+
+impl From<Effort> for Settings {
+    fn from(effort: Effort) -> Self {
+        Self { effort, ..Self::default() }
+    }
 }
 
 /// [`derive`] with other settings.
@@ -114,16 +125,19 @@ pub struct Settings {
 pub fn derive_with(
     model: &Model,
     choice: &ParameterChoice,
-    settings: Settings,
+    settings: impl Into<Settings>,
 ) -> Result<Program, Diagnostics> {
+    let Settings { effort, optimise } = settings.into();
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
-    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, settings.optimise)?;
+    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, optimise)?;
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;
+    shorten::answers(&mut program, &mut table, effort);
+    mark_angles(&mut program);
     Ok(program)
 }
 
@@ -160,6 +174,7 @@ fn assemble(
     let residual = largest(&mut k.dag, &k.residuals.clone());
     let correction = correction(model, &mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
+    let closed_forms = k.closed_form_values();
     let mut program = Program {
         name: model.name.clone(),
         doc: model.doc.clone(),
@@ -183,8 +198,8 @@ fn assemble(
         warnings: Diagnostics::default(),
         dag: k.dag,
     };
+    program.substitute(&closed_forms);
     reciprocal::share(&mut program);
-    mark_angles(&mut program);
     program
 }
 
@@ -332,8 +347,32 @@ impl Program {
         self.dag.cone_cost(&self.forward_dynamics())
     }
 
+    /// Puts expressions in the place of symbols, in every result.
+    fn substitute(&mut self, replacement: &HashMap<SymbolId, ExprId>) {
+        if replacement.is_empty() {
+            return;
+        }
+        let roots = self.all_roots();
+        let image = self.dag.rebuild(&roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
+        self.map_roots(|e| image.of(e));
+        for pivot in &mut self.pivots {
+            pivot.value = image.of(pivot.value);
+        }
+    }
+
     /// Replaces every result by its image (results keep their meaning).
     fn map_roots(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
+        self.map_answers(&mut image);
+        let augmented = &mut self.augmented;
+        for part in
+            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
+        {
+            part.iter_mut().for_each(|e| *e = image(*e));
+        }
+    }
+
+    /// The same for all results but those of the augmented form.
+    fn map_answers(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
         let rates = &mut self.rates;
         for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {
             *e = image(*e);
@@ -349,12 +388,6 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
-        let augmented = &mut self.augmented;
-        for part in
-            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
-        {
-            part.iter_mut().for_each(|e| *e = image(*e));
-        }
     }
 
     /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.

@@ -11,7 +11,7 @@ fn derived(text: &str) -> Program {
 
 fn derived_for(text: &str, optimise: Optimise) -> Program {
     let model = model::parse("chain.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive_with(&model, &ParameterChoice::default(), Settings { optimise })
+    program::derive_with(&model, &ParameterChoice::default(), Settings { optimise, ..Settings::default() })
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

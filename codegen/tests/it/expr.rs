@@ -179,7 +179,7 @@ fn sines_of_the_screws_azimuths_are_exact() {
 fn every_identity_keeps_its_value_and_never_costs_more() {
     type Build = fn(&mut Dag, ExprId, ExprId) -> ExprId;
     // (name, expression, operations left)
-    let cases: [(&str, Build, usize); 14] = [
+    let cases: [(&str, Build, usize); 16] = [
         (
             "sin^2 + cos^2 = 1",
             |d, x, _| {
@@ -197,6 +197,23 @@ fn every_identity_keeps_its_value_and_never_costs_more() {
                 d.sub(one, a)
             },
             2,
+        ),
+        (
+            "sin(asin x) = x",
+            |d, x, _| {
+                let angle = d.unary(Unary::Asin, x);
+                d.sin(angle)
+            },
+            0,
+        ),
+        // One operation more than sine and arc cosine, which cost as much as twenty.
+        (
+            "sin(acos x) = sqrt(1 - x^2)",
+            |d, x, _| {
+                let angle = d.unary(Unary::Acos, x);
+                d.sin(angle)
+            },
+            3,
         ),
         ("x - x = 0", |d, x, _| d.sub(x, x), 0),
         ("x + x = 2 x", |d, x, _| d.add(x, x), 1),
@@ -287,7 +304,8 @@ fn every_identity_keeps_its_value_and_never_costs_more() {
             "1 - sin^2 = cos^2" => x.cos() * x.cos(),
             "x - x = 0" => 0.0,
             "x + x = 2 x" | "3 x - x = 2 x" => 2.0 * x,
-            "(x y) / y = x" | "(x / y) y = x" | "(x + y) - y = x" => x,
+            "(x y) / y = x" | "(x / y) y = x" | "(x + y) - y = x" | "sin(asin x) = x" => x,
+            "sin(acos x) = sqrt(1 - x^2)" => (1.0 - x * x).sqrt(),
             "x - (x - y) = y" => y,
             "(-x) (-y) = x y" => x * y,
             "-(x - y) = y - x" => y - x,

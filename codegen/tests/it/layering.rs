@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Module, and the modules it may name by `crate::`.
-const MAY_IMPORT: [(&str, &[&str]); 11] = [
+const MAY_IMPORT: [(&str, &[&str]); 12] = [
     ("id", &[]),
     ("source", &[]),
     ("diagnostic", &["source"]),
@@ -13,9 +13,10 @@ const MAY_IMPORT: [(&str, &[&str]); 11] = [
     ("vector", &["id", "expr", "model"]),
     ("kinematics", &["id", "source", "diagnostic", "expr", "model", "vector"]),
     ("dynamics", &["id", "source", "diagnostic", "expr", "model", "vector", "kinematics"]),
-    ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics"]),
+    ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics", "value"]),
+    ("value", &["id", "expr"]),
     ("rust", &["id", "expr", "program"]), // no mechanics
-    ("build", &["source", "diagnostic", "model", "kinematics", "program", "rust"]),
+    ("build", &["source", "diagnostic", "model", "kinematics", "program", "rust", "value"]),
 ];
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {

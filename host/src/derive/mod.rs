@@ -6,7 +6,7 @@ use crate::{model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::{
-    Answer, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
+    Answer, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
 };
 use std::path::Path;
 
@@ -30,6 +30,9 @@ pub struct Arguments {
     /// The form of the equations.
     #[arg(long, value_enum, default_value_t)]
     pub form: Form,
+    /// How hard to look for fewer operations; all takes some tenths of a second.
+    #[arg(long, value_enum, default_value_t)]
+    pub effort: EffortChoice,
     /// What the choice between forms that give the same accelerations goes by.
     #[arg(long, value_enum, default_value_t)]
     pub optimise: OptimiseFor,
@@ -73,6 +76,28 @@ impl EmittedScalar {
     }
 }
 
+/// How hard to look for fewer operations.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum EffortChoice {
+    /// The equations as derived.
+    None,
+    /// Equal values merged, common factors taken out.
+    #[default]
+    Default,
+    /// Every rule and the search over pairs of values.
+    All,
+}
+
+impl EffortChoice {
+    fn effort(self) -> Effort {
+        match self {
+            Self::None => Effort::None,
+            Self::Default => Effort::Default,
+            Self::All => Effort::All,
+        }
+    }
+}
+
 /// Forms of the equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
 pub enum Form {
@@ -99,12 +124,11 @@ pub enum OptimiseFor {
 }
 
 impl OptimiseFor {
-    fn settings(self) -> Settings {
-        let optimise = match self {
+    fn optimise(self) -> Optimise {
+        match self {
             Self::Operations => Optimise::Operations,
             Self::Time => Optimise::Time,
-        };
-        Settings { optimise }
+        }
     }
 }
 
@@ -115,7 +139,7 @@ impl OptimiseFor {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
-    let settings = arguments.optimise.settings();
+    let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
     let program = program::derive_with(&model, &choice, settings).map_err(|e| model_argument::wrong(&e))?;
     let options = EmitOptions {
         scalar: arguments.scalar.scalar_type(),

@@ -1,0 +1,114 @@
+//! From all unknowns to the independent speeds, one elimination after the other.
+//!
+//! With `y = sum c_z z` and `y' = sum c_z z' + b` the virtual power
+//! `sum_a da (sum_b M_ab b' - f_a)` keeps its form in the remaining unknowns:
+//! `M_zw += c_z M_yy c_w + c_z M_yw + M_zy c_w`, `f_a -= M_ay b`, `f_z += c_z (f_y - M_yy b)`.
+//! Each step has few coefficients: the partial velocities T are never formed, and M = T' M_y T and
+//! T' (f - M_y beta) come out with what the unknowns share already in common.
+
+use super::Unprojected;
+use crate::expr::number::Number;
+use crate::expr::{Dag, ExprId};
+use crate::kinematics::eliminate::{Solution, Step};
+use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use std::collections::BTreeMap;
+
+/// M and the forcing of the independent speeds.
+pub(super) fn reduce(
+    k: &mut Kinematics,
+    solution: &Solution,
+    mut parts: Unprojected,
+) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
+    for step in &solution.steps {
+        eliminate(&mut k.dag, &mut parts, step);
+        name_step(k, step);
+    }
+    let independent: Vec<UnknownId> = (k.unknowns.enumerate())
+        .filter(|(_, u)| matches!(u.kind, UnknownKind::Independent(_)))
+        .map(|(id, _)| id)
+        .collect();
+    let zero = k.dag.zero();
+    let entry =
+        |&a: &UnknownId, &b: &UnknownId| parts.mass.get(&(a.min(b), a.max(b))).copied().unwrap_or(zero);
+    let mass: Vec<Vec<ExprId>> =
+        independent.iter().map(|a| independent.iter().map(|b| entry(a, b)).collect()).collect();
+    let forcing: Vec<ExprId> =
+        independent.iter().map(|a| parts.force.get(a).copied().unwrap_or(zero)).collect();
+    for (i, a) in independent.iter().enumerate() {
+        let name = k.unknowns[*a].name.clone();
+        for (j, b) in independent.iter().enumerate().skip(i) {
+            let name = format!("mass_{name}_{}", k.unknowns[*b].name);
+            k.dag.name(mass[i][j], &name);
+        }
+        k.dag.name(forcing[i], &format!("forcing_{name}"));
+    }
+    (mass, forcing)
+}
+
+/// Takes `y` out of the equations.
+fn eliminate(dag: &mut Dag, parts: &mut Unprojected, step: &Step) {
+    let y = step.unknown;
+    let zero = dag.zero();
+    let own = parts.mass.remove(&(y, y)).unwrap_or(zero);
+    let others: BTreeMap<UnknownId, ExprId> = (parts.mass.iter())
+        .filter(|((a, b), _)| *a == y || *b == y)
+        .map(|((a, b), &m)| (if *a == y { *b } else { *a }, m))
+        .collect();
+    parts.mass.retain(|(a, b), _| *a != y && *b != y);
+    let force = parts.force.remove(&y).unwrap_or(zero);
+    for (&a, &m) in &others {
+        let term = dag.mul(m, step.bias);
+        let term = dag.negate(term);
+        parts.add_force(dag, a, term);
+    }
+    let term = dag.mul(own, step.bias);
+    let force = dag.sub(force, term);
+    for (&z, &c) in &step.coefficients {
+        let term = dag.mul(c, force);
+        parts.add_force(dag, z, term);
+        add_masses(dag, parts, step, (z, c), own, &others);
+    }
+}
+
+/// The terms of M that begin with c_z.
+fn add_masses(
+    dag: &mut Dag,
+    parts: &mut Unprojected,
+    step: &Step,
+    (z, c): (UnknownId, ExprId),
+    own: ExprId,
+    others: &BTreeMap<UnknownId, ExprId>,
+) {
+    let zero = dag.zero();
+    for (&w, &d) in step.coefficients.range(z..) {
+        let mixed = others.get(&w).copied().unwrap_or(zero);
+        let square = dag.mul(own, d);
+        // c_z (M_yy c_w + M_yw), on the diagonal c_z (M_yy c_z + 2 M_yz)
+        let mixed = if w == z {
+            let two = dag.number(Number::integer(2));
+            dag.mul(two, mixed)
+        } else {
+            mixed
+        };
+        let sum = dag.add(square, mixed);
+        let term = dag.mul(c, sum);
+        parts.add_mass(dag, z, w, term);
+    }
+    for (&w, &m) in others {
+        // A pair within the coefficients: the half not yet taken. Else all of it.
+        if w < z || !step.coefficients.contains_key(&w) {
+            let term = dag.mul(c, m);
+            parts.add_mass(dag, z, w, term);
+        }
+    }
+}
+
+/// Names for the generated code.
+fn name_step(k: &mut Kinematics, step: &Step) {
+    let name = k.unknowns[step.unknown].name.clone();
+    for (&z, &c) in &step.coefficients {
+        let of = k.unknowns[z].name.clone();
+        k.dag.name(c, &format!("{name}_per_{of}"));
+    }
+    k.dag.name(step.bias, &format!("{name}_dot_bias"));
+}

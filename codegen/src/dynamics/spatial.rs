@@ -1,0 +1,246 @@
+//! What travels along a tree of bodies: inertias by their moments, and wrenches.
+//!
+//! An [`Inertia`] about an origin is the mass m, the first moment h = int r dm and the second moment
+//! S = int r r' dm. Moments add, turn and shift with fewer operations than the inertia matrix
+//! J = tr(S) 1 - S: no trace, and a shift by p adds p h' + h p' + m p p'.
+
+use crate::expr::{Dag, ExprId};
+use crate::model::Axis;
+use crate::vector::{Components, cross_components, dot_components, turn_components};
+
+/// A symmetric 3 x 3 matrix: xx, yy, zz, yz, zx, xy.
+type Symmetric = [ExprId; 6];
+
+/// Index of entry (i, j) of a [`Symmetric`].
+const fn entry(i: usize, j: usize) -> usize {
+    // Off the diagonal, the entry opposite to axis l = 3 - i - j stands at 3 + l.
+    if i == j { i } else { 6 - i - j }
+}
+
+/// Mass (kg), first moment (kg m) and second moment (kg m^2) about an origin, in one triad.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Inertia {
+    mass: ExprId,
+    first: Components,
+    second: Symmetric,
+}
+
+/// Force (N) and moment about an origin (N m) in one triad; or momentum and its moment.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Wrench {
+    pub force: Components,
+    pub moment: Components,
+}
+
+/// How a rigid body accelerates: that of the origin (less gravity), and U = [alpha] + [w][w], which
+/// gives the acceleration of any other point at r as a + U r.
+#[derive(Clone, Debug)]
+pub(super) struct Acceleration {
+    pub origin: Components,
+    pub gradient: [Components; 3],
+}
+
+impl Acceleration {
+    /// Of the point at `r`: a + U r.
+    pub(super) fn at(&self, dag: &mut Dag, r: &Components) -> Components {
+        std::array::from_fn(|i| {
+            let turning = dot_components(dag, &self.gradient[i], r);
+            dag.add(self.origin[i], turning)
+        })
+    }
+}
+
+/// U = [alpha] + [w][w].
+pub(super) fn gradient(dag: &mut Dag, w: &Components, alpha: &Components) -> [Components; 3] {
+    let square = w.map(|c| dag.mul(c, c));
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            if i == j {
+                let sum = dag.add(square[(i + 1) % 3], square[(i + 2) % 3]);
+                return dag.negate(sum);
+            }
+            let (l, product) = (3 - i - j, dag.mul(w[i], w[j]));
+            // [alpha]_ij is -alpha_l for (i, j, l) in cyclic order, else +alpha_l.
+            if (i + 1) % 3 == j { dag.sub(product, alpha[l]) } else { dag.add(product, alpha[l]) }
+        })
+    })
+}
+
+impl Inertia {
+    pub(super) fn zero(dag: &mut Dag) -> Self {
+        let zero = dag.zero();
+        Self { mass: zero, first: [zero; 3], second: [zero; 6] }
+    }
+
+    /// Of a body with its mass centre at `centre` and the inertia matrix `[xx, yy, zz, xy, xz, yz]`
+    /// about it.
+    pub(super) fn of_body(dag: &mut Dag, mass: ExprId, centre: &Components, matrix: &[ExprId; 6]) -> Self {
+        let [xx, yy, zz, xy, xz, yz] = *matrix;
+        let half = dag.number(crate::expr::number::Number::rational(1, 2));
+        let mut central = |a: ExprId, b: ExprId, c: ExprId| {
+            let sum = dag.add(a, b);
+            let difference = dag.sub(sum, c);
+            dag.mul(half, difference)
+        };
+        let diagonal = [central(yy, zz, xx), central(zz, xx, yy), central(xx, yy, zz)];
+        let products = [yz, xz, xy].map(|e| dag.negate(e));
+        let [a, b, c] = diagonal;
+        let [d, e, f] = products;
+        let at_centre = Self { mass, first: [dag.zero(); 3], second: [a, b, c, d, e, f] };
+        at_centre.shifted(dag, centre)
+    }
+
+    pub(super) fn is_zero(&self, dag: &Dag) -> bool {
+        [self.mass].iter().chain(&self.first).chain(&self.second).all(|&e| dag.is_zero(e))
+    }
+
+    pub(super) fn plus(&self, dag: &mut Dag, other: &Self) -> Self {
+        Self {
+            mass: dag.add(self.mass, other.mass),
+            first: std::array::from_fn(|i| dag.add(self.first[i], other.first[i])),
+            second: std::array::from_fn(|i| dag.add(self.second[i], other.second[i])),
+        }
+    }
+
+    /// About an origin at -`offset` in the same triad.
+    pub(super) fn shifted(&self, dag: &mut Dag, offset: &Components) -> Self {
+        let at_offset = offset.map(|c| dag.mul(self.mass, c));
+        let mut second = self.second;
+        for i in 0..3 {
+            for j in i..3 {
+                // p_i h_j + h_i p_j + m p_i p_j = p_i (h_j + m p_j) + h_i p_j
+                let outer = dag.add(self.first[j], at_offset[j]);
+                let first = dag.mul(offset[i], outer);
+                let second_term = dag.mul(self.first[i], offset[j]);
+                let sum = dag.add(first, second_term);
+                second[entry(i, j)] = dag.add(second[entry(i, j)], sum);
+            }
+        }
+        let first = std::array::from_fn(|i| dag.add(self.first[i], at_offset[i]));
+        Self { mass: self.mass, first, second }
+    }
+
+    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    ///
+    /// With x = s (S_ii - S_jj) + 2 c S_ij the turned entries are S_ii - s x, S_jj + s x and
+    /// c x - S_ij: sixteen operations with the other products.
+    pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
+        let a = axis as usize;
+        let (i, j) = ((a + 1) % 3, (a + 2) % 3);
+        let (sin, cos) = (dag.sin(angle), dag.cos(angle));
+        let s = &self.second;
+        let mut second = *s;
+        let difference = dag.sub(s[i], s[j]);
+        let along = dag.mul(sin, difference);
+        let two = dag.number(crate::expr::number::Number::integer(2));
+        let doubled = dag.mul(two, s[entry(i, j)]);
+        let across = dag.mul(cos, doubled);
+        let x = dag.add(along, across);
+        let (sx, cx) = (dag.mul(sin, x), dag.mul(cos, x));
+        second[i] = dag.sub(s[i], sx);
+        second[j] = dag.add(s[j], sx);
+        second[entry(i, j)] = dag.sub(cx, s[entry(i, j)]);
+        let mut row = [dag.zero(); 3];
+        row[i] = s[entry(a, i)];
+        row[j] = s[entry(a, j)];
+        let row = turn_components(dag, axis, angle, row, false);
+        second[entry(a, i)] = row[i];
+        second[entry(a, j)] = row[j];
+        let first = turn_components(dag, axis, angle, self.first, false);
+        Self { mass: self.mass, first, second }
+    }
+
+    /// The part that a turn about `axis` leaves as it is, and the rest: the mass and the moments
+    /// along the axis may as well belong to the body inside (base parameters).
+    pub(super) fn split(&self, dag: &mut Dag, axis: Axis) -> (Self, Self) {
+        let a = axis as usize;
+        let (mut inner, mut outer) = (Self::zero(dag), self.clone());
+        inner.mass = std::mem::replace(&mut outer.mass, dag.zero());
+        inner.first[a] = std::mem::replace(&mut outer.first[a], dag.zero());
+        inner.second[a] = std::mem::replace(&mut outer.second[a], dag.zero());
+        (inner, outer)
+    }
+
+    /// Does a turn about `axis` leave all of it as it is?
+    pub(super) fn is_axisymmetric(&self, dag: &Dag, axis: Axis) -> bool {
+        let a = axis as usize;
+        let (i, j) = ((a + 1) % 3, (a + 2) % 3);
+        let none = [self.first[i], self.first[j]].into_iter().chain(self.second[3..].iter().copied());
+        self.second[i] == self.second[j] && none.into_iter().all(|e| dag.is_zero(e))
+    }
+
+    /// J_aa = S_ii + S_jj.
+    pub(super) fn about(&self, dag: &mut Dag, axis: Axis) -> ExprId {
+        let a = axis as usize;
+        dag.add(self.second[(a + 1) % 3], self.second[(a + 2) % 3])
+    }
+
+    /// Momentum m v + w x h and its moment h x v + J w.
+    pub(super) fn momentum(&self, dag: &mut Dag, v: &Components, w: &Components) -> Wrench {
+        let swept = cross_components(dag, w, &self.first);
+        let force = std::array::from_fn(|i| {
+            let straight = dag.mul(self.mass, v[i]);
+            dag.add(straight, swept[i])
+        });
+        let lever = cross_components(dag, &self.first, v);
+        let moment = std::array::from_fn(|i| {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            let diagonal = dag.add(self.second[j], self.second[l]);
+            let own = dag.mul(diagonal, w[i]);
+            let other = [(j, w[j]), (l, w[l])].map(|(n, w)| dag.mul(self.second[entry(i, n)], w));
+            let coupled = dag.add(other[0], other[1]);
+            let turning = dag.sub(own, coupled);
+            dag.add(turning, lever[i])
+        });
+        Wrench { force, moment }
+    }
+
+    /// Force m a + U h and moment h x a + (axial part of U S) that the acceleration takes.
+    pub(super) fn resistance(&self, dag: &mut Dag, acceleration: &Acceleration) -> Wrench {
+        let (a, u) = (&acceleration.origin, &acceleration.gradient);
+        let force = std::array::from_fn(|i| {
+            let straight = dag.mul(self.mass, a[i]);
+            let turning = dot_components(dag, &u[i], &self.first);
+            dag.add(straight, turning)
+        });
+        let lever = cross_components(dag, &self.first, a);
+        let moment = std::array::from_fn(|i| {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            // sum_n U_ln S_nj - U_jn S_nl
+            let column = |n: usize| [0, 1, 2].map(|m| self.second[entry(m, n)]);
+            let plus = dot_components(dag, &u[l], &column(j));
+            let minus = dot_components(dag, &u[j], &column(l));
+            let axial = dag.sub(plus, minus);
+            dag.add(axial, lever[i])
+        });
+        Wrench { force, moment }
+    }
+}
+
+impl Wrench {
+    pub(super) fn zero(dag: &mut Dag) -> Self {
+        Self { force: [dag.zero(); 3], moment: [dag.zero(); 3] }
+    }
+
+    pub(super) fn plus(&self, dag: &mut Dag, other: &Self) -> Self {
+        Self {
+            force: std::array::from_fn(|i| dag.add(self.force[i], other.force[i])),
+            moment: std::array::from_fn(|i| dag.add(self.moment[i], other.moment[i])),
+        }
+    }
+
+    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
+        Self {
+            force: turn_components(dag, axis, angle, self.force, false),
+            moment: turn_components(dag, axis, angle, self.moment, false),
+        }
+    }
+
+    /// About an origin at -`offset`.
+    pub(super) fn shifted(&self, dag: &mut Dag, offset: &Components) -> Self {
+        let lever = cross_components(dag, offset, &self.force);
+        let moment = std::array::from_fn(|i| dag.add(self.moment[i], lever[i]));
+        Self { force: self.force, moment }
+    }
+}

@@ -1,0 +1,143 @@
+//! Bodies as a tree of nodes, one per simple rotation, each with the inertia that turns with it.
+//!
+//! A body centred at O + c, with c resolved in the body's own triad, belongs to the node (triad, O).
+//! The node of a simple rotation hangs on the node of the triad it is turned against, at the part of
+//! O that is resolved in that triad. What a turn leaves as it is moves inwards: mass and moments
+//! along a hinge's axis, and all of a wheel but its spin. Those sums depend on parameters alone.
+
+use super::spatial::Inertia;
+use crate::expr::{Dependence, ExprId};
+use crate::id::Id;
+use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
+use crate::model::{Axis, Body, Model};
+use crate::vector::{Components, TriadId, Turn, Vector};
+use std::collections::BTreeMap;
+
+/// A triad at an origin.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub triad: TriadId,
+    /// Position of the origin.
+    pub origin: Vector,
+    /// How it hangs on another node; none for a root.
+    pub joint: Option<Joint>,
+    /// Inertia that moves with the node, about its origin, in its triad.
+    pub own: Inertia,
+    /// Inertia about the joint's axis that takes part in the joint's own turn only (kg m^2).
+    pub spin: ExprId,
+}
+
+/// A node is turned against its parent by `angle` about `axis`, at `offset` in the parent's triad.
+#[derive(Clone, Debug)]
+pub(super) struct Joint {
+    pub parent: usize,
+    pub axis: Axis,
+    pub angle: ExprId,
+    pub offset: Components,
+}
+
+/// Nodes, a parent before its children, and the node of every body.
+#[derive(Clone, Debug)]
+pub(super) struct Forest {
+    pub nodes: Vec<Node>,
+    node_of_body: Vec<usize>,
+}
+
+impl Forest {
+    /// Every root that carries bodies, with their indices.
+    pub(super) fn roots(&self) -> BTreeMap<usize, Vec<usize>> {
+        let mut roots: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (body, &node) in self.node_of_body.iter().enumerate() {
+            let mut at = node;
+            while let Some(joint) = &self.nodes[at].joint {
+                at = joint.parent;
+            }
+            roots.entry(at).or_default().push(body);
+        }
+        roots
+    }
+
+    /// Does anything turn against `root`?
+    pub(super) fn has_joints(&self, root: usize) -> bool {
+        self.nodes.iter().any(|node| node.joint.as_ref().is_some_and(|joint| joint.parent == root))
+    }
+}
+
+/// The tree of the bodies given.
+pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[&Body]) -> Forest {
+    let mut nodes = Vec::new();
+    let mut node_of_body = Vec::new();
+    for body in bodies {
+        let position = k.positions[body.centre].clone();
+        let own = body.frame.map(|f| k.frame_triad[f]);
+        let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::from_index(0));
+        let zero = k.dag.zero();
+        let (mut origin, mut centre) = without(k, &position, triad);
+        if centre.iter().any(|&c| k.dag.dependence(c) == Dependence::State) {
+            // It slides in its own triad: the origin moves with it.
+            (origin, centre) = (position, [zero; 3]);
+        }
+        let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(k, m));
+        let matrix: [ExprId; 6] =
+            std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
+        let inertia = Inertia::of_body(&mut k.dag, mass, &centre, &matrix);
+        let node = node_of(model, k, &mut nodes, triad, &origin);
+        nodes[node].own = nodes[node].own.plus(&mut k.dag, &inertia);
+        node_of_body.push(node);
+    }
+    move_inwards(k, &mut nodes);
+    Forest { nodes, node_of_body }
+}
+
+/// The vector without its part in `triad`, and that part.
+fn without(k: &mut Kinematics, vector: &Vector, triad: TriadId) -> (Vector, Components) {
+    let mut rest = vector.clone();
+    let part = rest.terms.remove(&triad);
+    (rest, part.unwrap_or([k.dag.zero(); 3]))
+}
+
+fn node_of(
+    model: &Model,
+    k: &mut Kinematics,
+    nodes: &mut Vec<Node>,
+    triad: TriadId,
+    origin: &Vector,
+) -> usize {
+    if let Some(found) = nodes.iter().position(|n| n.triad == triad && n.origin == *origin) {
+        return found;
+    }
+    let joint = match k.triads.turn(triad).clone() {
+        Turn::Simple { parent, axis, angle } if !is_lifted_triad(model, k, triad) => {
+            let (rest, offset) = without(k, origin, parent);
+            let parent = node_of(model, k, nodes, parent, &rest);
+            Some(Joint { parent, axis, angle, offset })
+        }
+        _ => None,
+    };
+    let (own, spin) = (Inertia::zero(&mut k.dag), k.dag.zero());
+    nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
+    nodes.len() - 1
+}
+
+/// Base parameters: hands inwards what a joint's turn leaves as it is.
+fn move_inwards(k: &mut Kinematics, nodes: &mut [Node]) {
+    for i in (0..nodes.len()).rev() {
+        let Some(joint) = nodes[i].joint.clone() else { continue };
+        let dag = &mut k.dag;
+        if joint.offset.iter().any(|&c| dag.dependence(c) == Dependence::State) {
+            continue;
+        }
+        let own = nodes[i].own.clone();
+        let (inner, outer) = if dag.dependence(joint.angle) < Dependence::State {
+            (own.turned(dag, joint.axis, joint.angle), Inertia::zero(dag))
+        } else if own.is_axisymmetric(dag, joint.axis) {
+            nodes[i].spin = own.about(dag, joint.axis);
+            (own, Inertia::zero(dag))
+        } else {
+            own.split(dag, joint.axis)
+        };
+        nodes[i].own = outer;
+        let inner = inner.shifted(dag, &joint.offset);
+        nodes[joint.parent].own = nodes[joint.parent].own.plus(dag, &inner);
+    }
+}

@@ -1,0 +1,84 @@
+//! Classes -> expressions: the definitions in use, as nodes of the DAG.
+
+use super::graph::{ClassId, Graph, Operation, Signed};
+use crate::expr::{Dag, ExprId, Node};
+use rustc_hash::FxHashMap as HashMap;
+
+/// An expression that is a class's value, or its negative.
+#[derive(Clone, Copy)]
+struct Made {
+    expr: ExprId,
+    negative: bool,
+}
+
+/// Builds the live classes (operands first) and returns the roots' expressions.
+///
+/// `names` says which classes have a name in the generated code, and with which sign.
+pub(super) fn roots(
+    graph: &Graph,
+    dag: &mut Dag,
+    live: &[ClassId],
+    roots: &[Option<Signed>],
+    names: &HashMap<ClassId, (bool, String)>,
+) -> Vec<ExprId> {
+    let mut made: HashMap<ClassId, Made> = HashMap::default();
+    for &class in live {
+        let name = names.get(&class);
+        let result = build(graph, dag, class, &made, name.is_some_and(|(negative, _)| *negative));
+        if let Some((negative, name)) = name
+            && *negative == result.negative
+        {
+            dag.name(result.expr, name);
+        }
+        made.insert(class, result);
+    }
+    let mut root = |root: &Option<Signed>| match root {
+        None => dag.zero(),
+        Some(x) => signed(dag, made[&x.class], x.negative),
+    };
+    roots.iter().map(&mut root).collect()
+}
+
+/// `expr` is `negative` times the class; of the two orders of a difference the wanted sign decides.
+fn build(graph: &Graph, dag: &mut Dag, class: ClassId, made: &HashMap<ClassId, Made>, wanted: bool) -> Made {
+    let definition = graph.classes[class].current;
+    let [x, y] = definition.operands;
+    let of = |x: Signed| {
+        let m = made[&x.class];
+        Made { negative: m.negative != x.negative, ..m }
+    };
+    let (expr, negative) = match definition.operation {
+        Operation::Leaf(expr) => (expr, definition.negative),
+        Operation::Sum => {
+            let (a, b) = (of(x), of(y));
+            match (a.negative, b.negative) {
+                (false, false) => (dag.add(a.expr, b.expr), false),
+                (true, true) => (dag.add(a.expr, b.expr), true),
+                (minus, _) if minus != wanted => (dag.sub(b.expr, a.expr), wanted),
+                _ => (dag.sub(a.expr, b.expr), wanted),
+            }
+        }
+        Operation::Product | Operation::Quotient => {
+            let (a, b) = (of(x), of(y));
+            let product = definition.operation == Operation::Product;
+            let expr = if product { dag.mul(a.expr, b.expr) } else { dag.div(a.expr, b.expr) };
+            (expr, definition.negative ^ a.negative ^ b.negative)
+        }
+        Operation::Unary(f) => {
+            let a = signed(dag, of(x), false);
+            (dag.unary(f, a), definition.negative)
+        }
+        Operation::Binary(f) => {
+            let (a, b) = (signed(dag, of(x), false), signed(dag, of(y), false));
+            (dag.binary(f, a, b), definition.negative)
+        }
+    };
+    match dag.node(expr) {
+        Node::Negate(inner) => Made { expr: inner, negative: !negative },
+        _ => Made { expr, negative },
+    }
+}
+
+fn signed(dag: &mut Dag, x: Made, negative: bool) -> ExprId {
+    if x.negative != negative { dag.negate(x.expr) } else { x.expr }
+}

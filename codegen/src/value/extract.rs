@@ -1,0 +1,235 @@
+//! Which definition each class uses: a local search over definitions with counted references.
+//!
+//! A class that nothing reads costs nothing. Another definition of a class frees what only the old one
+//! read and adds what only the new one reads; it is taken if it frees more. Moves that change nothing are
+//! taken now and then, by a fixed sequence, to leave a dead end; the best found is kept.
+
+use super::field::mix;
+use super::graph::{ClassId, Definition, Graph, Signed};
+use crate::id::Id;
+
+/// Sweeps over all classes.
+const PASSES: usize = 10;
+/// Of five moves that change nothing two are taken.
+const IDLE_MOVES: (u64, u64) = (2, 5);
+/// Not in the order of evaluation.
+const NOWHERE: u32 = u32::MAX;
+
+/// The search.
+pub(super) struct Extraction<'g> {
+    graph: &'g mut Graph,
+    roots: Vec<ClassId>,
+    /// How many definitions in use, and roots, read a class.
+    uses: Vec<u32>,
+    /// Position of live classes in an order of evaluation.
+    position: Vec<u32>,
+    /// Length of the longest chain of weights below a live class.
+    depth: Vec<u32>,
+    /// Classes whose definition is settled.
+    locked: Vec<bool>,
+    seen: Vec<u32>,
+    round: u32,
+    stack: Vec<ClassId>,
+    random: u64,
+    cost: u32,
+}
+
+impl<'g> Extraction<'g> {
+    /// Starts from the current definitions.
+    pub fn new(graph: &'g mut Graph, roots: &[Signed], locked: &[ClassId]) -> Self {
+        let n = graph.classes.len();
+        let mut search = Self {
+            graph,
+            roots: roots.iter().map(|r| r.class).collect(),
+            uses: vec![0; n],
+            position: vec![NOWHERE; n],
+            depth: vec![0; n],
+            locked: vec![false; n],
+            seen: vec![0; n],
+            round: 0,
+            stack: Vec::new(),
+            random: 0x5EED,
+            cost: 0,
+        };
+        for class in locked {
+            search.locked[class.index()] = true;
+        }
+        for root in search.roots.clone() {
+            search.cost += search.add_use(root);
+        }
+        search.sort();
+        search
+    }
+
+    /// Classes in use, operands first.
+    pub fn live(&mut self) -> Vec<ClassId> {
+        self.sort()
+    }
+
+    /// Searches; the graph is left with the cheapest definitions found.
+    pub fn run(&mut self) {
+        let mut best = (self.cost, self.snapshot());
+        for pass in 0..PASSES {
+            let last = pass + 1 == PASSES;
+            let mut order = self.sort();
+            match pass {
+                0 | 2 => {}
+                _ if pass % 2 == 1 => order.reverse(),
+                _ => self.shuffle(&mut order),
+            }
+            for class in order {
+                self.improve(class, !last);
+            }
+            if self.cost < best.0 {
+                best = (self.cost, self.snapshot());
+            }
+        }
+        for (class, definition) in self.graph.classes.ids().zip(best.1) {
+            self.graph.classes[class].current = definition;
+        }
+    }
+
+    fn snapshot(&self) -> Vec<Definition> {
+        self.graph.classes.iter().map(|c| c.current).collect()
+    }
+
+    fn draw(&mut self) -> u64 {
+        self.random = self.random.wrapping_add(1);
+        mix(self.random)
+    }
+
+    fn shuffle(&mut self, order: &mut [ClassId]) {
+        for k in (1..order.len()).rev() {
+            let other = (self.draw() % (k as u64 + 1)) as usize;
+            order.swap(k, other);
+        }
+    }
+
+    /// One more use of a class; the weight that this brings to life.
+    fn add_use(&mut self, class: ClassId) -> u32 {
+        let mut weight = 0;
+        self.stack.push(class);
+        while let Some(class) = self.stack.pop() {
+            self.uses[class.index()] += 1;
+            if self.uses[class.index()] == 1 {
+                let definition = self.graph.classes[class].current;
+                weight += definition.operation.weight();
+                self.stack.extend(definition.reads());
+            }
+        }
+        weight
+    }
+
+    /// One use less; the weight that dies with it.
+    fn drop_use(&mut self, class: ClassId) -> u32 {
+        let mut weight = 0;
+        self.stack.push(class);
+        while let Some(class) = self.stack.pop() {
+            self.uses[class.index()] -= 1;
+            if self.uses[class.index()] == 0 {
+                let definition = self.graph.classes[class].current;
+                weight += definition.operation.weight();
+                self.stack.extend(definition.reads());
+            }
+        }
+        weight
+    }
+
+    /// Takes a better definition of a live class, or an equal one now and then.
+    fn improve(&mut self, class: ClassId, idle_moves: bool) {
+        let n = self.graph.classes[class].definitions.len();
+        if self.uses[class.index()] == 0 || self.locked[class.index()] || n < 2 {
+            return;
+        }
+        let old = self.graph.classes[class].current;
+        let freed: u32 = old.operation.weight() + old.reads().map(|c| self.drop_use(c)).sum::<u32>();
+        let mut best: Option<(i64, Definition)> = None;
+        for k in 0..n {
+            let new = self.graph.classes[class].definitions[k];
+            if new == old || self.reaches(&new, class) {
+                continue;
+            }
+            let added: u32 = new.operation.weight() + new.reads().map(|c| self.add_use(c)).sum::<u32>();
+            new.reads().for_each(|c| {
+                self.drop_use(c);
+            });
+            let gain = i64::from(freed) - i64::from(added);
+            let better = match best {
+                None => true,
+                Some((most, other)) if gain == most => {
+                    let (mine, others) = (self.depth_of(&new), self.depth_of(&other));
+                    mine < others || (mine == others && self.draw() & 1 == 0)
+                }
+                Some((most, _)) => gain > most,
+            };
+            if better {
+                best = Some((gain, new));
+            }
+        }
+        let taken = best.filter(|&(gain, ref new)| {
+            let idle = if idle_moves {
+                self.draw() % IDLE_MOVES.1 < IDLE_MOVES.0
+            } else {
+                self.depth_of(new) < self.depth_of(&old)
+            };
+            gain > 0 || (gain == 0 && idle)
+        });
+        let (gain, definition) = taken.unwrap_or((0, old));
+        definition.reads().for_each(|c| {
+            self.add_use(c);
+        });
+        self.cost = (i64::from(self.cost) - gain) as u32;
+        self.graph.classes[class].current = definition;
+        let place = self.position[class.index()];
+        if definition.reads().any(|c| self.position[c.index()] >= place) {
+            self.sort();
+        }
+    }
+
+    /// Length of the chain that ends in a definition.
+    fn depth_of(&self, definition: &Definition) -> u32 {
+        let below = definition.reads().map(|c| self.depth[c.index()]).max().unwrap_or(0);
+        below + definition.operation.weight()
+    }
+
+    /// Do the current definitions lead from what `definition` reads back to `class`?
+    fn reaches(&mut self, definition: &Definition, class: ClassId) -> bool {
+        self.round += 1;
+        let place = self.position[class.index()];
+        let mut stack: Vec<ClassId> = definition.reads().collect();
+        while let Some(c) = stack.pop() {
+            if c == class {
+                return true;
+            }
+            let i = c.index();
+            // What comes earlier in the order of evaluation cannot read the class.
+            if self.seen[i] != self.round && (self.position[i] == NOWHERE || self.position[i] > place) {
+                stack.extend(self.graph.classes[c].current.reads());
+            }
+            self.seen[i] = self.round;
+        }
+        false
+    }
+
+    /// Sorts the live classes, operands first, and measures their depth.
+    fn sort(&mut self) -> Vec<ClassId> {
+        self.round += 1;
+        self.position.fill(NOWHERE);
+        let mut order = Vec::new();
+        let mut stack: Vec<(ClassId, bool)> = self.roots.iter().rev().map(|&c| (c, false)).collect();
+        while let Some((class, operands_done)) = stack.pop() {
+            let i = class.index();
+            let definition = self.graph.classes[class].current;
+            if operands_done {
+                self.position[i] = order.len() as u32;
+                self.depth[i] = self.depth_of(&definition);
+                order.push(class);
+            } else if self.seen[i] != self.round {
+                self.seen[i] = self.round;
+                stack.push((class, true));
+                stack.extend(definition.reads().map(|c| (c, false)));
+            }
+        }
+        order
+    }
+}

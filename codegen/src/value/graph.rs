@@ -1,0 +1,275 @@
+//! The value graph: classes of equal values, each with all its known definitions.
+//!
+//! A class stands for a value up to sign; a definition is one operation on other classes. The value
+//! is known as two elements of a prime field (exact, hence the identity test) and as numbers at the
+//! guard's states.
+
+use super::field::Field;
+use super::guard::{self, Estimate};
+use crate::expr::number::Number;
+use crate::expr::{Binary, ExprId, Unary};
+use crate::id::{Id, IdVec, ids};
+use rustc_hash::FxHashMap as HashMap;
+
+ids! {
+    /// A class of equal values.
+    ClassId,
+}
+
+/// Two independent random points: chance equality is out of the question.
+pub(super) type Value = [Field; 2];
+
+/// A class or its negative; negation is free.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Signed {
+    pub class: ClassId,
+    pub negative: bool,
+}
+
+impl Signed {
+    pub fn times(self, negative: bool) -> Self {
+        Self { negative: self.negative != negative, ..self }
+    }
+}
+
+/// What a definition does with its operands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Operation {
+    /// A symbol or a constant.
+    Leaf(ExprId),
+    /// a + b, operands signed.
+    Sum,
+    /// a b.
+    Product,
+    /// a / b.
+    Quotient,
+    /// f(a).
+    Unary(Unary),
+    /// One of atan2, min, max.
+    Binary(Binary),
+}
+
+impl Operation {
+    /// How much time it takes, in additions.
+    pub fn weight(self) -> u32 {
+        match self {
+            Self::Leaf(_) => 0,
+            Self::Sum | Self::Product => 1,
+            Self::Binary(Binary::Min | Binary::Max) | Self::Unary(Unary::Abs | Unary::Sign) => 1,
+            Self::Quotient | Self::Unary(Unary::Sqrt) => 12,
+            Self::Unary(_) | Self::Binary(_) => 20,
+        }
+    }
+}
+
+/// One way to compute a class.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Definition {
+    pub operation: Operation,
+    /// Is the class the negative of what the operation gives?
+    pub negative: bool,
+    /// The operands; of one operand the second repeats the first, of a leaf both are the class.
+    pub operands: [Signed; 2],
+}
+
+impl Definition {
+    /// The class (or its negative, if `negative`) is a (operation) b.
+    pub fn new(operation: Operation, a: Signed, b: Signed, negative: bool) -> Self {
+        let commutes = matches!(operation, Operation::Sum | Operation::Product);
+        let (a, b) = if commutes && b.class < a.class { (b, a) } else { (a, b) };
+        match operation {
+            // A sum carries all signs in its terms, a product or quotient none in its factors.
+            Operation::Sum => {
+                Self { operation, negative: false, operands: [a.times(negative), b.times(negative)] }
+            }
+            Operation::Product | Operation::Quotient => Self {
+                operation,
+                negative: negative ^ a.negative ^ b.negative,
+                operands: [a, b].map(|o| Signed { negative: false, ..o }),
+            },
+            _ => Self { operation, negative, operands: [a, b] },
+        }
+    }
+
+    /// Classes that are read.
+    pub fn reads(&self) -> impl Iterator<Item = ClassId> + use<> {
+        let n = match self.operation {
+            Operation::Leaf(_) => 0,
+            Operation::Unary(_) => 1,
+            _ => 2,
+        };
+        let [a, b] = self.operands;
+        [a.class, b.class].into_iter().take(n)
+    }
+
+    fn same_but_for_signs(&self, other: &Self) -> bool {
+        self.operation == other.operation && self.operands.map(|o| o.class) == other.operands.map(|o| o.class)
+    }
+}
+
+/// A class of equal values.
+#[derive(Clone, Debug)]
+pub(super) struct Class {
+    pub value: Value,
+    pub definitions: Vec<Definition>,
+    /// The definition in use.
+    pub current: Definition,
+    /// The number, for a constant.
+    pub number: Option<Number>,
+}
+
+impl Class {
+    pub fn is_leaf(&self) -> bool {
+        matches!(self.current.operation, Operation::Leaf(_))
+    }
+}
+
+/// Classes by value.
+#[derive(Debug)]
+pub(super) struct Graph {
+    pub classes: IdVec<ClassId, Class>,
+    index: HashMap<u64, ClassId>,
+    points: usize,
+    /// `points` a class.
+    estimates: Vec<Estimate>,
+    /// Definitions that the guard turned down.
+    pub refused: usize,
+}
+
+impl Graph {
+    pub fn new(points: usize) -> Self {
+        Self {
+            classes: IdVec::default(),
+            index: HashMap::default(),
+            points,
+            estimates: Vec::new(),
+            refused: 0,
+        }
+    }
+
+    pub fn value(&self, x: Signed) -> Value {
+        let value = self.classes[x.class].value;
+        if x.negative { value.map(|v| -v) } else { value }
+    }
+
+    /// Values and error bounds of a class at the guard's states.
+    pub fn estimates(&self, class: ClassId) -> &[Estimate] {
+        let start = class.index() * self.points;
+        &self.estimates[start..start + self.points]
+    }
+
+    pub fn signed_estimates(&self, x: Signed) -> impl Iterator<Item = Estimate> {
+        self.estimates(x.class).iter().map(move |e| e.signed(x.negative))
+    }
+
+    /// The class of a value, if there is one.
+    pub fn find(&self, value: Value) -> Option<Signed> {
+        let negative = value[0].is_upper();
+        let canonical = if negative { value.map(|v| -v) } else { value };
+        let &class = self.index.get(&canonical[0].bits())?;
+        (self.classes[class].value == canonical).then_some(Signed { class, negative })
+    }
+
+    /// A new class for a (operation) b, whose value is given; the class may be its negative.
+    pub fn add(
+        &mut self,
+        value: Value,
+        operation: Operation,
+        a: Signed,
+        b: Signed,
+        estimates: &[Estimate],
+    ) -> Signed {
+        let negative = value[0].is_upper();
+        let value = if negative { value.map(|v| -v) } else { value };
+        let current = Definition::new(operation, a, b, negative);
+        let class = self.classes.push(Class { value, definitions: vec![current], current, number: None });
+        self.index.insert(value[0].bits(), class);
+        self.estimates.extend(estimates.iter().map(|e| e.signed(negative)));
+        Signed { class, negative }
+    }
+
+    /// A symbol or a constant.
+    pub fn leaf(
+        &mut self,
+        value: Value,
+        expr: ExprId,
+        number: Option<Number>,
+        estimates: &[Estimate],
+    ) -> Signed {
+        if let Some(known) = self.find(value) {
+            return known;
+        }
+        let own = Signed { class: ClassId::from_index(self.classes.len()), negative: false };
+        let leaf = self.add(value, Operation::Leaf(expr), own, own, estimates);
+        self.classes[leaf.class].number = number.map(|n| if leaf.negative { n.negate() } else { n });
+        leaf
+    }
+
+    /// What an operation gives in the field; `None` where it divides by zero or is none of + * /.
+    pub fn apply(&self, operation: Operation, a: Signed, b: Signed) -> Option<Value> {
+        let (x, y) = (self.value(a), self.value(b));
+        Some(match operation {
+            Operation::Sum => [x[0] + y[0], x[1] + y[1]],
+            Operation::Product => [x[0] * y[0], x[1] * y[1]],
+            Operation::Quotient => [x[0] * y[0].inverse()?, x[1] * y[1].inverse()?],
+            _ => return None,
+        })
+    }
+
+    /// What a definition gives at the guard's states.
+    pub fn estimate(&self, definition: &Definition) -> Vec<Estimate> {
+        let [a, b] = definition.operands;
+        let pairs = self.signed_estimates(a).zip(self.signed_estimates(b));
+        let of = |(a, b)| match definition.operation {
+            Operation::Leaf(_) => a,
+            Operation::Sum => Estimate::sum(a, b),
+            Operation::Product => Estimate::product(a, b),
+            Operation::Quotient => Estimate::quotient(a, b),
+            Operation::Unary(f) => Estimate::unary(f, a),
+            Operation::Binary(f) => Estimate::binary(f, a, b),
+        };
+        pairs.map(|pair| of(pair).signed(definition.negative)).collect()
+    }
+
+    /// Offers `target` a further definition, which must have its value; true if it is new and admitted.
+    pub fn propose(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
+        let definition = Definition::new(operation, a, b, target.negative);
+        let class = &self.classes[target.class];
+        if class.is_leaf()
+            || definition.reads().any(|c| c == target.class)
+            || class.definitions.iter().any(|d| d.same_but_for_signs(&definition))
+        {
+            return false;
+        }
+        if !guard::admits(self.estimates(target.class), &self.estimate(&definition)) {
+            self.refused += 1;
+            return false;
+        }
+        self.classes[target.class].definitions.push(definition);
+        true
+    }
+
+    /// The class of a (operation) b, made if need be; `None` if it is zero or not defined.
+    pub fn class_of(&mut self, operation: Operation, a: Signed, b: Signed) -> Option<Signed> {
+        let value = self.apply(operation, a, b)?;
+        if value[0] == Field::ZERO {
+            return None;
+        }
+        if let Some(known) = self.find(value) {
+            self.propose(known, operation, a, b);
+            return Some(known);
+        }
+        let estimates = self.estimate(&Definition::new(operation, a, b, false));
+        Some(self.add(value, operation, a, b, &estimates))
+    }
+
+    /// The more certain of two definitions' bounds is the class's own.
+    pub fn sharpen(&mut self, class: ClassId, other: &[Estimate]) {
+        let start = class.index() * self.points;
+        for (mine, other) in self.estimates[start..start + self.points].iter_mut().zip(other) {
+            if other.error < mine.error {
+                mine.error = other.error;
+            }
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! The guard: a new definition may not round off noticeably more than the old one.
+//!
+//! At a list of states every class carries its value and a first-order bound of its round-off, both
+//! in f64. An identity keeps the value; what it may change is the round-off, by cancellation. So a
+//! definition is admitted only if its bound stays near the bound of the class's own definition.
+
+use crate::expr::{Binary, Unary, evaluate};
+
+/// Half the spacing of f64 at 1: relative error of one rounding.
+const ROUNDING: f64 = f64::EPSILON / 2.0;
+/// A new bound may be this many times the old one,
+const WORSE: f64 = 2.0;
+/// plus this many roundings of the value.
+const MORE_ROUNDINGS: f64 = 4.0;
+/// A sum this small against its terms cancels: admitted only if the old definition is no better.
+const CANCELS: f64 = 1e-3;
+
+/// A value at one state and the bound of its round-off.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Estimate {
+    /// The value in f64.
+    pub value: f64,
+    /// First-order bound of its absolute error.
+    pub error: f64,
+    /// Does the operation that made it cancel most of its operands?
+    pub cancels: bool,
+}
+
+impl Estimate {
+    /// A number that is known exactly.
+    pub fn exact(value: f64) -> Self {
+        Self { value, error: 0.0, cancels: false }
+    }
+
+    /// A constant rounded once.
+    pub fn rounded(value: f64) -> Self {
+        Self::computed(value, 0.0)
+    }
+
+    /// A result of an operation whose operands contribute `inherited`.
+    fn computed(value: f64, inherited: f64) -> Self {
+        Self { value, error: inherited + ROUNDING * value.abs(), cancels: false }
+    }
+
+    pub fn signed(self, negative: bool) -> Self {
+        Self { value: if negative { -self.value } else { self.value }, ..self }
+    }
+
+    pub fn sum(a: Self, b: Self) -> Self {
+        let value = a.value + b.value;
+        let cancels = value.abs() < CANCELS * a.value.abs().max(b.value.abs());
+        Self { cancels, ..Self::computed(value, a.error + b.error) }
+    }
+
+    pub fn product(a: Self, b: Self) -> Self {
+        Self::computed(a.value * b.value, a.value.abs() * b.error + b.value.abs() * a.error)
+    }
+
+    pub fn quotient(a: Self, b: Self) -> Self {
+        let value = a.value / b.value;
+        Self::computed(value, (a.error + value.abs() * b.error) / b.value.abs())
+    }
+
+    /// f(a): the operand's error times the derivative.
+    pub fn unary(function: Unary, a: Self) -> Self {
+        let (x, value) = (a.value, evaluate::unary(function, a.value));
+        let slope = match function {
+            Unary::Sqrt => 0.5 / value,
+            Unary::Sin => evaluate::unary(Unary::Cos, x),
+            Unary::Cos => evaluate::unary(Unary::Sin, x),
+            Unary::Tan => 1.0 + value * value,
+            Unary::Asin | Unary::Acos => 1.0 / evaluate::unary(Unary::Sqrt, 1.0 - x * x),
+            Unary::Exp => value,
+            Unary::Ln => 1.0 / x,
+            Unary::Tanh => 1.0 - value * value,
+            Unary::Abs => 1.0,
+            Unary::Sign => 0.0,
+        };
+        let inherited = if a.error == 0.0 { 0.0 } else { slope.abs() * a.error };
+        Self::computed(value, inherited)
+    }
+
+    /// The functions of two arguments.
+    pub fn binary(operator: Binary, a: Self, b: Self) -> Self {
+        let value = evaluate::binary(operator, a.value, b.value);
+        let inherited = match operator {
+            Binary::Atan2 => {
+                let square = a.value * a.value + b.value * b.value;
+                (b.value.abs() * a.error + a.value.abs() * b.error) / square
+            }
+            _ => a.error.max(b.error),
+        };
+        Self::computed(value, inherited)
+    }
+
+    /// May `new` stand where this is? Both are the same function of the state.
+    pub fn admits(&self, new: &Self) -> bool {
+        if !self.error.is_finite() || !self.value.is_finite() {
+            return true; // a pole: the old definition is no better there
+        }
+        let limit = if new.cancels {
+            self.error
+        } else {
+            WORSE * self.error + MORE_ROUNDINGS * ROUNDING * self.value.abs()
+        };
+        // Values farther apart than their errors: not the same function after all.
+        let apart = (self.value - new.value).abs();
+        new.error <= limit && apart <= WORSE * (self.error + new.error)
+    }
+}
+
+/// Admitted at every state?
+pub(crate) fn admits(old: &[Estimate], new: &[Estimate]) -> bool {
+    old.iter().zip(new).all(|(old, new)| old.admits(new))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ONE: Estimate = Estimate { value: 1.0, error: 0.0, cancels: false };
+
+    /// 1 - cos x near zero against 2 sin(x/2)^2, as it was.
+    #[test]
+    fn a_cancelling_form_is_refused_and_the_product_form_admitted() {
+        for x in [1e-2, 1e-4, 1e-6] {
+            let half = Estimate::unary(Unary::Sin, Estimate::exact(0.5 * x));
+            let product = Estimate::product(Estimate::exact(2.0), Estimate::product(half, half));
+            let difference = Estimate::sum(ONE, Estimate::unary(Unary::Cos, Estimate::exact(x)).signed(true));
+            assert!(!product.admits(&difference), "{x}: {product:?} {difference:?}");
+            assert!(difference.admits(&product), "{x}");
+        }
+    }
+
+    #[test]
+    fn away_from_zero_both_forms_are_admitted() {
+        let x = 2.0;
+        let half = Estimate::unary(Unary::Sin, Estimate::exact(0.5 * x));
+        let product = Estimate::product(Estimate::exact(2.0), Estimate::product(half, half));
+        let difference = Estimate::sum(ONE, Estimate::unary(Unary::Cos, Estimate::exact(x)).signed(true));
+        assert!(product.admits(&difference) && difference.admits(&product));
+    }
+
+    /// a^2 - b^2 against (a + b)(a - b) for nearly equal sides of a linkage.
+    #[test]
+    fn the_difference_of_squares_is_refused_where_the_factors_are_near() {
+        let (a, b) = (Estimate::exact(1.0), Estimate::exact(1.0 + 1e-7));
+        let factored = Estimate::product(Estimate::sum(a, b), Estimate::sum(a, b.signed(true)));
+        let squares = Estimate::sum(Estimate::product(a, a), Estimate::product(b, b).signed(true));
+        assert!(!factored.admits(&squares) && squares.admits(&factored));
+    }
+
+    #[test]
+    fn the_bound_holds_what_rounding_does() {
+        for k in 1..200 {
+            let x = f64::from(k) * 0.0137;
+            let tenth = Estimate::rounded(0.1);
+            let y = Estimate::product(Estimate::sum(Estimate::exact(x), tenth), tenth);
+            // In units of 2^-70, exactly, through integers: (x + 0.1) 0.1 of the decimal 0.1.
+            let exact = (x + 0.1) * 0.1;
+            assert!((y.value - exact).abs() <= y.error, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_function_that_differs_is_refused() {
+        assert!(!ONE.admits(&Estimate::exact(1.0 + 1e-9)));
+        assert!(!ONE.admits(&Estimate::exact(f64::NAN)));
+    }
+}

@@ -1,0 +1,156 @@
+//! Expressions -> classes: equal values merge, zeros and constants drop out, signs are canonical.
+
+use super::States;
+use super::field::{Field, mix};
+use super::graph::{ClassId, Definition, Graph, Operation, Signed, Value};
+use super::guard::{self, Estimate};
+use crate::expr::number::Number;
+use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
+
+/// Loads expressions into a graph.
+pub(super) struct Import<'a> {
+    pub graph: &'a mut Graph,
+    dag: &'a Dag,
+    states: &'a States,
+    /// The node 0 of the DAG.
+    zero: ExprId,
+    /// What nodes have become: a class with a sign, or zero.
+    classes: HashMap<ExprId, Option<Signed>>,
+}
+
+impl<'a> Import<'a> {
+    pub fn new(graph: &'a mut Graph, dag: &'a Dag, states: &'a States, zero: ExprId) -> Self {
+        Self { graph, dag, states, zero, classes: HashMap::default() }
+    }
+
+    /// Loads what `roots` need and returns their classes.
+    pub fn load(&mut self, roots: &[ExprId]) -> Vec<Option<Signed>> {
+        for id in self.dag.reachable(roots) {
+            if !self.classes.contains_key(&id) {
+                let class = self.class(id);
+                self.classes.insert(id, class);
+            }
+        }
+        roots.iter().map(|&root| self.of(root)).collect()
+    }
+
+    /// The class of a loaded node; `None` for zero.
+    pub fn of(&self, id: ExprId) -> Option<Signed> {
+        self.classes[&id]
+    }
+
+    /// Names of the loaded nodes by class; with each whether it names the class's negative.
+    pub fn names(&self) -> HashMap<ClassId, (bool, String)> {
+        let mut nodes: Vec<ExprId> = self.classes.keys().copied().collect();
+        nodes.sort();
+        let mut names = HashMap::default();
+        for id in nodes {
+            if let (Some(name), Some(class)) = (self.dag.name_of(id), self.of(id)) {
+                names.entry(class.class).or_insert_with(|| (class.negative, name.to_owned()));
+            }
+        }
+        names
+    }
+
+    fn class(&mut self, id: ExprId) -> Option<Signed> {
+        if self.dag.is_constant(id) {
+            return (!self.dag.is_zero(id)).then(|| self.constant(id));
+        }
+        let (operation, a, b) = match self.dag.node(id) {
+            Node::Number(_) | Node::Pi => return Some(self.constant(id)),
+            Node::Symbol(symbol) => return Some(self.symbol(id, symbol)),
+            Node::Negate(a) => return self.of(a).map(|x| x.times(true)),
+            Node::Unary(f, a) => (Operation::Unary(f), a, a),
+            Node::Binary(Binary::Add | Binary::Sub, a, b) => (Operation::Sum, a, b),
+            Node::Binary(Binary::Mul, a, b) => (Operation::Product, a, b),
+            Node::Binary(Binary::Div, a, b) => (Operation::Quotient, a, b),
+            Node::Binary(f, a, b) => (Operation::Binary(f), a, b),
+        };
+        let minus = matches!(self.dag.node(id), Node::Binary(Binary::Sub, ..));
+        match (operation, self.of(a), self.of(b).map(|b| b.times(minus))) {
+            (Operation::Sum, None, other) | (Operation::Sum, other, None) => other, // 0 + x = x
+            (Operation::Product, None, _) | (Operation::Product, _, None) => None,  // 0 x = 0
+            (Operation::Quotient, None, Some(_)) => None,                           // 0 / x = 0
+            (_, a, b) => {
+                let a = a.unwrap_or_else(|| self.constant(self.zero));
+                let b = b.unwrap_or_else(|| self.constant(self.zero));
+                self.merge(operation, a, b)
+            }
+        }
+    }
+
+    /// The class that has the value of a (operation) b; a new one if the guard admits no other.
+    fn merge(&mut self, operation: Operation, a: Signed, b: Signed) -> Option<Signed> {
+        let graph = &mut *self.graph;
+        let value = graph.apply(operation, a, b).unwrap_or_else(|| opaque(graph, operation, a, b));
+        if value[0] == Field::ZERO {
+            return None;
+        }
+        let estimates = graph.estimate(&Definition::new(operation, a, b, false));
+        if let Some(known) = graph.find(value) {
+            if guard::admits(&estimates, &graph.signed_estimates(known).collect::<Vec<_>>()) {
+                graph.propose(known, operation, a, b);
+                graph.sharpen(known.class, &estimates);
+                return Some(known);
+            }
+            graph.refused += 1;
+        }
+        Some(graph.add(value, operation, a, b, &estimates))
+    }
+
+    fn constant(&mut self, id: ExprId) -> Signed {
+        let number =
+            self.dag.as_number(id).unwrap_or_else(|| Number::from_f64(self.dag.evaluate_constant(id)));
+        // A constant is itself at every point; a surd without a root in the field is taken at random.
+        let value = Field::from_number(number).unwrap_or_else(|| Field::new(mix(0xC0 + id.index() as u64)));
+        let estimate = match number {
+            Number::Exact { denominator, root, .. } if root > 1 || denominator.count_ones() > 1 => {
+                Estimate::rounded(number.to_f64())
+            }
+            _ => Estimate::exact(number.to_f64()),
+        };
+        self.graph.leaf([value, value], id, Some(number), &vec![estimate; self.states.points])
+    }
+
+    fn symbol(&mut self, id: ExprId, symbol: SymbolId) -> Signed {
+        let seed = mix(symbol.index() as u64);
+        let value = [Field::new(mix(seed)), Field::new(mix(seed ^ 0x5EED))];
+        let estimates: Vec<Estimate> =
+            (0..self.states.points).map(|k| Estimate::exact(self.states.value(symbol, k))).collect();
+        self.graph.leaf(value, id, None, &estimates)
+    }
+}
+
+/// A field element for what is not rational: the same for the same operands.
+fn opaque(graph: &Graph, operation: Operation, a: Signed, b: Signed) -> Value {
+    let (x, y) = (graph.value(a), graph.value(b));
+    let of_two = |tag: u64, k: usize| random(tag, Field::new(mix(x[k].bits())) + y[k]);
+    let one = |k: usize| match operation {
+        Operation::Unary(f) => unary(f, x[k]),
+        Operation::Binary(f) => of_two(100 + f as u64, k),
+        _ => of_two(200, k), // a division by zero: left as it is
+    };
+    [one(0), one(1)]
+}
+
+fn random(tag: u64, x: Field) -> Field {
+    Field::new(mix(mix(x.bits()).wrapping_add(tag)))
+}
+
+/// f(x): sine, cosine and tangent from one point of the circle, others at random; odd is odd, even is even.
+fn unary(f: Unary, x: Field) -> Field {
+    let (negative, size) = if x.is_upper() { (true, -x) } else { (false, x) };
+    let (sin, cos) = Field::circle(random(0, size)).unwrap_or((Field::ZERO, Field::ONE));
+    let own = 1 + f as u64;
+    let odd = match f {
+        Unary::Sin => sin,
+        Unary::Tan => cos.inverse().map_or_else(|| random(own, size), |inverse| sin * inverse),
+        Unary::Asin | Unary::Tanh | Unary::Sign => random(own, size),
+        Unary::Cos => return cos,
+        Unary::Abs => return random(own, size),
+        Unary::Sqrt | Unary::Acos | Unary::Exp | Unary::Ln => return random(own, x),
+    };
+    if negative { -odd } else { odd }
+}
