@@ -3,7 +3,7 @@
 //! `<model>_<scalar>.rs` has the model's own tunable parameters; `<model>_loaded_<scalar>.rs` keeps
 //! the fixed ones of the tiles too.
 
-use smartbed_codegen::{Effort, EmitOptions, Options, ParameterChoice, ScalarType};
+use smartbed_codegen::{Effort, EmitOptions, Optimise, Options, ParameterChoice, ScalarType};
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
@@ -55,6 +55,7 @@ fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], effor
         },
         emit: EmitOptions { scalar, ..EmitOptions::default() },
         effort,
+        optimise: Optimise::Operations,
         file_name: Some(file_name.to_owned()),
     };
     smartbed_codegen::build(format!("../models/{model}.toml"), &options);

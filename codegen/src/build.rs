@@ -3,7 +3,7 @@
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::kinematics::ParameterChoice;
 use crate::model;
-use crate::program;
+use crate::program::{self, Optimise, Settings};
 use crate::rust;
 use crate::rust::EmitOptions;
 use crate::source::Source;
@@ -17,10 +17,18 @@ pub struct Options {
     pub parameters: ParameterChoice,
     /// How hard to look for fewer operations.
     pub effort: Effort,
+    /// What the choice between forms of the equations goes by.
+    pub optimise: Optimise,
     /// Scalar, answers, path of the runtime.
     pub emit: EmitOptions,
     /// Name of the file in `OUT_DIR`, without `.rs`; the model file's own name if left out.
     pub file_name: Option<String>,
+}
+
+impl Options {
+    fn settings(&self) -> Settings {
+        Settings { effort: self.effort, optimise: self.optimise }
+    }
 }
 
 /// Derives the model at `path` and returns the formatted Rust.
@@ -29,7 +37,7 @@ pub struct Options {
 /// Everything that is wrong with the model, each with its place.
 pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
     let model = model::read(path)?;
-    let program = program::derive_with(&model, &options.parameters, options.effort)?;
+    let program = program::derive_with(&model, &options.parameters, options.settings())?;
     Ok(rust::emit(&program, &options.emit))
 }
 
@@ -60,7 +68,7 @@ pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics>
     for file in model.source.files.iter() {
         println!("cargo::rerun-if-changed={}", file.path);
     }
-    let program = program::derive_with(&model, &options.parameters, options.effort)?;
+    let program = program::derive_with(&model, &options.parameters, options.settings())?;
     for line in [model.warnings(), program.warnings.clone()]
         .iter()
         .flat_map(|w| w.to_string().lines().map(str::to_owned).collect::<Vec<_>>())

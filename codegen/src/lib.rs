@@ -71,7 +71,7 @@ mod build;
 pub use build::{Options, build, generate, try_build};
 pub use diagnostic::Diagnostics;
 pub use kinematics::ParameterChoice;
-pub use program::Program;
 pub use program::interpreter::Interpreted;
+pub use program::{Optimise, Program, Settings};
 pub use rust::{Answer, EmitOptions, ScalarType};
 pub use value::Effort;

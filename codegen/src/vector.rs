@@ -278,6 +278,52 @@ impl Triads {
         v
     }
 
+    /// [`Self::express`], with turns about one axis that follow each other on the way made one turn by the
+    /// sum or difference of their angles: two links turned against the same triad by absolute angles are
+    /// turned against each other by the difference. It rounds as if one of the angles were off by one rounding.
+    pub fn express_by_differences(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
+        debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
+        let mut total = [dag.zero(); 3];
+        for (&triad, &components) in &vector.terms {
+            let mut v = components;
+            let Some(turns) = self.merged_turns(dag, triad, target) else {
+                return self.express(dag, vector, target);
+            };
+            for (axis, forth, back) in turns {
+                // One order for a difference, whichever way it is gone: its sine and cosine are shared.
+                v = if forth < back {
+                    let angle = dag.sub(back, forth);
+                    turn_components(dag, axis, angle, v, true)
+                } else {
+                    let angle = dag.sub(forth, back);
+                    turn_components(dag, axis, angle, v, false)
+                };
+            }
+            total = std::array::from_fn(|k| dag.add(total[k], v[k]));
+        }
+        total
+    }
+
+    /// The turns from one triad up to the common ancestor and down to another: axis, angle by which the
+    /// components are turned forth, and back. `None` if one of them is no turn about an axis.
+    fn merged_turns(&self, dag: &mut Dag, from: TriadId, to: TriadId) -> Option<Vec<(Axis, ExprId, ExprId)>> {
+        let (up, down) = (self.ancestors(from), self.ancestors(to));
+        let common = up.iter().find(|t| down.contains(t)).copied();
+        let up = up.iter().take_while(|&&t| Some(t) != common).map(|&t| (t, false));
+        let down: Vec<_> = down.iter().take_while(|&&t| Some(t) != common).map(|&t| (t, true)).collect();
+        let mut turns: Vec<(Axis, ExprId, ExprId)> = Vec::new();
+        for (triad, inwards) in up.chain(down.into_iter().rev()) {
+            let Turn::Simple { axis, angle, .. } = self.turns[triad] else { return None };
+            if turns.last().is_none_or(|last| last.0 != axis) {
+                turns.push((axis, dag.zero(), dag.zero()));
+            }
+            let (_, forth, back) = turns.last_mut()?;
+            let sum = if inwards { back } else { forth };
+            *sum = dag.add(*sum, angle);
+        }
+        Some(turns)
+    }
+
     /// The triad, its parent, ... , the inertial one.
     fn ancestors(&self, triad: TriadId) -> Vec<TriadId> {
         let mut list = vec![triad];

@@ -1,8 +1,8 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f64.
-// Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 132 operations (3 abs, 24 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 11 sub).
-// Cost of energy: 79 operations (19 add, 3 cos, 54 mul, 3 sin).
+// Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
+// Cost of rates: 69 operations (8 abs, 7 add, 3 cos, 8 div, 7 min, 27 mul, 3 sin, 6 sub).
+// Cost of energy: 66 operations (14 add, 3 cos, 46 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
@@ -68,7 +68,7 @@ impl Default for Parameters {
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///132 operations.
+///69 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -86,63 +86,43 @@ pub fn rates(
     let u0 = u[0];
     let u1 = u[1];
     let u2 = u[2];
-    let l0 = p.l0;
+    let g = p.g;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * sin_q0;
-    let q2 = q[2];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let m2 = p.m2;
-    let l2 = p.l2;
-    let t2 = m2 * l2;
-    let t3 = sin_q2 * t2;
-    let t4 = l0 * cos_q0;
-    let t5 = cos_q2 * t2;
-    let mass_u0_u2 = t1 * t3 + t4 * t5;
     let m0 = p.m0;
-    let t6 = m0 * l0;
-    let m1 = p.m1;
-    let mass_u0_u0 = t4 * (m2 * t4) + t1 * (m2 * t1) + (l0 * t6 + m1 * (l0 * l0));
-    let t7 = 1.0_f64 / mass_u0_u0;
-    let t8 = mass_u0_u2 * t7;
-    let l1 = p.l1;
+    let t1 = 1.0_f64 / m0;
     let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t9 = l1 * cos_q1;
-    let t10 = m2 * t9;
-    let t11 = l1 * sin_q1;
-    let t12 = m2 * t11;
-    let mass_u1_u1 = m1 * (l1 * l1) + (t9 * t10 + t11 * t12);
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t4 + sin_q1 * t1)) + (t4 * t10 + t1 * t12);
-    let t13 = mass_u0_u1 * t7;
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t13;
-    let t14 = 1.0_f64 / pivot_1;
-    let mass_u1_u2 = t11 * t3 + t9 * t5;
-    let t15 = mass_u0_u2 * t13 - mass_u1_u2;
-    let t16 = t14 * t15;
-    let t17 = l0 * (u0 * u0);
-    let t18 = l1 * (u1 * u1);
-    let t19 = sin_q0 * t17 + sin_q1 * t18;
-    let t20 = u2 * u2 * t2;
-    let t21 = m2 * t19 + sin_q2 * t20;
-    let g = p.g;
-    let t22 = g + cos_q0 * t17 + cos_q1 * t18;
-    let t23 = m2 * t22 + cos_q2 * t20;
-    let forcing_u1 = t9 * t21 - t11 * t23 - m1 * (g * t11 + t17 * (cos_q0 * t11 - sin_q0 * t9));
-    let t24 = t6 * (g * sin_q0) + m1 * (g * t1 + t18 * (cos_q1 * t1 - sin_q1 * t4));
-    let t25 = t1 * t23 - t4 * t21 + t24;
-    let t26 = forcing_u1 + t13 * t25;
-    let mass_u2_u2 = l2 * t2;
-    let t27 = t15 * t16 + (mass_u0_u2 * t8 - mass_u2_u2);
-    let t28 = (t16 * t26 + (t8 * t25 + t2 * (cos_q2 * t19 - sin_q2 * t22))) / t27;
-    let t29 = t14 * t26 - t16 * t28;
-    let t30 = t8 * t28 - (t13 * t29 + t7 * t25);
-    let t31 = Real::min(Real::min(0.3333333333333333_f64 * Real::abs(mass_u0_u0), 1.4999999999999998_f64 * Real::abs(pivot_1)), 2.0_f64 * Real::abs(t27));
-    ([u0, u1, u2], [t30, t29, -t28], t31)
+    let t2 = q1 - q0;
+    let (sin_t2, cos_t2) = Real::sin_cos(t2);
+    let t3 = t1 * sin_t2;
+    let l1 = p.l1;
+    let t4 = t1 * cos_t2;
+    let l0 = p.l0;
+    let t5 = m0 * (l0 * (u0 * u0) + g * cos_q0);
+    let m1 = p.m1;
+    let t6 = 1.0_f64 / m1;
+    let q2 = q[2];
+    let t7 = q2 - q1;
+    let (sin_t7, cos_t7) = Real::sin_cos(t7);
+    let t8 = t6 * cos_t7;
+    let l2 = p.l2;
+    let m2 = p.m2;
+    let t9 = t6 + 1.0_f64 / m2;
+    let t10 = 1.0_f64 / t9;
+    let t11 = l2 * (u2 * u2) * t10;
+    let t12 = t8 * t10;
+    let t13 = t1 + t6 - cos_t2 * t4 - t8 * t12;
+    let force_mass1_y = (l1 * (u1 * u1) + t4 * t5 + t8 * t11) / t13;
+    let force_mass0_y = t5 + cos_t2 * force_mass1_y;
+    let t14 = t6 * sin_t7;
+    let force_mass2_y = t11 + t12 * force_mass1_y;
+    let t15 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
+    let t16 = Real::min(Real::min(Real::min(t15, Real::abs(l2)), 0.5_f64 * Real::abs(t9)), 2.0_f64 * Real::abs(t13));
+    ([u0, u1, u2], [-(g * sin_q0 - t3 * force_mass1_y) / l0, -(t3 * force_mass0_y - t14 * force_mass2_y) / l1, -t14 * force_mass1_y / l2], t16)
 }
 ///Kinetic and potential energy (J).
 ///
-///79 operations.
+///66 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -157,42 +137,36 @@ pub fn energy(
     _inputs: &[S; 0usize],
     p: &Parameters,
 ) -> (S, S) {
-    let u2 = u[2];
-    let l2 = p.l2;
-    let m2 = p.m2;
-    let t1 = m2 * l2;
-    let mass_u2_u2 = l2 * t1;
     let u0 = u[0];
+    let m0 = p.m0;
+    let m1 = p.m1;
+    let m2 = p.m2;
+    let t1 = m1 + m2;
     let l0 = p.l0;
+    let mass_u0_u0 = (m0 + t1) * (l0 * l0);
+    let l1 = p.l1;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
     let t2 = l0 * cos_q0;
     let t3 = l0 * sin_q0;
-    let m0 = p.m0;
-    let m1 = p.m1;
-    let mass_u0_u0 = t2 * (m2 * t2) + t3 * (m2 * t3) + (l0 * (m0 * l0) + m1 * (l0 * l0));
+    let mass_u0_u1 = t1 * (l1 * (cos_q1 * t2 + sin_q1 * t3));
     let u1 = u[1];
-    let l1 = p.l1;
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t4 = l1 * cos_q1;
-    let t5 = m2 * t4;
-    let t6 = l1 * sin_q1;
-    let t7 = m2 * t6;
-    let mass_u1_u1 = m1 * (l1 * l1) + (t4 * t5 + t6 * t7);
-    let t8 = 0.5_f64 * (u2 * u2 * mass_u2_u2 + (u0 * u0 * mass_u0_u0 + u1 * u1 * mass_u1_u1));
+    let l2 = p.l2;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t9 = sin_q2 * t1;
-    let t10 = cos_q2 * t1;
-    let mass_u1_u2 = t6 * t9 + t4 * t10;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t2 + sin_q1 * t3)) + (t2 * t5 + t3 * t7);
-    let mass_u0_u2 = t3 * t9 + t2 * t10;
-    let t11 = t8 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
+    let mass_u0_u2 = m2 * (l2 * (cos_q2 * t2 + sin_q2 * t3));
+    let u2 = u[2];
+    let t4 = 0.5_f64 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
+    let mass_u1_u1 = t1 * (l1 * l1);
+    let mass_u1_u2 = m2 * (l2 * (cos_q2 * (l1 * cos_q1) + sin_q2 * (l1 * sin_q1)));
+    let mass_u2_u2 = m2 * (l2 * l2);
+    let t5 = t4 + 0.5_f64 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f64 * (u2 * u2 * mass_u2_u2);
     let g = p.g;
-    let t12 = l0 * (g * cos_q0);
-    let t13 = t12 + l1 * (g * cos_q1);
-    (t11, -(m0 * t12 + m1 * t13 + m2 * (t13 + l2 * (g * cos_q2))))
+    let t6 = l0 * (g * cos_q0);
+    let t7 = t6 + l1 * (g * cos_q1);
+    (t5, -(m0 * t6 + m1 * t7 + m2 * (t7 + l2 * (g * cos_q2))))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

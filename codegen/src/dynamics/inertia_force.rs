@@ -33,12 +33,27 @@ pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojec
         all.mass.extend(best.mass);
         all.force.extend(best.force);
     }
-    for (a, b, term) in all.mass {
-        parts.add_mass(&mut k.dag, a, b, term);
+    all.join(&mut k.dag, parts);
+}
+
+impl Contributions {
+    fn join(self, dag: &mut Dag, parts: &mut Unprojected) {
+        for (a, b, term) in self.mass {
+            parts.add_mass(dag, a, b, term);
+        }
+        for (a, term) in self.force {
+            parts.add_force(dag, a, term);
+        }
     }
-    for (a, term) in all.force {
-        parts.add_force(&mut k.dag, a, term);
+}
+
+/// Adds every body's moment of inertia only.
+pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
+    let mut found = Contributions::default();
+    for body in model.bodies.iter() {
+        rotation(k, body, &mut found);
     }
+    found.join(&mut k.dag, parts);
 }
 
 /// Every body for itself.

@@ -7,10 +7,13 @@
 
 mod active_force;
 mod augmented;
+mod chain;
 mod composite;
 mod energy;
 mod inertia_force;
 mod reduce;
+mod segment;
+mod segment_inertia;
 mod solve;
 mod spatial;
 mod tree;
@@ -18,12 +21,14 @@ mod tree;
 pub use augmented::Augmented;
 
 use crate::diagnostic::Diagnostics;
+use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
+use segment::Segment;
 use std::collections::BTreeMap;
 
 /// Equations of motion of the independent speeds, and the energies.
@@ -84,9 +89,17 @@ pub fn derive(
     k: &mut Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
+    optimise: Optimise,
 ) -> Result<Dynamics, Diagnostics> {
     let mut parts = Unprojected::default();
-    inertia_force::accumulate(model, k, &mut parts);
+    let segments = segment::sparse_tree(model, k);
+    match &segments {
+        Some(segments) => {
+            segment_inertia::accumulate(k, segments, &mut parts);
+            inertia_force::rotations(model, k, &mut parts);
+        }
+        None => inertia_force::accumulate(model, k, &mut parts),
+    }
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
@@ -94,7 +107,8 @@ pub fn derive(
     let (mass_matrix, forcing) = reduce::reduce(k, solution, parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
-    let (u_dot, pivots) = solve::ldl(model, k, table, &mass_matrix, &forcing)?;
+    let (u_dot, pivots) =
+        accelerations(model, k, table, segments.as_deref(), (&mass_matrix, &forcing), optimise)?;
     Ok(Dynamics {
         mass_matrix,
         forcing,
@@ -121,6 +135,31 @@ pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics 
         values,
         pivots: Vec::new(),
         augmented: Augmented::default(),
+    }
+}
+
+/// u' and pivots in whichever form costs less: through the mass matrix, or as a chain.
+fn accelerations(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    segments: Option<&[Segment]>,
+    (mass_matrix, forcing): (&[Vec<ExprId>], &[ExprId]),
+    optimise: Optimise,
+) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
+    let chain = segments.and_then(|segments| chain::derive(model, k, table, segments));
+    let chain = chain.map(|c| (k.dag.cost(&c.u_dot, optimise), c));
+    // The mass matrix alone may cost more: then it need not be solved with.
+    let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
+    if let Some((cost, chain)) = &chain
+        && *cost <= k.dag.cost(&entries, optimise)
+    {
+        return Ok((chain.u_dot.clone(), chain.pivots.clone()));
+    }
+    let (u_dot, pivots) = solve::ldl(model, k, table, mass_matrix, forcing)?;
+    match chain {
+        Some((cost, chain)) if cost < k.dag.cost(&u_dot, optimise) => Ok((chain.u_dot, chain.pivots)),
+        _ => Ok((u_dot, pivots)),
     }
 }
 

@@ -325,6 +325,12 @@ impl Dag {
         }
     }
 
+    /// a of -a, else the expression itself.
+    #[must_use]
+    pub fn unsigned(&self, expr: ExprId) -> ExprId {
+        if let Node::Negate(a) = self.nodes[expr] { a } else { expr }
+    }
+
     /// Operands of a node.
     #[must_use]
     pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {

@@ -291,6 +291,7 @@ fn div(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
             Some(dag.div(one, x))
         }
         (_, Node::Unary(Unary::Sqrt, x)) if x == a => Some(b), // x / sqrt(x) = sqrt(x)
+        (_, Node::Binary(Binary::Div, x, y)) if dag.is_one(x) => Some(dag.mul(a, y)), // z / (1 / y) = z y
         _ => None,
     }
 }

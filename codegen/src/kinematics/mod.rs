@@ -14,7 +14,7 @@ mod lower;
 mod orientation;
 mod position;
 mod rank;
-mod sparse;
+pub(crate) mod sparse;
 mod speed_map;
 mod velocity;
 mod way;

@@ -7,7 +7,6 @@
 use super::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
-use crate::id::Id;
 use std::collections::BTreeMap;
 
 /// A pivot relative to the largest entry of its row, at the worst sample.
@@ -15,7 +14,7 @@ const SAFE_PIVOT: f64 = 0.05;
 
 /// sum coefficients[y] y = right, for several right-hand sides at once.
 #[derive(Clone, Debug)]
-pub(super) struct Equation {
+pub(crate) struct Equation {
     /// Non-zero coefficients.
     pub coefficients: BTreeMap<UnknownId, ExprId>,
     /// Right-hand sides.
@@ -23,11 +22,11 @@ pub(super) struct Equation {
 }
 
 /// Values of the unknowns for every right-hand side.
-pub(super) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
+pub(crate) type Values = BTreeMap<UnknownId, Vec<ExprId>>;
 
-/// An unknown by those that are eliminated after it: `y = sum coefficients[z] z + right`.
+/// An unknown by those that are eliminated after it: `y = (sum coefficients[z] z + right) / divisor`.
 #[derive(Clone, Debug)]
-pub(super) struct Elimination {
+pub(crate) struct Elimination {
     /// What is eliminated.
     pub unknown: UnknownId,
     /// The expression divided by.
@@ -36,23 +35,54 @@ pub(super) struct Elimination {
     pub coefficients: BTreeMap<UnknownId, ExprId>,
     /// Right-hand sides.
     pub right: Vec<ExprId>,
+    /// 1, or the pivot where the sum is divided by it, not its terms.
+    pub divisor: ExprId,
+}
+
+/// What a pivot must pass.
+pub(crate) struct Screening {
+    /// Typical sizes of the unknowns, 1 where none is given: an entry counts with its unknown's size.
+    pub sizes: BTreeMap<UnknownId, f64>,
+    /// Take the safest entry where none is safe? Else there is no solution.
+    pub last_resort: bool,
+    /// Divide the sum, not its terms, where no other equation holds the unknown: shorter, if only the values are
+    /// wanted.
+    pub divide_sums: bool,
 }
 
 /// Triangular form of the equations, in the order of the elimination.
-pub(super) fn eliminate(
+pub(crate) fn eliminate(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    equations: Vec<Equation>,
+) -> Vec<Elimination> {
+    let screening = Screening { sizes: BTreeMap::new(), last_resort: true, divide_sums: false };
+    eliminate_screened(dag, table, equations, &screening)
+}
+
+/// [`eliminate`] with pivots screened in another way; what has no pivot is left out.
+pub(crate) fn eliminate_screened(
     dag: &mut Dag,
     table: &mut SampleTable,
     mut equations: Vec<Equation>,
+    screening: &Screening,
 ) -> Vec<Elimination> {
     let mut done = Vec::new();
-    while let Some((r, column)) = pick(dag, table, &equations) {
+    let mut candidates: Vec<Vec<Candidate>> =
+        equations.iter().map(|e| candidates_of(dag, table, e, &screening.sizes)).collect();
+    while let Some((r, column)) = pick(&candidates, screening.last_resort) {
         let row = equations.swap_remove(r);
+        candidates.swap_remove(r);
         let pivot = row.coefficients[&column];
         // Its value at the samples, before what follows adds nodes.
         table.values(dag, pivot);
-        let step = solved_for(dag, row, column, pivot);
-        for other in &mut equations {
-            substitute(dag, other, &step);
+        let alone = equations.iter().all(|other| !other.coefficients.contains_key(&column));
+        let divisor = if alone && screening.divide_sums { pivot } else { dag.one() };
+        let step = solved_for(dag, row, column, pivot, divisor);
+        for (other, theirs) in equations.iter_mut().zip(&mut candidates) {
+            if substitute(dag, other, &step) {
+                *theirs = candidates_of(dag, table, other, &screening.sizes);
+            }
         }
         done.push(step);
     }
@@ -60,7 +90,7 @@ pub(super) fn eliminate(
 }
 
 /// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
-pub(super) fn solve(
+pub(crate) fn solve(
     dag: &mut Dag,
     table: &mut SampleTable,
     equations: Vec<Equation>,
@@ -70,55 +100,84 @@ pub(super) fn solve(
     Some((values, done.into_iter().map(|step| step.pivot).collect()))
 }
 
-/// (row, column) of least fill among the safe pivots; the safest if none is safe.
-fn pick(dag: &Dag, table: &mut SampleTable, equations: &[Equation]) -> Option<(usize, UnknownId)> {
-    let mut in_column: BTreeMap<UnknownId, usize> = BTreeMap::new();
-    for equation in equations {
-        for &column in equation.coefficients.keys() {
-            *in_column.entry(column).or_insert(0) += 1;
-        }
-    }
-    let mut candidates = Vec::new();
-    for (r, equation) in equations.iter().enumerate() {
-        let largest = row_maximum(dag, table, equation);
-        for (&column, &entry) in &equation.coefficients {
-            let relative = table.values(dag, entry).iter().zip(&largest).map(|(x, m)| x.abs() / m);
-            let safety = relative.fold(f64::INFINITY, f64::min);
-            let fill = (equation.coefficients.len() - 1) * (in_column[&column] - 1);
-            let score = (fill, usize::from(!dag.is_constant(entry)), dag.cone_cost(&[entry]), column.index());
-            candidates.push((safety, score, (r, column)));
-        }
-    }
-    let safe = candidates.iter().filter(|(safety, ..)| *safety > SAFE_PIVOT);
-    let safest = || candidates.iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    safe.min_by_key(|(_, score, _)| *score).or_else(safest).map(|(_, _, place)| *place)
+/// An entry as a pivot.
+struct Candidate {
+    column: UnknownId,
+    /// Size relative to the largest entry of its row, at the worst sample.
+    safety: f64,
+    varies: bool,
+    /// Operations that it takes.
+    cost: usize,
 }
 
-fn row_maximum(dag: &Dag, table: &mut SampleTable, equation: &Equation) -> Vec<f64> {
+fn candidates_of(
+    dag: &Dag,
+    table: &mut SampleTable,
+    equation: &Equation,
+    sizes: &BTreeMap<UnknownId, f64>,
+) -> Vec<Candidate> {
+    let size = |column: &UnknownId| sizes.get(column).copied().unwrap_or(1.0);
     let mut largest = vec![0.0_f64; table.points()];
-    for &entry in equation.coefficients.values() {
+    for (column, &entry) in &equation.coefficients {
         for (m, x) in largest.iter_mut().zip(table.values(dag, entry)) {
-            *m = m.max(x.abs());
+            *m = m.max(x.abs() * size(column));
         }
     }
-    largest
+    let candidate = |(&column, &entry): (&UnknownId, &ExprId)| {
+        let values = table.values(dag, entry);
+        let relative = values.iter().zip(&largest).map(|(x, m)| x.abs() * size(&column) / m);
+        let smallest = relative.fold(f64::INFINITY, f64::min);
+        // What has two signs vanishes in between.
+        let one_sign = values.iter().all(|x| *x > 0.0) || values.iter().all(|x| *x < 0.0);
+        Candidate {
+            column,
+            safety: if one_sign { smallest } else { 0.0 },
+            varies: !dag.is_constant(entry),
+            cost: dag.cone_cost(&[entry]),
+        }
+    };
+    equation.coefficients.iter().map(candidate).collect()
 }
 
-/// The row divided by its pivot: every later use shares the quotients.
-fn solved_for(dag: &mut Dag, row: Equation, unknown: UnknownId, pivot: ExprId) -> Elimination {
+/// (row, column) of least fill among the safe pivots; as a last resort the safest, if none is safe.
+fn pick(rows: &[Vec<Candidate>], last_resort: bool) -> Option<(usize, UnknownId)> {
+    let mut in_column: BTreeMap<UnknownId, usize> = BTreeMap::new();
+    for candidate in rows.iter().flatten() {
+        *in_column.entry(candidate.column).or_insert(0) += 1;
+    }
+    let all = || rows.iter().enumerate().flat_map(|(r, row)| row.iter().map(move |c| (r, row.len(), c)));
+    let score = |(_, width, c): &(usize, usize, &Candidate)| {
+        let fill = (width - 1) * (in_column[&c.column] - 1);
+        (fill, c.varies, c.cost, c.column)
+    };
+    let safe = all().filter(|(_, _, c)| c.safety > SAFE_PIVOT);
+    let safest = || all().filter(|_| last_resort).max_by(|a, b| a.2.safety.total_cmp(&b.2.safety));
+    safe.min_by_key(score).or_else(safest).map(|(r, _, c)| (r, c.column))
+}
+
+/// The row solved for an unknown. Divided by its pivot unless that is the divisor: every later use shares the
+/// quotients.
+fn solved_for(
+    dag: &mut Dag,
+    row: Equation,
+    unknown: UnknownId,
+    pivot: ExprId,
+    divisor: ExprId,
+) -> Elimination {
     let mut coefficients = row.coefficients;
     coefficients.remove(&unknown);
+    let factor = if dag.is_one(divisor) { pivot } else { dag.one() };
     for x in coefficients.values_mut() {
-        let quotient = dag.div(*x, pivot);
+        let quotient = dag.div(*x, factor);
         *x = dag.negate(quotient);
     }
-    let right = row.right.into_iter().map(|x| dag.div(x, pivot)).collect();
-    Elimination { unknown, pivot, coefficients, right }
+    let right = row.right.into_iter().map(|x| dag.div(x, factor)).collect();
+    Elimination { unknown, pivot, coefficients, right, divisor }
 }
 
-/// Puts an unknown's expression in its place.
-fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) {
-    let Some(entry) = other.coefficients.remove(&step.unknown) else { return };
+/// Puts an unknown's expression in its place; false if it has none.
+fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> bool {
+    let Some(entry) = other.coefficients.remove(&step.unknown) else { return false };
     for (&c, &x) in &step.coefficients {
         let product = dag.mul(entry, x);
         let new = match other.coefficients.get(&c) {
@@ -135,10 +194,11 @@ fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) {
         let product = dag.mul(entry, x);
         *mine = dag.sub(*mine, product);
     }
+    true
 }
 
 /// Every unknown by the right-hand sides alone; None if one never had a pivot.
-pub(super) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Values> {
+pub(crate) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Values> {
     let mut known = Values::new();
     for step in done.iter().rev() {
         let mut values = step.right.clone();
@@ -148,7 +208,7 @@ pub(super) fn back_substitute(dag: &mut Dag, done: &[Elimination]) -> Option<Val
                 *value = dag.add(*value, product);
             }
         }
-        known.insert(step.unknown, values);
+        known.insert(step.unknown, values.into_iter().map(|v| dag.div(v, step.divisor)).collect());
     }
     Some(known)
 }

@@ -12,7 +12,9 @@ mod shorten;
 
 use crate::diagnostic::Diagnostics;
 use crate::dynamics::{self, Augmented, Dynamics};
-use crate::expr::{Binary, Dag, ExprId, SymbolId, Unary};
+pub use crate::expr::cost::Optimise;
+use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
@@ -103,19 +105,39 @@ pub struct Quantity {
 /// # Errors
 /// What only numbers show: see the stages.
 pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagnostics> {
-    derive_with(model, choice, Effort::default())
+    derive_with(model, choice, Settings::default())
 }
 
-/// [`derive`] with another effort to shorten the program.
+/// How a program is derived; the equations are the same whatever is set.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Settings {
+    /// How hard to look for fewer operations.
+    pub effort: Effort,
+    /// What the choice between forms of the equations goes by.
+    pub optimise: Optimise,
+}
+
+impl From<Effort> for Settings {
+    fn from(effort: Effort) -> Self {
+        Self { effort, ..Self::default() }
+    }
+}
+
+/// [`derive`] with other settings.
 ///
 /// # Errors
 /// As for [`derive`].
-pub fn derive_with(model: &Model, choice: &ParameterChoice, effort: Effort) -> Result<Program, Diagnostics> {
+pub fn derive_with(
+    model: &Model,
+    choice: &ParameterChoice,
+    settings: impl Into<Settings>,
+) -> Result<Program, Diagnostics> {
+    let Settings { effort, optimise } = settings.into();
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
-    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table)?;
+    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, optimise)?;
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;
@@ -277,20 +299,29 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
     [q, u, inputs, parameters]
 }
 
-/// A coordinate that is read only by sines and cosines may be wrapped by whole turns.
+/// A coordinate that is read only by sines and cosines, as it is or in sums and differences that are read
+/// only by them, may be wrapped by whole turns.
 fn mark_angles(program: &mut Program) {
-    use crate::expr::Node;
     let roots = program.all_roots();
     let dag = &program.dag;
-    let reachable = dag.reachable(&roots);
-    for quantity in &mut program.q {
-        let read_elsewhere = reachable.iter().any(|&id| {
-            let trigonometric = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
-            !trigonometric
-                && dag.operands(id).into_iter().flatten().any(|a| dag.as_symbol(a) == Some(quantity.symbol))
-        });
-        let is_output = roots.iter().any(|&r| dag.as_symbol(r) == Some(quantity.symbol));
-        quantity.is_angle = quantity.unit == "rad" && !read_elsewhere && !is_output;
+    let mut periodic = vec![true; dag.len()];
+    for &root in &roots {
+        periodic[root.index()] = false;
+    }
+    for &id in dag.reachable(&roots).iter().rev() {
+        let reads_turns = match dag.node(id) {
+            Node::Unary(Unary::Sin | Unary::Cos, _) => true,
+            Node::Negate(_) | Node::Binary(Binary::Add | Binary::Sub, ..) => periodic[id.index()],
+            _ => false,
+        };
+        if !reads_turns {
+            dag.operands(id).into_iter().flatten().for_each(|a| periodic[a.index()] = false);
+        }
+    }
+    let coordinates = program.q.iter_mut().filter(|q| q.unit == "rad");
+    for quantity in coordinates {
+        let node = dag.find(Node::Symbol(quantity.symbol));
+        quantity.is_angle = node.is_none_or(|id| periodic[id.index()]);
     }
 }
 

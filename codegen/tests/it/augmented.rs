@@ -33,11 +33,17 @@ fn check(name: &str) {
     program.assembly.clone().correct(&mut q).expect("near nominal");
     let u: Vec<f64> = (0..program.u.len()).map(|i| 0.3 - 0.2 * i as f64).collect();
     let inputs: Vec<f64> = (0..program.inputs.len()).map(|i| 20.0 + 5.0 * i as f64).collect();
-    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
-    let mut reduced = Interpreted::<f64>::new(&program);
-    reduced.rates(0.0, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+    agree(&program, &q, &u, &inputs);
+}
 
-    let values = values(&program, &q, &u, &inputs);
+/// The reduced form against the augmented one at a state.
+pub(crate) fn agree(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) {
+    let name = &program.name;
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    let mut reduced = Interpreted::<f64>::new(program);
+    reduced.rates(0.0, q, u, inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+
+    let values = values(program, q, u, inputs);
     let numbers = program.dag.evaluate::<f64>(&program.augmented_roots(), &|s| values[&s]);
     let n = program.augmented.unknowns.len();
     let m = program.augmented.bias.len();

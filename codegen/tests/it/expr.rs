@@ -315,3 +315,26 @@ fn every_identity_keeps_its_value_and_never_costs_more() {
         assert!((found - expected).abs() < 1e-15, "{name}: {found} {expected}");
     }
 }
+
+/// The estimate of time: a chain waits for every result, sine and cosine of an angle come together, and a
+/// second quotient by the same divisor is a product.
+#[test]
+fn cycles_are_the_work_or_the_longest_chain() {
+    let mut dag = Dag::default();
+    let [x, y] = ["x", "y"].map(|name| dag.symbol(name));
+    let chain = (0..5).fold(x, |sum, _| {
+        let square = dag.mul(sum, sum);
+        dag.add(square, y)
+    });
+    assert_eq!(dag.cycles(&[chain]), 10 * 4);
+    let (sin, cos) = (dag.sin(x), dag.cos(x));
+    assert_eq!(dag.cycles(&[sin]), dag.cycles(&[sin, cos]));
+    let angles: Vec<_> = (0..10).map(|i| dag.symbol(&format!("a{i}"))).collect();
+    let sines: Vec<_> = angles.iter().map(|&a| dag.sin(a)).collect();
+    let both: Vec<_> = angles.iter().flat_map(|&a| [dag.sin(a), dag.cos(a)]).collect();
+    assert!(dag.cycles(&sines) > 10 * dag.cycles(&[chain]) / 2);
+    assert_eq!(dag.cycles(&sines), dag.cycles(&both));
+    let other: Vec<_> = angles.iter().map(|&a| dag.div(a, x)).collect();
+    let each: Vec<_> = angles.iter().map(|&a| dag.div(x, a)).collect();
+    assert!(dag.cycles(&other) < dag.cycles(&each));
+}

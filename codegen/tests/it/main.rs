@@ -1,6 +1,7 @@
 //! Tests of the generator, one binary.
 
 mod augmented;
+mod chain;
 mod example_crate;
 mod expr;
 mod expressions;

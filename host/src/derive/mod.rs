@@ -5,7 +5,9 @@ use crate::failure::Failure;
 use crate::{model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
-use smartbed_codegen::{Answer, Effort, EmitOptions, ParameterChoice, Program, ScalarType, program, rust};
+use smartbed_codegen::{
+    Answer, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
+};
 use std::path::Path;
 
 /// Derive the equations of motion and write them as no_std Rust.
@@ -31,6 +33,9 @@ pub struct Arguments {
     /// How hard to look for fewer operations; all takes some tenths of a second.
     #[arg(long, value_enum, default_value_t)]
     pub effort: EffortChoice,
+    /// What the choice between forms that give the same accelerations goes by.
+    #[arg(long, value_enum, default_value_t)]
+    pub optimise: OptimiseFor,
     /// Only these functions, without the struct that joins them to the runtime:
     /// rates, energy, speeds, outputs, projection.
     #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
@@ -108,6 +113,25 @@ pub enum Form {
     Kinematic,
 }
 
+/// What the choice between equal forms goes by.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum OptimiseFor {
+    /// Fewest operations.
+    #[default]
+    Operations,
+    /// Least estimated time on a host.
+    Time,
+}
+
+impl OptimiseFor {
+    fn optimise(self) -> Optimise {
+        match self {
+            Self::Operations => Optimise::Operations,
+            Self::Time => Optimise::Time,
+        }
+    }
+}
+
 /// Does what the command line asks for.
 ///
 /// # Errors
@@ -115,10 +139,10 @@ pub enum Form {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
-    let effort = arguments.effort.effort();
+    let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
     let program = match arguments.form {
-        Form::Kinematic => program::derive_kinematic(&model, &choice, effort),
-        _ => program::derive_with(&model, &choice, effort),
+        Form::Kinematic => program::derive_kinematic(&model, &choice, settings.effort),
+        _ => program::derive_with(&model, &choice, settings),
     };
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);

@@ -1,0 +1,228 @@
+//! Chains and trees: the forces between mass centres as unknowns against the mass matrix, and their operations.
+
+use crate::augmented::agree;
+use smartbed_codegen::{Interpreted, Optimise, ParameterChoice, Program, Settings, model, program};
+use smartbed_runtime::mechanism::Mechanism;
+use std::fmt::Write;
+
+fn derived(text: &str) -> Program {
+    derived_for(text, Optimise::Operations)
+}
+
+fn derived_for(text: &str, optimise: Optimise) -> Program {
+    let model = model::parse("chain.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    program::derive_with(&model, &ParameterChoice::default(), Settings { optimise, ..Settings::default() })
+        .unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// n point masses on massless rods, absolute angles from the downward vertical.
+fn pendulum(n: usize) -> String {
+    let mut text = format!(
+        "format = 1\nname = \"pendulum{n}\"\ndof = {n}\ngravity = \"-g*N.y\"\n[parameters]\n\
+         g = {{ value = 9.81, unit = \"m/s^2\" }}\n"
+    );
+    for (i, above) in (0..n).map(|i| (i, if i == 0 { "O".to_owned() } else { format!("P{}", i - 1) })) {
+        let mass = masses(n)[i];
+        write!(
+            text,
+            "[parameters.m{i}]\nvalue = {mass}\nunit = \"kg\"\n[parameters.l{i}]\nvalue = 0.7\nunit = \"m\"\n\
+             [coordinates.q{i}]\nunit = \"rad\"\nspeed = \"u{i}\"\nrange = [-3, 3]\n\
+             [frames.rod{i}]\nparent = \"N\"\nrotations = [[\"z\", \"q{i}\"]]\n\
+             [points.P{i}]\nposition = \"{above} - l{i}*rod{i}.y\"\n\
+             [bodies.mass{i}]\ncentre = \"P{i}\"\nmass = \"m{i}\"\n"
+        )
+        .expect("a string grows");
+    }
+    text
+}
+
+/// Does u' go through transmitted forces?
+fn is_chain(program: &Program) -> bool {
+    let nodes = program.dag.reachable(&program.rates.u_dot);
+    nodes.into_iter().any(|id| program.dag.name_of(id).is_some_and(|name| name.starts_with("force_")))
+}
+
+/// Compares with the mass matrix at several states.
+fn check(program: &Program) {
+    for round in 0..5 {
+        let number = |i: usize| (1.7 * (i + 1) as f64 + 2.3 * f64::from(round)).sin();
+        let q: Vec<f64> = (0..program.q.len()).map(|i| 2.0 * number(i)).collect();
+        let u: Vec<f64> = (0..program.u.len()).map(|i| 3.0 * number(i + 40)).collect();
+        let inputs: Vec<f64> = (0..program.inputs.len()).map(|i| 5.0 * number(i + 80)).collect();
+        agree(program, &q, &u, &inputs);
+    }
+}
+
+/// The text with the positions of all masses as outputs.
+fn with_positions(text: &str, n: usize) -> String {
+    let lines: String = (0..n)
+        .map(|i| format!("x{i} = \"dot(P{i}, N.x)\"\ny{i} = \"dot(P{i}, N.y)\"\nz{i} = \"dot(P{i}, N.z)\"\n"))
+        .collect();
+    format!("{text}[outputs]\n{lines}")
+}
+
+/// Kinetic energy is sum 1/2 m v^2 with velocities from differences of positions, and no energy is gained: tells
+/// the mass matrix and the accelerations apart from what both have in common.
+fn check_energy(program: &Program, masses: &[f64]) {
+    /// Step of central differences (s), and what is left of them.
+    const STEP: f64 = 1e-5;
+    const ROUNDING: f64 = 1e-7;
+    let mut mechanism = Interpreted::<f64>::new(program);
+    for round in 0..5 {
+        let number = |i: usize| (0.9 * (i + 1) as f64 + 1.3 * f64::from(round)).sin();
+        let q: Vec<f64> = (0..program.q.len()).map(number).collect();
+        let u: Vec<f64> = (0..program.u.len()).map(|i| number(i + 40)).collect();
+        let (mut q_dot, mut u_dot) = (q.clone(), u.clone());
+        mechanism.rates(0.0, &q, &u, &[], &mut q_dot, &mut u_dot).expect("lengths fit");
+        let moved = |x: &[f64], rate: &[f64], h: f64| -> Vec<f64> {
+            x.iter().zip(rate).map(|(x, r)| x + h * r).collect()
+        };
+        let [before, after] = [-STEP, STEP].map(|h| (moved(&q, &q_dot, h), moved(&u, &u_dot, h)));
+        let places = [&before, &after].map(|(q, u)| mechanism.outputs(0.0, q, u, &[]).expect("lengths fit"));
+        let speeds = places[0].iter().zip(&places[1]).map(|(a, b)| (b - a) / (2.0 * STEP));
+        let squares = speeds.map(|v| v * v).collect::<Vec<_>>();
+        let expected: f64 = squares.chunks(3).zip(masses).map(|(v, m)| 0.5 * m * v.iter().sum::<f64>()).sum();
+        let (kinetic, _) = mechanism.energy(&q, &u).expect("lengths fit");
+        assert!((kinetic - expected).abs() < ROUNDING * (1.0 + expected), "{kinetic} {expected}");
+        let total = [&before, &after].map(|(q, u)| {
+            let (kinetic, potential) = mechanism.energy(q, u).expect("lengths fit");
+            kinetic + potential
+        });
+        let gain = (total[1] - total[0]) / (2.0 * STEP);
+        assert!(gain.abs() < ROUNDING * (1.0 + 10.0 * total[0].abs()), "{gain} W of {} J", total[0]);
+    }
+}
+
+/// Masses of [`pendulum`].
+fn masses(n: usize) -> Vec<f64> {
+    (0..n).map(|i| 1.0 + 0.1 * (i % 3) as f64).collect()
+}
+
+/// Operations of a chain grow linearly: every link costs the same.
+#[test]
+fn operations_are_linear_in_the_number_of_links() {
+    /// Of a link: angle difference, sine and cosine, centripetal acceleration, a row of a tridiagonal system,
+    /// and the angular acceleration.
+    const OF_A_LINK: usize = 22;
+    /// A hand derivation of ten links takes some 340.
+    const OF_TEN_LINKS: usize = 210;
+    let operations = [5, 10, 20, 40].map(|n| derived(&pendulum(n)).operations());
+    println!("5, 10, 20, 40 links: {operations:?}");
+    assert!(operations[1] <= OF_TEN_LINKS);
+    for (pair, links) in operations.windows(2).zip([5, 10, 20]) {
+        assert!(pair[1] - pair[0] <= OF_A_LINK * links, "{operations:?}");
+    }
+}
+
+#[test]
+fn point_masses_on_rods() {
+    for n in [3, 5, 10] {
+        let program = derived(&with_positions(&pendulum(n), n));
+        assert!(is_chain(&program));
+        check(&program);
+        check_energy(&program, &masses(n));
+    }
+}
+
+/// The coordinates stand in sines and cosines of differences only: whole turns may be taken off.
+#[test]
+fn angles_in_differences_are_angles() {
+    let program = derived(&pendulum(4));
+    assert!(program.q.iter().all(|q| q.is_angle));
+}
+
+/// Centres half-way along rods with inertia.
+fn rods(n: usize) -> String {
+    let mut text = pendulum(n);
+    for i in 0..n {
+        text = text
+            .replace(&format!("position = \"P{i} - "), &format!("position = \"H{i} - "))
+            .replace(&format!("- l{i}*rod{i}.y\""), &format!("- l{i}/2*rod{i}.y\""))
+            .replace(
+                &format!("mass = \"m{i}\""),
+                &format!(
+                    "mass = \"m{i}\"\nframe = \"rod{i}\"\ninertia = {{ Izz = \"m{i}*l{i}.powi(2)/12\" }}"
+                ),
+            );
+        write!(text, "[points.H{i}]\nposition = \"P{i} - l{i}/2*rod{i}.y\"\n").expect("a string grows");
+    }
+    text
+}
+
+/// Seven rods: the chain is shorter, but divides more often; twelve: it is shorter and faster.
+#[test]
+fn forms_are_chosen_by_operations_or_by_time() {
+    for (n, faster) in [(7, false), (12, true)] {
+        let [short, fast] =
+            [Optimise::Operations, Optimise::Time].map(|optimise| derived_for(&rods(n), optimise));
+        assert!(is_chain(&short));
+        assert_eq!(is_chain(&fast), faster, "{n} rods");
+        assert!(short.operations() <= fast.operations());
+        assert!(fast.dag.cycles(&fast.rates.u_dot) <= short.dag.cycles(&short.rates.u_dot));
+        check(&short);
+        check(&fast);
+    }
+}
+
+/// Rods with inertia, a spring to the ground, a force and a torque, one body without weight.
+#[test]
+fn rods_with_inertia_and_loads() {
+    let mut text = pendulum(8).replace("mass = \"m2\"", "mass = \"m2\"\nweight = false");
+    for i in 0..8 {
+        text = text.replace(
+            &format!("mass = \"m{i}\""),
+            &format!("mass = \"m{i}\"\nframe = \"rod{i}\"\ninertia = {{ Izz = \"0.02*m{i}*l{i}.powi(2)\" }}"),
+        );
+    }
+    text.push_str(
+        "[parameters.k]\nvalue = 200\nunit = \"N/m\"\n[parameters.c]\nvalue = 2\nunit = \"N s/m\"\n\
+         [points.A]\nposition = \"l0*N.x\"\n[inputs]\nF = { unit = \"N\" }\nT = { unit = \"N m\" }\n\
+         [forces]\nwind = { point = \"P1\", force = \"F*N.x\" }\n\
+         [torques]\nmotor = { frame = \"rod2\", torque = \"T*N.z\", reaction = \"rod1\" }\n\
+         [springs]\nrope = { between = [\"A\", \"P3\"], stiffness = \"k\", rest_length = \"l0/2\", damping = \"c\" }\n",
+    );
+    let program = derived(&text);
+    assert!(is_chain(&program));
+    check(&program);
+}
+
+/// Two chains hang from the end of a third, and one centre carries two bodies.
+#[test]
+fn a_tree_of_point_masses() {
+    let text = pendulum(7)
+        .replace("\"P4 - l5", "\"P2 - l5")
+        .replace("[bodies.mass4]", "[bodies.twin]\ncentre = \"P4\"\nmass = \"2*m0\"\n[bodies.mass4]");
+    let program = derived(&with_positions(&text, 7));
+    assert!(is_chain(&program));
+    check(&program);
+    let mut masses = masses(7);
+    masses[4] += 2.0 * masses[0];
+    check_energy(&program, &masses);
+}
+
+/// Rods that swing in space: two angles each, cosines of the second in the pivots.
+#[test]
+fn rods_in_space() {
+    let mut text = pendulum(3).replace("dof = 3", "dof = 6");
+    for i in 0..3 {
+        text = text.replace(
+            &format!("rotations = [[\"z\", \"q{i}\"]]"),
+            &format!("rotations = [[\"z\", \"q{i}\"], [\"x\", \"p{i}\"]]"),
+        );
+        write!(text, "[coordinates.p{i}]\nunit = \"rad\"\nrange = [-1, 1]\n").expect("a string grows");
+    }
+    let program = derived(&with_positions(&text, 3));
+    check(&program);
+    check_energy(&program, &masses(3));
+}
+
+/// Speeds that are relative from body to body: the mass matrix stays.
+#[test]
+fn relative_angles() {
+    let mut text = pendulum(4);
+    for i in 1..4 {
+        let (before, parent) = (format!("[frames.rod{i}]\nparent = \"N\""), i - 1);
+        text = text.replace(&before, &format!("[frames.rod{i}]\nparent = \"rod{parent}\""));
+    }
+    check(&derived(&text));
+}
