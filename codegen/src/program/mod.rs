@@ -102,10 +102,10 @@ pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagno
     derive_with(model, choice, Effort::default())
 }
 
-/// [`derive`] with another effort to shorten the program.
+/// [`derive()`] with another effort to shorten the program.
 ///
 /// # Errors
-/// As for [`derive`].
+/// As for [`derive()`].
 pub fn derive_with(model: &Model, choice: &ParameterChoice, effort: Effort) -> Result<Program, Diagnostics> {
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
