@@ -1,11 +1,12 @@
 // Generated from models/tile.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile: 12 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f64.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 724 operations (12 abs, 133 add, 5 cos, 12 div, 11 min, 427 mul, 5 sin, 119 sub).
-// Cost of energy: 218 operations (48 add, 5 cos, 9 div, 136 mul, 5 sin, 15 sub).
+// Cost of rates: 709 operations (12 abs, 128 add, 5 cos, 12 div, 11 min, 422 mul, 5 sin, 114 sub).
+// Cost of energy: 209 operations (43 add, 5 cos, 9 div, 134 mul, 5 sin, 13 sub).
 // Cost of speeds: 151 operations (21 add, 5 cos, 9 div, 94 mul, 5 sin, 17 sub).
 // Cost of outputs: 10 operations (1 add, 2 cos, 4 mul, 2 sin, 1 sub).
-// Cost of projection: 393 operations (9 abs, 79 add, 6 cos, 10 div, 8 max, 212 mul, 6 sin, 1 sqrt, 62 sub).
+// Cost of projection: 392 operations (9 abs, 79 add, 6 cos, 10 div, 8 max, 211 mul, 6 sin, 1 sqrt, 62 sub).
+// Cost of prepare: 16 operations (5 add, 6 mul, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -93,6 +94,7 @@ pub const NOMINAL: [f64; 12usize] = [
 ];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Radius of the circle of screws (m), models/tile.toml:11.
@@ -141,9 +143,99 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `R`.
+    pub R: S,
+    ///The parameter `ms`.
+    pub ms: S,
+    ///The parameter `mc`.
+    pub mc: S,
+    ///The parameter `Ic2`.
+    pub Ic2: S,
+    ///The parameter `Ic3`.
+    pub Ic3: S,
+    ///The parameter `M`.
+    pub M: S,
+    ///The parameter `Ix`.
+    pub Ix: S,
+    ///The parameter `Iy`.
+    pub Iy: S,
+    ///The parameter `Iz`.
+    pub Iz: S,
+    ///The parameter `c`.
+    pub c: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///16 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let R = p.R;
+    let ms = p.ms;
+    let mc = p.mc;
+    let Ic2 = p.Ic2;
+    let Ic3 = p.Ic3;
+    let M = p.M;
+    let Ix = p.Ix;
+    let Iy = p.Iy;
+    let Iz = p.Iz;
+    let c = p.c;
+    let g = p.g;
+    let t1 = 0.5_f64 * R;
+    let Ic1 = p.Ic1;
+    let t2 = 0.5_f64 * (Ic1 + Ic2 - Ic3);
+    let t3 = ms + mc;
+    let t4 = g * t3;
+    let t5 = Iz - Iy;
+    let t6 = Ix - Iz;
+    let t7 = Iy - Ix;
+    let mr = p.mr;
+    let t8 = mr + t3;
+    let t9 = 0.5773502691896257_f64 * M;
+    let t10 = 1.3333333333333333_f64 * M;
+    let t11 = 0.5_f64 * (Ic1 - (Ic2 + Ic3));
+    let t12 = t2 + t11;
+    Prepared { R, ms, mc, Ic2, Ic3, M, Ix, Iy, Iz, c, g, k11: t1, k12: t2, k13: t3, k14: t4, k15: t5, k16: t6, k17: t7, k18: t8, k19: t9, k20: t10, k21: t11, k22: t12 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///724 operations.
+///709 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -156,7 +248,7 @@ pub fn rates(
     q: &[S; 12usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 12usize], [S; 3usize], S) {
     let u_hA = u[0];
     let sA = q[3];
@@ -248,169 +340,167 @@ pub fn rates(
     let u_sC_per_w_platform_z = 1.7320508075688772_f64 * sC;
     let u_sC = u_hC * u_sB_per_u_hB - u_sC_per_w_platform_z * t10 - t42;
     let Ic3 = p.Ic3;
-    let Ic1 = p.Ic1;
+    let k22 = p.k22;
+    let t51 = Ic3 + sin_thC * (sin_thC * k22);
+    let t52 = u_psiC_per_w_platform_z * t51;
+    let t53 = Ic3 + sin_thB * (sin_thB * k22);
+    let t54 = u_psiB_per_w_platform_z * t53;
     let Ic2 = p.Ic2;
-    let t51 = 0.5_f64 * (Ic1 + Ic2 - Ic3);
-    let t52 = 0.5_f64 * (Ic1 - (Ic2 + Ic3));
-    let t53 = t51 + t52;
-    let t54 = Ic3 + sin_thC * (sin_thC * t53);
-    let t55 = u_psiC_per_w_platform_z * t54;
-    let t56 = Ic3 + sin_thB * (sin_thB * t53);
-    let t57 = u_psiB_per_w_platform_z * t56;
-    let t58 = Ic2 * u_thC_per_w_platform_z;
-    let t59 = Ic2 * t41;
-    let t60 = t46 * t55 + (t36 * t57 - (u_thC_per_w_platform_x * t58 + t15 * t59));
-    let t61 = t4 * t60;
+    let t55 = Ic2 * u_thC_per_w_platform_z;
+    let t56 = Ic2 * t41;
+    let t57 = t46 * t52 + (t36 * t54 - (u_thC_per_w_platform_x * t55 + t15 * t56));
+    let t58 = t4 * t57;
     let M = p.M;
-    let t62 = sA * M;
-    let t63 = Ic3 + sin_thA * (sin_thA * t53);
-    let t64 = u_psiA_per_w_platform_z * t63;
-    let t65 = Ic2 * t27;
-    let t66 = t37 * t57 + (t24 * t64 - (t40 * t59 + u_thA_per_w_platform_y * t65 - t48 * t58));
-    let t67 = u_psiC_per_w_platform_y * t55 - t66;
-    let t68 = t37 * t56;
-    let t69 = Ic2 * t40;
-    let t70 = Ic2 * t48;
-    let t71 = u_psiC_per_w_platform_y * t54;
-    let t72 = t36 * t68 + (t15 * t69 - u_thC_per_w_platform_x * t70) - t46 * t71;
+    let t59 = sA * M;
+    let t60 = Ic3 + sin_thA * (sin_thA * k22);
+    let t61 = u_psiA_per_w_platform_z * t60;
+    let t62 = Ic2 * t27;
+    let t63 = t37 * t54 + (t24 * t61 - (t40 * t56 + u_thA_per_w_platform_y * t62 - t48 * t55));
+    let t64 = u_psiC_per_w_platform_y * t52 - t63;
+    let t65 = t37 * t53;
+    let t66 = Ic2 * t40;
+    let t67 = Ic2 * t48;
+    let t68 = u_psiC_per_w_platform_y * t51;
+    let t69 = t36 * t65 + (t15 * t66 - u_thC_per_w_platform_x * t67) - t46 * t68;
     let Ix = p.Ix;
-    let t73 = t36 * (t36 * t56) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t15 * (Ic2 * t15)));
-    let t74 = t46 * (t46 * t54) + t73;
-    let t75 = t19 * t74;
-    let t76 = w_platform_x_per_u_hB * (t72 - t75);
-    let t77 = t19 * t61 - (t62 * v_G_z_per_u_hA - t4 * t67 - t76);
+    let t70 = t36 * (t36 * t53) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t15 * (Ic2 * t15)));
+    let t71 = t46 * (t46 * t51) + t70;
+    let t72 = t19 * t71;
+    let t73 = w_platform_x_per_u_hB * (t69 - t72);
+    let t74 = t19 * t58 - (t59 * v_G_z_per_u_hA - t4 * t64 - t73);
     let Iy = p.Iy;
-    let t78 = t24 * (t24 * t63) + (t48 * t70 + (t40 * t69 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
-    let t79 = t19 * (2.0_f64 * t72 - t75) - (sA * t62 + (u_psiC_per_w_platform_y * t71 + (t37 * t68 + t78)));
-    let t80 = w_platform_x_per_u_hB * t74;
-    let t81 = 1.3333333333333333_f64 * M;
-    let t82 = sA * t81;
-    let t83 = 0.5773502691896257_f64 * M;
-    let t84 = v_G_x_per_w_platform_z * t83;
-    let t85 = M * v_G_x_per_w_platform_z;
+    let t75 = t24 * (t24 * t60) + (t48 * t67 + (t40 * t66 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
+    let t76 = t19 * (2.0_f64 * t69 - t72) - (sA * t59 + (u_psiC_per_w_platform_y * t68 + (t37 * t65 + t75)));
+    let t77 = w_platform_x_per_u_hB * t71;
+    let k20 = p.k20;
+    let t78 = sA * k20;
+    let k19 = p.k19;
+    let t79 = v_G_x_per_w_platform_z * k19;
+    let t80 = M * v_G_x_per_w_platform_z;
     let Iz = p.Iz;
-    let t86 = u_psiB_per_w_platform_z * t57 + (u_psiA_per_w_platform_z * t64 + (u_thC_per_w_platform_z * t58 + (t41 * t59 + (Iz + t27 * t65))));
-    let t87 = sA * (t82 + 2.0_f64 * t84) + (v_G_x_per_w_platform_z * t85 + (u_psiC_per_w_platform_z * t55 + t86));
-    let t88 = (t84 + t82) * t6;
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t89 = ms + mc;
-    let t90 = mr + t89;
-    let t91 = t4 * (t4 * t87 - 2.0_f64 * t88) + (t90 + t6 * (t81 * t6)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
-    let mass_u_hA_u_hA = t23 * (2.0_f64 * t77 - t23 * t79) + (w_platform_x_per_u_hB * (t80 - 2.0_f64 * t61) + t91);
-    let t92 = 1.0_f64 / mass_u_hA_u_hA;
-    let t93 = t10 * t30;
-    let v_G_z_dot_bias = 2.0_f64 * (w_platform_y * u_sA) - sA * t93;
-    let t94 = 0.8660254037844386_f64 * t10;
-    let t95 = w_platform_y * t94;
-    let t96 = 0.5_f64 * t10;
-    let t97 = t30 * t96;
-    let t98 = t95 + t97;
-    let t99 = 0.5_f64 * w_platform_y;
-    let t100 = 0.8660254037844386_f64 * t30;
-    let t101 = t99 - t100;
-    let t102 = t18 * (v_G_z_dot_bias - (sB * t98 - 2.0_f64 * (u_sB * t101)));
-    let t103 = t95 - t97;
-    let t104 = t99 + t100;
-    let t105 = t21 * (t16 * t102 + (v_G_z_dot_bias + (sC * t103 + 2.0_f64 * (u_sC * t104))));
-    let t106 = t10 * t96;
-    let t107 = t106 + w_platform_y * t101;
-    let t108 = t10 * t94;
-    let t109 = t108 - t30 * t101;
-    let t110 = 1.7320508075688772_f64 * (sB * t107 + 2.0_f64 * (u_sB * t94)) + (2.0_f64 * (u_sB * t96) - sB * t109);
-    let t111 = t108 + t30 * t104;
-    let t112 = t106 + w_platform_y * t104;
-    let t113 = w_platform_y * t30;
-    let t114 = sA * t113 + 2.0_f64 * (t10 * u_sA);
-    let t115 = t110 + sC * t111 + 1.7320508075688772_f64 * (2.0_f64 * (u_sC * t94) - sC * t112) + 2.0_f64 * (u_sC * t96 + t114);
-    let t116 = t2 * t115;
-    let t117 = 2.0_f64 * (u_psiC * t50);
-    let t118 = sin_thC * t117;
-    let u_psiC_dot_bias = t44 * (t45 * t103 - (t39 * t111 - t49 * t112) - cos_thC * t118);
-    let t119 = t54 * u_psiC_dot_bias - (sin_thC * (t51 * (cos_thC * t117)) + cos_thC * (t52 * t118));
-    let t120 = 2.0_f64 * u_thB;
-    let t121 = sin_thB * u_psiB;
-    let t122 = t120 * t121;
-    let t123 = t56 * (t32 * (t39 * t109 - t49 * t107 + t35 * t98 + cos_thB * t122));
-    let t124 = cos_thB * u_psiB;
-    let t125 = t123 + (sin_thB * (t51 * (t120 * t124)) + cos_thB * (t52 * t122));
-    let t126 = cos_thC * u_psiC;
-    let t127 = sin_thC * u_psiC * t126;
-    let t128 = v_G_z_per_u_hA * t103 - (t6 * t111 + sin_thA * t112) - (sin_thC * (t126 * t126 + t50 * t50) - cos_thC * t127);
-    let t129 = Ic2 * (t47 * t128) + t53 * t127;
-    let t130 = t121 * t124;
-    let t131 = sin_thB * (t124 * t124 + u_thB * u_thB) - cos_thB * t130 - (t6 * t109 - sin_thA * t107 - v_G_z_per_u_hA * t98);
-    let t132 = t53 * t130 - Ic2 * (t38 * t131);
-    let t133 = t36 * t125 + (u_thC_per_w_platform_x * t129 + ((Iz - Iy) * (t10 * w_platform_y) - t15 * t132));
-    let t134 = t74 * t102 + (t60 * t116 + (t46 * t119 + t133));
+    let t81 = u_psiB_per_w_platform_z * t54 + (u_psiA_per_w_platform_z * t61 + (u_thC_per_w_platform_z * t55 + (t41 * t56 + (Iz + t27 * t62))));
+    let t82 = sA * (t78 + 2.0_f64 * t79) + (v_G_x_per_w_platform_z * t80 + (u_psiC_per_w_platform_z * t52 + t81));
+    let t83 = (t79 + t78) * t6;
+    let k18 = p.k18;
+    let t84 = t4 * (t4 * t82 - 2.0_f64 * t83) + (k18 + t6 * (k20 * t6)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let mass_u_hA_u_hA = t23 * (2.0_f64 * t74 - t23 * t76) + (w_platform_x_per_u_hB * (t77 - 2.0_f64 * t58) + t84);
+    let t85 = 1.0_f64 / mass_u_hA_u_hA;
+    let t86 = t10 * t30;
+    let v_G_z_dot_bias = 2.0_f64 * (w_platform_y * u_sA) - sA * t86;
+    let t87 = 0.8660254037844386_f64 * t10;
+    let t88 = w_platform_y * t87;
+    let t89 = 0.5_f64 * t10;
+    let t90 = t30 * t89;
+    let t91 = t88 + t90;
+    let t92 = 0.5_f64 * w_platform_y;
+    let t93 = 0.8660254037844386_f64 * t30;
+    let t94 = t92 - t93;
+    let t95 = t18 * (v_G_z_dot_bias - (sB * t91 - 2.0_f64 * (u_sB * t94)));
+    let t96 = t88 - t90;
+    let t97 = t92 + t93;
+    let t98 = t21 * (t16 * t95 + (v_G_z_dot_bias + (sC * t96 + 2.0_f64 * (u_sC * t97))));
+    let t99 = t10 * t89;
+    let t100 = t99 + w_platform_y * t94;
+    let t101 = t10 * t87;
+    let t102 = t101 - t30 * t94;
+    let t103 = 1.7320508075688772_f64 * (sB * t100 + 2.0_f64 * (u_sB * t87)) + (2.0_f64 * (u_sB * t89) - sB * t102);
+    let t104 = t101 + t30 * t97;
+    let t105 = t99 + w_platform_y * t97;
+    let t106 = w_platform_y * t30;
+    let t107 = sA * t106 + 2.0_f64 * (t10 * u_sA);
+    let t108 = t103 + sC * t104 + 1.7320508075688772_f64 * (2.0_f64 * (u_sC * t87) - sC * t105) + 2.0_f64 * (u_sC * t89 + t107);
+    let t109 = t2 * t108;
+    let t110 = 2.0_f64 * (u_psiC * t50);
+    let t111 = sin_thC * t110;
+    let u_psiC_dot_bias = t44 * (t45 * t96 - (t39 * t104 - t49 * t105) - cos_thC * t111);
+    let k12 = p.k12;
+    let k21 = p.k21;
+    let t112 = t51 * u_psiC_dot_bias - (sin_thC * (k12 * (cos_thC * t110)) + cos_thC * (k21 * t111));
+    let t113 = 2.0_f64 * u_thB;
+    let t114 = sin_thB * u_psiB;
+    let t115 = t113 * t114;
+    let t116 = t53 * (t32 * (t39 * t102 - t49 * t100 + t35 * t91 + cos_thB * t115));
+    let t117 = cos_thB * u_psiB;
+    let t118 = t116 + (sin_thB * (k12 * (t113 * t117)) + cos_thB * (k21 * t115));
+    let t119 = cos_thC * u_psiC;
+    let t120 = sin_thC * u_psiC * t119;
+    let t121 = v_G_z_per_u_hA * t96 - (t6 * t104 + sin_thA * t105) - (sin_thC * (t119 * t119 + t50 * t50) - cos_thC * t120);
+    let t122 = Ic2 * (t47 * t121) + k22 * t120;
+    let k15 = p.k15;
+    let t123 = t114 * t117;
+    let t124 = sin_thB * (t117 * t117 + u_thB * u_thB) - cos_thB * t123 - (t6 * t102 - sin_thA * t100 - v_G_z_per_u_hA * t91);
+    let t125 = k22 * t123 - Ic2 * (t38 * t124);
+    let t126 = t46 * t112 + (t36 * t118 + (u_thC_per_w_platform_x * t122 + (k15 * (t10 * w_platform_y) - t15 * t125)));
+    let t127 = t71 * t95 + (t57 * t109 + t126);
     let g = p.g;
-    let t135 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
-    let t136 = t25 * u_thA;
-    let t137 = u_sB_per_u_hB * t136;
-    let t138 = t63 * (t12 * (v_G_z_per_u_hA * t113 - t6 * t93 + cos_thA * t137)) + (sin_thA * (t51 * (cos_thA * (2.0_f64 * t136))) + cos_thA * (t52 * t137));
-    let t139 = cos_thA * t25;
-    let t140 = sin_thA * t25 * t139;
-    let t141 = v_G_z_per_u_hA * t93 + cos_thA * t140 + t6 * t113 + sin_thA * (t10 * t10 + w_platform_y * w_platform_y - (t139 * t139 + u_thA * u_thA));
-    let t142 = Ic2 * (t26 * t141) + t53 * t140;
-    let t143 = t24 * t138 + (t48 * t129 + (t40 * t132 + ((Ix - Iz) * t93 - u_thA_per_w_platform_y * t142)));
-    let t144 = t72 * t102 - (sA * t135 + (t67 * t116 + (u_psiC_per_w_platform_y * t119 - (t37 * t125 - t143))));
-    let t145 = t79 * t105 + (t19 * t134 - t144);
-    let t146 = M * (g * sin_thA + 0.5773502691896257_f64 * t110);
-    let t147 = t81 * t114 + (0.5773502691896257_f64 * t146 - M * (g * t6));
-    let t148 = u_psiA_per_w_platform_z * t138 - (t41 * t132 - (t27 * t142 + (Iy - Ix) * t113) - u_thC_per_w_platform_z * t129);
-    let t149 = sA * t147 + (t84 * t114 - (u_psiC_per_w_platform_z * t119 + (u_psiB_per_w_platform_z * t125 - t148) - v_G_x_per_w_platform_z * t146));
-    let t150 = t149 - t87 * t116;
-    let t151 = g * t89;
+    let t128 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
+    let t129 = t25 * u_thA;
+    let t130 = u_sB_per_u_hB * t129;
+    let t131 = t60 * (t12 * (v_G_z_per_u_hA * t106 - t6 * t86 + cos_thA * t130)) + (sin_thA * (k12 * (cos_thA * (2.0_f64 * t129))) + cos_thA * (k21 * t130));
+    let k16 = p.k16;
+    let t132 = cos_thA * t25;
+    let t133 = sin_thA * t25 * t132;
+    let t134 = v_G_z_per_u_hA * t86 + cos_thA * t133 + t6 * t106 + sin_thA * (t10 * t10 + w_platform_y * w_platform_y - (t132 * t132 + u_thA * u_thA));
+    let t135 = Ic2 * (t26 * t134) + k22 * t133;
+    let t136 = t24 * t131 + (t48 * t122 + (t40 * t125 + (k16 * t86 - u_thA_per_w_platform_y * t135)));
+    let t137 = t69 * t95 - (sA * t128 + (t64 * t109 + (u_psiC_per_w_platform_y * t112 - (t37 * t118 - t136))));
+    let t138 = t76 * t98 + (t19 * t127 - t137);
+    let t139 = M * (g * sin_thA + 0.5773502691896257_f64 * t103);
+    let t140 = k20 * t107 + (0.5773502691896257_f64 * t139 - M * (g * t6));
+    let k17 = p.k17;
+    let t141 = u_psiA_per_w_platform_z * t131 - (t41 * t125 - (t27 * t135 + k17 * t106) - u_thC_per_w_platform_z * t122);
+    let t142 = sA * t140 + (t79 * t107 - (u_psiC_per_w_platform_z * t112 + (u_psiB_per_w_platform_z * t118 - t141) - v_G_x_per_w_platform_z * t139));
+    let t143 = t142 - t82 * t109;
+    let k14 = p.k14;
     let c = p.c;
     let FA = inputs[0];
-    let t152 = t4 * t150 + (t88 * t116 + (t151 + (u_hA * c - FA) - t6 * t147));
-    let t153 = w_platform_x_per_u_hB * t134;
-    let forcing_u_hA = t23 * t145 - (t77 * t105 - (t61 * t102 - (v_G_z_per_u_hA * t135 + t152) - t153));
-    let t154 = w_platform_y_per_u_hB * t79;
-    let t155 = t8 * t60;
-    let t156 = t19 * t155 + (t76 + t8 * t67);
-    let t157 = t83 * t28;
-    let t158 = sA * t157 + t85 * t28;
-    let t159 = t8 * t87;
-    let t160 = t23 * (t154 - t156) + (t8 * t88 - (t6 * t157 - t4 * (t158 - t159)));
-    let t161 = w_platform_y_per_u_hB * t77 - t160 + w_platform_x_per_u_hB * (t80 - t155 - t61);
-    let t162 = t92 * t161;
-    let t163 = w_platform_x_per_u_hB * (2.0_f64 * t155 - t80) - (t90 + t28 * (M * t28) - t8 * (2.0_f64 * t158 - t159));
-    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (2.0_f64 * t156 - t154) - t163;
-    let pivot_1 = mass_u_hB_u_hB - t161 * t162;
-    let t164 = 1.0_f64 / pivot_1;
-    let t165 = w_platform_y_per_u_hC * t79;
-    let t166 = t9 * t60;
-    let t167 = t19 * t166 + t9 * t67;
-    let t168 = t165 + t167;
-    let t169 = w_platform_x_per_u_hB * t166;
-    let t170 = t9 * t87;
-    let mass_u_hA_u_hC = t23 * t168 - (t169 - (t4 * t170 - t9 * t88)) - w_platform_y_per_u_hC * t77;
-    let mass_u_hB_u_hC = w_platform_y_per_u_hC * t156 + (t169 + (t9 * t158 - t8 * t170) - w_platform_y_per_u_hB * t168);
-    let t171 = t162 * mass_u_hA_u_hC + mass_u_hB_u_hC;
-    let t172 = t164 * t171;
+    let t144 = t4 * t143 + (t83 * t109 + (k14 + (u_hA * c - FA) - t6 * t140));
+    let t145 = w_platform_x_per_u_hB * t127;
+    let forcing_u_hA = t23 * t138 - (t74 * t98 - (t58 * t95 - (v_G_z_per_u_hA * t128 + t144) - t145));
+    let t146 = w_platform_y_per_u_hB * t76;
+    let t147 = t8 * t57;
+    let t148 = t19 * t147 + (t73 + t8 * t64);
+    let t149 = k19 * t28;
+    let t150 = sA * t149 + t80 * t28;
+    let t151 = t8 * t82;
+    let t152 = t23 * (t146 - t148) + (t8 * t83 - (t6 * t149 - t4 * (t150 - t151)));
+    let t153 = w_platform_y_per_u_hB * t74 - t152 + w_platform_x_per_u_hB * (t77 - t147 - t58);
+    let t154 = t85 * t153;
+    let t155 = w_platform_x_per_u_hB * (2.0_f64 * t147 - t77) - (k18 + t28 * (M * t28) - t8 * (2.0_f64 * t150 - t151));
+    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (2.0_f64 * t148 - t146) - t155;
+    let pivot_1 = mass_u_hB_u_hB - t153 * t154;
+    let t156 = 1.0_f64 / pivot_1;
+    let t157 = w_platform_y_per_u_hC * t76;
+    let t158 = t9 * t57;
+    let t159 = t19 * t158 + t9 * t64;
+    let t160 = t157 + t159;
+    let t161 = w_platform_x_per_u_hB * t158;
+    let t162 = t9 * t82;
+    let mass_u_hA_u_hC = t23 * t160 - (t161 - (t4 * t162 - t9 * t83)) - w_platform_y_per_u_hC * t74;
+    let mass_u_hB_u_hC = w_platform_y_per_u_hC * t148 + (t161 + (t9 * t150 - t8 * t162) - w_platform_y_per_u_hB * t160);
+    let t163 = t154 * mass_u_hA_u_hC + mass_u_hB_u_hC;
+    let t164 = t156 * t163;
     let FB = inputs[1];
-    let t173 = t157 * t114 + (t28 * t146 + (t151 + (u_hB * c - FB))) - t158 * t116;
-    let t174 = w_platform_y_per_u_hB * t145 + (t155 * t102 + (t173 - t8 * t150) - t153 - t156 * t105);
-    let t175 = t174 - t162 * forcing_u_hA;
-    let t176 = t92 * mass_u_hA_u_hC;
+    let t165 = t149 * t107 + (t28 * t139 + (k14 + (u_hB * c - FB))) - t150 * t109;
+    let t166 = w_platform_y_per_u_hB * t138 + (t147 * t95 + (t165 - t8 * t143) - t145 - t148 * t98);
+    let t167 = t166 - t154 * forcing_u_hA;
+    let t168 = t85 * mass_u_hA_u_hC;
     let FC = inputs[2];
-    let t177 = t166 * t102 - (t9 * t150 - (FC - u_hC * c - t151)) - t167 * t105;
-    let forcing_u_hC = t177 - w_platform_y_per_u_hC * t145;
-    let mass_u_hC_u_hC = t90 + t9 * t170 - w_platform_y_per_u_hC * (t165 + 2.0_f64 * t167);
-    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t176 - t171 * t172;
-    let t178 = (t172 * t175 - (t176 * forcing_u_hA - forcing_u_hC)) / pivot_2;
-    let t179 = t172 * t178 + t164 * t175;
-    let t180 = t92 * forcing_u_hA - t162 * t179 - t176 * t178;
-    let t181 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t11)), Real::abs(t31));
-    let t182 = Real::min(Real::min(Real::min(Real::min(t181, Real::abs(t43)), 0.8333333333333333_f64 * Real::abs(t1)), 5.773502691896257_f64 * Real::abs(t17)), 1.6666666666666665_f64 * Real::abs(t20));
-    let t183 = Real::min(Real::min(Real::min(t182, 0.2165283291230602_f64 * Real::abs(mass_u_hA_u_hA)), 0.216807871823593_f64 * Real::abs(pivot_1)), 0.21706868422196887_f64 * Real::abs(pivot_2));
-    ([u_hA, -t25, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, -t50, u_sC], [t180, -t179, t178], t183)
+    let t169 = t158 * t95 - (t9 * t143 - (FC - u_hC * c - k14)) - t159 * t98;
+    let forcing_u_hC = t169 - w_platform_y_per_u_hC * t138;
+    let mass_u_hC_u_hC = k18 + t9 * t162 - w_platform_y_per_u_hC * (t157 + 2.0_f64 * t159);
+    let pivot_2 = mass_u_hC_u_hC - mass_u_hA_u_hC * t168 - t163 * t164;
+    let t170 = (t164 * t167 - (t168 * forcing_u_hA - forcing_u_hC)) / pivot_2;
+    let t171 = t164 * t170 + t156 * t167;
+    let t172 = t85 * forcing_u_hA - t154 * t171 - t168 * t170;
+    let t173 = Real::min(Real::min(Real::min(Real::min(Real::abs(cos_thA), Real::abs(cos_thB)), Real::abs(cos_thC)), Real::abs(t11)), Real::abs(t31));
+    let t174 = Real::min(Real::min(Real::min(Real::min(t173, Real::abs(t43)), 0.8333333333333333_f64 * Real::abs(t1)), 5.773502691896257_f64 * Real::abs(t17)), 1.6666666666666665_f64 * Real::abs(t20));
+    let t175 = Real::min(Real::min(Real::min(t174, 0.2165283291230602_f64 * Real::abs(mass_u_hA_u_hA)), 0.216807871823593_f64 * Real::abs(pivot_1)), 0.21706868422196887_f64 * Real::abs(pivot_2));
+    ([u_hA, -t25, u_thA, u_sA, u_hB, u_psiB, u_thB, u_sB, u_hC, u_psiC, -t50, u_sC], [t172, -t171, t170], t175)
 }
 ///Kinetic and potential energy (J).
 ///
-///218 operations.
+///209 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -423,100 +513,98 @@ pub fn energy(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t1 = ms + mc;
-    let t2 = mr + t1;
+    let k18 = p.k18;
     let u_hA = u[0];
     let u_hB = u[1];
     let u_hC = u[2];
     let Ic3 = p.Ic3;
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
-    let Ic1 = p.Ic1;
-    let Ic2 = p.Ic2;
-    let t3 = 0.5_f64 * (Ic1 + Ic2 - Ic3) + 0.5_f64 * (Ic1 - (Ic2 + Ic3));
+    let k22 = p.k22;
     let sA = q[3];
     let sB = q[7];
     let sC = q[11];
-    let t4 = 1.0_f64 / (2.0_f64 * (sA + (sB + sC)));
+    let t1 = 1.0_f64 / (2.0_f64 * (sA + (sB + sC)));
     let thB = q[6];
     let (sin_thB, cos_thB) = Real::sin_cos(thB);
     let thC = q[10];
     let (sin_thC, cos_thC) = Real::sin_cos(thC);
-    let t5 = sin_thB - sin_thC;
-    let t6 = 1.7320508075688772_f64 * sin_thA;
-    let t7 = 0.5773502691896257_f64 * t5;
-    let t8 = t6 + t7;
-    let t9 = u_hA * (t4 * (1.1547005383792515_f64 * t5)) - u_hB * (t4 * t8) + u_hC * (t4 * (t6 - t7));
-    let t10 = 1.0_f64 / (cos_thA * cos_thA);
+    let t2 = sin_thB - sin_thC;
+    let t3 = 1.7320508075688772_f64 * sin_thA;
+    let t4 = 0.5773502691896257_f64 * t2;
+    let t5 = t3 + t4;
+    let t6 = u_hA * (t1 * (1.1547005383792515_f64 * t2)) - u_hB * (t1 * t5) + u_hC * (t1 * (t3 - t4));
+    let t7 = 1.0_f64 / (cos_thA * cos_thA);
     let psiB = q[5];
     let (sin_psiB, cos_psiB) = Real::sin_cos(psiB);
     let psiA = q[1];
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t11 = cos_thA * sin_psiA;
-    let t12 = cos_thA * cos_psiA;
-    let t13 = cos_psiB * (0.5_f64 * t11 + 0.8660254037844386_f64 * t12) + sin_psiB * (0.8660254037844386_f64 * t11 - 0.5_f64 * t12);
-    let v_G_z_per_u_hA = cos_thB * (1.1547005383792515_f64 * t13);
-    let u_psiA_per_w_platform_z = t10 * v_G_z_per_u_hA;
-    let t14 = 0.8660254037844386_f64 * sC;
-    let t15 = 1.0_f64 / (0.8660254037844386_f64 * sB);
-    let t16 = (sA + 0.5_f64 * sB) * t15;
-    let t17 = 1.0_f64 / (sA + 0.5_f64 * sC + t14 * t16);
-    let w_platform_x_per_u_hB = t15 * v_G_z_per_u_hA;
-    let t18 = t14 * w_platform_x_per_u_hB;
-    let w_platform_y_per_u_hB = t17 * t18;
-    let w_platform_y_per_u_hC = t17 * v_G_z_per_u_hA;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t17 * (v_G_z_per_u_hA + t18)) + u_hC * w_platform_y_per_u_hC;
-    let t19 = t9 * u_psiA_per_w_platform_z + w_platform_y * (t10 * t7);
-    let t20 = t2 * (u_hA * u_hA) + (t2 * (u_hB * u_hB) + t2 * (u_hC * u_hC)) + (Ic3 + sin_thA * (sin_thA * t3)) * (t19 * t19);
-    let t21 = 1.0_f64 / cos_thA;
-    let u_thA_per_w_platform_y = t21 * v_G_z_per_u_hA;
-    let u_thA = w_platform_y * u_thA_per_w_platform_y - t9 * (t21 * t7);
-    let t22 = w_platform_x_per_u_hB * (u_hA - u_hB) + t16 * w_platform_y;
-    let t23 = 1.0_f64 / (cos_thB * cos_thB);
-    let t24 = 0.8660254037844386_f64 * sin_thA;
-    let t25 = 0.28867513459481287_f64 * t5;
-    let t26 = t24 + t25;
-    let u_psiB_per_w_platform_z = t23 * v_G_z_per_u_hA;
-    let u_psiB = t22 * (t23 * (0.8660254037844386_f64 * t26)) - w_platform_y * (t23 * (0.5_f64 * t26)) - t9 * u_psiB_per_w_platform_z;
-    let t27 = t20 + Ic2 * (u_thA * u_thA) + (Ic3 + sin_thB * (sin_thB * t3)) * (u_psiB * u_psiB);
-    let t28 = 1.0_f64 / cos_thB;
-    let t29 = 0.5_f64 * v_G_z_per_u_hA;
-    let u_thB = t13 * t22 - w_platform_y * (t28 * t29) + t9 * (t28 * t26);
-    let t30 = 1.0_f64 / (cos_thC * cos_thC);
-    let t31 = t24 - t25;
-    let u_psiC_per_w_platform_y = t30 * (0.5_f64 * t31);
-    let u_psiC_per_w_platform_z = t30 * v_G_z_per_u_hA;
-    let u_psiC = w_platform_y * u_psiC_per_w_platform_y + t22 * (t30 * (0.8660254037844386_f64 * t31)) - t9 * u_psiC_per_w_platform_z;
-    let t32 = t27 + Ic2 * (u_thB * u_thB) + (Ic3 + sin_thC * (sin_thC * t3)) * (u_psiC * u_psiC);
-    let t33 = 1.0_f64 / cos_thC;
-    let u_thC_per_w_platform_x = t33 * (0.8660254037844386_f64 * v_G_z_per_u_hA);
-    let u_thC_per_w_platform_z = t33 * t31;
-    let t34 = w_platform_y * (t33 * t29) + t22 * u_thC_per_w_platform_x + t9 * u_thC_per_w_platform_z;
+    let t8 = cos_thA * sin_psiA;
+    let t9 = cos_thA * cos_psiA;
+    let t10 = cos_psiB * (0.5_f64 * t8 + 0.8660254037844386_f64 * t9) + sin_psiB * (0.8660254037844386_f64 * t8 - 0.5_f64 * t9);
+    let v_G_z_per_u_hA = cos_thB * (1.1547005383792515_f64 * t10);
+    let u_psiA_per_w_platform_z = t7 * v_G_z_per_u_hA;
+    let t11 = 0.8660254037844386_f64 * sC;
+    let t12 = 1.0_f64 / (0.8660254037844386_f64 * sB);
+    let t13 = (sA + 0.5_f64 * sB) * t12;
+    let t14 = 1.0_f64 / (sA + 0.5_f64 * sC + t11 * t13);
+    let w_platform_x_per_u_hB = t12 * v_G_z_per_u_hA;
+    let t15 = t11 * w_platform_x_per_u_hB;
+    let w_platform_y_per_u_hB = t14 * t15;
+    let w_platform_y_per_u_hC = t14 * v_G_z_per_u_hA;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB - u_hA * (t14 * (v_G_z_per_u_hA + t15)) + u_hC * w_platform_y_per_u_hC;
+    let t16 = t6 * u_psiA_per_w_platform_z + w_platform_y * (t7 * t4);
+    let t17 = k18 * (u_hA * u_hA) + (k18 * (u_hB * u_hB) + k18 * (u_hC * u_hC)) + (Ic3 + sin_thA * (sin_thA * k22)) * (t16 * t16);
+    let Ic2 = p.Ic2;
+    let t18 = 1.0_f64 / cos_thA;
+    let u_thA_per_w_platform_y = t18 * v_G_z_per_u_hA;
+    let u_thA = w_platform_y * u_thA_per_w_platform_y - t6 * (t18 * t4);
+    let t19 = w_platform_x_per_u_hB * (u_hA - u_hB) + t13 * w_platform_y;
+    let t20 = 1.0_f64 / (cos_thB * cos_thB);
+    let t21 = 0.8660254037844386_f64 * sin_thA;
+    let t22 = 0.28867513459481287_f64 * t2;
+    let t23 = t21 + t22;
+    let u_psiB_per_w_platform_z = t20 * v_G_z_per_u_hA;
+    let u_psiB = t19 * (t20 * (0.8660254037844386_f64 * t23)) - w_platform_y * (t20 * (0.5_f64 * t23)) - t6 * u_psiB_per_w_platform_z;
+    let t24 = t17 + Ic2 * (u_thA * u_thA) + (Ic3 + sin_thB * (sin_thB * k22)) * (u_psiB * u_psiB);
+    let t25 = 1.0_f64 / cos_thB;
+    let t26 = 0.5_f64 * v_G_z_per_u_hA;
+    let u_thB = t10 * t19 - w_platform_y * (t25 * t26) + t6 * (t25 * t23);
+    let t27 = 1.0_f64 / (cos_thC * cos_thC);
+    let t28 = t21 - t22;
+    let u_psiC_per_w_platform_y = t27 * (0.5_f64 * t28);
+    let u_psiC_per_w_platform_z = t27 * v_G_z_per_u_hA;
+    let u_psiC = w_platform_y * u_psiC_per_w_platform_y + t19 * (t27 * (0.8660254037844386_f64 * t28)) - t6 * u_psiC_per_w_platform_z;
+    let t29 = t24 + Ic2 * (u_thB * u_thB) + (Ic3 + sin_thC * (sin_thC * k22)) * (u_psiC * u_psiC);
+    let t30 = 1.0_f64 / cos_thC;
+    let u_thC_per_w_platform_x = t30 * (0.8660254037844386_f64 * v_G_z_per_u_hA);
+    let u_thC_per_w_platform_z = t30 * t28;
+    let t31 = w_platform_y * (t30 * t26) + t19 * u_thC_per_w_platform_x + t6 * u_thC_per_w_platform_z;
     let Ix = p.Ix;
     let Iy = p.Iy;
-    let t35 = t32 + Ic2 * (t34 * t34) + Ix * (t22 * t22) + Iy * (w_platform_y * w_platform_y);
+    let t32 = t29 + Ic2 * (t31 * t31) + Ix * (t19 * t19) + Iy * (w_platform_y * w_platform_y);
     let Iz = p.Iz;
     let M = p.M;
     let v_G_x_per_w_platform_z = 1.1547005383792515_f64 * sB;
-    let v_G_y = sA * t9 - u_hA * t7;
-    let t36 = v_G_x_per_w_platform_z * t9 + u_hB * (0.5773502691896257_f64 * t8) + 0.5773502691896257_f64 * v_G_y;
-    let t37 = t35 + Iz * (t9 * t9) + M * (t36 * t36) + M * (v_G_y * v_G_y);
+    let v_G_y = sA * t6 - u_hA * t4;
+    let t33 = v_G_x_per_w_platform_z * t6 + u_hB * (0.5773502691896257_f64 * t5) + 0.5773502691896257_f64 * v_G_y;
+    let t34 = t32 + Iz * (t6 * t6) + M * (t33 * t33) + M * (v_G_y * v_G_y);
     let v_G_z = sA * w_platform_y + u_hA * v_G_z_per_u_hA;
-    let t38 = 0.5_f64 * (t37 + M * (v_G_z * v_G_z));
+    let t35 = 0.5_f64 * (t34 + M * (v_G_z * v_G_z));
     let hA = q[0];
     let g = p.g;
-    let t39 = hA * g;
+    let t36 = hA * g;
+    let mc = p.mc;
     let hB = q[4];
-    let t40 = hB * g;
-    let t41 = M * (t39 + sA * (g * sin_thA)) + (mc * t40 + (ms * t40 + t1 * t39));
+    let t37 = hB * g;
+    let ms = p.ms;
+    let k13 = p.k13;
+    let t38 = M * (t36 + sA * (g * sin_thA)) + (mc * t37 + (ms * t37 + k13 * t36));
     let hC = q[8];
-    let t42 = t41 + t1 * (hC * g);
-    (t38, t42)
+    let t39 = t38 + k13 * (hC * g);
+    (t35, t39)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -533,7 +621,7 @@ pub fn speeds(
     q: &[S; 12usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 12usize] {
     let u_hA = u[0];
     let sA = q[3];
@@ -619,7 +707,7 @@ pub fn outputs(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 3usize] {
     let psiA = q[1];
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
@@ -636,7 +724,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///393 operations.
+///392 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -649,7 +737,7 @@ pub fn projection(
     q: &[S; 12usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 9usize], S) {
     let thA = q[2];
     let (sin_thA, cos_thA) = Real::sin_cos(thA);
@@ -782,7 +870,8 @@ pub fn projection(
     let t100 = sB * cos_thB;
     let t101 = sin_psiB * t100;
     let t102 = cos_psiB * t100;
-    let t103 = R - cos_psiA * t98 + 0.5_f64 * R;
+    let k11 = p.k11;
+    let t103 = R - cos_psiA * t98 + k11;
     let t104 = Real::max(Real::abs(t99 + 0.5_f64 * t101 + 0.8660254037844386_f64 * (R - t102)), Real::abs(t103 - (0.5_f64 * t102 + 0.8660254037844386_f64 * t101)));
     let t105 = sC * cos_thC;
     let t106 = sin_psiC * t105;
@@ -793,32 +882,82 @@ pub fn projection(
     ([t69, -(t70 * t3 * t68 + u_thA_per_w_platform_y * t55), t72, t83, t88, t89, -(u_psiC_per_w_platform_z * t68 + (u_psiC_per_w_platform_y * t55 + t94)), -t96, t97], t110)
 }
 ///Three-legged tile: screws A, B, C lift connectors; rods at 120 degrees carry the platform.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Tile {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Tile {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Tile {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.R,
-                1usize => &mut self.parameters.ms,
-                2usize => &mut self.parameters.mr,
-                3usize => &mut self.parameters.mc,
-                4usize => &mut self.parameters.Ic1,
-                5usize => &mut self.parameters.Ic2,
-                6usize => &mut self.parameters.Ic3,
-                7usize => &mut self.parameters.M,
-                8usize => &mut self.parameters.Ix,
-                9usize => &mut self.parameters.Iy,
-                10usize => &mut self.parameters.Iz,
-                11usize => &mut self.parameters.c,
-                12usize => &mut self.parameters.g,
+                0usize => self.parameters.R,
+                1usize => self.parameters.ms,
+                2usize => self.parameters.mr,
+                3usize => self.parameters.mc,
+                4usize => self.parameters.Ic1,
+                5usize => self.parameters.Ic2,
+                6usize => self.parameters.Ic3,
+                7usize => self.parameters.M,
+                8usize => self.parameters.Ix,
+                9usize => self.parameters.Iy,
+                10usize => self.parameters.Iz,
+                11usize => self.parameters.c,
+                12usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.R,
+            1usize => &mut self.parameters.ms,
+            2usize => &mut self.parameters.mr,
+            3usize => &mut self.parameters.mc,
+            4usize => &mut self.parameters.Ic1,
+            5usize => &mut self.parameters.Ic2,
+            6usize => &mut self.parameters.Ic3,
+            7usize => &mut self.parameters.M,
+            8usize => &mut self.parameters.Ix,
+            9usize => &mut self.parameters.Iy,
+            10usize => &mut self.parameters.Iz,
+            11usize => &mut self.parameters.c,
+            12usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
@@ -853,7 +992,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -869,7 +1008,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -892,7 +1031,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Tile {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }
