@@ -1,12 +1,12 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 161 operations (3 abs, 28 add, 3 cos, 3 div, 2 min, 102 mul, 3 sin, 17 sub).
-// Cost of energy: 92 operations (17 add, 3 cos, 2 div, 62 mul, 3 sin, 5 sub).
-// Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
+// Cost of rates: 96 operations (3 abs, 11 add, 3 cos, 3 div, 2 min, 60 mul, 3 sin, 11 sub).
+// Cost of energy: 55 operations (8 add, 3 cos, 2 div, 35 mul, 3 sin, 4 sub).
+// Cost of speeds: 25 operations (3 cos, 2 div, 14 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
-// Cost of prepare: 15 operations (4 add, 11 mul).
+// Cost of prepare: 21 operations (4 add, 17 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -111,8 +111,8 @@ pub struct Prepared {
     pub m2: S,
     ///The parameter `m3`.
     pub m3: S,
-    ///The parameter `g`.
-    pub g: S,
+    ///Of parameters alone.
+    pub k7: S,
     ///Of parameters alone.
     pub k8: S,
     ///Of parameters alone.
@@ -129,10 +129,12 @@ pub struct Prepared {
     pub k14: S,
     ///Of parameters alone.
     pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///15 operations.
+///21 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -148,23 +150,27 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let m1 = p.m1;
     let m2 = p.m2;
     let m3 = p.m3;
+    let t1 = 0.5_f64 * l2;
     let g = p.g;
-    let t1 = 0.5_f64 * l1;
-    let t2 = 0.5_f64 * l2;
-    let t3 = 0.5_f64 * l3;
-    let t4 = m1 * t1;
-    let t5 = m3 * t3;
-    let I2 = p.I2;
-    let t6 = I2 + m2 * (t2 * t2);
-    let I3 = p.I3;
-    let t7 = I3 + t3 * t5;
+    let t2 = 0.5_f64 * l1;
+    let t3 = g * t2;
+    let t4 = l1 * t1;
+    let t5 = l1 * g;
+    let t6 = g * t1;
+    let t7 = 0.5_f64 * l3;
+    let t8 = g * t7;
     let I1 = p.I1;
-    let t8 = m2 * (l1 * l1) + (I1 + t1 * t4);
-    Prepared { l1, l2, l3, l4, m1, m2, m3, g, k8: t1, k9: t2, k10: t3, k11: t4, k12: t5, k13: t6, k14: t7, k15: t8 }
+    let t9 = m2 * (l1 * l1) + (I1 + m1 * (t2 * t2));
+    let I2 = p.I2;
+    let t10 = I2 + m2 * (t1 * t1);
+    let I3 = p.I3;
+    let t11 = I3 + m3 * (t7 * t7);
+    let t12 = l2 * g;
+    Prepared { l1, l2, l3, l4, m1, m2, m3, k7: t1, k8: t3, k9: t4, k10: t5, k11: t6, k12: t8, k13: t9, k14: t10, k15: t11, k16: t12 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///161 operations.
+///96 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -188,67 +194,50 @@ pub fn rates(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let t2 = l2 * t1;
     let t3 = 1.0_f64 / t2;
     let t4 = l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * t3;
     let t5 = u1 * t4;
-    let t6 = l1 * cos_q1;
-    let t7 = l1 * sin_q1;
-    let t8 = sin_q2 * t6 - cos_q2 * t7;
+    let t6 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
     let l3 = p.l3;
-    let t9 = l3 * t1;
-    let t10 = 1.0_f64 / t9;
-    let t11 = t8 * t10;
-    let t12 = u1 * t11;
-    let t13 = l2 * cos_q2;
-    let k12 = p.k12;
-    let t14 = cos_q3 * k12;
-    let t15 = l2 * sin_q2;
-    let t16 = sin_q3 * k12;
-    let t17 = t13 * t14 + t15 * t16;
-    let t18 = t17 * t4 - (t6 * t14 + t7 * t16);
-    let t19 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let t20 = t12 * t12;
-    let t21 = l3 * t20;
-    let t22 = l1 * (u1 * u1);
-    let t23 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
-    let t24 = l2 * (t5 * t5);
-    let u3_dot_bias = t10 * (t19 * t21 + (t22 * t23 + t24));
-    let m2 = p.m2;
-    let g = p.g;
-    let k9 = p.k9;
-    let t25 = k9 * cos_q2;
-    let t26 = k12 * t20;
+    let t7 = l3 * t1;
+    let t8 = 1.0_f64 / t7;
+    let t9 = l1 * t6 * t8;
+    let u3 = u1 * t9;
     let m3 = p.m3;
-    let t27 = cos_q1 * t22 + cos_q2 * t24;
-    let t28 = cos_q3 * t26 + m3 * t27;
-    let t29 = sin_q2 * t24 + (sin_q1 * t22 - g);
-    let t30 = sin_q3 * t26 + m3 * t29;
-    let t31 = m2 * (g * t25 - t22 * (sin_q1 * t25 - cos_q1 * (k9 * sin_q2))) + (t15 * t28 - t13 * t30);
-    let t32 = m3 * t15;
-    let t33 = m3 * t13;
-    let k13 = p.k13;
-    let t34 = t15 * t32 + t13 * t33 + k13;
-    let t35 = t3 * (t21 + (t22 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t19 * t24));
-    let t36 = t7 * t32 + t6 * t33 + m2 * (k9 * (l1 * t23));
-    let T = inputs[0];
-    let k11 = p.k11;
-    let t37 = k11 * (g * cos_q1) - m2 * (t8 * (l2 * (t5 * (0.5_f64 * t5))) - g * t6);
-    let t38 = t4 * (t31 - t34 * t35) + (t36 * t35 + (T - (t37 + (t7 * t28 - t6 * t30))));
-    let k14 = p.k14;
-    let t39 = t11 * (t17 * t35 + k12 * (cos_q3 * t29 - sin_q3 * t27) - k14 * u3_dot_bias);
-    let forcing_u1 = t18 * u3_dot_bias + t38 - t39;
+    let k12 = p.k12;
     let k15 = p.k15;
-    let t40 = t4 * (t34 * t4 - 2.0_f64 * t36) + (t7 * (m3 * t7) + t6 * (m3 * t6) + k15);
-    let mass_u1_u1 = t11 * (2.0_f64 * t18 + t11 * k14) + t40;
-    let t41 = forcing_u1 / mass_u1_u1;
-    let t42 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, -t5, -t12], [t41], t42)
+    let t10 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
+    let t11 = l3 * (u3 * u3);
+    let t12 = l1 * (u1 * u1);
+    let t13 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t14 = t5 * t5;
+    let t15 = l2 * t14;
+    let u3_dot_bias = t8 * (t10 * t11 + (t12 * t13 + t15));
+    let k14 = p.k14;
+    let t16 = t3 * (t11 + (t12 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t10 * t15));
+    let m2 = p.m2;
+    let k11 = p.k11;
+    let k7 = p.k7;
+    let m1 = p.m1;
+    let k8 = p.k8;
+    let k10 = p.k10;
+    let t17 = m1 * (cos_q1 * k8) + m2 * (cos_q1 * k10 + t6 * (l1 * (k7 * t14)));
+    let T = inputs[0];
+    let k9 = p.k9;
+    let t18 = m2 * (t13 * k9);
+    let t19 = t4 * (k14 * t16 - m2 * (cos_q2 * k11 - t6 * (k7 * t12))) + (t17 - T - t18 * t16);
+    let forcing_u1 = t9 * (m3 * (cos_q3 * k12) - k15 * u3_dot_bias) - t19;
+    let k13 = p.k13;
+    let mass_u1_u1 = t9 * (k15 * t9) + (k13 - t4 * (2.0_f64 * t18 - k14 * t4));
+    let t20 = forcing_u1 / mass_u1_u1;
+    let t21 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, -t5, u3], [t20], t21)
 }
 ///Kinetic and potential energy (J).
 ///
-///92 operations.
+///55 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -263,51 +252,40 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Prepared,
 ) -> (S, S) {
-    let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = l2 * sin_q2;
-    let m3 = p.m3;
-    let t2 = m3 * t1;
-    let t3 = l2 * cos_q2;
-    let t4 = m3 * t3;
-    let k13 = p.k13;
     let u1 = u[0];
+    let k13 = p.k13;
+    let k14 = p.k14;
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t5 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
-    let t6 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t5)));
-    let t7 = l1 * sin_q1;
-    let t8 = l1 * cos_q1;
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
+    let t2 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1)));
     let k15 = p.k15;
-    let t9 = (t1 * t2 + t3 * t4 + k13) * (t6 * t6) + u1 * u1 * (t7 * (m3 * t7) + t8 * (m3 * t8) + k15);
-    let k14 = p.k14;
     let l3 = p.l3;
-    let t10 = u1 * ((sin_q2 * t8 - cos_q2 * t7) * (1.0_f64 / (l3 * t5)));
-    let k12 = p.k12;
-    let t11 = cos_q3 * k12;
-    let t12 = sin_q3 * k12;
+    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f64 / (l3 * t1)));
+    let t3 = 0.5_f64 * (u1 * u1 * k13 + k14 * (t2 * t2) + k15 * (u3 * u3));
     let m2 = p.m2;
     let k9 = p.k9;
-    let t13 = t7 * t2 + t8 * t4 + m2 * (k9 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
-    let t14 = (t8 * t11 + t7 * t12) * (u1 * t10) + t13 * (u1 * t6) - (t3 * t11 + t1 * t12) * (t6 * t10);
-    let t15 = 0.5_f64 * (t9 + k14 * (t10 * t10)) - t14;
+    let t4 = t3 - m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * k9) * (u1 * t2);
     let m1 = p.m1;
     let k8 = p.k8;
-    let g = p.g;
-    let t16 = g * sin_q1;
-    let t17 = l1 * t16;
-    let t18 = g * sin_q2;
     let k10 = p.k10;
-    let t19 = m1 * (k8 * t16) + m2 * (t17 + k9 * t18) + m3 * (t17 + l2 * t18 + k10 * (g * sin_q3));
-    (t15, t19)
+    let t5 = sin_q1 * k10;
+    let k11 = p.k11;
+    let m3 = p.m3;
+    let k16 = p.k16;
+    let k12 = p.k12;
+    let t6 = m1 * (sin_q1 * k8) + m2 * (t5 + sin_q2 * k11) + m3 * (t5 + sin_q2 * k16 + sin_q3 * k12);
+    (t4, t6)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///26 operations.
+///25 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -331,10 +309,10 @@ pub fn speeds(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let l3 = p.l3;
-    let t2 = u1 * ((sin_q2 * (l1 * cos_q1) - cos_q2 * (l1 * sin_q1)) * (1.0_f64 / (l3 * t1)));
-    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1))), -t2]
+    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f64 / (l3 * t1)));
+    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1))), u3]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -373,13 +351,13 @@ pub fn projection(
     p: &Prepared,
 ) -> ([S; 2usize], S) {
     let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let l3 = p.l3;
-    let t2 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t2 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
     let l4 = p.l4;
     let l1 = p.l1;
     let q1 = q[0];

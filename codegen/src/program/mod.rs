@@ -108,7 +108,6 @@ pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Program, Diagno
     derive_with(model, choice, Settings::default())
 }
 
-<<<<<<< HEAD
 /// How a program is derived; the equations are the same whatever is set.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Settings {
@@ -124,23 +123,16 @@ impl From<Effort> for Settings {
     }
 }
 
-/// [`derive`] with other settings.
+/// [`derive()`] with other settings.
 ///
 /// # Errors
-/// As for [`derive`].
+/// As for [`derive()`].
 pub fn derive_with(
     model: &Model,
     choice: &ParameterChoice,
     settings: impl Into<Settings>,
 ) -> Result<Program, Diagnostics> {
     let Settings { effort, optimise } = settings.into();
-=======
-/// [`derive()`] with another effort to shorten the program.
-///
-/// # Errors
-/// As for [`derive()`].
-pub fn derive_with(model: &Model, choice: &ParameterChoice, effort: Effort) -> Result<Program, Diagnostics> {
->>>>>>> value
     let mut k = kinematics::derive(model, choice)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
