@@ -234,6 +234,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     }
     report.chip = match chip.lacking() {
         None => "instructions counted in the emulator, cycles by model".to_owned(),
+        Some(why) if report.sections.iter().any(|s| !s.chip.is_empty()) => format!("not all ({why})"),
         Some(why) => format!("none ({why})"),
     };
     others.into_iter().for_each(|extras| report.add(extras));
