@@ -59,7 +59,8 @@ impl Chip {
             }
             failure.to_string()
         })?;
-        let run = report.run.as_ref().ok_or("the image breaks a rule")?;
+        let broken = || report.failures().first().cloned().unwrap_or_default();
+        let run = report.run.as_ref().ok_or_else(|| format!("the image breaks a rule: {}", broken()))?;
         let changes: String = set.iter().map(|s| format!(" --set {s}")).collect();
         Ok(ChipCost {
             method: method.to_owned(),

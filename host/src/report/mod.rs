@@ -1,6 +1,6 @@
 //! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
 //!
-//! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`reference`], are run over a ladder of steps
+//! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`mod@reference`], are run over a ladder of steps
 //! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
 //! observed, costs taken on the [`chip`] and put on a [`sheet`]. The renderings
 //! know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
@@ -234,6 +234,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     }
     report.chip = match chip.lacking() {
         None => "instructions counted in the emulator, cycles by model".to_owned(),
+        Some(why) if report.sections.iter().any(|s| !s.chip.is_empty()) => format!("not all ({why})"),
         Some(why) => format!("none ({why})"),
     };
     others.into_iter().for_each(|extras| report.add(extras));
