@@ -5,7 +5,7 @@
 //! `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
 //! They are read here, at build time, so that host and chip change together.
 
-use smartbed_codegen::{Options, ScalarType};
+use smartbed_codegen::{Effort, Options, ScalarType};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -23,7 +23,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
     );
 
-    let mut options = Options { file_name: Some("mechanism".to_owned()), ..Options::default() };
+    let mut options =
+        Options { file_name: Some("mechanism".to_owned()), effort: Effort::All, ..Options::default() };
     options.emit.scalar = ScalarType::F32;
     for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
         let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;

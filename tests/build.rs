@@ -7,7 +7,7 @@ use smartbed_codegen::{Effort, EmitOptions, Optimise, Options, ParameterChoice, 
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
-/// Models compiled in f64 only, to be timed.
+/// Models compiled in f64 only, to be timed, with every effort to be short.
 const TIMED: [&str; 3] = ["arm6", "bicycle", "pendulum10"];
 /// Parameters that the tiles fold by default.
 const LOAD: [&str; 15] = [
@@ -38,7 +38,7 @@ fn main() {
         }
     }
     for model in TIMED {
-        derive(model, &format!("{model}_f64"), ScalarType::F64, &[], Effort::Default);
+        derive(model, &format!("{model}_f64"), ScalarType::F64, &[], Effort::All);
     }
     for model in ["tile", "tile_minimal"] {
         derive(model, &format!("{model}_loaded_f64"), ScalarType::F64, &LOAD, Effort::Default);

@@ -145,7 +145,7 @@ pub enum Turn {
 pub struct Triads {
     turns: IdVec<TriadId, Turn>,
     /// (triad, axis) -> where else that unit vector has constant components.
-    constants: BTreeMap<(TriadId, Axis), (TriadId, Components)>,
+    constants: BTreeMap<(TriadId, Axis), Vec<(TriadId, Components)>>,
 }
 
 impl Triads {
@@ -158,6 +158,17 @@ impl Triads {
     #[must_use]
     pub fn turn(&self, triad: TriadId) -> &Turn {
         &self.turns[triad]
+    }
+
+    /// The triad in which `axis` of `triad` stays an axis itself, among those fixed in `frame`.
+    #[must_use]
+    pub fn aligned(&self, dag: &Dag, (triad, axis): (TriadId, Axis), frame: TriadId) -> Option<TriadId> {
+        let is_fixed = |t: TriadId| match self.turns[t] {
+            Turn::Simple { parent, angle, .. } => parent == frame && dag.is_constant(angle),
+            _ => false,
+        };
+        let places = self.constants.get(&(triad, axis))?;
+        places.iter().map(|(other, _)| *other).find(|&other| is_fixed(other))
     }
 
     /// Number of triads.
@@ -174,7 +185,7 @@ impl Triads {
 
     /// Records that `axis` of `triad` has the constant `components` in `other` on the constraints.
     pub fn declare_constant(&mut self, triad: TriadId, axis: Axis, other: TriadId, components: Components) {
-        self.constants.insert((triad, axis), (other, components));
+        self.constants.entry((triad, axis)).or_default().push((other, components));
     }
 
     /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
@@ -203,10 +214,8 @@ impl Triads {
             if dag.is_zero(component) {
                 continue;
             }
-            let (other, constant) = self.constants.get(&(triad, axis))?;
-            if *other != target {
-                return None;
-            }
+            let places = self.constants.get(&(triad, axis))?;
+            let (_, constant) = places.iter().rev().find(|(other, _)| *other == target)?;
             for k in 0..3 {
                 let term = dag.mul(component, constant[k]);
                 total[k] = dag.add(total[k], term);
@@ -361,11 +370,31 @@ impl Triads {
                     if dag.cone_cost(&[other]) < dag.cone_cost(&[product]) {
                         product = other;
                     }
+                    if let Some(other) = self.dot_along_axes(dag, (s, x), (t, y))
+                        && dag.cone_cost(&[other]) <= dag.cone_cost(&[product])
+                    {
+                        product = other;
+                    }
                 }
                 total = dag.add(total, product);
             }
         }
         total
+    }
+
+    /// (x e) . (y f) = x y (e . f), for vectors along one axis each: one cosine serves all such products.
+    fn dot_along_axes(
+        &self,
+        dag: &mut Dag,
+        a: (TriadId, &Components),
+        b: (TriadId, &Components),
+    ) -> Option<ExprId> {
+        let [(e, x), (f, y)] = [along_axis(dag, a.1)?, along_axis(dag, b.1)?];
+        let mut unit = [dag.zero(); 3];
+        unit[e] = dag.one();
+        let cosine = self.express_term(dag, a.0, unit, b.0)[f];
+        let size = dag.mul(x, y);
+        Some(dag.mul(size, cosine))
     }
 
     /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
@@ -403,6 +432,15 @@ pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, 
     turned[i] = dag.sub(ci, sj);
     turned[j] = dag.add(si, cj);
     turned
+}
+
+/// The only axis with a component, and that component.
+pub fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
+    let mut found = (0..3).filter(|&i| !dag.is_zero(components[i]));
+    match (found.next(), found.next()) {
+        (Some(i), None) => Some((i, components[i])),
+        _ => None,
+    }
 }
 
 /// a . b of components in one triad.

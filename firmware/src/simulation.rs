@@ -66,9 +66,9 @@ const fn equal(a: &[u8], b: &[u8]) -> bool {
 }
 
 /// The model's parameter of that name, 0 if it has none that is tunable.
-fn parameter(model: &mut Model, name: &str) -> f32 {
+fn parameter(model: &Model, name: &str) -> f32 {
     let place = PARAMETER_NAMES.iter().position(|n| equal(n.as_bytes(), name.as_bytes()));
-    place.and_then(|place| model.parameter_mut(place)).map_or(0.0, |value| *value)
+    place.and_then(|place| model.parameter(place)).unwrap_or(0.0)
 }
 
 /// Everything that changes from step to step.
@@ -90,12 +90,12 @@ impl Simulation {
     /// As [`Mechanism::project`].
     pub fn new() -> Result<Self, Fault> {
         let mut model = Model::default();
-        let radius = parameter(&mut model, "R");
-        let mut load = parameter(&mut model, "M");
+        let radius = parameter(&model, "R");
+        let mut load = parameter(&model, "M");
         for each_leg in ["ms", "mc"] {
-            load += 3.0 * parameter(&mut model, each_leg);
+            load += 3.0 * parameter(&model, each_leg);
         }
-        let weight = load * parameter(&mut model, "g");
+        let weight = load * parameter(&model, "g");
         let mut q = NOMINAL;
         for _ in 0..START_CORRECTIONS {
             model.project(&mut q)?;

@@ -49,6 +49,14 @@ impl Configurations {
         self.independent.get(index).copied().unwrap_or(false)
     }
 
+    /// From a configuration that meets the constraints to the independent coordinates of another.
+    ///
+    /// # Errors
+    /// If it cannot be assembled there.
+    pub fn follow(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        self.assembly.continue_to(from, target)
+    }
+
     /// The nominal configuration at these parameters, reached from that at the default ones.
     ///
     /// # Errors

@@ -6,6 +6,7 @@
 
 pub mod failure;
 
+pub mod install;
 pub mod number;
 pub mod output;
 pub mod progress;
@@ -22,5 +23,6 @@ pub mod check;
 pub mod derive;
 pub mod eval;
 pub mod firmware;
+pub mod report;
 pub mod run;
 pub mod scene;

@@ -6,6 +6,7 @@
 use crate::failure::Failure;
 use crate::suggest;
 use smartbed_codegen::model::{self, Model};
+use smartbed_codegen::{Diagnostics, Program};
 use std::path::{Path, PathBuf};
 
 /// Finds the file of a model or scene.
@@ -34,6 +35,19 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     )))
 }
 
+/// Names of all models and scenes, models first.
+#[must_use]
+pub fn all() -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for folder in model_folders() {
+        let mut found = names_in(&folder);
+        found.sort();
+        found.retain(|name| !names.contains(name));
+        names.extend(found);
+    }
+    names
+}
+
 /// Finds and reads a model.
 ///
 /// # Errors
@@ -45,10 +59,25 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
 
 /// A rendered list of findings as a failure; the command prints `error: ` in front of it.
 #[must_use]
-pub fn wrong(errors: &smartbed_codegen::Diagnostics) -> Failure {
+pub fn wrong(errors: &Diagnostics) -> Failure {
     let text = errors.to_string();
     let text = text.trim_end();
     Failure::Wrong(text.strip_prefix("error: ").unwrap_or(text).to_owned())
+}
+
+/// What is suspicious in a model: names that nothing uses, constraints that were dropped.
+#[must_use]
+pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
+    let mut found = model.warnings();
+    found.items.extend(program.warnings.items.iter().cloned());
+    found
+}
+
+/// Warnings of the derivation on standard error: what was derived is not all that was written.
+pub fn print_warnings(program: &Program) {
+    if !program.warnings.items.is_empty() {
+        eprintln!("{}", program.warnings.to_string().trim_end());
+    }
 }
 
 /// A `NAME=NUMBER` of the command line.

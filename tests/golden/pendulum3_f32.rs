@@ -1,11 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
-// Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 69 operations (8 abs, 7 add, 3 cos, 8 div, 7 min, 27 mul, 3 sin, 6 sub).
-// Cost of energy: 66 operations (14 add, 3 cos, 46 mul, 3 sin).
+// Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
+// Cost of rates: 121 operations (3 abs, 23 add, 3 cos, 3 div, 2 min, 74 mul, 3 sin, 10 sub).
+// Cost of energy: 69 operations (18 add, 3 cos, 45 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
+// Cost of prepare: 11 operations (1 add, 10 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -36,6 +37,7 @@ pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
 pub const NOMINAL: [f32; 3usize] = [0f32, 0f32, 0f32];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Upper mass (kg), models/pendulum3.toml:10.
@@ -66,9 +68,71 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `m0`.
+    pub m0: S,
+    ///The parameter `m1`.
+    pub m1: S,
+    ///The parameter `m2`.
+    pub m2: S,
+    ///The parameter `l0`.
+    pub l0: S,
+    ///The parameter `l1`.
+    pub l1: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k6: S,
+    ///Of parameters alone.
+    pub prepared_mass_u2_u2: S,
+    ///Of parameters alone.
+    pub k8: S,
+    ///Of parameters alone.
+    pub k9: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///11 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let m0 = p.m0;
+    let m1 = p.m1;
+    let m2 = p.m2;
+    let l0 = p.l0;
+    let l1 = p.l1;
+    let g = p.g;
+    let l2 = p.l2;
+    let t1 = m2 * l2;
+    let mass_u2_u2 = l2 * t1;
+    let t2 = l0 * g;
+    let t3 = l0 * l1;
+    let t4 = l1 * g;
+    let t5 = m1 * (l1 * l1);
+    let t6 = l2 * g;
+    let t7 = l0 * l0 * (m0 + m1);
+    Prepared { m0, m1, m2, l0, l1, g, k6: t1, prepared_mass_u2_u2: mass_u2_u2, k8: t2, k9: t3, k10: t4, k11: t5, k12: t6, k13: t7 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///69 operations.
+///121 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -81,48 +145,72 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
     let u0 = u[0];
     let u1 = u[1];
     let u2 = u[2];
-    let g = p.g;
+    let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let m0 = p.m0;
-    let t1 = 1.0_f32 / m0;
-    let q1 = q[1];
-    let t2 = q1 - q0;
-    let (sin_t2, cos_t2) = Real::sin_cos(t2);
-    let t3 = t1 * sin_t2;
-    let l1 = p.l1;
-    let t4 = t1 * cos_t2;
-    let l0 = p.l0;
-    let t5 = m0 * (l0 * (u0 * u0) + g * cos_q0);
-    let m1 = p.m1;
-    let t6 = 1.0_f32 / m1;
+    let t1 = l0 * sin_q0;
     let q2 = q[2];
-    let t7 = q2 - q1;
-    let (sin_t7, cos_t7) = Real::sin_cos(t7);
-    let t8 = t6 * cos_t7;
-    let l2 = p.l2;
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let k6 = p.k6;
+    let t2 = sin_q2 * k6;
+    let t3 = l0 * cos_q0;
+    let t4 = cos_q2 * k6;
+    let mass_u0_u2 = t1 * t2 + t3 * t4;
     let m2 = p.m2;
-    let t9 = t6 + 1.0_f32 / m2;
-    let t10 = 1.0_f32 / t9;
-    let t11 = l2 * (u2 * u2) * t10;
-    let t12 = t8 * t10;
-    let t13 = t1 + t6 - cos_t2 * t4 - t8 * t12;
-    let force_mass1_y = (l1 * (u1 * u1) + t4 * t5 + t8 * t11) / t13;
-    let force_mass0_y = t5 + cos_t2 * force_mass1_y;
-    let t14 = t6 * sin_t7;
-    let force_mass2_y = t11 + t12 * force_mass1_y;
-    let t15 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
-    let t16 = Real::min(Real::min(Real::min(t15, Real::abs(l2)), 0.5_f32 * Real::abs(t9)), 2.0_f32 * Real::abs(t13));
-    ([u0, u1, u2], [-(g * sin_q0 - t3 * force_mass1_y) / l0, -(t3 * force_mass0_y - t14 * force_mass2_y) / l1, -t14 * force_mass1_y / l2], t16)
+    let k13 = p.k13;
+    let mass_u0_u0 = t3 * (m2 * t3) + t1 * (m2 * t1) + k13;
+    let t5 = 1.0_f32 / mass_u0_u0;
+    let t6 = mass_u0_u2 * t5;
+    let k11 = p.k11;
+    let l1 = p.l1;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t7 = l1 * cos_q1;
+    let t8 = m2 * t7;
+    let t9 = l1 * sin_q1;
+    let t10 = m2 * t9;
+    let mass_u1_u1 = k11 + (t7 * t8 + t9 * t10);
+    let m1 = p.m1;
+    let k9 = p.k9;
+    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t3 * t8 + t1 * t10);
+    let t11 = mass_u0_u1 * t5;
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t11;
+    let t12 = 1.0_f32 / pivot_1;
+    let mass_u1_u2 = t9 * t2 + t7 * t4;
+    let t13 = mass_u0_u2 * t11 - mass_u1_u2;
+    let t14 = t12 * t13;
+    let g = p.g;
+    let t15 = l0 * (u0 * u0);
+    let t16 = l1 * (u1 * u1);
+    let t17 = g + cos_q0 * t15 + cos_q1 * t16;
+    let t18 = u2 * u2 * k6;
+    let t19 = m2 * t17 + cos_q2 * t18;
+    let t20 = sin_q0 * t15 + sin_q1 * t16;
+    let t21 = m2 * t20 + sin_q2 * t18;
+    let m0 = p.m0;
+    let k8 = p.k8;
+    let t22 = sin_q0 * k8;
+    let t23 = sin_q0 * cos_q1 - cos_q0 * sin_q1;
+    let t24 = t1 * t19 - t3 * t21 + (m0 * t22 + m1 * (t22 + t23 * (l0 * t16)));
+    let k10 = p.k10;
+    let forcing_u1 = t7 * t21 - t9 * t19 + m1 * (t23 * (l1 * t15) - sin_q1 * k10);
+    let t25 = t11 * t24 + forcing_u1;
+    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
+    let t26 = t13 * t14 + (mass_u0_u2 * t6 - prepared_mass_u2_u2);
+    let t27 = (t14 * t25 + (t6 * t24 + k6 * (cos_q2 * t20 - sin_q2 * t17))) / t26;
+    let t28 = t12 * t25 - t14 * t27;
+    let t29 = t6 * t27 - (t11 * t28 + t5 * t24);
+    let t30 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(t26));
+    ([u0, u1, u2], [t29, t28, -t27], t30)
 }
 ///Kinetic and potential energy (J).
 ///
-///66 operations.
+///69 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -135,38 +223,48 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let u0 = u[0];
-    let m0 = p.m0;
-    let m1 = p.m1;
-    let m2 = p.m2;
-    let t1 = m1 + m2;
-    let l0 = p.l0;
-    let mass_u0_u0 = (m0 + t1) * (l0 * l0);
+    let u2 = u[2];
+    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
     let l1 = p.l1;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let q0 = q[0];
-    let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t2 = l0 * cos_q0;
-    let t3 = l0 * sin_q0;
-    let mass_u0_u1 = t1 * (l1 * (cos_q1 * t2 + sin_q1 * t3));
-    let u1 = u[1];
-    let l2 = p.l2;
+    let t1 = l1 * sin_q1;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let mass_u0_u2 = m2 * (l2 * (cos_q2 * t2 + sin_q2 * t3));
-    let u2 = u[2];
-    let t4 = 0.5_f32 * (u0 * u0 * mass_u0_u0) + mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2);
-    let mass_u1_u1 = t1 * (l1 * l1);
-    let mass_u1_u2 = m2 * (l2 * (cos_q2 * (l1 * cos_q1) + sin_q2 * (l1 * sin_q1)));
-    let mass_u2_u2 = m2 * (l2 * l2);
-    let t5 = t4 + 0.5_f32 * (u1 * u1 * mass_u1_u1) + mass_u1_u2 * (u1 * u2) + 0.5_f32 * (u2 * u2 * mass_u2_u2);
-    let g = p.g;
-    let t6 = l0 * (g * cos_q0);
-    let t7 = t6 + l1 * (g * cos_q1);
-    (t5, -(m0 * t6 + m1 * t7 + m2 * (t7 + l2 * (g * cos_q2))))
+    let k6 = p.k6;
+    let t2 = sin_q2 * k6;
+    let t3 = l1 * cos_q1;
+    let t4 = cos_q2 * k6;
+    let mass_u1_u2 = t1 * t2 + t3 * t4;
+    let u1 = u[1];
+    let k11 = p.k11;
+    let m2 = p.m2;
+    let t5 = m2 * t3;
+    let t6 = m2 * t1;
+    let mass_u1_u1 = k11 + (t3 * t5 + t1 * t6);
+    let l0 = p.l0;
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t7 = l0 * sin_q0;
+    let t8 = l0 * cos_q0;
+    let mass_u0_u2 = t7 * t2 + t8 * t4;
+    let u0 = u[0];
+    let m1 = p.m1;
+    let k9 = p.k9;
+    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t8 * t5 + t7 * t6);
+    let k13 = p.k13;
+    let mass_u0_u0 = t8 * (m2 * t8) + t7 * (m2 * t7) + k13;
+    let t9 = mass_u0_u2 * (u0 * u2) + (mass_u0_u1 * (u0 * u1) + 0.5_f32 * (u0 * u0 * mass_u0_u0));
+    let t10 = 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2) + (mass_u1_u2 * (u1 * u2) + (0.5_f32 * (u1 * u1 * mass_u1_u1) + t9));
+    let m0 = p.m0;
+    let k8 = p.k8;
+    let t11 = cos_q0 * k8;
+    let k10 = p.k10;
+    let t12 = t11 + cos_q1 * k10;
+    let k12 = p.k12;
+    (t10, -(m0 * t11 + m1 * t12 + m2 * (t12 + cos_q2 * k12)))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -183,7 +281,7 @@ pub fn speeds(
     _q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 3usize] {
     let u0 = u[0];
     let u1 = u[1];
@@ -205,7 +303,7 @@ pub fn outputs(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 0usize] {
     []
 }
@@ -224,31 +322,75 @@ pub fn projection(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> ([S; 0usize], S) {
     ([], 0.0_f32)
 }
 ///Triple pendulum: point masses on massless rods, absolute angles from the downward vertical.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Pendulum3 {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Pendulum3 {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Pendulum3 {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.m0,
-                1usize => &mut self.parameters.m1,
-                2usize => &mut self.parameters.m2,
-                3usize => &mut self.parameters.l0,
-                4usize => &mut self.parameters.l1,
-                5usize => &mut self.parameters.l2,
-                6usize => &mut self.parameters.g,
+                0usize => self.parameters.m0,
+                1usize => self.parameters.m1,
+                2usize => self.parameters.m2,
+                3usize => self.parameters.l0,
+                4usize => self.parameters.l1,
+                5usize => self.parameters.l2,
+                6usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.m0,
+            1usize => &mut self.parameters.m1,
+            2usize => &mut self.parameters.m2,
+            3usize => &mut self.parameters.l0,
+            4usize => &mut self.parameters.l1,
+            5usize => &mut self.parameters.l2,
+            6usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
@@ -283,7 +425,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -299,7 +441,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -322,7 +464,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

@@ -1,6 +1,7 @@
 //! The only test binary.
 
 mod accuracy;
+mod accuracy_table;
 mod agreement;
 mod bar_on_wall;
 mod bicycle_benchmark;
@@ -20,6 +21,7 @@ mod golden;
 mod hard_cases;
 mod impact_property;
 mod newton_euler_oracle;
+mod observed_order;
 mod pair_impact;
 mod rigid_impact;
 mod scene_graph;

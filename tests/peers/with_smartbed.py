@@ -41,8 +41,8 @@ pub unsafe extern "C" fn eval_{name}(input: *const f64, output: *mut f64) {{
 def emit(model, directory):
     """Writes the Rust of models/<model>.toml and returns what it holds."""
     command = ["cargo", "run", "-q", "--release", "-p", "smartbed-codegen", "--example", "emit", "--"]
-    done = subprocess.run(command + [f"models/{model}.toml", str(directory / f"{model}.rs")], cwd=ROOT, text=True,
-                          capture_output=True, check=False)
+    arguments = [f"models/{model}.toml", str(directory / f"{model}.rs"), "all"]
+    done = subprocess.run(command + arguments, cwd=ROOT, text=True, capture_output=True, check=False)
     if done.returncode:
         raise RuntimeError(done.stderr.strip())
     return json.loads(done.stdout)

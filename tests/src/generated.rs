@@ -25,14 +25,14 @@ macro_rules! emitted {
             fn set_parameter(&mut self, name: &str, value: f64) {
                 let index = $module::PARAMETER_NAMES.iter().position(|known| *known == name);
                 let index = index.unwrap_or_else(|| panic!("no tunable parameter `{name}`"));
-                *self.parameter_mut(index).expect("named") = <$scalar as Real>::from_f64(value);
+                assert!(self.set_parameter(index, <$scalar as Real>::from_f64(value)), "{name}");
             }
 
             fn outputs(&mut self, q: &[$scalar], u: &[$scalar], inputs: &[$scalar]) -> Vec<$scalar> {
                 let zero = <$scalar as Real>::ZERO;
                 let state = (q.try_into().expect("n_q"), u.try_into().expect("n_u"));
                 let inputs = inputs.try_into().expect("n_inputs");
-                $module::outputs(zero, state.0, state.1, inputs, &self.parameters).to_vec()
+                $module::outputs(zero, state.0, state.1, inputs, self.prepared()).to_vec()
             }
         }
     };

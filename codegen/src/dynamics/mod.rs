@@ -25,7 +25,7 @@ use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
@@ -143,6 +143,23 @@ fn accelerations(
     match chain {
         Some((cost, chain)) if cost < k.dag.cost(&u_dot, optimise) => Ok((chain.u_dot, chain.pivots)),
         _ => Ok((u_dot, pivots)),
+    }
+}
+
+/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
+pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
+    let values = unknown_values(k, solution);
+    let independent = |u: &&Unknown| matches!(u.kind, UnknownKind::Independent(_));
+    let (zero, n_u) = (k.dag.zero(), k.unknowns.iter().filter(independent).count());
+    Dynamics {
+        mass_matrix: Vec::new(),
+        forcing: Vec::new(),
+        u_dot: vec![zero; n_u],
+        kinetic: zero,
+        potential: zero,
+        values,
+        pivots: Vec::new(),
+        augmented: Augmented::default(),
     }
 }
 

@@ -73,7 +73,11 @@ fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {
         "the mass matrix is singular: some motion of `{}` moves no mass",
         independent.get(index).map_or("?", |s| s.name.as_str())
     ))
-    .help("give a mass or an inertia to every body that this coordinate moves");
+    .help(if model.bodies.is_empty() {
+        "the model has no bodies: add `[bodies]` with masses, or derive what needs none (`--form kinematic`)"
+    } else {
+        "give a mass or an inertia to every body that this coordinate moves"
+    });
     if let Some(speed) = independent.get(index) {
         error = error.label(speed.span, format!("speed {} of {}", index + 1, k.unknowns.len()));
     }

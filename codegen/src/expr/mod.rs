@@ -344,6 +344,12 @@ impl Dag {
     /// All nodes that the roots need, in ascending (hence topological) order.
     #[must_use]
     pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        self.reachable_above(roots, |_| false)
+    }
+
+    /// The same without what is below the nodes that `is_leaf` names.
+    #[must_use]
+    pub fn reachable_above(&self, roots: &[ExprId], is_leaf: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         let mut needed = vec![false; self.nodes.len()];
         let mut last = 0;
         for &root in roots {
@@ -352,7 +358,7 @@ impl Dag {
         }
         // Operands are always older than their node: one backward sweep marks everything.
         for index in (0..last).rev() {
-            if needed[index] {
+            if needed[index] && !is_leaf(ExprId::from_index(index)) {
                 for operand in self.operands(ExprId::from_index(index)).into_iter().flatten() {
                     needed[operand.index()] = true;
                 }

@@ -71,6 +71,12 @@ impl Number {
         }
     }
 
+    /// Without its sign.
+    #[must_use]
+    pub fn magnitude(self) -> Self {
+        if self.is_negative() { self.negate() } else { self }
+    }
+
     /// Below zero?
     #[must_use]
     pub fn is_negative(self) -> bool {

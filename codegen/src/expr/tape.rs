@@ -33,8 +33,18 @@ impl<S: Real> Tape<S> {
     /// If a root depends on a symbol that is not among `inputs`: a fault of the derivation.
     #[must_use]
     pub fn new(dag: &Dag, roots: &[ExprId], inputs: &[SymbolId]) -> Self {
-        let position: HashMap<SymbolId, usize> = inputs.iter().enumerate().map(|(k, &s)| (s, k)).collect();
-        let order = dag.reachable(roots);
+        let symbol = |&symbol: &SymbolId| dag.find(Node::Symbol(symbol)).expect("a symbol is a node");
+        Self::above(dag, roots, &inputs.iter().map(symbol).collect::<Vec<_>>())
+    }
+
+    /// The same with nodes of any kind as arguments: nothing below them is computed.
+    ///
+    /// # Panics
+    /// If a root depends on a symbol beside `inputs`: a fault of the derivation.
+    #[must_use]
+    pub fn above(dag: &Dag, roots: &[ExprId], inputs: &[ExprId]) -> Self {
+        let position: HashMap<ExprId, usize> = inputs.iter().enumerate().map(|(k, &id)| (id, k)).collect();
+        let order = dag.reachable_above(roots, |id| position.contains_key(&id));
         let mut slot = HashMap::default();
         for (k, &id) in order.iter().enumerate() {
             slot.insert(id, u32::try_from(k).expect("fewer than 2^32 nodes"));
@@ -53,13 +63,14 @@ impl<S: Real> Tape<S> {
                 tape.values[to as usize] = S::from_f64(dag.evaluate_constant(id));
                 continue;
             }
+            if let Some(&k) = position.get(&id) {
+                tape.inputs.push((k, to));
+                continue;
+            }
             match dag.node(id) {
                 Node::Number(_) | Node::Pi => {}
                 Node::Symbol(symbol) => {
-                    let k = position.get(&symbol).unwrap_or_else(|| {
-                        panic!("symbol `{}` is not an input of this program", dag.symbol_name(symbol))
-                    });
-                    tape.inputs.push((*k, to));
+                    panic!("symbol `{}` is not an input of this program", dag.symbol_name(symbol))
                 }
                 Node::Negate(a) => tape.instructions.push(Instruction::Negate { to, a: slot[&a] }),
                 Node::Unary(Unary::Sin | Unary::Cos, _) if paired[to as usize] => {}

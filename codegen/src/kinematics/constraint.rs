@@ -149,8 +149,11 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
         }
         // Vectors that are constant in the body's triad turn with the body; Newton's residual must
         // see them where the body has them, or it would not converge quadratically.
+        let leg = orientation::aligned(k, &place, home);
+        let place = k.triads.with_constants(&mut k.dag, &place, leg);
         let place = k.triads.with_constants(&mut k.dag, &place, home);
         let flat = position::flatten(k, &place);
+        let flat = in_frame(k, &flat, leg, home);
         let flat = orientation::flattened(k, &flat, home);
         let residual = reference.minus(&mut k.dag, &flat);
         let rate = velocity::derivative(k, &place);
@@ -160,7 +163,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
             k.dag.negate(one)
         };
         motion.add(k, &rate, minus_one);
-        let triads = BTreeSet::from([TriadId::from_index(0), home]);
+        let triads = BTreeSet::from([TriadId::from_index(0), home, leg]);
         let name = format!("{} closure {}", declared.name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: None, triads });
     }
@@ -176,8 +179,11 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
         let vector = lower::vector(k, &fixed.vector);
         let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(k, &fixed.components[j]));
         let here = Vector::new(&k.dag, triad, components);
+        let along = orientation::aligned(k, &vector, triad);
+        let turning = k.triads.with_constants(&mut k.dag, &vector, along);
+        let turning = if along == triad { here.clone() } else { turning };
         let mut motion = velocity::derivative(k, &vector);
-        let turned = velocity::derivative(k, &here);
+        let turned = velocity::derivative(k, &turning);
         let minus_one = {
             let one = k.dag.one();
             k.dag.negate(one)
@@ -195,13 +201,23 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
             }
             None => flat.minus(&mut k.dag, &here),
         };
-        let triads = BTreeSet::from([TriadId::from_index(0), triad]);
+        let triads = BTreeSet::from([TriadId::from_index(0), triad, along]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
         let difference = k.triads.express(&mut k.dag, &residual, TriadId::from_index(0));
         k.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }
     equations
+}
+
+/// The part in a triad fixed in a frame, by the frame's own components.
+fn in_frame(k: &mut Kinematics, vector: &Vector, triad: TriadId, frame: TriadId) -> Vector {
+    let mut rest = vector.clone();
+    let Some(part) = rest.terms.remove(&triad) else { return rest };
+    let part = Vector::new(&k.dag, triad, part);
+    let part = k.triads.express(&mut k.dag, &part, frame);
+    let part = Vector::new(&k.dag, frame, part);
+    rest.plus(&mut k.dag, &part)
 }
 
 fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {

@@ -17,6 +17,7 @@ mod rank;
 pub(crate) mod sparse;
 mod speed_map;
 mod velocity;
+mod way;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::{Dag, ExprId, SymbolId};

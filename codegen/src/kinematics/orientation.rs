@@ -2,9 +2,13 @@
 
 use super::{Kinematics, lower, position};
 use crate::expr::ExprId;
+use crate::expr::number::Number;
 use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, Orientation};
 use crate::vector::{Components, TriadId, Turn, Vector, cross_components};
+
+/// An angle this near to a whole degree is meant to be one (its sine and cosine are then exact).
+const WHOLE_DEGREE: f64 = 1e-12;
 
 /// Adds the triads of `frame`.
 pub(super) fn derive(model: &Model, k: &mut Kinematics, frame: FrameId) {
@@ -54,8 +58,47 @@ fn declare_constants(model: &Model, k: &mut Kinematics, frame: FrameId) {
         if let Some((triad, axis, negative)) = single_axis(k, &vector) {
             let components = components.map(|c| if negative { k.dag.negate(c) } else { c });
             k.triads.declare_constant(triad, axis, here, components);
+            if let Some((turned, along)) = aligned_triad(k, here, &components) {
+                k.triads.declare_constant(triad, axis, turned, along);
+            }
         }
     }
+}
+
+/// A triad fixed in `frame` with its axis along a constant vector in a coordinate plane, and that vector there.
+///
+/// What turns about a rod is short in the rod's own axes: w x (w x e) has three products there.
+fn aligned_triad(
+    k: &mut Kinematics,
+    frame: TriadId,
+    components: &Components,
+) -> Option<(TriadId, Components)> {
+    let size = |c: ExprId| k.dag.as_number(c).map(|number| number.to_f64());
+    let [x, y, z] = [size(components[0])?, size(components[1])?, size(components[2])?];
+    if z != 0.0 || x == 0.0 || y == 0.0 {
+        return None; // an axis already, or out of the plane of x and y
+    }
+    let degrees = y.atan2(x).to_degrees();
+    let whole = degrees.round();
+    let angle = if (degrees - whole).abs() < WHOLE_DEGREE {
+        let (pi, turn) = (k.dag.pi(), k.dag.number(Number::rational(whole as i64, 180)));
+        k.dag.mul(turn, pi)
+    } else {
+        k.dag.constant(y.atan2(x))
+    };
+    let length = k.dag.constant(x.hypot(y));
+    let zero = k.dag.zero();
+    let turned = k.triads.push(Turn::Simple { parent: frame, axis: Axis::Z, angle });
+    Some((turned, [length, zero, zero]))
+}
+
+/// The triad, fixed in `frame`, in which a vector along one axis stays along one; `frame` where there is none.
+pub(super) fn aligned(k: &Kinematics, vector: &Vector, frame: TriadId) -> TriadId {
+    let mut places = vector.terms.iter().filter_map(|(&triad, components)| {
+        let axis = crate::vector::along_axis(&k.dag, components)?;
+        k.triads.aligned(&k.dag, (triad, [Axis::X, Axis::Y, Axis::Z][axis.0]), frame)
+    });
+    places.next().unwrap_or(frame)
 }
 
 /// (triad, axis, negative) if the vector is plus or minus one unit vector.

@@ -5,7 +5,7 @@
 //! bias: v = sum_k v_k y_k, a = sum_k v_k y_k' + bias, with y the unknowns (speeds, lifted twists).
 
 use super::lower::{self, Value};
-use super::{Kinematics, Unknown, UnknownId, UnknownKind, orientation, position};
+use super::{Kinematics, Unknown, UnknownId, UnknownKind, orientation, position, way};
 use crate::expr::ExprId;
 use crate::expr::number::Number;
 use crate::id::Id;
@@ -68,6 +68,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             k.angular[triad] = motion;
         }
     }
+    let loops = way::loops(model, k);
     for entity in &model.order {
         let Entity::Point(point) = *entity else { continue };
         if let Some(velocity) = &model.points[point].velocity {
@@ -75,6 +76,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             k.velocities[point] = linear_motion(k, &velocity);
         } else if !position::is_lifted(model, point) {
             let position = k.positions[point].clone();
+            let position = way::shortest(k, position, &loops);
             k.velocities[point] = derivative(k, &position);
         }
     }
@@ -169,7 +171,7 @@ pub(super) fn bias_of(k: &mut Kinematics, partials: &BTreeMap<UnknownId, ExprId>
 pub(super) fn configuration_rate(k: &mut Kinematics, e: ExprId) -> ExprId {
     let mut rates = HashMap::default();
     for coordinate in k.rates.ids() {
-        if let Some(symbol) = k.coordinate_symbol(coordinate) {
+        if let Some(symbol) = k.variable(coordinate) {
             let rate = k.rates[coordinate].clone();
             rates.insert(symbol, rate_value(k, &rate));
         }
@@ -406,6 +408,8 @@ fn growing(k: &mut Kinematics, triad: TriadId, scale: ExprId, direction: [ExprId
 }
 
 /// (s, e) with e constant and components = s e, if there is such an s; else (1, components).
+///
+/// Along one axis e is a unit vector: half a rod and all of it share its derivatives.
 fn common_factor(k: &mut Kinematics, components: [ExprId; 3]) -> (ExprId, [ExprId; 3]) {
     let split = components.map(|c| k.dag.split_coefficient(c));
     let mut factors = split.iter().filter(|(number, _)| *number != Number::ZERO).map(|(_, factor)| *factor);
@@ -414,7 +418,14 @@ fn common_factor(k: &mut Kinematics, components: [ExprId; 3]) -> (ExprId, [ExprI
     if factors.any(|factor| factor != first) {
         return (one, components);
     }
-    (first, split.map(|(number, _)| k.dag.number(number)))
+    let mut sizes = split.iter().map(|(number, _)| *number).filter(|number| *number != Number::ZERO);
+    let size = match (sizes.next(), sizes.next()) {
+        (Some(only), None) => only.magnitude(),
+        _ => Number::ONE,
+    };
+    let scale = k.dag.number(size);
+    let unit = size.reciprocal();
+    (k.dag.mul(scale, first), split.map(|(number, _)| k.dag.number(number.multiply(unit))))
 }
 
 fn in_triad(k: &mut Kinematics, vector: &Vector, triad: TriadId) -> Vector {

@@ -4,12 +4,13 @@
 //! are evaluated once the parameters have been put in order and checked.
 
 use super::build_mechanics::PlannedSpeed;
-use super::document::{Key, Table, Text, Value};
-use super::expression::{Axis, Expr, ExprKind};
+use super::document::{Key, Table, Value};
+use super::entry::unreadable;
+use super::expression::Expr;
 use super::fields::Fields;
 use super::repeat::{Sections, wrong_kind};
-use super::scope::{Binding, Scope, duplicate, suggestion};
-use super::unit::{self, Scale, Unit};
+use super::scope::{Binding, Scope, duplicate};
+use super::unit::{Scale, Unit};
 use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::Id;
@@ -19,12 +20,12 @@ use crate::id::Id;
 pub struct Units {
     /// Of parameters.
     pub parameters: IdVec<ParameterId, Unit>,
-    /// Of coordinates.
-    pub coordinates: IdVec<CoordinateId, Unit>,
+    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of it.
+    pub coordinates: IdVec<CoordinateId, Scale>,
     /// Of speeds.
-    pub speeds: IdVec<SpeedId, Unit>,
+    pub speeds: IdVec<SpeedId, Scale>,
     /// Of inputs.
-    pub inputs: IdVec<InputId, Unit>,
+    pub inputs: IdVec<InputId, Scale>,
     /// Of definitions that state one.
     pub definitions: IdVec<DefinitionId, Option<Unit>>,
     /// Of outputs that state one.
@@ -126,168 +127,10 @@ pub(super) struct Builder<'a> {
     pub(super) planned_speeds: Vec<PlannedSpeed>,
 }
 
-/// The number 0 in the place of something that could not be read; never used, because an error was reported.
-fn unreadable(span: Span) -> Expr {
-    Expr { kind: ExprKind::Number(0.0), span, unit: Unit::NONE }
-}
-
 impl<'a> Builder<'a> {
     /// Entries of a section.
     pub(super) fn entries(&self, section: &str) -> &'a [(Key, Value)] {
         self.sections.tables.get(section).map_or(&[], Vec::as_slice)
-    }
-
-    /// An expression in its own units.
-    pub(super) fn expression(&mut self, value: &Value) -> Expr {
-        match value {
-            Value::Text(text) => {
-                parse_expression::parse(text, self.scope, self.found).unwrap_or_else(|| unreadable(text.span))
-            }
-            Value::Number(number, span) => {
-                self.finite(*number, *span);
-                Expr { kind: ExprKind::Number(*number), span: *span, unit: Unit::NONE }
-            }
-            other => {
-                self.found.push(wrong_kind("expression", "a number or an expression in quotes", other));
-                unreadable(other.span())
-            }
-        }
-    }
-
-    fn finite(&mut self, number: f64, span: Span) {
-        if !number.is_finite() {
-            self.found.push(
-                Diagnostic::error("the number is not finite")
-                    .label(span, "here")
-                    .help("write a finite number"),
-            );
-        }
-    }
-
-    /// A quantity: a plain number, quoted or not, is in the declared unit; an expression carries its own units.
-    pub(super) fn quantity(&mut self, value: &Value, scale: Scale) -> Expr {
-        let plain = match value {
-            Value::Number(number, _) => Some(*number),
-            Value::Text(text) if text.text.contains(|c: char| c.is_ascii_digit()) => {
-                text.text.trim().parse().ok()
-            }
-            _ => None,
-        };
-        match plain {
-            Some(number) => {
-                self.finite(number, value.span());
-                Expr { kind: ExprKind::Number(number * scale.factor), span: value.span(), unit: scale.unit }
-            }
-            None => self.expression(value),
-        }
-    }
-
-    /// A vector or scalar field that may be missing.
-    pub(super) fn optional(&mut self, fields: &Fields<'_>, name: &'static str, unit: Unit) -> Option<Expr> {
-        fields.get(name).map(|value| self.quantity(value, si(unit)))
-    }
-
-    /// A vector or scalar field that must be there.
-    pub(super) fn needed(
-        &mut self,
-        fields: &Fields<'_>,
-        name: &'static str,
-        unit: Unit,
-        example: &str,
-    ) -> Expr {
-        match fields.need(name, example, self.found) {
-            Some(value) => self.quantity(value, si(unit)),
-            None => unreadable(fields.span),
-        }
-    }
-
-    /// The field `unit`: text for people (coherent SI), and scale. No dimension if missing.
-    pub(super) fn unit(&mut self, fields: &Fields<'_>) -> (String, Option<Scale>) {
-        let Some(text) = fields.text("unit", self.found) else { return ("1".to_owned(), None) };
-        match unit::parse(text.text.trim()) {
-            Ok(scale) if scale.factor == 1.0 => (text.text.trim().to_owned(), Some(scale)),
-            Ok(scale) if scale.unit == Unit::NONE => ("rad".to_owned(), Some(scale)),
-            Ok(scale) => (scale.unit.to_string(), Some(scale)),
-            Err((message, range)) => {
-                let name = text.text.get(range.clone()).unwrap_or("");
-                let help = suggestion(name, unit::names())
-                    .unwrap_or_else(|| "units are products of powers: kg m^2, N s/m, m/s^2, deg".to_owned());
-                self.found
-                    .push(Diagnostic::error(message).label(text.place(range), "in this unit").help(help));
-                ("1".to_owned(), None)
-            }
-        }
-    }
-
-    /// The name in a field, looked up.
-    pub(super) fn name_of<T: Copy>(
-        &mut self,
-        value: Option<&Value>,
-        kind: &str,
-        look_up: impl Fn(&Scope, &str) -> Option<T>,
-        known: impl Fn(&Scope) -> Vec<String>,
-    ) -> Option<T> {
-        let text = match value? {
-            Value::Text(text) => text,
-            other => {
-                self.found.push(wrong_kind(kind, "a name in quotes", other));
-                return None;
-            }
-        };
-        let result = look_up(self.scope, &text.text);
-        if result.is_none() {
-            let known = known(self.scope);
-            self.found.push(
-                Diagnostic::error(format!("unknown {kind} `{}`", text.text))
-                    .label(text.span, format!("no {kind} of this model has this name"))
-                    .help(suggestion(&text.text, known.iter().map(String::as_str)).unwrap_or_else(|| {
-                        format!(
-                            "known: {}",
-                            if known.is_empty() { "none".to_owned() } else { known.join(", ") }
-                        )
-                    })),
-            );
-        }
-        result
-    }
-
-    pub(super) fn frame_of(&mut self, value: Option<&Value>) -> Option<FrameId> {
-        self.name_of(
-            value,
-            "frame",
-            |scope, name| scope.frames.get(name).map(|(id, _)| *id),
-            |scope| scope.frames.keys().cloned().collect(),
-        )
-    }
-
-    pub(super) fn point_of(&mut self, value: Option<&Value>) -> Option<PointId> {
-        let point = |binding: &Binding| if let Binding::Point(id) = binding { Some(*id) } else { None };
-        self.name_of(
-            value,
-            "point",
-            |scope, name| scope.values.get(name).and_then(|(b, _)| point(b)),
-            |scope| {
-                scope.values.iter().filter(|(_, (b, _))| point(b).is_some()).map(|(n, _)| n.clone()).collect()
-            },
-        )
-    }
-
-    pub(super) fn coordinate_of(&mut self, value: Option<&Value>) -> Option<CoordinateId> {
-        let coordinate =
-            |binding: &Binding| if let Binding::Coordinate(id) = binding { Some(*id) } else { None };
-        self.name_of(
-            value,
-            "coordinate",
-            |scope, name| scope.values.get(name).and_then(|(b, _)| coordinate(b)),
-            |scope| {
-                scope
-                    .values
-                    .iter()
-                    .filter(|(_, (b, _))| coordinate(b).is_some())
-                    .map(|(n, _)| n.clone())
-                    .collect()
-            },
-        )
     }
 
     /// Top-level fields.
@@ -390,7 +233,7 @@ impl<'a> Builder<'a> {
             let doc = fields.doc(self.found);
             let (unit, scale) = self.unit(&fields);
             fields.finish(self.found);
-            self.draft.units.inputs.push(scale.map_or(Unit::NONE, |s| s.unit));
+            self.draft.units.inputs.push(scale.unwrap_or(si(Unit::NONE)));
             self.draft.model.inputs.push(Input { name: key.name.clone(), doc, unit, span: key.span });
         }
     }
@@ -431,24 +274,6 @@ impl<'a> Builder<'a> {
             self.draft.units.outputs.push(unit);
             let output = Output { name: key.name.clone(), value, unit: String::new(), span: key.span };
             self.draft.model.outputs.push(output);
-        }
-    }
-
-    /// An axis by its letter.
-    pub(super) fn axis_of(&mut self, value: &Value) -> Option<Axis> {
-        let letter = if let Value::Text(Text { text, .. }) = value { text.as_str() } else { "" };
-        match letter {
-            "x" => Some(Axis::X),
-            "y" => Some(Axis::Y),
-            "z" => Some(Axis::Z),
-            _ => {
-                self.found.push(
-                    Diagnostic::error("an axis is \"x\", \"y\" or \"z\"")
-                        .label(value.span(), "not an axis")
-                        .help("rotations = [[\"z\", \"angle\"]]"),
-                );
-                None
-            }
         }
     }
 }

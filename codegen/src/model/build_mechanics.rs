@@ -6,7 +6,7 @@ use super::expression::{Expr, ExprKind};
 use super::fields::Fields;
 use super::repeat::wrong_kind;
 use super::scope::Binding;
-use super::unit::Unit;
+use super::unit::{Scale, Unit};
 use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::id::Id;
@@ -84,6 +84,10 @@ impl Builder<'_> {
             let doc = fields.doc(self.found);
             let (unit, scale) = self.unit(&fields);
             let scale = scale.unwrap_or(si(Unit::NONE));
+            let written = match fields.get("unit") {
+                Some(Value::Text(text)) => text.text.trim().to_owned(),
+                _ => unit.clone(),
+            };
             let closed_form = fields.get("closed_form").map(|value| self.expression(value));
             let independent = fields.boolean("independent", self.found).unwrap_or(!constrained);
             let nominal = fields.get("nominal").map(|value| self.quantity(value, scale));
@@ -103,11 +107,12 @@ impl Builder<'_> {
             fields.finish(self.found);
             let [low, high] = range;
             self.draft.coordinate_values.push([nominal, low, high]);
-            self.draft.units.coordinates.push(scale.unit);
+            self.draft.units.coordinates.push(scale);
             self.draft.model.coordinates.push(Coordinate {
                 name: key.name.clone(),
                 doc,
                 unit,
+                written_unit: (written, scale.factor),
                 independent: independent && closed_form.is_none(),
                 nominal: 0.0,
                 range: (0.0, 0.0),
@@ -125,8 +130,10 @@ impl Builder<'_> {
                     let Some(coordinate) = self.draft.model.coordinates.as_slice().get(id.index()) else {
                         continue;
                     };
-                    let unit = self.draft.units.coordinates[id].per(Unit::TIME).unwrap_or(Unit::NONE);
-                    self.draft.units.speeds.push(unit);
+                    // A coordinate in degrees has a speed in degrees per second.
+                    let Scale { unit, factor } = self.draft.units.coordinates[id];
+                    let unit = unit.per(Unit::TIME).unwrap_or(Unit::NONE);
+                    self.draft.units.speeds.push(Scale { unit, factor });
                     let speed = Speed {
                         name: planned.name,
                         unit: rate_unit(&coordinate.unit, unit),
@@ -173,7 +180,7 @@ impl Builder<'_> {
             None => return,
         };
         let constrained = self.is_constrained() || !self.entries("constraints.motion").is_empty();
-        self.draft.units.speeds.push(scale.map_or(Unit::NONE, |s| s.unit));
+        self.draft.units.speeds.push(scale.unwrap_or(si(Unit::NONE)));
         self.draft.model.speeds.push(Speed {
             name: fields.name.to_owned(),
             unit,
@@ -402,12 +409,16 @@ impl Builder<'_> {
     fn spring(&mut self, fields: &Fields<'_>) -> Option<LoadKind> {
         if let Some(coordinate) = fields.get("coordinate") {
             let coordinate = self.coordinate_of(Some(coordinate));
-            let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
+            let scale = coordinate.and_then(|id| self.draft.units.coordinates.get(id)).copied();
+            let scale = scale.unwrap_or(si(Unit::NONE));
+            // A generalised force works along q: its unit is J per unit of q.
+            let per_q = over(over(Unit::TORQUE, scale.unit), scale.unit);
+            let stiffness = self.needed(fields, "stiffness", per_q, "\"k\"");
             let rest = match fields.get("rest") {
-                Some(value) => self.expression(value),
+                Some(value) => self.quantity(value, scale),
                 None => Expr { kind: ExprKind::Number(0.0), span: fields.span, unit: Unit::NONE },
             };
-            let damping = self.optional(fields, "damping", Unit::NONE);
+            let damping = self.optional(fields, "damping", over(per_q, Unit::RATE));
             return Some(LoadKind::CoordinateSpring { coordinate: coordinate?, stiffness, rest, damping });
         }
         let ends = match fields.array("between", self.found) {
@@ -421,12 +432,17 @@ impl Builder<'_> {
                 None
             }
         };
-        let stiffness = self.needed(fields, "stiffness", Unit::NONE, "\"k\"");
+        let stiffness = self.needed(fields, "stiffness", over(Unit::FORCE, Unit::LENGTH), "\"k\"");
         let rest_length = self.needed(fields, "rest_length", Unit::LENGTH, "\"l0\"");
-        let damping = self.optional(fields, "damping", Unit::NONE);
+        let damping = self.optional(fields, "damping", over(Unit::FORCE, Unit::VELOCITY));
         let (a, b) = ends?;
         Some(LoadKind::Spring { ends: [a, b], stiffness, rest_length, damping })
     }
+}
+
+/// Quotient of two units; exponents beyond all bounds have been reported where they arose.
+fn over(a: Unit, b: Unit) -> Unit {
+    a.per(b).unwrap_or(Unit::NONE)
 }
 
 /// Unit text of a rate: that of the coordinate per second.

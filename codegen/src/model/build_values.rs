@@ -5,13 +5,13 @@ use super::document::Value;
 use super::fields::Fields;
 use super::repeat::wrong_kind;
 use super::scope::{Binding, suggestion};
-use super::unit::Unit;
+use super::unit::{Scale, Unit};
 use super::*;
 use crate::diagnostic::Diagnostic;
 
 /// The unit of a quantity; none if its entry was faulty, which has been reported.
-fn known(unit: Option<&Unit>) -> Unit {
-    unit.copied().unwrap_or(Unit::NONE)
+fn known(scale: Option<&Scale>) -> Scale {
+    scale.copied().unwrap_or(si(Unit::NONE))
 }
 
 impl Builder<'_> {
@@ -23,8 +23,8 @@ impl Builder<'_> {
             let mut values = Vec::new();
             for (key, value) in fields.table("values", self.found).map_or(&[][..], |t| &t.entries) {
                 if let Some(id) = self.coordinate_named(key) {
-                    let unit = known(self.draft.units.coordinates.get(id));
-                    values.push((id, self.quantity(value, si(unit))));
+                    let scale = known(self.draft.units.coordinates.get(id));
+                    values.push((id, self.quantity(value, scale)));
                 }
             }
             fields.finish(self.found);
@@ -38,7 +38,7 @@ impl Builder<'_> {
 
     fn start(&mut self) {
         for (key, value) in self.entries("start") {
-            let (of, unit) = match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
+            let (of, scale) = match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
                 Some(Binding::Coordinate(id)) => {
                     (StartRef::Coordinate(id), known(self.draft.units.coordinates.get(id)))
                 }
@@ -49,7 +49,7 @@ impl Builder<'_> {
                     continue;
                 }
             };
-            let value = self.quantity(value, si(unit));
+            let value = self.quantity(value, scale);
             self.draft.start_values.push((of, value));
         }
     }
@@ -58,7 +58,7 @@ impl Builder<'_> {
         for (key, value) in self.entries("law") {
             match self.scope.values.get(&key.name).map(|(binding, _)| *binding) {
                 Some(Binding::Input(id)) => {
-                    let value = self.quantity(value, si(known(self.draft.units.inputs.get(id))));
+                    let value = self.quantity(value, known(self.draft.units.inputs.get(id)));
                     self.draft.model.laws.push((id, value));
                 }
                 _ => self.unknown_key(key, "input", |b| matches!(b, Binding::Input(_))),
@@ -70,7 +70,10 @@ impl Builder<'_> {
         let known: Vec<&str> =
             self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
         let all = || match known.is_empty() {
-            true => format!("this model declares no {kind}: declare it first"),
+            true => format!(
+                "this model declares no {kind}: declare it first, in [{}s]",
+                kind.split(' ').next().unwrap_or(kind)
+            ),
             false => format!("known: {}", known.join(", ")),
         };
         self.found.push(

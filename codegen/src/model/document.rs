@@ -195,7 +195,11 @@ pub fn parse(text: &str, file: u32) -> Result<Table, Vec<Diagnostic>> {
         let span = Span { start: range.start, end: range.end, file };
         let help = match error.message() {
             "duplicate key" => "the name stands twice in this table: rename or remove one of the two",
-            _ => "see https://toml.io for the notation; a text with blanks or operators stands in quotes",
+            m if m.contains("must be quoted") => "names and expressions stand in quotes: \"l*rod.x\"",
+            m if m.contains("basic string") => "close the text with a second quote on the same line",
+            _ => {
+                "entries are `name = value`; names and expressions on the right stand in quotes; see https://toml.io"
+            }
         };
         Diagnostic::error(format!("not valid TOML: {}", error.message())).label(span, "here").help(help)
     };

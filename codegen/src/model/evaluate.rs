@@ -3,8 +3,11 @@
 //! Only what does not depend on the state can be evaluated; anything else is NaN, which the
 //! checks before have ruled out.
 
+use super::build::Draft;
 use super::expression::{Expr, ExprKind, Function};
+use super::unit::Unit;
 use super::*;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 
 /// Values of everything constant.
 #[derive(Debug)]
@@ -57,6 +60,42 @@ impl Constants {
             _ => f64::NAN,
         }
     }
+}
+
+/// Fills in all numbers, once everything has been checked.
+pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
+    let mut model = draft.model;
+    let constants = Constants::of(&model);
+    for (id, value) in constants.parameters.enumerate() {
+        finite(*value, model.parameters[id].value.span, found);
+    }
+    let mut value = |expr: &Expr| finite(constants.value(expr), expr.span, found);
+    for id in model.coordinates.ids() {
+        let [nominal, low, high] = &draft.coordinate_values[id];
+        let nominal = nominal.as_ref().map_or(0.0, &mut value);
+        // Without a range: once around for angles, one unit to both sides for the rest.
+        let reach = if draft.units.coordinates[id].unit == Unit::NONE { std::f64::consts::PI } else { 1.0 };
+        let low = low.as_ref().map_or(nominal - reach, &mut value);
+        let high = high.as_ref().map_or(nominal + reach, &mut value);
+        let coordinate = &mut model.coordinates[id];
+        (coordinate.nominal, coordinate.range) = (nominal, (low, high));
+    }
+    for (configuration, values) in model.configurations.iter_mut().zip(&draft.configuration_values) {
+        configuration.values = values.iter().map(|(id, expr)| (*id, value(expr))).collect();
+    }
+    model.start = draft.start_values.iter().map(|(of, expr)| (*of, value(expr))).collect();
+    model
+}
+
+fn finite(value: f64, span: Span, found: &mut Diagnostics) -> f64 {
+    if !value.is_finite() {
+        found.push(
+            Diagnostic::error("this has no finite constant value")
+                .label(span, format!("evaluates to {value}"))
+                .help("look for a division by 0, a root or logarithm of a negative number, or a number too large"),
+        );
+    }
+    value
 }
 
 /// Value of a function.

@@ -10,10 +10,12 @@ mod build_mechanics;
 mod build_values;
 mod check;
 mod document;
+mod entry;
 mod evaluate;
 pub mod expression;
 mod extend;
 mod fields;
+mod infer;
 mod lexing;
 mod order;
 mod parse_expression;
@@ -136,8 +138,10 @@ pub struct Coordinate {
     pub name: String,
     /// What it is.
     pub doc: String,
-    /// Unit as written.
+    /// Coherent SI unit, such as `m` or `rad`.
     pub unit: String,
+    /// Unit as written, such as `mm` or `deg`, and how many of `unit` make one of it.
+    pub written_unit: (String, f64),
     /// Independent (state) or solved from the configuration constraints.
     pub independent: bool,
     /// Value at the nominal configuration (a start guess where dependent), SI.

@@ -112,6 +112,10 @@ impl Reader<'_> {
                 let arguments: Vec<&syn::Expr> = std::iter::once(&*call.receiver).chain(&call.args).collect();
                 self.call(&call.method.to_string(), call.method.span(), &arguments, syntax.span())
             }
+            // Python's a**2 reads as a*(*2).
+            syn::Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => {
+                self.refuse(unary.span(), "unexpected `*`".to_owned(), "here", "powers are written x.powi(2)")
+            }
             other => self.refuse(
                 other.span(),
                 "this notation is not part of the expression language".to_owned(),
@@ -200,6 +204,8 @@ impl Reader<'_> {
     fn unknown<T>(&mut self, name: &str, span: RustSpan) -> Option<T> {
         let help = if self.scope.frames.contains_key(name) {
             format!("`{name}` is a frame: its unit vectors are {name}.x, {name}.y, {name}.z")
+        } else if let Some(speed) = self.rate_meant(name) {
+            format!("the rate of a coordinate is its speed: here `{speed}`")
         } else if FUNCTIONS.iter().any(|(known, ..)| *known == name) || OTHER_FUNCTIONS.contains(&name) {
             format!("`{name}` is a function: write {name}(...)")
         } else {
@@ -208,6 +214,15 @@ impl Reader<'_> {
                 .unwrap_or_else(|| "declare it as a parameter, coordinate, input or definition".to_owned())
         };
         self.refuse(span, format!("unknown name `{name}`"), "not declared in this model", &help)
+    }
+
+    /// `q_dot`, `qd`, `q_d`, `qdot`: how others call the speed of a coordinate q.
+    fn rate_meant(&self, name: &str) -> Option<String> {
+        let rate = |c: &&str| matches!(self.scope.values.get(*c), Some((Binding::Coordinate(_), _)));
+        let coordinate =
+            ["_dot", "dot", "_d", "d"].iter().filter_map(|end| name.strip_suffix(end)).find(rate)?;
+        let speed = format!("u_{coordinate}");
+        self.scope.values.contains_key(&speed).then_some(speed)
     }
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Option<Expr> {
@@ -334,7 +349,7 @@ impl Reader<'_> {
                 arguments[1].span(),
                 format!("an exponent is an integer between -{LARGEST_EXPONENT} and {LARGEST_EXPONENT}"),
                 "not such a literal",
-                "for a square root write sqrt(x)",
+                "for a root write sqrt(x), for any other power exp(n*ln(x))",
             ),
         }
     }

@@ -220,7 +220,7 @@ impl Reaches<'_> {
                 Reach::CONSTANT => "only numbers, parameters and functions of them may stand here",
                 Reach::COORDINATES => "only independent coordinates may stand here",
                 CONFIGURATION => {
-                    "positions, orientations and configuration constraints depend on coordinates and parameters only"
+                    "positions, orientations and configuration constraints depend on coordinates and parameters only; speeds may enter loads, outputs and [constraints.motion]"
                 }
                 _ => "this kind of quantity is not known where the expression is used",
             };

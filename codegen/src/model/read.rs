@@ -65,7 +65,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     check::check(&mut draft, &mut found);
     reach::check(&draft, &mut found);
     let mut found = next_stage(found)?;
-    let model = check::evaluate(draft, &mut found);
+    let model = evaluate::evaluate(draft, &mut found);
     found.finish(model)
 }
 

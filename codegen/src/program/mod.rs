@@ -3,7 +3,10 @@
 //! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
+pub mod arguments;
 pub mod interpreter;
+mod kinematic;
+mod prepared;
 mod reciprocal;
 mod shorten;
 
@@ -17,6 +20,8 @@ use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
 use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
+
+pub use kinematic::derive_kinematic;
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]
@@ -341,10 +346,10 @@ impl Program {
         self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
     }
 
-    /// Operations of one evaluation of q' and u', parameters at run time.
+    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
     #[must_use]
     pub fn operations(&self) -> usize {
-        self.dag.cone_cost(&self.forward_dynamics())
+        self.dag.state_cost(&self.forward_dynamics())
     }
 
     /// Puts expressions in the place of symbols, in every result.

@@ -1,10 +1,11 @@
 //! Shared reciprocals: x/d, y/d -> r = 1/d, x r, y r.
 //!
 //! A division costs ten to fifteen multiplications on the targets; one more operation in the count
-//! buys all but one of the divisions by the same divisor.
+//! buys all but one of the divisions by the same divisor. The reciprocal of what depends on parameters
+//! alone is prepared: every division by it is bought.
 
 use super::Program;
-use crate::expr::{Binary, ExprId, Node};
+use crate::expr::{Binary, Dependence, ExprId, Node};
 use rustc_hash::FxHashMap as HashMap;
 
 /// Rewrites all answers of a program.
@@ -18,7 +19,9 @@ pub(super) fn share(program: &mut Program) {
         }
     }
     let image = program.dag.rebuild(&roots, |dag, id, image| match dag.node(id) {
-        Node::Binary(Binary::Div, a, divisor) if quotients[&divisor] > 1 => {
+        Node::Binary(Binary::Div, a, divisor)
+            if quotients[&divisor] > 1 || dag.dependence(divisor) == Dependence::Parameters =>
+        {
             let one = dag.one();
             let reciprocal = dag.div(one, image.of(divisor));
             Some(dag.mul(image.of(a), reciprocal))

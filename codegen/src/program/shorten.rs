@@ -8,10 +8,19 @@ use rustc_hash::FxHashMap as HashMap;
 
 /// Samples at the end of the table that are watched besides the nominal and the worst ones.
 const RANDOM: usize = 2;
+/// Pivots, the weakest first, at whose worst samples round-off is watched.
+const PIVOTS: usize = 4;
 
 /// Rewrites the answers of a program; the augmented form stays as it is.
 pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Effort) {
-    let states = states(program, table);
+    let n = table.points();
+    let chosen = watched(program, table);
+    let guard = states(program, table, &chosen);
+    let samples = if effort == Effort::All {
+        states(program, table, &(0..n).collect::<Vec<_>>())
+    } else {
+        guard.clone()
+    };
     let mut rates = program.forward_dynamics();
     rates.push(program.rates.worst_pivot);
     let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
@@ -20,30 +29,36 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
     let others =
         [projection, program.energy.to_vec(), second(&program.speeds), second(&program.outputs)].concat();
     let groups = [rates, others];
-    let shorter = value::shorten(&mut program.dag, &groups, &states, effort);
+    let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, effort);
     let image: HashMap<ExprId, ExprId> = groups.concat().into_iter().zip(shorter.concat()).collect();
     program.map_answers(|e| image[&e]);
 }
 
-/// Nominal, where each pivot is smallest, and some random samples, with random speeds and inputs.
-fn states(program: &Program, table: &mut SampleTable) -> States {
-    let dag = &program.dag;
+/// Nominal, where the weakest pivots are smallest, and some random samples.
+fn watched(program: &Program, table: &mut SampleTable) -> Vec<usize> {
     let n = table.points();
     let mut watched: Vec<usize> = vec![0];
-    for pivot in &program.pivots {
-        let sizes = table.values(dag, pivot.value);
+    let mut weakest: Vec<_> = program.pivots.iter().collect();
+    weakest.sort_by(|a, b| a.worst.total_cmp(&b.worst));
+    for pivot in weakest.into_iter().take(PIVOTS) {
+        let sizes = table.values(&program.dag, pivot.value);
         watched.extend((0..n).min_by(|&a, &b| sizes[a].abs().total_cmp(&sizes[b].abs())));
     }
     watched.extend(n.saturating_sub(RANDOM)..n);
     watched.sort_unstable();
     watched.dedup();
+    watched
+}
+
+/// The chosen samples of the table, with its random speeds and inputs.
+fn states(program: &Program, table: &mut SampleTable, chosen: &[usize]) -> States {
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     let groups = [&program.q, &program.u, &program.inputs, &program.parameters];
     for symbol in groups.into_iter().flatten().map(|quantity| quantity.symbol) {
-        if let Some(expr) = dag.find(Node::Symbol(symbol)) {
-            let values = table.values(dag, expr);
-            symbols.insert(symbol, watched.iter().map(|&k| values[k]).collect());
+        if let Some(expr) = program.dag.find(Node::Symbol(symbol)) {
+            let values = table.values(&program.dag, expr);
+            symbols.insert(symbol, chosen.iter().map(|&k| values[k]).collect());
         }
     }
-    States { points: watched.len(), symbols }
+    States { points: chosen.len(), symbols }
 }

@@ -16,20 +16,55 @@ pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream
         let field = name::identifier(&p.name);
         quote! { #index => &mut self.parameters.#field }
     });
+    let getters = program.parameters.iter().enumerate().map(|(index, p)| {
+        let field = name::identifier(&p.name);
+        quote! { #index => self.parameters.#field }
+    });
     quote! {
         #[doc = #doc]
-        #[derive(Clone, Copy, Debug, Default)]
+        #[derive(Clone, Copy, Debug)]
         pub struct #ident {
-            /// Tunable parameters.
-            pub parameters: Parameters,
+            parameters: Parameters,
+            prepared: Prepared,
+        }
+        impl Default for #ident {
+            fn default() -> Self {
+                Self::new(Parameters::default())
+            }
         }
         impl #ident {
-            /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-            pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+            /// The mechanism with these parameters.
+            #[must_use]
+            pub fn new(parameters: Parameters) -> Self {
+                Self { parameters, prepared: prepare(&parameters) }
+            }
+            /// Its parameters.
+            #[must_use]
+            pub fn parameters(&self) -> &Parameters { &self.parameters }
+            /// What depends on them alone.
+            #[must_use]
+            pub fn prepared(&self) -> &Prepared { &self.prepared }
+            /// Changes all parameters and prepares anew.
+            pub fn set_parameters(&mut self, parameters: Parameters) {
+                *self = Self::new(parameters);
+            }
+            /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+            #[must_use]
+            pub fn parameter(&self, index: usize) -> Option<S> {
                 Some(match index {
-                    #(#setters,)*
+                    #(#getters,)*
                     _ => return None,
                 })
+            }
+            /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+            pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+                let place = match index {
+                    #(#setters,)*
+                    _ => return false,
+                };
+                *place = value;
+                self.prepared = prepare(&self.parameters);
+                true
             }
         }
         impl #runtime::mechanism::Mechanism<S> for #ident {
@@ -56,7 +91,7 @@ pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream
                     return Err(#runtime::mechanism::Fault::Shape);
                 };
                 let pivot;
-                (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+                (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
                 Ok(pivot)
             }
             #[allow(clippy::assign_op_pattern, reason = "scalars need not have assigning operators")]
@@ -65,7 +100,7 @@ pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream
                     return Err(#runtime::mechanism::Fault::Shape);
                 };
                 let (correction, residual) =
-                    projection(<S as Real>::ZERO, q, &[<S as Real>::ZERO; NU], &[<S as Real>::ZERO; N_INPUTS], &self.parameters);
+                    projection(<S as Real>::ZERO, q, &[<S as Real>::ZERO; NU], &[<S as Real>::ZERO; N_INPUTS], &self.prepared);
                 for (&index, &change) in CORRECTED.iter().zip(&correction) {
                     if let Some(coordinate) = q.get_mut(index) {
                         *coordinate = *coordinate + change;
@@ -77,7 +112,7 @@ pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream
                 let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
                     return Err(#runtime::mechanism::Fault::Shape);
                 };
-                Ok(energy(<S as Real>::ZERO, q, u, &[<S as Real>::ZERO; N_INPUTS], &self.parameters))
+                Ok(energy(<S as Real>::ZERO, q, u, &[<S as Real>::ZERO; N_INPUTS], &self.prepared))
             }
         }
     }

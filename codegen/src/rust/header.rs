@@ -1,12 +1,20 @@
 //! The comment that an emitted file opens with: provenance and cost.
 
+use super::prepared::Prepared;
 use super::{Answer, EmitOptions, ScalarType};
+use crate::expr::Dependence;
 use crate::program::Program;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The header lines.
 #[must_use]
-pub(super) fn text(program: &Program, options: &EmitOptions, answers: &[Answer]) -> String {
+pub(super) fn text(
+    program: &Program,
+    options: &EmitOptions,
+    answers: &[Answer],
+    prepared: &Prepared,
+) -> String {
     let scalar = match &options.scalar {
         ScalarType::F32 => "f32",
         ScalarType::F64 => "f64",
@@ -36,10 +44,15 @@ pub(super) fn text(program: &Program, options: &EmitOptions, answers: &[Answer])
         );
     }
     for answer in answers {
-        let kinds = program.dag.operations_by_kind(&answer.roots(program));
-        let total: usize = kinds.values().sum();
-        let kinds: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
-        let _ = writeln!(text, "// Cost of {}: {total} operations ({}).", answer.name(), kinds.join(", "));
+        let kinds = program.dag.operations_by_kind(&answer.roots(program), Dependence::State);
+        cost(&mut text, answer.name(), &kinds);
     }
+    cost(&mut text, "prepare", &prepared.operations(program));
     text
+}
+
+fn cost(text: &mut String, name: &str, kinds: &BTreeMap<&str, usize>) {
+    let total: usize = kinds.values().sum();
+    let kinds: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
+    let _ = writeln!(text, "// Cost of {name}: {total} operations ({}).", kinds.join(", "));
 }

@@ -7,10 +7,12 @@
 mod glue;
 mod header;
 mod name;
+mod prepared;
 mod statement;
 
 use crate::expr::ExprId;
 use crate::program::{Program, Quantity};
+use prepared::Prepared;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use statement::Body;
@@ -62,6 +64,9 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// Answers that need no mass.
+    pub const KINEMATIC: [Self; 3] = [Self::Speeds, Self::Outputs, Self::Projection];
+
     /// Every answer of a complete file, in its order; [`Answer::Augmented`] is a form of its own.
     pub const ALL: [Self; 5] = [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection];
 
@@ -118,12 +123,6 @@ impl Answer {
     }
 }
 
-/// Name of the emitted struct that implements the runtime's `Mechanism`.
-#[must_use]
-pub fn mechanism_name(program: &Program) -> String {
-    name::type_name(&program.name).to_string()
-}
-
 /// The formatted source text.
 ///
 /// # Panics
@@ -144,9 +143,13 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
         let doc = "Speeds and lifted twists of the augmented form, in order.";
         items.extend(names_constant("UNKNOWN_NAMES", doc, &program.augmented.unknowns));
     }
-    let mut bodies = Vec::new();
+    let roots: Vec<ExprId> = answers.iter().flat_map(|answer| answer.roots(program)).collect();
+    let prepared = Prepared::new(program, &roots);
+    let (prepare, text) = prepared.items(program, &options.scalar);
+    items.extend(prepare);
+    let mut bodies = vec![(format_ident!("body_of_prepare"), text)];
     for &answer in &answers {
-        let body = Body::new(program, &answer.roots(program), &options.scalar);
+        let body = Body::new(program, &answer.roots(program), &options.scalar, &prepared);
         items.extend(function(program, answer, &body.arguments()));
         let mut text: String = body.statements.iter().map(|line| format!("    {line}\n")).collect();
         text.push_str(&format!("    {}\n", result(program, answer, &body.results)));
@@ -156,7 +159,8 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
         items.extend(glue::mechanism(program, &runtime));
     }
     let file: syn::File = syn::parse2(items).expect("emitted tokens are Rust items");
-    let mut text = format!("{}\n{}", header::text(program, options, &answers), prettyplease::unparse(&file));
+    let mut text =
+        format!("{}\n{}", header::text(program, options, &answers, &prepared), prettyplease::unparse(&file));
     for (placeholder, body) in bodies {
         text = text.replacen(&format!("    {placeholder}!();\n"), &body, 1);
     }
@@ -264,6 +268,7 @@ fn parameters(program: &Program, options: &EmitOptions) -> TokenStream {
     quote! {
         /// Tunable parameters, SI units.
         #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
         #[allow(non_snake_case, reason = "names are the model's")]
         pub struct Parameters { #(#fields),* }
         impl Default for Parameters {
@@ -294,7 +299,7 @@ fn function(program: &Program, answer: Answer, arguments: &TokenStream) -> Token
         }
     };
     let (ident, doc, body) = (format_ident!("{}", answer.name()), answer.doc(), placeholder(answer));
-    let operations = format!("{} operations.", program.dag.cone_cost(&answer.roots(program)));
+    let operations = format!("{} operations.", program.dag.state_cost(&answer.roots(program)));
     quote! {
         #[doc = #doc]
         ///

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 use std::collections::HashSet;
 
 /// Words that are not identifiers, or would hide what an emitted function uses.
-const KEYWORDS: [&str; 56] = [
+const KEYWORDS: [&str; 57] = [
     "as",
     "async",
     "await",
@@ -60,6 +60,7 @@ const KEYWORDS: [&str; 56] = [
     "Real",
     "S",
     "Parameters",
+    "Prepared",
     "NQ",
 ];
 

@@ -8,6 +8,7 @@
 
 use super::ScalarType;
 use super::name::Scope;
+use super::prepared::Prepared;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::program::Program;
@@ -22,6 +23,8 @@ const LONGEST_STATEMENT: usize = 8;
 pub(super) struct Body<'p> {
     program: &'p Program,
     scalar: &'p ScalarType,
+    /// Where values of parameters are read; none in the function that computes them.
+    prepared: Option<&'p Prepared>,
     /// Statements in order.
     pub statements: Vec<String>,
     /// Expressions of the results.
@@ -37,10 +40,31 @@ pub(super) struct Body<'p> {
 const GROUPS: [&str; 5] = ["t", "q", "u", "inputs", "p"];
 
 impl<'p> Body<'p> {
-    pub fn new(program: &'p Program, roots: &[ExprId], scalar: &'p ScalarType) -> Self {
+    /// Of an answer: it reads `p: &Prepared`.
+    pub fn new(
+        program: &'p Program,
+        roots: &[ExprId],
+        scalar: &'p ScalarType,
+        prepared: &'p Prepared,
+    ) -> Self {
+        Self::of(program, roots, scalar, Some(prepared))
+    }
+
+    /// Of `prepare`: it reads `p: &Parameters`.
+    pub fn of_parameters(program: &'p Program, roots: &[ExprId], scalar: &'p ScalarType) -> Self {
+        Self::of(program, roots, scalar, None)
+    }
+
+    fn of(
+        program: &'p Program,
+        roots: &[ExprId],
+        scalar: &'p ScalarType,
+        prepared: Option<&'p Prepared>,
+    ) -> Self {
         let mut body = Self {
             program,
             scalar,
+            prepared,
             statements: Vec::new(),
             results: Vec::new(),
             uses: HashMap::default(),
@@ -65,10 +89,24 @@ impl<'p> Body<'p> {
         &self.program.dag
     }
 
+    /// Name of the field of `Prepared` that holds the node.
+    fn field(&self, id: ExprId) -> Option<&'p str> {
+        self.prepared?.field(id)
+    }
+
+    /// What the body computes or reads, operands first.
+    fn order(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        self.dag().reachable_above(roots, |id| self.field(id).is_some())
+    }
+
+    /// Operands that the body computes: none of what it reads.
+    fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
+        if self.field(id).is_some() { [None, None] } else { self.dag().operands(id) }
+    }
+
     fn count_uses(&mut self, roots: &[ExprId]) {
-        let dag = self.dag();
-        for id in dag.reachable(roots) {
-            for operand in dag.operands(id).into_iter().flatten() {
+        for id in self.order(roots) {
+            for operand in self.operands(id).into_iter().flatten() {
                 *self.uses.entry(operand).or_insert(0) += 1;
             }
         }
@@ -81,9 +119,10 @@ impl<'p> Body<'p> {
     fn break_up(&mut self, roots: &[ExprId]) {
         let dag = self.dag();
         let mut size: HashMap<ExprId, usize> = HashMap::default();
-        for id in dag.reachable(roots) {
-            let trivial = dag.is_constant(id) || matches!(dag.node(id), Node::Symbol(_));
-            let inline: usize = dag
+        for id in self.order(roots) {
+            let read = matches!(dag.node(id), Node::Symbol(_)) || self.field(id).is_some();
+            let trivial = dag.is_constant(id) || read;
+            let inline: usize = self
                 .operands(id)
                 .into_iter()
                 .flatten()
@@ -112,12 +151,14 @@ impl<'p> Body<'p> {
             }
             if !expanded {
                 stack.push((id, true));
-                for operand in dag.operands(id).into_iter().rev().flatten() {
+                for operand in self.operands(id).into_iter().rev().flatten() {
                     stack.push((operand, false));
                 }
                 continue;
             }
-            if let Node::Symbol(symbol) = dag.node(id) {
+            if let Some(field) = self.field(id) {
+                self.read_parameter(id, field, field);
+            } else if let Node::Symbol(symbol) = dag.node(id) {
                 self.load(id, symbol);
             } else if self.own_statement.contains(&id) {
                 self.statement(id);
@@ -145,12 +186,17 @@ impl<'p> Body<'p> {
             }
         }
         if let Some(parameter) = program.parameters.iter().find(|p| p.symbol == symbol) {
-            self.read[4] = true;
-            let ident = self.scope.unique(&parameter.name);
-            let field = super::name::identifier(&parameter.name);
-            self.statements.push(format!("let {ident} = p.{field};"));
-            self.ident.insert(id, ident);
+            let field = super::name::identifier(&parameter.name).to_string();
+            self.read_parameter(id, &parameter.name, &field);
         }
+    }
+
+    /// `let m = p.m;`
+    fn read_parameter(&mut self, id: ExprId, wished: &str, field: &str) {
+        self.read[4] = true;
+        let ident = self.scope.unique(wished);
+        self.statements.push(format!("let {ident} = p.{field};"));
+        self.ident.insert(id, ident);
     }
 
     fn statement(&mut self, id: ExprId) {
@@ -241,8 +287,12 @@ impl<'p> Body<'p> {
     /// The signature; what is not read gets an underscore.
     pub fn arguments(&self) -> TokenStream {
         let program = self.program;
+        if self.prepared.is_none() {
+            let p = if self.read[4] { format_ident!("p") } else { format_ident!("_p") };
+            return quote!(#p: &Parameters);
+        }
         let (nq, nu, ni) = (program.q.len(), program.u.len(), program.inputs.len());
-        let types = [quote!(S), quote!(&[S; #nq]), quote!(&[S; #nu]), quote!(&[S; #ni]), quote!(&Parameters)];
+        let types = [quote!(S), quote!(&[S; #nq]), quote!(&[S; #nu]), quote!(&[S; #ni]), quote!(&Prepared)];
         let arguments = GROUPS.iter().zip(types).zip(self.read).map(|((name, ty), read)| {
             let ident = if read { format_ident!("{name}") } else { format_ident!("_{name}") };
             quote!(#ident: #ty)

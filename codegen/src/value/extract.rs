@@ -8,12 +8,14 @@ use super::field::mix;
 use super::graph::{ClassId, Definition, Graph, Signed};
 use crate::id::Id;
 
-/// Sweeps over all classes.
-const PASSES: usize = 10;
 /// Of five moves that change nothing two are taken.
 const IDLE_MOVES: (u64, u64) = (2, 5);
+/// A move that changes nothing may make the round-off bound this many times larger.
+const IDLE_ERROR: f64 = 1.1;
 /// Not in the order of evaluation.
-const NOWHERE: u32 = u32::MAX;
+const NOWHERE: u64 = u64::MAX;
+/// Distance between neighbours after sorting: room for classes that come to life in between.
+const SPACING: u64 = 1 << 32;
 
 /// The search.
 pub(super) struct Extraction<'g> {
@@ -21,8 +23,8 @@ pub(super) struct Extraction<'g> {
     roots: Vec<ClassId>,
     /// How many definitions in use, and roots, read a class.
     uses: Vec<u32>,
-    /// Position of live classes in an order of evaluation.
-    position: Vec<u32>,
+    /// Position in an order of evaluation: above those of the operands.
+    position: Vec<u64>,
     /// Length of the longest chain of weights below a live class.
     depth: Vec<u32>,
     /// Classes whose definition is settled.
@@ -66,11 +68,11 @@ impl<'g> Extraction<'g> {
         self.sort()
     }
 
-    /// Searches; the graph is left with the cheapest definitions found.
-    pub fn run(&mut self) {
+    /// Sweeps so many times over all classes; the graph is left with the cheapest definitions found.
+    pub fn run(&mut self, passes: usize) {
         let mut best = (self.cost, self.snapshot());
-        for pass in 0..PASSES {
-            let last = pass + 1 == PASSES;
+        for pass in 0..passes {
+            let last = pass + 1 == passes;
             let mut order = self.sort();
             match pass {
                 0 | 2 => {}
@@ -146,7 +148,7 @@ impl<'g> Extraction<'g> {
         let mut best: Option<(i64, Definition)> = None;
         for k in 0..n {
             let new = self.graph.classes[class].definitions[k];
-            if new == old || self.reaches(&new, class) {
+            if new == old {
                 continue;
             }
             let added: u32 = new.operation.weight() + new.reads().map(|c| self.add_use(c)).sum::<u32>();
@@ -154,21 +156,24 @@ impl<'g> Extraction<'g> {
                 self.drop_use(c);
             });
             let gain = i64::from(freed) - i64::from(added);
-            let better = match best {
-                None => true,
-                Some((most, other)) if gain == most => {
-                    let (mine, others) = (self.depth_of(&new), self.depth_of(&other));
-                    mine < others || (mine == others && self.draw() & 1 == 0)
-                }
-                Some((most, _)) => gain > most,
-            };
-            if better {
+            // Most definitions are dearer: only the others are worth the search for a cycle.
+            let better = gain >= 0
+                && match best {
+                    None => true,
+                    Some((most, other)) if gain == most => {
+                        let (mine, others) = (self.depth_of(&new), self.depth_of(&other));
+                        let even = mine == others && new.error <= other.error;
+                        mine < others || (even && self.draw() & 1 == 0)
+                    }
+                    Some((most, _)) => gain > most,
+                };
+            if better && !self.reaches(&new, class) {
                 best = Some((gain, new));
             }
         }
         let taken = best.filter(|&(gain, ref new)| {
             let idle = if idle_moves {
-                self.draw() % IDLE_MOVES.1 < IDLE_MOVES.0
+                new.error <= IDLE_ERROR && self.draw() % IDLE_MOVES.1 < IDLE_MOVES.0
             } else {
                 self.depth_of(new) < self.depth_of(&old)
             };
@@ -180,10 +185,39 @@ impl<'g> Extraction<'g> {
         });
         self.cost = (i64::from(self.cost) - gain) as u32;
         self.graph.classes[class].current = definition;
-        let place = self.position[class.index()];
-        if definition.reads().any(|c| self.position[c.index()] >= place) {
+        if !self.place(class) {
             self.sort();
         }
+    }
+
+    /// Gives positions to classes that came to life with the definition of `class`; false where that
+    /// takes a new order.
+    fn place(&mut self, class: ClassId) -> bool {
+        let limit = self.position[class.index()];
+        let mut stack: Vec<ClassId> = self.graph.classes[class].current.reads().collect();
+        while let Some(&c) = stack.last() {
+            let i = c.index();
+            if self.position[i] != NOWHERE {
+                if self.position[i] >= limit {
+                    return false;
+                }
+                stack.pop();
+                continue;
+            }
+            let definition = self.graph.classes[c].current;
+            let waiting = stack.len();
+            stack.extend(definition.reads().filter(|r| self.position[r.index()] == NOWHERE));
+            if stack.len() > waiting {
+                continue;
+            }
+            let below = definition.reads().map(|r| self.position[r.index()]).max().unwrap_or(0);
+            if below + 1 >= limit {
+                return false;
+            }
+            self.position[i] = below + (limit - below) / 2;
+            self.depth[i] = self.depth_of(&definition);
+        }
+        true
     }
 
     /// Length of the chain that ends in a definition.
@@ -221,7 +255,7 @@ impl<'g> Extraction<'g> {
             let i = class.index();
             let definition = self.graph.classes[class].current;
             if operands_done {
-                self.position[i] = order.len() as u32;
+                self.position[i] = (order.len() as u64 + 1) * SPACING;
                 self.depth[i] = self.depth_of(&definition);
                 order.push(class);
             } else if self.seen[i] != self.round {

@@ -63,13 +63,15 @@ impl Operation {
 }
 
 /// One way to compute a class.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Definition {
     pub operation: Operation,
     /// Is the class the negative of what the operation gives?
     pub negative: bool,
     /// The operands; of one operand the second repeats the first, of a leaf both are the class.
     pub operands: [Signed; 2],
+    /// Its round-off bound against the class's own, 1 where it is no larger.
+    pub error: f64,
 }
 
 impl Definition {
@@ -79,15 +81,19 @@ impl Definition {
         let (a, b) = if commutes && b.class < a.class { (b, a) } else { (a, b) };
         match operation {
             // A sum carries all signs in its terms, a product or quotient none in its factors.
-            Operation::Sum => {
-                Self { operation, negative: false, operands: [a.times(negative), b.times(negative)] }
-            }
+            Operation::Sum => Self {
+                operation,
+                negative: false,
+                operands: [a.times(negative), b.times(negative)],
+                error: 1.0,
+            },
             Operation::Product | Operation::Quotient => Self {
                 operation,
                 negative: negative ^ a.negative ^ b.negative,
                 operands: [a, b].map(|o| Signed { negative: false, ..o }),
+                error: 1.0,
             },
-            _ => Self { operation, negative, operands: [a, b] },
+            _ => Self { operation, negative, operands: [a, b], error: 1.0 },
         }
     }
 
@@ -132,19 +138,11 @@ pub(super) struct Graph {
     points: usize,
     /// `points` a class.
     estimates: Vec<Estimate>,
-    /// Definitions that the guard turned down.
-    pub refused: usize,
 }
 
 impl Graph {
     pub fn new(points: usize) -> Self {
-        Self {
-            classes: IdVec::default(),
-            index: HashMap::default(),
-            points,
-            estimates: Vec::new(),
-            refused: 0,
-        }
+        Self { classes: IdVec::default(), index: HashMap::default(), points, estimates: Vec::new() }
     }
 
     pub fn value(&self, x: Signed) -> Value {
@@ -241,11 +239,10 @@ impl Graph {
         {
             return false;
         }
-        if !guard::admits(self.estimates(target.class), &self.estimate(&definition)) {
-            self.refused += 1;
+        let Some(error) = guard::admits(self.estimates(target.class), &self.estimate(&definition)) else {
             return false;
-        }
-        self.classes[target.class].definitions.push(definition);
+        };
+        self.classes[target.class].definitions.push(Definition { error, ..definition });
         true
     }
 

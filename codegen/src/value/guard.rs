@@ -109,9 +109,14 @@ impl Estimate {
     }
 }
 
-/// Admitted at every state?
-pub(crate) fn admits(old: &[Estimate], new: &[Estimate]) -> bool {
-    old.iter().zip(new).all(|(old, new)| old.admits(new))
+/// How many times the old bound the new one is where that is most, if it is admitted at every state.
+pub(crate) fn admits(old: &[Estimate], new: &[Estimate]) -> Option<f64> {
+    let ratio = |(old, new): (&Estimate, &Estimate)| {
+        let rounding = ROUNDING * old.value.abs();
+        if new.error > old.error { (new.error + rounding) / (old.error + rounding) } else { 1.0 }
+    };
+    let admitted = old.iter().zip(new).all(|(old, new)| old.admits(new));
+    admitted.then(|| old.iter().zip(new).map(ratio).fold(1.0, f64::max))
 }
 
 #[cfg(test)]

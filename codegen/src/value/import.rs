@@ -90,12 +90,12 @@ impl<'a> Import<'a> {
         }
         let estimates = graph.estimate(&Definition::new(operation, a, b, false));
         if let Some(known) = graph.find(value) {
-            if guard::admits(&estimates, &graph.signed_estimates(known).collect::<Vec<_>>()) {
+            let own: Vec<_> = graph.signed_estimates(known).collect();
+            if guard::admits(&estimates, &own).is_some() {
                 graph.propose(known, operation, a, b);
                 graph.sharpen(known.class, &estimates);
                 return Some(known);
             }
-            graph.refused += 1;
         }
         Some(graph.add(value, operation, a, b, &estimates))
     }

@@ -2,11 +2,14 @@
 //!
 //! In: expressions over one DAG, and states at which round-off is watched. Out: expressions of the same
 //! value that take fewer operations. Knows no mechanics. An identity is tested exactly, at random
-//! points of a prime field ([`field`]); whether it may be used is decided by round-off ([`guard`]).
+//! points of a prime field (`field`); whether it may be used is decided by round-off (`guard`), and the program
+//! as a whole is measured against twice the digits (`check`).
 //!
 //! `import` (equal values merge) -> `rules`, `pairs` (further definitions of a value) -> `extract`
 //! (the cheapest choice of definitions) -> `export`.
 
+mod check;
+mod double_double;
 mod export;
 mod extract;
 mod field;
@@ -17,6 +20,7 @@ mod pairs;
 mod rules;
 
 use crate::expr::{Dag, ExprId, SymbolId};
+use check::Check;
 use extract::Extraction;
 use graph::{ClassId, Graph, Signed};
 use import::Import;
@@ -49,58 +53,93 @@ impl States {
     }
 }
 
-/// Most rounds of the full effort; it stops when one gains nothing.
-const ROUNDS: usize = 3;
+/// Sweeps of the search in a round of the default effort.
+const PASSES_DEFAULT: usize = 2;
+/// Sweeps in a round of the full effort: more rounds pay better than more sweeps.
+const PASSES_ALL: usize = 5;
+/// Most rounds of the full effort on the first group alone, and then on all groups.
+const ROUNDS: (usize, usize) = (6, 2);
 
 /// Shorter expressions of the same values: `groups[0]` is made as short as can be, the others after it.
+///
+/// The guard watches round-off at the states of `guard`; a program whose errors at the states of `samples`
+/// are noticeably worse than the original's is given up.
 #[must_use]
-pub fn shorten(dag: &mut Dag, groups: &[Vec<ExprId>], states: &States, effort: Effort) -> Vec<Vec<ExprId>> {
+pub fn shorten(
+    dag: &mut Dag,
+    groups: &[Vec<ExprId>],
+    guard: &States,
+    samples: &States,
+    effort: Effort,
+) -> Vec<Vec<ExprId>> {
     let mut best: Vec<Vec<ExprId>> = groups.to_vec();
-    let rounds = match effort {
-        Effort::None => 0,
-        Effort::Default => 1,
-        Effort::All => ROUNDS,
+    let rounds: &[(usize, usize)] = match effort {
+        Effort::None => return best,
+        Effort::Default => &[(1, groups.len())],
+        Effort::All => &[(ROUNDS.0, 1), (ROUNDS.1, groups.len())],
     };
-    for _ in 0..rounds {
-        let next = round(dag, &best, states, effort);
-        let cost =
-            |groups: &[Vec<ExprId>]| -> Vec<usize> { groups.iter().map(|g| dag.cone_cost(g)).collect() };
-        let (old, new) = (cost(&best), cost(&next));
-        if new[0] > old[0] || (new[0] == old[0] && new.iter().sum::<usize>() >= old.iter().sum()) {
-            break;
+    let check = Check::new(dag, groups, samples);
+    for &(most, searched) in rounds {
+        for _ in 0..most {
+            let next = round(dag, &best, guard, effort, searched);
+            if !is_shorter(dag, &best[..searched], &next[..searched]) || !check.passes(dag, &next) {
+                break;
+            }
+            best = next;
         }
-        best = next;
+    }
+    // What the first group gained the others may have lost: then they stay as they were.
+    for (new, old) in best.iter_mut().zip(groups).skip(1) {
+        if dag.cone_cost(new) > dag.cone_cost(old) {
+            new.clone_from(old);
+        }
     }
     best
 }
 
-fn round(dag: &mut Dag, groups: &[Vec<ExprId>], states: &States, effort: Effort) -> Vec<Vec<ExprId>> {
+/// Fewer operations in the first group, or as many there and fewer in all.
+fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
+    let cost = |groups: &[Vec<ExprId>]| -> (usize, usize) {
+        (dag.cone_cost(&groups[0]), groups.iter().map(|g| dag.cone_cost(g)).sum())
+    };
+    cost(new) < cost(old)
+}
+
+/// One round: import, further definitions, search, export; groups from `searched` on follow the others.
+fn round(
+    dag: &mut Dag,
+    groups: &[Vec<ExprId>],
+    guard: &States,
+    effort: Effort,
+    searched: usize,
+) -> Vec<Vec<ExprId>> {
     let (zero, one) = (dag.zero(), dag.one());
-    let mut graph = Graph::new(states.points);
-    let mut import = Import::new(&mut graph, dag, states, zero);
+    let mut graph = Graph::new(guard.points);
+    let mut import = Import::new(&mut graph, dag, guard, zero);
     let one = import.load(&[one])[0].expect("1 is not 0");
     let classes: Vec<Vec<Option<Signed>>> = groups.iter().map(|group| import.load(group)).collect();
     let names = import.names();
-    let mut locked: Vec<ClassId> = Vec::new();
-    let mut treated = HashSet::default();
     let mut roots: Vec<Signed> = Vec::new();
-    for group in &classes {
+    let mut settled: Vec<ClassId> = Vec::new();
+    let mut treated = HashSet::default();
+    for group in &classes[..searched] {
         roots.extend(group.iter().flatten());
-        let mut live = Extraction::new(&mut graph, &roots, &[]).live();
-        let all = live.clone();
-        live.retain(|&class| treated.insert(class));
-        match effort {
-            Effort::All => {
-                pairs::resubstitute(&mut graph, &all);
-                rules::apply(&mut graph, &live, one);
-            }
-            _ => rules::apply_factoring(&mut graph, &live, one),
+        let live = Extraction::new(&mut graph, &roots, &[]).live();
+        let new: Vec<ClassId> = live.iter().copied().filter(|&class| treated.insert(class)).collect();
+        let mut passes = PASSES_DEFAULT;
+        if effort == Effort::All {
+            passes = PASSES_ALL;
+            pairs::resubstitute(&mut graph, &live, &new);
+            rules::apply(&mut graph, &new, one);
         }
-        let mut search = Extraction::new(&mut graph, &roots, &locked);
-        search.run();
-        locked = search.live();
+        rules::factor_sums(&mut graph, &live, &new, one);
+        let mut search = Extraction::new(&mut graph, &roots, &settled);
+        search.run(passes);
+        settled = search.live();
     }
     let all: Vec<Option<Signed>> = classes.concat();
-    let mut exprs = export::roots(&graph, dag, &locked, &all, &names).into_iter();
+    let roots: Vec<Signed> = all.iter().copied().flatten().collect();
+    let live = Extraction::new(&mut graph, &roots, &[]).live();
+    let mut exprs = export::roots(&graph, dag, &live, &all, &names).into_iter();
     groups.iter().map(|group| exprs.by_ref().take(group.len()).collect()).collect()
 }

@@ -2,6 +2,8 @@
 
 use super::field::Field;
 use super::graph::{ClassId, Graph, Operation, Signed, Value};
+use crate::id::Id;
+use rustc_hash::FxHashSet as HashSet;
 
 /// Bits of a key that the filter looks at.
 const FILTER_BITS: u32 = 17;
@@ -30,26 +32,33 @@ impl Filter {
 }
 
 /// Proposes every sum, difference and product of two classes that is itself among the classes.
-pub(super) fn resubstitute(graph: &mut Graph, classes: &[ClassId]) {
+///
+/// Pairs of classes that are not `new` have been looked at before.
+pub(super) fn resubstitute(graph: &mut Graph, classes: &[ClassId], new: &[ClassId]) {
+    let new: HashSet<ClassId> = new.iter().copied().collect();
+    let is_new: Vec<bool> = classes.iter().map(|c| new.contains(c)).collect();
     let values: Vec<Value> = classes.iter().map(|&c| graph.classes[c].value).collect();
     let mut filter = Filter::new();
     let mut is_target = vec![false; graph.classes.len()];
     for (&class, value) in classes.iter().zip(&values) {
         if !graph.classes[class].is_leaf() {
             filter.insert(value[0]);
-            is_target[crate::id::Id::index(class)] = true;
+            is_target[class.index()] = true;
         }
     }
     let signed = |class: ClassId, negative: bool| Signed { class, negative };
     for (i, &a) in classes.iter().enumerate() {
         for (j, &b) in classes.iter().enumerate().skip(i) {
+            if !is_new[i] && !is_new[j] {
+                continue;
+            }
             let (x, y) = (values[i][0], values[j][0]);
             let mut offer = |operation: Operation, minus: bool| {
                 let (a, b) = (signed(a, false), signed(b, minus));
                 let value = graph.apply(operation, a, b);
                 let target = value.and_then(|value| graph.find(value));
                 if let Some(target) = target
-                    && is_target.get(crate::id::Id::index(target.class)) == Some(&true)
+                    && is_target.get(target.class.index()) == Some(&true)
                 {
                     graph.propose(target, operation, a, b);
                 }

@@ -1,9 +1,13 @@
 //! Rules that make new classes and with them new definitions. One identity a function, directed.
 
 use super::graph::{ClassId, Definition, Graph, Operation, Signed};
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeMap;
 
 /// Definitions of an operand that a rule looks into.
 const LOOKED_INTO: usize = 6;
+/// Terms of a sum that are looked at together.
+const MOST_TERMS: usize = 12;
 
 /// Applies every rule to every definition of the classes.
 pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
@@ -14,7 +18,7 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
             match definition.operation {
                 Operation::Sum => {
                     reassociate(graph, target, &definition);
-                    factor(graph, target, &definition, one);
+                    factor_terms(graph, target, &definition.operands, one);
                 }
                 Operation::Product => reassociate(graph, target, &definition),
                 Operation::Quotient => reciprocal(graph, target, &definition, one),
@@ -24,16 +28,86 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
     }
 }
 
-/// Applies the factoring rule alone, the only one that shortens by itself.
-pub(super) fn apply_factoring(graph: &mut Graph, classes: &[ClassId], one: Signed) {
+/// Takes common factors out of the classes' sums, the only rule that shortens by itself.
+pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassId], one: Signed) {
+    let readers = readers(graph, live);
     for &class in classes {
         let target = Signed { class, negative: false };
-        for definition in graph.classes[class].definitions.clone() {
-            if definition.operation == Operation::Sum {
-                factor(graph, target, &definition, one);
+        if graph.classes[class].current.operation == Operation::Sum {
+            let terms = terms(graph, target, &readers);
+            factor_terms(graph, target, &terms, one);
+        }
+    }
+}
+
+/// How many current definitions of live classes read a class.
+fn readers(graph: &Graph, live: &[ClassId]) -> HashMap<ClassId, usize> {
+    let mut readers = HashMap::default();
+    for &class in live {
+        for read in graph.classes[class].current.reads() {
+            *readers.entry(read).or_insert(0) += 1;
+        }
+    }
+    readers
+}
+
+/// The terms of a sum, through sums that nothing else reads.
+fn terms(graph: &Graph, sum: Signed, readers: &HashMap<ClassId, usize>) -> Vec<Signed> {
+    let mut terms = Vec::new();
+    let mut stack: Vec<Signed> = vec![sum];
+    while let Some(x) = stack.pop() {
+        let current = &graph.classes[x.class].current;
+        let own = x == sum || readers.get(&x.class) == Some(&1);
+        if own && current.operation == Operation::Sum && terms.len() + stack.len() < MOST_TERMS {
+            stack.extend(current.operands.iter().rev().map(|o| o.times(x.negative)));
+        } else {
+            terms.push(x);
+        }
+    }
+    terms
+}
+
+/// f x + f y + ... + r = f (x + y + ...) + r, for every f in two terms or more.
+fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed) {
+    let mut divided: BTreeMap<ClassId, Vec<(usize, Signed)>> = BTreeMap::new();
+    for (i, &term) in terms.iter().enumerate() {
+        for [f, x] in factors(graph, term, one) {
+            let entries = divided.entry(f.class).or_default();
+            if f.class != one.class && entries.last().is_none_or(|(last, _)| *last != i) {
+                entries.push((i, x.times(f.negative)));
             }
         }
     }
+    for (f, quotients) in divided.into_iter().filter(|(_, quotients)| quotients.len() > 1) {
+        let others = (0..terms.len()).filter(|i| quotients.iter().all(|(k, _)| k != i)).map(|i| terms[i]);
+        let others: Vec<Signed> = others.collect();
+        let quotients: Vec<Signed> = quotients.iter().map(|(_, x)| *x).collect();
+        let Some(inner) = sum(graph, &quotients) else { continue };
+        let f = Signed { class: f, negative: false };
+        if others.is_empty() {
+            graph.propose(target, Operation::Product, f, inner);
+        } else if let Some(product) = graph.class_of(Operation::Product, f, inner)
+            && let Some(rest) = sum(graph, &others)
+        {
+            graph.propose(target, Operation::Sum, rest, product);
+        }
+    }
+}
+
+/// The class of a sum of many, from left to right; `None` if a part of it vanishes.
+fn sum(graph: &mut Graph, terms: &[Signed]) -> Option<Signed> {
+    let (&first, rest) = terms.split_first()?;
+    rest.iter().try_fold(first, |total, &term| graph.class_of(Operation::Sum, total, term))
+}
+
+/// Ways to write x as a product, both orders, the trivial one last.
+fn factors(graph: &Graph, x: Signed, one: Signed) -> Vec<[Signed; 2]> {
+    let mut found = Vec::new();
+    for [a, b] in parts(graph, x, Operation::Product) {
+        found.extend([[a, b], [b, a]]);
+    }
+    found.push([x, one]);
+    found
 }
 
 /// The first few definitions of x by an operation, as pairs of signed operands with the sign of x drawn in.
@@ -59,31 +133,6 @@ fn reassociate(graph: &mut Graph, target: Signed, definition: &Definition) {
             for (p, r) in [(u, w), (w, u)] {
                 if let Some(inner) = graph.class_of(operation, r, y) {
                     graph.propose(target, operation, p, inner);
-                }
-            }
-        }
-    }
-}
-
-/// f x + f y = f (x + y), also f x + f = f (x + 1).
-fn factor(graph: &mut Graph, target: Signed, definition: &Definition, one: Signed) {
-    let factors = |graph: &Graph, x: Signed| {
-        let mut found = parts(graph, x, Operation::Product);
-        found.push([x, one]);
-        found
-    };
-    let [a, b] = definition.operands;
-    for p in factors(graph, a) {
-        for q in factors(graph, b) {
-            for (f, x) in [(p[0], p[1]), (p[1], p[0])] {
-                for (g, y) in [(q[0], q[1]), (q[1], q[0])] {
-                    if f.class != g.class || f.class == one.class {
-                        continue;
-                    }
-                    let y = y.times(f.negative != g.negative);
-                    if let Some(sum) = graph.class_of(Operation::Sum, x, y) {
-                        graph.propose(target, Operation::Product, f, sum);
-                    }
                 }
             }
         }

@@ -46,7 +46,7 @@ fn cross(a: Vector, b: Vector) -> Vector {
 /// Everything that has a value at one configuration.
 struct Place<'a> {
     model: &'a Model,
-    q: &'a [f64],
+    q: IdVec<CoordinateId, f64>,
     parameters: IdVec<ParameterId, f64>,
     definitions: IdVec<DefinitionId, Value>,
     frames: IdVec<FrameId, [Vector; 3]>,
@@ -54,7 +54,11 @@ struct Place<'a> {
 }
 
 impl<'a> Place<'a> {
-    fn at(model: &'a Model, q: &'a [f64]) -> Self {
+    /// `state`: the coordinates without closed form.
+    fn at(model: &'a Model, state: &[f64]) -> Self {
+        let mut state = state.iter().copied();
+        let mut given = |closed: bool| if closed { f64::NAN } else { state.next().expect("a coordinate") };
+        let q = model.coordinates.iter().map(|c| given(c.closed_form.is_some())).collect();
         let mut place = Self {
             model,
             q,
@@ -65,7 +69,12 @@ impl<'a> Place<'a> {
         };
         for entity in &model.order {
             match *entity {
-                Entity::Parameter(_) | Entity::Coordinate(_) => {}
+                Entity::Parameter(_) => {}
+                Entity::Coordinate(id) => {
+                    if let Some(form) = &model.coordinates[id].closed_form {
+                        place.q[id] = place.value(form).scalar();
+                    }
+                }
                 Entity::Definition(id) => place.definitions[id] = place.value(&model.definitions[id].value),
                 Entity::Frame(id) => place.frames[id] = place.frame(&model.frames[id].orientation),
                 Entity::Point(id) => place.points[id] = place.value(&model.points[id].position).vector(),
@@ -109,7 +118,7 @@ impl<'a> Place<'a> {
             ExprKind::Pi => Scalar(std::f64::consts::PI),
             ExprKind::Degree => Scalar(1.0_f64.to_radians()),
             ExprKind::Parameter(id) => Scalar(self.parameters[*id]),
-            ExprKind::Coordinate(id) => Scalar(self.q[id.index()]),
+            ExprKind::Coordinate(id) => Scalar(self.q[*id]),
             ExprKind::Definition(id) => self.definitions[*id],
             ExprKind::Point(id) => Vector(self.points[*id]),
             ExprKind::Axis(id, axis) => Vector(self.frames[*id][*axis as usize]),

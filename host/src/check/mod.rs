@@ -1,17 +1,21 @@
 //! `smartbed check`: what a model is, before anything is run.
 //!
 //! In: a model. Out: counts, degrees of freedom, independent speeds and why, rank and conditioning of the
-//! constraints and worst pivots over samples, units, warnings, cost of each answer.
+//! constraints and worst pivots over samples, the configuration nearest to singular, units, warnings, cost of
+//! each answer.
 
+mod near_singular;
 mod rank;
 mod text;
 
 use crate::failure::Failure;
 use crate::{model_argument, output};
+use near_singular::Nearest;
 use rank::Rank;
 use serde_json::{Value, json};
+use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::{Answer, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::{Answer, Effort, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
@@ -46,10 +50,16 @@ pub(crate) struct Report {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
-    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    // Without bodies there are no forces to ask for: what is checked is the kinematics.
+    let program = match model.bodies.is_empty() {
+        true => program::derive_kinematic(&model, &choice, Effort::default()),
+        false => program::derive(&model, &choice),
+    };
+    let program = program.map_err(|e| model_argument::wrong(&e))?;
     let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
-    let report = report(&model, &program, &rank);
+    let nearest = near_singular::search(&model, &program, &kinematics.samples);
+    let report = report(&model, &program, &rank, nearest.as_ref());
     if arguments.json {
         output::print(&format!("{}\n", report.facts));
     } else {
@@ -58,12 +68,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn report(model: &Model, program: &Program, rank: &Rank) -> Report {
-    let found = model.warnings();
+fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Report {
+    let found = model_argument::warnings(model, program);
     let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
-    let numeric = numeric_warnings(program, rank);
+    let numeric = numeric_warnings(model, program, rank, nearest);
     let rendered = found.to_string() + &numeric.iter().map(|w| format!("warning: {w}\n")).collect::<String>();
     warnings.extend(numeric);
+    let at = |q: &[f64]| json!(place(model, program, q));
     let facts = json!({
         "model": model.name,
         "doc": model.doc,
@@ -73,11 +84,12 @@ fn report(model: &Model, program: &Program, rank: &Rank) -> Report {
         "independent_speeds": independent(model),
         "constraints": {
             "speeds": rank.unknowns, "rank": rank.smallest, "largest_rank": rank.largest,
-            "samples": rank.samples, "least_left": rank.least_left, "worst_at": worst_place(program, rank),
+            "samples": rank.samples, "least_left": rank.least_left, "worst_at": at(&rank.worst_at),
         },
+        "nearest_to_singular": nearest.map(|n| json!({ "pivot": n.pivot, "at": at(&n.q) })),
         "pivots": pivots(program),
         "units": units(model, program),
-        "cost": cost(program),
+        "cost": cost(model, program),
         "warnings": warnings,
     });
     Report { facts, warnings: rendered }
@@ -144,24 +156,33 @@ fn units(model: &Model, program: &Program) -> Value {
     Value::Array(rows)
 }
 
-fn cost(program: &Program) -> Value {
-    let costs = Answer::ALL.iter().map(|answer| {
+fn cost(model: &Model, program: &Program) -> Value {
+    let answers: &[Answer] = if model.bodies.is_empty() { &Answer::KINEMATIC } else { &Answer::ALL };
+    let costs = answers.iter().map(|answer| {
         let roots = answer.roots(program);
         json!({
-            "answer": answer.name(), "operations": program.dag.cone_cost(&roots),
-            "by_kind": program.dag.operations_by_kind(&roots),
+            "answer": answer.name(), "operations": program.dag.state_cost(&roots),
+            "by_kind": program.dag.operations_by_kind(&roots, Dependence::State),
         })
     });
     costs.collect()
 }
 
-/// The configuration with the worst conditioning.
-fn worst_place(program: &Program, rank: &Rank) -> Value {
-    let place = program.q.iter().zip(&rank.worst_at).map(|(q, x)| (q.name.clone(), json!(x)));
-    Value::Object(place.collect())
+/// A configuration in the units in which the model declares its coordinates.
+fn place(model: &Model, program: &Program, q: &[f64]) -> Vec<String> {
+    let mut parts = Vec::new();
+    for (quantity, x) in program.q.iter().zip(q) {
+        let declared = model.coordinates.iter().find(|c| c.name == quantity.name);
+        let (unit, size) = declared.map_or(("", 1.0), |c| (c.written_unit.0.as_str(), c.written_unit.1));
+        let unit = if unit == "1" { "" } else { unit };
+        // Rounded first: a tiny negative number would print as -0.
+        let shown = (x / size * 1e4).round() / 1e4 + 0.0;
+        parts.push(format!("{} = {shown:.4} {unit}", quantity.name).trim_end().to_owned());
+    }
+    parts
 }
 
-fn numeric_warnings(program: &Program, rank: &Rank) -> Vec<String> {
+fn numeric_warnings(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Vec<String> {
     let mut warnings = Vec::new();
     if rank.smallest < rank.largest {
         warnings.push(format!(
@@ -172,6 +193,14 @@ fn numeric_warnings(program: &Program, rank: &Rank) -> Vec<String> {
         warnings.push(format!(
             "a sampled configuration is nearly singular: only {:.1e} of a constraint is independent of the others",
             rank.least_left
+        ));
+    }
+    if let Some(nearest) = nearest.filter(|n| n.pivot < SMALL_PIVOT) {
+        warnings.push(format!(
+            "within the ranges a configuration is nearly singular: a pivot falls to {:.1e} of its nominal value at \
+             {}; narrow the `range` of the independent coordinates, or choose other independent ones",
+            nearest.pivot,
+            place(model, program, &nearest.q).join(", ")
         ));
     }
     for pivot in program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT) {

@@ -9,7 +9,7 @@
 use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::kinematics::{Kinematics, eliminate};
-use smartbed_codegen::model::Model;
+use smartbed_codegen::model::{Model, SpeedMeaning};
 use std::collections::BTreeMap;
 
 /// A row of which less is left follows from the others.
@@ -82,20 +82,18 @@ impl Rank {
 fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
     let mut rows = Vec::new();
     for residual in k.residuals.clone() {
-        let mut row: BTreeMap<usize, ExprId> = BTreeMap::new();
-        for coordinate in model.coordinates.ids() {
-            let Some(symbol) = k.coordinate_symbol(coordinate) else { continue };
-            let slope = k.dag.derivative(residual, symbol);
-            for (&speed, &share) in &k.rates[coordinate].partials {
-                let term = k.dag.mul(slope, share);
-                let sum = match row.get(&speed.index()) {
-                    Some(&mine) => k.dag.add(mine, term),
-                    None => term,
-                };
-                row.insert(speed.index(), sum);
-            }
+        rows.push(gradient(model, k, residual));
+    }
+    // A coordinate in closed form with a speed of its own: that speed follows from the form.
+    for (speed, declared) in model.speeds.enumerate() {
+        let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
+        if k.coordinate_symbol(coordinate).is_none() {
+            let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
+            let mut row = gradient(model, k, form.unwrap_or(k.q[coordinate]));
+            let minus_one = k.dag.constant(-1.0);
+            row.insert(speed.index(), minus_one);
+            rows.push(row);
         }
-        rows.push(row);
     }
     let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
     for row in k.rows.iter().filter(|row| is_motion(&row.name)) {
@@ -103,6 +101,24 @@ fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
         rows.push(of_speeds.filter(|(column, _)| *column < model.speeds.len()).collect());
     }
     rows
+}
+
+/// Coefficients of the speeds in the rate of an expression, by the chain rule.
+fn gradient(model: &Model, k: &mut Kinematics, of: ExprId) -> BTreeMap<usize, ExprId> {
+    let mut row: BTreeMap<usize, ExprId> = BTreeMap::new();
+    for coordinate in model.coordinates.ids() {
+        let Some(symbol) = k.dag.as_symbol(k.q[coordinate]) else { continue };
+        let slope = k.dag.derivative(of, symbol);
+        for (&speed, &share) in &k.rates[coordinate].partials {
+            let term = k.dag.mul(slope, share);
+            let sum = match row.get(&speed.index()) {
+                Some(&mine) => k.dag.add(mine, term),
+                None => term,
+            };
+            row.insert(speed.index(), sum);
+        }
+    }
+    row
 }
 
 /// Divides every row by its largest length over the samples: a row that vanishes at a sample is small

@@ -35,11 +35,16 @@ fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
+/// A configuration, coordinate by coordinate.
+fn place(value: &Value) -> String {
+    list(value).iter().map(word).collect::<Vec<String>>().join(", ")
+}
+
 fn counts(counts: &Value, text: &mut String) {
     text.push('\n');
     for (name, n) in counts.as_object().into_iter().flatten() {
         if n.as_u64() != Some(0) {
-            let _ = writeln!(text, "{:>6} {}", n.to_string(), name.replace('_', " "));
+            let _ = writeln!(text, "{:<26}{:>5}", name.replace('_', " "), n.to_string());
         }
     }
 }
@@ -55,16 +60,18 @@ fn freedom(facts: &Value, text: &mut String) {
             rank["rank"], rank["speeds"], rank["samples"]
         );
         let left = rank["least_left"].as_f64().unwrap_or(1.0);
-        let place: Vec<String> = rank["worst_at"]
-            .as_object()
-            .into_iter()
-            .flatten()
-            .map(|(name, x)| format!("{name} = {:.4}", x.as_f64().unwrap_or(f64::NAN)))
-            .collect();
         let _ = writeln!(
             text,
             "worst conditioning: {left:.2} of a constraint is independent of the others, at {}",
-            place.join(", ")
+            place(&rank["worst_at"])
+        );
+    }
+    let nearest = &facts["nearest_to_singular"];
+    if let Some(pivot) = nearest["pivot"].as_f64() {
+        let _ = writeln!(
+            text,
+            "nearest to singular within the ranges: a pivot is {pivot:.2e} of nominal, at {}",
+            place(&nearest["at"])
         );
     }
     for speed in list(&facts["independent_speeds"]) {
@@ -108,7 +115,7 @@ fn cost(cost: &Value, text: &mut String) {
 fn units(units: &Value, text: &mut String) {
     let widest = |key: &str| list(units).iter().map(|row| word(&row[key]).chars().count()).max().unwrap_or(0);
     let (kind, name, unit) = (widest("kind"), widest("name"), widest("unit"));
-    text.push_str("\nunits\n");
+    text.push_str("\nunits (SI, as in tables, plots and states files)\n");
     for row in list(units) {
         let line = format!(
             "  {:<kind$}  {:<name$}  {:<unit$}  {}",

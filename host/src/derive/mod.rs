@@ -109,7 +109,7 @@ pub enum Form {
     /// Before the elimination: mass matrix, Jacobian, forcing and bias over all speeds and the
     /// twists of bodies that close loops, for a solver with multipliers.
     Augmented,
-    /// Only what needs no mass: speeds, outputs, projection.
+    /// Only what needs no mass: speeds, outputs, projection. The model may go without bodies.
     Kinematic,
 }
 
@@ -140,7 +140,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
     let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
-    let program = program::derive_with(&model, &choice, settings).map_err(|e| model_argument::wrong(&e))?;
+    let program = match arguments.form {
+        Form::Kinematic => program::derive_kinematic(&model, &choice, settings.effort),
+        _ => program::derive_with(&model, &choice, settings),
+    };
+    let program = program.map_err(|e| model_argument::wrong(&e))?;
+    model_argument::print_warnings(&program);
     let options = EmitOptions {
         scalar: arguments.scalar.scalar_type(),
         answers: answers(arguments, &model)?,
@@ -172,14 +177,18 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
     if written == "-" {
         return;
     }
-    let operations = |answer: Answer| program.dag.cone_cost(&answer.roots(program));
+    let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
+    let kinematic = arguments.form == Form::Kinematic;
+    let answers: &[Answer] = if kinematic { &Answer::KINEMATIC } else { &Answer::ALL };
     let text = if arguments.json {
-        let costs = Answer::ALL.map(|a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
+        let costs = answers.iter().map(|&a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
         let costs = serde_json::Map::from_iter(costs);
         let done = serde_json::json!({"model": program.name, "output": written, "operations": costs});
         format!("{done}\n")
     } else {
-        format!("{}: {} operations per evaluation, in {written}\n", program.name, operations(Answer::Rates))
+        let (what, counted) =
+            if kinematic { (" of the speeds", Answer::Speeds) } else { ("", Answer::Rates) };
+        format!("{}: {} operations per evaluation{what}, in {written}\n", program.name, operations(counted))
     };
     output::print(&text);
 }
@@ -203,7 +212,6 @@ fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failu
 
 /// The functions of the form.
 fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure> {
-    const KINEMATIC: [Answer; 3] = [Answer::Speeds, Answer::Outputs, Answer::Projection];
     match arguments.form {
         Form::Reduced => Ok(arguments.answers.clone()),
         Form::Augmented if arguments.answers.is_empty() => Ok(vec![Answer::Augmented]),
@@ -225,12 +233,12 @@ fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure>
                 dependent.join(", ")
             )))
         }
-        Form::Kinematic => match arguments.answers.iter().find(|a| !KINEMATIC.contains(a)) {
+        Form::Kinematic => match arguments.answers.iter().find(|a| !Answer::KINEMATIC.contains(a)) {
             Some(dynamic) => Err(Failure::Wrong(format!(
                 "--form kinematic: the answer `{}` needs masses; expected some of speeds, outputs, projection",
                 dynamic.name()
             ))),
-            None if arguments.answers.is_empty() => Ok(KINEMATIC.to_vec()),
+            None if arguments.answers.is_empty() => Ok(Answer::KINEMATIC.to_vec()),
             None => Ok(arguments.answers.clone()),
         },
     }

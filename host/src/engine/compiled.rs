@@ -3,7 +3,8 @@
 use super::{Engine, EngineScalar, cache, crate_text};
 use crate::failure::Failure;
 use libloading::Library;
-use smartbed_codegen::Program;
+use smartbed_codegen::program::arguments::Arguments;
+use smartbed_codegen::{Answer, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// The C function: which answer, arguments, results; whether the lengths fit.
@@ -17,6 +18,7 @@ enum Which {
     Speeds = 2,
     Outputs = 3,
     Projection = 4,
+    Prepare = 5,
 }
 
 /// A mechanism whose equations were compiled a moment ago, or are from the cache.
@@ -25,15 +27,11 @@ pub struct Compiled<S> {
     function: AnswerFunction<S>,
     /// Keeps the function's code loaded.
     _library: Library,
-    n_q: usize,
-    n_u: usize,
-    n_inputs: usize,
     n_speeds: usize,
     n_outputs: usize,
     corrected: Vec<usize>,
     angles: Vec<bool>,
-    /// t, q, u, inputs, parameters.
-    arguments: Vec<S>,
+    arguments: Arguments<S>,
     rates: Vec<S>,
 }
 
@@ -47,35 +45,31 @@ impl<S: EngineScalar> Compiled<S> {
         let path = cache::library(&files)?;
         let (library, function) =
             load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
-        let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
-        let mut arguments = vec![S::ZERO; 1 + n_q + n_u + n_inputs];
-        arguments.extend(program.parameters.iter().map(|p| S::from_f64(p.value)));
-        Ok(Self {
+        let roots: Vec<_> = Answer::ALL.iter().flat_map(|answer| answer.roots(program)).collect();
+        let n_prepared = program.prepared(&roots).len();
+        let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
+        let mut this = Self {
             function,
             _library: library,
-            n_q,
-            n_u,
-            n_inputs,
             n_speeds: program.speeds.len(),
             n_outputs: program.outputs.len(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
-            arguments,
-            rates: vec![S::ZERO; n_q + n_u + 1],
-        })
+            arguments: Arguments::new(program, n_prepared),
+            rates: vec![S::ZERO; program.q.len() + program.u.len() + 1],
+        };
+        this.prepare(&parameters)
+            .map_err(|_| Failure::Wrong(format!("{} lacks parameters", path.display())))?;
+        Ok(this)
     }
 
-    fn set(&mut self, t: S, q: &[S], u: &[S], inputs: Option<&[S]>) -> Result<(), Fault> {
-        if q.len() != self.n_q || u.len() != self.n_u || inputs.is_some_and(|i| i.len() != self.n_inputs) {
-            return Err(Fault::Shape);
-        }
-        let values = [t].into_iter().chain(q.iter().chain(u).chain(inputs.unwrap_or_default()).copied());
-        self.arguments.iter_mut().zip(values).for_each(|(mine, value)| *mine = value);
-        Ok(())
+    /// What depends on the parameters alone.
+    fn prepare(&mut self, parameters: &[S]) -> Result<(), Fault> {
+        call(self.function, Which::Prepare, parameters, self.arguments.prepared_mut())
     }
 
     fn answer(&self, which: Which, results: &mut [S]) -> Result<(), Fault> {
-        call(self.function, which, &self.arguments, results)
+        call(self.function, which, self.arguments.values(), results)
     }
 }
 
@@ -107,13 +101,13 @@ fn call<S>(
 
 impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
     fn n_q(&self) -> usize {
-        self.n_q
+        self.arguments.n_q()
     }
     fn n_u(&self) -> usize {
-        self.n_u
+        self.arguments.n_u()
     }
     fn n_inputs(&self) -> usize {
-        self.n_inputs
+        self.arguments.n_inputs()
     }
     fn is_angle(&self, index: usize) -> bool {
         self.angles.get(index).copied().unwrap_or(false)
@@ -127,21 +121,12 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault> {
-        self.set(t, q, u, Some(inputs))?;
-        call(self.function, Which::Rates, &self.arguments, &mut self.rates)?;
-        if q_dot.len() != self.n_q || u_dot.len() != self.n_u {
-            return Err(Fault::Shape);
-        }
-        let (first, rest) = self.rates.split_at(self.n_q);
-        q_dot.copy_from_slice(first);
-        u_dot.copy_from_slice(&rest[..self.n_u]);
-        Ok(rest[self.n_u])
+        self.arguments.set(t, q, u, inputs)?;
+        call(self.function, Which::Rates, self.arguments.values(), &mut self.rates)?;
+        self.arguments.split_rates(&self.rates, q_dot, u_dot)
     }
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
-        if q.len() != self.n_q {
-            return Err(Fault::Shape);
-        }
-        self.arguments[1..=self.n_q].copy_from_slice(q);
+        self.arguments.set_coordinates(q)?;
         let mut results = vec![S::ZERO; self.corrected.len() + 1];
         self.answer(Which::Projection, &mut results)?;
         for (&index, &correction) in self.corrected.iter().zip(&results) {
@@ -150,7 +135,7 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
         Ok(results[self.corrected.len()])
     }
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
-        self.set(self.arguments[0], q, u, None)?;
+        self.arguments.set_state(q, u)?;
         let mut energy = [S::ZERO; 2];
         self.answer(Which::Energy, &mut energy)?;
         Ok((energy[0], energy[1]))
@@ -159,17 +144,16 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
 
 impl<S: EngineScalar> Engine<S> for Compiled<S> {
     fn set_parameters(&mut self, values: &[S]) {
-        let first = 1 + self.n_q + self.n_u + self.n_inputs;
-        self.arguments[first..].iter_mut().zip(values).for_each(|(mine, value)| *mine = *value);
+        self.prepare(values).expect("as many values as parameters");
     }
     fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
-        self.set(self.arguments[0], q, u, None)?;
+        self.arguments.set_state(q, u)?;
         let mut values = vec![S::ZERO; self.n_speeds];
         self.answer(Which::Speeds, &mut values)?;
         Ok(values)
     }
     fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault> {
-        self.set(t, q, u, Some(inputs))?;
+        self.arguments.set(t, q, u, inputs)?;
         let mut values = vec![S::ZERO; self.n_outputs];
         self.answer(Which::Outputs, &mut values)?;
         Ok(values)

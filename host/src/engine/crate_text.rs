@@ -84,7 +84,7 @@ counting = []
 "
     );
     let options = EmitOptions { scalar, runtime: "crate".to_owned(), answers: Vec::new() };
-    let root = include_str!("dynamic.rs.txt").replace("MECHANISM", &rust::mechanism_name(program));
+    let root = include_str!("dynamic.rs.txt").to_owned();
     let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
     files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
     files.extend(sources());

@@ -10,9 +10,10 @@ use crate::configuration::Configurations;
 use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::progress::Progress;
+use crate::run::observers::Observers;
 use crate::{model_argument, output};
 use smartbed_codegen::model::Model;
-use smartbed_codegen::{Answer, ParameterChoice, Program, program};
+use smartbed_codegen::{Answer, Interpreted, ParameterChoice, Program, program};
 use states::State;
 use write::Evaluated;
 
@@ -23,8 +24,8 @@ use write::Evaluated;
   with in.json: {\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0}, \"u\": {\"u_hA\": 0.1},
                               \"inputs\": {\"FA\": 30}, \"parameters\": {\"M\": 8}}]}
 
-SI units. Independent coordinates must be given; dependent ones are solved for where left out.
-Left-out speeds and inputs are 0, left-out parameters are the model's.")]
+SI units. Independent coordinates must be given; dependent ones are solved for where left out, and
+those in closed form follow from the others (given all the same, they must agree). Left-out speeds and inputs are 0, left-out parameters are the model's.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
@@ -66,9 +67,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let states = states::read(&arguments.states)?;
     let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };
     let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    model_argument::print_warnings(&program);
+    let closed = match model.coordinates.iter().any(|c| c.closed_form.is_some()) {
+        true => Some(Observers::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?),
+        false => None,
+    };
     let text = match arguments.scalar {
-        ScalarKind::F32 => evaluate::<f32>(arguments, &model, &program, &states)?,
-        ScalarKind::F64 => evaluate::<f64>(arguments, &model, &program, &states)?,
+        ScalarKind::F32 => evaluate::<f32>(arguments, &model, &program, closed.as_ref(), &states)?,
+        ScalarKind::F64 => evaluate::<f64>(arguments, &model, &program, closed.as_ref(), &states)?,
     };
     output::write(&arguments.output, text.as_bytes())?;
     if arguments.json && arguments.output != "-" {
@@ -84,6 +90,7 @@ fn evaluate<S: EngineScalar>(
     arguments: &Arguments,
     model: &Model,
     program: &Program,
+    observers: Option<&Observers>,
     states: &[State],
 ) -> Result<String, Failure> {
     let answers = match arguments.answers.as_slice() {
@@ -92,13 +99,15 @@ fn evaluate<S: EngineScalar>(
     };
     let mut engine = engine::new::<S>(arguments.engine, program)?;
     let mut configurations = Configurations::new(model, program);
+    let names = observers.map_or(&[][..], |o| o.closed.as_slice());
+    let mut closed_forms = observers.map(|o| Interpreted::<S>::new(&o.closed_forms()));
     let mut progress = Progress::new("evaluating");
     let mut text = String::from("{\"states\": [");
     for (number, state) in states.iter().enumerate() {
         progress.at(number as f64 / states.len() as f64);
         let at =
             |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
-        let given = state.resolve(program, &configurations).map_err(at)?;
+        let given = state.resolve(program, names, &configurations).map_err(at)?;
         let q = configurations.complete(&given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
                 "the dependent coordinates cannot be found: a constraint residual of {:.1e} is left; expected \
@@ -107,19 +116,44 @@ fn evaluate<S: EngineScalar>(
                 unreachable.residual
             ))
         })?;
-        engine.set_parameters(&rounded::<S>(&given.parameters));
-        let evaluated = one(engine.as_mut(), &q, &given.u, &given.inputs)
+        let parameters = rounded::<S>(&given.parameters);
+        engine.set_parameters(&parameters);
+        let mut evaluated = one(engine.as_mut(), &q, &given.u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
+        if let Some(closed_forms) = &mut closed_forms {
+            closed_forms.set_parameters(&parameters);
+            let values = closed_forms
+                .outputs(S::ZERO, &rounded(&q), &rounded(&given.u), &rounded(&given.inputs))
+                .map_err(|fault| at(explain(fault).to_owned()))?;
+            evaluated.closed = values.into_iter().map(S::to_f64).collect();
+            agree(names, &given.closed, &evaluated.closed).map_err(at)?;
+        }
         if let Some(what) = evaluated.not_finite() {
             return Err(at(format!(
                 "{what} is not finite: the configuration is singular, or a number too large"
             )));
         }
         text.push_str(if number == 0 { "\n" } else { ",\n" });
-        evaluated.write(program, answers, &mut text);
+        evaluated.write(program, names, answers, &mut text);
     }
     text.push_str("\n]}\n");
     Ok(text)
+}
+
+/// Coordinates in closed form that are given all the same have the value of the form.
+fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> Result<(), String> {
+    /// As far as single precision and numbers with some digits can agree.
+    const ROUNDING: f64 = 1e-6;
+    for ((name, _), (given, value)) in names.iter().zip(given.iter().zip(values.iter().step_by(2))) {
+        if let Some(given) = given
+            && (given - value).abs() > ROUNDING * value.abs().max(1.0)
+        {
+            return Err(format!(
+                "q: `{name}` is {value:.6} by its closed form, but {given} is given; leave it out or correct it"
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn rounded<S: EngineScalar>(values: &[f64]) -> Vec<S> {
@@ -139,6 +173,7 @@ fn one<S: EngineScalar>(
     let widened = |values: Vec<S>| values.into_iter().map(S::to_f64).collect::<Vec<f64>>();
     Ok(Evaluated {
         q: q.to_vec(),
+        closed: Vec::new(),
         u: u.to_vec(),
         q_dot: widened(q_dot),
         u_dot: widened(u_dot),

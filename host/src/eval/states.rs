@@ -35,6 +35,8 @@ pub struct State {
 pub struct Given {
     /// Coordinates; `None` is solved for.
     pub q: Vec<Option<f64>>,
+    /// Coordinates in closed form.
+    pub closed: Vec<Option<f64>>,
     /// Independent speeds.
     pub u: Vec<f64>,
     /// Inputs.
@@ -121,12 +123,20 @@ pub fn parameters(states: &[State], model: &Model) -> Result<Vec<String>, Failur
 }
 
 impl State {
-    /// The numbers in the program's order.
+    /// The numbers in the program's order; `closed` are the names and units of coordinates in closed form.
     ///
     /// # Errors
     /// A name that does not belong where it stands; a left-out independent coordinate.
-    pub fn resolve(&self, program: &Program, configurations: &Configurations) -> Result<Given, String> {
-        let q = place(&self.q, &program.q, "q", "coordinate")?;
+    pub fn resolve(
+        &self,
+        program: &Program,
+        closed: &[(String, String)],
+        configurations: &Configurations,
+    ) -> Result<Given, String> {
+        let states = program.q.iter().map(|q| q.name.as_str());
+        let all: Vec<&str> = states.chain(closed.iter().map(|(name, _)| name.as_str())).collect();
+        let mut q = place(&self.q, &all, "q", "coordinate")?;
+        let closed = q.split_off(program.q.len());
         for (i, value) in q.iter().enumerate() {
             if value.is_none() && configurations.is_independent(i) {
                 let name = &program.q[i].name;
@@ -147,27 +157,35 @@ impl State {
         };
         Ok(Given {
             q,
-            u: or_default(place(&self.u, &program.u, "u", "independent speed")?, &program.u),
-            inputs: or_default(place(&self.inputs, &program.inputs, "inputs", "input")?, &program.inputs),
+            closed,
+            u: or_default(place(&self.u, &names(&program.u), "u", "independent speed")?, &program.u),
+            inputs: or_default(
+                place(&self.inputs, &names(&program.inputs), "inputs", "input")?,
+                &program.inputs,
+            ),
             parameters: or_default(
-                place(&self.parameters, &program.parameters, "parameters", "parameter")?,
+                place(&self.parameters, &names(&program.parameters), "parameters", "parameter")?,
                 &program.parameters,
             ),
         })
     }
 }
 
+fn names(list: &[Quantity]) -> Vec<&str> {
+    list.iter().map(|x| x.name.as_str()).collect()
+}
+
 /// The named numbers in the order of `list`.
 fn place(
     named: &[(String, f64)],
-    list: &[Quantity],
+    list: &[&str],
     group: &str,
     kind: &str,
 ) -> Result<Vec<Option<f64>>, String> {
     let mut values = vec![None; list.len()];
     for (name, value) in named {
-        let Some(index) = list.iter().position(|x| x.name == *name) else {
-            let help = suggest::help(name, list.iter().map(|x| x.name.as_str()));
+        let Some(index) = list.iter().position(|x| x == name) else {
+            let help = suggest::help(name, list.iter().copied());
             return Err(format!("{group}: the model has no {kind} `{name}`{help}"));
         };
         values[index] = Some(*value);

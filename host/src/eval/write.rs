@@ -7,6 +7,8 @@ use smartbed_codegen::{Answer, Program};
 /// Everything known about one state.
 pub(super) struct Evaluated {
     pub q: Vec<f64>,
+    /// Value and rate of every coordinate in closed form, one after the other.
+    pub closed: Vec<f64>,
     pub u: Vec<f64>,
     pub q_dot: Vec<f64>,
     pub u_dot: Vec<f64>,
@@ -20,7 +22,8 @@ pub(super) struct Evaluated {
 impl Evaluated {
     /// What is not a number, or infinite.
     pub fn not_finite(&self) -> Option<&'static str> {
-        let lists: [(&str, &[f64]); 6] = [
+        let lists: [(&str, &[f64]); 7] = [
+            ("a coordinate in closed form", &self.closed),
             ("q_dot", &self.q_dot),
             ("u_dot", &self.u_dot),
             ("energy", &self.energy),
@@ -32,21 +35,33 @@ impl Evaluated {
     }
 
     /// Appends `{"q": ..., "u": ..., ...}`.
-    pub fn write(&self, program: &Program, answers: &[Answer], text: &mut String) {
+    pub fn write(
+        &self,
+        program: &Program,
+        closed: &[(String, String)],
+        answers: &[Answer],
+        text: &mut String,
+    ) {
         let quantities = |list: &[Quantity], values: &[f64]| {
             json_object(list.iter().map(|x| x.name.as_str()).zip(values.iter().copied()))
+        };
+        // All coordinates: the state, then those in closed form.
+        let coordinates = |values: &[f64], first: usize| {
+            let state = program.q.iter().map(|x| x.name.as_str()).zip(values.iter().copied());
+            let closed = closed.iter().map(|(name, _)| name.as_str());
+            json_object(state.chain(closed.zip(self.closed.iter().skip(first).step_by(2).copied())))
         };
         let named = |list: &[(String, _)], values: &[f64]| {
             json_object(list.iter().map(|(name, _)| name.as_str()).zip(values.iter().copied()))
         };
         let mut parts = vec![
-            format!("\"q\": {}", quantities(&program.q, &self.q)),
+            format!("\"q\": {}", coordinates(&self.q, 0)),
             format!("\"u\": {}", quantities(&program.u, &self.u)),
         ];
         for answer in answers {
             match answer {
                 Answer::Rates => {
-                    parts.push(format!("\"q_dot\": {}", quantities(&program.q, &self.q_dot)));
+                    parts.push(format!("\"q_dot\": {}", coordinates(&self.q_dot, 1)));
                     parts.push(format!("\"u_dot\": {}", quantities(&program.u, &self.u_dot)));
                     parts.push(format!("\"worst_pivot\": {}", json_number(self.pivot)));
                 }

@@ -91,22 +91,33 @@ pub fn write(file: &str, drawing: &Drawing) -> Result<(), Failure> {
     }
 }
 
-/// Coordinates by unit and the energies of the ledger; `names` are the columns of the recording.
+/// Coordinates and outputs by unit, and the energies of the ledger; `more` are the names and units of what is
+/// no state, `names` the columns of the recording.
 #[must_use]
-pub fn motion(program: &Program, names: &[String], recording: &Recording) -> Drawing {
+pub fn motion(
+    program: &Program,
+    more: &[(String, String)],
+    names: &[String],
+    recording: &Recording,
+) -> Drawing {
     let curve = |name: &str| {
         let index = names.iter().position(|n| n == name)?;
         Some(Curve { name: name.to_owned(), values: recording.column(index), color: None, across: None })
     };
     let mut panels: Vec<Panel> = Vec::new();
-    for q in &program.q {
-        let label = match q.unit.as_str() {
+    let states = program.q.iter().map(|q| (q.name.as_str(), q.unit.as_str()));
+    for (name, unit) in states.chain(more.iter().map(|(name, unit)| (name.as_str(), unit.as_str()))) {
+        let label = match unit {
             "rad" => "angle [rad]".to_owned(),
             "m" => "length [m]".to_owned(),
-            "" | "1" => "coordinate [1]".to_owned(),
-            unit => format!("coordinate [{unit}]"),
+            "" | "1" => "number [1]".to_owned(),
+            "m/s" => "speed [m/s]".to_owned(),
+            "rad/s" => "rate [rad/s]".to_owned(),
+            "N" => "force [N]".to_owned(),
+            "N m" => "torque [N m]".to_owned(),
+            unit => format!("[{unit}]"),
         };
-        let Some(curve) = curve(&q.name) else { continue };
+        let Some(curve) = curve(name) else { continue };
         match panels.iter_mut().find(|p| p.label == label && p.curves.len() < CURVES) {
             Some(panel) => panel.curves.push(curve),
             None => panels.push(Panel { label, curves: vec![curve] }),

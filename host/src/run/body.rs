@@ -40,13 +40,13 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(), Failure
 }
 
 /// The command line as settings of the scene's own keys.
-fn settings(arguments: &Arguments) -> Vec<String> {
+pub(super) fn settings(arguments: &Arguments) -> Vec<String> {
     let mut settings = Vec::new();
     let mut set = |key: &str, value: Option<String>| settings.extend(value.map(|v| format!("{key}={v}")));
     set("T", arguments.seconds.map(|x| x.to_string()));
     set("step", arguments.step.map(|x| x.to_string()));
     set("method", arguments.method.clone());
-    set("tolerance", arguments.error.map(|x| x.to_string()));
+    set("tolerance", arguments.tolerance.map(|x| x.to_string()));
     set("every", arguments.every.map(|n| n.to_string()));
     settings.extend(arguments.set.iter().cloned());
     settings

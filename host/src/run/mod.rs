@@ -1,6 +1,7 @@
 //! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
 
 mod body;
+mod choose;
 pub mod ledger;
 pub mod observers;
 pub mod settings;
@@ -27,7 +28,8 @@ use std::fmt::Write as _;
 #[command(after_help = "Examples:
   cargo smartbed run pendulum3 --plot motion.svg
   cargo smartbed run tile --seconds 2 --step 1e-3 --method rk4 --set M=8 --set hA=0.02 --csv -
-  cargo smartbed run fourbar --error 1e-12 --view fourbar.html
+  cargo smartbed run fourbar --error 1e-9 --view fourbar.html
+  cargo smartbed run single_spring --budget 200us
   cargo smartbed run single_spring --csv - --set C=10
 
 Left-out settings are those of the model's [run]; the start is the model's [start], left-out
@@ -44,9 +46,15 @@ pub struct Arguments {
     /// Integration method: euler, semi-implicit, rk4 or dormand-prince; a scene has its own.
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
-    /// Allowed error per step, of a method of adaptive step [default: 1e-9].
+    /// Error allowed per step, of a method of adaptive step [default: 1e-9].
     #[arg(long, value_name = "E")]
+    pub tolerance: Option<f64>,
+    /// Picks the fastest method and step that keep every coordinate this exact (m or rad).
+    #[arg(long, value_name = "E", conflicts_with_all = ["step", "tolerance", "budget"])]
     pub error: Option<f64>,
+    /// Picks the most exact method and step with this computing time per simulated second.
+    #[arg(long, value_name = "TIME", conflicts_with_all = ["step", "tolerance"])]
+    pub budget: Option<String>,
     /// What is computed with.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
@@ -59,7 +67,7 @@ pub struct Arguments {
     /// Plot coordinates and energies over time.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,
-    /// Write an animation that any browser shows.
+    /// Write an animation that any browser shows; FILE.html#t=0.5 opens it at 0.5 s.
     #[arg(long, value_name = "FILE.html")]
     pub view: Option<String>,
     /// Changes a parameter or a start value; may be repeated.
@@ -83,7 +91,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         plot::format_of(file)?;
     }
     let path = model_argument::find(&arguments.model)?;
-    if body::is_scene(&path) {
+    let is_scene = body::is_scene(&path);
+    let arguments = &choose::resolve(arguments, &path, is_scene)?;
+    if is_scene {
         return body::simulate(arguments, &path);
     }
     let clock = Progress::new("run");
@@ -91,6 +101,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let settings = Settings::new(&model, arguments)?;
     let wrong = |e| model_argument::wrong(&e);
     let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    model_argument::print_warnings(&program);
     let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
     let start = start(&model, &program, &settings)?;
     let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };
@@ -98,7 +109,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
     };
-    let text = report(arguments, setup, &summary, clock.seconds());
+    let text = report(arguments, &model, setup, &summary, clock.seconds());
     if arguments.csv.as_deref() == Some("-") {
         eprint!("{text}");
     } else {
@@ -108,7 +119,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Coordinates and independent speeds at the start.
-fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
+pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Result<Vec<f64>, Failure> {
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
@@ -130,7 +141,7 @@ fn record<S: EngineScalar>(
     setup: Setup<'_>,
 ) -> Result<Summary, Failure> {
     let engine = engine::new::<S>(arguments.engine, setup.program)?;
-    let names = columns(setup.program);
+    let names = columns(setup.program, setup.observers);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
         csv.write(&(names.join(",") + "\n"))?;
@@ -153,7 +164,9 @@ fn record<S: EngineScalar>(
         csv.finish()?;
     }
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        plot::write(file, &plot::motion(setup.program, &names, recording))?;
+        let outputs = model.outputs.iter().map(|o| (o.name.clone(), o.unit.clone()));
+        let more: Vec<(String, String)> = setup.observers.closed.iter().cloned().chain(outputs).collect();
+        plot::write(file, &plot::motion(setup.program, &more, &names, recording))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(
@@ -174,8 +187,8 @@ fn line(values: &[f64]) -> String {
 }
 
 /// What was done, for people or for machines.
-fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
-    let names = columns(setup.program);
+fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summary, elapsed: f64) -> String {
+    let names = columns(setup.program, setup.observers);
     let (settings, method) = (setup.settings, setup.settings.method.name());
     if arguments.json {
         let last = json_object(names.iter().map(String::as_str).zip(summary.last.iter().copied()));
@@ -207,9 +220,21 @@ fn report(arguments: &Arguments, setup: Setup<'_>, summary: &Summary, elapsed: f
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
     let width = names.iter().map(String::len).max().unwrap_or(0);
-    let shown = 1 + setup.program.q.len() + setup.program.speeds.len();
+    let shown = 1 + setup.program.q.len() + setup.observers.closed.len() + setup.program.speeds.len();
     for (name, value) in names.iter().zip(&summary.last).take(shown) {
-        let _ = writeln!(text, "  {name:width$} {value:>14.6e}");
+        let line = format!("  {name:width$} {value:>14.6e} {}", unit_of(model, name));
+        let _ = writeln!(text, "{}", line.trim_end());
     }
     text
+}
+
+/// Unit of a column; blank for a number without one.
+fn unit_of<'a>(model: &'a Model, name: &str) -> &'a str {
+    let coordinate = model.coordinates.iter().find(|c| c.name == name).map(|c| c.unit.as_str());
+    let speed = || model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.as_str());
+    match coordinate.or_else(speed) {
+        None if name == "t" => "s",
+        None | Some("1") => "",
+        Some(unit) => unit,
+    }
 }

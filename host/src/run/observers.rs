@@ -1,4 +1,5 @@
-//! What is watched beside the motion: laws, energies, powers of loads, places of points.
+//! What is watched beside the motion: laws, energies, powers of loads, coordinates in closed form, places of
+//! points.
 //!
 //! In: a model. Out: the same model with these as its outputs, written in the model's own language,
 //! so that the derivation lowers them like anything else. The program that moves is another one and
@@ -23,6 +24,8 @@ pub struct Observers {
     program: Program,
     /// The inputs that have laws, in the order of the laws.
     pub law_inputs: Vec<usize>,
+    /// Coordinates in closed form, which are no state: (name, unit).
+    pub closed: Vec<(String, String)>,
 }
 
 impl Observers {
@@ -34,8 +37,11 @@ impl Observers {
         let mut watched = model.clone();
         let law_inputs = model.laws.iter().map(|(input, _)| input.index()).collect();
         let laws = model.laws.iter().map(|(_, law)| law.clone());
-        watched.outputs = laws.chain(ledger(model)).chain(places(model)).map(output).collect();
-        Ok(Self { program: program::derive(&watched, choice)?, law_inputs })
+        let seen = laws.chain(ledger(model)).chain(closed_forms(model)).chain(places(model));
+        watched.outputs = seen.map(output).collect();
+        let closed = model.coordinates.iter().filter(|c| c.closed_form.is_some());
+        let closed = closed.map(|c| (c.name.clone(), c.unit.clone())).collect();
+        Ok(Self { program: program::derive(&watched, choice)?, law_inputs, closed })
     }
 
     /// A program whose outputs are the laws.
@@ -50,10 +56,16 @@ impl Observers {
         self.part(self.law_inputs.len(), LEDGER.len())
     }
 
+    /// A program whose outputs are value and rate of every coordinate in closed form, one after the other.
+    #[must_use]
+    pub fn closed_forms(&self) -> Program {
+        self.part(self.law_inputs.len() + LEDGER.len(), 2 * self.closed.len())
+    }
+
     /// A program whose outputs are x, y, z of every point.
     #[must_use]
     pub fn places(&self) -> Program {
-        let first = self.law_inputs.len() + LEDGER.len();
+        let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len();
         self.part(first, self.program.outputs.len() - first)
     }
 
@@ -110,6 +122,12 @@ fn ledger(model: &Model) -> [Expr; 5] {
         }
     }
     sums
+}
+
+/// Value and rate of every coordinate in closed form.
+fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
+    let closed = model.coordinates.enumerate().filter(|(_, c)| c.closed_form.is_some());
+    closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
 /// x, y, z in N of every point but the origin.

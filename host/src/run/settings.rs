@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 /// Error per step of the adaptive method, unless told otherwise.
-const ERROR: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-9;
 
 /// Integration methods by the names of the command line and of models.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
@@ -58,7 +58,7 @@ pub struct Settings {
     /// A row is written every so many steps of `step`.
     pub every: usize,
     /// Error per step of the adaptive method, absolute and relative.
-    pub error: f64,
+    pub tolerance: f64,
     /// Start values by name: coordinates and independent speeds.
     pub start: BTreeMap<String, f64>,
     /// Changed parameters.
@@ -76,7 +76,7 @@ impl Settings {
             step: arguments.step.unwrap_or(model.run.step),
             method: method(model, arguments)?,
             every: arguments.every.unwrap_or(model.run.every),
-            error: arguments.error.unwrap_or(ERROR),
+            tolerance: arguments.tolerance.unwrap_or(TOLERANCE),
             start: BTreeMap::new(),
             choice: ParameterChoice::default(),
         };
@@ -117,8 +117,11 @@ impl Settings {
         if self.every == 0 {
             return wrong("--every 0: expected a number of steps of 1 or more".to_owned());
         }
-        if !positive(self.error) {
-            return wrong(format!("--error {}: expected a number above 0, for example 1e-9", self.error));
+        if !positive(self.tolerance) {
+            return wrong(format!(
+                "--tolerance {}: expected a number above 0, for example 1e-9",
+                self.tolerance
+            ));
         }
         Ok(())
     }
@@ -148,9 +151,9 @@ impl Settings {
     }
 }
 
-/// The method of the command line; else the adaptive one if an error is asked for; else the model's.
+/// The method of the command line; else the adaptive one if a tolerance is given; else the model's.
 fn method(model: &Model, arguments: &Arguments) -> Result<Method, Failure> {
-    let (place, name) = match (&arguments.method, arguments.error) {
+    let (place, name) = match (&arguments.method, arguments.tolerance) {
         (Some(name), _) => ("--method", name),
         (None, Some(_)) => return Ok(Method::DormandPrince),
         (None, None) => ("[run] method", &model.run.method),

@@ -78,9 +78,10 @@ pub struct Setup<'a> {
 
 /// Names of a row's numbers.
 #[must_use]
-pub fn columns(program: &Program) -> Vec<String> {
+pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     let mut names = vec!["t".to_owned()];
     names.extend(program.q.iter().map(|q| q.name.clone()));
+    names.extend(observers.closed.iter().map(|(name, _)| name.clone()));
     names.extend(program.speeds.iter().map(|(name, _)| name.clone()));
     names.extend(ledger::COLUMNS.map(str::to_owned));
     let more = program.outputs.iter().map(|(name, _)| name).chain(program.inputs.iter().map(|i| &i.name));
@@ -131,6 +132,24 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
         }
     }
 
+    /// Evaluations of the equations of motion so far.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Energies, all speeds and outputs of a state.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if it has another length.
+    pub fn answers(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        self.engine.energy(q, u)?;
+        self.engine.speeds(q, u)?;
+        self.engine.outputs(t, q, u, &self.inputs)?;
+        Ok(())
+    }
+
     /// Sets the inputs that have laws; the others stay 0.
     fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         if self.law_inputs.is_empty() {
@@ -146,19 +165,19 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
 }
 
 /// Makes rows, and keeps what the summary needs.
-struct Recorder<'a, F> {
+struct Recorder<'a, S, F> {
     program: &'a Program,
+    closed_forms: Interpreted<S>,
     places: Interpreted<f64>,
     sink: F,
     summary: Summary,
     columns: Vec<String>,
 }
 
-impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
-    fn row<E, S>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], ledger: &Ledger) -> Result<(), Failure>
+impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> {
+    fn row<E>(&mut self, plant: &mut Plant<E, S>, t: f64, x: &[S], ledger: &Ledger) -> Result<(), Failure>
     where
         E: std::ops::DerefMut<Target = dyn Engine<S>>,
-        S: EngineScalar,
     {
         let failure = |fault| Failure::Wrong(format!("t = {t} s: {}", explain(fault)));
         let n_q = self.program.q.len();
@@ -167,8 +186,9 @@ impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
         let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
         let accounts = ledger.accounts();
+        let closed = self.closed_forms.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
         let mut values = vec![t];
-        values.extend(q.iter().chain(&speeds).map(|x| x.to_f64()));
+        values.extend(q.iter().chain(closed.iter().step_by(2)).chain(&speeds).map(|x| x.to_f64()));
         values.extend(accounts.columns());
         let more = self.program.outputs.iter().map(|(name, _)| name).zip(&outputs);
         let inputs = self.program.inputs.iter().map(|i| &i.name).zip(&plant.inputs);
@@ -187,7 +207,7 @@ impl<F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, F> {
         (self.sink)(&Row { values, places })
     }
 
-    fn took<S: Scalar>(&mut self, report: Report<S>) {
+    fn took(&mut self, report: Report<S>) {
         self.summary.steps += 1;
         self.summary.pivot = self.summary.pivot.min(report.pivot.to_f64());
         self.summary.residual = self.summary.residual.max(report.residual.to_f64());
@@ -208,6 +228,7 @@ pub fn simulate<S: EngineScalar>(
     let mut low = vec![S::ZERO; x.len()];
     let mut recorder = Recorder {
         program: setup.program,
+        closed_forms: Interpreted::new(&setup.observers.closed_forms()),
         places: Interpreted::new(&setup.observers.places()),
         sink,
         summary: Summary {
@@ -219,7 +240,7 @@ pub fn simulate<S: EngineScalar>(
             imbalance: 0.0,
             last: Vec::new(),
         },
-        columns: columns(setup.program),
+        columns: columns(setup.program, setup.observers),
     };
     let ledger = Ledger::open(setup.program, setup.observers, 0.0, &widened(&x))
         .map_err(|fault| Failure::Wrong(format!("t = 0 s: {}", explain(fault))))?;
@@ -253,7 +274,7 @@ fn fixed<E, S, F>(
     plant: &mut Plant<E, S>,
     state: &mut State<'_, S>,
     mut ledger: Ledger,
-    recorder: &mut Recorder<'_, F>,
+    recorder: &mut Recorder<'_, S, F>,
 ) -> Result<(), Failure>
 where
     E: std::ops::DerefMut<Target = dyn Engine<S>>,
@@ -286,17 +307,17 @@ fn adaptive<E, S, F>(
     plant: &mut Plant<E, S>,
     state: &mut State<'_, S>,
     mut ledger: Ledger,
-    recorder: &mut Recorder<'_, F>,
+    recorder: &mut Recorder<'_, S, F>,
 ) -> Result<(), Failure>
 where
     E: std::ops::DerefMut<Target = dyn Engine<S>>,
     S: EngineScalar,
     F: FnMut(&Row) -> Result<(), Failure>,
 {
-    let Settings { seconds, step, error, .. } = *setup.settings;
+    let Settings { seconds, step, tolerance, .. } = *setup.settings;
     let n = state.x().len();
     let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
-    let tolerance = Tolerance { absolute: S::from_f64(error), relative: S::from_f64(error) };
+    let tolerance = Tolerance { absolute: S::from_f64(tolerance), relative: S::from_f64(tolerance) };
     let mut method = DormandPrince::new(n, tolerance, S::from_f64(step), &mut memory)
         .map_err(|fault| refused(0.0, fault))?;
     let interval = setup.settings.row_interval();
@@ -346,7 +367,9 @@ where
         t = end;
         progress.at(t / seconds);
     }
-    Err(Failure::Wrong(format!("t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --error")))
+    Err(Failure::Wrong(format!(
+        "t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --tolerance"
+    )))
 }
 
 /// Books the share `from..to` of a step, which ends at time `t` with `x`.

@@ -163,7 +163,7 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     Ok(watch.events)
 }
 
-fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
+pub(crate) fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
     let zero = S::ZERO;
     let start = eval_stored(&simulation.system(), simulation.pos(), simulation.vel()).total();
     Ledger { start, damping: zero, drag: zero, impact: zero, friction: zero, actuator: zero }

@@ -26,6 +26,14 @@ fn check_counts_the_tile() {
 }
 
 #[test]
+fn speeds_in_closed_form_are_no_freedom() {
+    for (model, dof) in [("slider_crank_closed", 1), ("tile_minimal", 3)] {
+        let facts = smartbed(&["check", model, "--json"]).json();
+        assert_eq!(facts["dof"]["found"], dof, "{model}");
+    }
+}
+
+#[test]
 fn check_warns_of_what_is_never_used() {
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum3.toml"));
     let model = model
@@ -36,6 +44,58 @@ fn check_warns_of_what_is_never_used() {
     assert!(text.contains("parameter `spare` is never used") && text.contains("spare.toml:"), "{text}");
     let facts = smartbed(&["check", &path, "--json"]).json();
     assert_eq!(facts["warnings"][0], "parameter `spare` is never used");
+}
+
+#[test]
+fn check_finds_what_the_samples_miss() {
+    // Crank almost as long as the rod: cos(b) is sqrt(1 - (r/l)^2) where the crank stands upright, in a
+    // valley a few degrees wide that 64 samples over 355 degrees step over.
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
+    let model = model.expect("a model").replace(
+        "q = { unit = \"rad\", independent = true, nominal = \"60*deg\", range = [-3.1, 3.1]",
+        "q = { unit = \"deg\", independent = true, nominal = 20, range = [-60, 95]",
+    );
+    let model = model
+        .replace("value = 0.3, unit = \"m\"", "value = 0.1000001, unit = \"m\"")
+        .replace("nominal = -0.29, range = [-0.4, 0.4]", "nominal = -0.349, range = [-1.6, 1.6]")
+        .replace("nominal = 0.337, range = [0.2, 0.4]", "nominal = 0.188, range = [-0.1, 0.3]");
+    let path = written("nearly_singular.toml", &model);
+    let facts = smartbed(&["check", &path, "--json"]).json();
+    let nearest = &facts["nearest_to_singular"];
+    let q = nearest["at"][0].as_str().expect("a place").to_owned();
+    assert_eq!(q, "q = 90.0000 deg");
+    let sampled = facts["pivots"][0]["worst"].as_f64().expect("a number");
+    let found = nearest["pivot"].as_f64().expect("a number");
+    let nominal = (1.0 - (20.0_f64.to_radians().sin() / 1.000_001).powi(2)).sqrt();
+    let exact = (1.0 - 1.000_001_f64.powi(-2)).sqrt() / nominal;
+    assert!((found / exact - 1.0).abs() < 1e-3, "{found} is not {exact}");
+    assert!(2.0 * found < sampled, "{found} against {sampled} at the samples");
+    let text = smartbed(&["check", &path]).out;
+    assert!(text.contains("warning: within the ranges a configuration is nearly singular"), "{text}");
+}
+
+#[test]
+fn dropped_constraints_are_named_by_every_command_that_derives() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
+    let model = model.expect("a model").replace(
+        "[constraints.configuration]\n",
+        "[constraints.configuration]\nagain = \"dot(D - C, N.x)*2\"\n",
+    );
+    let path = written("redundant.toml", &model);
+    let message = "follows from the other constraints and is dropped";
+    let done = smartbed(&["check", &path]);
+    assert!(done.out.contains(message) && done.out.contains("redundant.toml:"), "{done:?}");
+    let out = file("redundant.rs").display().to_string();
+    let states = written("redundant.json", "{\"states\": [{\"q\": {\"q1\": 1}}]}");
+    for arguments in [
+        &["derive", &path, "-o", &out][..],
+        &["run", &path, "--seconds", "0.01"],
+        &["eval", &path, "--states", &states],
+    ] {
+        let done = smartbed(arguments);
+        assert_eq!(done.status, 0, "{done:?}");
+        assert!(done.err.contains(message), "{arguments:?}: {done:?}");
+    }
 }
 
 #[test]
@@ -74,6 +134,38 @@ fn forms_give_what_they_say_or_explain_why_not() {
 }
 
 #[test]
+fn the_kinematic_form_needs_no_masses() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
+    let model = model.expect("a model");
+    let section = |name: &str| {
+        let from = model.find(name).expect("the section");
+        from..from + model[from..].find("\n[").map_or(model.len() - from, |n| n + 1)
+    };
+    let mut bare = model.clone();
+    let mut sections = [section("[bodies]"), section("[torques]")];
+    sections.sort_by_key(|range| std::cmp::Reverse(range.start));
+    sections.into_iter().for_each(|range| bare.replace_range(range, ""));
+    let path = written("bare.toml", &bare.replace("name = \"fourbar\"", "name = \"bare\""));
+    let functions = |text: &str| text[text.find("pub fn speeds").expect("speeds")..].to_owned();
+    let done = smartbed(&["derive", &path, "--form", "kinematic"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    // Masses do not enter: the functions are those of the complete model but for the unused fields.
+    let whole = smartbed(&["derive", "fourbar", "--form", "kinematic"]).out;
+    assert_eq!(functions(&done.out), functions(&whole));
+    let out = file("bare.rs").display().to_string();
+    let facts = smartbed(&["derive", &path, "--form", "kinematic", "-o", &out, "--json"]).json();
+    assert_eq!(facts["operations"].as_object().map(serde_json::Map::len), Some(3));
+    let checked = smartbed(&["check", &path, "--json"]).json();
+    assert_eq!(checked["dof"]["found"], 1);
+    assert_eq!(checked["cost"].as_array().map(Vec::len), Some(3));
+    let done = smartbed(&["derive", &path]);
+    assert!(
+        done.message().contains("the model has no bodies") && done.err.contains("--form kinematic"),
+        "{done:?}"
+    );
+}
+
+#[test]
 fn a_derived_crate_compiles_on_its_own() {
     for (scalar, folder) in [("f32", "fourbar_f32"), ("f64x4", "fourbar_f64x4")] {
         let folder = file(folder);
@@ -89,6 +181,28 @@ fn a_derived_crate_compiles_on_its_own() {
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}");
     }
+}
+
+#[test]
+fn a_derived_crate_compiles_for_the_microcontroller() {
+    const TARGET: &str = "thumbv7em-none-eabihf";
+    let folder = file("tile_chip");
+    let done = smartbed(&["derive", "tile", "--scalar", "f32", "--crate", &folder.display().to_string()]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let toolchain = smartbed::firmware::toolchain::toolchain(TARGET).expect("a toolchain");
+    // A crate fresh from `derive` has no lock file; the workspace's versions are at hand without a network.
+    let locked = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
+    std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
+    let mut cargo = toolchain.cargo();
+    cargo.args(["build", "--quiet", "--release", "--target", TARGET, "--target-dir"]).arg(file("chip"));
+    if toolchain.core_from_source {
+        cargo.arg("-Zbuild-std=core");
+    }
+    cargo.env_remove("RUSTFLAGS").current_dir(&folder);
+    let done = finish(cargo);
+    assert_eq!((done.status, done.err.as_str()), (0, ""), "{}", toolchain.describe());
+    let library = file("chip").join(TARGET).join("release/libtile.rlib");
+    assert!(std::fs::metadata(library).expect("a library").len() > 10_000);
 }
 
 #[test]

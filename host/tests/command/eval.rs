@@ -155,3 +155,28 @@ fn files_and_standard_output_hold_the_same() {
     let to_file = std::fs::read_to_string(&path).expect("written");
     assert_eq!(to_file, smartbed(&["eval", "fourbar", "--states", &states]).out);
 }
+
+#[test]
+fn coordinates_in_closed_form_are_answered_and_may_be_given() {
+    let text = r#"{"states": [{"q": {"q": 0.9}, "u": {"u_q": 2}}]}"#;
+    for scalar in ["f64", "f32"] {
+        let done = eval("closed.json", "slider_crank_closed", text, &["--scalar", scalar]);
+        let closed = state(&done);
+        // The same mechanism with its loop solved by Newton.
+        let solved = state(&eval("closed.json", "slider_crank", text, &[]));
+        for group in ["q", "q_dot"] {
+            for name in ["q", "b", "x"] {
+                let number = |state: &Value| state[group][name].as_f64().expect("a number");
+                let tolerance = if scalar == "f64" { 1e-14 } else { 1e-6 };
+                assert!((number(&closed) - number(&solved)).abs() < tolerance, "{group} {name}: {done:?}");
+            }
+        }
+        // An answer is a question again.
+        let again = format!("{{\"states\": [{{\"q\": {}, \"u\": {}}}]}}", closed["q"], closed["u"]);
+        let again = eval("closed_again.json", "slider_crank_closed", &again, &["--scalar", scalar]);
+        assert_eq!(state(&again), closed);
+    }
+    let wrong = r#"{"states": [{"q": {"q": 0.9, "b": 0.3}}]}"#;
+    let done = eval("closed_wrong.json", "slider_crank_closed", wrong, &[]);
+    assert!(done.message().contains("`b` is -0.26") && done.message().contains("leave it out"), "{done:?}");
+}

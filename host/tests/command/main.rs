@@ -1,8 +1,12 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
+mod browser;
 mod check_and_derive;
 mod eval;
+mod new_user;
 mod nonsense;
 mod reference;
+mod report;
 mod run;
 mod support;
+mod view;

@@ -94,7 +94,7 @@ hC = 0.12
     let reference = &reference("tile_minimal.json")["trajectories"][0];
     let heights = reference["h"].as_array().expect("heights");
     let cases: [(&str, &[&str], f64); 2] = [
-        ("dormand-prince", &["--error", "1e-12", "--step", "1e-3"], 1e-9),
+        ("dormand-prince", &["--tolerance", "1e-12", "--step", "1e-3"], 1e-9),
         ("rk4", &["--step", "1e-3"], 1e-7),
     ];
     for (method, settings, bound) in cases {

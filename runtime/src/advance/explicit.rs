@@ -36,6 +36,7 @@ pub(crate) fn step<S: Scalar, const N: usize>(
             set(work.stage_pos, i, vec3::axpy(drift, h * h, bend));
             set(work.stage_vel, i, vec3::axpy(v, h, kick));
         }
+        work.evaluations += 1;
         eval_elastic(system, work.stage_pos, work.stage_elastic)?;
         eval_viscous(system, work.stage_pos, work.stage_vel, work.stage_viscous);
         for (i, k) in work.stages.iter_mut().skip(s * n).take(n).enumerate() {

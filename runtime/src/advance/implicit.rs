@@ -68,6 +68,7 @@ fn iterate<S: Scalar>(
     let mut last_change = None;
     for _ in 0..ITERATIONS {
         place_middle(system, start, h, work);
+        work.evaluations += 1;
         force(system, start, h, work)?;
         let (mut change, mut size) = (S::ZERO, S::ZERO);
         for i in 0..n {

@@ -169,6 +169,8 @@ pub struct Workspace<'a, S> {
     pub stages: &'a mut [Vec3<S>],
     /// Impulses.
     pub impacts: &'a mut [PointImpact<S>],
+    /// Evaluations of all forces so far.
+    pub evaluations: usize,
 }
 
 /// Vectors that a [`Workspace`] needs for n points.
@@ -199,7 +201,28 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         let (stage_elastic, buffer) = cut(buffer, n)?;
         let (stage_viscous, buffer) = cut(buffer, n)?;
         let (stages, _) = cut(buffer, n * method.stages())?;
-        Ok(Workspace { end, dx, dv, stage_pos, stage_vel, stage_elastic, stage_viscous, stages, impacts })
+        let evaluations = 0;
+        Ok(Workspace {
+            end,
+            dx,
+            dv,
+            stage_pos,
+            stage_vel,
+            stage_elastic,
+            stage_viscous,
+            stages,
+            impacts,
+            evaluations,
+        })
+    }
+
+    /// Recomputes the forces at the end of the step.
+    ///
+    /// # Errors
+    /// From the gas law.
+    pub fn refresh_end(&mut self, system: &System<S>) -> Result<(), BodyError<S>> {
+        self.evaluations += 1;
+        self.end.refresh(system)
     }
 }
 
@@ -293,7 +316,7 @@ pub(crate) fn finish<S: Scalar>(
 ) -> Result<(), BodyError<S>> {
     place_positions(start, work);
     place_velocities(system, start, work);
-    work.end.refresh(system)
+    work.refresh_end(system)
 }
 
 /// Positions at the end.

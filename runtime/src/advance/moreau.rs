@@ -33,6 +33,7 @@ pub fn step<S: Scalar>(
     for (i, x) in work.stage_pos.iter_mut().enumerate() {
         *x = vec3::axpy(vec3::at(start.motion.pos, i), half * h, vec3::at(start.motion.vel, i));
     }
+    work.evaluations += 1;
     eval_elastic(system, work.stage_pos, work.stage_elastic)?;
     eval_viscous(system, work.stage_pos, start.motion.vel, work.stage_viscous);
     let mut taken = Taken { impact: S::ZERO, friction: S::ZERO };

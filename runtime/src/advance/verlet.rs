@@ -65,6 +65,7 @@ pub(crate) fn verlet<S: Scalar>(
         *dx = drift(system, i, *v, h);
     }
     place_positions(start, work);
+    work.evaluations += 1;
     eval_elastic(system, work.end.pos, work.end.elastic)?;
     for (i, v) in work.stage_vel.iter_mut().enumerate() {
         let a = system.acceleration(i, start.mode(i), vec3::at(work.end.elastic, i));

@@ -4,7 +4,7 @@
 //! models do not use, are counted apart. The counters are global, so [`count`] admits one caller at
 //! a time; arithmetic on [`Counting`] outside it is added to whoever is counting.
 
-use super::Real;
+use super::{Real, Scalar};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -169,5 +169,23 @@ impl Real for Counting {
     }
     fn max(self, right: Counting) -> Counting {
         other(Real::max(self.0, right.0))
+    }
+}
+
+/// Comparisons are free.
+impl Scalar for Counting {
+    const EPSILON: Counting = Counting(f64::EPSILON);
+    const TURN: [Counting; 3] = {
+        let [a, b, c] = <f64 as Scalar>::TURN;
+        [Counting(a), Counting(b), Counting(c)]
+    };
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    fn to_f64(self) -> f64 {
+        self.0
+    }
+    fn turns(self) -> Counting {
+        other(Scalar::turns(self.0))
     }
 }

@@ -90,6 +90,8 @@ pub struct StepReport {
     pub substeps: usize,
     /// Steps tried to locate events, each with the method's force evaluations.
     pub trials: usize,
+    /// Evaluations of all forces, those of trials included.
+    pub evaluations: usize,
     /// The step ended early: [`MAX_EVENTS`] or [`MAX_SUBSTEPS`] was reached.
     pub cut_short: bool,
 }
@@ -174,7 +176,7 @@ pub fn step<S: Scalar, O: Observer<S>>(
     if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law) {
         return step_moreau(system, state, h, restitution, work, observer);
     }
-    let mut report = StepReport::default();
+    let (mut report, before) = (StepReport::default(), work.evaluations);
     let mut remaining = h + state.carry;
     state.carry = S::ZERO;
     while remaining > S::ZERO {
@@ -207,6 +209,7 @@ pub fn step<S: Scalar, O: Observer<S>>(
             resolve(system, ground, state, (h, method), work, observer)?;
         }
     }
+    report.evaluations = work.evaluations - before;
     Ok(report)
 }
 
@@ -275,7 +278,7 @@ fn lift_departing<S: Scalar>(
             lifted = true;
         }
     }
-    if lifted { work.end.refresh(system) } else { Ok(()) }
+    if lifted { work.refresh_end(system) } else { Ok(()) }
 }
 
 /// Friction of the points that slide, with the mean normal force of the stretch; returns the loss (J).
@@ -313,7 +316,7 @@ fn slide<S: Scalar>(
     }
     if slid {
         shift_positions(work);
-        work.end.refresh(system)?;
+        work.refresh_end(system)?;
         for (way, force) in work.dx.iter().zip(work.end.elastic.iter()) {
             lost = lost + half * vec3::dot(*force, *way);
         }
@@ -356,6 +359,7 @@ fn resolve<S: Scalar, O: Observer<S>>(
         let mut hit = apply_law(system, ground, state, (h, method), work);
         hit.friction = rub(system, ground, state.motion.vel, work.impacts);
         state.motion.vel_rest.iter_mut().for_each(|v| *v = vec3::zero());
+        work.evaluations += 1;
         state.motion.refresh(system)?;
         hit.lost = hit.lost + hold_or_rebound(system, ground, state, h, work.impacts);
         state.anchor = state.anchor - hit.lost - hit.friction;
@@ -377,6 +381,7 @@ fn step_moreau<S: Scalar, O: Observer<S>>(
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
     let start = Start { motion: &state.motion, modes: state.modes };
+    let before = work.evaluations;
     let taken = moreau::step(system, start, h, restitution, work)?;
     crate::advance::check_finite(&work.end)?;
     pressure::check_inflation(&system.body, work.end.pos)?;
@@ -390,5 +395,5 @@ fn step_moreau<S: Scalar, O: Observer<S>>(
     observer.flow(system, flow);
     state.motion.copy_from(&work.end);
     state.pass(h);
-    Ok(StepReport { substeps: 1, ..StepReport::default() })
+    Ok(StepReport { substeps: 1, evaluations: work.evaluations - before, ..StepReport::default() })
 }

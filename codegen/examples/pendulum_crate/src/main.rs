@@ -10,7 +10,7 @@ mod pendulum {
 fn main() -> Result<(), Fault> {
     // Any parameter of the model is a field.
     let parameters = pendulum::Parameters { c: 0.0, ..Default::default() };
-    let mut mechanism = pendulum::Pendulum { parameters };
+    let mut mechanism = pendulum::Pendulum::new(parameters);
     let (mut q, mut u) = ([0.5], [0.0]);
     let before = total(&mut mechanism, &q, &u)?;
     const STEPS: u32 = 10_000;

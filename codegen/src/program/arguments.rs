@@ -1,0 +1,110 @@
+//! The arguments of a program's answers in their order: t, q, u, inputs, prepared values.
+//!
+//! In: slices of the state. Out: one list, or [`Fault::Shape`] where a slice has not the program's length.
+//! Interpreter and compiled code take them from here, so that they refuse the same calls.
+
+use super::Program;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::real::Real;
+
+/// Values of t, q, u, inputs, and of what depends on parameters alone.
+#[derive(Clone, Debug)]
+pub struct Arguments<S> {
+    n_q: usize,
+    n_u: usize,
+    n_inputs: usize,
+    values: Vec<S>,
+}
+
+impl<S: Real> Arguments<S> {
+    /// Zeros; `n_prepared` values follow the inputs.
+    #[must_use]
+    pub fn new(program: &Program, n_prepared: usize) -> Self {
+        let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
+        Self { n_q, n_u, n_inputs, values: vec![S::ZERO; 1 + n_q + n_u + n_inputs + n_prepared] }
+    }
+
+    /// Coordinates.
+    #[must_use]
+    pub fn n_q(&self) -> usize {
+        self.n_q
+    }
+
+    /// Independent speeds.
+    #[must_use]
+    pub fn n_u(&self) -> usize {
+        self.n_u
+    }
+
+    /// Inputs.
+    #[must_use]
+    pub fn n_inputs(&self) -> usize {
+        self.n_inputs
+    }
+
+    /// All values in order.
+    #[must_use]
+    pub fn values(&self) -> &[S] {
+        &self.values
+    }
+
+    /// Where the prepared values go.
+    pub fn prepared_mut(&mut self) -> &mut [S] {
+        let first = 1 + self.n_q + self.n_u + self.n_inputs;
+        &mut self.values[first..]
+    }
+
+    /// Sets time, state and inputs.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    pub fn set(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<(), Fault> {
+        if inputs.len() != self.n_inputs {
+            return Err(Fault::Shape);
+        }
+        self.set_state(q, u)?;
+        self.values[0] = t;
+        let first = 1 + self.n_q + self.n_u;
+        self.values[first..first + self.n_inputs].copy_from_slice(inputs);
+        Ok(())
+    }
+
+    /// Sets the state; time and inputs stay.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    pub fn set_state(&mut self, q: &[S], u: &[S]) -> Result<(), Fault> {
+        if u.len() != self.n_u {
+            return Err(Fault::Shape);
+        }
+        self.set_coordinates(q)?;
+        self.values[1 + self.n_q..][..self.n_u].copy_from_slice(u);
+        Ok(())
+    }
+
+    /// Sets the coordinates; all else stays.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the slice has not the stated length.
+    pub fn set_coordinates(&mut self, q: &[S]) -> Result<(), Fault> {
+        if q.len() != self.n_q {
+            return Err(Fault::Shape);
+        }
+        self.values[1..=self.n_q].copy_from_slice(q);
+        Ok(())
+    }
+
+    /// Takes the answer `rates` apart: q', u', and the worst pivot, which is returned.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    pub fn split_rates(&self, rates: &[S], q_dot: &mut [S], u_dot: &mut [S]) -> Result<S, Fault> {
+        if q_dot.len() != self.n_q || u_dot.len() != self.n_u {
+            return Err(Fault::Shape);
+        }
+        let (first, rest) = rates.split_at(self.n_q);
+        q_dot.copy_from_slice(first);
+        u_dot.copy_from_slice(&rest[..self.n_u]);
+        Ok(rest[self.n_u])
+    }
+}

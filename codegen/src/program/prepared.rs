@@ -1,0 +1,34 @@
+//! What depends on parameters alone: computed once, and again when a parameter changes.
+//!
+//! An evaluation reads the values at the border: those that depend on parameters only and are used
+//! by something that depends on the state. All operations below that border are `prepare()`'s.
+
+use super::Program;
+use crate::expr::{Dag, Dependence, ExprId, Node};
+use std::collections::BTreeSet;
+
+impl Program {
+    /// The values that `roots` need prepared, tunable parameters that are read as they are included,
+    /// in ascending order.
+    #[must_use]
+    pub fn prepared(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        let dag = &self.dag;
+        let mut border = BTreeSet::new();
+        for id in dag.reachable(roots) {
+            if dag.dependence(id) == Dependence::State {
+                border.extend(dag.operands(id).into_iter().flatten().map(|a| unsigned(dag, a)));
+            }
+        }
+        border.extend(roots.iter().map(|&root| unsigned(dag, root)));
+        border.retain(|&id| dag.dependence(id) == Dependence::Parameters);
+        border.into_iter().collect()
+    }
+}
+
+/// The node below negations, which are free.
+fn unsigned(dag: &Dag, mut id: ExprId) -> ExprId {
+    while let Node::Negate(a) = dag.node(id) {
+        id = a;
+    }
+    id
+}

@@ -1,0 +1,118 @@
+//! The configuration nearest to singular within the ranges, searched for and not only sampled.
+//!
+//! In: a program and the sampled configurations. Out: where the worst pivot, relative to nominal, is
+//! smallest, and how small it is there. Search: from the worst samples, one independent coordinate at a
+//! time, by steps that halve where nothing gets worse (compass search). Dependent coordinates follow by
+//! Newton; what cannot be assembled or leaves its range is not entered. Bounded and deterministic.
+
+use crate::configuration::Configurations;
+use smartbed_codegen::model::Model;
+use smartbed_codegen::{Interpreted, Program};
+use smartbed_runtime::mechanism::Mechanism;
+
+/// Samples from which a search starts, the worst first.
+const STARTS: usize = 4;
+/// First step, as a share of each coordinate's range.
+const FIRST_STEP: f64 = 0.125;
+/// The search ends below this step.
+const LAST_STEP: f64 = 1e-9;
+/// Most configurations that are looked at in all.
+const MOST_LOOKS: usize = 6000;
+/// Below this share of nominal a configuration is singular: it cannot get worse.
+const SINGULAR: f64 = 1e-9;
+
+/// A configuration and its worst pivot.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Nearest {
+    /// All coordinates that are state.
+    pub q: Vec<f64>,
+    /// Smallest pivot there, relative to nominal.
+    pub pivot: f64,
+}
+
+/// Looks for it; none if nothing is divided by.
+pub(super) fn search(model: &Model, program: &Program, samples: &[Vec<f64>]) -> Option<Nearest> {
+    if program.pivots.is_empty() {
+        return None;
+    }
+    let mut search = Search::new(model, program);
+    let mut starts: Vec<Nearest> = samples.iter().filter_map(|q| search.look(q.clone())).collect();
+    starts.sort_by(|a, b| a.pivot.total_cmp(&b.pivot));
+    starts.truncate(STARTS);
+    let found: Vec<Nearest> = starts.into_iter().map(|start| search.descend(start)).collect();
+    found.into_iter().min_by(|a, b| a.pivot.total_cmp(&b.pivot))
+}
+
+struct Search {
+    engine: Interpreted<f64>,
+    configurations: Configurations,
+    rates: [Vec<f64>; 2],
+    zeros: [Vec<f64>; 2],
+    /// By coordinate: is it independent, and its range.
+    ranges: Vec<(bool, (f64, f64))>,
+    looks: usize,
+}
+
+impl Search {
+    fn new(model: &Model, program: &Program) -> Self {
+        let declared = |name: &str| model.coordinates.iter().find(|c| c.name == name);
+        let (n_q, n_u) = (program.q.len(), program.u.len());
+        Self {
+            engine: Interpreted::new(program),
+            configurations: Configurations::new(model, program),
+            rates: [vec![0.0; n_q], vec![0.0; n_u]],
+            zeros: [vec![0.0; n_u], vec![0.0; program.inputs.len()]],
+            ranges: program
+                .q
+                .iter()
+                .filter_map(|q| declared(&q.name).map(|c| (c.independent, c.range)))
+                .collect(),
+            looks: 0,
+        }
+    }
+
+    /// The worst pivot at a configuration; none if it is no number.
+    fn look(&mut self, q: Vec<f64>) -> Option<Nearest> {
+        let ([q_dot, u_dot], [u, inputs]) = (&mut self.rates, &self.zeros);
+        let pivot = self.engine.rates(0.0, &q, u, inputs, q_dot, u_dot).ok()?;
+        pivot.is_finite().then_some(Nearest { q, pivot })
+    }
+
+    /// The configuration reached from `from` by moving one independent coordinate.
+    fn moved(&mut self, from: &[f64], index: usize, by: f64) -> Option<Nearest> {
+        let (_, (low, high)) = self.ranges[index];
+        let mut target = from.to_vec();
+        target[index] = (from[index] + by).clamp(low.min(high), high.max(low));
+        if target[index] == from[index] {
+            return None;
+        }
+        self.looks += 1;
+        let q = self.configurations.follow(from, &target).ok()?;
+        let inside =
+            self.ranges.iter().zip(&q).all(|((free, (low, high)), x)| *free || (low..=high).contains(&x));
+        if inside { self.look(q) } else { None }
+    }
+
+    fn descend(&mut self, start: Nearest) -> Nearest {
+        let (mut best, mut step) = (start, FIRST_STEP);
+        let most = self.looks + MOST_LOOKS / STARTS;
+        let free: Vec<usize> = (0..self.ranges.len()).filter(|&i| self.ranges[i].0).collect();
+        while LAST_STEP < step && SINGULAR < best.pivot && self.looks < most {
+            let mut better = false;
+            for &index in &free {
+                let (low, high) = self.ranges[index].1;
+                for sign in [1.0, -1.0] {
+                    let there = self.moved(&best.q.clone(), index, sign * step * (high - low));
+                    if let Some(there) = there.filter(|there| there.pivot < best.pivot) {
+                        (best, better) = (there, true);
+                        break;
+                    }
+                }
+            }
+            if !better {
+                step *= 0.5;
+            }
+        }
+        best
+    }
+}

@@ -1,0 +1,218 @@
+//! A scene of a flexible body under measurement.
+
+use super::point::Control;
+use super::sheet::Sheet;
+use super::subject::{Method, SAMPLES, Subject, Trace};
+use super::{clock, closed_form, sheet_body};
+use crate::engine::ScalarKind;
+use crate::failure::Failure;
+use crate::plot::svg;
+use crate::scene::graph::Album;
+use crate::scene::run::{describe, run};
+use crate::scene::{Scene, Simulation, read};
+use smartbed_runtime::real::Scalar;
+
+/// Methods with the order of their error.
+const METHODS: [(&str, u32, bool); 9] = [
+    ("symplectic_euler", 1, false),
+    ("verlet", 2, false),
+    ("nystrom4", 4, false),
+    ("blanes_moan4", 4, false),
+    ("rk4", 4, false),
+    ("implicit_midpoint", 2, false),
+    ("energy_momentum", 2, false),
+    ("dormand_prince", 5, true),
+    ("dop853", 8, true),
+];
+/// Part of the largest stable step with which a ladder begins.
+const STABLE: f64 = 0.9;
+/// Where there is free fall, adaptive methods are stopped at least so often (s): nothing there tells them of
+/// the stable step, and beyond it rounding grows.
+const OUTER_STEP: f64 = 1e-2;
+/// The references' outer step (s): rounding is amplified less.
+const REFERENCE_STEP: f64 = 1e-3;
+/// Rows of a graph.
+const ROWS: usize = 500;
+
+/// A scene, read again for every method and step because its checks depend on them.
+#[derive(Clone, Debug)]
+pub struct Body {
+    name: String,
+    path: String,
+    settings: Vec<String>,
+    scene: Scene,
+}
+
+impl Body {
+    /// Reads it; `settings` are changes `key=value`.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] with what is wrong in it.
+    pub fn open(name: &str, path: &str, settings: &[String]) -> Result<Self, Failure> {
+        let scene = read::open(path, settings).map_err(Failure::Wrong)?;
+        Ok(Self { name: name.to_owned(), path: path.to_owned(), settings: settings.to_vec(), scene })
+    }
+
+    /// The scene as its file has it.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// Its file.
+    pub(super) fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Changes `key=value`.
+    pub(super) fn settings(&self) -> &[String] {
+        &self.settings
+    }
+
+    fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
+        let mut settings = self.settings.clone();
+        settings.extend([
+            format!("method={method}"),
+            format!("tolerance={tolerance:e}"),
+            format!("step={step:e}"),
+        ]);
+        read::open(&self.path, &settings)
+    }
+
+    /// Steps per sample so that none is longer than `longest`.
+    fn divided(seconds: f64, longest: f64) -> usize {
+        (seconds / SAMPLES as f64 / longest - 1e-9).ceil().max(1.0) as usize
+    }
+
+    fn trace(
+        &self,
+        method: &str,
+        control: Control,
+        scalar: ScalarKind,
+        seconds: f64,
+        outer: f64,
+    ) -> Result<Trace, String> {
+        let (tolerance, longest) = match control {
+            Control::Step(h) => (1e-9, h),
+            Control::Tolerance(e) => (e, outer),
+        };
+        let steps = Self::divided(seconds, longest);
+        let scene = self.with(method, tolerance, seconds / (SAMPLES * steps) as f64)?;
+        match scalar {
+            ScalarKind::F32 => trace::<f32>(&scene, steps),
+            ScalarKind::F64 => trace::<f64>(&scene, steps),
+        }
+    }
+}
+
+/// Steps to the end, `steps` to a sample.
+fn trace<S: Scalar>(scene: &Scene, steps: usize) -> Result<Trace, String> {
+    let mut simulation =
+        Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| describe(&e))?;
+    let h = S::from_f64(scene.step);
+    let (mut samples, mut evaluations) = (Vec::with_capacity(SAMPLES), 0);
+    let begin = clock::now();
+    simulation.begin(h, &mut ()).map_err(|e| describe(&e))?;
+    for n in 1..=SAMPLES {
+        for _ in 0..steps {
+            let report = simulation.step(h, &mut ()).map_err(|e| describe(&e))?;
+            evaluations += report.evaluations as u64;
+        }
+        let late = n as f64 * steps as f64 * scene.step - simulation.t().to_f64();
+        if late > 0.01 * scene.step {
+            return Err(format!("it stays {late:.1e} s behind: too many events or substeps in a step"));
+        }
+        samples.push(simulation.pos().as_flattened().iter().map(|x| x.to_f64()).collect());
+    }
+    Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
+}
+
+impl Subject for Body {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn title(&self) -> String {
+        let lists = &self.scene.lists;
+        format!("{}: {} points, {} springs", self.scene.title, lists.points.len(), lists.springs.len())
+    }
+
+    fn seconds(&self) -> f64 {
+        self.scene.seconds
+    }
+
+    fn coarsest_step(&self) -> f64 {
+        self.scene.largest_step.map_or(OUTER_STEP, |h| STABLE * h)
+    }
+
+    fn is_smooth(&self) -> bool {
+        self.scene.around.ground.is_none()
+    }
+
+    fn weight(&self) -> f64 {
+        self.scene.lists.springs.len() as f64
+    }
+
+    fn methods(&self) -> Vec<Method> {
+        let around = &self.scene.around;
+        let damped = around.air_drag > 0.0 || self.scene.lists.damping.iter().any(|c| *c > 0.0);
+        // Nystrom's method and the splitting are made for forces of positions alone.
+        let order = |name: &str, order: u32| match name {
+            "nystrom4" | "blanes_moan4" if damped => 1,
+            _ => order,
+        };
+        let method = |(name, full, adaptive): (&str, u32, bool)| Method {
+            name: name.to_owned(),
+            order: order(name, full),
+            adaptive,
+        };
+        METHODS.map(method).to_vec()
+    }
+
+    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String> {
+        let outer = if self.is_smooth() { seconds } else { OUTER_STEP.min(self.coarsest_step()) };
+        self.trace(method, control, scalar, seconds, outer)
+    }
+
+    fn reference(&self, seconds: f64) -> Result<Trace, String> {
+        self.trace(
+            "dop853",
+            Control::Tolerance(1e-13),
+            ScalarKind::F64,
+            seconds,
+            REFERENCE_STEP.min(self.coarsest_step()),
+        )
+    }
+
+    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String> {
+        let control = Control::Tolerance(1e-12);
+        let trace = self.trace(
+            "dormand_prince",
+            control,
+            ScalarKind::F64,
+            seconds,
+            REFERENCE_STEP.min(self.coarsest_step()),
+        )?;
+        Ok(("Dormand-Prince 5(4) at 1e-12", trace))
+    }
+
+    fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)> {
+        closed_form::of(&self.name, &self.scene, seconds)
+    }
+
+    fn is_scene(&self) -> bool {
+        true
+    }
+
+    fn sheet(&self) -> Result<Sheet, String> {
+        sheet_body::make(self)
+    }
+
+    fn graph(&self) -> Result<String, String> {
+        let mut scene = self.scene.clone();
+        scene.every = scene.every.max(scene.steps() / ROWS).max(1);
+        let mut album = Album::new(&scene);
+        let events = run::<f64>(&scene, |row| album.push(row))?;
+        Ok(svg::text(&album.draw(&scene, &events)))
+    }
+}

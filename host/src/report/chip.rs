@@ -1,0 +1,96 @@
+//! Costs on the chip: an image of a subject in f32 is built, checked and run in the emulator, as
+//! `smartbed firmware` does; a step's instructions are counted and its cycles modelled.
+
+use super::point::{ChipCost, Section};
+use super::subject::Subject;
+use crate::failure::Failure;
+use crate::firmware;
+use std::time::{Duration, Instant};
+
+/// Steps that an image runs.
+const STEPS: u32 = 200;
+
+/// Where costs on the chip come from, as long as they can be had.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Chip {
+    end: Instant,
+    lacking: Option<String>,
+}
+
+impl Chip {
+    /// Images are built for at most this long.
+    #[must_use]
+    pub fn new(time: Duration) -> Self {
+        Self { end: Instant::now() + time, lacking: None }
+    }
+
+    /// None at all, and why.
+    #[must_use]
+    pub fn none(why: &str) -> Self {
+        Self { end: Instant::now(), lacking: Some(why.to_owned()) }
+    }
+
+    /// Why there are no costs, if nothing can be measured any more.
+    #[must_use]
+    pub fn lacking(&self) -> Option<&str> {
+        self.lacking.as_deref()
+    }
+
+    /// Builds and runs an image; `set` are changes `key=value`.
+    ///
+    /// # Errors
+    /// Why it could not be done.
+    pub fn measure(&mut self, name: &str, method: &str, set: &[String]) -> Result<ChipCost, String> {
+        if let Some(why) = &self.lacking {
+            return Err(why.clone());
+        }
+        if Instant::now() > self.end {
+            self.lacking = Some("the time for images was up".to_owned());
+        }
+        let arguments = firmware::Arguments {
+            model: Some(name.to_owned()),
+            steps: Some(STEPS),
+            set: set.to_vec(),
+            ..firmware::Arguments::default()
+        };
+        let report = firmware::measure(&arguments).map_err(|failure| {
+            if let Failure::Lacking(why) = &failure {
+                self.lacking = Some(why.clone());
+            }
+            failure.to_string()
+        })?;
+        let run = report.run.as_ref().ok_or("the image breaks a rule")?;
+        let changes: String = set.iter().map(|s| format!(" --set {s}")).collect();
+        Ok(ChipCost {
+            method: method.to_owned(),
+            instructions: run.step.instructions[1],
+            cycles: run.step.cycles,
+            flash: report.size.flash,
+            ram: report.size.ram,
+            stack: u64::from(report.stack.bytes),
+            command: format!("cargo smartbed firmware {name} --steps {STEPS}{changes}"),
+        })
+    }
+
+    /// Fills in a section's costs: every method of fixed step of a scene; a mechanism has one, rk4 at 1 ms.
+    pub fn add(&mut self, subject: &dyn Subject, section: &mut Section) {
+        let methods = match subject.is_scene() {
+            true => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
+            false => vec!["rk4".to_owned()],
+        };
+        for method in methods {
+            let set: Vec<String> =
+                if subject.is_scene() { vec![format!("method={method}")] } else { Vec::new() };
+            match self.measure(subject.name(), &method, &set) {
+                Ok(cost) => section.chip.push(cost),
+                // What nothing can be done about is said once, at the head of the report.
+                Err(_) if self.lacking.is_some() => return,
+                Err(why) => section.notes.push(format!("{method} on the chip: {}", first_line(&why))),
+            }
+        }
+    }
+}
+
+fn first_line(text: &str) -> &str {
+    text.lines().next().unwrap_or_default()
+}

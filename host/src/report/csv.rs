@@ -1,0 +1,46 @@
+//! All points as CSV: a row per run, its command last.
+
+use super::point::{Control, Report};
+use crate::number::digits;
+use std::fmt::Write as _;
+
+/// The file's text.
+#[must_use]
+pub fn text(report: &Report) -> String {
+    let mut text = String::from(
+        "subject,seconds,method,scalar,step,tolerance,error,evaluations_per_second,nanoseconds_per_second,front,\
+         reference_agreement,command\n",
+    );
+    for section in &report.sections {
+        for p in &section.points {
+            let (step, tolerance) = match p.control {
+                Some(Control::Step(h)) => (digits(h), String::new()),
+                Some(Control::Tolerance(e)) => (String::new(), digits(e)),
+                None => Default::default(),
+            };
+            let evaluations = p.evaluations.map(digits).unwrap_or_default();
+            let _ = writeln!(
+                text,
+                "{},{},{},{},{step},{tolerance},{},{evaluations},{},{},{},{}",
+                section.name,
+                digits(section.seconds),
+                p.method,
+                p.scalar,
+                digits(p.error),
+                digits(p.nanoseconds),
+                p.front,
+                digits(section.reference.agreement),
+                quoted(&p.command)
+            );
+        }
+    }
+    text
+}
+
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}

@@ -1,0 +1,168 @@
+//! The report as Markdown: a summary, then each subject's points, costs on the chip and notes.
+
+use super::point::{Point, Report, Section, Table};
+use std::fmt::Write as _;
+
+/// Errors (m or rad) for which the summary names the cheapest method.
+const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-11];
+
+/// The file's text.
+#[must_use]
+pub fn text(report: &Report) -> String {
+    let mut text = format!(
+        "# Speed against error\n\n{}; made by `{}` in {:.0} s; mechanisms by the {}. \
+         Costs on the chip: {}.\n\n\
+         Errors are the largest of any coordinate (m or rad) at ten times over the simulated time, against the \
+         reference named with each subject. Time is computing time per simulated second, without output. The \
+         command of a row makes its numbers again.\n\n",
+        report.machine, report.command, report.elapsed, report.engine, report.chip
+    );
+    tables(&mut text, report);
+    report.sections.iter().for_each(|s| section_text(&mut text, s));
+    text
+}
+
+/// Everything but the points.
+#[must_use]
+pub fn results(report: &Report) -> String {
+    let mut text = format!(
+        "# Speed against error: {}\n\nMade by `{}` in {:.0} s; mechanisms by the {}. Costs on the chip: {}.\n\
+         What the columns mean is told in docs/report.md; all points are in the command's own report.md and \
+         report.csv, those of the fronts in the JSON file beside this one.\n\n",
+        report.machine, report.command, report.elapsed, report.engine, report.chip
+    );
+    tables(&mut text, report);
+    text
+}
+
+fn tables(text: &mut String, report: &Report) {
+    push(text, &summary(report));
+    report.tables.iter().for_each(|t| push(text, t));
+}
+
+/// The fastest way to a given error, subject by subject.
+#[must_use]
+pub fn summary(report: &Report) -> Table {
+    let mut columns = vec!["subject".to_owned(), "simulated".to_owned(), "reference sure to".to_owned()];
+    columns.extend(TARGETS.map(|e| format!("fastest to {e:.0e}")));
+    let row = |section: &Section| {
+        let mut row = vec![
+            section.name.clone(),
+            format!("{} of {} s", short(section.seconds), short(section.asked)),
+            format!("{:.0e}", section.reference.agreement),
+        ];
+        row.extend(TARGETS.map(|e| cheapest(section, e).map_or("-".to_owned(), way)));
+        row
+    };
+    let rows = report.sections.iter().map(row).collect();
+    Table { title: "The fastest way to an error".to_owned(), columns, rows, command: report.command.clone() }
+}
+
+/// The fastest point within an error.
+fn cheapest(section: &Section, error: f64) -> Option<&Point> {
+    let fits = section.points.iter().filter(|p| p.error <= error);
+    fits.min_by(|a, b| a.nanoseconds.total_cmp(&b.nanoseconds))
+}
+
+fn way(point: &Point) -> String {
+    let control = point.control.map_or(String::new(), |c| format!(" {}", c.text()));
+    format!("{} {}{control}: {}", point.method, point.scalar, duration(point.nanoseconds))
+}
+
+/// At most four digits.
+#[must_use]
+pub fn short(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
+/// Nanoseconds with a unit.
+#[must_use]
+pub fn duration(nanoseconds: f64) -> String {
+    let units = [(1e9, "s"), (1e6, "ms"), (1e3, "us"), (1.0, "ns")];
+    let (size, unit) = units.into_iter().find(|(size, _)| nanoseconds >= *size).unwrap_or((1.0, "ns"));
+    format!("{:.3} {unit}", nanoseconds / size)
+}
+
+fn section_text(text: &mut String, section: &Section) {
+    let _ = write!(
+        text,
+        "## {}\n\n{}\n\n{} of {} s simulated. Reference: {}; they agree to {:.1e}.\n\n",
+        section.name,
+        section.title,
+        short(section.seconds),
+        short(section.asked),
+        section.reference.text,
+        section.reference.agreement
+    );
+    push_rows(text, &points(section));
+    if !section.chip.is_empty() {
+        push_rows(text, &chip(section));
+    }
+    section.notes.iter().for_each(|note| {
+        let _ = writeln!(text, "- {note}");
+    });
+    text.push('\n');
+}
+
+/// A section's points as a table.
+#[must_use]
+pub fn points(section: &Section) -> Table {
+    let columns =
+        ["method", "scalar", "step", "error", "evaluations/s", "time per second", "front", "command"];
+    let row = |p: &Point| {
+        vec![
+            p.method.clone(),
+            p.scalar.clone(),
+            p.control.map_or("-".to_owned(), |c| c.text()),
+            format!("{:.2e}", p.error),
+            p.evaluations.map_or("-".to_owned(), |e| format!("{e:.0}")),
+            duration(p.nanoseconds),
+            if p.front { "front".to_owned() } else { String::new() },
+            format!("`{}`", p.command),
+        ]
+    };
+    Table {
+        title: "Points".to_owned(),
+        columns: columns.map(str::to_owned).to_vec(),
+        rows: section.points.iter().map(row).collect(),
+        command: String::new(),
+    }
+}
+
+/// A section's costs on the chip as a table.
+#[must_use]
+pub fn chip(section: &Section) -> Table {
+    let columns =
+        ["on the chip, f32", "instructions per step", "cycles by model", "flash", "RAM", "stack", "command"];
+    let row = |c: &super::point::ChipCost| {
+        vec![
+            c.method.clone(),
+            c.instructions.to_string(),
+            format!("{}..{}", c.cycles[0], c.cycles[1]),
+            c.flash.to_string(),
+            c.ram.to_string(),
+            c.stack.to_string(),
+            format!("`{}`", c.command),
+        ]
+    };
+    Table {
+        title: "On the chip".to_owned(),
+        columns: columns.map(str::to_owned).to_vec(),
+        rows: section.chip.iter().map(row).collect(),
+        command: String::new(),
+    }
+}
+
+fn push(text: &mut String, table: &Table) {
+    let _ = write!(text, "## {}\n\n", table.title);
+    push_rows(text, table);
+    let _ = write!(text, "By `{}`.\n\n", table.command);
+}
+
+fn push_rows(text: &mut String, table: &Table) {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    *text += &line(&table.columns);
+    *text += &format!("|{}\n", "---|".repeat(table.columns.len()));
+    table.rows.iter().for_each(|row| *text += &line(row));
+    text.push('\n');
+}

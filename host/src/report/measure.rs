@@ -1,0 +1,170 @@
+//! Runs a subject with every method and a ladder of steps, in f64 and f32.
+//!
+//! In: a subject, its reference, a plan. Out: points. A ladder ends where rounding takes over, where a
+//! run would take longer than the plan allows, or where its share of the time is used up.
+
+use super::clock;
+use super::plan::Plan;
+use super::point::{Control, Point};
+use super::reference::Truth;
+use super::subject::{Method, SAMPLES, Subject, Trace};
+use crate::engine::ScalarKind;
+use std::time::Duration;
+
+/// Shorter runs are repeated: the fastest of three counts.
+const SHORT: Duration = Duration::from_millis(5);
+const REPEATS: usize = 3;
+/// An error above this share of the motion's size is no answer.
+const NONSENSE: f64 = 0.3;
+/// Two finer steps in a row that do not lower the least error to this share have met rounding.
+const GAIN: f64 = 0.7;
+
+/// What the ladders gave.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Measured {
+    /// Points, in order of method and step.
+    pub points: Vec<Point>,
+    /// What was left out, and why.
+    pub notes: Vec<String>,
+}
+
+/// Measures a subject. The time is shared evenly: what one ladder leaves, the next ones have.
+#[must_use]
+pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
+    let mut measured = Measured::default();
+    let methods = subject.methods();
+    let scalars = [ScalarKind::F64, ScalarKind::F32];
+    let ladders = scalars.into_iter().flat_map(|s| methods.iter().map(move |m| (m, s)));
+    let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();
+    let begin = clock::now();
+    for (n, ladder_of) in ladders.iter().enumerate() {
+        let share = (n + 1) as f64 / ladders.len() as f64;
+        ladder(subject, truth, plan, *ladder_of, begin + plan.subject.mul_f64(share), &mut measured);
+    }
+    measured
+}
+
+/// One method's points, coarse to fine.
+fn ladder(
+    subject: &dyn Subject,
+    truth: &Truth,
+    plan: &Plan,
+    (method, scalar): (&Method, ScalarKind),
+    end: Duration,
+    measured: &mut Measured,
+) {
+    let size = extent(truth);
+    let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, 0);
+    let (mut taken, mut idle) = (0, 0);
+    let mut refusal = None;
+    for rung in plan.rungs(subject, method, scalar, truth.seconds) {
+        let no_time = taken > 0 && clock::now() > end;
+        if no_time || last_time.mul_f64(rung.work) > plan.run {
+            break;
+        }
+        let (error, trace) = match run(subject, truth, method, rung.control, scalar) {
+            Ok(found) => found,
+            Err(why) => {
+                refusal = Some(why);
+                continue;
+            }
+        };
+        last_time = trace.elapsed;
+        if error.is_nan() || error > NONSENSE * size {
+            refusal = Some(format!("the error of {error:.1e} is as large as the motion"));
+            continue;
+        }
+        taken += 1;
+        measured.points.push(point(subject, truth, plan, method, rung.control, scalar, error, &trace));
+        // A tolerance that asks for no more work says nothing about rounding.
+        let worked = trace.evaluations > last_work;
+        idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
+        last_work = trace.evaluations;
+        if error <= truth.reference.agreement || idle == 2 {
+            break;
+        }
+        least = least.min(error);
+    }
+    if let (0, Some(why)) = (taken, refusal) {
+        measured.notes.push(format!("{} {}: {why}", method.name, name_of(scalar)));
+    }
+}
+
+/// Error and run; the fastest of several, if it is short.
+///
+/// # Errors
+/// Why it stopped.
+pub fn run(
+    subject: &dyn Subject,
+    truth: &Truth,
+    method: &Method,
+    control: Control,
+    scalar: ScalarKind,
+) -> Result<(f64, Trace), String> {
+    let mut best = subject.run(&method.name, control, scalar, truth.seconds)?;
+    if best.elapsed < SHORT {
+        for _ in 1..REPEATS {
+            let again = subject.run(&method.name, control, scalar, truth.seconds)?;
+            best = if again.elapsed < best.elapsed { again } else { best };
+        }
+    }
+    Ok((best.difference(&truth.trace), best))
+}
+
+#[expect(clippy::too_many_arguments, reason = "a point is all of this")]
+fn point(
+    subject: &dyn Subject,
+    truth: &Truth,
+    plan: &Plan,
+    method: &Method,
+    control: Control,
+    scalar: ScalarKind,
+    error: f64,
+    trace: &Trace,
+) -> Point {
+    let scalar = name_of(scalar);
+    Point {
+        method: method.name.clone(),
+        scalar: scalar.to_owned(),
+        control: Some(control),
+        // Below the reference's own uncertainty nothing is known.
+        error: error.max(truth.reference.agreement).max(f64::EPSILON),
+        evaluations: Some(trace.evaluations as f64 / truth.seconds),
+        nanoseconds: trace.elapsed.as_nanos() as f64 / truth.seconds,
+        front: false,
+        command: format!(
+            "cargo smartbed report {} --seconds {} --method {} {} --scalar {scalar}{}",
+            subject.name(),
+            truth.seconds,
+            method.name,
+            control.options(),
+            plan.engine_option()
+        ),
+    }
+}
+
+/// Largest distance of a coordinate from where it is at another sample: the motion's size.
+#[must_use]
+pub fn extent(truth: &Truth) -> f64 {
+    let n = truth.trace.samples.first().map_or(0, Vec::len);
+    let range = |i: usize| {
+        let column = truth.trace.samples.iter().map(|s| s[i]);
+        column.clone().fold(f64::NEG_INFINITY, f64::max) - column.fold(f64::INFINITY, f64::min)
+    };
+    (0..n).map(range).fold(0.0, f64::max)
+}
+
+/// Name of a scalar on the command line.
+#[must_use]
+pub fn name_of(scalar: ScalarKind) -> &'static str {
+    match scalar {
+        ScalarKind::F32 => "f32",
+        ScalarKind::F64 => "f64",
+    }
+}
+
+/// The step of a ladder that divides the time between two samples into `steps`.
+#[must_use]
+pub fn step_of(seconds: f64, steps: usize) -> f64 {
+    seconds / (SAMPLES * steps) as f64
+}

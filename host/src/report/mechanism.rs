@@ -1,0 +1,263 @@
+//! A mechanism under measurement.
+
+use super::clock;
+use super::point::Control;
+use super::sheet::Sheet;
+use super::sheet_mechanism;
+use super::subject::{Method, SAMPLES, Subject, Trace};
+use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
+use crate::failure::Failure;
+use crate::model_argument;
+use crate::plot::{self, Recording, svg};
+use crate::run::observers::Observers;
+use crate::run::settings::{self, Settings};
+use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
+use crate::run::{self, Arguments};
+use crate::scene::dop853::Dop853;
+use clap::ValueEnum;
+use smartbed_codegen::model::Model;
+use smartbed_codegen::{Interpreted, Program, program};
+use smartbed_runtime::integrator::step_size::Tolerance;
+use smartbed_runtime::integrator::{DormandPrince, dormand_prince};
+use smartbed_runtime::mechanism::System;
+use smartbed_runtime::state::State;
+
+/// A ladder of steps begins at this many steps of the model's own length.
+const COARSE: f64 = 32.0;
+/// Most steps of an adaptive method between two samples.
+const MOST_STEPS: u32 = 10_000_000;
+/// Rows of a graph.
+const ROWS: f64 = 500.0;
+
+/// A mechanism in f64 under its laws.
+pub(super) type Plant64 = Plant<Box<dyn engine::Engine<f64>>, f64>;
+
+/// A mechanism with its equations.
+pub struct Mechanism {
+    name: String,
+    model: Model,
+    settings: Settings,
+    program: Program,
+    observers: Observers,
+    start: Vec<f64>,
+    engine: EngineKind,
+}
+
+impl Mechanism {
+    /// Reads and derives it, at the model's own settings.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] with what is wrong in it.
+    pub fn open(name: &str, engine: EngineKind) -> Result<Self, Failure> {
+        Self::with(&Arguments { model: name.to_owned(), engine, ..Arguments::default() })
+    }
+
+    /// Reads and derives it, with the settings of a run.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] with what is wrong in it or in the settings.
+    pub fn with(arguments: &Arguments) -> Result<Self, Failure> {
+        let (name, engine) = (&arguments.model, arguments.engine);
+        let model = model_argument::read(name)?;
+        let settings = Settings::new(&model, arguments)?;
+        let wrong = |e| model_argument::wrong(&e);
+        let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+        let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
+        let start = run::start(&model, &program, &settings)?;
+        Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
+    }
+
+    /// Time between two rows of output (s).
+    #[must_use]
+    pub fn row_interval(&self) -> f64 {
+        self.settings.row_interval()
+    }
+
+    /// Its model.
+    pub(super) fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Its equations.
+    pub(super) fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Coordinates and independent speeds at the start.
+    pub(super) fn start(&self) -> &[f64] {
+        &self.start
+    }
+
+    /// Its own step (s).
+    pub(super) fn step(&self) -> f64 {
+        self.settings.step
+    }
+
+    /// Other equations of the same mechanism under its laws.
+    pub(super) fn plant_of(&self, program: &Program) -> Result<Plant64, String> {
+        let engine = engine::new::<f64>(self.engine, program).map_err(|e| e.to_string())?;
+        Ok(Plant::new(engine, program, &self.observers))
+    }
+
+    fn plant<S: EngineScalar>(
+        &self,
+        kind: EngineKind,
+    ) -> Result<Plant<Box<dyn engine::Engine<S>>, S>, String> {
+        let engine = engine::new::<S>(kind, &self.program).map_err(|e| e.to_string())?;
+        Ok(Plant::new(engine, &self.program, &self.observers))
+    }
+
+    fn trace<S: EngineScalar>(
+        &self,
+        method: settings::Method,
+        control: Control,
+        seconds: f64,
+    ) -> Result<Trace, String> {
+        let mut plant = self.plant::<S>(self.engine)?;
+        let mut x: Vec<S> = self.start.iter().map(|x| S::from_f64(*x)).collect();
+        let (n, n_q) = (x.len(), self.program.q.len());
+        let mut low = vec![S::ZERO; n];
+        let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
+        let mut samples = Vec::with_capacity(SAMPLES);
+        let mut keep =
+            |state: &State<'_, S>| samples.push(state.x()[..n_q].iter().map(|x| x.to_f64()).collect());
+        let interval = seconds / SAMPLES as f64;
+        let refused = |fault| explain(fault).to_owned();
+        let begin = clock::now();
+        match (method.fixed(), control) {
+            (Some(fixed), Control::Step(longest)) => {
+                let steps = (interval / longest - 1e-9).ceil().max(1.0) as usize;
+                let mut scratch = vec![S::ZERO; fixed.scratch(n)];
+                let h = interval / steps as f64;
+                for i in 0..SAMPLES * steps {
+                    let t = S::from_f64(i as f64 * h);
+                    fixed.step(&mut plant, t, S::from_f64(h), &mut state, &mut scratch).map_err(refused)?;
+                    if (i + 1) % steps == 0 {
+                        keep(&state);
+                    }
+                }
+            }
+            (None, Control::Tolerance(e)) => {
+                let tolerance = Tolerance { absolute: S::from_f64(e), relative: S::from_f64(e) };
+                let mut memory = vec![S::ZERO; dormand_prince::scratch(n)];
+                let first = S::from_f64(self.settings.step.min(interval));
+                let mut adaptive = DormandPrince::new(n, tolerance, first, &mut memory).map_err(refused)?;
+                let mut t = S::ZERO;
+                for i in 1..=SAMPLES {
+                    let end = S::from_f64(i as f64 * interval);
+                    adaptive.advance_to(&mut plant, &mut t, end, MOST_STEPS, &mut state).map_err(refused)?;
+                    keep(&state);
+                }
+            }
+            _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned()),
+        }
+        Ok(Trace { samples, evaluations: plant.evaluations(), elapsed: clock::now() - begin })
+    }
+}
+
+impl Subject for Mechanism {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn title(&self) -> String {
+        let (n_q, n_u) = (self.program.q.len(), self.program.u.len());
+        format!("{} ({n_q} coordinates, {n_u} independent speeds)", self.model.doc)
+    }
+
+    fn seconds(&self) -> f64 {
+        self.settings.seconds
+    }
+
+    fn coarsest_step(&self) -> f64 {
+        COARSE * self.settings.step
+    }
+
+    fn is_smooth(&self) -> bool {
+        true
+    }
+
+    fn weight(&self) -> f64 {
+        1.0
+    }
+
+    fn methods(&self) -> Vec<Method> {
+        let order = |m: settings::Method| match m {
+            settings::Method::Euler | settings::Method::SemiImplicit => 1,
+            settings::Method::Rk4 => 4,
+            settings::Method::DormandPrince => 5,
+        };
+        let all = settings::Method::value_variants().iter();
+        all.map(|m| Method { name: m.name(), order: order(*m), adaptive: m.fixed().is_none() }).collect()
+    }
+
+    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String> {
+        let method = settings::Method::from_str(method, false)
+            .map_err(|_| format!("there is no method `{method}`"))?;
+        match scalar {
+            ScalarKind::F32 => self.trace::<f32>(method, control, seconds),
+            ScalarKind::F64 => self.trace::<f64>(method, control, seconds),
+        }
+    }
+
+    /// Without projections: at this tolerance the constraints stay met to the rounding of the coordinates.
+    fn reference(&self, seconds: f64) -> Result<Trace, String> {
+        let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
+        let mut fault = None;
+        let begin = clock::now();
+        let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| {
+            if let Err(f) = plant.rates(t, x, x_dot) {
+                fault = Some(f);
+                x_dot.fill(f64::NAN);
+            }
+        };
+        let mut solver = Dop853::new(rates, 0.0, self.start.clone(), 1e-13, self.settings.step);
+        let mut samples = Vec::new();
+        for i in 1..=SAMPLES {
+            let end = seconds * i as f64 / SAMPLES as f64;
+            while solver.t < end {
+                solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
+            }
+            samples.push(solver.y[..self.program.q.len()].to_vec());
+        }
+        let evaluations = solver.evaluations as u64;
+        Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
+    }
+
+    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String> {
+        let trace = self.trace::<f64>(settings::Method::DormandPrince, Control::Tolerance(1e-12), seconds)?;
+        Ok(("Dormand-Prince 5(4) at 1e-12", trace))
+    }
+
+    fn closed_form(&self, _: f64) -> Option<(&'static str, Trace)> {
+        None
+    }
+
+    fn is_scene(&self) -> bool {
+        false
+    }
+
+    fn sheet(&self) -> Result<Sheet, String> {
+        sheet_mechanism::make(self)
+    }
+
+    fn graph(&self) -> Result<String, String> {
+        let mut settings = self.settings.clone();
+        settings.every = ((settings.seconds / settings.step / ROWS) as usize).max(settings.every);
+        let setup = Setup {
+            program: &self.program,
+            observers: &self.observers,
+            settings: &settings,
+            start: &self.start,
+        };
+        let names = columns(&self.program);
+        let mut recording = Recording::new(names.len());
+        let engine = Box::new(Interpreted::<f64>::new(&self.program));
+        simulate::<f64>(setup, engine, |row: &Row| {
+            recording.push(&row.values);
+            Ok(())
+        })
+        .map_err(|e| e.to_string())?;
+        Ok(svg::text(&plot::motion(&self.program, &names, &recording)))
+    }
+}

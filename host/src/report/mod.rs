@@ -1,0 +1,363 @@
+//! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
+//!
+//! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`reference`], are run over a ladder of steps
+//! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
+//! observed, costs taken on the [`chip`] and put on a [`sheet`]. The renderings
+//! know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
+
+pub mod body;
+pub mod chip;
+pub mod clock;
+pub mod closed_form;
+pub mod csv;
+pub mod front;
+pub mod json;
+pub mod markdown;
+pub mod measure;
+pub mod mechanism;
+pub mod order;
+pub mod page;
+pub mod pick;
+pub mod plan;
+pub mod point;
+pub mod reference;
+pub mod sheet;
+mod sheet_body;
+mod sheet_mechanism;
+pub mod subject;
+pub mod work_precision;
+
+use crate::engine::{EngineKind, ScalarKind};
+use crate::failure::Failure;
+use crate::model_argument;
+use crate::output;
+use crate::plot::svg;
+use crate::progress::Progress;
+use crate::suggest;
+use chip::Chip;
+use plan::Plan;
+use point::{Control, Extras, Report, Section};
+use std::path::Path;
+use std::time::Duration;
+use subject::{Method, Subject};
+
+/// Images for the chip are built for at most this long.
+const CHIP_TIME: Duration = Duration::from_secs(420);
+
+/// Speed against error: tables, plots, one HTML page.
+#[derive(clap::Args, Clone, Default, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed report --quick
+  cargo smartbed report single_spring tile --out target/report
+  cargo smartbed report single_spring --seconds 3 --method verlet --step 1e-4 --scalar f64
+
+The last one makes one row of a table again. Written are report.md, report.csv, report.json, report.html and
+a plot per subject as SVG.")]
+pub struct Arguments {
+    /// Scenes and mechanisms: paths, or names under models/ [default: all].
+    pub subjects: Vec<String>,
+    /// In a minute: fewer steps, shorter runs, mechanisms by the interpreter.
+    #[arg(long)]
+    pub quick: bool,
+    /// Folder for the files.
+    #[arg(long, value_name = "DIR", default_value = "target/report")]
+    pub out: String,
+    /// Simulated time (s); else the model's own, cut to where two references agree.
+    #[arg(long, value_name = "T")]
+    pub seconds: Option<f64>,
+    /// Only this method.
+    #[arg(long, value_name = "M")]
+    pub method: Option<String>,
+    /// Only this step (s), of methods of fixed step.
+    #[arg(long, value_name = "H", conflicts_with = "tolerance")]
+    pub step: Option<f64>,
+    /// Only this error per step, of adaptive methods.
+    #[arg(long, value_name = "E")]
+    pub tolerance: Option<f64>,
+    /// Only this scalar.
+    #[arg(long, value_enum)]
+    pub scalar: Option<ScalarKind>,
+    /// What evaluates mechanisms [default: compiled, with --quick or a single row the interpreter].
+    #[arg(long, value_enum)]
+    pub engine: Option<EngineKind>,
+    /// More points and tables, from other simulators; may be repeated.
+    #[arg(long, value_name = "FILE.json")]
+    pub points: Vec<String>,
+    /// Write the summary, and the points of the fronts, as DIR/PROCESSOR.md and .json too.
+    #[arg(long, value_name = "DIR")]
+    pub results: Option<String>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+impl Arguments {
+    /// Is one row asked for?
+    fn is_row(&self) -> bool {
+        self.step.is_some() || self.tolerance.is_some()
+    }
+
+    /// Where costs on the chip come from.
+    fn chip(&self) -> Chip {
+        match (self.quick, self.is_row()) {
+            (true, _) => Chip::none("left out by --quick"),
+            (_, true) => Chip::none("not of a single row"),
+            _ => Chip::new(CHIP_TIME),
+        }
+    }
+
+    /// The report as a command line.
+    fn command(&self) -> String {
+        let mut words = vec!["cargo smartbed report".to_owned()];
+        words.extend(self.subjects.iter().cloned());
+        let mut option = |name: &str, value: Option<String>| {
+            words.extend(value.map(|v| format!("--{name} {v}")));
+        };
+        option("seconds", self.seconds.map(|x| x.to_string()));
+        option("method", self.method.clone());
+        option("step", self.step.map(|x| format!("{x:e}")));
+        option("tolerance", self.tolerance.map(|x| format!("{x:e}")));
+        option("scalar", self.scalar.map(|s| measure::name_of(s).to_owned()));
+        self.points.iter().for_each(|p| option("points", Some(p.clone())));
+        words.extend(self.results.as_ref().map(|f| format!("--results {f}")));
+        if self.quick {
+            words.push("--quick".to_owned());
+        }
+        words.join(" ")
+    }
+
+    fn plan(&self) -> Result<Plan, Failure> {
+        let positive = |name: &str, value: Option<f64>| match value {
+            Some(x) if !(x > 0.0 && x.is_finite()) => {
+                Err(Failure::Wrong(format!("--{name} {x}: expected a number above 0")))
+            }
+            _ => Ok(value),
+        };
+        positive("seconds", self.seconds)?;
+        let step = positive("step", self.step)?.map(Control::Step);
+        let control = step.or(positive("tolerance", self.tolerance)?.map(Control::Tolerance));
+        let plan = if self.quick { Plan::quick() } else { Plan::full() };
+        let single = if control.is_some() { EngineKind::Interpreter } else { plan.engine };
+        let engine = self.engine.unwrap_or(single);
+        Ok(Plan { method: self.method.clone(), control, scalar: self.scalar, engine, ..plan })
+    }
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong scene, model or setting; status 2 without a compiler for `--engine compiled`.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let report = make(arguments)?;
+    write(&report, Path::new(&arguments.out))?;
+    if let Some(folder) = &arguments.results {
+        write_results(&report, Path::new(folder))?;
+    }
+    if arguments.json {
+        output::print(&json::text(&report));
+    } else if arguments.is_row() {
+        output::print(&markdown::text(&report));
+    } else {
+        let points: usize = report.sections.iter().map(|s| s.points.len()).sum();
+        let (out, subjects) = (&arguments.out, report.sections.len());
+        output::print(&format!(
+            "{subjects} subjects, {points} points, {:.0} s\nwritten to {out}: report.html, report.md, report.csv, \
+             report.json, {subjects} plots\n",
+            report.elapsed
+        ));
+    }
+    Ok(())
+}
+
+/// Measures everything that is asked for; progress on standard error.
+///
+/// # Errors
+/// As [`run`].
+pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
+    let plan = arguments.plan()?;
+    let names =
+        if arguments.subjects.is_empty() { model_argument::all() } else { arguments.subjects.clone() };
+    // Whatever is wrong is said before anything is measured.
+    let mut subjects = Vec::with_capacity(names.len());
+    for name in &names {
+        let subject = subject::open(name, plan.engine)?;
+        check_method(subject.as_ref(), &plan)?;
+        subjects.push(subject);
+    }
+    let mut others = Vec::new();
+    for file in &arguments.points {
+        let text = std::fs::read_to_string(file);
+        let text = text.map_err(|e| Failure::Wrong(format!("--points {file}: {e}")))?;
+        others.push(Extras::read(file, &text)?);
+    }
+    let mut progress = Progress::new("report");
+    let mut report = Report {
+        machine: machine(),
+        command: arguments.command(),
+        engine: match plan.engine {
+            EngineKind::Interpreter => "interpreter".to_owned(),
+            EngineKind::Compiled => "compiled Rust".to_owned(),
+        },
+        chip: String::new(),
+        elapsed: 0.0,
+        sections: Vec::new(),
+        tables: Vec::new(),
+    };
+    for (n, subject) in subjects.iter().enumerate() {
+        eprintln!("report: {} ({} of {}, {:.0} s)", subject.name(), n + 1, names.len(), progress.seconds());
+        report.sections.push(section(subject.as_ref(), &plan, arguments.seconds)?);
+        progress.at((n + 1) as f64 / names.len() as f64);
+    }
+    for (title, smooth) in [("smooth", true), ("with touches", false)] {
+        let orders = |s: &dyn Subject| {
+            let section = report.sections.iter().find(|section| section.name == s.name())?;
+            Some((section.name.clone(), order::observe(section, &s.methods())))
+        };
+        let of_kind = subjects.iter().filter(|s| s.is_smooth() == smooth);
+        let rows: Vec<_> = of_kind.filter_map(|s| orders(s.as_ref())).collect();
+        if !rows.is_empty() {
+            let title = format!("Observed orders, {title} (nominal in brackets)");
+            report.tables.push(order::table(&title, &rows, &report.command));
+        }
+    }
+    let mut chip = arguments.chip();
+    if !arguments.is_row() {
+        for (subject, section) in subjects.iter().zip(&mut report.sections) {
+            chip.add(subject.as_ref(), section);
+        }
+        let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
+        report.tables.push(sheets);
+    }
+    report.chip = match chip.lacking() {
+        None => "instructions counted in the emulator, cycles by model".to_owned(),
+        Some(why) => format!("none ({why})"),
+    };
+    others.into_iter().for_each(|extras| report.add(extras));
+    report.sections.iter_mut().for_each(|s| front::mark(&mut s.points));
+    report.elapsed = progress.seconds();
+    Ok(report)
+}
+
+/// Refuses a method that the subject has not, or a step for a method that takes a tolerance.
+fn check_method(subject: &dyn Subject, plan: &Plan) -> Result<(), Failure> {
+    let Some(name) = &plan.method else { return Ok(()) };
+    match (check_name(subject, name)?.adaptive, plan.control) {
+        (true, Some(Control::Step(_))) => {
+            Err(Failure::Wrong(format!("--step: {name} chooses its own steps; expected --tolerance")))
+        }
+        (false, Some(Control::Tolerance(_))) => {
+            Err(Failure::Wrong(format!("--tolerance: {name} takes fixed steps; expected --step")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The subject's method of this name.
+///
+/// # Errors
+/// [`Failure::Wrong`] with the likely name, if it has none.
+pub fn check_name(subject: &dyn Subject, name: &str) -> Result<Method, Failure> {
+    let methods = subject.methods();
+    let help = suggest::help(name, methods.iter().map(|m| m.name.as_str()));
+    let found = methods.into_iter().find(|m| m.name == name);
+    found.ok_or_else(|| {
+        Failure::Wrong(format!("--method {name}: `{}` has no such method{help}", subject.name()))
+    })
+}
+
+/// Measures one subject; without a time of its own for as long as its references agree.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it cannot be run.
+pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Result<Section, Failure> {
+    let wrong = |e: String| Failure::Wrong(format!("{}: {e}", subject.name()));
+    let truth = reference::make(subject, seconds.unwrap_or(plan.seconds(subject)), seconds.is_none())
+        .map_err(wrong)?;
+    let measured = measure::measure(subject, &truth, plan);
+    if measured.points.is_empty() {
+        let why = measured.notes.join("; ");
+        return Err(wrong(format!("nothing could be measured: {why}")));
+    }
+    Ok(Section {
+        name: subject.name().to_owned(),
+        title: subject.title(),
+        seconds: truth.seconds,
+        asked: subject.seconds(),
+        extent: measure::extent(&truth),
+        reference: truth.reference,
+        points: measured.points,
+        notes: measured.notes,
+        chip: Vec::new(),
+        graph: subject.graph().map_err(wrong)?,
+    })
+}
+
+/// Writes all files into a folder.
+///
+/// # Errors
+/// [`Failure::Wrong`] if one cannot be written.
+pub fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
+    std::fs::create_dir_all(folder.join("plots")).map_err(wrong)?;
+    let put =
+        |name: &str, text: &str| output::write(&folder.join(name).display().to_string(), text.as_bytes());
+    put("report.md", &markdown::text(report))?;
+    put("report.csv", &csv::text(report))?;
+    put("report.json", &json::text(report))?;
+    put("report.html", &page::text(report))?;
+    for section in &report.sections {
+        if let Some(drawing) = work_precision::draw(section, work_precision::COSTS[0]) {
+            put(&format!("plots/{}.svg", section.name), &svg::text(&drawing))?;
+        }
+    }
+    Ok(())
+}
+
+/// Writes the summary and the points of the fronts, named after the processor.
+///
+/// # Errors
+/// [`Failure::Wrong`] if one cannot be written.
+pub fn write_results(report: &Report, folder: &Path) -> Result<(), Failure> {
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(wrong)?;
+    let mut fronts = report.clone();
+    fronts.sections.iter_mut().for_each(|s| s.points.retain(|p| p.front));
+    let put = |ending: &str, text: &str| {
+        let file = folder.join(file_name(&report.machine)).with_extension(ending);
+        output::write(&file.display().to_string(), text.as_bytes())
+    };
+    put("md", &markdown::results(report))?;
+    put("json", &json::text(&fronts))
+}
+
+/// Lower case, what stands in brackets left out, words joined by hyphens.
+fn file_name(machine: &str) -> String {
+    let mut depth = 0_usize;
+    let plain = machine.chars().filter(|c| {
+        depth = if *c == '(' { depth + 1 } else { depth };
+        let outside = depth == 0;
+        depth = if *c == ')' { depth.saturating_sub(1) } else { depth };
+        outside
+    });
+    let text: String =
+        plain.map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { ' ' }).collect();
+    text.split_whitespace().collect::<Vec<_>>().join("-")
+}
+
+/// The processor's name.
+#[must_use]
+pub fn machine() -> String {
+    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text.lines().find_map(|l| l.strip_prefix("model name")?.split_once(':'));
+    name.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::file_name;
+
+    #[test]
+    fn a_processor_is_a_file_name() {
+        assert_eq!(file_name("Intel(R) Xeon(R) Processor @ 2.10GHz"), "intel-xeon-processor-2-10ghz");
+    }
+}

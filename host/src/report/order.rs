@@ -1,0 +1,87 @@
+//! Observed order of a method on a subject: the slope of its line, where it is a line.
+//!
+//! Fixed steps: error over step. Adaptive: error over force evaluations, falling. Used are errors below a
+//! thousandth of the motion (coarser runs are not yet on the line) and above 100 times the rounding or the
+//! reference's own uncertainty, whichever is larger.
+
+use super::front::slope;
+use super::point::{Control, Point, Section, Table};
+use super::subject::Method;
+
+/// Errors above this share of the motion tell nothing about an order.
+const COARSE: f64 = 1e-3;
+/// Errors below this many roundings tell nothing either.
+const ROUNDINGS: f64 = 100.0;
+/// An adaptive run whose next finer one takes hardly more evaluations, or has hardly less error, was limited by
+/// something else than its tolerance: by the stable step, for example.
+const MORE: f64 = 1.05;
+const LESS: f64 = 3.0;
+
+/// A method's order on a subject.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Order {
+    /// Its name.
+    pub method: String,
+    /// The order it is known for, on this subject.
+    pub nominal: u32,
+    /// The slope.
+    pub observed: f64,
+    /// Points that it is taken from.
+    pub points: usize,
+}
+
+/// Orders of all methods with two points or more on their line, in f64.
+#[must_use]
+pub fn observe(section: &Section, methods: &[Method]) -> Vec<Order> {
+    let order = |method: &Method| {
+        let line = line(section, method);
+        let observed = slope(&line)?;
+        Some(Order { method: method.name.clone(), nominal: method.order, observed, points: line.len() })
+    };
+    methods.iter().filter_map(order).collect()
+}
+
+/// (step or its like, error) of the points that count.
+fn line(section: &Section, method: &Method) -> Vec<(f64, f64)> {
+    let least = ROUNDINGS * section.reference.agreement.max(f64::EPSILON * section.extent);
+    let of_method = |p: &&Point| p.method == method.name && p.scalar == "f64";
+    let mut line: Vec<(f64, f64)> = Vec::new();
+    for point in section.points.iter().filter(of_method) {
+        let x = match (point.control, point.evaluations) {
+            (Some(Control::Step(h)), _) => h,
+            (Some(Control::Tolerance(_)), Some(evaluations)) => 1.0 / evaluations,
+            _ => continue,
+        };
+        let limited = |(last_x, last_error): (f64, f64)| MORE * x > last_x || LESS * point.error > last_error;
+        if method.adaptive && line.last().copied().is_some_and(limited) {
+            line.pop();
+        }
+        if point.error >= least && point.error <= COARSE * section.extent {
+            line.push((x, point.error));
+        }
+    }
+    line
+}
+
+/// Observed orders of all subjects: a row each, a column per method.
+#[must_use]
+pub fn table(title: &str, rows: &[(String, Vec<Order>)], command: &str) -> Table {
+    let mut names: Vec<(&str, u32)> = Vec::new();
+    for order in rows.iter().flat_map(|(_, orders)| orders) {
+        if !names.iter().any(|(name, _)| *name == order.method) {
+            names.push((&order.method, order.nominal));
+        }
+    }
+    let mut columns = vec!["subject".to_owned()];
+    columns.extend(names.iter().map(|(name, nominal)| format!("{name} ({nominal})")));
+    let row = |(subject, orders): &(String, Vec<Order>)| {
+        let mut row = vec![subject.clone()];
+        row.extend(names.iter().map(|(name, _)| {
+            let found = orders.iter().find(|o| o.method == *name);
+            found.map_or("-".to_owned(), |o| format!("{:.2}", o.observed))
+        }));
+        row
+    };
+    let rows = rows.iter().map(row).collect();
+    Table { title: title.to_owned(), columns, rows, command: command.to_owned() }
+}

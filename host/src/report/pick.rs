@@ -1,0 +1,129 @@
+//! Picks method and step for an error or a computing time, from curves measured on the spot.
+//!
+//! The subject's own motion is run with every method and a ladder of steps, as in a report, within a second
+//! or so. The motion decides what an error costs: curves of another scene or machine would be a guess.
+
+use super::markdown::duration;
+use super::measure::measure;
+use super::plan::Plan;
+use super::point::{Control, Point};
+use super::reference::{self, Truth};
+use super::subject::Subject;
+use crate::engine::{EngineKind, ScalarKind};
+use crate::failure::Failure;
+use std::time::Duration;
+
+/// What is asked for.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Aim {
+    /// Largest error of a coordinate (m or rad).
+    Error(f64),
+    /// Most computing time per simulated second (ns).
+    Budget(f64),
+}
+
+/// What was picked.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Pick {
+    /// Method.
+    pub method: String,
+    /// Its step or tolerance.
+    pub control: Control,
+    /// What and why, with numbers.
+    pub text: String,
+}
+
+/// Longest calibration: of a run, of all runs.
+const RUN: Duration = Duration::from_millis(50);
+const ALL: Duration = Duration::from_millis(900);
+/// Most work of a calibration: springs times seconds.
+const WORK: f64 = 50.0;
+
+/// The curves that the pick is read from.
+fn plan(method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
+    Plan {
+        run: RUN,
+        subject: ALL,
+        work: WORK,
+        method: method.map(str::to_owned),
+        scalar: Some(scalar),
+        engine,
+        ..Plan::full()
+    }
+}
+
+/// Picks among all methods, or the steps of one.
+///
+/// # Errors
+/// [`Failure::Wrong`] if nothing measured meets the aim; it says what comes nearest.
+pub fn pick(
+    subject: &dyn Subject,
+    aim: Aim,
+    (method, scalar, engine): (Option<&str>, ScalarKind, EngineKind),
+) -> Result<Pick, Failure> {
+    let plan = plan(method, scalar, engine);
+    let wrong = |e: String| Failure::Wrong(format!("calibration of {}: {e}", subject.name()));
+    let truth = reference::make(subject, plan.seconds(subject), true).map_err(wrong)?;
+    let points = measure(subject, &truth, &plan).points;
+    let (fits, goal): (Vec<&Point>, String) = match aim {
+        Aim::Error(e) => (points.iter().filter(|p| p.error <= e).collect(), format!("--error {e:e}")),
+        Aim::Budget(t) => {
+            (points.iter().filter(|p| p.nanoseconds <= t).collect(), format!("--budget {}", duration(t)))
+        }
+    };
+    let better = |a: &&Point, b: &&Point| match aim {
+        Aim::Error(_) => a.nanoseconds.total_cmp(&b.nanoseconds),
+        Aim::Budget(_) => a.error.total_cmp(&b.error),
+    };
+    let Some(best) = fits.iter().copied().min_by(better) else {
+        return Err(Failure::Wrong(format!("{goal}: {}", nearest(&points, aim))));
+    };
+    let other = fits.iter().copied().filter(|p| p.method != best.method).min_by(better);
+    let control = best.control.unwrap_or(Control::Step(subject.coarsest_step()));
+    let text = explain(subject, &truth, &goal, (best, other), &points);
+    Ok(Pick { method: best.method.clone(), control, text })
+}
+
+/// A point in words.
+fn words(point: &Point) -> String {
+    let control = point.control.map_or(String::new(), Control::options);
+    format!(
+        "--method {} {control}: error {:.1e}, {} per simulated second",
+        point.method,
+        point.error,
+        duration(point.nanoseconds)
+    )
+}
+
+fn explain(
+    subject: &dyn Subject,
+    truth: &Truth,
+    goal: &str,
+    (best, other): (&Point, Option<&Point>),
+    points: &[Point],
+) -> String {
+    let over = if truth.seconds < subject.seconds() {
+        format!("the first {} s of {} s; nothing is said about the rest", truth.seconds, subject.seconds())
+    } else {
+        format!("all {} s", truth.seconds)
+    };
+    let next = other.map_or(String::new(), |p| format!("; next best {}", words(p)));
+    format!(
+        "{goal}: picked {} (m or rad, against {}; {} runs over {over}){next}",
+        words(best),
+        truth.reference.text,
+        points.len()
+    )
+}
+
+/// What to say where nothing meets the aim.
+fn nearest(points: &[Point], aim: Aim) -> String {
+    let least = |key: fn(&Point) -> f64| points.iter().min_by(|a, b| key(a).total_cmp(&key(b)));
+    let (point, help) = match aim {
+        Aim::Error(_) => (least(|p| p.error), "allow more, or choose --method and --step yourself"),
+        Aim::Budget(_) => (least(|p| p.nanoseconds), "allow more time, or --engine compiled for a mechanism"),
+    };
+    point.map_or("no method gave an answer; choose --method and --step yourself".to_owned(), |p| {
+        format!("not met by any of {} runs; nearest is {}; {help}", points.len(), words(p))
+    })
+}

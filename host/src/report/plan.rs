@@ -1,0 +1,133 @@
+//! How much is measured: the full report, the quick one, or one point.
+
+use super::measure::step_of;
+use super::point::Control;
+use super::subject::{Method, SAMPLES, Subject};
+use crate::engine::{EngineKind, ScalarKind};
+use std::time::Duration;
+
+/// One run of a ladder.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Rung {
+    /// Its step or tolerance.
+    pub control: Control,
+    /// Expected work over the last rung's.
+    pub work: f64,
+}
+
+/// Limits of the measuring.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Plan {
+    /// Each step is the last one's over this.
+    pub factor: usize,
+    /// Most steps of a ladder.
+    pub rungs: usize,
+    /// Each tolerance is the last one's times this.
+    pub tolerance_factor: f64,
+    /// Longest run that is begun.
+    pub run: Duration,
+    /// Computing time for all runs of a subject, its reference not counted.
+    pub subject: Duration,
+    /// Most spring-seconds (or seconds of a mechanism) simulated; more is cut.
+    pub work: f64,
+    /// Only this method.
+    pub method: Option<String>,
+    /// Only this step or tolerance.
+    pub control: Option<Control>,
+    /// Only this scalar.
+    pub scalar: Option<ScalarKind>,
+    /// What evaluates mechanisms.
+    pub engine: EngineKind,
+}
+
+impl Plan {
+    /// Everything.
+    #[must_use]
+    pub fn full() -> Self {
+        Self {
+            factor: 2,
+            rungs: 12,
+            tolerance_factor: 1e-1,
+            run: Duration::from_secs(1),
+            subject: Duration::from_secs(25),
+            work: f64::INFINITY,
+            method: None,
+            control: None,
+            scalar: None,
+            engine: EngineKind::Compiled,
+        }
+    }
+
+    /// In a minute.
+    #[must_use]
+    pub fn quick() -> Self {
+        Self {
+            factor: 4,
+            rungs: 5,
+            tolerance_factor: 1e-2,
+            run: Duration::from_millis(40),
+            subject: Duration::from_millis(700),
+            work: 150.0,
+            engine: EngineKind::Interpreter,
+            ..Self::full()
+        }
+    }
+
+    /// Simulated time of a subject (s), to two digits.
+    #[must_use]
+    pub fn seconds(&self, subject: &dyn Subject) -> f64 {
+        let most = self.work / subject.weight();
+        let asked = subject.seconds();
+        if most >= asked { asked } else { format!("{most:.1e}").parse().unwrap_or(most) }
+    }
+
+    /// Is this method wanted with this scalar?
+    #[must_use]
+    pub fn has(&self, method: &Method, scalar: ScalarKind) -> bool {
+        let fits = |control| matches!(control, Control::Tolerance(_)) == method.adaptive;
+        self.method.as_ref().is_none_or(|m| *m == method.name)
+            && self.scalar.is_none_or(|s| s == scalar)
+            && self.control.is_none_or(fits)
+    }
+
+    /// The ladder of a method.
+    #[must_use]
+    pub fn rungs(
+        &self,
+        subject: &dyn Subject,
+        method: &Method,
+        scalar: ScalarKind,
+        seconds: f64,
+    ) -> Vec<Rung> {
+        if let Some(control) = self.control {
+            return vec![Rung { control, work: 1.0 }];
+        }
+        if method.adaptive {
+            return self.tolerances(method, scalar);
+        }
+        let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step()).ceil().max(1.0) as usize;
+        let steps = (0..self.rungs).map(|n| coarsest * self.factor.pow(n as u32));
+        steps
+            .map(|n| Rung { control: Control::Step(step_of(seconds, n)), work: self.factor as f64 })
+            .collect()
+    }
+
+    fn tolerances(&self, method: &Method, scalar: ScalarKind) -> Vec<Rung> {
+        let least = if scalar == ScalarKind::F32 { 1e-7 } else { 1e-13 };
+        let work = self.tolerance_factor.powf(-1.0 / f64::from(method.order));
+        let count = (f64::log10(1e-2 / least) / -self.tolerance_factor.log10()) as i32;
+        // As decimals that can be typed.
+        let tolerance = |n: i32| format!("{:e}", 1e-2 * self.tolerance_factor.powi(n));
+        let rounded = |n: i32| tolerance(n).parse::<f64>().ok().and_then(|x| format!("{x:.0e}").parse().ok());
+        (0..count).filter_map(rounded).map(|e| Rung { control: Control::Tolerance(e), work }).collect()
+    }
+
+    /// The engine as an option of the command line.
+    #[must_use]
+    pub fn engine_option(&self) -> &'static str {
+        match self.engine {
+            EngineKind::Interpreter => "",
+            EngineKind::Compiled => " --engine compiled",
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! What a report holds: subjects with their points, extra tables, and where all of it was measured.
+//!
+//! A point is one run: its error against the subject's reference and what it cost. Points and tables may
+//! come from elsewhere too, other simulators for example: [`Extras`] are read from JSON.
+
+use crate::failure::Failure;
+use serde_json::Value;
+
+/// What sets the accuracy of a run.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Control {
+    /// Fixed step (s).
+    Step(f64),
+    /// Error allowed per step of an adaptive method.
+    Tolerance(f64),
+}
+
+impl Control {
+    /// As options of the command line.
+    #[must_use]
+    pub fn options(self) -> String {
+        match self {
+            Self::Step(h) => format!("--step {h:e}"),
+            Self::Tolerance(e) => format!("--tolerance {e:e}"),
+        }
+    }
+
+    /// For a table.
+    #[must_use]
+    pub fn text(self) -> String {
+        match self {
+            Self::Step(h) => format!("{h:.3e} s"),
+            Self::Tolerance(e) => format!("tol {e:.0e}"),
+        }
+    }
+}
+
+/// One run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Point {
+    /// Method, or the name of another simulator.
+    pub method: String,
+    /// f64, f32.
+    pub scalar: String,
+    /// Step or tolerance; none where another simulator does not tell.
+    pub control: Option<Control>,
+    /// Largest error of a coordinate at any sample (m or rad).
+    pub error: f64,
+    /// Evaluations of all forces per simulated second, where counted.
+    pub evaluations: Option<f64>,
+    /// Computing time per simulated second (ns).
+    pub nanoseconds: f64,
+    /// No other point of the subject is both more exact and faster.
+    pub front: bool,
+    /// The command that makes these numbers.
+    pub command: String,
+}
+
+/// What errors are taken against.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Reference {
+    /// How it was made.
+    pub text: String,
+    /// Largest difference to a second, independent reference (m or rad): errors below mean nothing.
+    pub agreement: f64,
+}
+
+/// A method's cost on the chip.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ChipCost {
+    /// Method.
+    pub method: String,
+    /// Instructions of the median step.
+    pub instructions: u64,
+    /// Cycles of the median step, an interval by model.
+    pub cycles: [u64; 2],
+    /// Flash (bytes).
+    pub flash: u64,
+    /// Static RAM (bytes).
+    pub ram: u64,
+    /// Bound of the stack (bytes).
+    pub stack: u64,
+    /// The command that makes these numbers.
+    pub command: String,
+}
+
+/// A scene or a mechanism.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Section {
+    /// Its name under models/ or models/scenes/.
+    pub name: String,
+    /// One line about it.
+    pub title: String,
+    /// Simulated time (s).
+    pub seconds: f64,
+    /// Simulated time that its file asks for (s).
+    pub asked: f64,
+    /// What errors are taken against.
+    pub reference: Reference,
+    /// Size of the motion: the longest way of a coordinate (m or rad).
+    pub extent: f64,
+    /// All runs.
+    pub points: Vec<Point>,
+    /// What could not be measured, and why.
+    pub notes: Vec<String>,
+    /// Costs on the chip.
+    pub chip: Vec<ChipCost>,
+    /// Motion and energies at its own settings, as SVG.
+    pub graph: String,
+}
+
+/// A table of words.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Table {
+    /// What it shows.
+    pub title: String,
+    /// Heads of the columns.
+    pub columns: Vec<String>,
+    /// Rows of as many cells.
+    pub rows: Vec<Vec<String>>,
+    /// The command that makes it.
+    pub command: String,
+}
+
+/// Everything.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Report {
+    /// Processor.
+    pub machine: String,
+    /// The command that makes the report.
+    pub command: String,
+    /// What evaluates mechanisms.
+    pub engine: String,
+    /// Costs on the chip: where from, or why not.
+    pub chip: String,
+    /// Computing time of the report itself (s).
+    pub elapsed: f64,
+    /// Scenes and mechanisms.
+    pub sections: Vec<Section>,
+    /// Further tables.
+    pub tables: Vec<Table>,
+}
+
+/// Points and tables from elsewhere.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Extras {
+    /// Subject and point.
+    pub points: Vec<(String, Point)>,
+    /// Tables.
+    pub tables: Vec<Table>,
+}
+
+impl Extras {
+    /// Reads a JSON text: `{"points": [{"subject", "method", "scalar", "step", "error", "nanoseconds",
+    /// "evaluations", "command"}], "tables": [{"title", "columns", "rows", "command"}]}`; scalar, step and
+    /// evaluations may be left out.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] with the place of the first entry that lacks something.
+    pub fn read(file: &str, text: &str) -> Result<Self, Failure> {
+        let wrong = |why: String| Failure::Wrong(format!("--points {file}: {why}"));
+        let value: Value = serde_json::from_str(text).map_err(|e| wrong(format!("not JSON: {e}")))?;
+        let list = |key: &str| value[key].as_array().cloned().unwrap_or_default();
+        let mut extras = Self::default();
+        for (n, entry) in list("points").iter().enumerate() {
+            let expected =
+                "expected subject, method, command as text and error, nanoseconds as numbers above 0";
+            extras.points.push(read_point(entry).ok_or_else(|| wrong(format!("points[{n}]: {expected}")))?);
+        }
+        for (n, entry) in list("tables").iter().enumerate() {
+            let expected = "expected title and command as text, columns and rows of as many texts";
+            extras.tables.push(read_table(entry).ok_or_else(|| wrong(format!("tables[{n}]: {expected}")))?);
+        }
+        Ok(extras)
+    }
+}
+
+impl Report {
+    /// Adds them; points of subjects that the report has not are left out.
+    pub fn add(&mut self, extras: Extras) {
+        for (subject, point) in extras.points {
+            if let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) {
+                section.points.push(point);
+            }
+        }
+        self.tables.extend(extras.tables);
+    }
+}
+
+fn read_point(entry: &Value) -> Option<(String, Point)> {
+    let word = |key: &str| Some(entry[key].as_str()?.to_owned());
+    let number = |key: &str| entry[key].as_f64().filter(|x| *x > 0.0 && x.is_finite());
+    let point = Point {
+        method: word("method")?,
+        scalar: word("scalar").unwrap_or_else(|| "f64".to_owned()),
+        control: number("step").map(Control::Step).or(number("tolerance").map(Control::Tolerance)),
+        error: number("error")?,
+        evaluations: number("evaluations"),
+        nanoseconds: number("nanoseconds")?,
+        front: false,
+        command: word("command")?,
+    };
+    Some((word("subject")?, point))
+}
+
+fn read_table(entry: &Value) -> Option<Table> {
+    let words = |v: &Value| -> Option<Vec<String>> {
+        v.as_array()?.iter().map(|w| Some(w.as_str()?.to_owned())).collect()
+    };
+    let columns = words(&entry["columns"])?;
+    let rows: Vec<Vec<String>> = entry["rows"].as_array()?.iter().map(words).collect::<Option<_>>()?;
+    if rows.iter().any(|r| r.len() != columns.len()) {
+        return None;
+    }
+    let word = |key: &str| Some(entry[key].as_str()?.to_owned());
+    Some(Table { title: word("title")?, columns, rows, command: word("command")? })
+}

@@ -1,0 +1,73 @@
+//! What a subject's errors are taken against, and over which time.
+//!
+//! The reference is the closed form where there is one, else DOP853 at 1e-13; a second method must agree
+//! with it. Where motion is chaotic, or touches hang on rounding, two exact methods part after a while:
+//! the time is then cut to the samples over which they still agree, and the report says so.
+
+use super::point::Reference;
+use super::subject::{SAMPLES, Subject, Trace};
+
+/// Largest difference of the references (m or rad) for the time to be used.
+const AGREEMENT: f64 = 1e-8;
+/// Times the simulated time may be cut.
+const CUTS: usize = 6;
+
+/// A subject's reference: how it was made, how long it holds, where the subject is at the samples.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Truth {
+    /// How it was made.
+    pub reference: Reference,
+    /// Simulated time (s).
+    pub seconds: f64,
+    /// The motion.
+    pub trace: Trace,
+}
+
+/// The reference over at most `seconds`; `cut` allows less.
+///
+/// # Errors
+/// Why no reference agrees with another, in words.
+pub fn make(subject: &dyn Subject, seconds: f64, cut: bool) -> Result<Truth, String> {
+    let mut seconds = seconds;
+    let mut last = f64::NAN;
+    for _ in 0..CUTS {
+        let (trace, text, differences) = pair(subject, seconds)?;
+        let agreeing = differences.iter().take_while(|d| **d <= AGREEMENT).count();
+        last = differences.iter().copied().fold(0.0, f64::max);
+        if agreeing == SAMPLES || (!cut && last.is_finite()) {
+            return Ok(Truth { reference: Reference { text, agreement: last }, seconds, trace });
+        }
+        seconds = round_down(seconds * agreeing.max(1) as f64 / SAMPLES as f64);
+    }
+    Err(format!("after {seconds} s the two references still differ by {last:.1e}"))
+}
+
+/// Reference, how it was made, and how far a second one is from it at each sample.
+fn pair(subject: &dyn Subject, seconds: f64) -> Result<(Trace, String, Vec<f64>), String> {
+    let first = subject.reference(seconds)?;
+    if let Some((name, exact)) = subject.closed_form(seconds) {
+        let differences = exact.differences(&first);
+        return Ok((exact, format!("closed form ({name}), checked by DOP853 at 1e-13"), differences));
+    }
+    let (name, second) = subject.second_reference(seconds)?;
+    let differences = first.differences(&second);
+    Ok((first, format!("DOP853 at 1e-13, checked by {name}"), differences))
+}
+
+/// To two digits, so that a time that was cut can be typed.
+fn round_down(x: f64) -> f64 {
+    let digits = 10.0_f64.powf(x.log10().floor() - 1.0);
+    let rounded = (x / digits + 1e-9).floor() * digits;
+    // Decimal, not the nearest neighbour of a product.
+    format!("{rounded:.3e}").parse().unwrap_or(rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::round_down;
+
+    #[test]
+    fn times_are_round() {
+        assert_eq!([0.3, 1.27, 2.999, 0.04].map(round_down), [0.3, 1.2, 2.9, 0.04]);
+    }
+}

@@ -1,0 +1,77 @@
+//! Cost sheets: what a subject asks for and what that costs, beside the same subject with everything on.
+//!
+//! Everything of a scene: ground, friction, dampers, air, gas where there are facets, at values that move
+//! nothing, and the energy ledger. Everything of a mechanism: every parameter tunable, and energies, all
+//! speeds and outputs after each step. The ratio is what is saved by modelling only what is asked for.
+
+use super::chip::Chip;
+use super::markdown::duration;
+use super::point::{ChipCost, Table};
+use super::subject::Subject;
+
+/// What a step costs.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Cost {
+    /// Operations.
+    pub operations: f64,
+    /// Computing time (ns).
+    pub nanoseconds: f64,
+}
+
+/// A subject's sheet.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Sheet {
+    /// What was asked for.
+    pub asked: String,
+    /// What was left out.
+    pub left_out: String,
+    /// As asked, and with everything.
+    pub costs: [Cost; 2],
+    /// Changes `key=value` that turn everything on, where the chip can have it.
+    pub everything: Option<Vec<String>>,
+}
+
+/// One table of all sheets. What of the chip could not be had is told by `chip`.
+///
+/// # Errors
+/// Why a subject could not be run, in words.
+pub fn table(subjects: &[Box<dyn Subject>], chip: &mut Chip, command: &str) -> Result<Table, String> {
+    let columns = [
+        "subject",
+        "asked for",
+        "left out",
+        "operations per step",
+        "time per step",
+        "flash, RAM, stack (bytes)",
+    ];
+    let mut rows = Vec::new();
+    for subject in subjects {
+        let sheet = subject.sheet().map_err(|e| format!("{}: {e}", subject.name()))?;
+        let [asked, all] = sheet.costs;
+        let images = sheet.everything.as_ref().map(|set| {
+            [Vec::new(), set.clone()].map(|set| chip.measure(subject.name(), "as asked", &set).ok())
+        });
+        rows.push(vec![
+            subject.name().to_owned(),
+            sheet.asked.clone(),
+            sheet.left_out.clone(),
+            against(asked.operations, all.operations, |x| format!("{x:.0}")),
+            against(asked.nanoseconds, all.nanoseconds, duration),
+            memory(images),
+        ]);
+    }
+    let title = "Cost sheets: as asked, with everything on, and what that multiplies".to_owned();
+    Ok(Table { title, columns: columns.map(str::to_owned).to_vec(), rows, command: command.to_owned() })
+}
+
+/// Both numbers and their ratio.
+fn against(asked: f64, all: f64, text: impl Fn(f64) -> String) -> String {
+    format!("{} / {} = {:.2} x", text(asked), text(all), all / asked)
+}
+
+/// Flash, RAM and stack of one or two images.
+fn memory(images: Option<[Option<ChipCost>; 2]>) -> String {
+    let text = |c: ChipCost| format!("{}, {}, {}", c.flash, c.ram, c.stack);
+    let found: Vec<String> = images.into_iter().flatten().flatten().map(text).collect();
+    if found.is_empty() { "-".to_owned() } else { found.join(" / ") }
+}

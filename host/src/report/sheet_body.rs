@@ -1,0 +1,87 @@
+//! The cost sheet of a scene: operations counted and time taken over its first steps.
+
+use super::body::Body;
+use super::clock;
+use super::sheet::{Cost, Sheet};
+use crate::scene::run::{describe, open_ledger};
+use crate::scene::{Scene, Simulation, read};
+use smartbed_runtime::real::Scalar;
+use smartbed_runtime::real::counting::{Counting, count};
+
+/// Springs times steps that are counted; the number of steps lies between these.
+const WORK: usize = 200_000;
+const STEPS: [usize; 2] = [20, 1000];
+/// The fastest of so many runs counts.
+const REPEATS: usize = 5;
+/// A damper, drag, friction or pressure that moves nothing.
+const NOTHING: &str = "1e-12";
+
+/// Makes it.
+///
+/// # Errors
+/// Why the scene could not be run, in words.
+pub fn make(body: &Body) -> Result<Sheet, String> {
+    let scene = body.scene();
+    let (left_out, everything) = rest(scene);
+    let full = read::open(body.path(), &[body.settings(), &everything].concat())?;
+    let costs = [cost(scene, false)?, cost(&full, true)?];
+    let lists = &scene.lists;
+    let asked = format!(
+        "{} points, {} springs, {} facets; {:?}; step {:e} s",
+        lists.points.len(),
+        lists.springs.len(),
+        if scene.around.inflation.is_some() { lists.facets.len() } else { 0 },
+        scene.method,
+        scene.step
+    );
+    Ok(Sheet { asked, left_out: left_out.join(", "), costs, everything: Some(everything) })
+}
+
+/// What a scene goes without, and the settings that turn it on.
+fn rest(scene: &Scene) -> (Vec<&'static str>, Vec<String>) {
+    let around = &scene.around;
+    let mut rest = vec![("ledger of 7 accounts", None)];
+    let mut lacks = |is_lacking: bool, what: &'static str, setting: String| {
+        if is_lacking {
+            rest.push((what, Some(setting)));
+        }
+    };
+    lacks(scene.lists.damping.iter().all(|c| *c == 0.0), "dampers", format!("C={NOTHING}"));
+    lacks(around.air_drag == 0.0, "air", format!("air_drag={NOTHING}"));
+    lacks(around.ground.is_none(), "ground", "law=compensation".to_owned());
+    // Far below: every gap is looked at, none closes.
+    let below = "floor={\"normal\":[0,0,1],\"offset\":-1000}".to_owned();
+    lacks(around.ground.is_none(), "touches", below);
+    lacks(around.ground.is_none_or(|g| g.friction == 0.0), "friction", format!("mu={NOTHING}"));
+    let has_facets = !scene.lists.facets.is_empty();
+    lacks(has_facets && around.inflation.is_none(), "gas", format!("pressure={NOTHING}"));
+    let names = rest.iter().map(|(name, _)| *name).collect();
+    (names, rest.into_iter().filter_map(|(_, setting)| setting).collect())
+}
+
+/// Operations and time of a step, the mean over the first ones.
+fn cost(scene: &Scene, ledger: bool) -> Result<Cost, String> {
+    let steps = (WORK / scene.lists.springs.len().max(1)).clamp(STEPS[0], STEPS[1]).min(scene.steps().max(1));
+    let (done, operations) = count(|| steps_of::<Counting>(scene, steps, ledger));
+    done?;
+    let mut nanoseconds = f64::INFINITY;
+    for _ in 0..REPEATS {
+        nanoseconds = nanoseconds.min(steps_of::<f64>(scene, steps, ledger)?);
+    }
+    Ok(Cost { operations: operations.total() as f64 / steps as f64, nanoseconds })
+}
+
+/// Steps; returns the time of one (ns).
+fn steps_of<S: Scalar>(scene: &Scene, steps: usize, observed: bool) -> Result<f64, String> {
+    let mut simulation =
+        Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| describe(&e))?;
+    let h = S::from_f64(scene.step);
+    let mut ledger = open_ledger(&simulation);
+    let begin = clock::now();
+    simulation.begin(h, &mut ()).map_err(|e| describe(&e))?;
+    for _ in 0..steps {
+        let done = if observed { simulation.step(h, &mut ledger) } else { simulation.step(h, &mut ()) };
+        done.map_err(|e| describe(&e))?;
+    }
+    Ok((clock::now() - begin).as_nanos() as f64 / steps as f64)
+}

@@ -1,0 +1,81 @@
+//! The cost sheet of a mechanism: a step of rk4, its equations counted by the derivation.
+
+use super::clock;
+use super::mechanism::{Mechanism, Plant64};
+use super::sheet::{Cost, Sheet};
+use crate::engine::explain;
+use smartbed_codegen::rust::Answer;
+use smartbed_codegen::{ParameterChoice, Program, program};
+use smartbed_runtime::integrator::Method;
+use smartbed_runtime::state::State;
+
+/// Steps that are timed; the fastest of so many runs counts.
+const STEPS: usize = 200;
+const REPEATS: usize = 5;
+/// Evaluations in a step of rk4.
+const STAGES: f64 = 4.0;
+
+/// Makes it.
+///
+/// # Errors
+/// Why the mechanism could not be derived or run, in words.
+pub fn make(mechanism: &Mechanism) -> Result<Sheet, String> {
+    let (model, lean) = (mechanism.model(), mechanism.program());
+    let keep = model.parameters.iter().map(|p| p.name.clone()).collect();
+    let choice = ParameterChoice { keep, ..ParameterChoice::default() };
+    let full = program::derive(model, &choice).map_err(|e| e.to_string())?;
+    let costs = [
+        Cost { operations: lean_operations(lean), nanoseconds: time(mechanism, lean, false)? },
+        Cost { operations: full_operations(&full), nanoseconds: time(mechanism, &full, true)? },
+    ];
+    let projection = if lean.correction.is_empty() { "" } else { ", projection" };
+    let folded = model.parameters.len() - lean.parameters.len();
+    let asked = format!(
+        "rates{projection}; {} of {} parameters tunable; rk4",
+        lean.parameters.len(),
+        model.parameters.len()
+    );
+    let left_out = format!(
+        "energies, {} speeds, {} outputs; {folded} parameters folded",
+        lean.speeds.len(),
+        lean.outputs.len()
+    );
+    Ok(Sheet { asked, left_out, costs, everything: None })
+}
+
+fn lean_operations(program: &Program) -> f64 {
+    let projection = program.dag.cone_cost(&Answer::Projection.roots(program));
+    let projection = if program.correction.is_empty() { 0 } else { projection };
+    STAGES * program.dag.cone_cost(&Answer::Rates.roots(program)) as f64 + projection as f64
+}
+
+fn full_operations(program: &Program) -> f64 {
+    let after =
+        [Answer::Energy, Answer::Speeds, Answer::Outputs].map(|a| program.dag.cone_cost(&a.roots(program)));
+    lean_operations(program) + after.iter().sum::<usize>() as f64
+}
+
+/// Time of a step (ns), all answers taken after it if `full`.
+fn time(mechanism: &Mechanism, program: &Program, full: bool) -> Result<f64, String> {
+    let mut best = f64::INFINITY;
+    for _ in 0..REPEATS {
+        let mut plant: Plant64 = mechanism.plant_of(program)?;
+        let mut x = mechanism.start().to_vec();
+        let mut low = vec![0.0; x.len()];
+        let mut scratch = vec![0.0; Method::Rk4.scratch(x.len())];
+        let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
+        let h = mechanism.step();
+        let begin = clock::now();
+        for n in 0..STEPS {
+            let t = n as f64 * h;
+            Method::Rk4
+                .step(&mut plant, t, h, &mut state, &mut scratch)
+                .map_err(|f| explain(f).to_owned())?;
+            if full {
+                plant.answers(t, state.x()).map_err(|f| explain(f).to_owned())?;
+            }
+        }
+        best = best.min((clock::now() - begin).as_nanos() as f64 / STEPS as f64);
+    }
+    Ok(best)
+}

@@ -1,0 +1,115 @@
+//! What is measured: a scene of a flexible body or a mechanism, both behind one trait.
+
+use super::body::Body;
+use super::mechanism::Mechanism;
+use super::point::Control;
+use super::sheet::Sheet;
+use crate::engine::{EngineKind, ScalarKind};
+use crate::failure::Failure;
+use crate::model_argument;
+use crate::scene::read::is_scene;
+use std::time::Duration;
+
+/// Times at which a run is compared, evenly over it, its end included.
+pub const SAMPLES: usize = 10;
+
+/// A method of integration as a report sees it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Method {
+    /// Its name on the command line.
+    pub name: String,
+    /// Order of the error in the step, on this subject; of an adaptive method, that of its step control.
+    pub order: u32,
+    /// Chooses its own steps.
+    pub adaptive: bool,
+}
+
+/// A run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Trace {
+    /// Coordinates at the samples.
+    pub samples: Vec<Vec<f64>>,
+    /// Evaluations of all forces.
+    pub evaluations: u64,
+    /// Computing time.
+    pub elapsed: Duration,
+}
+
+impl Trace {
+    /// Largest difference of a coordinate, sample by sample.
+    #[must_use]
+    pub fn differences(&self, other: &Trace) -> Vec<f64> {
+        let largest = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+            let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+            // A number that is none is the largest of all.
+            differences.fold(0.0, |m: f64, d| if d <= m { m } else { d })
+        };
+        self.samples.iter().zip(&other.samples).map(largest).collect()
+    }
+
+    /// Largest difference at any sample.
+    #[must_use]
+    pub fn difference(&self, other: &Trace) -> f64 {
+        self.differences(other).into_iter().fold(0.0, |m: f64, d| if d <= m { m } else { d })
+    }
+}
+
+/// A scene or a mechanism that can be run with any method.
+pub trait Subject {
+    /// Its name.
+    fn name(&self) -> &str;
+    /// One line about it.
+    fn title(&self) -> String;
+    /// Simulated time that its file asks for (s).
+    fn seconds(&self) -> f64;
+    /// The step to start a ladder with (s): the largest that is stable, or a coarse one.
+    fn coarsest_step(&self) -> f64;
+    /// Without touches and releases?
+    fn is_smooth(&self) -> bool;
+    /// Work of a simulated second in rough units of one spring over one second: what quick runs are cut by.
+    fn weight(&self) -> f64;
+    /// All methods.
+    fn methods(&self) -> Vec<Method>;
+    /// A run of `seconds`.
+    ///
+    /// # Errors
+    /// Why it stopped, in words.
+    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String>;
+    /// DOP853 at 1e-13.
+    ///
+    /// # Errors
+    /// Why it stopped, in words.
+    fn reference(&self, seconds: f64) -> Result<Trace, String>;
+    /// A second, independent method for the same.
+    ///
+    /// # Errors
+    /// Why it stopped, in words.
+    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String>;
+    /// The exact motion, where it is known, and its name.
+    fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)>;
+    /// A scene of a flexible body, or a mechanism?
+    fn is_scene(&self) -> bool;
+    /// What is asked for and what it costs, beside everything on.
+    ///
+    /// # Errors
+    /// Why it could not be run, in words.
+    fn sheet(&self) -> Result<Sheet, String>;
+    /// Motion and energies at its own settings, as SVG.
+    ///
+    /// # Errors
+    /// Why the run stopped, in words.
+    fn graph(&self) -> Result<String, String>;
+}
+
+/// The subject of this name or path.
+///
+/// # Errors
+/// [`Failure::Wrong`] if there is none, or with what is wrong in it.
+pub fn open(name: &str, engine: EngineKind) -> Result<Box<dyn Subject>, Failure> {
+    let path = model_argument::find(name)?;
+    Ok(if is_scene(&path) {
+        Box::new(Body::open(name, &path.display().to_string(), &[])?)
+    } else {
+        Box::new(Mechanism::open(name, engine)?)
+    })
+}

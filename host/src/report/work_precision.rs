@@ -1,0 +1,158 @@
+//! Error against cost, both as powers of ten: a line per method, full in f64, open in f32, the front in amber.
+
+use super::point::{Point, Section};
+use crate::plot::chart::{line, text};
+use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
+
+/// Behind the points that no other one beats.
+pub const FRONT: Color = [255, 196, 0];
+/// Colours told apart by most eyes (Okabe & Ito 2008, then Tol), the yellow left out.
+const COLORS: [Color; 12] = [
+    [0, 114, 178],
+    [213, 94, 0],
+    [0, 158, 115],
+    [204, 121, 167],
+    [86, 180, 233],
+    [120, 60, 20],
+    [110, 110, 110],
+    [51, 34, 136],
+    [170, 68, 85],
+    [17, 119, 51],
+    [136, 34, 85],
+    [68, 170, 153],
+];
+const WIDTH: f64 = 760.0;
+const HEIGHT: f64 = 470.0;
+const LEFT: f64 = 92.0;
+const RIGHT: f64 = 190.0;
+const TOP: f64 = 48.0;
+const BOTTOM: f64 = 64.0;
+const SMALL: f64 = 14.0;
+const LARGE: f64 = 16.0;
+/// Half of a marker's width.
+const MARK: f64 = 3.5;
+
+/// A cost: its axis and how a point tells it.
+type Cost = (&'static str, fn(&Point) -> Option<f64>);
+
+/// Costs that a point may tell.
+pub const COSTS: [Cost; 2] = [
+    ("computing time per simulated second [ns]", |p| Some(p.nanoseconds)),
+    ("force evaluations per simulated second", |p| p.evaluations),
+];
+
+/// An axis of powers of ten.
+struct LogAxis {
+    low: i32,
+    high: i32,
+    from: f64,
+    to: f64,
+}
+
+impl LogAxis {
+    fn around(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
+        let logs = values.filter(|x| *x > 0.0 && x.is_finite()).map(f64::log10);
+        let (low, high) = logs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let (low, high) = if low <= high { (low.floor() as i32, high.ceil() as i32) } else { (0, 1) };
+        Self { low, high: high.max(low + 1), from, to }
+    }
+
+    fn place(&self, value: f64) -> f64 {
+        let share = (value.log10() - f64::from(self.low)) / f64::from(self.high - self.low);
+        self.from + share * (self.to - self.from)
+    }
+
+    /// Powers with a label: not closer than `apart` pixels.
+    fn labelled(&self, apart: f64) -> Vec<i32> {
+        let pixels = (self.to - self.from).abs() / f64::from(self.high - self.low);
+        let every = (apart / pixels).ceil().max(1.0) as usize;
+        (self.low..=self.high).step_by(every).collect()
+    }
+}
+
+/// The plot of a section over a cost; `None` without points that tell it.
+#[must_use]
+pub fn draw(section: &Section, (label, cost): Cost) -> Option<Drawing> {
+    let points: Vec<(&Point, f64)> = section.points.iter().filter_map(|p| Some((p, cost(p)?))).collect();
+    if points.is_empty() {
+        return None;
+    }
+    let x = LogAxis::around(points.iter().map(|p| p.1), LEFT, WIDTH - RIGHT);
+    let y = LogAxis::around(points.iter().map(|p| p.0.error), HEIGHT - BOTTOM, TOP);
+    let title = format!("{}, {} s simulated", section.name, super::markdown::short(section.seconds));
+    let mut items = vec![text((LEFT, TOP / 2.0), &title, LARGE, Anchor::Start)];
+    grid(&x, &y, label, &mut items);
+    front(&points, &x, &y, &mut items);
+    let mut methods: Vec<&str> = Vec::new();
+    for (point, _) in &points {
+        if !methods.contains(&point.method.as_str()) {
+            methods.push(&point.method);
+        }
+    }
+    for (n, method) in methods.iter().enumerate() {
+        let color = COLORS[n % COLORS.len()];
+        for scalar in ["f64", "f32"] {
+            let of_line = |p: &&(&Point, f64)| p.0.method == *method && p.0.scalar == scalar;
+            let places: Vec<(f64, f64)> =
+                points.iter().filter(of_line).map(|(p, c)| (x.place(*c), y.place(p.error))).collect();
+            items.push(line(places.clone(), color, if scalar == "f64" { 1.6 } else { 0.8 }));
+            places.iter().for_each(|at| items.push(marker(*at, color, scalar == "f64")));
+        }
+        let at = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * n as f64);
+        items.push(marker(at, color, true));
+        items.push(text((at.0 + 12.0, at.1), method, SMALL, Anchor::Start));
+    }
+    legend(methods.len(), &mut items);
+    Some(Drawing { width: WIDTH as usize, height: HEIGHT as usize, items })
+}
+
+fn grid(x: &LogAxis, y: &LogAxis, label: &str, items: &mut Vec<Item>) {
+    for power in y.labelled(24.0) {
+        let at = y.place(10.0_f64.powi(power));
+        items.push(line(vec![(x.from, at), (x.to, at)], PALE, 1.0));
+        items.push(text((x.from - 8.0, at), &format!("1e{power}"), SMALL, Anchor::End));
+    }
+    for power in x.labelled(48.0) {
+        let at = x.place(10.0_f64.powi(power));
+        items.push(line(vec![(at, y.from), (at, y.to)], PALE, 1.0));
+        items.push(text((at, y.from + 16.0), &format!("1e{power}"), SMALL, Anchor::Middle));
+    }
+    let corners = [(x.from, y.from), (x.to, y.from), (x.to, y.to), (x.from, y.to), (x.from, y.from)];
+    items.push(line(corners.to_vec(), INK, 1.0));
+    items.push(text((0.5 * (x.from + x.to), y.from + 44.0), label, LARGE, Anchor::Middle));
+    let (at, size, anchor) = ((18.0, 0.5 * (y.from + y.to)), LARGE, Anchor::Middle);
+    items.push(Item::Text { at, text: "largest error [m or rad]".to_owned(), size, anchor, upwards: true });
+}
+
+/// A band along the points of the front, behind everything.
+fn front(points: &[(&Point, f64)], x: &LogAxis, y: &LogAxis, items: &mut Vec<Item>) {
+    let mut places: Vec<(f64, f64)> =
+        points.iter().filter(|p| p.0.front).map(|(p, c)| (x.place(*c), y.place(p.error))).collect();
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for at in &places {
+        items.push(line(vec![(at.0 - 7.0, at.1), (at.0 + 7.0, at.1)], FRONT, 14.0));
+    }
+    items.push(line(places, FRONT, 3.0));
+}
+
+fn legend(methods: usize, items: &mut Vec<Item>) {
+    let (left, mut at) = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * methods as f64 + 14.0);
+    let mut entry = |item: Item, words: &str| {
+        items.push(item);
+        items.push(text((left + 14.0, at), words, SMALL, Anchor::Start));
+        at += 20.0;
+    };
+    let top = TOP + 10.0 + 20.0 * methods as f64 + 14.0;
+    entry(marker((left, top), INK, true), "f64");
+    entry(marker((left, top + 20.0), INK, false), "f32");
+    entry(line(vec![(left - 6.0, top + 40.0), (left + 6.0, top + 40.0)], FRONT, 12.0), "front, by time");
+}
+
+/// A full or an open square.
+fn marker((x, y): (f64, f64), color: Color, full: bool) -> Item {
+    if full {
+        return line(vec![(x - MARK, y), (x + MARK, y)], color, 2.0 * MARK);
+    }
+    let (l, r, t, b) = (x - MARK, x + MARK, y - MARK, y + MARK);
+    line(vec![(l, t), (r, t), (r, b), (l, b), (l, t), (r, t)], color, 1.4)
+}

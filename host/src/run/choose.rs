@@ -1,0 +1,84 @@
+//! `--error` and `--budget`: method and step are picked by calibration, then the run goes on as if they had
+//! been given.
+
+use super::Arguments;
+use crate::engine::EngineKind;
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::report::body::Body;
+use crate::report::mechanism::Mechanism;
+use crate::report::pick::{Aim, pick};
+use crate::report::point::Control;
+use crate::report::subject::Subject;
+use std::path::Path;
+
+/// The arguments with method and step in place of an aim; says on standard error what was picked and why.
+///
+/// # Errors
+/// [`Failure::Wrong`] for a wrong aim, or one that no method meets.
+pub(super) fn resolve(arguments: &Arguments, path: &Path, is_scene: bool) -> Result<Arguments, Failure> {
+    let aim = match (arguments.error, &arguments.budget) {
+        (None, None) => return Ok(arguments.clone()),
+        (Some(error), _) if error > 0.0 && error.is_finite() => Aim::Error(error),
+        (Some(error), _) => {
+            return Err(Failure::Wrong(format!(
+                "--error {error}: expected a number above 0, for example 1e-4"
+            )));
+        }
+        (None, Some(budget)) => Aim::Budget(nanoseconds(budget)?),
+    };
+    let clock = Progress::new("calibrating");
+    let mut plain = Arguments { error: None, budget: None, method: None, ..arguments.clone() };
+    let (subject, interval): (Box<dyn Subject>, f64) = if is_scene {
+        let body = Body::open(&arguments.model, &path.display().to_string(), &super::body::settings(&plain))?;
+        let interval = body.scene().step * body.scene().every as f64;
+        (Box::new(body), interval)
+    } else {
+        let mechanism = Mechanism::with(&plain)?;
+        let interval = mechanism.row_interval();
+        (Box::new(mechanism), interval)
+    };
+    // Rows stay as far apart as they were asked for, whatever the step; and a scene has one engine.
+    let engine = if is_scene { EngineKind::Interpreter } else { arguments.engine };
+    let method = arguments.method.as_deref();
+    if let Some(name) = method {
+        crate::report::check_name(subject.as_ref(), name)?;
+    }
+    let picked = pick(subject.as_ref(), aim, (method, arguments.scalar, engine))?;
+    eprintln!("{} [{:.1} s]", picked.text, clock.seconds());
+    plain.method = Some(picked.method);
+    match picked.control {
+        Control::Step(step) => {
+            plain.step = Some(step);
+            plain.every = Some((interval / step).round().max(1.0) as usize);
+        }
+        Control::Tolerance(tolerance) => plain.tolerance = Some(tolerance),
+    }
+    Ok(plain)
+}
+
+/// A time with its unit: 300ns, 200us, 1.5ms, 0.1s.
+fn nanoseconds(text: &str) -> Result<f64, Failure> {
+    let units = [("ns", 1.0), ("us", 1e3), ("ms", 1e6), ("s", 1e9)];
+    let read = |(unit, size): (&str, f64)| Some(size * text.strip_suffix(unit)?.trim().parse::<f64>().ok()?);
+    let found = units.into_iter().find_map(read).filter(|t| *t > 0.0 && t.is_finite());
+    found.ok_or_else(|| {
+        let expected = "expected a time with its unit: ns, us, ms or s, for example 200us";
+        Failure::Wrong(format!("--budget {text}: {expected}"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nanoseconds;
+
+    #[test]
+    fn budgets_have_units() {
+        let cases = [("200us", 2e5), ("1.5ms", 1.5e6), ("0.1s", 1e8), ("7 ns", 7.0)];
+        cases.iter().for_each(|(text, ns)| assert_eq!(nanoseconds(text), Ok(*ns), "{text}"));
+        ["", "200", "us", "-1us", "nanus", "infs", "1h"].iter().for_each(|text| {
+            let failure = nanoseconds(text).expect_err(text);
+            assert!(failure.to_string().contains("for example 200us"), "{text}");
+        });
+    }
+}

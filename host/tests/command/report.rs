@@ -1,0 +1,187 @@
+//! `smartbed report`: its files, its rows made again by their commands, its page in a browser.
+
+use super::browser::{self, Picture};
+use super::support::{Done, file, smartbed, written};
+use serde_json::Value;
+use std::fs;
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+/// Amber of the front and blue of the first method, as the plots draw them.
+const FRONT: [u8; 3] = [255, 196, 0];
+const FIRST: [u8; 3] = [0, 114, 178];
+
+const PEERS: &str = r#"{
+    "points": [{ "subject": "single_spring", "method": "another simulator", "error": 1e-3,
+                 "nanoseconds": 5e4, "command": "python3 another.py" },
+               { "subject": "somewhere else", "method": "x", "error": 1, "nanoseconds": 1, "command": "x" }],
+    "tables": [{ "title": "Another table", "columns": ["a", "b"], "rows": [["1", "2"]], "command": "make it" }]
+}"#;
+
+/// A quick report of a scene and a mechanism with a point from elsewhere, made once.
+fn report() -> &'static PathBuf {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let (folder, peers) = (file("report"), written("peers.json", PEERS));
+        let out = folder.display().to_string();
+        let done =
+            smartbed(&["report", "single_spring", "sleigh", "--quick", "--points", &peers, "--out", &out]);
+        assert_eq!(done.status, 0, "{}", done.err);
+        assert!(done.err.contains("report: sleigh (2 of 2"), "progress: {}", done.err);
+        folder
+    })
+}
+
+fn text(name: &str) -> String {
+    fs::read_to_string(report().join(name)).expect("the report has written it")
+}
+
+fn points() -> Vec<Value> {
+    let report: Value = serde_json::from_str(&text("report.json")).expect("JSON");
+    report["points"].as_array().expect("points").clone()
+}
+
+#[test]
+fn every_method_and_scalar_has_points() {
+    let points = points();
+    let has = |subject: &str, method: &str, scalar: &str| {
+        points.iter().any(|p| p["subject"] == subject && p["method"] == method && p["scalar"] == scalar)
+    };
+    let body = "symplectic_euler verlet nystrom4 blanes_moan4 rk4 implicit_midpoint energy_momentum dormand_prince dop853";
+    for scalar in ["f64", "f32"] {
+        body.split(' ').for_each(|m| assert!(has("single_spring", m, scalar), "{m} {scalar}"));
+        "euler rk4 dormand-prince".split(' ').for_each(|m| assert!(has("sleigh", m, scalar), "{m} {scalar}"));
+    }
+    assert!(has("single_spring", "another simulator", "f64"), "points from elsewhere");
+    assert!(
+        points.iter().all(|p| p["command"].as_str().is_some_and(|c| c.len() > 3)),
+        "every row has its command"
+    );
+}
+
+#[test]
+fn no_point_beats_one_of_the_front() {
+    for subject in ["single_spring", "sleigh"] {
+        let points: Vec<(f64, f64, bool)> = points()
+            .iter()
+            .filter(|p| p["subject"] == subject)
+            .map(|p| {
+                let number = |key: &str| p[key].as_f64().expect("a number");
+                (number("error"), number("nanoseconds"), p["front"] == true)
+            })
+            .collect();
+        for (e, t, front) in &points {
+            let beaten = points.iter().any(|(error, time, _)| error < e && time < t);
+            assert!(!(*front && beaten), "{subject}: {e:e} {t:e}");
+        }
+        assert!(points.iter().filter(|p| p.2).count() >= 3, "{subject}: a front of three or more");
+    }
+}
+
+#[test]
+fn a_row_is_made_again_by_its_command() {
+    let points = points();
+    let row = |subject: &str, method: &str| {
+        let found = points.iter().find(|p| p["subject"] == subject && p["method"] == method);
+        found.unwrap_or_else(|| panic!("{subject} {method}"))
+    };
+    for row in [row("single_spring", "verlet"), row("single_spring", "dop853"), row("sleigh", "rk4")] {
+        let command =
+            row["command"].as_str().expect("a command").strip_prefix("cargo smartbed ").expect("ours");
+        let out = file("report-row").display().to_string();
+        let mut arguments: Vec<&str> = command.split(' ').collect();
+        arguments.extend(["--json", "--out", &out]);
+        let again = smartbed(&arguments).json();
+        assert_eq!(again["points"].as_array().map(Vec::len), Some(1), "{command}");
+        assert_eq!(again["points"][0]["error"], row["error"], "{command}");
+        assert_eq!(again["points"][0]["evaluations"], row["evaluations"], "{command}");
+    }
+}
+
+#[test]
+fn tables_are_written() {
+    let markdown = text("report.md");
+    for part in
+        ["## single_spring", "closed form (harmonic between events)", "## Another table", "| verlet | f64 |"]
+    {
+        assert!(markdown.contains(part), "{part}");
+    }
+    let csv = text("report.csv");
+    let columns = csv.lines().next().expect("a header").split(',').count();
+    assert!(csv.lines().all(|l| l.split(',').count() == columns), "{columns} columns");
+    assert_eq!(csv.lines().count(), 1 + points().len());
+    assert!(text("plots/sleigh.svg").contains("computing time per simulated second [ns]"));
+}
+
+#[test]
+fn the_page_is_opened_and_exercised_in_a_browser() {
+    let dom = browser::open(&report().join("report.html"), "self-test");
+    // Summary and two subjects; two plots and a graph each.
+    assert_eq!(dom.text("self-test"), "passed: 3 links, 6 plots");
+    // The one address is the name of SVG, which nothing is fetched from.
+    let outside = dom.html.replace("http://www.w3.org/2000/svg", "");
+    assert!(!outside.contains("http://") && !outside.contains("https://"), "nothing comes from outside");
+}
+
+#[test]
+fn the_page_is_seen() {
+    let picture = Picture::read(&browser::screenshot(&report().join("report.html"), "single_spring"));
+    let (front, first) = (picture.count(FRONT, 6), picture.count(FIRST, 6));
+    assert!(front > 400 && first > 200, "{front} pixels of the front, {first} of the first method");
+    let white = picture.count([255, 255, 255], 0);
+    assert!(2 * white > picture.pixels.len(), "the page is mostly empty paper");
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let said = |arguments: &[&str], part: &str| {
+        let done: Done = smartbed(arguments);
+        assert!(done.message().contains(part), "{arguments:?}: {}", done.err);
+    };
+    said(&["report", "single_sprong"], "did you mean `single_spring`");
+    said(&["report", "single_spring", "--method", "varlet", "--step", "1e-3"], "did you mean `verlet`");
+    said(&["report", "single_spring", "--method", "verlet", "--tolerance", "1e-3"], "expected --step");
+    said(&["report", "single_spring", "--method", "dop853", "--step", "1e-3"], "expected --tolerance");
+    said(&["report", "single_spring", "--step", "0"], "--step 0: expected a number above 0");
+    said(&["report", "sleigh", "--quick", "--points", "nowhere.json"], "nowhere.json");
+    let wrong = written("wrong-points.json", r#"{"points": [{"subject": "sleigh"}]}"#);
+    said(&["report", "sleigh", "--quick", "--points", &wrong], "points[0]: expected subject, method");
+}
+
+/// Largest distance of the places in the last row of a CSV from those of another.
+fn last_row(csv: &str) -> Vec<f64> {
+    let row = csv.lines().last().expect("rows");
+    row.split(',').skip(1).take(6).map(|x| x.parse().expect("a number")).collect()
+}
+
+#[test]
+fn an_error_asked_for_is_kept() {
+    let run = |more: &[&str]| {
+        let mut arguments = vec!["run", "single_spring", "--csv", "-"];
+        arguments.extend(more);
+        let done = smartbed(&arguments);
+        assert_eq!(done.status, 0, "{}", done.err);
+        done
+    };
+    let exact = last_row(&run(&["--method", "dop853", "--tolerance", "1e-13"]).out);
+    for (asked, bound) in [("1e-3", 1e-3), ("1e-7", 1e-7)] {
+        let done = run(&["--error", asked]);
+        assert!(done.err.contains(&format!("--error {asked}: picked --method ")), "{}", done.err);
+        assert!(done.err.contains("closed form (harmonic between events)"), "why: {}", done.err);
+        let error = last_row(&done.out).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(error <= bound, "{error:e} for {asked}: {}", done.err);
+    }
+}
+
+#[test]
+fn a_budget_picks_the_most_exact_that_fits() {
+    let done = smartbed(&["run", "sleigh", "--budget", "10ms"]);
+    assert_eq!(done.status, 0, "{}", done.err);
+    assert!(done.err.contains("--budget 10.000 ms: picked --method "), "{}", done.err);
+    let only = smartbed(&["run", "sleigh", "--budget", "10ms", "--method", "rk4"]);
+    assert!(only.err.contains("picked --method rk4 --step "), "{}", only.err);
+    let too_little = smartbed(&["run", "sleigh", "--budget", "1ns"]);
+    assert!(too_little.message().contains("not met by any of"), "{}", too_little.err);
+    let too_exact = smartbed(&["run", "sleigh", "--error", "1e-30"]);
+    assert!(too_exact.message().contains("nearest is --method "), "{}", too_exact.err);
+}

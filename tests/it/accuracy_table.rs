@@ -1,0 +1,99 @@
+//! The accuracy of every method on every scene and mechanism, as a golden file.
+//!
+//! Bounds by half decades: an entry changes when an error does by a factor of three or so. Fixed steps are an
+//! eighth of the step that a report's ladder begins with; tolerances 1e-8 in f64, 1e-5 in f32.
+//! `UPDATE_GOLDEN=1 cargo test -p smartbed-tests --test it accuracy_table` writes the file.
+
+use smartbed::engine::{EngineKind, ScalarKind};
+use smartbed::report::point::Control;
+use smartbed::report::subject::{self, Method, SAMPLES, Subject};
+use smartbed::report::{measure, reference};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// Below this (m or rad) an error is rounding, which is not pinned.
+const LEAST: f64 = 1e-10;
+/// Springs times seconds; the first touches of a drop from 1 m are in 0.6 s.
+const WORK: f64 = 300.0;
+const MOST_SECONDS: f64 = 0.6;
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
+}
+
+/// Files of a folder of models, by name.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder of models");
+    let mut files: Vec<PathBuf> = entries.map(|e| e.expect("an entry").path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e == "toml"));
+    files.sort();
+    files
+}
+
+/// The next power of the root of ten above an error.
+fn bound(error: f64) -> String {
+    if error.is_nan() {
+        return "-".to_owned();
+    }
+    let halves = (2.0 * error.max(LEAST).log10()).ceil() as i32;
+    let mantissa = if halves.rem_euclid(2) == 0 { 1 } else { 3 };
+    format!("{mantissa}e{}", halves.div_euclid(2))
+}
+
+/// Error of a method at the table's step or tolerance; NaN where there is no answer.
+fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scalar: ScalarKind) -> f64 {
+    let seconds = truth.seconds;
+    let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step()).ceil().max(1.0) as usize;
+    let control = match (method.adaptive, scalar) {
+        (false, _) => Control::Step(measure::step_of(seconds, 8 * coarsest)),
+        (true, ScalarKind::F64) => Control::Tolerance(1e-8),
+        (true, ScalarKind::F32) => Control::Tolerance(1e-5),
+    };
+    let run = subject.run(&method.name, control, scalar, seconds);
+    let error = run.map_or(f64::NAN, |trace| trace.difference(&truth.trace));
+    if error > measure::extent(truth) { f64::NAN } else { error }
+}
+
+/// The table of one folder.
+fn table(folder: &Path) -> String {
+    let mut text = String::new();
+    for file in files(folder) {
+        let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
+        let subject =
+            subject::open(&file.display().to_string(), EngineKind::Interpreter).expect("it is read");
+        let seconds = subject.seconds().min(MOST_SECONDS).min(WORK / subject.weight());
+        let truth = reference::make(subject.as_ref(), seconds, false).expect("a reference");
+        assert!(truth.reference.agreement <= LEAST, "{name}: {:?}", truth.reference);
+        let methods = subject.methods();
+        if text.is_empty() {
+            let names: Vec<&str> = methods.iter().map(|m| m.name.as_str()).collect();
+            let _ = writeln!(text, "| | s | {} |\n|{}", names.join(" | "), "---|".repeat(2 + names.len()));
+        }
+        let cells = methods.iter().map(|method| {
+            let of = |scalar| bound(error(subject.as_ref(), &truth, method, scalar));
+            format!("{} / {}", of(ScalarKind::F64), of(ScalarKind::F32))
+        });
+        let _ = writeln!(text, "| {name} | {seconds:.3} | {} |", cells.collect::<Vec<_>>().join(" | "));
+    }
+    text
+}
+
+#[test]
+fn errors_are_those_of_the_golden_file() {
+    let found = format!(
+        "# Accuracy\n\nBounds of the largest error of a coordinate (m or rad), f64 / f32; `-`: no answer. How they are \
+         taken is told in tests/it/accuracy_table.rs.\n\n## Mechanisms\n\n{}\n## Scenes\n\n{}",
+        table(&folder("models")),
+        table(&folder("models/scenes"))
+    );
+    let golden = folder("tests/golden/accuracy.md");
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        std::fs::write(&golden, &found).expect("the golden file is written");
+    }
+    let expected = std::fs::read_to_string(&golden).expect("the golden file");
+    let changed: Vec<String> = (found.lines().zip(expected.lines()))
+        .filter(|(a, b)| a != b)
+        .map(|(a, b)| format!("found    {a}\nexpected {b}"))
+        .collect();
+    assert!(found == expected, "run with UPDATE_GOLDEN=1 if this is meant:\n{}", changed.join("\n"));
+}
