@@ -14,11 +14,7 @@ use std::process::Command;
 pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
     let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
     eprintln!("{why}; installing {} by apt-get", packages.join(" "));
-    let apt = |arguments: &[&str]| {
-        let mut command = Command::new(root[0]);
-        command.args(&root[1..]).args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
-        process::run_quietly(&mut command)
-    };
+    let apt = |arguments: &[&str]| apt(root, arguments);
     // Never at the cost of a package that is already there.
     let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];
     install.extend(packages);
@@ -29,6 +25,23 @@ pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> 
     done.map_err(|log| {
         Failure::Lacking(format!("{why}, and apt-get could not install it: run `{help}`\n{log}"))
     })
+}
+
+/// Has apt-get read anew which versions there are.
+///
+/// # Errors
+/// [`Failure::Lacking`] where that fails.
+pub fn update_lists() -> Result<(), Failure> {
+    let help = "apt-get update";
+    let Some(root) = root_on_debian() else { return Err(lacking("the package lists may be old", help)) };
+    apt(root, &["update"])
+        .map_err(|log| Failure::Lacking(format!("apt-get cannot update: run `{help}`\n{log}")))
+}
+
+fn apt(root: &[&str], arguments: &[&str]) -> Result<(), String> {
+    let mut command = Command::new(root[0]);
+    command.args(&root[1..]).args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
+    process::run_quietly(&mut command)
 }
 
 /// The failure that names what is lacking and the command that helps.

@@ -1,12 +1,11 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 121 operations (3 abs, 23 add, 3 cos, 3 div, 2 min, 74 mul, 3 sin, 10 sub).
-// Cost of energy: 69 operations (18 add, 3 cos, 45 mul, 3 sin).
+// Cost of rates: 132 operations (3 abs, 24 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 11 sub).
+// Cost of energy: 79 operations (19 add, 3 cos, 54 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 11 operations (1 add, 10 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -37,7 +36,6 @@ pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
 pub const NOMINAL: [f32; 3usize] = [0f32, 0f32, 0f32];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
-#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Upper mass (kg), models/pendulum3.toml:10.
@@ -68,71 +66,9 @@ impl Default for Parameters {
         }
     }
 }
-/// What the functions below need of the parameters, from [`prepare`].
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-#[allow(non_snake_case, reason = "names are the model's")]
-pub struct Prepared {
-    ///The parameter `m0`.
-    pub m0: S,
-    ///The parameter `m1`.
-    pub m1: S,
-    ///The parameter `m2`.
-    pub m2: S,
-    ///The parameter `l0`.
-    pub l0: S,
-    ///The parameter `l1`.
-    pub l1: S,
-    ///The parameter `g`.
-    pub g: S,
-    ///Of parameters alone.
-    pub k6: S,
-    ///Of parameters alone.
-    pub prepared_mass_u2_u2: S,
-    ///Of parameters alone.
-    pub k8: S,
-    ///Of parameters alone.
-    pub k9: S,
-    ///Of parameters alone.
-    pub k10: S,
-    ///Of parameters alone.
-    pub k11: S,
-    ///Of parameters alone.
-    pub k12: S,
-    ///Of parameters alone.
-    pub k13: S,
-}
-/// Computes what depends on parameters alone: once, and again when one of them changes.
-///
-///11 operations.
-#[allow(
-    non_snake_case,
-    clippy::all,
-    clippy::pedantic,
-    reason = "generated straight-line arithmetic"
-)]
-#[must_use]
-pub fn prepare(p: &Parameters) -> Prepared {
-    let m0 = p.m0;
-    let m1 = p.m1;
-    let m2 = p.m2;
-    let l0 = p.l0;
-    let l1 = p.l1;
-    let g = p.g;
-    let l2 = p.l2;
-    let t1 = m2 * l2;
-    let mass_u2_u2 = l2 * t1;
-    let t2 = l0 * g;
-    let t3 = l0 * l1;
-    let t4 = l1 * g;
-    let t5 = m1 * (l1 * l1);
-    let t6 = l2 * g;
-    let t7 = l0 * l0 * (m0 + m1);
-    Prepared { m0, m1, m2, l0, l1, g, k6: t1, prepared_mass_u2_u2: mass_u2_u2, k8: t2, k9: t3, k10: t4, k11: t5, k12: t6, k13: t7 }
-}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///121 operations.
+///132 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -145,7 +81,7 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Prepared,
+    p: &Parameters,
 ) -> ([S; 3usize], [S; 3usize], S) {
     let u0 = u[0];
     let u1 = u[1];
@@ -156,61 +92,57 @@ pub fn rates(
     let t1 = l0 * sin_q0;
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k6 = p.k6;
-    let t2 = sin_q2 * k6;
-    let t3 = l0 * cos_q0;
-    let t4 = cos_q2 * k6;
-    let mass_u0_u2 = t1 * t2 + t3 * t4;
     let m2 = p.m2;
-    let k13 = p.k13;
-    let mass_u0_u0 = t3 * (m2 * t3) + t1 * (m2 * t1) + k13;
-    let t5 = 1.0_f32 / mass_u0_u0;
-    let t6 = mass_u0_u2 * t5;
-    let k11 = p.k11;
+    let l2 = p.l2;
+    let t2 = m2 * l2;
+    let t3 = sin_q2 * t2;
+    let t4 = l0 * cos_q0;
+    let t5 = cos_q2 * t2;
+    let mass_u0_u2 = t1 * t3 + t4 * t5;
+    let m0 = p.m0;
+    let t6 = m0 * l0;
+    let m1 = p.m1;
+    let mass_u0_u0 = t4 * (m2 * t4) + t1 * (m2 * t1) + (l0 * t6 + m1 * (l0 * l0));
+    let t7 = 1.0_f32 / mass_u0_u0;
+    let t8 = mass_u0_u2 * t7;
     let l1 = p.l1;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t7 = l1 * cos_q1;
-    let t8 = m2 * t7;
-    let t9 = l1 * sin_q1;
+    let t9 = l1 * cos_q1;
     let t10 = m2 * t9;
-    let mass_u1_u1 = k11 + (t7 * t8 + t9 * t10);
-    let m1 = p.m1;
-    let k9 = p.k9;
-    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t3 * t8 + t1 * t10);
-    let t11 = mass_u0_u1 * t5;
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t11;
-    let t12 = 1.0_f32 / pivot_1;
-    let mass_u1_u2 = t9 * t2 + t7 * t4;
-    let t13 = mass_u0_u2 * t11 - mass_u1_u2;
-    let t14 = t12 * t13;
+    let t11 = l1 * sin_q1;
+    let t12 = m2 * t11;
+    let mass_u1_u1 = m1 * (l1 * l1) + (t9 * t10 + t11 * t12);
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t4 + sin_q1 * t1)) + (t4 * t10 + t1 * t12);
+    let t13 = mass_u0_u1 * t7;
+    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t13;
+    let t14 = 1.0_f32 / pivot_1;
+    let mass_u1_u2 = t11 * t3 + t9 * t5;
+    let t15 = mass_u0_u2 * t13 - mass_u1_u2;
+    let t16 = t14 * t15;
+    let t17 = l0 * (u0 * u0);
+    let t18 = l1 * (u1 * u1);
+    let t19 = sin_q0 * t17 + sin_q1 * t18;
+    let t20 = u2 * u2 * t2;
+    let t21 = m2 * t19 + sin_q2 * t20;
     let g = p.g;
-    let t15 = l0 * (u0 * u0);
-    let t16 = l1 * (u1 * u1);
-    let t17 = g + cos_q0 * t15 + cos_q1 * t16;
-    let t18 = u2 * u2 * k6;
-    let t19 = m2 * t17 + cos_q2 * t18;
-    let t20 = sin_q0 * t15 + sin_q1 * t16;
-    let t21 = m2 * t20 + sin_q2 * t18;
-    let m0 = p.m0;
-    let k8 = p.k8;
-    let t22 = sin_q0 * k8;
-    let t23 = sin_q0 * cos_q1 - cos_q0 * sin_q1;
-    let t24 = t1 * t19 - t3 * t21 + (m0 * t22 + m1 * (t22 + t23 * (l0 * t16)));
-    let k10 = p.k10;
-    let forcing_u1 = t7 * t21 - t9 * t19 + m1 * (t23 * (l1 * t15) - sin_q1 * k10);
-    let t25 = t11 * t24 + forcing_u1;
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let t26 = t13 * t14 + (mass_u0_u2 * t6 - prepared_mass_u2_u2);
-    let t27 = (t14 * t25 + (t6 * t24 + k6 * (cos_q2 * t20 - sin_q2 * t17))) / t26;
-    let t28 = t12 * t25 - t14 * t27;
-    let t29 = t6 * t27 - (t11 * t28 + t5 * t24);
-    let t30 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(t26));
-    ([u0, u1, u2], [t29, t28, -t27], t30)
+    let t22 = g + cos_q0 * t17 + cos_q1 * t18;
+    let t23 = m2 * t22 + cos_q2 * t20;
+    let forcing_u1 = t9 * t21 - t11 * t23 - m1 * (g * t11 + t17 * (cos_q0 * t11 - sin_q0 * t9));
+    let t24 = t6 * (g * sin_q0) + m1 * (g * t1 + t18 * (cos_q1 * t1 - sin_q1 * t4));
+    let t25 = t1 * t23 - t4 * t21 + t24;
+    let t26 = forcing_u1 + t13 * t25;
+    let mass_u2_u2 = l2 * t2;
+    let t27 = t15 * t16 + (mass_u0_u2 * t8 - mass_u2_u2);
+    let t28 = (t16 * t26 + (t8 * t25 + t2 * (cos_q2 * t19 - sin_q2 * t22))) / t27;
+    let t29 = t14 * t26 - t16 * t28;
+    let t30 = t8 * t28 - (t13 * t29 + t7 * t25);
+    let t31 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(t27));
+    ([u0, u1, u2], [t30, t29, -t28], t31)
 }
 ///Kinetic and potential energy (J).
 ///
-///69 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -223,48 +155,44 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Prepared,
+    p: &Parameters,
 ) -> (S, S) {
     let u2 = u[2];
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let l1 = p.l1;
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t1 = l1 * sin_q1;
-    let q2 = q[2];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k6 = p.k6;
-    let t2 = sin_q2 * k6;
-    let t3 = l1 * cos_q1;
-    let t4 = cos_q2 * k6;
-    let mass_u1_u2 = t1 * t2 + t3 * t4;
-    let u1 = u[1];
-    let k11 = p.k11;
+    let l2 = p.l2;
     let m2 = p.m2;
-    let t5 = m2 * t3;
-    let t6 = m2 * t1;
-    let mass_u1_u1 = k11 + (t3 * t5 + t1 * t6);
+    let t1 = m2 * l2;
+    let mass_u2_u2 = l2 * t1;
+    let u0 = u[0];
     let l0 = p.l0;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t7 = l0 * sin_q0;
-    let t8 = l0 * cos_q0;
-    let mass_u0_u2 = t7 * t2 + t8 * t4;
-    let u0 = u[0];
-    let m1 = p.m1;
-    let k9 = p.k9;
-    let mass_u0_u1 = m1 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k9) + (t8 * t5 + t7 * t6);
-    let k13 = p.k13;
-    let mass_u0_u0 = t8 * (m2 * t8) + t7 * (m2 * t7) + k13;
-    let t9 = mass_u0_u2 * (u0 * u2) + (mass_u0_u1 * (u0 * u1) + 0.5_f32 * (u0 * u0 * mass_u0_u0));
-    let t10 = 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2) + (mass_u1_u2 * (u1 * u2) + (0.5_f32 * (u1 * u1 * mass_u1_u1) + t9));
+    let t2 = l0 * cos_q0;
+    let t3 = l0 * sin_q0;
     let m0 = p.m0;
-    let k8 = p.k8;
-    let t11 = cos_q0 * k8;
-    let k10 = p.k10;
-    let t12 = t11 + cos_q1 * k10;
-    let k12 = p.k12;
-    (t10, -(m0 * t11 + m1 * t12 + m2 * (t12 + cos_q2 * k12)))
+    let m1 = p.m1;
+    let mass_u0_u0 = t2 * (m2 * t2) + t3 * (m2 * t3) + (l0 * (m0 * l0) + m1 * (l0 * l0));
+    let u1 = u[1];
+    let l1 = p.l1;
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let t4 = l1 * cos_q1;
+    let t5 = m2 * t4;
+    let t6 = l1 * sin_q1;
+    let t7 = m2 * t6;
+    let mass_u1_u1 = m1 * (l1 * l1) + (t4 * t5 + t6 * t7);
+    let t8 = 0.5_f32 * (u2 * u2 * mass_u2_u2 + (u0 * u0 * mass_u0_u0 + u1 * u1 * mass_u1_u1));
+    let q2 = q[2];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t9 = sin_q2 * t1;
+    let t10 = cos_q2 * t1;
+    let mass_u1_u2 = t6 * t9 + t4 * t10;
+    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t2 + sin_q1 * t3)) + (t2 * t5 + t3 * t7);
+    let mass_u0_u2 = t3 * t9 + t2 * t10;
+    let t11 = t8 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
+    let g = p.g;
+    let t12 = l0 * (g * cos_q0);
+    let t13 = t12 + l1 * (g * cos_q1);
+    (t11, -(m0 * t12 + m1 * t13 + m2 * (t13 + l2 * (g * cos_q2))))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -281,7 +209,7 @@ pub fn speeds(
     _q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> [S; 3usize] {
     let u0 = u[0];
     let u1 = u[1];
@@ -303,7 +231,7 @@ pub fn outputs(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> [S; 0usize] {
     []
 }
@@ -322,75 +250,31 @@ pub fn projection(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Prepared,
+    _p: &Parameters,
 ) -> ([S; 0usize], S) {
     ([], 0.0_f32)
 }
 ///Triple pendulum: point masses on massless rods, absolute angles from the downward vertical.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Pendulum3 {
-    parameters: Parameters,
-    prepared: Prepared,
-}
-impl Default for Pendulum3 {
-    fn default() -> Self {
-        Self::new(Parameters::default())
-    }
+    /// Tunable parameters.
+    pub parameters: Parameters,
 }
 impl Pendulum3 {
-    /// The mechanism with these parameters.
-    #[must_use]
-    pub fn new(parameters: Parameters) -> Self {
-        Self {
-            parameters,
-            prepared: prepare(&parameters),
-        }
-    }
-    /// Its parameters.
-    #[must_use]
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
-    }
-    /// What depends on them alone.
-    #[must_use]
-    pub fn prepared(&self) -> &Prepared {
-        &self.prepared
-    }
-    /// Changes all parameters and prepares anew.
-    pub fn set_parameters(&mut self, parameters: Parameters) {
-        *self = Self::new(parameters);
-    }
-    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
-    #[must_use]
-    pub fn parameter(&self, index: usize) -> Option<S> {
+    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
+    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
         Some(
             match index {
-                0usize => self.parameters.m0,
-                1usize => self.parameters.m1,
-                2usize => self.parameters.m2,
-                3usize => self.parameters.l0,
-                4usize => self.parameters.l1,
-                5usize => self.parameters.l2,
-                6usize => self.parameters.g,
+                0usize => &mut self.parameters.m0,
+                1usize => &mut self.parameters.m1,
+                2usize => &mut self.parameters.m2,
+                3usize => &mut self.parameters.l0,
+                4usize => &mut self.parameters.l1,
+                5usize => &mut self.parameters.l2,
+                6usize => &mut self.parameters.g,
                 _ => return None,
             },
         )
-    }
-    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
-    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
-        let place = match index {
-            0usize => &mut self.parameters.m0,
-            1usize => &mut self.parameters.m1,
-            2usize => &mut self.parameters.m2,
-            3usize => &mut self.parameters.l0,
-            4usize => &mut self.parameters.l1,
-            5usize => &mut self.parameters.l2,
-            6usize => &mut self.parameters.g,
-            _ => return false,
-        };
-        *place = value;
-        self.prepared = prepare(&self.parameters);
-        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
@@ -425,7 +309,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
         Ok(pivot)
     }
     #[allow(
@@ -441,7 +325,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.prepared,
+            &self.parameters,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -464,7 +348,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.prepared,
+                &self.parameters,
             ),
         )
     }

@@ -115,7 +115,7 @@ impl<'g> Extraction<'g> {
             self.uses[class.index()] += 1;
             if self.uses[class.index()] == 1 {
                 let definition = self.graph.classes[class].current;
-                weight += definition.operation.weight();
+                weight += definition.cost();
                 self.stack.extend(definition.reads());
             }
         }
@@ -130,7 +130,7 @@ impl<'g> Extraction<'g> {
             self.uses[class.index()] -= 1;
             if self.uses[class.index()] == 0 {
                 let definition = self.graph.classes[class].current;
-                weight += definition.operation.weight();
+                weight += definition.cost();
                 self.stack.extend(definition.reads());
             }
         }
@@ -144,14 +144,14 @@ impl<'g> Extraction<'g> {
             return;
         }
         let old = self.graph.classes[class].current;
-        let freed: u32 = old.operation.weight() + old.reads().map(|c| self.drop_use(c)).sum::<u32>();
+        let freed: u32 = old.cost() + old.reads().map(|c| self.drop_use(c)).sum::<u32>();
         let mut best: Option<(i64, Definition)> = None;
         for k in 0..n {
             let new = self.graph.classes[class].definitions[k];
             if new == old {
                 continue;
             }
-            let added: u32 = new.operation.weight() + new.reads().map(|c| self.add_use(c)).sum::<u32>();
+            let added: u32 = new.cost() + new.reads().map(|c| self.add_use(c)).sum::<u32>();
             new.reads().for_each(|c| {
                 self.drop_use(c);
             });

@@ -6,7 +6,6 @@
 
 use super::field::Field;
 use super::guard::{self, Estimate};
-use crate::expr::number::Number;
 use crate::expr::{Binary, ExprId, Unary};
 use crate::id::{Id, IdVec, ids};
 use rustc_hash::FxHashMap as HashMap;
@@ -72,7 +71,12 @@ pub(super) struct Definition {
     pub operands: [Signed; 2],
     /// Its round-off bound against the class's own, 1 where it is no larger.
     pub error: f64,
+    /// Reads nothing but parameters: computed when they change.
+    pub prepared: bool,
 }
+
+/// An operation at every evaluation counts as so many when parameters change.
+const EVERY_EVALUATION: u32 = 32;
 
 impl Definition {
     /// The class (or its negative, if `negative`) is a (operation) b.
@@ -86,15 +90,22 @@ impl Definition {
                 negative: false,
                 operands: [a.times(negative), b.times(negative)],
                 error: 1.0,
+                prepared: false,
             },
             Operation::Product | Operation::Quotient => Self {
                 operation,
                 negative: negative ^ a.negative ^ b.negative,
                 operands: [a, b].map(|o| Signed { negative: false, ..o }),
                 error: 1.0,
+                prepared: false,
             },
-            _ => Self { operation, negative, operands: [a, b], error: 1.0 },
+            _ => Self { operation, negative, operands: [a, b], error: 1.0, prepared: false },
         }
+    }
+
+    /// Its share of the cost that the search lowers.
+    pub fn cost(&self) -> u32 {
+        self.operation.weight() * if self.prepared { 1 } else { EVERY_EVALUATION }
     }
 
     /// Classes that are read.
@@ -120,8 +131,8 @@ pub(super) struct Class {
     pub definitions: Vec<Definition>,
     /// The definition in use.
     pub current: Definition,
-    /// The number, for a constant.
-    pub number: Option<Number>,
+    /// Depends on parameters alone, as first defined.
+    pub prepared: bool,
 }
 
 impl Class {
@@ -179,28 +190,34 @@ impl Graph {
     ) -> Signed {
         let negative = value[0].is_upper();
         let value = if negative { value.map(|v| -v) } else { value };
-        let current = Definition::new(operation, a, b, negative);
-        let class = self.classes.push(Class { value, definitions: vec![current], current, number: None });
+        let current = self.prepared(Definition::new(operation, a, b, negative));
+        let class = self.classes.push(Class {
+            value,
+            definitions: vec![current],
+            current,
+            prepared: current.prepared,
+        });
         self.index.insert(value[0].bits(), class);
         self.estimates.extend(estimates.iter().map(|e| e.signed(negative)));
         Signed { class, negative }
     }
 
     /// A symbol or a constant.
-    pub fn leaf(
-        &mut self,
-        value: Value,
-        expr: ExprId,
-        number: Option<Number>,
-        estimates: &[Estimate],
-    ) -> Signed {
+    pub fn leaf(&mut self, value: Value, expr: ExprId, prepared: bool, estimates: &[Estimate]) -> Signed {
         if let Some(known) = self.find(value) {
             return known;
         }
         let own = Signed { class: ClassId::from_index(self.classes.len()), negative: false };
         let leaf = self.add(value, Operation::Leaf(expr), own, own, estimates);
-        self.classes[leaf.class].number = number.map(|n| if leaf.negative { n.negate() } else { n });
+        self.classes[leaf.class].prepared = prepared;
         leaf
+    }
+
+    /// The definition with its note whether it reads parameters alone.
+    fn prepared(&self, definition: Definition) -> Definition {
+        // A leaf reads nothing; whether it is a parameter its maker knows.
+        let prepared = definition.reads().all(|c| self.classes[c].prepared);
+        Definition { prepared, ..definition }
     }
 
     /// What an operation gives in the field; `None` where it divides by zero or is none of + * /.
@@ -231,7 +248,7 @@ impl Graph {
 
     /// Offers `target` a further definition, which must have its value; true if it is new and admitted.
     pub fn propose(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
-        let definition = Definition::new(operation, a, b, target.negative);
+        let definition = self.prepared(Definition::new(operation, a, b, target.negative));
         let class = &self.classes[target.class];
         if class.is_leaf()
             || definition.reads().any(|c| c == target.class)

@@ -5,7 +5,7 @@ use super::field::{Field, mix};
 use super::graph::{ClassId, Definition, Graph, Operation, Signed, Value};
 use super::guard::{self, Estimate};
 use crate::expr::number::Number;
-use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::expr::{Binary, Dag, Dependence, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -111,7 +111,7 @@ impl<'a> Import<'a> {
             }
             _ => Estimate::exact(number.to_f64()),
         };
-        self.graph.leaf([value, value], id, Some(number), &vec![estimate; self.states.points])
+        self.graph.leaf([value, value], id, true, &vec![estimate; self.states.points])
     }
 
     fn symbol(&mut self, id: ExprId, symbol: SymbolId) -> Signed {
@@ -119,7 +119,8 @@ impl<'a> Import<'a> {
         let value = [Field::new(mix(seed)), Field::new(mix(seed ^ 0x5EED))];
         let estimates: Vec<Estimate> =
             (0..self.states.points).map(|k| Estimate::exact(self.states.value(symbol, k))).collect();
-        self.graph.leaf(value, id, None, &estimates)
+        let prepared = self.dag.dependence(id) != Dependence::State;
+        self.graph.leaf(value, id, prepared, &estimates)
     }
 }
 

@@ -90,19 +90,25 @@ pub fn shorten(
     }
     // What the first group gained the others may have lost: then they stay as they were.
     for (new, old) in best.iter_mut().zip(groups).skip(1) {
-        if dag.cone_cost(new) > dag.cone_cost(old) {
+        if cost(dag, new) > cost(dag, old) {
             new.clone_from(old);
         }
     }
     best
 }
 
-/// Fewer operations in the first group, or as many there and fewer in all.
+/// Operations of an evaluation, and with those of the parameters.
+fn cost(dag: &Dag, group: &[ExprId]) -> (usize, usize) {
+    (dag.state_cost(group), dag.cone_cost(group))
+}
+
+/// Less in the first group, or as much there and less in all.
 fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
-    let cost = |groups: &[Vec<ExprId>]| -> (usize, usize) {
-        (dag.cone_cost(&groups[0]), groups.iter().map(|g| dag.cone_cost(g)).sum())
+    let of = |groups: &[Vec<ExprId>]| {
+        let sum = groups.iter().map(|g| cost(dag, g)).fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1));
+        (cost(dag, &groups[0]), sum)
     };
-    cost(new) < cost(old)
+    of(new) < of(old)
 }
 
 /// One round: import, further definitions, search, export; groups from `searched` on follow the others.

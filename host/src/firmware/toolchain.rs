@@ -7,7 +7,7 @@
 
 use super::process::{self, output, which};
 use crate::failure::Failure;
-use crate::install::{install, lacking};
+use crate::install::{install, lacking, update_lists};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -65,6 +65,12 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
     }
     let help = format!("rustup target add {target}");
     let why = format!("no Rust toolchain here can build for {target}");
+    install(&why, &TOOLCHAIN_PACKAGES, &help)?;
+    if let Some(found) = find(target) {
+        return Ok(found);
+    }
+    // By old package lists an old compiler was installed, or was there already.
+    update_lists()?;
     install(&why, &TOOLCHAIN_PACKAGES, &help)?;
     find(target).ok_or_else(|| lacking(&why, &help))
 }

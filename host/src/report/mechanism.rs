@@ -250,7 +250,7 @@ impl Subject for Mechanism {
             settings: &settings,
             start: &self.start,
         };
-        let names = columns(&self.program);
+        let names = columns(&self.program, &self.observers);
         let mut recording = Recording::new(names.len());
         let engine = Box::new(Interpreted::<f64>::new(&self.program));
         simulate::<f64>(setup, engine, |row: &Row| {
@@ -258,6 +258,6 @@ impl Subject for Mechanism {
             Ok(())
         })
         .map_err(|e| e.to_string())?;
-        Ok(svg::text(&plot::motion(&self.program, &names, &recording)))
+        Ok(svg::text(&plot::motion(&self.program, &self.observers.closed, &names, &recording)))
     }
 }

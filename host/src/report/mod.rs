@@ -191,6 +191,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
         others.push(Extras::read(file, &text)?);
     }
     let mut progress = Progress::new("report");
+    let begin = clock::now();
     let mut report = Report {
         machine: machine(),
         command: arguments.command(),
@@ -205,15 +206,18 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     };
     for (n, subject) in subjects.iter().enumerate() {
         eprintln!("report: {} ({} of {}, {:.0} s)", subject.name(), n + 1, names.len(), progress.seconds());
+        let plan = plan.hurried(progress.seconds(), clock::now() - begin, names.len() - n);
         report.sections.push(section(subject.as_ref(), &plan, arguments.seconds)?);
         progress.at((n + 1) as f64 / names.len() as f64);
     }
-    for (title, smooth) in [("smooth", true), ("with touches", false)] {
+    let kinds =
+        [("mechanisms", false, true), ("smooth scenes", true, true), ("scenes with touches", true, false)];
+    for (title, scene, smooth) in kinds {
         let orders = |s: &dyn Subject| {
             let section = report.sections.iter().find(|section| section.name == s.name())?;
             Some((section.name.clone(), order::observe(section, &s.methods())))
         };
-        let of_kind = subjects.iter().filter(|s| s.is_smooth() == smooth);
+        let of_kind = subjects.iter().filter(|s| (s.is_scene(), s.is_smooth()) == (scene, smooth));
         let rows: Vec<_> = of_kind.filter_map(|s| orders(s.as_ref())).collect();
         if !rows.is_empty() {
             let title = format!("Observed orders, {title} (nominal in brackets)");

@@ -63,13 +63,18 @@ fn line(section: &Section, method: &Method) -> Vec<(f64, f64)> {
     line
 }
 
+/// Fewer points than these are no line to be shown.
+const SHOWN: usize = 3;
+
 /// Observed orders of all subjects: a row each, a column per method.
 #[must_use]
 pub fn table(title: &str, rows: &[(String, Vec<Order>)], command: &str) -> Table {
     let mut names: Vec<(&str, u32)> = Vec::new();
-    for order in rows.iter().flat_map(|(_, orders)| orders) {
-        if !names.iter().any(|(name, _)| *name == order.method) {
-            names.push((&order.method, order.nominal));
+    for order in rows.iter().flat_map(|(_, orders)| orders).filter(|o| o.points >= SHOWN) {
+        match names.iter_mut().find(|(name, _)| *name == order.method) {
+            // Where forces depend on speeds a method may be known for less.
+            Some((_, nominal)) => *nominal = order.nominal.max(*nominal),
+            None => names.push((&order.method, order.nominal)),
         }
     }
     let mut columns = vec!["subject".to_owned()];
@@ -77,7 +82,7 @@ pub fn table(title: &str, rows: &[(String, Vec<Order>)], command: &str) -> Table
     let row = |(subject, orders): &(String, Vec<Order>)| {
         let mut row = vec![subject.clone()];
         row.extend(names.iter().map(|(name, _)| {
-            let found = orders.iter().find(|o| o.method == *name);
+            let found = orders.iter().find(|o| o.method == *name && o.points >= SHOWN);
             found.map_or("-".to_owned(), |o| format!("{:.2}", o.observed))
         }));
         row

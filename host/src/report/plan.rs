@@ -28,6 +28,8 @@ pub struct Plan {
     pub run: Duration,
     /// Computing time for all runs of a subject, its reference not counted.
     pub subject: Duration,
+    /// Time by the clock for all subjects, if it is limited.
+    pub wall: Option<Duration>,
     /// Most spring-seconds (or seconds of a mechanism) simulated; more is cut.
     pub work: f64,
     /// Only this method.
@@ -50,6 +52,7 @@ impl Plan {
             tolerance_factor: 1e-1,
             run: Duration::from_secs(1),
             subject: Duration::from_secs(25),
+            wall: None,
             work: f64::INFINITY,
             method: None,
             control: None,
@@ -67,10 +70,22 @@ impl Plan {
             tolerance_factor: 1e-2,
             run: Duration::from_millis(40),
             subject: Duration::from_millis(700),
-            work: 150.0,
+            wall: Some(Duration::from_secs(35)),
+            work: 100.0,
             engine: EngineKind::Interpreter,
             ..Self::full()
         }
+    }
+
+    /// The plan of the next subject, of `left` ones: on a machine that is busy otherwise, where `wall` seconds by
+    /// the clock went by for `computed` ones of computing, ladders are shorter rather than the report late.
+    #[must_use]
+    pub fn hurried(&self, wall: f64, computed: Duration, left: usize) -> Self {
+        let Some(limit) = self.wall else { return self.clone() };
+        let slowdown = (wall / computed.as_secs_f64().max(1e-3)).max(1.0);
+        // A third of the time goes to the references.
+        let share = 0.67 * (limit.as_secs_f64() - wall).max(0.0) / (left as f64 * slowdown);
+        Self { subject: self.subject.min(Duration::from_secs_f64(share)), ..self.clone() }
     }
 
     /// Simulated time of a subject (s), to two digits.

@@ -121,7 +121,9 @@ fn derive_writes_rust_and_the_same_bytes_each_time() {
 fn forms_give_what_they_say_or_explain_why_not() {
     let functions = |arguments: &[&str]| -> Vec<String> {
         let text = smartbed(arguments).out;
+        // What depends on parameters alone is in every form.
         let names = text.lines().filter_map(|l| l.strip_prefix("pub fn ")?.split('(').next());
+        let names = names.filter(|name| *name != "prepare");
         names.map(str::to_owned).collect()
     };
     assert_eq!(functions(&["derive", "fourbar", "--form", "kinematic"]), ["speeds", "outputs", "projection"]);
