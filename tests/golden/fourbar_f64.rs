@@ -1,11 +1,12 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 176 operations (3 abs, 32 add, 3 cos, 3 div, 2 min, 113 mul, 3 sin, 17 sub).
-// Cost of energy: 107 operations (21 add, 3 cos, 2 div, 73 mul, 3 sin, 5 sub).
-// Cost of speeds: 26 operations (3 cos, 2 div, 15 mul, 3 sin, 3 sub).
+// Cost of rates: 96 operations (3 abs, 11 add, 3 cos, 3 div, 2 min, 60 mul, 3 sin, 11 sub).
+// Cost of energy: 55 operations (8 add, 3 cos, 2 div, 35 mul, 3 sin, 4 sub).
+// Cost of speeds: 25 operations (3 cos, 2 div, 14 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
+// Cost of prepare: 21 operations (4 add, 17 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -48,6 +49,7 @@ pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
 pub const NOMINAL: [f64; 3usize] = [1f64, 0.4059193479414579f64, -1.888052664051308f64];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Crank (m), models/fourbar.toml:9.
@@ -90,9 +92,85 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `l1`.
+    pub l1: S,
+    ///The parameter `l2`.
+    pub l2: S,
+    ///The parameter `l3`.
+    pub l3: S,
+    ///The parameter `l4`.
+    pub l4: S,
+    ///The parameter `m1`.
+    pub m1: S,
+    ///The parameter `m2`.
+    pub m2: S,
+    ///The parameter `m3`.
+    pub m3: S,
+    ///Of parameters alone.
+    pub k7: S,
+    ///Of parameters alone.
+    pub k8: S,
+    ///Of parameters alone.
+    pub k9: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///21 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let l1 = p.l1;
+    let l2 = p.l2;
+    let l3 = p.l3;
+    let l4 = p.l4;
+    let m1 = p.m1;
+    let m2 = p.m2;
+    let m3 = p.m3;
+    let t1 = 0.5_f64 * l2;
+    let g = p.g;
+    let t2 = 0.5_f64 * l1;
+    let t3 = g * t2;
+    let t4 = l1 * t1;
+    let t5 = l1 * g;
+    let t6 = g * t1;
+    let t7 = 0.5_f64 * l3;
+    let t8 = g * t7;
+    let I1 = p.I1;
+    let t9 = m2 * (l1 * l1) + (I1 + m1 * (t2 * t2));
+    let I2 = p.I2;
+    let t10 = I2 + m2 * (t1 * t1);
+    let I3 = p.I3;
+    let t11 = I3 + m3 * (t7 * t7);
+    let t12 = l2 * g;
+    Prepared { l1, l2, l3, l4, m1, m2, m3, k7: t1, k8: t3, k9: t4, k10: t5, k11: t6, k12: t8, k13: t9, k14: t10, k15: t11, k16: t12 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///176 operations.
+///96 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -105,7 +183,7 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 1usize],
     inputs: &[S; 1usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 3usize], [S; 1usize], S) {
     let u1 = u[0];
     let l1 = p.l1;
@@ -116,72 +194,50 @@ pub fn rates(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let t2 = l2 * t1;
     let t3 = 1.0_f64 / t2;
     let t4 = l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * t3;
     let t5 = u1 * t4;
-    let t6 = l1 * cos_q1;
-    let t7 = l1 * sin_q1;
-    let t8 = sin_q2 * t6 - cos_q2 * t7;
+    let t6 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
     let l3 = p.l3;
-    let t9 = l3 * t1;
-    let t10 = 1.0_f64 / t9;
-    let t11 = t8 * t10;
-    let t12 = u1 * t11;
-    let t13 = l2 * cos_q2;
+    let t7 = l3 * t1;
+    let t8 = 1.0_f64 / t7;
+    let t9 = l1 * t6 * t8;
+    let u3 = u1 * t9;
     let m3 = p.m3;
-    let t14 = 0.5_f64 * l3;
-    let t15 = m3 * t14;
-    let t16 = cos_q3 * t15;
-    let t17 = l2 * sin_q2;
-    let t18 = sin_q3 * t15;
-    let t19 = t13 * t16 + t17 * t18;
-    let t20 = t19 * t4 - (t6 * t16 + t7 * t18);
-    let t21 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
-    let t22 = t12 * t12;
-    let t23 = l3 * t22;
-    let t24 = l1 * (u1 * u1);
-    let t25 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
-    let t26 = l2 * (t5 * t5);
-    let u3_dot_bias = t10 * (t21 * t23 + (t24 * t25 + t26));
+    let k12 = p.k12;
+    let k15 = p.k15;
+    let t10 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
+    let t11 = l3 * (u3 * u3);
+    let t12 = l1 * (u1 * u1);
+    let t13 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let t14 = t5 * t5;
+    let t15 = l2 * t14;
+    let u3_dot_bias = t8 * (t10 * t11 + (t12 * t13 + t15));
+    let k14 = p.k14;
+    let t16 = t3 * (t11 + (t12 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t10 * t15));
     let m2 = p.m2;
-    let g = p.g;
-    let t27 = 0.5_f64 * l2;
-    let t28 = t27 * cos_q2;
-    let t29 = t15 * t22;
-    let t30 = cos_q1 * t24 + cos_q2 * t26;
-    let t31 = cos_q3 * t29 + m3 * t30;
-    let t32 = sin_q2 * t26 + (sin_q1 * t24 - g);
-    let t33 = sin_q3 * t29 + m3 * t32;
-    let t34 = m2 * (g * t28 - t24 * (sin_q1 * t28 - cos_q1 * (t27 * sin_q2))) + (t17 * t31 - t13 * t33);
-    let t35 = m3 * t17;
-    let t36 = m3 * t13;
-    let I2 = p.I2;
-    let t37 = t17 * t35 + t13 * t36 + (I2 + m2 * (t27 * t27));
-    let t38 = t3 * (t23 + (t24 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t21 * t26));
-    let t39 = t7 * t35 + t6 * t36 + m2 * (t27 * (l1 * t25));
-    let T = inputs[0];
+    let k11 = p.k11;
+    let k7 = p.k7;
     let m1 = p.m1;
-    let t40 = 0.5_f64 * l1;
-    let t41 = m1 * t40;
-    let t42 = t41 * (g * cos_q1) - m2 * (t8 * (l2 * (t5 * (0.5_f64 * t5))) - g * t6);
-    let t43 = t4 * (t34 - t37 * t38) + (t39 * t38 + (T - (t42 + (t7 * t31 - t6 * t33))));
-    let I3 = p.I3;
-    let t44 = I3 + t14 * t15;
-    let t45 = t11 * (t19 * t38 + t15 * (cos_q3 * t32 - sin_q3 * t30) - t44 * u3_dot_bias);
-    let forcing_u1 = t20 * u3_dot_bias + t43 - t45;
-    let I1 = p.I1;
-    let t46 = m2 * (l1 * l1) + (t40 * t41 + (t7 * (m3 * t7) + t6 * (m3 * t6)));
-    let t47 = t46 + t4 * (t37 * t4 - 2.0_f64 * t39) + t11 * (2.0_f64 * t20 + t11 * t44);
-    let mass_u1_u1 = I1 + t47;
-    let t48 = forcing_u1 / mass_u1_u1;
-    let t49 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t9)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
-    ([u1, -t5, -t12], [t48], t49)
+    let k8 = p.k8;
+    let k10 = p.k10;
+    let t17 = m1 * (cos_q1 * k8) + m2 * (cos_q1 * k10 + t6 * (l1 * (k7 * t14)));
+    let T = inputs[0];
+    let k9 = p.k9;
+    let t18 = m2 * (t13 * k9);
+    let t19 = t4 * (k14 * t16 - m2 * (cos_q2 * k11 - t6 * (k7 * t12))) + (t17 - T - t18 * t16);
+    let forcing_u1 = t9 * (m3 * (cos_q3 * k12) - k15 * u3_dot_bias) - t19;
+    let k13 = p.k13;
+    let mass_u1_u1 = t9 * (k15 * t9) + (k13 - t4 * (2.0_f64 * t18 - k14 * t4));
+    let t20 = forcing_u1 / mass_u1_u1;
+    let t21 = Real::min(Real::min(0.6062967032112268_f64 * Real::abs(t2), 0.7410293039248327_f64 * Real::abs(t7)), 0.41205789559162753_f64 * Real::abs(mass_u1_u1));
+    ([u1, -t5, u3], [t20], t21)
 }
 ///Kinetic and potential energy (J).
 ///
-///107 operations.
+///55 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -194,55 +250,42 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 1usize],
     _inputs: &[S; 1usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = l2 * sin_q2;
-    let m3 = p.m3;
-    let t2 = m3 * t1;
-    let t3 = l2 * cos_q2;
-    let t4 = m3 * t3;
-    let I2 = p.I2;
-    let m2 = p.m2;
-    let t5 = 0.5_f64 * l2;
     let u1 = u[0];
+    let k13 = p.k13;
+    let k14 = p.k14;
     let l1 = p.l1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t6 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
-    let t7 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t6)));
-    let t8 = (t1 * t2 + t3 * t4 + (I2 + m2 * (t5 * t5))) * (t7 * t7);
-    let I1 = p.I1;
-    let t9 = 0.5_f64 * l1;
-    let m1 = p.m1;
-    let t10 = l1 * sin_q1;
-    let t11 = l1 * cos_q1;
-    let t12 = m2 * (l1 * l1) + (t9 * (m1 * t9) + (t10 * (m3 * t10) + t11 * (m3 * t11)));
-    let I3 = p.I3;
+    let l2 = p.l2;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
+    let t2 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1)));
+    let k15 = p.k15;
     let l3 = p.l3;
-    let t13 = 0.5_f64 * l3;
-    let t14 = m3 * t13;
-    let t15 = u1 * ((sin_q2 * t11 - cos_q2 * t10) * (1.0_f64 / (l3 * t6)));
-    let t16 = t8 + u1 * u1 * (I1 + t12) + (I3 + t13 * t14) * (t15 * t15);
-    let t17 = cos_q3 * t14;
-    let t18 = sin_q3 * t14;
-    let t19 = t10 * t2 + t11 * t4 + m2 * (t5 * (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2)));
-    let t20 = (t11 * t17 + t10 * t18) * (u1 * t15) + t19 * (u1 * t7) - (t3 * t17 + t1 * t18) * (t7 * t15);
-    let t21 = 0.5_f64 * t16 - t20;
-    let g = p.g;
-    let t22 = g * sin_q1;
-    let t23 = l1 * t22;
-    let t24 = g * sin_q2;
-    let t25 = m1 * (t9 * t22) + m2 * (t23 + t5 * t24) + m3 * (t23 + l2 * t24 + t13 * (g * sin_q3));
-    (t21, t25)
+    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f64 / (l3 * t1)));
+    let t3 = 0.5_f64 * (u1 * u1 * k13 + k14 * (t2 * t2) + k15 * (u3 * u3));
+    let m2 = p.m2;
+    let k9 = p.k9;
+    let t4 = t3 - m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * k9) * (u1 * t2);
+    let m1 = p.m1;
+    let k8 = p.k8;
+    let k10 = p.k10;
+    let t5 = sin_q1 * k10;
+    let k11 = p.k11;
+    let m3 = p.m3;
+    let k16 = p.k16;
+    let k12 = p.k12;
+    let t6 = m1 * (sin_q1 * k8) + m2 * (t5 + sin_q2 * k11) + m3 * (t5 + sin_q2 * k16 + sin_q3 * k12);
+    (t4, t6)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///26 operations.
+///25 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -255,7 +298,7 @@ pub fn speeds(
     q: &[S; 3usize],
     u: &[S; 1usize],
     _inputs: &[S; 1usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 3usize] {
     let u1 = u[0];
     let l1 = p.l1;
@@ -266,10 +309,10 @@ pub fn speeds(
     let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let l3 = p.l3;
-    let t2 = u1 * ((sin_q2 * (l1 * cos_q1) - cos_q2 * (l1 * sin_q1)) * (1.0_f64 / (l3 * t1)));
-    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1))), -t2]
+    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f64 / (l3 * t1)));
+    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f64 / (l2 * t1))), u3]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -286,7 +329,7 @@ pub fn outputs(
     _q: &[S; 3usize],
     _u: &[S; 1usize],
     _inputs: &[S; 1usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 0usize] {
     []
 }
@@ -305,16 +348,16 @@ pub fn projection(
     q: &[S; 3usize],
     _u: &[S; 1usize],
     _inputs: &[S; 1usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 2usize], S) {
     let l2 = p.l2;
-    let q2 = q[1];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let t1 = sin_q2 * cos_q3 - cos_q2 * sin_q3;
+    let q2 = q[1];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
     let l3 = p.l3;
-    let t2 = cos_q2 * cos_q3 + sin_q2 * sin_q3;
+    let t2 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
     let l4 = p.l4;
     let l1 = p.l1;
     let q1 = q[0];
@@ -326,30 +369,78 @@ pub fn projection(
     ([t4, -t5 * (1.0_f64 / (l3 * t1))], t6)
 }
 ///Four-bar linkage driven by a torque on the crank.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Fourbar {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Fourbar {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Fourbar {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.l1,
-                1usize => &mut self.parameters.l2,
-                2usize => &mut self.parameters.l3,
-                3usize => &mut self.parameters.l4,
-                4usize => &mut self.parameters.m1,
-                5usize => &mut self.parameters.m2,
-                6usize => &mut self.parameters.m3,
-                7usize => &mut self.parameters.I1,
-                8usize => &mut self.parameters.I2,
-                9usize => &mut self.parameters.I3,
-                10usize => &mut self.parameters.g,
+                0usize => self.parameters.l1,
+                1usize => self.parameters.l2,
+                2usize => self.parameters.l3,
+                3usize => self.parameters.l4,
+                4usize => self.parameters.m1,
+                5usize => self.parameters.m2,
+                6usize => self.parameters.m3,
+                7usize => self.parameters.I1,
+                8usize => self.parameters.I2,
+                9usize => self.parameters.I3,
+                10usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.l1,
+            1usize => &mut self.parameters.l2,
+            2usize => &mut self.parameters.l3,
+            3usize => &mut self.parameters.l4,
+            4usize => &mut self.parameters.m1,
+            5usize => &mut self.parameters.m2,
+            6usize => &mut self.parameters.m3,
+            7usize => &mut self.parameters.I1,
+            8usize => &mut self.parameters.I2,
+            9usize => &mut self.parameters.I3,
+            10usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
@@ -384,7 +475,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -400,7 +491,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -423,7 +514,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Fourbar {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

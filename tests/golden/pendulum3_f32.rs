@@ -1,11 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
-// Pivots: 3; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 132 operations (3 abs, 24 add, 3 cos, 3 div, 2 min, 83 mul, 3 sin, 11 sub).
-// Cost of energy: 79 operations (19 add, 3 cos, 54 mul, 3 sin).
+// Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
+// Cost of rates: 49 operations (1 abs, 5 add, 3 cos, 1 div, 1 min, 29 mul, 3 sin, 6 sub).
+// Cost of energy: 49 operations (12 add, 3 cos, 31 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
+// Cost of prepare: 37 operations (7 abs, 4 add, 7 div, 6 min, 13 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -36,6 +37,7 @@ pub const IS_ANGLE: [bool; 3usize] = [true, true, true];
 pub const NOMINAL: [f32; 3usize] = [0f32, 0f32, 0f32];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Upper mass (kg), models/pendulum3.toml:10.
@@ -66,9 +68,105 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `m0`.
+    pub m0: S,
+    ///The parameter `m1`.
+    pub m1: S,
+    ///The parameter `m2`.
+    pub m2: S,
+    ///The parameter `l0`.
+    pub l0: S,
+    ///The parameter `l1`.
+    pub l1: S,
+    ///The parameter `l2`.
+    pub l2: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k7: S,
+    ///Of parameters alone.
+    pub prepared_mass_u0_u0: S,
+    ///Of parameters alone.
+    pub prepared_mass_u1_u1: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub prepared_mass_u2_u2: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+    ///Of parameters alone.
+    pub k23: S,
+    ///Of parameters alone.
+    pub k24: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///37 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let m0 = p.m0;
+    let m1 = p.m1;
+    let m2 = p.m2;
+    let l0 = p.l0;
+    let l1 = p.l1;
+    let l2 = p.l2;
+    let g = p.g;
+    let t1 = m1 + m2;
+    let mass_u0_u0 = (m0 + t1) * (l0 * l0);
+    let mass_u1_u1 = t1 * (l1 * l1);
+    let t2 = l0 * l1;
+    let mass_u2_u2 = m2 * (l2 * l2);
+    let t3 = l1 * l2;
+    let t4 = l0 * l2;
+    let t5 = l0 * g;
+    let t6 = l1 * g;
+    let t7 = l2 * g;
+    let t8 = 1.0_f32 / m0;
+    let t9 = 1.0_f32 / m1;
+    let t10 = t8 + t9;
+    let t11 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
+    let t12 = t9 + 1.0_f32 / m2;
+    let t13 = Real::min(Real::min(t11, Real::abs(l2)), 0.5_f32 * Real::abs(t12));
+    let t14 = 1.0_f32 / t12;
+    let t15 = 1.0_f32 / l2;
+    let t16 = 1.0_f32 / l1;
+    let t17 = 1.0_f32 / l0;
+    Prepared { m0, m1, m2, l0, l1, l2, g, k7: t1, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k10: t2, prepared_mass_u2_u2: mass_u2_u2, k12: t3, k13: t4, k14: t5, k15: t6, k16: t7, k17: t8, k18: t9, k19: t10, k20: t13, k21: t14, k22: t15, k23: t16, k24: t17 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///132 operations.
+///49 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -81,68 +179,50 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
     let u0 = u[0];
     let u1 = u[1];
     let u2 = u[2];
-    let l0 = p.l0;
-    let q0 = q[0];
-    let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t1 = l0 * sin_q0;
-    let q2 = q[2];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let m2 = p.m2;
-    let l2 = p.l2;
-    let t2 = m2 * l2;
-    let t3 = sin_q2 * t2;
-    let t4 = l0 * cos_q0;
-    let t5 = cos_q2 * t2;
-    let mass_u0_u2 = t1 * t3 + t4 * t5;
-    let m0 = p.m0;
-    let t6 = m0 * l0;
-    let m1 = p.m1;
-    let mass_u0_u0 = t4 * (m2 * t4) + t1 * (m2 * t1) + (l0 * t6 + m1 * (l0 * l0));
-    let t7 = 1.0_f32 / mass_u0_u0;
-    let t8 = mass_u0_u2 * t7;
-    let l1 = p.l1;
+    let k24 = p.k24;
+    let k17 = p.k17;
     let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t9 = l1 * cos_q1;
-    let t10 = m2 * t9;
-    let t11 = l1 * sin_q1;
-    let t12 = m2 * t11;
-    let mass_u1_u1 = m1 * (l1 * l1) + (t9 * t10 + t11 * t12);
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t4 + sin_q1 * t1)) + (t4 * t10 + t1 * t12);
-    let t13 = mass_u0_u1 * t7;
-    let pivot_1 = mass_u1_u1 - mass_u0_u1 * t13;
-    let t14 = 1.0_f32 / pivot_1;
-    let mass_u1_u2 = t11 * t3 + t9 * t5;
-    let t15 = mass_u0_u2 * t13 - mass_u1_u2;
-    let t16 = t14 * t15;
-    let t17 = l0 * (u0 * u0);
-    let t18 = l1 * (u1 * u1);
-    let t19 = sin_q0 * t17 + sin_q1 * t18;
-    let t20 = u2 * u2 * t2;
-    let t21 = m2 * t19 + sin_q2 * t20;
+    let q0 = q[0];
+    let t1 = q1 - q0;
+    let (sin_t1, cos_t1) = Real::sin_cos(t1);
+    let t2 = k17 * sin_t1;
+    let l1 = p.l1;
+    let t3 = k17 * cos_t1;
+    let m0 = p.m0;
+    let l0 = p.l0;
     let g = p.g;
-    let t22 = g + cos_q0 * t17 + cos_q1 * t18;
-    let t23 = m2 * t22 + cos_q2 * t20;
-    let forcing_u1 = t9 * t21 - t11 * t23 - m1 * (g * t11 + t17 * (cos_q0 * t11 - sin_q0 * t9));
-    let t24 = t6 * (g * sin_q0) + m1 * (g * t1 + t18 * (cos_q1 * t1 - sin_q1 * t4));
-    let t25 = t1 * t23 - t4 * t21 + t24;
-    let t26 = forcing_u1 + t13 * t25;
-    let mass_u2_u2 = l2 * t2;
-    let t27 = t15 * t16 + (mass_u0_u2 * t8 - mass_u2_u2);
-    let t28 = (t16 * t26 + (t8 * t25 + t2 * (cos_q2 * t19 - sin_q2 * t22))) / t27;
-    let t29 = t14 * t26 - t16 * t28;
-    let t30 = t8 * t28 - (t13 * t29 + t7 * t25);
-    let t31 = Real::min(Real::min(0.33333334_f32 * Real::abs(mass_u0_u0), 1.5_f32 * Real::abs(pivot_1)), 2.0_f32 * Real::abs(t27));
-    ([u0, u1, u2], [t30, t29, -t28], t31)
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let t4 = m0 * (l0 * (u0 * u0) + g * cos_q0);
+    let k18 = p.k18;
+    let q2 = q[2];
+    let t5 = q2 - q1;
+    let (sin_t5, cos_t5) = Real::sin_cos(t5);
+    let t6 = k18 * cos_t5;
+    let l2 = p.l2;
+    let k21 = p.k21;
+    let t7 = l2 * (u2 * u2) * k21;
+    let k19 = p.k19;
+    let t8 = t6 * k21;
+    let t9 = k19 - cos_t1 * t3 - t6 * t8;
+    let force_mass1_y = (l1 * (u1 * u1) + t3 * t4 + t6 * t7) / t9;
+    let t10 = k24 * (t2 * force_mass1_y - g * sin_q0);
+    let force_mass0_y = t4 + cos_t1 * force_mass1_y;
+    let t11 = k18 * sin_t5;
+    let force_mass2_y = t7 + t8 * force_mass1_y;
+    let k23 = p.k23;
+    let k22 = p.k22;
+    let k20 = p.k20;
+    let t12 = Real::min(k20, 2.0_f32 * Real::abs(t9));
+    ([u0, u1, u2], [t10, -(t2 * force_mass0_y - t11 * force_mass2_y) * k23, -t11 * force_mass1_y * k22], t12)
 }
 ///Kinetic and potential energy (J).
 ///
-///79 operations.
+///49 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -155,44 +235,38 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
     let u2 = u[2];
-    let l2 = p.l2;
-    let m2 = p.m2;
-    let t1 = m2 * l2;
-    let mass_u2_u2 = l2 * t1;
+    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
     let u0 = u[0];
-    let l0 = p.l0;
-    let q0 = q[0];
-    let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t2 = l0 * cos_q0;
-    let t3 = l0 * sin_q0;
-    let m0 = p.m0;
-    let m1 = p.m1;
-    let mass_u0_u0 = t2 * (m2 * t2) + t3 * (m2 * t3) + (l0 * (m0 * l0) + m1 * (l0 * l0));
+    let prepared_mass_u0_u0 = p.prepared_mass_u0_u0;
     let u1 = u[1];
-    let l1 = p.l1;
+    let prepared_mass_u1_u1 = p.prepared_mass_u1_u1;
+    let t1 = 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2 + (u0 * u0 * prepared_mass_u0_u0 + u1 * u1 * prepared_mass_u1_u1));
+    let m2 = p.m2;
     let q1 = q[1];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t4 = l1 * cos_q1;
-    let t5 = m2 * t4;
-    let t6 = l1 * sin_q1;
-    let t7 = m2 * t6;
-    let mass_u1_u1 = m1 * (l1 * l1) + (t4 * t5 + t6 * t7);
-    let t8 = 0.5_f32 * (u2 * u2 * mass_u2_u2 + (u0 * u0 * mass_u0_u0 + u1 * u1 * mass_u1_u1));
     let q2 = q[2];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t9 = sin_q2 * t1;
-    let t10 = cos_q2 * t1;
-    let mass_u1_u2 = t6 * t9 + t4 * t10;
-    let mass_u0_u1 = m1 * (l1 * (cos_q1 * t2 + sin_q1 * t3)) + (t2 * t5 + t3 * t7);
-    let mass_u0_u2 = t3 * t9 + t2 * t10;
-    let t11 = t8 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
-    let g = p.g;
-    let t12 = l0 * (g * cos_q0);
-    let t13 = t12 + l1 * (g * cos_q1);
-    (t11, -(m0 * t12 + m1 * t13 + m2 * (t13 + l2 * (g * cos_q2))))
+    let k12 = p.k12;
+    let mass_u1_u2 = m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * k12);
+    let k7 = p.k7;
+    let q0 = q[0];
+    let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let k10 = p.k10;
+    let mass_u0_u1 = k7 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k10);
+    let k13 = p.k13;
+    let mass_u0_u2 = m2 * ((cos_q0 * cos_q2 + sin_q0 * sin_q2) * k13);
+    let t2 = t1 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
+    let m0 = p.m0;
+    let k14 = p.k14;
+    let t3 = cos_q0 * k14;
+    let m1 = p.m1;
+    let k15 = p.k15;
+    let t4 = t3 + cos_q1 * k15;
+    let k16 = p.k16;
+    (t2, -(m0 * t3 + m1 * t4 + m2 * (t4 + cos_q2 * k16)))
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
@@ -209,7 +283,7 @@ pub fn speeds(
     _q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 3usize] {
     let u0 = u[0];
     let u1 = u[1];
@@ -231,7 +305,7 @@ pub fn outputs(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> [S; 0usize] {
     []
 }
@@ -250,31 +324,75 @@ pub fn projection(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 0usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> ([S; 0usize], S) {
     ([], 0.0_f32)
 }
 ///Triple pendulum: point masses on massless rods, absolute angles from the downward vertical.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Pendulum3 {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for Pendulum3 {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl Pendulum3 {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.m0,
-                1usize => &mut self.parameters.m1,
-                2usize => &mut self.parameters.m2,
-                3usize => &mut self.parameters.l0,
-                4usize => &mut self.parameters.l1,
-                5usize => &mut self.parameters.l2,
-                6usize => &mut self.parameters.g,
+                0usize => self.parameters.m0,
+                1usize => self.parameters.m1,
+                2usize => self.parameters.m2,
+                3usize => self.parameters.l0,
+                4usize => self.parameters.l1,
+                5usize => self.parameters.l2,
+                6usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.m0,
+            1usize => &mut self.parameters.m1,
+            2usize => &mut self.parameters.m2,
+            3usize => &mut self.parameters.l0,
+            4usize => &mut self.parameters.l1,
+            5usize => &mut self.parameters.l2,
+            6usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
@@ -309,7 +427,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -325,7 +443,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -348,7 +466,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for Pendulum3 {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

@@ -1,11 +1,12 @@
 // Generated from models/tile_minimal.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile_minimal: 3 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f64.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 754 operations (12 abs, 145 add, 15 div, 11 min, 442 mul, 4 sqrt, 125 sub).
-// Cost of energy: 247 operations (50 add, 12 div, 150 mul, 4 sqrt, 31 sub).
-// Cost of speeds: 180 operations (24 add, 12 div, 108 mul, 4 sqrt, 32 sub).
-// Cost of outputs: 80 operations (12 add, 3 asin, 3 atan2, 1 cos, 4 div, 42 mul, 1 sin, 2 sqrt, 12 sub).
+// Cost of rates: 706 operations (12 abs, 141 add, 14 div, 11 min, 414 mul, 4 sqrt, 110 sub).
+// Cost of energy: 231 operations (45 add, 11 div, 144 mul, 4 sqrt, 27 sub).
+// Cost of speeds: 169 operations (24 add, 11 div, 100 mul, 4 sqrt, 30 sub).
+// Cost of outputs: 79 operations (12 add, 3 asin, 3 atan2, 1 cos, 3 div, 42 mul, 1 sin, 2 sqrt, 12 sub).
 // Cost of projection: 0 operations ().
+// Cost of prepare: 17 operations (5 add, 1 div, 6 mul, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -76,6 +77,7 @@ pub const IS_ANGLE: [bool; 3usize] = [false, false, false];
 pub const NOMINAL: [f64; 3usize] = [0f64, 0f64, 0f64];
 /// Tunable parameters, SI units.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 #[allow(non_snake_case, reason = "names are the model's")]
 pub struct Parameters {
     ///Radius of the circle of screws (m), models/tile_minimal.toml:11.
@@ -124,9 +126,99 @@ impl Default for Parameters {
         }
     }
 }
+/// What the functions below need of the parameters, from [`prepare`].
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = "names are the model's")]
+pub struct Prepared {
+    ///The parameter `R`.
+    pub R: S,
+    ///The parameter `ms`.
+    pub ms: S,
+    ///The parameter `mc`.
+    pub mc: S,
+    ///The parameter `Ic2`.
+    pub Ic2: S,
+    ///The parameter `Ic3`.
+    pub Ic3: S,
+    ///The parameter `M`.
+    pub M: S,
+    ///The parameter `Ix`.
+    pub Ix: S,
+    ///The parameter `Iy`.
+    pub Iy: S,
+    ///The parameter `Iz`.
+    pub Iz: S,
+    ///The parameter `c`.
+    pub c: S,
+    ///The parameter `g`.
+    pub g: S,
+    ///Of parameters alone.
+    pub k11: S,
+    ///Of parameters alone.
+    pub k12: S,
+    ///Of parameters alone.
+    pub k13: S,
+    ///Of parameters alone.
+    pub k14: S,
+    ///Of parameters alone.
+    pub k15: S,
+    ///Of parameters alone.
+    pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+}
+/// Computes what depends on parameters alone: once, and again when one of them changes.
+///
+///17 operations.
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = "generated straight-line arithmetic"
+)]
+#[must_use]
+pub fn prepare(p: &Parameters) -> Prepared {
+    let R = p.R;
+    let ms = p.ms;
+    let mc = p.mc;
+    let Ic2 = p.Ic2;
+    let Ic3 = p.Ic3;
+    let M = p.M;
+    let Ix = p.Ix;
+    let Iy = p.Iy;
+    let Iz = p.Iz;
+    let c = p.c;
+    let g = p.g;
+    let Ic1 = p.Ic1;
+    let t1 = 0.5_f64 * (Ic1 + Ic2 - Ic3);
+    let t2 = ms + mc;
+    let t3 = g * t2;
+    let t4 = Ix - Iz;
+    let t5 = Iy - Ix;
+    let mr = p.mr;
+    let t6 = mr + t2;
+    let t7 = 0.5773502691896257_f64 * M;
+    let t8 = 1.3333333333333333_f64 * M;
+    let t9 = 1.0_f64 / (3.0_f64 * R);
+    let t10 = 0.5_f64 * (Ic1 - (Ic2 + Ic3));
+    let t11 = t1 + t10;
+    let t12 = Iy - Iz;
+    Prepared { R, ms, mc, Ic2, Ic3, M, Ix, Iy, Iz, c, g, k11: t1, k12: t2, k13: t3, k14: t4, k15: t5, k16: t6, k17: t7, k18: t8, k19: t9, k20: t10, k21: t11, k22: t12 }
+}
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///754 operations.
+///706 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -139,270 +231,259 @@ pub fn rates(
     q: &[S; 3usize],
     u: &[S; 3usize],
     inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
     let u_hA = u[0];
     let u_hB = u[1];
     let u_hC = u[2];
     let R = p.R;
-    let t1 = 1.0_f64 / (3.0_f64 * R);
+    let k19 = p.k19;
     let hB = q[1];
     let hC = q[2];
-    let t2 = t1 * (1.7320508075688772_f64 * (hB - hC));
+    let t1 = k19 * (1.7320508075688772_f64 * (hB - hC));
     let hA = q[0];
-    let t3 = t1 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
-    let t4 = 0.8660254037844386_f64 * (t2 * (2.0_f64 * t3));
+    let t2 = k19 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
+    let t3 = 0.8660254037844386_f64 * (t1 * (2.0_f64 * t2));
+    let t4 = t1 * t1;
     let t5 = t2 * t2;
-    let t6 = t3 * t3;
-    let root = Real::sqrt(t5 + (1.0_f64 + t6));
-    let t7 = 1.0_f64 / (1.0_f64 + root);
-    let t8 = R * ((t4 - t5) * t7 - 1.0_f64);
-    let t9 = 0.8660254037844386_f64 * t8;
-    let t10 = 1.0_f64 / t9;
-    let cos2 = t6 - t5;
-    let sA = R * (1.0_f64 + t7 * (0.5_f64 * (t5 + t6) + cos2));
-    let w_platform_x_per_w_platform_y = t10 * (0.5_f64 * t8 - sA);
-    let sB = R * (1.0_f64 + t7 * (t5 + t4));
-    let t11 = 0.8660254037844386_f64 * sB;
-    let t12 = w_platform_x_per_w_platform_y * t11 + (sA + 0.5_f64 * sB);
-    let t13 = 1.0_f64 / t12;
+    let root = Real::sqrt(t4 + (1.0_f64 + t5));
+    let t6 = 1.0_f64 / (1.0_f64 + root);
+    let t7 = R * ((t3 - t4) * t6 - 1.0_f64);
+    let t8 = 0.8660254037844386_f64 * t7;
+    let t9 = 1.0_f64 / t8;
+    let cos2 = t5 - t4;
+    let sA = R * (1.0_f64 + t6 * (0.5_f64 * (t4 + t5) + cos2));
+    let w_platform_x_per_w_platform_y = t9 * (0.5_f64 * t7 - sA);
+    let sB = R * (1.0_f64 + t6 * (t4 + t3));
+    let t10 = 0.8660254037844386_f64 * sB;
+    let t11 = w_platform_x_per_w_platform_y * t10 + (sA + 0.5_f64 * sB);
+    let t12 = 1.0_f64 / t11;
     let v_G_z_per_u_hA = 1.0_f64 / root;
-    let t14 = v_G_z_per_u_hA * t10;
-    let t15 = t14 * t11;
-    let t16 = t13 * (t15 - v_G_z_per_u_hA);
-    let t17 = 0.8660254037844386_f64 * t2;
-    let t18 = 0.5_f64 * t3;
-    let alongC = t17 - t18;
-    let t19 = alongC * v_G_z_per_u_hA;
-    let t20 = t19 * t19;
-    let t21 = 1.0_f64 / (t20 - 1.0_f64);
-    let t22 = v_G_z_per_u_hA * (t17 + t18);
-    let t23 = t19 + t22;
-    let t24 = 0.28867513459481287_f64 * t23;
-    let t25 = t3 * v_G_z_per_u_hA;
-    let t26 = 0.8660254037844386_f64 * t25;
-    let t27 = t24 + t26;
-    let t28 = t21 * (0.8660254037844386_f64 * t27);
+    let t13 = v_G_z_per_u_hA * t9;
+    let t14 = t13 * t10;
+    let t15 = t12 * (t14 - v_G_z_per_u_hA);
+    let t16 = 0.8660254037844386_f64 * t1;
+    let t17 = 0.5_f64 * t2;
+    let alongC = t16 - t17;
+    let t18 = alongC * v_G_z_per_u_hA;
+    let t19 = t18 * t18;
+    let t20 = 1.0_f64 / (t19 - 1.0_f64);
+    let u_sB_per_u_hB = v_G_z_per_u_hA * (t16 + t17);
+    let t21 = t18 + u_sB_per_u_hB;
+    let t22 = 0.28867513459481287_f64 * t21;
+    let t23 = t2 * v_G_z_per_u_hA;
+    let t24 = 0.8660254037844386_f64 * t23;
+    let t25 = t22 + t24;
+    let t26 = t20 * (0.8660254037844386_f64 * t25);
     let Ic3 = p.Ic3;
-    let Ic1 = p.Ic1;
+    let k21 = p.k21;
+    let t27 = Ic3 + t18 * (t18 * k21);
+    let t28 = 1.0_f64 - u_sB_per_u_hB * u_sB_per_u_hB;
+    let t29 = 1.0_f64 / t28;
+    let t30 = t24 - t22;
+    let t31 = t29 * (0.8660254037844386_f64 * t30);
+    let t32 = Ic3 + u_sB_per_u_hB * (k21 * u_sB_per_u_hB);
+    let t33 = 1.0_f64 - t19;
+    let t34 = Real::sqrt(t33);
+    let t35 = 1.0_f64 / t34;
+    let t36 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
+    let u_thC_per_w_platform_x = t35 * t36;
     let Ic2 = p.Ic2;
-    let t29 = 0.5_f64 * (Ic1 + Ic2 - Ic3);
-    let t30 = 0.5_f64 * (Ic1 - (Ic2 + Ic3));
-    let t31 = t29 + t30;
-    let t32 = Ic3 + t19 * (t19 * t31);
-    let t33 = 1.0_f64 - t22 * t22;
-    let t34 = 1.0_f64 / t33;
-    let t35 = t26 - t24;
-    let t36 = t34 * (0.8660254037844386_f64 * t35);
-    let t37 = Ic3 + t22 * (t31 * t22);
-    let t38 = 1.0_f64 - t20;
-    let t39 = Real::sqrt(t38);
-    let t40 = 1.0_f64 / t39;
-    let t41 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
-    let u_thC_per_w_platform_x = t40 * t41;
     let Ix = p.Ix;
-    let t42 = Real::sqrt(t33);
-    let t43 = 1.0_f64 / t42;
-    let t44 = t41 * t43;
-    let t45 = t36 * (t37 * t36) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t44 * (Ic2 * t44)));
-    let t46 = t28 * (t32 * t28) + t45;
-    let t47 = w_platform_x_per_w_platform_y * t46;
-    let t48 = t34 * (0.5_f64 * t35);
-    let t49 = t37 * t48;
-    let t50 = 0.5_f64 * v_G_z_per_u_hA;
-    let t51 = t43 * t50;
-    let t52 = Ic2 * t51;
-    let t53 = t40 * t50;
-    let t54 = Ic2 * t53;
-    let t55 = t21 * (0.5_f64 * t27);
-    let t56 = t32 * t55;
-    let t57 = t36 * t49 + (t44 * t52 - u_thC_per_w_platform_x * t54) - t28 * t56;
-    let t58 = (t47 + t57) * t14;
+    let t37 = Real::sqrt(t28);
+    let t38 = 1.0_f64 / t37;
+    let t39 = t36 * t38;
+    let t40 = t31 * (t32 * t31) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t39 * (Ic2 * t39)));
+    let t41 = t26 * (t27 * t26) + t40;
+    let t42 = w_platform_x_per_w_platform_y * t41;
+    let t43 = t29 * (0.5_f64 * t30);
+    let t44 = t32 * t43;
+    let t45 = 0.5_f64 * v_G_z_per_u_hA;
+    let t46 = t38 * t45;
+    let t47 = Ic2 * t46;
+    let t48 = t35 * t45;
+    let t49 = Ic2 * t48;
+    let t50 = t20 * (0.5_f64 * t25);
+    let t51 = t27 * t50;
+    let t52 = t31 * t44 + (t39 * t47 - u_thC_per_w_platform_x * t49) - t26 * t51;
+    let t53 = (t42 + t52) * t13;
     let M = p.M;
-    let t59 = M * sA;
-    let t60 = 2.0_f64 * (t8 - sB - sA);
-    let t61 = 1.0_f64 / t60;
-    let t62 = t61 * (1.1547005383792515_f64 * t23);
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t34;
-    let t63 = t37 * u_psiB_per_w_platform_z;
-    let u_thC_per_w_platform_z = t27 * t40;
-    let t64 = Ic2 * u_thC_per_w_platform_z;
-    let t65 = t35 * t43;
-    let t66 = Ic2 * t65;
-    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t23;
-    let t67 = t25 * t25;
-    let t68 = 1.0_f64 - t67;
-    let t69 = Real::sqrt(t68);
-    let t70 = 1.0_f64 / t69;
-    let t71 = v_G_y_per_u_hA * t70;
-    let t72 = Ic2 * t71;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t70;
-    let t73 = Ic3 + t25 * (t31 * t25);
-    let t74 = 1.0_f64 / (t67 - 1.0_f64);
-    let t75 = v_G_z_per_u_hA * t74;
-    let t76 = t73 * t75;
-    let t77 = v_G_y_per_u_hA * t74;
-    let t78 = t63 * t48 + (t64 * t53 - (t66 * t51 - t72 * u_thA_per_w_platform_y) - t76 * t77);
-    let t79 = v_G_z_per_u_hA * t21;
-    let t80 = t32 * t79;
-    let t81 = t78 - t80 * t55;
-    let t82 = t80 * t28 + (t63 * t36 - (t64 * u_thC_per_w_platform_x + t66 * t44));
-    let t83 = t82 * t62;
-    let t84 = t58 - (v_G_z_per_u_hA * t59 + t62 * t81) - t83 * w_platform_x_per_w_platform_y;
+    let t54 = M * sA;
+    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t21;
+    let t55 = t7 - sB;
+    let t56 = 1.0_f64 / (t55 - sA);
+    let t57 = v_G_y_per_u_hA * t56;
+    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t29;
+    let t58 = t32 * u_psiB_per_w_platform_z;
+    let u_thC_per_w_platform_z = t25 * t35;
+    let t59 = Ic2 * u_thC_per_w_platform_z;
+    let t60 = t30 * t38;
+    let t61 = Ic2 * t60;
+    let t62 = t23 * t23;
+    let t63 = 1.0_f64 - t62;
+    let t64 = Real::sqrt(t63);
+    let t65 = 1.0_f64 / t64;
+    let t66 = v_G_y_per_u_hA * t65;
+    let t67 = Ic2 * t66;
+    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t65;
+    let t68 = Ic3 + t23 * (k21 * t23);
+    let t69 = 1.0_f64 / (t62 - 1.0_f64);
+    let t70 = v_G_z_per_u_hA * t69;
+    let t71 = t68 * t70;
+    let t72 = v_G_y_per_u_hA * t69;
+    let t73 = t58 * t43 + (t59 * t48 - (t61 * t46 - t67 * u_thA_per_w_platform_y) - t71 * t72);
+    let t74 = v_G_z_per_u_hA * t20;
+    let t75 = t27 * t74;
+    let t76 = t73 - t75 * t50;
+    let t77 = t75 * t26 + (t58 * t31 - (t59 * u_thC_per_w_platform_x + t61 * t39));
+    let t78 = t77 * t57;
+    let t79 = t53 - (v_G_z_per_u_hA * t54 + t57 * t76) - t78 * w_platform_x_per_w_platform_y;
     let Iy = p.Iy;
-    let t85 = t77 * (t73 * t77) + (t53 * t54 + (t51 * t52 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
-    let t86 = w_platform_x_per_w_platform_y * (t47 + 2.0_f64 * t57) + (sA * t59 + (t55 * t56 + (t48 * t49 + t85)));
-    let t87 = t46 * t14;
-    let t88 = 1.3333333333333333_f64 * M;
-    let t89 = t88 * sA;
-    let t90 = 0.5773502691896257_f64 * M;
+    let t80 = t72 * (t68 * t72) + (t48 * t49 + (t46 * t47 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
+    let t81 = w_platform_x_per_w_platform_y * (t42 + 2.0_f64 * t52) + (sA * t54 + (t50 * t51 + (t43 * t44 + t80)));
+    let t82 = t41 * t13;
+    let k18 = p.k18;
+    let t83 = k18 * sA;
+    let k17 = p.k17;
     let v_G_x_per_w_platform_z = 1.1547005383792515_f64 * sB;
-    let t91 = t90 * v_G_x_per_w_platform_z;
-    let t92 = v_G_y_per_u_hA * (t89 + t91);
-    let t93 = M * v_G_x_per_w_platform_z;
+    let t84 = k17 * v_G_x_per_w_platform_z;
+    let t85 = v_G_y_per_u_hA * (t83 + t84);
+    let t86 = M * v_G_x_per_w_platform_z;
     let Iz = p.Iz;
-    let t94 = u_psiB_per_w_platform_z * t63 + (t75 * t76 + (u_thC_per_w_platform_z * t64 + (t65 * t66 + (Iz + t71 * t72))));
-    let t95 = sA * (t89 + 2.0_f64 * t91) + (v_G_x_per_w_platform_z * t93 + (t79 * t80 + t94));
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t96 = ms + mc;
-    let t97 = mr + t96;
-    let t98 = t62 * (2.0_f64 * t92 + t62 * t95) + (t97 + v_G_y_per_u_hA * (t88 * v_G_y_per_u_hA)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
-    let t99 = t16 * (2.0_f64 * t84 - t86 * t16) + (t14 * (2.0_f64 * t83 - t87) - t98);
-    let t100 = 1.0_f64 / t99;
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t13;
-    let t101 = t86 * w_platform_y_per_u_hB;
-    let t102 = 1.7320508075688772_f64 * t25;
-    let t103 = v_G_y_per_u_hA - t102;
-    let t104 = t61 * t103;
-    let t105 = t82 * t104;
-    let t106 = w_platform_x_per_w_platform_y * t105 + t81 * t104;
-    let t107 = t95 * t104;
-    let v_G_x_per_u_hB = 0.5773502691896257_f64 * t103;
-    let t108 = t90 * v_G_x_per_u_hB;
-    let t109 = sA * t108 + t93 * v_G_x_per_u_hB;
-    let t110 = t14 * t105;
-    let t111 = t16 * (t101 - t106) - (t92 * t104 + (t62 * (t107 + t109) + v_G_y_per_u_hA * t108) - t110);
-    let mass_u_hA_u_hB = t111 - t84 * w_platform_y_per_u_hB;
-    let t112 = t100 * mass_u_hA_u_hB;
-    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (t101 - 2.0_f64 * t106) + (t104 * (t107 + 2.0_f64 * t109) + (t97 + v_G_x_per_u_hB * (M * v_G_x_per_u_hB)));
-    let pivot_1 = mass_u_hA_u_hB * t112 + mass_u_hB_u_hB;
-    let t113 = 1.0_f64 / pivot_1;
-    let t114 = t13 * t15;
-    let t115 = t86 * t114;
-    let t116 = t61 * (v_G_y_per_u_hA + t102);
-    let t117 = t82 * t116;
-    let t118 = t58 - t81 * t116 - w_platform_x_per_w_platform_y * t117;
-    let t119 = t115 - t118;
-    let t120 = t95 * t116;
-    let mass_u_hA_u_hC = t84 * t114 - (t16 * t119 + (t92 * t116 + t62 * t120)) - t14 * (t87 - t117 - t83);
-    let mass_u_hB_u_hC = t106 * t114 - (w_platform_y_per_u_hB * t119 + (t110 - (t109 * t116 + t104 * t120)));
-    let t121 = t112 * mass_u_hA_u_hC + mass_u_hB_u_hC;
-    let t122 = t113 * t121;
-    let w_platform_z = u_hC * t116 - (u_hA * t62 - u_hB * t104);
-    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * t16 - u_hC * t114;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t14 * (u_hA - u_hC);
-    let t123 = w_platform_z * w_platform_x;
+    let t87 = u_psiB_per_w_platform_z * t58 + (t70 * t71 + (u_thC_per_w_platform_z * t59 + (t60 * t61 + (Iz + t66 * t67))));
+    let t88 = sA * (t83 + 2.0_f64 * t84) + (v_G_x_per_w_platform_z * t86 + (t74 * t75 + t87));
+    let k16 = p.k16;
+    let t89 = t57 * (2.0_f64 * t85 + t57 * t88) + (k16 + v_G_y_per_u_hA * (k18 * v_G_y_per_u_hA)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let t90 = t15 * (2.0_f64 * t79 - t81 * t15) + (t13 * (2.0_f64 * t78 - t82) - t89);
+    let t91 = 1.0_f64 / t90;
+    let t92 = t12 * t14;
+    let t93 = t81 * t92;
+    let t94 = t25 * t56;
+    let t95 = t77 * t94;
+    let t96 = t53 - t76 * t94 - w_platform_x_per_w_platform_y * t95;
+    let t97 = t93 - t96;
+    let t98 = t88 * t94;
+    let mass_u_hA_u_hC = t79 * t92 - (t15 * t97 + (t85 * t94 + t57 * t98)) - t13 * (t82 - t95 - t78);
+    let t99 = t91 * mass_u_hA_u_hC;
+    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t12;
+    let t100 = t81 * w_platform_y_per_u_hB;
+    let t101 = t30 * t56;
+    let t102 = t77 * t101;
+    let t103 = w_platform_x_per_w_platform_y * t102 + t76 * t101;
+    let t104 = t13 * t102;
+    let t105 = t88 * t101;
+    let t106 = 1.1547005383792515_f64 * t30;
+    let t107 = k17 * t106;
+    let t108 = sA * t107 + t86 * t106;
+    let t109 = t15 * (t100 + t103) - (t104 - (t85 * t101 + (t57 * (t105 + t108) + v_G_y_per_u_hA * t107)));
+    let mass_u_hA_u_hB = t109 - t79 * w_platform_y_per_u_hB;
+    let t110 = t91 * mass_u_hA_u_hB;
+    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (t100 + 2.0_f64 * t103) + (t101 * (t105 + 2.0_f64 * t108) + (k16 + t106 * (M * t106)));
+    let pivot_1 = mass_u_hA_u_hB * t110 + mass_u_hB_u_hB;
+    let t111 = 1.0_f64 / pivot_1;
+    let t112 = t103 * t92 + (w_platform_y_per_u_hB * t97 + (t108 * t94 + t101 * t98 - t104)) - t110 * mass_u_hA_u_hC;
+    let t113 = t111 * t112;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * t15 - u_hC * t92;
+    let w_platform_z = u_hC * t94 - (u_hB * t101 + u_hA * t57);
     let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let v_G_x = v_G_x_per_w_platform_z * w_platform_z + u_hB * v_G_x_per_u_hB - 0.5773502691896257_f64 * v_G_y;
-    let t124 = u_hA * t25 + v_G_x;
-    let t125 = sA * t123 + 2.0_f64 * (w_platform_y * t124);
-    let t126 = 0.8660254037844386_f64 * w_platform_z;
-    let t127 = w_platform_y * t126;
-    let t128 = 0.5_f64 * w_platform_z;
-    let t129 = w_platform_x * t128;
-    let t130 = t127 - t129;
-    let t131 = 0.5_f64 * w_platform_y;
-    let t132 = 0.8660254037844386_f64 * w_platform_x;
-    let t133 = t131 + t132;
-    let t134 = 2.0_f64 * v_G_x;
-    let t135 = 2.0_f64 * t25;
-    let u_sB = t134 + (u_hB * t135 - w_platform_z * (1.7320508075688772_f64 * sB));
-    let t136 = t127 + t129;
-    let t137 = t131 - t132;
-    let u_sC = t134 - (w_platform_z * (1.7320508075688772_f64 * t8) - u_hC * t135);
-    let t138 = t10 * (t125 - (t8 * t136 + 2.0_f64 * (t137 * u_sC)));
-    let w_platform_y_dot_bias = t13 * (t125 - (sB * t130 + 2.0_f64 * (t133 * u_sB)) - t11 * t138);
-    let t139 = w_platform_z * t126;
-    let t140 = w_platform_x * t137 - t139;
-    let t141 = w_platform_z * t128;
-    let t142 = t141 + w_platform_y * t133;
-    let t143 = w_platform_x * t133 + t139;
-    let t144 = 1.7320508075688772_f64 * (2.0_f64 * (t126 * u_sB) - sB * t142) + (sB * t143 + 2.0_f64 * (t128 * u_sB));
-    let t145 = t141 + w_platform_y * t137;
-    let t146 = w_platform_y * w_platform_x;
-    let t147 = 2.0_f64 * (w_platform_z * t124) - sA * t146;
-    let t148 = t8 * t140 - t144 + 1.7320508075688772_f64 * (t8 * t145 - 2.0_f64 * (t126 * u_sC)) + 2.0_f64 * (t147 - t128 * u_sC);
-    let t149 = t61 * t148;
-    let v_G_x_dot_bias = 0.5773502691896257_f64 * t144;
+    let t114 = u_hB * t106 - v_G_x_per_w_platform_z * w_platform_z + 0.5773502691896257_f64 * v_G_y;
+    let u_sA = t114 - u_hA * t23;
+    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t13 * (u_hA - u_hC);
+    let t115 = w_platform_z * w_platform_x;
+    let v_G_z_dot_bias = 2.0_f64 * (w_platform_y * u_sA) - sA * t115;
+    let t116 = 0.8660254037844386_f64 * w_platform_y;
+    let t117 = 0.5_f64 * w_platform_x;
+    let t118 = t116 + t117;
+    let t119 = w_platform_z * t118;
+    let t120 = 0.5_f64 * w_platform_y;
+    let t121 = 0.8660254037844386_f64 * w_platform_x;
+    let t122 = t120 - t121;
+    let t123 = 0.8660254037844386_f64 * v_G_y;
+    let t124 = 0.5_f64 * t114;
+    let u_sC = t123 - (t124 + u_hC * t18);
+    let t125 = t9 * (v_G_z_dot_bias + (t7 * t119 + 2.0_f64 * (t122 * u_sC)));
+    let t126 = t117 - t116;
+    let t127 = t120 + t121;
+    let t128 = t126 * t127;
+    let t129 = t123 + (t124 - u_hB * u_sB_per_u_hB);
+    let t130 = sB * t128 - 2.0_f64 * (w_platform_z * t129);
+    let t131 = t118 * t122;
+    let t132 = w_platform_y * w_platform_x;
+    let t133 = sA * t132 + 2.0_f64 * (w_platform_z * u_sA);
+    let w_platform_z_dot_bias = t56 * (t130 - (t7 * t131 - 2.0_f64 * (w_platform_z * u_sC)) + t133);
+    let u_thC = u_thC_per_w_platform_x * w_platform_x - t48 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
+    let u_psiC = t26 * w_platform_x - t50 * w_platform_y - t74 * w_platform_z;
+    let t134 = 2.0_f64 * (u_thC * u_psiC);
+    let t135 = t18 * t134;
+    let u_psiC_dot_bias = t20 * (t25 * t119 - v_G_z_per_u_hA * t131 - t34 * t135);
+    let k11 = p.k11;
+    let k20 = p.k20;
+    let t136 = t27 * u_psiC_dot_bias + (t18 * (k11 * (t34 * t134)) + t34 * (k20 * t135));
+    let t137 = w_platform_z * t126;
+    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t43 * w_platform_y + t31 * w_platform_x);
+    let t138 = u_sB_per_u_hB * u_psiB;
+    let t139 = t37 * u_psiB;
+    let t140 = t138 * t139;
+    let t141 = t46 * w_platform_y + t39 * w_platform_x + t60 * w_platform_z;
+    let t142 = w_platform_z * w_platform_z;
+    let t143 = t30 * t128 - (v_G_z_per_u_hA * t137 + t37 * t140) + u_sB_per_u_hB * (t139 * t139 + t141 * t141 - (t142 + t127 * t127));
+    let t144 = Ic2 * (t38 * t143) - k21 * t140;
+    let k22 = p.k22;
+    let t145 = t34 * u_psiC;
+    let t146 = t18 * u_psiC * t145;
+    let t147 = t18 * (t122 * t122 + t142 - (t145 * t145 + u_thC * u_thC)) - (v_G_z_per_u_hA * t119 - t34 * t146 + t25 * t131);
+    let t148 = Ic2 * (t35 * t147) + k21 * t146;
+    let t149 = 2.0_f64 * t138 * t141;
+    let t150 = t32 * (t29 * (t30 * t137 + v_G_z_per_u_hA * t128 + t37 * t149)) + (u_sB_per_u_hB * (k11 * (t141 * (2.0_f64 * t139))) + t37 * (k20 * t149));
+    let t151 = t26 * t136 + (t39 * t144 - w_platform_z * w_platform_y * k22 - u_thC_per_w_platform_x * t148 - t31 * t150);
+    let t152 = t41 * t125 + (t77 * w_platform_z_dot_bias - t151);
+    let u_thA = u_thA_per_w_platform_y * w_platform_y - t66 * w_platform_z;
+    let t153 = t70 * w_platform_z + t72 * w_platform_y;
+    let t154 = 2.0_f64 * (u_thA * t153);
+    let t155 = t23 * t154;
+    let t156 = t68 * (t69 * (v_G_z_per_u_hA * t132 - v_G_y_per_u_hA * t115 - t64 * t155)) + (t23 * (k11 * (t64 * t154)) + t64 * (k20 * t155));
+    let t157 = t64 * t153;
+    let t158 = t23 * t153 * t157;
+    let t159 = v_G_z_per_u_hA * t115 + t64 * t158 + v_G_y_per_u_hA * t132 + t23 * (t142 + w_platform_y * w_platform_y - (t157 * t157 + u_thA * u_thA));
+    let t160 = Ic2 * (t65 * t159) + k21 * t158;
+    let k14 = p.k14;
+    let t161 = t72 * t156 + (t48 * t148 - (u_thA_per_w_platform_y * t160 - k14 * t115 - t46 * t144));
     let g = p.g;
-    let t150 = M * (v_G_x_dot_bias - g * t25);
-    let t151 = 0.5773502691896257_f64 * t150 - M * (g * v_G_y_per_u_hA) - t88 * t147;
-    let u_psiC = t28 * w_platform_x - t55 * w_platform_y - t79 * w_platform_z;
-    let t152 = t19 * u_psiC;
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t53 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
-    let t153 = 2.0_f64 * (t152 * u_thC);
-    let u_psiC_dot_bias = t21 * (t27 * t136 - (t50 * t140 + t41 * t145) - t39 * t153);
-    let t154 = t39 * u_psiC;
-    let t155 = t32 * u_psiC_dot_bias + (t19 * (t29 * (2.0_f64 * (u_thC * t154))) + t39 * (t30 * t153));
-    let t156 = t51 * w_platform_y + t44 * w_platform_x + t65 * w_platform_z;
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t48 * w_platform_y + t36 * w_platform_x);
-    let t157 = 2.0_f64 * (t156 * u_psiB);
-    let t158 = t22 * t157;
-    let t159 = t37 * (t34 * (t50 * t143 - t41 * t142 - t35 * t130 + t42 * t158));
-    let t160 = t159 + (t22 * (t29 * (t42 * t157)) + t42 * (t30 * t158));
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - t71 * w_platform_z;
-    let t161 = t75 * w_platform_z + t77 * w_platform_y;
-    let t162 = t135 * (u_thA * t161);
-    let t163 = t69 * t161;
-    let t164 = t73 * (t74 * (v_G_z_per_u_hA * t146 - v_G_y_per_u_hA * t123 - t69 * t162)) + (t25 * (t29 * (2.0_f64 * (u_thA * t163))) + t69 * (t30 * t162));
-    let t165 = t152 * t154;
-    let t166 = v_G_y_per_u_hA * t140 + t25 * t145 + v_G_z_per_u_hA * t136 + (t19 * (t154 * t154 + u_thC * u_thC) - t39 * t165);
-    let t167 = Ic2 * (t40 * t166) - t31 * t165;
-    let t168 = t163 * (t25 * t161);
-    let t169 = v_G_z_per_u_hA * t123 + t69 * t168 + v_G_y_per_u_hA * t146 + t25 * (w_platform_z * w_platform_z + w_platform_y * w_platform_y - (t163 * t163 + u_thA * u_thA));
-    let t170 = Ic2 * (t70 * t169) + t31 * t168;
-    let t171 = t42 * u_psiB;
-    let t172 = t22 * u_psiB * t171;
-    let t173 = v_G_y_per_u_hA * t143 + t25 * t142 - v_G_z_per_u_hA * t130 + (t42 * t172 - t22 * (t171 * t171 + t156 * t156));
-    let t174 = Ic2 * (t43 * t173) + t31 * t172;
-    let t175 = t75 * t164 + (u_thC_per_w_platform_z * t167 + (t71 * t170 + (Iy - Ix) * t146 - t65 * t174));
-    let t176 = sA * t151 - (t91 * t147 - (v_G_x_per_w_platform_z * t150 - (t79 * t155 - (u_psiB_per_w_platform_z * t160 + t175))));
-    let t177 = t95 * t149 - t176;
-    let FB = inputs[1];
+    let t162 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
+    let t163 = t52 * t125 + (t76 * w_platform_z_dot_bias + (t50 * t136 + (t43 * t150 - t161)) - sA * t162);
+    let w_platform_y_dot_bias = t12 * (t10 * t125 + (sB * t137 + 2.0_f64 * (t127 * t129) - v_G_z_dot_bias));
+    let t164 = w_platform_x_per_w_platform_y * t152 + t163 - t81 * w_platform_y_dot_bias;
+    let t165 = t13 * t152;
+    let t166 = M * (1.1547005383792515_f64 * t130 - g * t23);
+    let t167 = k18 * t133 + (0.5773502691896257_f64 * t166 - M * (g * v_G_y_per_u_hA));
+    let k15 = p.k15;
+    let t168 = t70 * t156 + (t60 * t144 + (t66 * t160 + k15 * t132) - u_thC_per_w_platform_z * t148);
+    let t169 = sA * t167 + (t84 * t133 + (v_G_x_per_w_platform_z * t166 - (t74 * t136 - (u_psiB_per_w_platform_z * t150 + t168))));
+    let t170 = t88 * w_platform_z_dot_bias + t169;
+    let k13 = p.k13;
     let c = p.c;
-    let t178 = g * t96;
-    let t179 = t109 * t149 - (v_G_x_per_u_hB * t150 - (FB - u_hB * c - t178) - t108 * t147);
-    let t180 = u_thC_per_w_platform_x * t167 - (t44 * t174 + w_platform_z * w_platform_y * (Iy - Iz)) - t36 * t160;
-    let t181 = t46 * t138 + (t82 * t149 + (t28 * t155 + t180));
-    let t182 = M * (g * v_G_z_per_u_hA - t125);
-    let t183 = t77 * t164 - (t53 * t167 + (t51 * t174 + (u_thA_per_w_platform_y * t170 - (Ix - Iz) * t123)));
-    let t184 = t57 * t138 + (sA * t182 + (t81 * t149 - (t55 * t155 + (t48 * t160 - t183))));
-    let t185 = t86 * w_platform_y_dot_bias + (w_platform_x_per_w_platform_y * t181 + t184);
-    let forcing_u_hB = t106 * w_platform_y_dot_bias + (t105 * t138 + (t104 * t177 + t179)) - w_platform_y_per_u_hB * t185;
     let FA = inputs[0];
-    let t186 = t62 * t177 + (t92 * t149 + (t178 + (u_hA * c - FA) - v_G_y_per_u_hA * t151));
-    let t187 = t14 * t181;
-    let t188 = t16 * t185 + (t83 * t138 + (v_G_z_per_u_hA * t182 + t186) - t187 - t84 * w_platform_y_dot_bias);
-    let t189 = forcing_u_hB - t112 * t188;
+    let t171 = t57 * t170 + (t85 * w_platform_z_dot_bias - (k13 + (u_hA * c - FA) - v_G_y_per_u_hA * t167));
+    let forcing_u_hA = t15 * t164 - (t165 - (t78 * t125 - (v_G_z_per_u_hA * t162 - t171)) - t79 * w_platform_y_dot_bias);
+    let FB = inputs[1];
+    let t172 = t108 * w_platform_z_dot_bias + (t107 * t133 + (FB - u_hB * c - k13 + t106 * t166));
+    let forcing_u_hB = w_platform_y_per_u_hB * t164 + (t102 * t125 + (t101 * t170 + t172) - t103 * w_platform_y_dot_bias);
+    let t173 = t110 * forcing_u_hA + forcing_u_hB;
     let FC = inputs[2];
-    let t190 = t118 * w_platform_y_dot_bias - (t117 * t138 + (t116 * t177 - (t178 + (u_hC * c - FC))) - t187);
-    let forcing_u_hC = t114 * t185 - t190;
-    let t191 = t100 * mass_u_hA_u_hC;
-    let mass_u_hC_u_hC = t97 + t116 * t120 - t14 * (2.0_f64 * t117 - t87) - t114 * (2.0_f64 * t118 - t115);
-    let pivot_2 = mass_u_hA_u_hC * t191 + mass_u_hC_u_hC - t121 * t122;
-    let t192 = (t122 * t189 - (forcing_u_hC - t191 * t188)) / pivot_2;
-    let t193 = t122 * t192 + t113 * t189;
-    let t194 = t112 * t193 + t100 * t188 - t191 * t192;
-    let t195 = Real::min(Real::min(Real::min(Real::min(Real::abs(t69), Real::abs(t42)), Real::abs(t39)), Real::abs(t68)), Real::abs(t33));
-    let t196 = Real::min(Real::min(Real::min(Real::min(t195, Real::abs(t38)), 0.8333333333333333_f64 * Real::abs(t60)), 5.773502691896257_f64 * Real::abs(t9)), 1.6666666666666665_f64 * Real::abs(t12));
-    let t197 = Real::min(Real::min(Real::min(t196, 0.2165283291230603_f64 * Real::abs(t99)), 0.216807871823593_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
-    ([u_hA, u_hB, u_hC], [t194, t193, -t192], t197)
+    let t174 = t96 * w_platform_y_dot_bias - (t165 - (t95 * t125 + (t94 * t170 + (k13 + (u_hC * c - FC)))));
+    let mass_u_hC_u_hC = k16 + t94 * t98 - t13 * (2.0_f64 * t95 - t82) - t92 * (2.0_f64 * t96 - t93);
+    let pivot_2 = mass_u_hA_u_hC * t99 + mass_u_hC_u_hC - t112 * t113;
+    let t175 = (t113 * t173 + (t99 * forcing_u_hA - (t92 * t164 + t174))) / pivot_2;
+    let t176 = t113 * t175 + t111 * t173;
+    let t177 = t99 * t175 - (t91 * forcing_u_hA - t110 * t176);
+    let t178 = Real::min(Real::min(Real::min(Real::min(Real::abs(t64), Real::abs(t37)), Real::abs(t34)), Real::abs(t63)), Real::abs(t28));
+    let t179 = Real::min(Real::min(Real::min(t178, Real::abs(t33)), 1.6666666666666665_f64 * Real::min(Real::abs(sA - t55), Real::abs(t11))), 5.773502691896257_f64 * Real::abs(t8));
+    let t180 = Real::min(Real::min(Real::min(t179, 0.2165283291230603_f64 * Real::abs(t90)), 0.216807871823593_f64 * Real::abs(pivot_1)), 0.21706868422196893_f64 * Real::abs(pivot_2));
+    ([u_hA, u_hB, u_hC], [t177, t176, t175], t180)
 }
 ///Kinetic and potential energy (J).
 ///
-///247 operations.
+///231 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -415,107 +496,102 @@ pub fn energy(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> (S, S) {
-    let mr = p.mr;
-    let ms = p.ms;
-    let mc = p.mc;
-    let t1 = ms + mc;
-    let t2 = mr + t1;
+    let k16 = p.k16;
     let u_hA = u[0];
     let u_hB = u[1];
     let u_hC = u[2];
     let Ic3 = p.Ic3;
-    let R = p.R;
-    let t3 = 1.0_f64 / (3.0_f64 * R);
+    let k19 = p.k19;
     let hB = q[1];
     let hC = q[2];
     let hA = q[0];
-    let t4 = t3 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
-    let t5 = t3 * (1.7320508075688772_f64 * (hB - hC));
-    let t6 = t5 * t5;
-    let t7 = t4 * t4;
-    let root = Real::sqrt(t6 + (1.0_f64 + t7));
+    let t1 = k19 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
+    let t2 = k19 * (1.7320508075688772_f64 * (hB - hC));
+    let t3 = t2 * t2;
+    let t4 = t1 * t1;
+    let root = Real::sqrt(t3 + (1.0_f64 + t4));
     let v_G_z_per_u_hA = 1.0_f64 / root;
-    let t8 = t4 * v_G_z_per_u_hA;
-    let Ic1 = p.Ic1;
+    let t5 = t1 * v_G_z_per_u_hA;
+    let k21 = p.k21;
+    let t6 = t5 * t5;
+    let t7 = 1.0_f64 / (t6 - 1.0_f64);
+    let t8 = 0.8660254037844386_f64 * t2;
+    let t9 = 0.5_f64 * t1;
+    let alongC = t8 - t9;
+    let t10 = alongC * v_G_z_per_u_hA;
+    let u_sB_per_u_hB = v_G_z_per_u_hA * (t8 + t9);
+    let t11 = t10 + u_sB_per_u_hB;
+    let t12 = 0.28867513459481287_f64 * t11;
+    let t13 = 0.8660254037844386_f64 * t5;
+    let t14 = t12 + t13;
+    let R = p.R;
+    let t15 = 0.8660254037844386_f64 * (t2 * (2.0_f64 * t1));
+    let t16 = 1.0_f64 / (1.0_f64 + root);
+    let t17 = R * ((t15 - t3) * t16 - 1.0_f64);
+    let sB = R * (1.0_f64 + t16 * (t3 + t15));
+    let cos2 = t4 - t3;
+    let sA = R * (1.0_f64 + t16 * (0.5_f64 * (t3 + t4) + cos2));
+    let t18 = 1.0_f64 / (t17 - sB - sA);
+    let t19 = t13 - t12;
+    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t11;
+    let w_platform_z = u_hC * (t14 * t18) - (u_hB * (t19 * t18) + u_hA * (v_G_y_per_u_hA * t18));
+    let t20 = 1.0_f64 / (0.8660254037844386_f64 * t17);
+    let w_platform_x_per_w_platform_y = t20 * (0.5_f64 * t17 - sA);
+    let t21 = 0.8660254037844386_f64 * sB;
+    let t22 = 1.0_f64 / (w_platform_x_per_w_platform_y * t21 + (sA + 0.5_f64 * sB));
+    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t22;
+    let t23 = v_G_z_per_u_hA * t20;
+    let t24 = t23 * t21;
+    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * (t22 * (t24 - v_G_z_per_u_hA)) - u_hC * (t22 * t24);
+    let t25 = v_G_z_per_u_hA * t7 * w_platform_z + v_G_y_per_u_hA * t7 * w_platform_y;
+    let t26 = k16 * (u_hA * u_hA) + (k16 * (u_hB * u_hB) + k16 * (u_hC * u_hC)) + (Ic3 + t5 * (k21 * t5)) * (t25 * t25);
     let Ic2 = p.Ic2;
-    let t9 = 0.5_f64 * (Ic1 + Ic2 - Ic3) + 0.5_f64 * (Ic1 - (Ic2 + Ic3));
-    let t10 = t8 * t8;
-    let t11 = 1.0_f64 / (t10 - 1.0_f64);
-    let t12 = 0.8660254037844386_f64 * (t5 * (2.0_f64 * t4));
-    let t13 = 1.0_f64 / (1.0_f64 + root);
-    let t14 = R * ((t12 - t6) * t13 - 1.0_f64);
-    let sB = R * (1.0_f64 + t13 * (t6 + t12));
-    let cos2 = t7 - t6;
-    let sA = R * (1.0_f64 + t13 * (0.5_f64 * (t6 + t7) + cos2));
-    let t15 = 1.0_f64 / (2.0_f64 * (t14 - sB - sA));
-    let t16 = 0.8660254037844386_f64 * t5;
-    let t17 = 0.5_f64 * t4;
-    let alongC = t16 - t17;
-    let t18 = alongC * v_G_z_per_u_hA;
-    let t19 = v_G_z_per_u_hA * (t16 + t17);
-    let t20 = t18 + t19;
-    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t20;
-    let t21 = 1.7320508075688772_f64 * t8;
-    let t22 = v_G_y_per_u_hA - t21;
-    let w_platform_z = u_hC * (t15 * (v_G_y_per_u_hA + t21)) - (u_hA * (t15 * (1.1547005383792515_f64 * t20)) - u_hB * (t15 * t22));
-    let t23 = 1.0_f64 / (0.8660254037844386_f64 * t14);
-    let w_platform_x_per_w_platform_y = t23 * (0.5_f64 * t14 - sA);
-    let t24 = 0.8660254037844386_f64 * sB;
-    let t25 = 1.0_f64 / (w_platform_x_per_w_platform_y * t24 + (sA + 0.5_f64 * sB));
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t25;
-    let t26 = v_G_z_per_u_hA * t23;
-    let t27 = t26 * t24;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * (t25 * (t27 - v_G_z_per_u_hA)) - u_hC * (t25 * t27);
-    let t28 = v_G_z_per_u_hA * t11 * w_platform_z + v_G_y_per_u_hA * t11 * w_platform_y;
-    let t29 = t2 * (u_hA * u_hA) + (t2 * (u_hB * u_hB) + t2 * (u_hC * u_hC)) + (Ic3 + t8 * (t9 * t8)) * (t28 * t28);
-    let t30 = 1.0_f64 / Real::sqrt(1.0_f64 - t10);
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t30;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t30 * w_platform_z;
-    let t31 = 1.0_f64 - t19 * t19;
-    let t32 = 1.0_f64 / t31;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t32;
-    let t33 = 0.8660254037844386_f64 * t8;
-    let t34 = 0.28867513459481287_f64 * t20;
-    let t35 = t33 - t34;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t26 * (u_hA - u_hC);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t32 * (0.5_f64 * t35) * w_platform_y + t32 * (0.8660254037844386_f64 * t35) * w_platform_x);
-    let t36 = t29 + Ic2 * (u_thA * u_thA) + (Ic3 + t19 * (t9 * t19)) * (u_psiB * u_psiB);
-    let t37 = 1.0_f64 / Real::sqrt(t31);
-    let t38 = 0.5_f64 * v_G_z_per_u_hA;
-    let t39 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
-    let t40 = t37 * t38 * w_platform_y + t39 * t37 * w_platform_x + t35 * t37 * w_platform_z;
-    let t41 = t18 * t18;
-    let t42 = 1.0_f64 / (t41 - 1.0_f64);
-    let t43 = t34 + t33;
-    let u_psiC = t42 * (0.8660254037844386_f64 * t43) * w_platform_x - t42 * (0.5_f64 * t43) * w_platform_y - v_G_z_per_u_hA * t42 * w_platform_z;
-    let t44 = t36 + Ic2 * (t40 * t40) + (Ic3 + t18 * (t18 * t9)) * (u_psiC * u_psiC);
-    let t45 = 1.0_f64 / Real::sqrt(1.0_f64 - t41);
-    let u_thC_per_w_platform_x = t45 * t39;
-    let u_thC_per_w_platform_z = t43 * t45;
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t45 * t38 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
+    let t27 = 1.0_f64 / Real::sqrt(1.0_f64 - t6);
+    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t27;
+    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t27 * w_platform_z;
+    let t28 = 1.0_f64 - u_sB_per_u_hB * u_sB_per_u_hB;
+    let t29 = 1.0_f64 / t28;
+    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t29;
+    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t23 * (u_hA - u_hC);
+    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t29 * (0.5_f64 * t19) * w_platform_y + t29 * (0.8660254037844386_f64 * t19) * w_platform_x);
+    let t30 = t26 + Ic2 * (u_thA * u_thA) + (Ic3 + u_sB_per_u_hB * (k21 * u_sB_per_u_hB)) * (u_psiB * u_psiB);
+    let t31 = 1.0_f64 / Real::sqrt(t28);
+    let t32 = 0.5_f64 * v_G_z_per_u_hA;
+    let t33 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
+    let t34 = t31 * t32 * w_platform_y + t33 * t31 * w_platform_x + t19 * t31 * w_platform_z;
+    let t35 = t10 * t10;
+    let t36 = 1.0_f64 / (t35 - 1.0_f64);
+    let u_psiC = t36 * (0.8660254037844386_f64 * t14) * w_platform_x - t36 * (0.5_f64 * t14) * w_platform_y - v_G_z_per_u_hA * t36 * w_platform_z;
+    let t37 = t30 + Ic2 * (t34 * t34) + (Ic3 + t10 * (t10 * k21)) * (u_psiC * u_psiC);
+    let t38 = 1.0_f64 / Real::sqrt(1.0_f64 - t35);
+    let u_thC_per_w_platform_x = t38 * t33;
+    let u_thC_per_w_platform_z = t14 * t38;
+    let u_thC = u_thC_per_w_platform_x * w_platform_x - t38 * t32 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
     let Ix = p.Ix;
     let Iy = p.Iy;
-    let t46 = t44 + Ic2 * (u_thC * u_thC) + Ix * (w_platform_x * w_platform_x) + Iy * (w_platform_y * w_platform_y);
+    let t39 = t37 + Ic2 * (u_thC * u_thC) + Ix * (w_platform_x * w_platform_x) + Iy * (w_platform_y * w_platform_y);
     let Iz = p.Iz;
     let M = p.M;
     let v_G_x_per_w_platform_z = 1.1547005383792515_f64 * sB;
-    let v_G_x_per_u_hB = 0.5773502691896257_f64 * t22;
     let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let v_G_x = v_G_x_per_w_platform_z * w_platform_z + u_hB * v_G_x_per_u_hB - 0.5773502691896257_f64 * v_G_y;
-    let t47 = t46 + Iz * (w_platform_z * w_platform_z) + M * (v_G_x * v_G_x) + M * (v_G_y * v_G_y);
+    let t40 = u_hB * (1.1547005383792515_f64 * t19) - v_G_x_per_w_platform_z * w_platform_z + 0.5773502691896257_f64 * v_G_y;
+    let t41 = t39 + Iz * (w_platform_z * w_platform_z) + M * (t40 * t40) + M * (v_G_y * v_G_y);
     let v_G_z = sA * w_platform_y + u_hA * v_G_z_per_u_hA;
-    let t48 = 0.5_f64 * (t47 + M * (v_G_z * v_G_z));
+    let t42 = 0.5_f64 * (t41 + M * (v_G_z * v_G_z));
     let g = p.g;
-    let t49 = hA * g;
-    let t50 = hB * g;
-    let t51 = M * (t49 + sA * (g * t8)) + (t1 * (hC * g) + (mc * t50 + (ms * t50 + t1 * t49)));
-    (t48, t51)
+    let t43 = hA * g;
+    let k12 = p.k12;
+    let mc = p.mc;
+    let t44 = hB * g;
+    let ms = p.ms;
+    let t45 = M * (t43 + t5 * (g * sA)) + (k12 * (hC * g) + (mc * t44 + (ms * t44 + k12 * t43)));
+    (t42, t45)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///180 operations.
+///169 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -528,85 +604,82 @@ pub fn speeds(
     q: &[S; 3usize],
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 12usize] {
     let u_hA = u[0];
-    let R = p.R;
-    let t1 = 1.0_f64 / (3.0_f64 * R);
+    let k19 = p.k19;
     let hB = q[1];
     let hC = q[2];
-    let t2 = t1 * (1.7320508075688772_f64 * (hB - hC));
-    let t3 = t2 * t2;
+    let t1 = k19 * (1.7320508075688772_f64 * (hB - hC));
+    let t2 = t1 * t1;
     let hA = q[0];
-    let t4 = t1 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
-    let t5 = t4 * t4;
-    let root = Real::sqrt(t3 + (1.0_f64 + t5));
+    let t3 = k19 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
+    let t4 = t3 * t3;
+    let root = Real::sqrt(t2 + (1.0_f64 + t4));
     let v_G_z_per_u_hA = 1.0_f64 / root;
-    let t6 = t4 * v_G_z_per_u_hA;
-    let t7 = t6 * t6;
-    let t8 = 1.0_f64 / (t7 - 1.0_f64);
+    let t5 = t3 * v_G_z_per_u_hA;
+    let t6 = t5 * t5;
+    let t7 = 1.0_f64 / (t6 - 1.0_f64);
     let u_hC = u[2];
-    let t9 = 0.8660254037844386_f64 * (t2 * (2.0_f64 * t4));
-    let t10 = 1.0_f64 / (1.0_f64 + root);
-    let t11 = R * ((t9 - t3) * t10 - 1.0_f64);
-    let sB = R * (1.0_f64 + t10 * (t3 + t9));
-    let cos2 = t5 - t3;
-    let sA = R * (1.0_f64 + t10 * (0.5_f64 * (t3 + t5) + cos2));
-    let t12 = 1.0_f64 / (2.0_f64 * (t11 - sB - sA));
-    let t13 = 0.8660254037844386_f64 * t2;
-    let t14 = 0.5_f64 * t4;
-    let alongC = t13 - t14;
-    let t15 = alongC * v_G_z_per_u_hA;
-    let t16 = v_G_z_per_u_hA * (t13 + t14);
-    let t17 = t15 + t16;
-    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t17;
-    let t18 = 1.7320508075688772_f64 * t6;
+    let t8 = 0.8660254037844386_f64 * t1;
+    let t9 = 0.5_f64 * t3;
+    let alongC = t8 - t9;
+    let t10 = alongC * v_G_z_per_u_hA;
+    let u_sB_per_u_hB = v_G_z_per_u_hA * (t8 + t9);
+    let t11 = t10 + u_sB_per_u_hB;
+    let t12 = 0.28867513459481287_f64 * t11;
+    let t13 = 0.8660254037844386_f64 * t5;
+    let t14 = t12 + t13;
+    let R = p.R;
+    let t15 = 0.8660254037844386_f64 * (t1 * (2.0_f64 * t3));
+    let t16 = 1.0_f64 / (1.0_f64 + root);
+    let t17 = R * ((t15 - t2) * t16 - 1.0_f64);
+    let sB = R * (1.0_f64 + t16 * (t2 + t15));
+    let cos2 = t4 - t2;
+    let sA = R * (1.0_f64 + t16 * (0.5_f64 * (t2 + t4) + cos2));
+    let t18 = 1.0_f64 / (t17 - sB - sA);
     let u_hB = u[1];
-    let t19 = v_G_y_per_u_hA - t18;
-    let w_platform_z = u_hC * (t12 * (v_G_y_per_u_hA + t18)) - (u_hA * (t12 * (1.1547005383792515_f64 * t17)) - u_hB * (t12 * t19));
-    let t20 = 1.0_f64 / (0.8660254037844386_f64 * t11);
-    let w_platform_x_per_w_platform_y = t20 * (0.5_f64 * t11 - sA);
+    let t19 = t13 - t12;
+    let v_G_y_per_u_hA = 0.5773502691896257_f64 * t11;
+    let w_platform_z = u_hC * (t14 * t18) - (u_hB * (t19 * t18) + u_hA * (v_G_y_per_u_hA * t18));
+    let t20 = 1.0_f64 / (0.8660254037844386_f64 * t17);
+    let w_platform_x_per_w_platform_y = t20 * (0.5_f64 * t17 - sA);
     let t21 = 0.8660254037844386_f64 * sB;
     let t22 = 1.0_f64 / (w_platform_x_per_w_platform_y * t21 + (sA + 0.5_f64 * sB));
     let w_platform_y_per_u_hB = v_G_z_per_u_hA * t22;
     let t23 = v_G_z_per_u_hA * t20;
     let t24 = t23 * t21;
     let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * (t22 * (t24 - v_G_z_per_u_hA)) - u_hC * (t22 * t24);
-    let t25 = 1.0_f64 / Real::sqrt(1.0_f64 - t7);
+    let t25 = 1.0_f64 / Real::sqrt(1.0_f64 - t6);
     let u_thA_per_w_platform_y = v_G_z_per_u_hA * t25;
     let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t25 * w_platform_z;
     let v_G_x_per_w_platform_z = 1.1547005383792515_f64 * sB;
-    let v_G_x_per_u_hB = 0.5773502691896257_f64 * t19;
     let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let v_G_x = v_G_x_per_w_platform_z * w_platform_z + u_hB * v_G_x_per_u_hB - 0.5773502691896257_f64 * v_G_y;
-    let t26 = 1.0_f64 - t16 * t16;
-    let t27 = 1.0_f64 / t26;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t27;
-    let t28 = 0.8660254037844386_f64 * t6;
-    let t29 = 0.28867513459481287_f64 * t17;
-    let t30 = t28 - t29;
+    let t26 = u_hB * (1.1547005383792515_f64 * t19) - v_G_x_per_w_platform_z * w_platform_z + 0.5773502691896257_f64 * v_G_y;
+    let u_sA = t26 - u_hA * t5;
+    let t27 = 1.0_f64 - u_sB_per_u_hB * u_sB_per_u_hB;
+    let t28 = 1.0_f64 / t27;
+    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t28;
     let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t23 * (u_hA - u_hC);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t27 * (0.5_f64 * t30) * w_platform_y + t27 * (0.8660254037844386_f64 * t30) * w_platform_x);
-    let t31 = 1.0_f64 / Real::sqrt(t26);
-    let t32 = 0.5_f64 * v_G_z_per_u_hA;
-    let t33 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
-    let t34 = 2.0_f64 * v_G_x;
-    let t35 = 2.0_f64 * t6;
-    let u_sB = t34 + (u_hB * t35 - w_platform_z * (1.7320508075688772_f64 * sB));
-    let t36 = t15 * t15;
-    let t37 = 1.0_f64 / (t36 - 1.0_f64);
-    let t38 = t29 + t28;
-    let u_psiC = t37 * (0.8660254037844386_f64 * t38) * w_platform_x - t37 * (0.5_f64 * t38) * w_platform_y - v_G_z_per_u_hA * t37 * w_platform_z;
-    let t39 = 1.0_f64 / Real::sqrt(1.0_f64 - t36);
-    let u_thC_per_w_platform_x = t39 * t33;
-    let u_thC_per_w_platform_z = t38 * t39;
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t39 * t32 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
-    let u_sC = t34 - (w_platform_z * (1.7320508075688772_f64 * t11) - u_hC * t35);
-    [u_hA, -(v_G_z_per_u_hA * t8 * w_platform_z + v_G_y_per_u_hA * t8 * w_platform_y), u_thA, -(u_hA * t6 + v_G_x), u_hB, u_psiB, -(t31 * t32 * w_platform_y + t33 * t31 * w_platform_x + t30 * t31 * w_platform_z), u_sB, u_hC, u_psiC, u_thC, u_sC]
+    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t28 * (0.5_f64 * t19) * w_platform_y + t28 * (0.8660254037844386_f64 * t19) * w_platform_x);
+    let t29 = 1.0_f64 / Real::sqrt(t27);
+    let t30 = 0.5_f64 * v_G_z_per_u_hA;
+    let t31 = 0.8660254037844386_f64 * v_G_z_per_u_hA;
+    let t32 = 0.8660254037844386_f64 * v_G_y;
+    let t33 = 0.5_f64 * t26;
+    let t34 = t10 * t10;
+    let t35 = 1.0_f64 / (t34 - 1.0_f64);
+    let u_psiC = t35 * (0.8660254037844386_f64 * t14) * w_platform_x - t35 * (0.5_f64 * t14) * w_platform_y - v_G_z_per_u_hA * t35 * w_platform_z;
+    let t36 = 1.0_f64 / Real::sqrt(1.0_f64 - t34);
+    let u_thC_per_w_platform_x = t36 * t31;
+    let u_thC_per_w_platform_z = t14 * t36;
+    let u_thC = u_thC_per_w_platform_x * w_platform_x - t36 * t30 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
+    let u_sC = t32 - (t33 + u_hC * t10);
+    [u_hA, -(v_G_z_per_u_hA * t7 * w_platform_z + v_G_y_per_u_hA * t7 * w_platform_y), u_thA, u_sA, u_hB, u_psiB, -(t29 * t30 * w_platform_y + t31 * t29 * w_platform_x + t19 * t29 * w_platform_z), -(t32 + (t33 - u_hB * u_sB_per_u_hB)), u_hC, u_psiC, u_thC, u_sC]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
-///80 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -619,46 +692,47 @@ pub fn outputs(
     q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    p: &Parameters,
+    p: &Prepared,
 ) -> [S; 12usize] {
     let R = p.R;
-    let t1 = 1.0_f64 / (3.0_f64 * R);
+    let k19 = p.k19;
     let hB = q[1];
     let hC = q[2];
-    let t2 = t1 * (1.7320508075688772_f64 * (hB - hC));
-    let t3 = t2 * t2;
+    let t1 = k19 * (1.7320508075688772_f64 * (hB - hC));
+    let t2 = t1 * t1;
     let hA = q[0];
-    let t4 = t1 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
-    let t5 = t4 * t4;
-    let root = Real::sqrt(t3 + (1.0_f64 + t5));
-    let t6 = 1.0_f64 + root;
-    let t7 = 1.0_f64 / t6;
-    let cos2 = t5 - t3;
-    let sA = R * (1.0_f64 + t7 * (0.5_f64 * (t3 + t5) + cos2));
+    let t3 = k19 * (2.0_f64 * (0.5_f64 * (hB + hC) - hA));
+    let t4 = t3 * t3;
+    let root = Real::sqrt(t2 + (1.0_f64 + t4));
+    let t5 = 1.0_f64 + root;
+    let t6 = 1.0_f64 / t5;
+    let cos2 = t4 - t2;
+    let sA = R * (1.0_f64 + t6 * (0.5_f64 * (t2 + t4) + cos2));
     let v_G_z_per_u_hA = 1.0_f64 / root;
-    let t8 = t4 * v_G_z_per_u_hA;
-    let t9 = sA * Real::sqrt(1.0_f64 - t8 * t8);
-    let k = 1.0_f64 / (root * t6);
-    let psiA = Real::atan2(t2 * (t4 * k), 1.0_f64 - t5 * k);
+    let t7 = t3 * v_G_z_per_u_hA;
+    let t8 = Real::sqrt(1.0_f64 - t7 * t7);
+    let k = 1.0_f64 / (root * t5);
+    let psiA = Real::atan2(t1 * (t3 * k), 1.0_f64 - t4 * k);
     let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t10 = t9 * sin_psiA;
-    let t11 = R - t9 * cos_psiA;
-    let t12 = hA + t8 * sA;
-    let thA = Real::asin(t8);
-    let t13 = 0.8660254037844386_f64 * t2;
-    let t14 = 0.5_f64 * t4;
-    let t15 = t13 + t14;
-    let t16 = 0.5_f64 * t2;
-    let t17 = 0.8660254037844386_f64 * t4;
-    let acrossB = t16 - t17;
-    let psiB = Real::atan2(t15 * k * acrossB, 1.0_f64 - k * (t15 * t15));
-    let t18 = 0.8660254037844386_f64 * (t2 * (2.0_f64 * t4));
-    let sB = R * (1.0_f64 + t7 * (t3 + t18));
-    let alongC = t13 - t14;
-    let acrossC = t17 + t16;
+    let t9 = sA * (t8 * sin_psiA);
+    let t10 = R - sA * (t8 * cos_psiA);
+    let t11 = hA + t7 * sA;
+    let thA = Real::asin(t7);
+    let t12 = 0.8660254037844386_f64 * t1;
+    let t13 = 0.5_f64 * t3;
+    let t14 = t12 + t13;
+    let t15 = 0.5_f64 * t1;
+    let t16 = 0.8660254037844386_f64 * t3;
+    let acrossB = t15 - t16;
+    let psiB = Real::atan2(t14 * k * acrossB, 1.0_f64 - k * (t14 * t14));
+    let u_sB_per_u_hB = v_G_z_per_u_hA * t14;
+    let t17 = 0.8660254037844386_f64 * (t1 * (2.0_f64 * t3));
+    let sB = R * (1.0_f64 + t6 * (t2 + t17));
+    let alongC = t12 - t13;
+    let acrossC = t16 + t15;
     let psiC = Real::atan2(-alongC * k * acrossC, 1.0_f64 - k * (alongC * alongC));
     let thC = Real::asin(alongC * v_G_z_per_u_hA);
-    [t10, t11, t12, psiA, thA, sA, psiB, -Real::asin(v_G_z_per_u_hA * t15), sB, psiC, thC, -R * ((t18 - t3) * t7 - 1.0_f64)]
+    [t9, t10, t11, psiA, thA, sA, psiB, -Real::asin(u_sB_per_u_hB), sB, psiC, thC, -R * ((t17 - t2) * t6 - 1.0_f64)]
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
@@ -675,37 +749,87 @@ pub fn projection(
     _q: &[S; 3usize],
     _u: &[S; 3usize],
     _inputs: &[S; 3usize],
-    _p: &Parameters,
+    _p: &Prepared,
 ) -> ([S; 0usize], S) {
     ([], 0.0_f64)
 }
 ///Three-legged tile in minimal coordinates: three heights, everything else in closed form.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct TileMinimal {
-    /// Tunable parameters.
-    pub parameters: Parameters,
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for TileMinimal {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
 }
 impl TileMinimal {
-    /// The parameter at a position of `PARAMETER_NAMES`, to read or set.
-    pub fn parameter_mut(&mut self, index: usize) -> Option<&mut S> {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
         Some(
             match index {
-                0usize => &mut self.parameters.R,
-                1usize => &mut self.parameters.ms,
-                2usize => &mut self.parameters.mr,
-                3usize => &mut self.parameters.mc,
-                4usize => &mut self.parameters.Ic1,
-                5usize => &mut self.parameters.Ic2,
-                6usize => &mut self.parameters.Ic3,
-                7usize => &mut self.parameters.M,
-                8usize => &mut self.parameters.Ix,
-                9usize => &mut self.parameters.Iy,
-                10usize => &mut self.parameters.Iz,
-                11usize => &mut self.parameters.c,
-                12usize => &mut self.parameters.g,
+                0usize => self.parameters.R,
+                1usize => self.parameters.ms,
+                2usize => self.parameters.mr,
+                3usize => self.parameters.mc,
+                4usize => self.parameters.Ic1,
+                5usize => self.parameters.Ic2,
+                6usize => self.parameters.Ic3,
+                7usize => self.parameters.M,
+                8usize => self.parameters.Ix,
+                9usize => self.parameters.Iy,
+                10usize => self.parameters.Iz,
+                11usize => self.parameters.c,
+                12usize => self.parameters.g,
                 _ => return None,
             },
         )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+            0usize => &mut self.parameters.R,
+            1usize => &mut self.parameters.ms,
+            2usize => &mut self.parameters.mr,
+            3usize => &mut self.parameters.mc,
+            4usize => &mut self.parameters.Ic1,
+            5usize => &mut self.parameters.Ic2,
+            6usize => &mut self.parameters.Ic3,
+            7usize => &mut self.parameters.M,
+            8usize => &mut self.parameters.Ix,
+            9usize => &mut self.parameters.Iy,
+            10usize => &mut self.parameters.Iz,
+            11usize => &mut self.parameters.c,
+            12usize => &mut self.parameters.g,
+            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
     }
 }
 impl smartbed_runtime::mechanism::Mechanism<S> for TileMinimal {
@@ -740,7 +864,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for TileMinimal {
             return Err(smartbed_runtime::mechanism::Fault::Shape);
         };
         let pivot;
-        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.parameters);
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
     #[allow(
@@ -756,7 +880,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for TileMinimal {
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
-            &self.parameters,
+            &self.prepared,
         );
         for (&index, &change) in CORRECTED.iter().zip(&correction) {
             if let Some(coordinate) = q.get_mut(index) {
@@ -779,7 +903,7 @@ impl smartbed_runtime::mechanism::Mechanism<S> for TileMinimal {
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
-                &self.parameters,
+                &self.prepared,
             ),
         )
     }

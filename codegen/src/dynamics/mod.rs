@@ -121,6 +121,23 @@ pub fn derive(
     })
 }
 
+/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
+pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
+    let values = unknown_values(k, solution);
+    let independent = |u: &&Unknown| matches!(u.kind, UnknownKind::Independent(_));
+    let (zero, n_u) = (k.dag.zero(), k.unknowns.iter().filter(independent).count());
+    Dynamics {
+        mass_matrix: Vec::new(),
+        forcing: Vec::new(),
+        u_dot: vec![zero; n_u],
+        kinetic: zero,
+        potential: zero,
+        values,
+        pivots: Vec::new(),
+        augmented: Augmented::default(),
+    }
+}
+
 /// u' and pivots in whichever form costs less: through the mass matrix, or as a chain.
 fn accelerations(
     model: &Model,
@@ -143,23 +160,6 @@ fn accelerations(
     match chain {
         Some((cost, chain)) if cost < k.dag.cost(&u_dot, optimise) => Ok((chain.u_dot, chain.pivots)),
         _ => Ok((u_dot, pivots)),
-    }
-}
-
-/// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
-pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
-    let values = unknown_values(k, solution);
-    let independent = |u: &&Unknown| matches!(u.kind, UnknownKind::Independent(_));
-    let (zero, n_u) = (k.dag.zero(), k.unknowns.iter().filter(independent).count());
-    Dynamics {
-        mass_matrix: Vec::new(),
-        forcing: Vec::new(),
-        u_dot: vec![zero; n_u],
-        kinetic: zero,
-        potential: zero,
-        values,
-        pivots: Vec::new(),
-        augmented: Augmented::default(),
     }
 }
 

@@ -123,10 +123,10 @@ impl From<Effort> for Settings {
     }
 }
 
-/// [`derive`] with other settings.
+/// [`derive()`] with other settings.
 ///
 /// # Errors
-/// As for [`derive`].
+/// As for [`derive()`].
 pub fn derive_with(
     model: &Model,
     choice: &ParameterChoice,
