@@ -34,12 +34,12 @@ impl Dag {
     #[must_use]
     pub fn cost(&self, roots: &[ExprId], optimise: Optimise) -> usize {
         match optimise {
-            Optimise::Operations => self.cone_cost(roots),
+            Optimise::Operations => self.state_cost(roots),
             Optimise::Time => self.cycles(roots),
         }
     }
 
-    /// Estimated cycles of one evaluation: the core is bound by the work it must start or by the longest chain of
+    /// Estimated cycles of one evaluation, without what depends on parameters alone: the core is bound by the work it must start or by the longest chain of
     /// results that wait for each other, whichever is more.
     ///
     /// Fitted to chains of 3 to 20 links on one x86 core (opt-level 3, no target-cpu); to choose with, not to
@@ -66,7 +66,9 @@ impl Dag {
 
     fn timing(&self, id: ExprId) -> Timing {
         match self.node(id) {
-            _ if !self.is_operation(id) => Timing { occupies: 0, latency: 0 },
+            _ if !self.is_operation(id) || self.dependence(id) != Dependence::State => {
+                Timing { occupies: 0, latency: 0 }
+            }
             Node::Binary(Binary::Div, ..) | Node::Unary(Unary::Sqrt, _) => DIVISION,
             Node::Unary(Unary::Abs, _) => ARITHMETIC,
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => FUNCTION,
