@@ -4,19 +4,16 @@
 //! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
 //! are independent at every sampled configuration.
 
+use super::choose;
 use super::sparse::{self, Equation};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::model::Model;
-use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
-/// A candidate row is independent if this part of its length is left at every sample.
-const INDEPENDENT: f64 = 1e-3;
-/// A row that adds more operations than this is worth a search for a cheaper one.
-const DEAR: usize = 100;
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 
@@ -68,7 +65,7 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         .map(|(id, _)| id)
         .collect();
     let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
-    let chosen = choose(model, k, table, &unknown)?;
+    let chosen = choose::rows(model, k, table, &unknown)?;
     let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
     let eliminations = sparse::eliminate(&mut k.dag, table, equations);
     let Some(values) = sparse::back_substitute(&mut k.dag, &eliminations) else {
@@ -102,145 +99,6 @@ fn step(dag: &Dag, elimination: sparse::Elimination, independent: &[UnknownId]) 
     coefficients.extend(independent.iter().copied().zip(elimination.right.iter().copied()));
     coefficients.retain(|_, c| !dag.is_zero(*c));
     Step { unknown: elimination.unknown, coefficients, bias: elimination.right[independent.len()] }
-}
-
-/// Takes independent rows, each time the one that adds the fewest operations to those taken.
-fn choose(
-    model: &Model,
-    k: &Kinematics,
-    table: &mut SampleTable,
-    unknown: &[UnknownId],
-) -> Result<Vec<Row>, Diagnostics> {
-    let n = unknown.len();
-    let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
-    let mut paid = HashSet::default();
-    let mut candidates: Vec<&Row> = k.rows.iter().collect();
-    let mut chosen = Vec::new();
-    while chosen.len() < n {
-        let cheapest = (0..candidates.len()).min_by_key(|&i| added_cost(k, candidates[i], &paid));
-        let Some(row) = cheapest.map(|i| candidates.remove(i)) else {
-            return Err(rank::explain(model, k, table, None));
-        };
-        let numbers = numeric_row(&k.dag, table, row, &column, n);
-        // Most dependent rows show at the first sample: no need to look at the others.
-        let remains: Vec<Vec<f64>> = numbers
-            .iter()
-            .zip(&bases)
-            .map(|(v, basis)| orthogonal_part(v, basis))
-            .take_while(|v| norm(v) > INDEPENDENT)
-            .collect();
-        if remains.len() < table.points() {
-            continue; // depends on the rows taken, and will depend on any more
-        }
-        for (basis, v) in bases.iter_mut().zip(remains) {
-            let length = norm(&v);
-            basis.push(v.into_iter().map(|x| x / length).collect());
-        }
-        pay(&k.dag, row, &mut paid);
-        chosen.push(row.clone());
-    }
-    exchange(k, table, &column, &mut chosen);
-    Ok(chosen)
-}
-
-/// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
-/// dear where others bring what it needs.
-fn exchange(k: &Kinematics, table: &mut SampleTable, column: &HashMap<UnknownId, usize>, chosen: &mut [Row]) {
-    for _ in 0..chosen.len() {
-        let without = |i: usize| {
-            let mut paid = HashSet::default();
-            chosen
-                .iter()
-                .enumerate()
-                .filter(|(j, _)| *j != i)
-                .for_each(|(_, row)| pay(&k.dag, row, &mut paid));
-            paid
-        };
-        let mut prices: Vec<(usize, usize)> =
-            (0..chosen.len()).map(|i| (added_cost(k, &chosen[i], &without(i)), i)).collect();
-        prices.retain(|(price, _)| *price > DEAR);
-        prices.sort_by_key(|&(price, i)| (std::cmp::Reverse(price), i));
-        let better = prices.iter().find_map(|&(price, i)| {
-            let others: Vec<&Row> =
-                chosen.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
-            cheaper(k, table, column, &others, &without(i), price).map(|row| (i, row))
-        });
-        let Some((i, row)) = better else { return };
-        chosen[i] = row;
-    }
-}
-
-/// The cheapest row below `price` that is independent of `others`.
-fn cheaper(
-    k: &Kinematics,
-    table: &mut SampleTable,
-    column: &HashMap<UnknownId, usize>,
-    others: &[&Row],
-    paid: &HashSet<ExprId>,
-    price: usize,
-) -> Option<Row> {
-    let mut list: Vec<(usize, &Row)> = (k.rows.iter())
-        .map(|row| (added_cost(k, row, paid), row))
-        .filter(|(cost, _)| *cost < price)
-        .collect();
-    list.sort_by_key(|(cost, _)| *cost);
-    list.into_iter().map(|(_, row)| row).find(|row| is_independent(k, table, column, others, row)).cloned()
-}
-
-/// Is `row` independent of `others` at every sample?
-fn is_independent(
-    k: &Kinematics,
-    table: &mut SampleTable,
-    column: &HashMap<UnknownId, usize>,
-    others: &[&Row],
-    row: &Row,
-) -> bool {
-    let n = column.len();
-    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
-    for other in others {
-        let numbers = numeric_row(&k.dag, table, other, column, n);
-        for (basis, v) in bases.iter_mut().zip(numbers) {
-            let rest = orthogonal_part(&v, basis);
-            let length = norm(&rest);
-            basis.push(rest.into_iter().map(|x| x / length).collect());
-        }
-    }
-    let numbers = numeric_row(&k.dag, table, row, column, n);
-    numbers.iter().zip(&bases).all(|(v, basis)| norm(&orthogonal_part(v, basis)) > INDEPENDENT)
-}
-
-/// Operations that a row adds to the expressions paid for already, plus what an entry costs later.
-fn added_cost(k: &Kinematics, row: &Row, paid: &HashSet<ExprId>) -> usize {
-    let dag = &k.dag;
-    /// An unknown in a row costs about a product and a sum per right-hand side in the elimination.
-    const PER_UNKNOWN: usize = 6;
-    /// Two dependent speeds in one row must be taken apart again.
-    const COUPLING: usize = 24;
-    let mut stack: Vec<ExprId> = row.coefficients.values().copied().chain([row.bias]).collect();
-    let mut seen = HashSet::default();
-    let mut operations = 0;
-    while let Some(id) = stack.pop() {
-        if !paid.contains(&id) && seen.insert(id) {
-            operations += usize::from(dag.is_operation(id));
-            stack.extend(dag.operands(id).into_iter().flatten());
-        }
-    }
-    let own = row.coefficients.keys().filter(|&&u| is_dependent(k, u)).count();
-    operations + PER_UNKNOWN * row.coefficients.len() + COUPLING * own.saturating_sub(1)
-}
-
-fn is_dependent(k: &Kinematics, unknown: UnknownId) -> bool {
-    matches!(k.unknowns[unknown].kind, UnknownKind::Dependent(_))
-}
-
-fn pay(dag: &Dag, row: &Row, paid: &mut HashSet<ExprId>) {
-    let mut stack: Vec<ExprId> = row.coefficients.values().copied().chain([row.bias]).collect();
-    while let Some(id) = stack.pop() {
-        if paid.insert(id) {
-            stack.extend(dag.operands(id).into_iter().flatten());
-        }
-    }
 }
 
 /// Every candidate row must hold for y = T u: else the independent speeds are not independent.

@@ -131,9 +131,9 @@ fn mistakes_are_explained_where_they_were_made() {
 
 #[test]
 fn singular_states_are_named() {
-    // Without mass at the tip nothing resists: the mass matrix is singular.
-    let states = r#"{"states": [{"q": {"q0": 0.1, "q1": 0.2, "q2": 0.3}, "parameters": {"m2": 0}}]}"#;
-    let done = eval("massless.json", "pendulum3", states, &[]);
+    // A rod without length turns as it likes. (One without mass at its tip does not: there the mass cancels.)
+    let states = r#"{"states": [{"q": {"q0": 0.1, "q1": 0.2, "q2": 0.3}, "parameters": {"l2": 0}}]}"#;
+    let done = eval("no_length.json", "pendulum3", states, &[]);
     assert!(done.message().contains("states[0]: ") && done.err.contains("not finite"), "{done:?}");
 }
 
