@@ -27,7 +27,7 @@ pub fn program(model: &str, keep: &[&str]) -> Program {
     program_with(model, keep, Effort::Default)
 }
 
-/// [`program`] with another effort to shorten it.
+/// [`program()`] with another effort to shorten it.
 ///
 /// # Panics
 /// With the diagnosis, if the model is refused.
