@@ -244,3 +244,107 @@ impl Wrench {
         Self { force: self.force, moment }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MASS: f64 = 2.0;
+    const CENTRE: [f64; 3] = [0.3, -0.2, 0.5];
+    /// About the mass centre: xx, yy, zz, xy, xz, yz.
+    const MATRIX: [f64; 6] = [0.9, 0.8, 0.7, 0.1, -0.05, 0.2];
+
+    fn constants<const N: usize>(dag: &mut Dag, values: [f64; N]) -> [ExprId; N] {
+        values.map(|x| dag.constant(x))
+    }
+
+    fn body(dag: &mut Dag) -> Inertia {
+        let (mass, centre, matrix) = (dag.constant(MASS), constants(dag, CENTRE), constants(dag, MATRIX));
+        Inertia::of_body(dag, mass, &centre, &matrix)
+    }
+
+    fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+    }
+
+    fn times(w: [f64; 3]) -> [f64; 3] {
+        let [xx, yy, zz, xy, xz, yz] = MATRIX;
+        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| row.iter().zip(w).map(|(a, b)| a * b).sum())
+    }
+
+    fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| a[i] + b[i])
+    }
+
+    fn assert_close(dag: &Dag, found: Components, expected: [f64; 3]) {
+        for (found, expected) in found.map(|e| dag.evaluate_constant(e)).into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-14, "{found} against {expected}");
+        }
+    }
+
+    #[test]
+    fn momentum_is_that_of_the_mass_centre_and_about_it() {
+        let mut dag = Dag::default();
+        let (v, w) = ([0.4, 0.6, -0.3], [1.1, -0.7, 0.9]);
+        let at_centre = plus(v, cross(w, CENTRE)).map(|x| MASS * x);
+        let about_origin = plus(times(w), cross(CENTRE, at_centre));
+        let inertia = body(&mut dag);
+        let (v, w) = (constants(&mut dag, v), constants(&mut dag, w));
+        let momentum = inertia.momentum(&mut dag, &v, &w);
+        assert_close(&dag, momentum.force, at_centre);
+        assert_close(&dag, momentum.moment, about_origin);
+    }
+
+    #[test]
+    fn resistance_is_newtons_and_eulers() {
+        let mut dag = Dag::default();
+        let (a, w, alpha) = ([0.4, 0.6, -9.3], [1.1, -0.7, 0.9], [-0.2, 0.8, 0.5]);
+        let centre = plus(a, plus(cross(alpha, CENTRE), cross(w, cross(w, CENTRE))));
+        let force = centre.map(|x| MASS * x);
+        let moment = plus(plus(times(alpha), cross(w, times(w))), cross(CENTRE, force));
+        let inertia = body(&mut dag);
+        let [origin, w, alpha] = [a, w, alpha].map(|v| constants(&mut dag, v));
+        let gradient = gradient(&mut dag, &w, &alpha);
+        let found = inertia.resistance(&mut dag, &Acceleration { origin, gradient });
+        assert_close(&dag, found.force, force);
+        assert_close(&dag, found.moment, moment);
+    }
+
+    #[test]
+    fn momentum_may_be_formed_before_or_after_a_turn_and_a_shift() {
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let mut dag = Dag::default();
+            let inertia = body(&mut dag);
+            let (angle, offset) = (dag.constant(0.7), constants(&mut dag, [0.1, 0.4, -0.6]));
+            let w = constants(&mut dag, [1.1, -0.7, 0.9]);
+            let zero = [dag.zero(); 3];
+            // The node turns about its own origin, which the parent's w moves at w x offset.
+            let outside = turn_components(&mut dag, axis, angle, w, true);
+            let moved = cross_components(&mut dag, &w, &offset);
+            let moved = turn_components(&mut dag, axis, angle, moved, true);
+            let momentum = inertia.momentum(&mut dag, &moved, &outside);
+            let before = momentum.turned(&mut dag, axis, angle).shifted(&mut dag, &offset);
+            let inertia = inertia.turned(&mut dag, axis, angle).shifted(&mut dag, &offset);
+            let after = inertia.momentum(&mut dag, &zero, &w);
+            assert_close(&dag, before.force, after.force.map(|e| dag.evaluate_constant(e)));
+            assert_close(&dag, before.moment, after.moment.map(|e| dag.evaluate_constant(e)));
+        }
+    }
+
+    #[test]
+    fn what_is_moved_inwards_feels_no_turn() {
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let mut dag = Dag::default();
+            let (inner, outer) = body(&mut dag).split(&mut dag, axis);
+            let angle = dag.symbol("angle");
+            assert_eq!(inner.turned(&mut dag, axis, angle), inner);
+            assert_ne!(outer.turned(&mut dag, axis, angle), outer);
+            let mut wheel = Inertia::zero(&mut dag);
+            wheel.second = [dag.one(); 6];
+            assert!(!wheel.is_axisymmetric(&dag, axis));
+            wheel.second[3..].fill(dag.zero());
+            assert!(wheel.is_axisymmetric(&dag, axis));
+            assert_eq!(wheel.turned(&mut dag, axis, angle), wheel);
+        }
+    }
+}
