@@ -1,8 +1,9 @@
 //! What the equations cost: operations of one evaluation, and the time to derive them.
 
+use smartbed_codegen::Effort;
 use smartbed_runtime::real::Real;
 use smartbed_runtime::real::counting::{Counting, Operations, count};
-use smartbed_tests::interpreted::emitted;
+use smartbed_tests::interpreted::{emitted, program_with};
 use smartbed_tests::{cases, generated, subject};
 use std::process::Command;
 use std::time::Instant;
@@ -32,6 +33,25 @@ fn closed_loops_take_few_operations() {
     for (model, most) in CLOSED_LOOPS {
         let total = executed(model).total();
         assert!(total <= most, "{model}: {total}");
+    }
+}
+
+/// Operations of q_dot and u_dot that all effort is to reach, `prepare()` apart, and what holds today.
+const REACH: [(&str, usize, usize); 6] = [
+    ("tile", 640, 640),
+    ("tile_minimal", 450, 580),
+    ("arm6", 1100, 1100),
+    ("bicycle", 1050, 1050),
+    ("fourbar", 100, 100),
+    ("pendulum10", 340, 340),
+];
+
+#[test]
+fn all_effort_reaches_its_operations() {
+    for (model, goal, holds) in REACH {
+        let operations = program_with(model, &[], Effort::All).operations();
+        println!("{model}: {operations} operations with all effort, goal {goal}");
+        assert!(operations <= holds, "{model}: {operations}");
     }
 }
 
