@@ -1,28 +1,42 @@
 //! Emits a model as Rust, and says on standard output what the file holds:
-//! `cargo run --release -p smartbed-codegen --example emit -- models/tile.toml tile.rs [all]`
+//! `cargo run --release -p smartbed-codegen --example emit -- models/tile.toml tile.rs [all] [time]`
 //!
-//! With `all` every effort goes into a short program.
+//! With `all` every effort goes into a short program; with `time` forms are chosen for time on a host instead of count.
 
 use serde_json::json;
 use smartbed_codegen::program::Quantity;
-use smartbed_codegen::{Effort, EmitOptions, ParameterChoice, model, program, rust};
+use smartbed_codegen::{Effort, EmitOptions, Optimise, ParameterChoice, Settings, model, program, rust};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
+/// What the words after the files say; none if one of them is unknown.
+fn settings(words: &[&str]) -> Option<Settings> {
+    let mut settings = Settings::default();
+    for word in words {
+        match *word {
+            "all" => settings.effort = Effort::All,
+            "time" => settings.optimise = Optimise::Time,
+            _ => return None,
+        }
+    }
+    Some(settings)
+}
+
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let (input, output, effort) = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [input, output] => (input, output, Effort::Default),
-        [input, output, "all"] => (input, output, Effort::All),
-        _ => {
-            eprintln!("expected: the model, the file to write and, if wanted, the word all");
-            return ExitCode::FAILURE;
-        }
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let [input, output, rest @ ..] = &words[..] else {
+        eprintln!("expected: the model, the file to write and, if wanted, the words all and time");
+        return ExitCode::FAILURE;
+    };
+    let Some(settings) = settings(rest) else {
+        eprintln!("after the model and the file to write only the words all and time are known");
+        return ExitCode::FAILURE;
     };
     let start = Instant::now();
     let derived = model::read(Path::new(input))
-        .and_then(|model| program::derive_with(&model, &ParameterChoice::default(), effort));
+        .and_then(|model| program::derive_with(&model, &ParameterChoice::default(), settings));
     let program = match derived {
         Ok(program) => program,
         Err(found) => {

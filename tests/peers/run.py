@@ -19,7 +19,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 VENV = ROOT / "target" / "peers-venv"
 # Package on the index by module.
-PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "casadi": "casadi", "sympy": "sympy", "symforce": "symforce",
+PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "scipy": "scipy", "casadi": "casadi", "sympy": "sympy", "symforce": "symforce",
             "pinocchio": "pin", "mujoco": "mujoco"}
 
 

@@ -1,9 +1,11 @@
 """Ours: the generator's f64 Rust behind the same C entry as the peers, compiled at opt-level 3 without target-cpu.
 
-The time includes `prepare`, as the peers get all parameters with every call; the operations do not.
+Three entries per mechanism: `prepare_NAME(in)` keeps what depends on parameters alone, once per parameter set;
+`eval_NAME(in, out)` evaluates with what was kept; `whole_NAME(in, out)` prepares inside every evaluation.
 """
 import json
 import pathlib
+import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -27,32 +29,51 @@ panic = "abort"
 ENTRY = """
 #[allow(warnings, reason = "generated")]
 mod {name} {{ include!("{name}.rs"); }}
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn eval_{name}(input: *const f64, output: *mut f64) {{
-    let x = unsafe {{ core::slice::from_raw_parts(input, {n_in}) }};
-    let out = unsafe {{ core::slice::from_raw_parts_mut(output, {n_out}) }};
+static mut PREPARED_{upper}: core::mem::MaybeUninit<{name}::Prepared> = core::mem::MaybeUninit::uninit();
+fn prepared_{name}(x: &[f64]) -> {name}::Prepared {{
+    {name}::prepare(&{name}::Parameters {{ {fields} }})
+}}
+#[inline(always)]
+fn rates_{name}(x: &[f64], p: &{name}::Prepared, out: &mut [f64]) {{
     let q: &[f64; {nq}] = x[0..{nq}].try_into().unwrap();
     let u: &[f64; {nu}] = x[{nq}..{nq} + {nu}].try_into().unwrap();
     let inputs: &[f64; {nw}] = x[{nq} + {nu}..{nq} + {nu} + {nw}].try_into().unwrap();
-    let parameters = {name}::Parameters {{ {fields} }};
-    let (q_dot, u_dot, _) = {name}::rates(0.0, q, u, inputs, &{name}::prepare(&parameters));
+    let (q_dot, u_dot, _) = {name}::rates(0.0, q, u, inputs, p);
     {store}
+}}
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn prepare_{name}(input: *const f64) {{
+    unsafe {{ (*&raw mut PREPARED_{upper}).write(prepared_{name}(core::slice::from_raw_parts(input, {n_in}))); }}
+}}
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn eval_{name}(input: *const f64, output: *mut f64) {{
+    let (x, out) = unsafe {{ (core::slice::from_raw_parts(input, {n_in}), core::slice::from_raw_parts_mut(output, {n_out})) }};
+    rates_{name}(x, unsafe {{ (*&raw const PREPARED_{upper}).assume_init_ref() }}, out);
+}}
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn whole_{name}(input: *const f64, output: *mut f64) {{
+    let (x, out) = unsafe {{ (core::slice::from_raw_parts(input, {n_in}), core::slice::from_raw_parts_mut(output, {n_out})) }};
+    rates_{name}(x, &prepared_{name}(x), out);
 }}
 """
 
+# Words for the emitter by form: the shortest, and the one chosen for time on a host.
+FORMS = {"short": ["all"], "time": ["all", "time"]}
 
-def emit(model, directory):
+
+def emit(model, form, target):
     """Writes the Rust of models/<model>.toml and returns what it holds."""
     command = ["cargo", "run", "-q", "--release", "-p", "smartbed-codegen", "--example", "emit", "--"]
-    arguments = [f"models/{model}.toml", str(directory / f"{model}.rs"), "all"]
+    arguments = [f"models/{model}.toml", str(target), *FORMS[form]]
     done = subprocess.run(command + arguments, cwd=ROOT, text=True, capture_output=True, check=False)
     if done.returncode:
         raise RuntimeError(done.stderr.strip())
-    return json.loads(done.stdout)
+    prepare = re.search(r"^// Cost of prepare: (\d+) operations", target.read_text(), re.MULTILINE)
+    return json.loads(done.stdout) | {"prepare": int(prepare.group(1))}
 
 
 def entry(name, about, mechanism):
-    """The C entry: slots in the mechanism's order, q' only where the peers give it."""
+    """The C entries: slots in the mechanism's order, q' only where the peers give it."""
     assert about["q"] == mechanism.q, (name, about["q"])
     assert about["u"] == [mechanism.u[k] for k in mechanism.independent], name
     assert about["inputs"] == mechanism.inputs, name
@@ -62,20 +83,21 @@ def entry(name, about, mechanism):
     store = f"out[..{nq}].copy_from_slice(&q_dot); out[{nq}..].copy_from_slice(&u_dot);"
     if not mechanism.constrained:
         store = "let _ = q_dot; out.copy_from_slice(&u_dot);"
-    return ENTRY.format(name=name, n_in=len(slots), n_out=mechanism.results, nq=nq, nu=nu, nw=len(about["inputs"]),
-                        fields=fields, store=store)
+    return ENTRY.format(name=name, upper=name.upper(), n_in=len(slots), n_out=mechanism.results, nq=nq, nu=nu,
+                        nw=len(about["inputs"]), fields=fields, store=store)
 
 
 def build(mechanisms, directory):
-    """One shared library for all: (path, {model: operations}, {model: derivation in ms})."""
+    """One shared library for all: (path, {(model, form): what was emitted}); entries end in MODEL_FORM."""
     source = directory / "ours" / "src"
     source.mkdir(parents=True, exist_ok=True)
     (source.parent / "Cargo.toml").write_text(MANIFEST.format(runtime=ROOT / "runtime"))
-    text, operations, milliseconds = "//! Generated equations behind C entries.\n", {}, {}
-    for name, mechanism in mechanisms.items():
-        about = emit(name, source)
-        operations[name], milliseconds[name] = about["operations"], about["milliseconds"]
-        text += entry(name, about, mechanism)
+    text, emitted = "//! Generated equations behind C entries.\n", {}
+    for model, mechanism in mechanisms.items():
+        for form in FORMS:
+            name = f"{model}_{form}"
+            emitted[model, form] = emit(model, form, source / f"{name}.rs")
+            text += entry(name, emitted[model, form], mechanism)
     (source / "lib.rs").write_text(text)
     subprocess.run(["cargo", "build", "-q", "--release", "--offline"], cwd=source.parent, check=True)
-    return source.parent / "target" / "release" / "libpeers_ours.so", operations, milliseconds
+    return source.parent / "target" / "release" / "libpeers_ours.so", emitted
