@@ -19,6 +19,8 @@ mod flexible_reference;
 mod flexible_scene;
 mod golden;
 mod hard_cases;
+mod hard_mechanisms;
+mod hard_table;
 mod impact_property;
 mod newton_euler_oracle;
 mod observed_order;

@@ -72,12 +72,27 @@ impl<'a, S: Tabulated> Run<'a, S> {
     /// # Panics
     /// If the step is refused.
     pub fn rk4(&mut self, h: f64) {
-        let mut state = state::State::resume(&mut self.x, &mut self.low).expect("same length");
+        let taken = self.try_rk4(h);
+        taken.unwrap_or_else(|fault| panic!("step {}: {fault:?}", self.steps));
+    }
+
+    /// The same where a refusal is what is looked for.
+    ///
+    /// # Errors
+    /// The fault of the refused step.
+    pub fn try_rk4(&mut self, h: f64) -> Result<(), Fault> {
+        let mut state = state::State::resume(&mut self.x, &mut self.low)?;
         let t = S::from_f64(self.steps as f64 * h);
-        let report = rk4(&mut self.system, t, S::from_f64(h), &mut state, &mut self.scratch);
-        let report = report.unwrap_or_else(|fault| panic!("step {}: {fault:?}", self.steps));
+        let report = rk4(&mut self.system, t, S::from_f64(h), &mut state, &mut self.scratch)?;
         self.before_projection = self.before_projection.max(report.residual.to_f64());
         self.steps += 1;
+        Ok(())
+    }
+
+    /// Coordinates, speeds, and what their rounding left out: all that a step may change.
+    #[must_use]
+    pub fn state(&self) -> [&[S]; 2] {
+        [&self.x, &self.low]
     }
 
     /// Visits the states at given times with Dormand and Prince's method of fifth order.

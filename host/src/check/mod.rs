@@ -6,6 +6,7 @@
 
 mod near_singular;
 mod rank;
+mod rounding;
 mod text;
 
 use crate::failure::Failure;
@@ -25,10 +26,14 @@ const NEARLY_SINGULAR: f64 = 1e-4;
 /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Example:
-  cargo smartbed check tile")]
+  cargo smartbed check tile
+  cargo smartbed check tile --rounding")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
+    /// Also say what f32 costs each output, and which operation costs most.
+    #[arg(long)]
+    pub rounding: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -59,7 +64,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
     let nearest = near_singular::search(&model, &program, &kinematics.samples);
-    let report = report(&model, &program, &rank, nearest.as_ref());
+    let mut report = report(&model, &program, &rank, nearest.as_ref());
+    if arguments.rounding {
+        report.facts["rounding"] = rounding::facts(&rounding::survey(&program, &kinematics.samples));
+    }
     if arguments.json {
         output::print(&format!("{}\n", report.facts));
     } else {

@@ -16,6 +16,7 @@ pub(super) fn render(report: &Report) -> String {
     freedom(facts, &mut text);
     pivots(&facts["pivots"], &mut text);
     cost(&facts["cost"], &mut text);
+    rounding(&facts["rounding"], &mut text);
     units(&facts["units"], &mut text);
     if report.warnings.is_empty() {
         text.push_str("\nno warnings\n");
@@ -109,6 +110,19 @@ fn cost(cost: &Value, text: &mut String) {
             answer["operations"].to_string(),
             kinds.join(", ")
         );
+    }
+}
+
+fn rounding(rounding: &Value, text: &mut String) {
+    if list(rounding).is_empty() {
+        return;
+    }
+    text.push_str("\nrounding in f32, over the output's largest value\n");
+    let _ = writeln!(text, "{:<18}{:>10}{:>12}  by rounding", "output", "error", "of it");
+    for row in list(rounding) {
+        let number = |key: &str| row[key].as_f64().unwrap_or(f64::NAN);
+        let (output, error, moves) = (word(&row["output"]), number("error"), number("moves"));
+        let _ = writeln!(text, "{output:<18}{error:>10.1e}{moves:>12.1e}  {}", word(&row["operation"]));
     }
 }
 

@@ -14,7 +14,8 @@ pub fn text(report: &Report) -> String {
          Costs on the chip: {}.\n\n\
          Errors are the largest of any coordinate (m or rad) at ten times over the simulated time, against the \
          reference named with each subject. Time is computing time per simulated second, without output. The \
-         command of a row makes its numbers again.\n\n",
+         command of a row makes its numbers again. \
+         Hard cases and their bounds: docs/hard-cases.md of the repository.\n\n",
         report.machine, report.command, report.elapsed, report.engine, report.chip
     );
     tables(&mut text, report);

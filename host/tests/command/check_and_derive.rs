@@ -25,6 +25,26 @@ fn check_counts_the_tile() {
     }
 }
 
+/// Some ten roundings of 6e-8 in every output; rates that are speeds themselves are not rounded at all.
+#[test]
+fn check_says_what_single_precision_costs() {
+    for model in ["tile", "fourbar", "bicycle", "pendulum3"] {
+        let facts = smartbed(&["check", model, "--rounding", "--json"]).json();
+        let rows = facts["rounding"].as_array().expect("rows");
+        for row in rows {
+            let [error, moves] = ["error", "moves"].map(|key| row[key].as_f64().expect("a number"));
+            assert!(error <= 2e-6, "{model}: {row}");
+            assert_eq!(row["operation"].is_null(), error == 0.0, "{model}: {row}");
+            assert!(moves <= 4e-7, "{model}: {row}");
+        }
+        let accelerations = rows.iter().filter(|r| r["output"].as_str().is_some_and(|o| o.starts_with('u')));
+        assert!(accelerations.clone().count() > 0, "{model}");
+        assert!(accelerations.clone().all(|r| r["moves"].as_f64() > Some(1e-9)), "{model}: {rows:?}");
+    }
+    assert!(!smartbed(&["check", "tile"]).out.contains("rounding in f32"));
+    assert!(smartbed(&["check", "tile", "--rounding"]).out.contains("rounding in f32"));
+}
+
 #[test]
 fn speeds_in_closed_form_are_no_freedom() {
     for (model, dof) in [("slider_crank_closed", 1), ("tile_minimal", 3)] {

@@ -201,7 +201,11 @@ fn run_model(text: &str, case: u64) -> Result<Outcome, String> {
     if case.is_multiple_of(16) {
         let path = folder().join("fuzz.toml");
         std::fs::write(&path, text).map_err(|e| e.to_string())?;
-        let arguments = check::Arguments { model: path.display().to_string(), json: case.is_multiple_of(32) };
+        let arguments = check::Arguments {
+            model: path.display().to_string(),
+            rounding: case.is_multiple_of(64),
+            json: case.is_multiple_of(32),
+        };
         check::run(&arguments).map_err(|e| format!("derived, but not checked: {e}"))?;
     }
     if case % 16 == 1 && rust::emit(&program, &EmitOptions::default()).is_empty() {
