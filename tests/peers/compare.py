@@ -23,7 +23,7 @@ OURS = {"smartbed": "short", "smartbed for time": "time"}
 REACH = {"tile": (640, "smartbed", 0.17), "arm6": (1100, "smartbed", 0.75), "bicycle": (1050, "smartbed", 0.75),
          "fourbar": (100, None, None), "pendulum10": (340, "smartbed for time", 0.6)}
 # States that the timing cycles through, and evaluations per turn.
-TIMED_STATES, CALLS = 32, 20_000
+TIMED_STATES, CALLS = 32, 4_000
 
 TIMER = """#include <time.h>
 typedef void (*entry)(const double *, double *);
@@ -163,6 +163,11 @@ def versions():
     return found
 
 
+def ratio(times, base):
+    """Median over the turns of the ratio within a turn: other load covers neighbours of a turn alike, not all turns."""
+    return round(statistics.median(a / b for a, b in zip(times, base)), 3) if base else None
+
+
 def summary(table):
     """Numbers of every entry, by model and peer."""
     result = {}
@@ -173,12 +178,12 @@ def summary(table):
             if entry.missing:
                 result[name][peer] = {"missing": entry.missing}
                 continue
-            ratio = statistics.median(entry.times) / statistics.median(base.times) if base.times else None
             result[name][peer] = {
                 "operations": entry.operations,
                 "nanoseconds": round(statistics.median(entry.times), 1),
                 "fastest": round(min(entry.times), 1),
-                "ratio_to_casadi": ratio and round(ratio, 3),
+                "ratio_to_casadi": ratio(entry.times, base.times),
+                "ratio_of_fastest": base.times and round(min(entry.times) / min(base.times), 3),
                 "worst_error": max(entry.errors),
                 "median_error": statistics.median(entry.errors),
                 "build_ms": entry.build_ms and round(entry.build_ms, 2),
@@ -186,26 +191,26 @@ def summary(table):
             if entry.whole:
                 whole = statistics.median(entry.whole_times)
                 result[name][peer] |= {"prepare_operations": entry.prepare_operations, "nanoseconds_preparing": round(whole, 1),
-                                       "ratio_preparing": base.times and round(whole / statistics.median(base.times), 3)}
+                                       "ratio_preparing": ratio(entry.whole_times, base.times)}
     return result
 
 
 def reach(result):
     """Lines of the table of what was reached for and found."""
-    lines = ["| model | operations | reach | ns / CasADi's | reach | of | holds |", "|---|---|---|---|---|---|---|"]
-    for name, (operations, peer, ratio) in REACH.items():
+    lines = ["| model | operations | reach | ns / CasADi's | of the fastest | reach | form | holds |", "|---|---|---|---|---|---|---|---|"]
+    for name, (operations, peer, bar) in REACH.items():
         ours, timed = result.get(name, {}).get("smartbed", {}), result.get(name, {}).get(peer or "smartbed", {})
         if "operations" not in ours or not timed.get("ratio_to_casadi"):
             continue
-        holds = ours["operations"] <= operations, ratio is None or timed["ratio_to_casadi"] <= ratio
-        lines.append(f"| {name} | {ours['operations']} | {operations} | {timed['ratio_to_casadi']} | {ratio or '-'} | "
+        holds = ours["operations"] <= operations, bar is None or max(timed["ratio_to_casadi"], timed["ratio_of_fastest"]) <= bar
+        lines.append(f"| {name} | {ours['operations']} | {operations} | {timed['ratio_to_casadi']} | {timed['ratio_of_fastest']} | {bar or '-'} | "
                      f"{peer or 'smartbed'} | {'yes' if all(holds) else 'no: ' + ', '.join(w for w, h in zip(('operations', 'time'), holds) if not h)} |")
     return lines
 
 
 def markdown(result, about):
     lines = [f"# Forward dynamics: {about['machine']}", "", f"{about['date']}; gcc -O3 and rustc opt-level 3, no target-cpu; "
-             f"medians of {about['rounds']} turns, all in one process, in turns. Errors of the independent accelerations relative to the largest "
+             f"medians of {about['rounds']} turns, all in one process, in turns; ratios are medians of the ratios within a turn. Errors of the independent accelerations relative to the largest "
              "acceleration of the state (dependent ones included), at 1,000 random states, against 200-bit arithmetic. Operations: + - * / sqrt sin cos, 1 each. Other work may have "
              "run on the machine: trust the ratios.", "",
              "| model | peer | operations | prepare | ns | ns / CasADi's | ns preparing | / CasADi's | worst error | median error | build, ms |",

@@ -166,7 +166,7 @@ def points(name, directory):
             print(f"  {method} {control}: {str(error).splitlines()[0]}")
             continue
         point = {"subject": name, "method": method, "scalar": "f64", **control, "error": float(abs(samples - exact).max()),
-                 "nanoseconds": nanoseconds / seconds, "command": f"python tests/peers/motions.py --models {name}"}
+                 "nanoseconds": nanoseconds / seconds, "command": f"target/peers-venv/bin/python tests/peers/motions.py --models {name}"}
         if evaluations:
             point["evaluations"] = evaluations / seconds
         print(f"  {method} {control}: error {point['error']:.1e}, {point['nanoseconds']:.0f} ns per second")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Forward dynamics by the generator and by its peers: operations, time and error, one interleaved run.
 
-    python3 tests/peers/run.py [--models tile,arm6] [--rounds 21]
+    python3 tests/peers/run.py [--models tile,arm6] [--rounds 101]
 
 Makes a virtual environment under target/peers-venv, installs the peers with pip, builds each
 mechanism with each, compiles the C with gcc -O3, compares all outputs at 1,000 states with 200-bit
@@ -40,7 +40,7 @@ def prepare():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--models", default="tile,arm6,bicycle,fourbar,pendulum10", help="which, with commas between")
-    parser.add_argument("--rounds", type=int, default=21, help="turns of the interleaved timing")
+    parser.add_argument("--rounds", type=int, default=101, help="turns of the interleaved timing")
     arguments = parser.parse_args()
     python = prepare()
     if pathlib.Path(sys.prefix).resolve() != VENV.resolve():
