@@ -6,6 +6,7 @@
 use crate::failure::Failure;
 use crate::firmware::process::{self, output, which};
 use std::process::Command;
+use std::time::Duration;
 
 /// Installs Debian packages, or fails with `why` and `help`.
 ///
@@ -15,7 +16,7 @@ pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> 
     let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
     eprintln!("{why}; installing {} by apt-get", packages.join(" "));
     let apt = |arguments: &[&str]| apt(root, arguments);
-    // Never at the cost of a package that is already there.
+    // Never at the cost of a package that is already there; see `unpack`.
     let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];
     install.extend(packages);
     if apt(&install).is_ok() {
@@ -38,10 +39,27 @@ pub fn update_lists() -> Result<(), Failure> {
         .map_err(|log| Failure::Lacking(format!("apt-get cannot update: run `{help}`\n{log}")))
 }
 
-fn apt(root: &[&str], arguments: &[&str]) -> Result<(), String> {
+/// Times that another user of apt is waited for, and how long each time: ten minutes in all.
+const PATIENCE: (usize, Duration) = (300, Duration::from_secs(2));
+
+/// Runs apt-get after the words that [`root_on_debian`] gave; what it printed is the error.
+///
+/// While another process holds one of apt's locks, it is run again.
+pub(crate) fn apt(root: &[&str], arguments: &[&str]) -> Result<(), String> {
     let mut command = Command::new(root[0]);
-    command.args(&root[1..]).args(arguments).env("DEBIAN_FRONTEND", "noninteractive");
+    command.args(&root[1..]).args(arguments).env("DEBIAN_FRONTEND", "noninteractive").env("LC_ALL", "C");
+    for _ in 0..PATIENCE.0 {
+        match process::run_quietly(&mut command) {
+            Err(log) if is_locked_out(&log) => std::thread::sleep(PATIENCE.1),
+            done => return done,
+        }
+    }
     process::run_quietly(&mut command)
+}
+
+/// Does apt-get say that another process holds a lock?
+fn is_locked_out(log: &str) -> bool {
+    log.contains("Could not get lock")
 }
 
 /// The failure that names what is lacking and the command that helps.
@@ -51,7 +69,7 @@ pub fn lacking(why: &str, help: &str) -> Failure {
 }
 
 /// The command line in front of apt-get's arguments, if we are root or become root unasked.
-fn root_on_debian() -> Option<&'static [&'static str]> {
+pub(crate) fn root_on_debian() -> Option<&'static [&'static str]> {
     which("apt-get")?;
     let release = std::fs::read_to_string("/etc/os-release").unwrap_or_default();
     if !is_debian(&release) {
@@ -81,6 +99,16 @@ mod tests {
         assert!(is_debian("PRETTY_NAME=\"x\"\nID=debian\n"));
         assert!(is_debian("ID=linuxmint\nID_LIKE=\"ubuntu debian\"\n"));
         assert!(!is_debian("ID=fedora\nID_LIKE=rhel\n"));
+    }
+
+    #[test]
+    fn another_user_of_apt_is_waited_for_and_nothing_else() {
+        let held = "E: Could not get lock /var/lib/dpkg/lock-frontend. It is held by process 12059 (apt-get)";
+        assert!(is_locked_out(held));
+        assert!(!is_locked_out(
+            "E: Could not open lock file /var/lib/dpkg/lock-frontend - open (13: Permission denied)"
+        ));
+        assert!(!is_locked_out("E: Unable to locate package x"));
     }
 
     #[test]

@@ -11,6 +11,7 @@ pub mod number;
 pub mod output;
 pub mod progress;
 pub mod suggest;
+pub mod unpack;
 
 pub mod configuration;
 pub mod engine;

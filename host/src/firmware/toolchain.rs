@@ -8,14 +8,13 @@
 use super::process::{self, output, which};
 use crate::failure::Failure;
 use crate::install::{install, lacking, update_lists};
+use crate::unpack::unpack;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Debian's packages of a toolchain with the sources of core, and a linker for it.
 const TOOLCHAIN_PACKAGES: [&str; 4] = ["rustc-web", "cargo-web", "rust-web-src", "lld"];
-/// Debian's package of the emulator.
-const EMULATOR_PACKAGES: [&str; 1] = ["qemu-system-arm"];
-/// The program that emulates the chip.
+/// The program that emulates the chip, and Debian's package of it.
 const EMULATOR: &str = "qemu-system-arm";
 /// Oldest rustc that compiles the workspace: (major, minor), as `rust-version` in Cargo.toml.
 const OLDEST: (u32, u32) = (1, 89);
@@ -75,7 +74,7 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
     find(target).ok_or_else(|| lacking(&why, &help))
 }
 
-/// The emulator's program, with plug-ins; installs it where none is found.
+/// The emulator's program, with plug-ins; installs it where none is found, or unpacks it into `target/emulator`.
 ///
 /// # Errors
 /// [`Failure::Lacking`] with the command that helps.
@@ -87,9 +86,15 @@ pub fn emulator() -> Result<PathBuf, Failure> {
     if let Some(found) = find() {
         return Ok(found);
     }
-    let help = format!("apt-get install {}", EMULATOR_PACKAGES.join(" "));
+    let unpacked = super::workspace()?.join("target/emulator");
+    if unpacked.is_dir() {
+        return unpack(EMULATOR, &unpacked);
+    }
+    let help = format!("apt-get install {EMULATOR}");
     let why = format!("{EMULATOR} with plug-ins is not on PATH");
-    install(&why, &EMULATOR_PACKAGES, &help)?;
+    if install(&why, &[EMULATOR], &help).is_err() {
+        return unpack(EMULATOR, &unpacked);
+    }
     find().ok_or_else(|| lacking(&why, &help))
 }
 
