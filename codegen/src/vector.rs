@@ -5,9 +5,13 @@
 //! Convention: a simple rotation by angle a about axis k turns the parent's triad into the child's
 //! (right-hand rule); components transform by v_parent = R v_child.
 
+mod merged_turn;
+
 use crate::expr::{Dag, ExprId};
-use crate::id::{IdVec, ids};
+use crate::id::{Id, IdVec, ids};
 use crate::model::{Axis, PointId};
+use merged_turn::MergedTurn;
+use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
 ids! {
@@ -144,14 +148,29 @@ pub enum Turn {
 #[derive(Clone, Debug, Default)]
 pub struct Triads {
     turns: IdVec<TriadId, Turn>,
+    /// The triad, its parent, ... , the inertial one.
+    ancestors: IdVec<TriadId, Vec<TriadId>>,
     /// (triad, axis) -> where else that unit vector has constant components.
     constants: BTreeMap<(TriadId, Axis), Vec<(TriadId, Components)>>,
+    /// Products of two terms as formed: many bodies' velocities begin with the same terms.
+    products: HashMap<[(TriadId, Components); 2], ExprId>,
+    /// Terms as expressed in other triads.
+    expressed: HashMap<(TriadId, Components, TriadId), Components>,
 }
 
 impl Triads {
     /// Adds a triad.
     pub fn push(&mut self, turn: Turn) -> TriadId {
-        self.turns.push(turn)
+        let parent = match turn {
+            Turn::Inertial => None,
+            Turn::Simple { parent, .. } => Some(parent),
+            Turn::Directions { .. } => Some(TriadId::from_index(0)),
+        };
+        let triad = self.turns.push(turn);
+        let mut ancestors = vec![triad];
+        ancestors.extend(parent.iter().flat_map(|&parent| &self.ancestors[parent]));
+        self.ancestors.push(ancestors);
+        triad
     }
 
     /// How a triad is turned.
@@ -186,6 +205,14 @@ impl Triads {
     /// Records that `axis` of `triad` has the constant `components` in `other` on the constraints.
     pub fn declare_constant(&mut self, triad: TriadId, axis: Axis, other: TriadId, components: Components) {
         self.constants.entry((triad, axis)).or_default().push((other, components));
+        self.products.clear();
+        self.expressed.clear();
+    }
+
+    /// Where else `axis` of `triad` has constant components.
+    #[must_use]
+    pub fn constants_of(&self, triad: TriadId, axis: Axis) -> &[(TriadId, Components)] {
+        self.constants.get(&(triad, axis)).map_or(&[], Vec::as_slice)
     }
 
     /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
@@ -228,12 +255,11 @@ impl Triads {
     ///
     /// Terms in ancestors of `target` are added on the way down, outermost first, so that each
     /// rotation turns one sum and vectors that begin alike share their beginning.
-    pub fn express(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
+    pub fn express(&mut self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
         debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
-        let mut path = self.ancestors(target);
-        path.reverse();
+        let path = self.ancestors[target].clone();
         let mut total = [dag.zero(); 3];
-        for &triad in &path {
+        for &triad in path.iter().rev() {
             total = self.to_child(dag, triad, total);
             if let Some(term) = vector.terms.get(&triad)
                 && self.constant_in(dag, triad, term, target).is_none()
@@ -251,8 +277,9 @@ impl Triads {
         total
     }
 
+    /// Components in `target` of a vector given in `triad`.
     fn express_term(
-        &self,
+        &mut self,
         dag: &mut Dag,
         triad: TriadId,
         components: Components,
@@ -261,81 +288,69 @@ impl Triads {
         if triad == target {
             return components;
         }
-        if let Some(constant) = self.constant_in(dag, triad, &components, target) {
-            return constant;
+        if let Some(&known) = self.expressed.get(&(triad, components, target)) {
+            return known;
         }
-        // Up to the lowest common ancestor, then down again.
-        let (up, down) = (self.ancestors(triad), self.ancestors(target));
-        let common = up.iter().find(|t| down.contains(t)).copied();
+        let expressed = match self.constant_in(dag, triad, &components, target) {
+            Some(constant) => constant,
+            None => self.turn_by_turn(dag, triad, components, target),
+        };
+        self.expressed.insert((triad, components, target), expressed);
+        expressed
+    }
+
+    /// [`Self::express_term`], by differences of angles where that is shorter.
+    ///
+    /// For directions that are formed once. In products of which equations are made the sines of the angles themselves
+    /// stay: one error of a sine then turns all equations alike, where a second angle beside it would not
+    /// (the four-bar lost a factor of 5 that way, 1e-6 rad from its change point a factor of 2.5).
+    fn shorter_term(&mut self, dag: &mut Dag, from: TriadId, v: Components, to: TriadId) -> Components {
+        let turned = self.express_term(dag, from, v, to);
+        // A way without a difference of angles, as from a triad to itself, and constants have nothing to gain.
+        match self.merged_turns(dag, from, to) {
+            Some(turns) if turns.iter().any(|turn| turn.is_difference(dag)) => {
+                let merged = MergedTurn::turn(&turns, dag, v);
+                if dag.cone_cost(&merged) < dag.cone_cost(&turned) { merged } else { turned }
+            }
+            _ => turned,
+        }
+    }
+
+    /// Up to the lowest common ancestor, then down again.
+    fn turn_by_turn(&self, dag: &mut Dag, from: TriadId, components: Components, to: TriadId) -> Components {
+        let (up, down) = self.ways(from, to);
         let mut v = components;
-        for &t in up.iter().take_while(|&&t| Some(t) != common) {
+        for &t in up {
             v = self.to_parent(dag, t, v);
         }
-        let path: Vec<_> = down.iter().take_while(|&&t| Some(t) != common).copied().collect();
-        for &t in path.iter().rev() {
+        for &t in down.iter().rev() {
             v = self.to_child(dag, t, v);
         }
         v
     }
 
+    /// The triads on the ways from two triads to their lowest common ancestor, which is left out.
+    fn ways(&self, from: TriadId, to: TriadId) -> (&[TriadId], &[TriadId]) {
+        let (up, down) = (&self.ancestors[from], &self.ancestors[to]);
+        // From the inertial triad inwards both are the same as far as they are common.
+        let common = up.iter().rev().zip(down.iter().rev()).take_while(|(a, b)| a == b).count();
+        (&up[..up.len() - common], &down[..down.len() - common])
+    }
+
     /// [`Self::express`], with turns about one axis that follow each other on the way made one turn by the
     /// sum or difference of their angles: two links turned against the same triad by absolute angles are
     /// turned against each other by the difference. It rounds as if one of the angles were off by one rounding.
-    pub fn express_by_differences(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
+    pub fn express_by_differences(&mut self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Components {
         debug_assert!(vector.points.is_empty(), "positions are flattened before they are expressed");
         let mut total = [dag.zero(); 3];
         for (&triad, &components) in &vector.terms {
-            let mut v = components;
             let Some(turns) = self.merged_turns(dag, triad, target) else {
                 return self.express(dag, vector, target);
             };
-            for (axis, forth, back) in turns {
-                // One order for a difference, whichever way it is gone: its sine and cosine are shared.
-                v = if forth < back {
-                    let angle = dag.sub(back, forth);
-                    turn_components(dag, axis, angle, v, true)
-                } else {
-                    let angle = dag.sub(forth, back);
-                    turn_components(dag, axis, angle, v, false)
-                };
-            }
+            let v = MergedTurn::turn(&turns, dag, components);
             total = std::array::from_fn(|k| dag.add(total[k], v[k]));
         }
         total
-    }
-
-    /// The turns from one triad up to the common ancestor and down to another: axis, angle by which the
-    /// components are turned forth, and back. `None` if one of them is no turn about an axis.
-    fn merged_turns(&self, dag: &mut Dag, from: TriadId, to: TriadId) -> Option<Vec<(Axis, ExprId, ExprId)>> {
-        let (up, down) = (self.ancestors(from), self.ancestors(to));
-        let common = up.iter().find(|t| down.contains(t)).copied();
-        let up = up.iter().take_while(|&&t| Some(t) != common).map(|&t| (t, false));
-        let down: Vec<_> = down.iter().take_while(|&&t| Some(t) != common).map(|&t| (t, true)).collect();
-        let mut turns: Vec<(Axis, ExprId, ExprId)> = Vec::new();
-        for (triad, inwards) in up.chain(down.into_iter().rev()) {
-            let Turn::Simple { axis, angle, .. } = self.turns[triad] else { return None };
-            if turns.last().is_none_or(|last| last.0 != axis) {
-                turns.push((axis, dag.zero(), dag.zero()));
-            }
-            let (_, forth, back) = turns.last_mut()?;
-            let sum = if inwards { back } else { forth };
-            *sum = dag.add(*sum, angle);
-        }
-        Some(turns)
-    }
-
-    /// The triad, its parent, ... , the inertial one.
-    fn ancestors(&self, triad: TriadId) -> Vec<TriadId> {
-        let mut list = vec![triad];
-        let mut at = triad;
-        loop {
-            at = match self.turns[at] {
-                Turn::Inertial => return list,
-                Turn::Simple { parent, .. } => parent,
-                Turn::Directions { .. } => crate::id::Id::from_index(0),
-            };
-            list.push(at);
-        }
     }
 
     fn to_parent(&self, dag: &mut Dag, triad: TriadId, v: Components) -> Components {
@@ -358,33 +373,48 @@ impl Triads {
     }
 
     /// a . b, each pair of terms in whichever of the two triads gives the shorter expression.
-    pub fn dot(&self, dag: &mut Dag, a: &Vector, b: &Vector) -> ExprId {
+    pub fn dot(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> ExprId {
         let mut total = dag.zero();
         for (&s, x) in &a.terms {
             for (&t, y) in &b.terms {
-                let x_in_t = self.express_term(dag, s, *x, t);
-                let mut product = dot_components(dag, &x_in_t, y);
-                if s != t {
-                    let y_in_s = self.express_term(dag, t, *y, s);
-                    let other = dot_components(dag, x, &y_in_s);
-                    if dag.cone_cost(&[other]) < dag.cone_cost(&[product]) {
-                        product = other;
-                    }
-                    if let Some(other) = self.dot_along_axes(dag, (s, x), (t, y))
-                        && dag.cone_cost(&[other]) <= dag.cone_cost(&[product])
-                    {
-                        product = other;
-                    }
-                }
+                let product = match self.products.get(&[(s, *x), (t, *y)]) {
+                    Some(&known) => known,
+                    None => self.dot_terms(dag, (s, x), (t, y)),
+                };
+                self.products.insert([(s, *x), (t, *y)], product);
                 total = dag.add(total, product);
             }
         }
         total
     }
 
+    fn dot_terms(
+        &mut self,
+        dag: &mut Dag,
+        (s, x): (TriadId, &Components),
+        (t, y): (TriadId, &Components),
+    ) -> ExprId {
+        let x_in_t = self.express_term(dag, s, *x, t);
+        let mut product = dot_components(dag, &x_in_t, y);
+        if s == t {
+            return product;
+        }
+        let mut cost = dag.cone_cost(&[product]);
+        let y_in_s = self.express_term(dag, t, *y, s);
+        let other = dot_components(dag, x, &y_in_s);
+        let others = dag.cone_cost(&[other]);
+        if others < cost {
+            (product, cost) = (other, others);
+        }
+        match self.dot_along_axes(dag, (s, x), (t, y)) {
+            Some(other) if dag.cone_cost(&[other]) <= cost => other,
+            _ => product,
+        }
+    }
+
     /// (x e) . (y f) = x y (e . f), for vectors along one axis each: one cosine serves all such products.
     fn dot_along_axes(
-        &self,
+        &mut self,
         dag: &mut Dag,
         a: (TriadId, &Components),
         b: (TriadId, &Components),
@@ -398,16 +428,16 @@ impl Triads {
     }
 
     /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
-    pub fn cross(&self, dag: &mut Dag, a: &Vector, b: &Vector) -> Vector {
+    pub fn cross(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> Vector {
         let mut total = Vector::zero();
         for (&s, x) in &a.terms {
             for (&t, y) in &b.terms {
-                let x_in_t = self.express_term(dag, s, *x, t);
+                let x_in_t = self.shorter_term(dag, s, *x, t);
                 let mut product = (t, cross_components(dag, &x_in_t, y));
                 if s != t {
-                    let y_in_s = self.express_term(dag, t, *y, s);
+                    let y_in_s = self.shorter_term(dag, t, *y, s);
                     let other = cross_components(dag, x, &y_in_s);
-                    if dag.cone_cost(&other) < dag.cone_cost(&product.1) {
+                    if other != product.1 && dag.cone_cost(&other) < dag.cone_cost(&product.1) {
                         product = (s, other);
                     }
                 }
@@ -424,6 +454,9 @@ pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, 
     let k = axis as usize;
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (sin, cos) = (dag.sin(angle), dag.cos(angle));
+    if dag.is_zero(v[i]) && dag.is_zero(v[j]) {
+        return v; // along the axis
+    }
     let sin = if inverse { dag.negate(sin) } else { sin };
     // v_i' = cos v_i - sin v_j ; v_j' = sin v_i + cos v_j
     let (ci, sj) = (dag.mul(cos, v[i]), dag.mul(sin, v[j]));

@@ -53,6 +53,7 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("real/counting.rs", include_str!("real/counting.rs")),
     ("real/double.rs", include_str!("real/double.rs")),
     ("real/lane.rs", include_str!("real/lane.rs")),
+    ("real/pair.rs", include_str!("real/pair.rs")),
     ("real/simd.rs", include_str!("real/simd.rs")),
     ("real/single.rs", include_str!("real/single.rs")),
     ("real/sqrt.rs", include_str!("real/sqrt.rs")),

@@ -1,12 +1,12 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 96 operations (3 abs, 11 add, 3 cos, 3 div, 2 min, 60 mul, 3 sin, 11 sub).
-// Cost of energy: 55 operations (8 add, 3 cos, 2 div, 35 mul, 3 sin, 4 sub).
-// Cost of speeds: 25 operations (3 cos, 2 div, 14 mul, 3 sin, 3 sub).
+// Cost of rates: 93 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 58 mul, 3 sin, 10 sub).
+// Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).
+// Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
-// Cost of projection: 50 operations (2 abs, 10 add, 3 cos, 2 div, 1 max, 24 mul, 3 sin, 5 sub).
-// Cost of prepare: 21 operations (4 add, 17 mul).
+// Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
+// Cost of prepare: 28 operations (4 add, 2 div, 22 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -105,12 +105,12 @@ pub struct Prepared {
     pub l3: S,
     ///The parameter `l4`.
     pub l4: S,
-    ///The parameter `m1`.
-    pub m1: S,
     ///The parameter `m2`.
     pub m2: S,
     ///The parameter `m3`.
     pub m3: S,
+    ///Of parameters alone.
+    pub k6: S,
     ///Of parameters alone.
     pub k7: S,
     ///Of parameters alone.
@@ -131,10 +131,18 @@ pub struct Prepared {
     pub k15: S,
     ///Of parameters alone.
     pub k16: S,
+    ///Of parameters alone.
+    pub k17: S,
+    ///Of parameters alone.
+    pub k18: S,
+    ///Of parameters alone.
+    pub k19: S,
+    ///Of parameters alone.
+    pub k20: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///21 operations.
+///28 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -143,34 +151,40 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let l1 = p.l1;
     let l2 = p.l2;
+    let t1 = 1.0_f32 / l2;
     let l3 = p.l3;
-    let l4 = p.l4;
+    let t2 = 1.0_f32 / l3;
+    let l1 = p.l1;
+    let t3 = 0.5_f32 * l1;
     let m1 = p.m1;
-    let m2 = p.m2;
-    let m3 = p.m3;
-    let t1 = 0.5_f32 * l2;
     let g = p.g;
-    let t2 = 0.5_f32 * l1;
-    let t3 = g * t2;
-    let t4 = l1 * t1;
-    let t5 = l1 * g;
-    let t6 = g * t1;
-    let t7 = 0.5_f32 * l3;
-    let t8 = g * t7;
+    let t4 = m1 * (g * t3);
+    let t5 = 0.5_f32 * l2;
+    let t6 = l1 * t5;
+    let t7 = l1 * g;
+    let t8 = g * t5;
+    let m2 = p.m2;
+    let t9 = m2 * t6;
+    let t10 = 0.5_f32 * l3;
+    let t11 = g * t10;
+    let m3 = p.m3;
+    let t12 = m3 * t11;
     let I1 = p.I1;
-    let t9 = m2 * (l1 * l1) + (I1 + m1 * (t2 * t2));
+    let t13 = m2 * (l1 * l1) + (I1 + m1 * (t3 * t3));
     let I2 = p.I2;
-    let t10 = I2 + m2 * (t1 * t1);
+    let t14 = I2 + m2 * (t5 * t5);
     let I3 = p.I3;
-    let t11 = I3 + m3 * (t7 * t7);
-    let t12 = l2 * g;
-    Prepared { l1, l2, l3, l4, m1, m2, m3, k7: t1, k8: t3, k9: t4, k10: t5, k11: t6, k12: t8, k13: t9, k14: t10, k15: t11, k16: t12 }
+    let t15 = I3 + m3 * (t10 * t10);
+    let t16 = l2 * g;
+    let t17 = l1 * t1;
+    let t18 = l1 * t2;
+    let l4 = p.l4;
+    Prepared { l1, l2, l3, l4, m2, m3, k6: t1, k7: t2, k8: t4, k9: t6, k10: t7, k11: t8, k12: t9, k13: t11, k14: t12, k15: t13, k16: t14, k17: t15, k18: t16, k19: t17, k20: t18 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///96 operations.
+///93 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -185,59 +199,71 @@ pub fn rates(
     inputs: &[S; 1usize],
     p: &Prepared,
 ) -> ([S; 3usize], [S; 1usize], S) {
-    let u1 = u[0];
-    let l1 = p.l1;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
     let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
-    let t2 = l2 * t1;
-    let t3 = 1.0_f32 / t2;
-    let t4 = l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * t3;
-    let t5 = u1 * t4;
-    let t6 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
+    let t2 = 1.0_f32 / t1;
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let k19 = p.k19;
+    let t3 = t2 * ((sin_q1 * cos_q3 - cos_q1 * sin_q3) * k19);
+    let u1 = u[0];
+    let t4 = u1 * t3;
+    let t5 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
+    let k20 = p.k20;
+    let t6 = t2 * (t5 * k20);
+    let u3 = u1 * t6;
     let l3 = p.l3;
-    let t7 = l3 * t1;
-    let t8 = 1.0_f32 / t7;
-    let t9 = l1 * t6 * t8;
-    let u3 = u1 * t9;
-    let m3 = p.m3;
-    let k12 = p.k12;
-    let k15 = p.k15;
+    let t7 = l3 * (u3 * u3);
+    let t8 = t4 * t4;
+    let l2 = p.l2;
+    let t9 = l2 * t8;
     let t10 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
-    let t11 = l3 * (u3 * u3);
-    let t12 = l1 * (u1 * u1);
-    let t13 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
-    let t14 = t5 * t5;
-    let t15 = l2 * t14;
-    let u3_dot_bias = t8 * (t10 * t11 + (t12 * t13 + t15));
-    let k14 = p.k14;
-    let t16 = t3 * (t11 + (t12 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) + t10 * t15));
+    let t11 = t7 + t10 * t9;
+    let t12 = cos_q1 * cos_q3 + sin_q1 * sin_q3;
+    let t13 = u1 * u1;
+    let l1 = p.l1;
+    let t14 = l1 * t13;
+    let k6 = p.k6;
+    let t15 = t2 * (k6 * (t14 * t12 + t11));
+    let k16 = p.k16;
+    let t16 = k16 * t15;
+    let k9 = p.k9;
+    let t17 = t5 * (t13 * k9);
     let m2 = p.m2;
     let k11 = p.k11;
-    let k7 = p.k7;
-    let m1 = p.m1;
+    let t18 = t3 * (t16 - m2 * (cos_q2 * k11 - t17));
     let k8 = p.k8;
-    let k10 = p.k10;
-    let t17 = m1 * (cos_q1 * k8) + m2 * (cos_q1 * k10 + t6 * (l1 * (k7 * t14)));
+    let t19 = cos_q1 * k8 + t18;
+    let t20 = cos_q1 * cos_q2 + sin_q1 * sin_q2;
+    let k12 = p.k12;
+    let t21 = t20 * k12;
     let T = inputs[0];
-    let k9 = p.k9;
-    let t18 = m2 * (t13 * k9);
-    let t19 = t4 * (k14 * t16 - m2 * (cos_q2 * k11 - t6 * (k7 * t12))) + (t17 - T - t18 * t16);
-    let forcing_u1 = t9 * (m3 * (cos_q3 * k12) - k15 * u3_dot_bias) - t19;
-    let k13 = p.k13;
-    let mass_u1_u1 = t9 * (k15 * t9) + (k13 - t4 * (2.0_f32 * t18 - k14 * t4));
-    let t20 = forcing_u1 / mass_u1_u1;
-    let t21 = Real::min(Real::min(0.6062967_f32 * Real::abs(t2), 0.7410293_f32 * Real::abs(t7)), 0.4120579_f32 * Real::abs(mass_u1_u1));
-    ([u1, -t5, u3], [t20], t21)
+    let t22 = t19 - (T + t21 * t15);
+    let t23 = t5 * (k9 * t8);
+    let k10 = p.k10;
+    let t24 = m2 * (cos_q1 * k10 + t23) + t22;
+    let t25 = t10 * t7 + t9;
+    let k7 = p.k7;
+    let u3_dot_bias = t2 * (k7 * (t14 * t20 + t25));
+    let k17 = p.k17;
+    let t26 = k17 * u3_dot_bias;
+    let k14 = p.k14;
+    let forcing_u1 = t6 * (cos_q3 * k14 - t26) - t24;
+    let t27 = t6 * (k17 * t6);
+    let t28 = k16 * t3;
+    let k15 = p.k15;
+    let mass_u1_u1 = t27 + (k15 - t3 * (2.0_f32 * t21 - t28));
+    let t29 = forcing_u1 / mass_u1_u1;
+    let t30 = 0.4120579_f32 * Real::abs(mass_u1_u1);
+    let t31 = Real::min(Real::min(0.6062967_f32 * Real::abs(l2 * t1), 0.7410293_f32 * Real::abs(l3 * t1)), t30);
+    ([u1, -t4, u3], [t29], t31)
 }
 ///Kinetic and potential energy (J).
 ///
-///55 operations.
+///50 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -252,40 +278,44 @@ pub fn energy(
     _inputs: &[S; 1usize],
     p: &Prepared,
 ) -> (S, S) {
-    let u1 = u[0];
-    let k13 = p.k13;
-    let k14 = p.k14;
-    let l1 = p.l1;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
-    let t2 = u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f32 / (l2 * t1)));
-    let k15 = p.k15;
-    let l3 = p.l3;
-    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f32 / (l3 * t1)));
-    let t3 = 0.5_f32 * (u1 * u1 * k13 + k14 * (t2 * t2) + k15 * (u3 * u3));
-    let m2 = p.m2;
-    let k9 = p.k9;
-    let t4 = t3 - m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * k9) * (u1 * t2);
-    let m1 = p.m1;
-    let k8 = p.k8;
-    let k10 = p.k10;
-    let t5 = sin_q1 * k10;
-    let k11 = p.k11;
-    let m3 = p.m3;
+    let t1 = 1.0_f32 / (cos_q3 * sin_q2 - sin_q3 * cos_q2);
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let u1 = u[0];
+    let k19 = p.k19;
+    let t2 = u1 * (t1 * ((sin_q1 * cos_q3 - cos_q1 * sin_q3) * k19));
     let k16 = p.k16;
+    let t3 = k16 * (t2 * t2);
+    let k20 = p.k20;
+    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20));
+    let k17 = p.k17;
+    let t4 = t3 + k17 * (u3 * u3);
+    let k15 = p.k15;
+    let t5 = 0.5_f32 * (u1 * u1 * k15 + t4);
+    let t6 = u1 * t2;
     let k12 = p.k12;
-    let t6 = m1 * (sin_q1 * k8) + m2 * (t5 + sin_q2 * k11) + m3 * (t5 + sin_q2 * k16 + sin_q3 * k12);
-    (t4, t6)
+    let t7 = t5 - (cos_q1 * cos_q2 + sin_q1 * sin_q2) * k12 * t6;
+    let k10 = p.k10;
+    let t8 = sin_q1 * k10;
+    let m2 = p.m2;
+    let k11 = p.k11;
+    let t9 = m2 * (t8 + sin_q2 * k11);
+    let k13 = p.k13;
+    let t10 = t8 + sin_q3 * k13;
+    let m3 = p.m3;
+    let k18 = p.k18;
+    let t11 = m3 * (sin_q2 * k18 + t10);
+    let k8 = p.k8;
+    let t12 = t9 + (sin_q1 * k8 + t11);
+    (t7, t12)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///25 operations.
+///22 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -300,19 +330,19 @@ pub fn speeds(
     _inputs: &[S; 1usize],
     p: &Prepared,
 ) -> [S; 3usize] {
-    let u1 = u[0];
-    let l1 = p.l1;
-    let q1 = q[0];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
-    let l2 = p.l2;
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
-    let l3 = p.l3;
-    let u3 = u1 * (l1 * (sin_q1 * cos_q2 - cos_q1 * sin_q2) * (1.0_f32 / (l3 * t1)));
-    [u1, -u1 * (l1 * (sin_q1 * cos_q3 - cos_q1 * sin_q3) * (1.0_f32 / (l2 * t1))), u3]
+    let t1 = 1.0_f32 / (cos_q3 * sin_q2 - sin_q3 * cos_q2);
+    let q1 = q[0];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
+    let u1 = u[0];
+    let k19 = p.k19;
+    let t2 = u1 * (t1 * ((sin_q1 * cos_q3 - cos_q1 * sin_q3) * k19));
+    let k20 = p.k20;
+    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20));
+    [u1, -t2, u3]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
@@ -335,7 +365,7 @@ pub fn outputs(
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///
-///50 operations.
+///49 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -350,23 +380,29 @@ pub fn projection(
     _inputs: &[S; 1usize],
     p: &Prepared,
 ) -> ([S; 2usize], S) {
-    let l2 = p.l2;
     let q3 = q[2];
     let (sin_q3, cos_q3) = Real::sin_cos(q3);
     let q2 = q[1];
     let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let t1 = cos_q3 * sin_q2 - sin_q3 * cos_q2;
-    let l3 = p.l3;
-    let t2 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
-    let l4 = p.l4;
-    let l1 = p.l1;
+    let t1 = cos_q3 * cos_q2 + sin_q3 * sin_q2;
+    let l2 = p.l2;
+    let t2 = l2 * t1;
     let q1 = q[0];
     let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let t3 = l3 + (l2 * t2 - (l4 * cos_q3 - l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3)));
-    let t4 = 1.0_f32 / (l2 * t1) * t3;
-    let t5 = l2 + (l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) - l4 * cos_q2) + l3 * t2;
-    let t6 = Real::max(Real::abs(l1 * cos_q1 - l4 + l2 * cos_q2 + l3 * cos_q3), Real::abs(l1 * sin_q1 + l2 * sin_q2 + l3 * sin_q3));
-    ([t4, -t5 * (1.0_f32 / (l3 * t1))], t6)
+    let k6 = p.k6;
+    let l3 = p.l3;
+    let l1 = p.l1;
+    let l4 = p.l4;
+    let t3 = k6 * (t2 + (l3 + (l1 * (cos_q1 * cos_q3 + sin_q1 * sin_q3) - l4 * cos_q3)));
+    let t4 = 1.0_f32 / (cos_q3 * sin_q2 - sin_q3 * cos_q2);
+    let t5 = t4 * t3;
+    let t6 = l1 * (cos_q1 * cos_q2 + sin_q1 * sin_q2) + (l3 * t1 + (l2 - l4 * cos_q2));
+    let k7 = p.k7;
+    let t7 = t4 * (k7 * t6);
+    let t8 = Real::abs(l1 * cos_q1 + l3 * cos_q3 + (l2 * cos_q2 - l4));
+    let t9 = l2 * sin_q2 + l3 * sin_q3;
+    let t10 = Real::max(t8, Real::abs(l1 * sin_q1 + t9));
+    ([t5, -t7], t10)
 }
 ///Four-bar linkage driven by a torque on the crank.
 #[derive(Clone, Copy, Debug)]

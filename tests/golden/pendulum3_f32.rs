@@ -1,12 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 49 operations (1 abs, 5 add, 3 cos, 1 div, 1 min, 29 mul, 3 sin, 6 sub).
-// Cost of energy: 49 operations (12 add, 3 cos, 31 mul, 3 sin).
+// Cost of rates: 48 operations (1 abs, 6 add, 3 cos, 1 div, 1 min, 28 mul, 3 sin, 5 sub).
+// Cost of energy: 46 operations (12 add, 3 cos, 28 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 37 operations (7 abs, 4 add, 7 div, 6 min, 13 mul).
+// Cost of prepare: 43 operations (7 abs, 4 add, 7 div, 6 min, 19 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -83,20 +83,20 @@ pub struct Prepared {
     pub l0: S,
     ///The parameter `l1`.
     pub l1: S,
-    ///The parameter `l2`.
-    pub l2: S,
     ///The parameter `g`.
     pub g: S,
-    ///Of parameters alone.
-    pub k7: S,
     ///Of parameters alone.
     pub prepared_mass_u0_u0: S,
     ///Of parameters alone.
     pub prepared_mass_u1_u1: S,
     ///Of parameters alone.
-    pub k10: S,
+    pub k8: S,
     ///Of parameters alone.
     pub prepared_mass_u2_u2: S,
+    ///Of parameters alone.
+    pub k10: S,
+    ///Of parameters alone.
+    pub k11: S,
     ///Of parameters alone.
     pub k12: S,
     ///Of parameters alone.
@@ -126,7 +126,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///37 operations.
+///43 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -135,38 +135,42 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let m0 = p.m0;
     let m1 = p.m1;
     let m2 = p.m2;
-    let l0 = p.l0;
-    let l1 = p.l1;
-    let l2 = p.l2;
-    let g = p.g;
     let t1 = m1 + m2;
+    let m0 = p.m0;
+    let l0 = p.l0;
     let mass_u0_u0 = (m0 + t1) * (l0 * l0);
+    let l1 = p.l1;
     let mass_u1_u1 = t1 * (l1 * l1);
-    let t2 = l0 * l1;
+    let t2 = t1 * (l0 * l1);
+    let l2 = p.l2;
     let mass_u2_u2 = m2 * (l2 * l2);
-    let t3 = l1 * l2;
-    let t4 = l0 * l2;
+    let t3 = m2 * (l1 * l2);
+    let t4 = m2 * (l0 * l2);
+    let g = p.g;
     let t5 = l0 * g;
-    let t6 = l1 * g;
-    let t7 = l2 * g;
-    let t8 = 1.0_f32 / m0;
-    let t9 = 1.0_f32 / m1;
-    let t10 = t8 + t9;
-    let t11 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
-    let t12 = t9 + 1.0_f32 / m2;
-    let t13 = Real::min(Real::min(t11, Real::abs(l2)), 0.5_f32 * Real::abs(t12));
-    let t14 = 1.0_f32 / t12;
-    let t15 = 1.0_f32 / l2;
-    let t16 = 1.0_f32 / l1;
-    let t17 = 1.0_f32 / l0;
-    Prepared { m0, m1, m2, l0, l1, l2, g, k7: t1, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k10: t2, prepared_mass_u2_u2: mass_u2_u2, k12: t3, k13: t4, k14: t5, k15: t6, k16: t7, k17: t8, k18: t9, k19: t10, k20: t13, k21: t14, k22: t15, k23: t16, k24: t17 }
+    let t6 = m0 * t5;
+    let t7 = l1 * g;
+    let t8 = l2 * g;
+    let t9 = 1.0_f32 / m0;
+    let t10 = 1.0_f32 / m1;
+    let t11 = t9 + t10;
+    let t12 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
+    let t13 = Real::min(t12, Real::abs(l2));
+    let t14 = t10 + 1.0_f32 / m2;
+    let t15 = Real::min(t13, 0.5_f32 * Real::abs(t14));
+    let t16 = 1.0_f32 / t14;
+    let t17 = t10 * t16;
+    let t18 = l2 * t16;
+    let t19 = 1.0_f32 / l2;
+    let t20 = 1.0_f32 / l1;
+    let t21 = 1.0_f32 / l0;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t2, prepared_mass_u2_u2: mass_u2_u2, k10: t3, k11: t4, k12: t5, k13: t6, k14: t7, k15: t8, k16: t9, k17: t10, k18: t11, k19: t15, k20: t17, k21: t18, k22: t19, k23: t20, k24: t21 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///49 operations.
+///48 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -181,48 +185,54 @@ pub fn rates(
     _inputs: &[S; 0usize],
     p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
-    let u0 = u[0];
-    let u1 = u[1];
-    let u2 = u[2];
-    let k24 = p.k24;
-    let k17 = p.k17;
-    let q1 = q[1];
-    let q0 = q[0];
-    let t1 = q1 - q0;
-    let (sin_t1, cos_t1) = Real::sin_cos(t1);
-    let t2 = k17 * sin_t1;
-    let l1 = p.l1;
-    let t3 = k17 * cos_t1;
-    let m0 = p.m0;
     let l0 = p.l0;
-    let g = p.g;
+    let u0 = u[0];
+    let t1 = l0 * (u0 * u0);
+    let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
-    let t4 = m0 * (l0 * (u0 * u0) + g * cos_q0);
-    let k18 = p.k18;
+    let m0 = p.m0;
+    let g = p.g;
+    let t2 = m0 * (t1 + g * cos_q0);
+    let q1 = q[1];
+    let (sin_angle9, cos_angle9) = Real::sin_cos(q1 - q0);
+    let k16 = p.k16;
+    let t3 = k16 * cos_angle9;
+    let t4 = t3 * t2;
     let q2 = q[2];
-    let t5 = q2 - q1;
-    let (sin_t5, cos_t5) = Real::sin_cos(t5);
-    let t6 = k18 * cos_t5;
-    let l2 = p.l2;
+    let (sin_angle14, cos_angle14) = Real::sin_cos(q2 - q1);
+    let k17 = p.k17;
+    let t5 = k17 * cos_angle14;
+    let u2 = u[2];
     let k21 = p.k21;
-    let t7 = l2 * (u2 * u2) * k21;
-    let k19 = p.k19;
-    let t8 = t6 * k21;
-    let t9 = k19 - cos_t1 * t3 - t6 * t8;
-    let force_mass1_y = (l1 * (u1 * u1) + t3 * t4 + t6 * t7) / t9;
-    let t10 = k24 * (t2 * force_mass1_y - g * sin_q0);
-    let force_mass0_y = t4 + cos_t1 * force_mass1_y;
-    let t11 = k18 * sin_t5;
-    let force_mass2_y = t7 + t8 * force_mass1_y;
-    let k23 = p.k23;
-    let k22 = p.k22;
+    let t6 = u2 * u2 * k21;
+    let t7 = t5 * t6;
+    let l1 = p.l1;
+    let u1 = u[1];
+    let t8 = t4 + (l1 * (u1 * u1) + t7);
+    let t9 = cos_angle9 * t3;
     let k20 = p.k20;
-    let t12 = Real::min(k20, 2.0_f32 * Real::abs(t9));
-    ([u0, u1, u2], [t10, -(t2 * force_mass0_y - t11 * force_mass2_y) * k23, -t11 * force_mass1_y * k22], t12)
+    let t10 = cos_angle14 * k20;
+    let k18 = p.k18;
+    let t11 = k18 - (t9 + t5 * t10);
+    let force_mass1_y = t8 / t11;
+    let t12 = k16 * sin_angle9;
+    let k24 = p.k24;
+    let t13 = k24 * (t12 * force_mass1_y - g * sin_q0);
+    let force_mass0_y = t2 + cos_angle9 * force_mass1_y;
+    let t14 = t12 * force_mass0_y;
+    let force_mass2_y = t6 + t10 * force_mass1_y;
+    let t15 = k17 * sin_angle14;
+    let k23 = p.k23;
+    let t16 = k23 * (t14 - t15 * force_mass2_y);
+    let k22 = p.k22;
+    let t17 = k22 * (t15 * force_mass1_y);
+    let k19 = p.k19;
+    let t18 = Real::min(k19, 2.0_f32 * Real::abs(t11));
+    ([u0, u1, u2], [t13, -t16, -t17], t18)
 }
 ///Kinetic and potential energy (J).
 ///
-///49 operations.
+///46 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -237,36 +247,39 @@ pub fn energy(
     _inputs: &[S; 0usize],
     p: &Prepared,
 ) -> (S, S) {
-    let u2 = u[2];
-    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
-    let u0 = u[0];
-    let prepared_mass_u0_u0 = p.prepared_mass_u0_u0;
-    let u1 = u[1];
-    let prepared_mass_u1_u1 = p.prepared_mass_u1_u1;
-    let t1 = 0.5_f32 * (u2 * u2 * prepared_mass_u2_u2 + (u0 * u0 * prepared_mass_u0_u0 + u1 * u1 * prepared_mass_u1_u1));
-    let m2 = p.m2;
-    let q1 = q[1];
-    let (sin_q1, cos_q1) = Real::sin_cos(q1);
-    let q2 = q[2];
-    let (sin_q2, cos_q2) = Real::sin_cos(q2);
-    let k12 = p.k12;
-    let mass_u1_u2 = m2 * ((cos_q1 * cos_q2 + sin_q1 * sin_q2) * k12);
-    let k7 = p.k7;
     let q0 = q[0];
     let (sin_q0, cos_q0) = Real::sin_cos(q0);
+    let q2 = q[2];
+    let (sin_q2, cos_q2) = Real::sin_cos(q2);
+    let k11 = p.k11;
+    let mass_u0_u2 = (cos_q0 * cos_q2 + sin_q0 * sin_q2) * k11;
+    let u0 = u[0];
+    let u2 = u[2];
+    let t1 = mass_u0_u2 * (u0 * u2);
+    let q1 = q[1];
+    let (sin_q1, cos_q1) = Real::sin_cos(q1);
     let k10 = p.k10;
-    let mass_u0_u1 = k7 * ((cos_q0 * cos_q1 + sin_q0 * sin_q1) * k10);
-    let k13 = p.k13;
-    let mass_u0_u2 = m2 * ((cos_q0 * cos_q2 + sin_q0 * sin_q2) * k13);
-    let t2 = t1 + (mass_u1_u2 * (u1 * u2) + (mass_u0_u1 * (u0 * u1) + mass_u0_u2 * (u0 * u2)));
-    let m0 = p.m0;
+    let mass_u1_u2 = (cos_q1 * cos_q2 + sin_q1 * sin_q2) * k10;
+    let u1 = u[1];
+    let t2 = t1 + mass_u1_u2 * (u1 * u2);
+    let k8 = p.k8;
+    let mass_u0_u1 = (cos_q0 * cos_q1 + sin_q0 * sin_q1) * k8;
+    let t3 = mass_u0_u1 * (u0 * u1) + t2;
+    let prepared_mass_u1_u1 = p.prepared_mass_u1_u1;
+    let prepared_mass_u2_u2 = p.prepared_mass_u2_u2;
+    let t4 = u1 * u1 * prepared_mass_u1_u1 + u2 * u2 * prepared_mass_u2_u2;
+    let prepared_mass_u0_u0 = p.prepared_mass_u0_u0;
+    let t5 = 0.5_f32 * (u0 * u0 * prepared_mass_u0_u0 + t4) + t3;
+    let k12 = p.k12;
     let k14 = p.k14;
-    let t3 = cos_q0 * k14;
+    let t6 = cos_q0 * k12 + cos_q1 * k14;
     let m1 = p.m1;
+    let t7 = m1 * t6;
+    let k13 = p.k13;
+    let m2 = p.m2;
     let k15 = p.k15;
-    let t4 = t3 + cos_q1 * k15;
-    let k16 = p.k16;
-    (t2, -(m0 * t3 + m1 * t4 + m2 * (t4 + cos_q2 * k16)))
+    let t8 = cos_q0 * k13 + t7 + m2 * (t6 + cos_q2 * k15);
+    (t5, -t8)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///

@@ -1,12 +1,12 @@
 // Generated from models/tile_minimal.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // tile_minimal: 3 coordinates, 3 independent speeds, 3 inputs, 13 tunable parameters; scalar f32.
 // Pivots: 12; the worst over 73 sampled configurations is 0.610 of its nominal size.
-// Cost of rates: 706 operations (12 abs, 141 add, 14 div, 11 min, 414 mul, 4 sqrt, 110 sub).
-// Cost of energy: 231 operations (45 add, 11 div, 144 mul, 4 sqrt, 27 sub).
-// Cost of speeds: 169 operations (24 add, 11 div, 100 mul, 4 sqrt, 30 sub).
-// Cost of outputs: 79 operations (12 add, 3 asin, 3 atan2, 1 cos, 3 div, 42 mul, 1 sin, 2 sqrt, 12 sub).
+// Cost of rates: 548 operations (6 abs, 92 add, 13 div, 8 min, 332 mul, 4 sqrt, 93 sub).
+// Cost of energy: 185 operations (40 add, 7 div, 118 mul, 1 sqrt, 19 sub).
+// Cost of speeds: 180 operations (31 add, 10 div, 112 mul, 4 sqrt, 23 sub).
+// Cost of outputs: 78 operations (12 add, 3 asin, 3 atan2, 1 cos, 3 div, 42 mul, 1 sin, 2 sqrt, 11 sub).
 // Cost of projection: 0 operations ().
-// Cost of prepare: 17 operations (5 add, 1 div, 6 mul, 5 sub).
+// Cost of prepare: 21 operations (5 add, 1 div, 10 mul, 5 sub).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -40,7 +40,7 @@ pub const PARAMETER_NAMES: [&str; 13usize] = [
     "g",
 ];
 ///All speeds in order.
-pub const SPEED_NAMES: [&str; 12usize] = [
+pub const SPEED_NAMES: [&str; 15usize] = [
     "u_hA",
     "u_psiA",
     "u_thA",
@@ -53,6 +53,9 @@ pub const SPEED_NAMES: [&str; 12usize] = [
     "u_psiC",
     "u_thC",
     "u_sC",
+    "u_slope_x",
+    "u_slope_y",
+    "u_root",
 ];
 ///Outputs in order.
 pub const OUTPUT_NAMES: [&str; 12usize] = [
@@ -133,26 +136,26 @@ impl Default for Parameters {
 pub struct Prepared {
     ///The parameter `R`.
     pub R: S,
-    ///The parameter `ms`.
-    pub ms: S,
-    ///The parameter `mc`.
-    pub mc: S,
-    ///The parameter `Ic2`.
-    pub Ic2: S,
-    ///The parameter `Ic3`.
-    pub Ic3: S,
     ///The parameter `M`.
     pub M: S,
-    ///The parameter `Ix`.
-    pub Ix: S,
-    ///The parameter `Iy`.
-    pub Iy: S,
-    ///The parameter `Iz`.
-    pub Iz: S,
     ///The parameter `c`.
     pub c: S,
     ///The parameter `g`.
     pub g: S,
+    ///Of parameters alone.
+    pub k4: S,
+    ///Of parameters alone.
+    pub k5: S,
+    ///Of parameters alone.
+    pub k6: S,
+    ///Of parameters alone.
+    pub k7: S,
+    ///Of parameters alone.
+    pub k8: S,
+    ///Of parameters alone.
+    pub k9: S,
+    ///Of parameters alone.
+    pub k10: S,
     ///Of parameters alone.
     pub k11: S,
     ///Of parameters alone.
@@ -173,14 +176,10 @@ pub struct Prepared {
     pub k19: S,
     ///Of parameters alone.
     pub k20: S,
-    ///Of parameters alone.
-    pub k21: S,
-    ///Of parameters alone.
-    pub k22: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///17 operations.
+///21 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -189,36 +188,43 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let R = p.R;
-    let ms = p.ms;
-    let mc = p.mc;
-    let Ic2 = p.Ic2;
     let Ic3 = p.Ic3;
-    let M = p.M;
-    let Ix = p.Ix;
-    let Iy = p.Iy;
-    let Iz = p.Iz;
-    let c = p.c;
-    let g = p.g;
+    let Ic2 = p.Ic2;
+    let t1 = Ic3 - Ic2;
     let Ic1 = p.Ic1;
-    let t1 = 0.5_f32 * (Ic1 + Ic2 - Ic3);
-    let t2 = ms + mc;
-    let t3 = g * t2;
-    let t4 = Ix - Iz;
-    let t5 = Iy - Ix;
+    let t2 = t1 - Ic1;
+    let t3 = 0.5_f32 * t2;
+    let ms = p.ms;
+    let g = p.g;
+    let t4 = ms * g;
+    let mc = p.mc;
+    let t5 = mc * g;
+    let t6 = ms + mc;
+    let t7 = g * t6;
+    let M = p.M;
+    let t8 = M * g;
     let mr = p.mr;
-    let t6 = mr + t2;
-    let t7 = 0.57735026_f32 * M;
-    let t8 = 1.3333334_f32 * M;
-    let t9 = 1.0_f32 / (3.0_f32 * R);
-    let t10 = 0.5_f32 * (Ic1 - (Ic2 + Ic3));
-    let t11 = t1 + t10;
-    let t12 = Iy - Iz;
-    Prepared { R, ms, mc, Ic2, Ic3, M, Ix, Iy, Iz, c, g, k11: t1, k12: t2, k13: t3, k14: t4, k15: t5, k16: t6, k17: t7, k18: t8, k19: t9, k20: t10, k21: t11, k22: t12 }
+    let t9 = mr + t6;
+    let R = p.R;
+    let t10 = R * g;
+    let t11 = R * M;
+    let t12 = 1.0_f32 / (3.0_f32 * R);
+    let Iz = p.Iz;
+    let t13 = Iz + 3.0_f32 * Ic2;
+    let t14 = 1.5_f32 * Ic2;
+    let Ix = p.Ix;
+    let t15 = Ix + t14;
+    let Iy = p.Iy;
+    let t16 = Iy + t14;
+    let t17 = t15 - t16;
+    let t18 = t16 - t13;
+    let t19 = t13 - t15;
+    let c = p.c;
+    Prepared { R, M, c, g, k4: t1, k5: t2, k6: t3, k7: t4, k8: t5, k9: t7, k10: t8, k11: t9, k12: t10, k13: t11, k14: t12, k15: t13, k16: t15, k17: t16, k18: t17, k19: t18, k20: t19 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///706 operations.
+///548 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -233,257 +239,352 @@ pub fn rates(
     inputs: &[S; 3usize],
     p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
-    let u_hA = u[0];
-    let u_hB = u[1];
-    let u_hC = u[2];
-    let R = p.R;
-    let k19 = p.k19;
     let hB = q[1];
     let hC = q[2];
-    let t1 = k19 * (1.7320508_f32 * (hB - hC));
+    let t1 = hB - hC;
     let hA = q[0];
-    let t2 = k19 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
-    let t3 = 0.8660254_f32 * (t1 * (2.0_f32 * t2));
-    let t4 = t1 * t1;
-    let t5 = t2 * t2;
-    let root = Real::sqrt(t4 + (1.0_f32 + t5));
-    let t6 = 1.0_f32 / (1.0_f32 + root);
-    let t7 = R * ((t3 - t4) * t6 - 1.0_f32);
-    let t8 = 0.8660254_f32 * t7;
-    let t9 = 1.0_f32 / t8;
-    let cos2 = t5 - t4;
-    let sA = R * (1.0_f32 + t6 * (0.5_f32 * (t4 + t5) + cos2));
-    let w_platform_x_per_w_platform_y = t9 * (0.5_f32 * t7 - sA);
-    let sB = R * (1.0_f32 + t6 * (t4 + t3));
-    let t10 = 0.8660254_f32 * sB;
-    let t11 = w_platform_x_per_w_platform_y * t10 + (sA + 0.5_f32 * sB);
-    let t12 = 1.0_f32 / t11;
-    let v_G_z_per_u_hA = 1.0_f32 / root;
-    let t13 = v_G_z_per_u_hA * t9;
-    let t14 = t13 * t10;
-    let t15 = t12 * (t14 - v_G_z_per_u_hA);
-    let t16 = 0.8660254_f32 * t1;
-    let t17 = 0.5_f32 * t2;
-    let alongC = t16 - t17;
-    let t18 = alongC * v_G_z_per_u_hA;
-    let t19 = t18 * t18;
-    let t20 = 1.0_f32 / (t19 - 1.0_f32);
-    let u_sB_per_u_hB = v_G_z_per_u_hA * (t16 + t17);
-    let t21 = t18 + u_sB_per_u_hB;
-    let t22 = 0.28867513_f32 * t21;
-    let t23 = t2 * v_G_z_per_u_hA;
-    let t24 = 0.8660254_f32 * t23;
-    let t25 = t22 + t24;
-    let t26 = t20 * (0.8660254_f32 * t25);
-    let Ic3 = p.Ic3;
-    let k21 = p.k21;
-    let t27 = Ic3 + t18 * (t18 * k21);
-    let t28 = 1.0_f32 - u_sB_per_u_hB * u_sB_per_u_hB;
-    let t29 = 1.0_f32 / t28;
-    let t30 = t24 - t22;
-    let t31 = t29 * (0.8660254_f32 * t30);
-    let t32 = Ic3 + u_sB_per_u_hB * (k21 * u_sB_per_u_hB);
-    let t33 = 1.0_f32 - t19;
-    let t34 = Real::sqrt(t33);
-    let t35 = 1.0_f32 / t34;
-    let t36 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let u_thC_per_w_platform_x = t35 * t36;
-    let Ic2 = p.Ic2;
-    let Ix = p.Ix;
-    let t37 = Real::sqrt(t28);
-    let t38 = 1.0_f32 / t37;
-    let t39 = t36 * t38;
-    let t40 = t31 * (t32 * t31) + (u_thC_per_w_platform_x * (Ic2 * u_thC_per_w_platform_x) + (Ix + t39 * (Ic2 * t39)));
-    let t41 = t26 * (t27 * t26) + t40;
-    let t42 = w_platform_x_per_w_platform_y * t41;
-    let t43 = t29 * (0.5_f32 * t30);
-    let t44 = t32 * t43;
-    let t45 = 0.5_f32 * v_G_z_per_u_hA;
-    let t46 = t38 * t45;
-    let t47 = Ic2 * t46;
-    let t48 = t35 * t45;
-    let t49 = Ic2 * t48;
-    let t50 = t20 * (0.5_f32 * t25);
-    let t51 = t27 * t50;
-    let t52 = t31 * t44 + (t39 * t47 - u_thC_per_w_platform_x * t49) - t26 * t51;
-    let t53 = (t42 + t52) * t13;
-    let M = p.M;
-    let t54 = M * sA;
-    let v_G_y_per_u_hA = 0.57735026_f32 * t21;
-    let t55 = t7 - sB;
-    let t56 = 1.0_f32 / (t55 - sA);
-    let t57 = v_G_y_per_u_hA * t56;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t29;
-    let t58 = t32 * u_psiB_per_w_platform_z;
-    let u_thC_per_w_platform_z = t25 * t35;
-    let t59 = Ic2 * u_thC_per_w_platform_z;
-    let t60 = t30 * t38;
-    let t61 = Ic2 * t60;
-    let t62 = t23 * t23;
-    let t63 = 1.0_f32 - t62;
-    let t64 = Real::sqrt(t63);
-    let t65 = 1.0_f32 / t64;
-    let t66 = v_G_y_per_u_hA * t65;
-    let t67 = Ic2 * t66;
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t65;
-    let t68 = Ic3 + t23 * (k21 * t23);
-    let t69 = 1.0_f32 / (t62 - 1.0_f32);
-    let t70 = v_G_z_per_u_hA * t69;
-    let t71 = t68 * t70;
-    let t72 = v_G_y_per_u_hA * t69;
-    let t73 = t58 * t43 + (t59 * t48 - (t61 * t46 - t67 * u_thA_per_w_platform_y) - t71 * t72);
-    let t74 = v_G_z_per_u_hA * t20;
-    let t75 = t27 * t74;
-    let t76 = t73 - t75 * t50;
-    let t77 = t75 * t26 + (t58 * t31 - (t59 * u_thC_per_w_platform_x + t61 * t39));
-    let t78 = t77 * t57;
-    let t79 = t53 - (v_G_z_per_u_hA * t54 + t57 * t76) - t78 * w_platform_x_per_w_platform_y;
-    let Iy = p.Iy;
-    let t80 = t72 * (t68 * t72) + (t48 * t49 + (t46 * t47 + (Iy + u_thA_per_w_platform_y * (Ic2 * u_thA_per_w_platform_y))));
-    let t81 = w_platform_x_per_w_platform_y * (t42 + 2.0_f32 * t52) + (sA * t54 + (t50 * t51 + (t43 * t44 + t80)));
-    let t82 = t41 * t13;
-    let k18 = p.k18;
-    let t83 = k18 * sA;
-    let k17 = p.k17;
-    let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let t84 = k17 * v_G_x_per_w_platform_z;
-    let t85 = v_G_y_per_u_hA * (t83 + t84);
-    let t86 = M * v_G_x_per_w_platform_z;
-    let Iz = p.Iz;
-    let t87 = u_psiB_per_w_platform_z * t58 + (t70 * t71 + (u_thC_per_w_platform_z * t59 + (t60 * t61 + (Iz + t66 * t67))));
-    let t88 = sA * (t83 + 2.0_f32 * t84) + (v_G_x_per_w_platform_z * t86 + (t74 * t75 + t87));
-    let k16 = p.k16;
-    let t89 = t57 * (2.0_f32 * t85 + t57 * t88) + (k16 + v_G_y_per_u_hA * (k18 * v_G_y_per_u_hA)) + v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
-    let t90 = t15 * (2.0_f32 * t79 - t81 * t15) + (t13 * (2.0_f32 * t78 - t82) - t89);
-    let t91 = 1.0_f32 / t90;
-    let t92 = t12 * t14;
-    let t93 = t81 * t92;
-    let t94 = t25 * t56;
-    let t95 = t77 * t94;
-    let t96 = t53 - t76 * t94 - w_platform_x_per_w_platform_y * t95;
-    let t97 = t93 - t96;
-    let t98 = t88 * t94;
-    let mass_u_hA_u_hC = t79 * t92 - (t15 * t97 + (t85 * t94 + t57 * t98)) - t13 * (t82 - t95 - t78);
-    let t99 = t91 * mass_u_hA_u_hC;
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t12;
-    let t100 = t81 * w_platform_y_per_u_hB;
-    let t101 = t30 * t56;
-    let t102 = t77 * t101;
-    let t103 = w_platform_x_per_w_platform_y * t102 + t76 * t101;
-    let t104 = t13 * t102;
-    let t105 = t88 * t101;
-    let t106 = 1.1547005_f32 * t30;
-    let t107 = k17 * t106;
-    let t108 = sA * t107 + t86 * t106;
-    let t109 = t15 * (t100 + t103) - (t104 - (t85 * t101 + (t57 * (t105 + t108) + v_G_y_per_u_hA * t107)));
-    let mass_u_hA_u_hB = t109 - t79 * w_platform_y_per_u_hB;
-    let t110 = t91 * mass_u_hA_u_hB;
-    let mass_u_hB_u_hB = w_platform_y_per_u_hB * (t100 + 2.0_f32 * t103) + (t101 * (t105 + 2.0_f32 * t108) + (k16 + t106 * (M * t106)));
-    let pivot_1 = mass_u_hA_u_hB * t110 + mass_u_hB_u_hB;
-    let t111 = 1.0_f32 / pivot_1;
-    let t112 = t103 * t92 + (w_platform_y_per_u_hB * t97 + (t108 * t94 + t101 * t98 - t104)) - t110 * mass_u_hA_u_hC;
-    let t113 = t111 * t112;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * t15 - u_hC * t92;
-    let w_platform_z = u_hC * t94 - (u_hB * t101 + u_hA * t57);
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let t114 = u_hB * t106 - v_G_x_per_w_platform_z * w_platform_z + 0.57735026_f32 * v_G_y;
-    let u_sA = t114 - u_hA * t23;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t13 * (u_hA - u_hC);
-    let t115 = w_platform_z * w_platform_x;
-    let v_G_z_dot_bias = 2.0_f32 * (w_platform_y * u_sA) - sA * t115;
-    let t116 = 0.8660254_f32 * w_platform_y;
-    let t117 = 0.5_f32 * w_platform_x;
-    let t118 = t116 + t117;
-    let t119 = w_platform_z * t118;
-    let t120 = 0.5_f32 * w_platform_y;
-    let t121 = 0.8660254_f32 * w_platform_x;
-    let t122 = t120 - t121;
-    let t123 = 0.8660254_f32 * v_G_y;
-    let t124 = 0.5_f32 * t114;
-    let u_sC = t123 - (t124 + u_hC * t18);
-    let t125 = t9 * (v_G_z_dot_bias + (t7 * t119 + 2.0_f32 * (t122 * u_sC)));
-    let t126 = t117 - t116;
-    let t127 = t120 + t121;
-    let t128 = t126 * t127;
-    let t129 = t123 + (t124 - u_hB * u_sB_per_u_hB);
-    let t130 = sB * t128 - 2.0_f32 * (w_platform_z * t129);
-    let t131 = t118 * t122;
-    let t132 = w_platform_y * w_platform_x;
-    let t133 = sA * t132 + 2.0_f32 * (w_platform_z * u_sA);
-    let w_platform_z_dot_bias = t56 * (t130 - (t7 * t131 - 2.0_f32 * (w_platform_z * u_sC)) + t133);
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t48 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
-    let u_psiC = t26 * w_platform_x - t50 * w_platform_y - t74 * w_platform_z;
-    let t134 = 2.0_f32 * (u_thC * u_psiC);
-    let t135 = t18 * t134;
-    let u_psiC_dot_bias = t20 * (t25 * t119 - v_G_z_per_u_hA * t131 - t34 * t135);
-    let k11 = p.k11;
-    let k20 = p.k20;
-    let t136 = t27 * u_psiC_dot_bias + (t18 * (k11 * (t34 * t134)) + t34 * (k20 * t135));
-    let t137 = w_platform_z * t126;
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t43 * w_platform_y + t31 * w_platform_x);
-    let t138 = u_sB_per_u_hB * u_psiB;
-    let t139 = t37 * u_psiB;
-    let t140 = t138 * t139;
-    let t141 = t46 * w_platform_y + t39 * w_platform_x + t60 * w_platform_z;
-    let t142 = w_platform_z * w_platform_z;
-    let t143 = t30 * t128 - (v_G_z_per_u_hA * t137 + t37 * t140) + u_sB_per_u_hB * (t139 * t139 + t141 * t141 - (t142 + t127 * t127));
-    let t144 = Ic2 * (t38 * t143) - k21 * t140;
-    let k22 = p.k22;
-    let t145 = t34 * u_psiC;
-    let t146 = t18 * u_psiC * t145;
-    let t147 = t18 * (t122 * t122 + t142 - (t145 * t145 + u_thC * u_thC)) - (v_G_z_per_u_hA * t119 - t34 * t146 + t25 * t131);
-    let t148 = Ic2 * (t35 * t147) + k21 * t146;
-    let t149 = 2.0_f32 * t138 * t141;
-    let t150 = t32 * (t29 * (t30 * t137 + v_G_z_per_u_hA * t128 + t37 * t149)) + (u_sB_per_u_hB * (k11 * (t141 * (2.0_f32 * t139))) + t37 * (k20 * t149));
-    let t151 = t26 * t136 + (t39 * t144 - w_platform_z * w_platform_y * k22 - u_thC_per_w_platform_x * t148 - t31 * t150);
-    let t152 = t41 * t125 + (t77 * w_platform_z_dot_bias - t151);
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - t66 * w_platform_z;
-    let t153 = t70 * w_platform_z + t72 * w_platform_y;
-    let t154 = 2.0_f32 * (u_thA * t153);
-    let t155 = t23 * t154;
-    let t156 = t68 * (t69 * (v_G_z_per_u_hA * t132 - v_G_y_per_u_hA * t115 - t64 * t155)) + (t23 * (k11 * (t64 * t154)) + t64 * (k20 * t155));
-    let t157 = t64 * t153;
-    let t158 = t23 * t153 * t157;
-    let t159 = v_G_z_per_u_hA * t115 + t64 * t158 + v_G_y_per_u_hA * t132 + t23 * (t142 + w_platform_y * w_platform_y - (t157 * t157 + u_thA * u_thA));
-    let t160 = Ic2 * (t65 * t159) + k21 * t158;
+    let t2 = 0.5_f32 * (hB + hC) - hA;
+    let t3 = 1.7320508_f32 * t1;
+    let t4 = 2.0_f32 * t2;
     let k14 = p.k14;
-    let t161 = t72 * t156 + (t48 * t148 - (u_thA_per_w_platform_y * t160 - k14 * t115 - t46 * t144));
-    let g = p.g;
-    let t162 = M * (v_G_z_dot_bias + g * v_G_z_per_u_hA);
-    let t163 = t52 * t125 + (t76 * w_platform_z_dot_bias + (t50 * t136 + (t43 * t150 - t161)) - sA * t162);
-    let w_platform_y_dot_bias = t12 * (t10 * t125 + (sB * t137 + 2.0_f32 * (t127 * t129) - v_G_z_dot_bias));
-    let t164 = w_platform_x_per_w_platform_y * t152 + t163 - t81 * w_platform_y_dot_bias;
-    let t165 = t13 * t152;
-    let t166 = M * (1.1547005_f32 * t130 - g * t23);
-    let t167 = k18 * t133 + (0.57735026_f32 * t166 - M * (g * v_G_y_per_u_hA));
-    let k15 = p.k15;
-    let t168 = t70 * t156 + (t60 * t144 + (t66 * t160 + k15 * t132) - u_thC_per_w_platform_z * t148);
-    let t169 = sA * t167 + (t84 * t133 + (v_G_x_per_w_platform_z * t166 - (t74 * t136 - (u_psiB_per_w_platform_z * t150 + t168))));
-    let t170 = t88 * w_platform_z_dot_bias + t169;
+    let t5 = k14 * t3;
+    let t6 = k14 * t4;
+    let t7 = t5 * t5;
+    let t8 = t6 * t6;
+    let t9 = t7 + t8;
+    let cos2 = t8 - t7;
+    let t10 = 0.5_f32 * t9 + cos2;
+    let t11 = 0.8660254_f32 * (t5 * (2.0_f32 * t6));
+    let t12 = t7 + t11;
+    let t13 = t7 - t11;
+    let root = Real::sqrt(1.0_f32 + t9);
+    let t14 = 1.0_f32 + root;
+    let t15 = 1.0_f32 / t14;
+    let t16 = 1.0_f32 + t10 * t15;
+    let t17 = 1.0_f32 + t12 * t15;
+    let t18 = 1.0_f32 + t13 * t15;
+    let R = p.R;
+    let sB = R * t17;
+    let sC = R * t18;
+    let sA = R * t16;
     let k13 = p.k13;
-    let c = p.c;
-    let FA = inputs[0];
-    let t171 = t57 * t170 + (t85 * w_platform_z_dot_bias - (k13 + (u_hA * c - FA) - v_G_y_per_u_hA * t167));
-    let forcing_u_hA = t15 * t164 - (t165 - (t78 * t125 - (v_G_z_per_u_hA * t162 - t171)) - t79 * w_platform_y_dot_bias);
+    let t19 = k13 * t16;
+    let t20 = sA + 0.5_f32 * sB;
+    let t21 = 0.8660254_f32 * sB;
+    let t22 = 1.0_f32 / t21;
+    let t23 = t22 * t20;
+    let t24 = sA + 0.5_f32 * sC;
+    let t25 = 0.8660254_f32 * sC;
+    let t26 = t23 * t25 + t24;
+    let t27 = 0.8660254_f32 * t5;
+    let t28 = 0.5_f32 * t6;
+    let t29 = t27 + t28;
+    let t30 = t28 - t27;
+    let v_G_z_per_u_hA = 1.0_f32 / root;
+    let t31 = t5 * t15;
+    let t32 = t6 * t15;
+    let t33 = t6 * v_G_z_per_u_hA;
+    let u_sB_per_u_hB = t29 * v_G_z_per_u_hA;
+    let t34 = t30 * v_G_z_per_u_hA;
+    let t35 = u_sB_per_u_hB - t34;
+    let t36 = 0.28867513_f32 * t35;
+    let t37 = 0.8660254_f32 * t33;
+    let t38 = t37 - t36;
+    let t39 = t36 + t37;
+    let t40 = 0.5_f32 * Real::abs(t14);
+    let t41 = 1.0_f32 - t34 * t34;
+    let t42 = 1.0_f32 - t33 * t33;
+    let t43 = u_sB_per_u_hB * u_sB_per_u_hB;
+    let t44 = 1.0_f32 - t43;
+    let t45 = Real::min(Real::min(Real::min(t42, t44), t41), t40);
+    let t46 = 0.4330127_f32 * sA + t21;
+    let t47 = Real::min(Real::min(t45, 5.773503_f32 * Real::abs(t21)), 1.6666666_f32 * Real::abs(t26));
+    let t48 = 1.0_f32 / t26;
+    let w_platform_x_per_u_hB = v_G_z_per_u_hA * t22;
+    let t49 = w_platform_x_per_u_hB * t25;
+    let w_platform_y_per_u_hB = t48 * t49;
+    let t50 = t48 * (v_G_z_per_u_hA + t49);
+    let u_hA = u[0];
+    let t51 = u_hA * t50;
+    let u_hB = u[1];
+    let t52 = u_hB * w_platform_y_per_u_hB - t51;
+    let w_platform_y_per_u_hC = v_G_z_per_u_hA * t48;
+    let u_hC = u[2];
+    let w_platform_y = t52 + u_hC * w_platform_y_per_u_hC;
+    let t53 = (u_hA - u_hB) * w_platform_x_per_u_hB + t23 * w_platform_y;
+    let t54 = 1.0_f32 / (t43 - 1.0_f32);
+    let t55 = t54 * (0.5_f32 * t38);
+    let t56 = t54 * (0.8660254_f32 * t38);
+    let t57 = t55 * w_platform_y - t56 * t53;
+    let t58 = t31 * w_platform_y + t32 * t53;
+    let t59 = u_hA * (0.5_f32 * t35);
+    let u_sB_per_w_platform_z = 0.8660254_f32 * sA;
+    let t60 = t59 + t58 * u_sB_per_w_platform_z;
+    let t61 = v_G_z_per_u_hA * t54;
+    let u_psiB = t57 + t61 * t58;
+    let t62 = Real::sqrt(t44);
+    let t63 = 1.0_f32 / t62;
+    let t64 = 0.5_f32 * v_G_z_per_u_hA;
+    let t65 = t64 * t63;
+    let t66 = 0.8660254_f32 * v_G_z_per_u_hA;
+    let t67 = t66 * t63;
+    let t68 = w_platform_y * t65 - t53 * t67;
+    let t69 = t38 * t63;
+    let u_thB = t58 * t69 - t68;
+    let t70 = u_sB_per_u_hB * u_psiB;
+    let t71 = t70 * (u_psiB * t62);
+    let t72 = t70 * u_thB;
+    let t73 = 0.8660254_f32 * w_platform_y;
+    let t74 = 0.5_f32 * t53;
+    let t75 = t73 + t74;
+    let t76 = t73 - t74;
+    let t77 = 2.0_f32 * t72;
+    let t78 = t62 * t77;
+    let t79 = t75 * t58;
+    let t80 = t78 - t38 * t79;
+    let t81 = 0.8660254_f32 * t53;
+    let t82 = 0.5_f32 * w_platform_y;
+    let t83 = t81 - t82;
+    let t84 = t82 + t81;
+    let t85 = sB * t79;
+    let t86 = t75 * t83;
+    let t87 = sB * t86;
+    let t88 = t54 * (t80 - v_G_z_per_u_hA * t86);
+    let k6 = p.k6;
+    let t89 = t62 * (2.0_f32 * (k6 * t77));
+    let t90 = 0.5_f32 * t39;
+    let t91 = 1.0_f32 / t41;
+    let u_psiC_per_w_platform_y = t91 * t90;
+    let t92 = t91 * (0.8660254_f32 * t39);
+    let t93 = u_psiC_per_w_platform_y * w_platform_y + t92 * t53;
+    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t91;
+    let u_psiC = t93 - u_psiC_per_w_platform_z * t58;
+    let k5 = p.k5;
+    let t94 = k5 * t71;
+    let t95 = t65 * t94;
+    let t96 = t69 * t94;
+    let t97 = t67 * t94;
+    let k4 = p.k4;
+    let t98 = u_sB_per_u_hB * (k5 * u_sB_per_u_hB) - k4;
+    let t99 = t98 * t88 - t89;
+    let t100 = Real::sqrt(t41);
+    let t101 = 1.0_f32 / t100;
+    let t102 = t101 * t64;
+    let t103 = t34 * u_psiC;
+    let t104 = k5 * (t103 * (u_psiC * t100));
+    let t105 = t102 * t104 + t95;
+    let t106 = 1.0_f32 / t42;
+    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t106;
+    let v_G_y_per_u_hA = 0.57735026_f32 * t35;
+    let t107 = v_G_y_per_u_hA * t106;
+    let t108 = u_psiA_per_w_platform_z * t58;
+    let u_psiA = t107 * w_platform_y - t108;
+    let t109 = Real::sqrt(t42);
+    let t110 = t33 * u_psiA;
+    let t111 = k5 * (t110 * (u_psiA * t109));
+    let t112 = 1.0_f32 / t109;
+    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t112;
+    let t113 = u_thA_per_w_platform_y * t111 + t105;
+    let t114 = t55 * t99 - t113;
+    let t115 = v_G_y_per_u_hA * t112;
+    let t116 = w_platform_y * u_thA_per_w_platform_y;
+    let t117 = t115 * t111;
+    let u_thA = t58 * t115 + t116;
+    let t118 = 2.0_f32 * t110 * u_thA;
+    let u_thC_per_w_platform_x = t101 * t66;
+    let u_thC_per_w_platform_z = t39 * t101;
+    let t119 = t58 * t76;
+    let t120 = t39 * t119;
+    let t121 = sC * t119;
+    let t122 = w_platform_y * t102 + t58 * u_thC_per_w_platform_z;
+    let t123 = u_thC_per_w_platform_z * t104;
+    let t124 = t97 - u_thC_per_w_platform_x * t104;
+    let t125 = 2.0_f32 * (t103 * (t53 * u_thC_per_w_platform_x + t122));
+    let t126 = t120 + t100 * t125;
+    let u_psiC_dot_bias = t91 * (v_G_z_per_u_hA * (t76 * t84) + t126);
+    let t127 = t100 * (k6 * t125);
+    let t128 = t109 * (k6 * t118);
+    let t129 = t109 * t118;
+    let t130 = 2.0_f32 * t127;
+    let t131 = t34 * (k5 * t34) - k4;
+    let t132 = t131 * u_psiC_dot_bias + t130;
+    let t133 = t33 * (k5 * t33) - k4;
+    let t134 = u_psiC_per_w_platform_y * t132 + t114;
+    let t135 = t53 * t58;
+    let t136 = v_G_y_per_u_hA * t135 - t129;
+    let t137 = w_platform_y * t53;
+    let t138 = t106 * (v_G_z_per_u_hA * t137 + t136);
+    let t139 = 2.0_f32 * t128;
+    let t140 = t139 - t133 * t138;
+    let t141 = t107 * t140 + t134;
+    let k20 = p.k20;
+    let t142 = k20 * t135 + t141;
+    let v_G_x_per_w_platform_z = 1.3333334_f32 * t46;
+    let t143 = 0.33333334_f32 * t35;
+    let t144 = u_hA * t143 + v_G_x_per_w_platform_z * t58;
+    let t145 = 1.1547005_f32 * t38;
+    let t146 = u_hB * t145 + t144;
+    let t147 = u_hB * u_sB_per_u_hB;
+    let u_sA = t146 - u_hA * t33;
+    let t148 = 0.5_f32 * t146;
+    let t149 = t148 + t60 - t147;
+    let t150 = u_hC * t34 - t148;
+    let t151 = t85 - 2.0_f32 * (t83 * t149);
+    let t152 = t87 + 2.0_f32 * (t58 * t149);
+    let t153 = sA * t135;
+    let t154 = 2.0_f32 * (w_platform_y * u_sA) - t153;
+    let t155 = t22 * (t154 - t151);
+    let k19 = p.k19;
+    let t156 = k19 * (w_platform_y * t58);
+    let t157 = t58 * u_sA;
+    let v_G_y = sA * t58 + u_hA * v_G_y_per_u_hA;
+    let u_sC = t150 + 0.8660254_f32 * v_G_y;
+    let t158 = t121 + 2.0_f32 * (t84 * u_sC);
+    let t159 = t25 * t155;
+    let t160 = t48 * (t159 + (t154 + t158));
+    let t161 = t131 * u_psiC_per_w_platform_z;
+    let t162 = u_psiC_per_w_platform_z * t161;
+    let t163 = t98 * t61;
+    let t164 = t162 + t61 * t163;
+    let t165 = t61 * t99;
+    let t166 = t124 - t56 * t99;
+    let t167 = u_psiC_per_w_platform_z * t132;
+    let t168 = t156 + (t92 * t132 + t166);
+    let t169 = u_psiA_per_w_platform_z * t140;
+    let t170 = t133 * u_psiA_per_w_platform_z;
+    let k15 = p.k15;
+    let t171 = k15 - (u_psiA_per_w_platform_z * t170 + t164);
+    let t172 = t170 * t107;
+    let t173 = t107 * (t133 * t107);
+    let t174 = t163 * t55 - t161 * u_psiC_per_w_platform_y - t172;
+    let t175 = t163 * t56;
+    let t176 = t161 * t92 + t175;
+    let t177 = t98 * t55;
+    let t178 = t56 * (t98 * t56);
+    let t179 = t56 * t177;
+    let t180 = t55 * t177;
+    let t181 = t92 * (t131 * t92) + t178;
+    let t182 = t131 * u_psiC_per_w_platform_y;
+    let t183 = t179 - t92 * t182;
+    let t184 = t176 * t31 + t183;
+    let t185 = t173 + (u_psiC_per_w_platform_y * t182 + t180);
+    let k18 = p.k18;
+    let t186 = t167 - (t165 - (t169 + (t123 - (t96 + (k18 * t137 - t117)))));
+    let t187 = 2.0_f32 * t157;
+    let t188 = sA * t137 + t187;
+    let t189 = 0.8660254_f32 * t152;
+    let t190 = 0.4330127_f32 * t188 - t189;
+    let t191 = sA * t19;
+    let t192 = t191 + t171;
+    let M = p.M;
+    let t193 = M * v_G_x_per_w_platform_z;
+    let t194 = v_G_x_per_w_platform_z * t193 + t192;
+    let k16 = p.k16;
+    let t195 = t181 - t32 * (2.0_f32 * t176 + t32 * t194) - k16;
+    let t196 = t194 * t31;
+    let t197 = t32 * (t196 - t174) + t184;
+    let k17 = p.k17;
+    let t198 = t191 + (k17 - (t31 * (2.0_f32 * t174 - t196) + t185));
+    let t199 = t142 - t197 * t155;
+    let k10 = p.k10;
+    let t200 = M * (1.3333334_f32 * t190) + k10 * t33;
+    let t201 = M * t188 + k10 * v_G_y_per_u_hA;
+    let t202 = M * t154 + k10 * v_G_z_per_u_hA;
+    let t203 = sA * t201 + t186;
+    let t204 = v_G_x_per_w_platform_z * t200 + t203;
+    let t205 = t199 - t31 * t204;
+    let t206 = t195 * t155 + t168 - t32 * t204;
+    let t207 = 2.0_f32 * t197;
+    let t208 = t23 * t195;
+    let t209 = t207 - t208;
+    let t210 = t197 - t208;
+    let t211 = t23 * t209 + t198;
+    let t212 = t23 * t206;
+    let t213 = t205 + (t211 * t160 + t212) - sA * t202;
+    let t214 = v_G_y_per_u_hA * t19;
+    let t215 = t193 * t143 + t214;
+    let t216 = t193 * t145;
+    let t217 = t32 * t216;
+    let t218 = t31 * t216;
+    let t219 = t215 * t32;
+    let t220 = t215 * t31;
+    let t221 = t23 * t217 + t218;
+    let t222 = t219 * t23 + t220;
+    let t223 = t210 * w_platform_x_per_u_hB;
+    let t224 = t221 - t223;
+    let t225 = t223 + t222;
+    let t226 = v_G_z_per_u_hA * t19 + t225;
+    let t227 = w_platform_x_per_u_hB * t206;
+    let t228 = t227 + t145 * t200;
+    let t229 = t226 * t160 + t227;
     let FB = inputs[1];
-    let t172 = t108 * w_platform_z_dot_bias + (t107 * t133 + (FB - u_hB * c - k13 + t106 * t166));
-    let forcing_u_hB = w_platform_y_per_u_hB * t164 + (t102 * t125 + (t101 * t170 + t172) - t103 * w_platform_y_dot_bias);
-    let t173 = t110 * forcing_u_hA + forcing_u_hB;
+    let t230 = FB - t217 * t155;
+    let t231 = t224 * t160 + t230 - t228;
+    let FA = inputs[0];
+    let t232 = FA - t219 * t155 - t143 * t200 - v_G_y_per_u_hA * t201 + t229;
+    let k9 = p.k9;
     let FC = inputs[2];
-    let t174 = t96 * w_platform_y_dot_bias - (t165 - (t95 * t125 + (t94 * t170 + (k13 + (u_hC * c - FC)))));
-    let mass_u_hC_u_hC = k16 + t94 * t98 - t13 * (2.0_f32 * t95 - t82) - t92 * (2.0_f32 * t96 - t93);
-    let pivot_2 = mass_u_hA_u_hC * t99 + mass_u_hC_u_hC - t112 * t113;
-    let t175 = (t113 * t173 + (t99 * forcing_u_hA - (t92 * t164 + t174))) / pivot_2;
-    let t176 = t113 * t175 + t111 * t173;
-    let t177 = t99 * t175 - (t91 * forcing_u_hA - t110 * t176);
-    let t178 = Real::min(Real::min(Real::min(Real::min(Real::abs(t64), Real::abs(t37)), Real::abs(t34)), Real::abs(t63)), Real::abs(t28));
-    let t179 = Real::min(Real::min(Real::min(t178, Real::abs(t33)), 1.6666666_f32 * Real::min(Real::abs(sA - t55), Real::abs(t11))), 5.773503_f32 * Real::abs(t8));
-    let t180 = Real::min(Real::min(Real::min(t179, 0.21652833_f32 * Real::abs(t90)), 0.21680787_f32 * Real::abs(pivot_1)), 0.21706869_f32 * Real::abs(pivot_2));
-    ([u_hA, u_hB, u_hC], [t177, t176, t175], t180)
+    let t233 = k9 - FC;
+    let t234 = t231 - k9;
+    let t235 = t232 - k9;
+    let t236 = t211 * t50 - 2.0_f32 * t226;
+    let t237 = t195 * w_platform_x_per_u_hB;
+    let t238 = t237 - 2.0_f32 * t219;
+    let t239 = t219 - t217 - t237;
+    let t240 = t237 + 2.0_f32 * t217;
+    let t241 = w_platform_x_per_u_hB * t238;
+    let t242 = w_platform_x_per_u_hB * t239;
+    let t243 = w_platform_x_per_u_hB * t240;
+    let t244 = v_G_y_per_u_hA * (M * v_G_y_per_u_hA);
+    let k11 = p.k11;
+    let t245 = t241 - (k11 + (t143 * (M * t143) + t244));
+    let t246 = v_G_z_per_u_hA * t202;
+    let t247 = t245 - v_G_z_per_u_hA * (M * v_G_z_per_u_hA);
+    let mass_u_hA_u_hA = t50 * t236 - t247;
+    let t248 = M * t145;
+    let t249 = t143 * t248;
+    let t250 = t243 - t145 * t248;
+    let t251 = Real::min(t47, 0.21652833_f32 * Real::abs(mass_u_hA_u_hA));
+    let t252 = t211 * w_platform_y_per_u_hB;
+    let t253 = t50 * (t252 + t224) - t249;
+    let mass_u_hA_u_hB = t226 * w_platform_y_per_u_hB - t253 - t242;
+    let t254 = t211 * w_platform_y_per_u_hC;
+    let mass_u_hA_u_hC = t226 * w_platform_y_per_u_hC - t50 * t254;
+    let t255 = t252 + 2.0_f32 * t224;
+    let t256 = t250 - k11;
+    let mass_u_hB_u_hB = w_platform_y_per_u_hB * t255 - t256;
+    let t257 = 1.0_f32 / mass_u_hA_u_hA;
+    let t258 = t257 * mass_u_hA_u_hB;
+    let pivot_1 = mass_u_hB_u_hB - mass_u_hA_u_hB * t258;
+    let mass_u_hB_u_hC = t224 * w_platform_y_per_u_hC + w_platform_y_per_u_hB * t254;
+    let t259 = w_platform_y_per_u_hB * t213;
+    let t260 = t50 * t213;
+    let t261 = w_platform_y_per_u_hC * t213;
+    let mass_u_hC_u_hC = k11 + w_platform_y_per_u_hC * t254;
+    let t262 = Real::min(t251, 0.21680787_f32 * Real::abs(pivot_1));
+    let t263 = mass_u_hB_u_hC - t258 * mass_u_hA_u_hC;
+    let t264 = t257 * mass_u_hA_u_hC;
+    let t265 = mass_u_hC_u_hC - mass_u_hA_u_hC * t264;
+    let t266 = 1.0_f32 / pivot_1;
+    let t267 = t266 * t263;
+    let pivot_2 = t265 - t263 * t267;
+    let t268 = Real::min(t262, 0.21706869_f32 * Real::abs(pivot_2));
+    let c = p.c;
+    let forcing_u_hB = t259 + (t234 - u_hB * c);
+    let forcing_u_hA = t235 - u_hA * c - t246 - t260;
+    let forcing_u_hC = t261 - (u_hC * c + t233);
+    let t269 = forcing_u_hB - t258 * forcing_u_hA;
+    let t270 = t257 * forcing_u_hA;
+    let t271 = t266 * t269;
+    let t272 = (forcing_u_hC - (t267 * t269 + t264 * forcing_u_hA)) / pivot_2;
+    let t273 = t271 - t267 * t272;
+    let t274 = t258 * t273;
+    let t275 = t270 - (t264 * t272 + t274);
+    ([u_hA, u_hB, u_hC], [t275, t273, t272], t268)
 }
 ///Kinetic and potential energy (J).
 ///
-///231 operations.
+///185 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -498,100 +599,110 @@ pub fn energy(
     _inputs: &[S; 3usize],
     p: &Prepared,
 ) -> (S, S) {
-    let k16 = p.k16;
-    let u_hA = u[0];
-    let u_hB = u[1];
-    let u_hC = u[2];
-    let Ic3 = p.Ic3;
-    let k19 = p.k19;
+    let k14 = p.k14;
     let hB = q[1];
     let hC = q[2];
+    let t1 = k14 * (1.7320508_f32 * (hB - hC));
+    let t2 = t1 * t1;
     let hA = q[0];
-    let t1 = k19 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
-    let t2 = k19 * (1.7320508_f32 * (hB - hC));
-    let t3 = t2 * t2;
-    let t4 = t1 * t1;
-    let root = Real::sqrt(t3 + (1.0_f32 + t4));
-    let v_G_z_per_u_hA = 1.0_f32 / root;
-    let t5 = t1 * v_G_z_per_u_hA;
-    let k21 = p.k21;
-    let t6 = t5 * t5;
-    let t7 = 1.0_f32 / (t6 - 1.0_f32);
-    let t8 = 0.8660254_f32 * t2;
-    let t9 = 0.5_f32 * t1;
-    let alongC = t8 - t9;
-    let t10 = alongC * v_G_z_per_u_hA;
-    let u_sB_per_u_hB = v_G_z_per_u_hA * (t8 + t9);
-    let t11 = t10 + u_sB_per_u_hB;
-    let t12 = 0.28867513_f32 * t11;
-    let t13 = 0.8660254_f32 * t5;
-    let t14 = t12 + t13;
+    let t3 = k14 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
+    let t4 = t3 * t3;
+    let t5 = t2 + t4;
+    let t6 = 0.5_f32 * t5;
+    let cos2 = t4 - t2;
+    let t7 = t6 + cos2;
+    let root = Real::sqrt(1.0_f32 + t5);
+    let t8 = 1.0_f32 / (1.0_f32 + root);
+    let t9 = 1.0_f32 + t7 * t8;
     let R = p.R;
-    let t15 = 0.8660254_f32 * (t2 * (2.0_f32 * t1));
-    let t16 = 1.0_f32 / (1.0_f32 + root);
-    let t17 = R * ((t15 - t3) * t16 - 1.0_f32);
-    let sB = R * (1.0_f32 + t16 * (t3 + t15));
-    let cos2 = t4 - t3;
-    let sA = R * (1.0_f32 + t16 * (0.5_f32 * (t3 + t4) + cos2));
-    let t18 = 1.0_f32 / (t17 - sB - sA);
-    let t19 = t13 - t12;
-    let v_G_y_per_u_hA = 0.57735026_f32 * t11;
-    let w_platform_z = u_hC * (t14 * t18) - (u_hB * (t19 * t18) + u_hA * (v_G_y_per_u_hA * t18));
-    let t20 = 1.0_f32 / (0.8660254_f32 * t17);
-    let w_platform_x_per_w_platform_y = t20 * (0.5_f32 * t17 - sA);
-    let t21 = 0.8660254_f32 * sB;
-    let t22 = 1.0_f32 / (w_platform_x_per_w_platform_y * t21 + (sA + 0.5_f32 * sB));
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t22;
-    let t23 = v_G_z_per_u_hA * t20;
-    let t24 = t23 * t21;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * (t22 * (t24 - v_G_z_per_u_hA)) - u_hC * (t22 * t24);
-    let t25 = v_G_z_per_u_hA * t7 * w_platform_z + v_G_y_per_u_hA * t7 * w_platform_y;
-    let t26 = k16 * (u_hA * u_hA) + (k16 * (u_hB * u_hB) + k16 * (u_hC * u_hC)) + (Ic3 + t5 * (k21 * t5)) * (t25 * t25);
-    let Ic2 = p.Ic2;
-    let t27 = 1.0_f32 / Real::sqrt(1.0_f32 - t6);
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t27;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t27 * w_platform_z;
-    let t28 = 1.0_f32 - u_sB_per_u_hB * u_sB_per_u_hB;
-    let t29 = 1.0_f32 / t28;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t29;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t23 * (u_hA - u_hC);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t29 * (0.5_f32 * t19) * w_platform_y + t29 * (0.8660254_f32 * t19) * w_platform_x);
-    let t30 = t26 + Ic2 * (u_thA * u_thA) + (Ic3 + u_sB_per_u_hB * (k21 * u_sB_per_u_hB)) * (u_psiB * u_psiB);
-    let t31 = 1.0_f32 / Real::sqrt(t28);
-    let t32 = 0.5_f32 * v_G_z_per_u_hA;
-    let t33 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let t34 = t31 * t32 * w_platform_y + t33 * t31 * w_platform_x + t19 * t31 * w_platform_z;
-    let t35 = t10 * t10;
-    let t36 = 1.0_f32 / (t35 - 1.0_f32);
-    let u_psiC = t36 * (0.8660254_f32 * t14) * w_platform_x - t36 * (0.5_f32 * t14) * w_platform_y - v_G_z_per_u_hA * t36 * w_platform_z;
-    let t37 = t30 + Ic2 * (t34 * t34) + (Ic3 + t10 * (t10 * k21)) * (u_psiC * u_psiC);
-    let t38 = 1.0_f32 / Real::sqrt(1.0_f32 - t35);
-    let u_thC_per_w_platform_x = t38 * t33;
-    let u_thC_per_w_platform_z = t14 * t38;
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t38 * t32 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
-    let Ix = p.Ix;
-    let Iy = p.Iy;
-    let t39 = t37 + Ic2 * (u_thC * u_thC) + Ix * (w_platform_x * w_platform_x) + Iy * (w_platform_y * w_platform_y);
-    let Iz = p.Iz;
+    let sA = R * t9;
+    let t10 = 0.8660254_f32 * (t1 * (2.0_f32 * t3));
+    let sB = R * (1.0_f32 + (t2 + t10) * t8);
+    let t11 = sA + 0.5_f32 * sB;
+    let t12 = 0.8660254_f32 * sB;
+    let t13 = 1.0_f32 / t12;
+    let t14 = t13 * t11;
+    let sC = R * (1.0_f32 + (t2 - t10) * t8);
+    let t15 = 0.8660254_f32 * sC;
+    let t16 = 1.0_f32 / (t14 * t15 + (sA + 0.5_f32 * sC));
+    let v_G_z_per_u_hA = 1.0_f32 / root;
+    let w_platform_x_per_u_hB = v_G_z_per_u_hA * t13;
+    let t17 = w_platform_x_per_u_hB * t15;
+    let w_platform_y_per_u_hB = t16 * t17;
+    let u_hB = u[1];
+    let u_hA = u[0];
+    let t18 = u_hB * w_platform_y_per_u_hB - u_hA * (t16 * (v_G_z_per_u_hA + t17));
+    let w_platform_y_per_u_hC = v_G_z_per_u_hA * t16;
+    let u_hC = u[2];
+    let w_platform_y = t18 + u_hC * w_platform_y_per_u_hC;
+    let t19 = 0.8660254_f32 * t1;
+    let t20 = 0.5_f32 * t3;
+    let u_sB_per_u_hB = (t19 + t20) * v_G_z_per_u_hA;
+    let t21 = (t20 - t19) * v_G_z_per_u_hA;
+    let t22 = u_sB_per_u_hB - t21;
+    let t23 = 0.28867513_f32 * t22;
+    let t24 = t3 * v_G_z_per_u_hA;
+    let t25 = 0.8660254_f32 * t24;
+    let t26 = t25 - t23;
+    let t27 = 0.5_f32 * t26;
+    let t28 = 1.0_f32 / (u_sB_per_u_hB * u_sB_per_u_hB - 1.0_f32);
+    let t29 = t28 * t27 * w_platform_y;
+    let t30 = t14 * w_platform_y;
+    let t31 = (u_hA - u_hB) * w_platform_x_per_u_hB + t30;
+    let t32 = t29 - t28 * (0.8660254_f32 * t26) * t31;
+    let t33 = t1 * t8 * w_platform_y + t3 * t8 * t31;
+    let u_psiB = t32 + v_G_z_per_u_hA * t28 * t33;
+    let t34 = u_psiB * u_psiB;
+    let k5 = p.k5;
+    let k4 = p.k4;
+    let t35 = (u_sB_per_u_hB * (k5 * u_sB_per_u_hB) - k4) * t34;
+    let t36 = t23 + t25;
+    let t37 = 0.5_f32 * t36;
+    let t38 = 1.0_f32 / (1.0_f32 - t21 * t21);
+    let u_psiC_per_w_platform_y = t38 * t37;
+    let t39 = u_psiC_per_w_platform_y * w_platform_y + t38 * (0.8660254_f32 * t36) * t31;
+    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t38;
+    let u_psiC = t39 - u_psiC_per_w_platform_z * t33;
+    let t40 = u_psiC * u_psiC;
+    let t41 = t35 + (t21 * (k5 * t21) - k4) * t40;
+    let t42 = 1.0_f32 / (1.0_f32 - t24 * t24);
+    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t42;
+    let t43 = u_psiA_per_w_platform_z * t33;
+    let v_G_y_per_u_hA = 0.57735026_f32 * t22;
+    let u_psiA = v_G_y_per_u_hA * t42 * w_platform_y - t43;
+    let t44 = u_psiA * u_psiA;
+    let t45 = (t24 * (k5 * t24) - k4) * t44 + t41;
+    let k15 = p.k15;
+    let t46 = k15 * (t33 * t33) - t45;
+    let v_G_y = sA * t33 + u_hA * v_G_y_per_u_hA;
     let M = p.M;
-    let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let t40 = u_hB * (1.1547005_f32 * t19) - v_G_x_per_w_platform_z * w_platform_z + 0.57735026_f32 * v_G_y;
-    let t41 = t39 + Iz * (w_platform_z * w_platform_z) + M * (t40 * t40) + M * (v_G_y * v_G_y);
+    let t47 = M * (v_G_y * v_G_y) + t46;
+    let v_G_x_per_w_platform_z = 1.3333334_f32 * (0.4330127_f32 * sA + t12);
+    let t48 = v_G_x_per_w_platform_z * t33;
+    let t49 = u_hA * (0.33333334_f32 * t22) + t48;
+    let t50 = u_hB * (1.1547005_f32 * t26) + t49;
+    let t51 = M * (t50 * t50) + t47;
+    let k16 = p.k16;
+    let t52 = k16 * (t31 * t31) + t51;
+    let k17 = p.k17;
+    let t53 = k17 * (w_platform_y * w_platform_y) + t52;
     let v_G_z = sA * w_platform_y + u_hA * v_G_z_per_u_hA;
-    let t42 = 0.5_f32 * (t41 + M * (v_G_z * v_G_z));
-    let g = p.g;
-    let t43 = hA * g;
+    let t54 = M * (v_G_z * v_G_z);
+    let k11 = p.k11;
+    let t55 = t53 + (k11 * (u_hB * u_hB) + t54);
+    let t56 = 0.5_f32 * (k11 * (u_hA * u_hA) + k11 * (u_hC * u_hC) + t55);
     let k12 = p.k12;
-    let mc = p.mc;
-    let t44 = hB * g;
-    let ms = p.ms;
-    let t45 = M * (t43 + t5 * (g * sA)) + (k12 * (hC * g) + (mc * t44 + (ms * t44 + k12 * t43)));
-    (t42, t45)
+    let t57 = t24 * (k12 * t9);
+    let g = p.g;
+    let k7 = p.k7;
+    let k9 = p.k9;
+    let k8 = p.k8;
+    let t58 = M * (hA * g + t57) + (hB * k7 + hA * k9 + (hB * k8 + hC * k9));
+    (t56, t58)
 }
 ///All speeds in the order of `SPEED_NAMES`, dependent ones included.
 ///
-///169 operations.
+///180 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -605,81 +716,114 @@ pub fn speeds(
     u: &[S; 3usize],
     _inputs: &[S; 3usize],
     p: &Prepared,
-) -> [S; 12usize] {
-    let u_hA = u[0];
-    let k19 = p.k19;
+) -> [S; 15usize] {
+    let k14 = p.k14;
     let hB = q[1];
     let hC = q[2];
-    let t1 = k19 * (1.7320508_f32 * (hB - hC));
+    let t1 = k14 * (1.7320508_f32 * (hB - hC));
     let t2 = t1 * t1;
     let hA = q[0];
-    let t3 = k19 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
+    let t3 = k14 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
     let t4 = t3 * t3;
-    let root = Real::sqrt(t2 + (1.0_f32 + t4));
-    let v_G_z_per_u_hA = 1.0_f32 / root;
-    let t5 = t3 * v_G_z_per_u_hA;
-    let t6 = t5 * t5;
-    let t7 = 1.0_f32 / (t6 - 1.0_f32);
-    let u_hC = u[2];
-    let t8 = 0.8660254_f32 * t1;
-    let t9 = 0.5_f32 * t3;
-    let alongC = t8 - t9;
-    let t10 = alongC * v_G_z_per_u_hA;
-    let u_sB_per_u_hB = v_G_z_per_u_hA * (t8 + t9);
-    let t11 = t10 + u_sB_per_u_hB;
-    let t12 = 0.28867513_f32 * t11;
-    let t13 = 0.8660254_f32 * t5;
-    let t14 = t12 + t13;
-    let R = p.R;
-    let t15 = 0.8660254_f32 * (t1 * (2.0_f32 * t3));
-    let t16 = 1.0_f32 / (1.0_f32 + root);
-    let t17 = R * ((t15 - t2) * t16 - 1.0_f32);
-    let sB = R * (1.0_f32 + t16 * (t2 + t15));
+    let t5 = t2 + t4;
+    let t6 = 0.5_f32 * t5;
     let cos2 = t4 - t2;
-    let sA = R * (1.0_f32 + t16 * (0.5_f32 * (t2 + t4) + cos2));
-    let t18 = 1.0_f32 / (t17 - sB - sA);
+    let t7 = t6 + cos2;
+    let root = Real::sqrt(1.0_f32 + t5);
+    let t8 = 1.0_f32 / (1.0_f32 + root);
+    let R = p.R;
+    let sA = R * (1.0_f32 + t7 * t8);
+    let t9 = 0.8660254_f32 * (t1 * (2.0_f32 * t3));
+    let sB = R * (1.0_f32 + (t2 + t9) * t8);
+    let t10 = sA + 0.5_f32 * sB;
+    let t11 = 0.8660254_f32 * sB;
+    let t12 = 1.0_f32 / t11;
+    let t13 = t12 * t10;
+    let sC = R * (1.0_f32 + (t2 - t9) * t8);
+    let t14 = 0.8660254_f32 * sC;
+    let t15 = 1.0_f32 / (t13 * t14 + (sA + 0.5_f32 * sC));
+    let v_G_z_per_u_hA = 1.0_f32 / root;
+    let w_platform_x_per_u_hB = v_G_z_per_u_hA * t12;
+    let t16 = w_platform_x_per_u_hB * t14;
+    let w_platform_y_per_u_hB = t15 * t16;
     let u_hB = u[1];
-    let t19 = t13 - t12;
-    let v_G_y_per_u_hA = 0.57735026_f32 * t11;
-    let w_platform_z = u_hC * (t14 * t18) - (u_hB * (t19 * t18) + u_hA * (v_G_y_per_u_hA * t18));
-    let t20 = 1.0_f32 / (0.8660254_f32 * t17);
-    let w_platform_x_per_w_platform_y = t20 * (0.5_f32 * t17 - sA);
-    let t21 = 0.8660254_f32 * sB;
-    let t22 = 1.0_f32 / (w_platform_x_per_w_platform_y * t21 + (sA + 0.5_f32 * sB));
-    let w_platform_y_per_u_hB = v_G_z_per_u_hA * t22;
-    let t23 = v_G_z_per_u_hA * t20;
-    let t24 = t23 * t21;
-    let w_platform_y = u_hB * w_platform_y_per_u_hB + u_hA * (t22 * (t24 - v_G_z_per_u_hA)) - u_hC * (t22 * t24);
-    let t25 = 1.0_f32 / Real::sqrt(1.0_f32 - t6);
-    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t25;
-    let u_thA = u_thA_per_w_platform_y * w_platform_y - v_G_y_per_u_hA * t25 * w_platform_z;
-    let v_G_x_per_w_platform_z = 1.1547005_f32 * sB;
-    let v_G_y = u_hA * v_G_y_per_u_hA - sA * w_platform_z;
-    let t26 = u_hB * (1.1547005_f32 * t19) - v_G_x_per_w_platform_z * w_platform_z + 0.57735026_f32 * v_G_y;
-    let u_sA = t26 - u_hA * t5;
-    let t27 = 1.0_f32 - u_sB_per_u_hB * u_sB_per_u_hB;
-    let t28 = 1.0_f32 / t27;
-    let u_psiB_per_w_platform_z = v_G_z_per_u_hA * t28;
-    let w_platform_x = w_platform_x_per_w_platform_y * w_platform_y - t23 * (u_hA - u_hC);
-    let u_psiB = u_psiB_per_w_platform_z * w_platform_z - (t28 * (0.5_f32 * t19) * w_platform_y + t28 * (0.8660254_f32 * t19) * w_platform_x);
-    let t29 = 1.0_f32 / Real::sqrt(t27);
-    let t30 = 0.5_f32 * v_G_z_per_u_hA;
-    let t31 = 0.8660254_f32 * v_G_z_per_u_hA;
-    let t32 = 0.8660254_f32 * v_G_y;
-    let t33 = 0.5_f32 * t26;
-    let t34 = t10 * t10;
-    let t35 = 1.0_f32 / (t34 - 1.0_f32);
-    let u_psiC = t35 * (0.8660254_f32 * t14) * w_platform_x - t35 * (0.5_f32 * t14) * w_platform_y - v_G_z_per_u_hA * t35 * w_platform_z;
-    let t36 = 1.0_f32 / Real::sqrt(1.0_f32 - t34);
-    let u_thC_per_w_platform_x = t36 * t31;
-    let u_thC_per_w_platform_z = t14 * t36;
-    let u_thC = u_thC_per_w_platform_x * w_platform_x - t36 * t30 * w_platform_y + u_thC_per_w_platform_z * w_platform_z;
-    let u_sC = t32 - (t33 + u_hC * t10);
-    [u_hA, -(v_G_z_per_u_hA * t7 * w_platform_z + v_G_y_per_u_hA * t7 * w_platform_y), u_thA, u_sA, u_hB, u_psiB, -(t29 * t30 * w_platform_y + t31 * t29 * w_platform_x + t19 * t29 * w_platform_z), -(t32 + (t33 - u_hB * u_sB_per_u_hB)), u_hC, u_psiC, u_thC, u_sC]
+    let u_hA = u[0];
+    let t17 = u_hB * w_platform_y_per_u_hB - u_hA * (t15 * (v_G_z_per_u_hA + t16));
+    let w_platform_y_per_u_hC = v_G_z_per_u_hA * t15;
+    let u_hC = u[2];
+    let w_platform_y = t17 + u_hC * w_platform_y_per_u_hC;
+    let t18 = t1 * t8;
+    let t19 = t18 * w_platform_y;
+    let t20 = t13 * w_platform_y;
+    let t21 = (u_hA - u_hB) * w_platform_x_per_u_hB + t20;
+    let t22 = t3 * t8;
+    let t23 = t19 + t22 * t21;
+    let t24 = t3 * v_G_z_per_u_hA;
+    let t25 = 1.0_f32 - t24 * t24;
+    let t26 = 1.0_f32 / t25;
+    let u_psiA_per_w_platform_z = v_G_z_per_u_hA * t26;
+    let t27 = u_psiA_per_w_platform_z * t23;
+    let t28 = 0.8660254_f32 * t1;
+    let t29 = 0.5_f32 * t3;
+    let u_sB_per_u_hB = (t28 + t29) * v_G_z_per_u_hA;
+    let t30 = (t29 - t28) * v_G_z_per_u_hA;
+    let t31 = u_sB_per_u_hB - t30;
+    let v_G_y_per_u_hA = 0.57735026_f32 * t31;
+    let u_psiA = v_G_y_per_u_hA * t26 * w_platform_y - t27;
+    let t32 = 1.0_f32 / Real::sqrt(t25);
+    let t33 = t23 * (v_G_y_per_u_hA * t32);
+    let u_thA_per_w_platform_y = v_G_z_per_u_hA * t32;
+    let u_thA = t33 + w_platform_y * u_thA_per_w_platform_y;
+    let v_G_x_per_w_platform_z = 1.3333334_f32 * (0.4330127_f32 * sA + t11);
+    let t34 = v_G_x_per_w_platform_z * t23;
+    let t35 = u_hA * (0.33333334_f32 * t31) + t34;
+    let t36 = 0.28867513_f32 * t31;
+    let t37 = 0.8660254_f32 * t24;
+    let t38 = t37 - t36;
+    let t39 = u_hB * (1.1547005_f32 * t38) + t35;
+    let u_sA = t39 - u_hA * t24;
+    let t40 = 0.5_f32 * t38;
+    let t41 = u_sB_per_u_hB * u_sB_per_u_hB;
+    let t42 = 1.0_f32 / (t41 - 1.0_f32);
+    let u_psiB = t42 * t40 * w_platform_y - t42 * (0.8660254_f32 * t38) * t21 + v_G_z_per_u_hA * t42 * t23;
+    let t43 = 1.0_f32 / Real::sqrt(1.0_f32 - t41);
+    let t44 = t23 * (t38 * t43);
+    let t45 = 0.5_f32 * v_G_z_per_u_hA;
+    let t46 = w_platform_y * (t45 * t43);
+    let t47 = 0.8660254_f32 * v_G_z_per_u_hA;
+    let u_thB = t44 - (t46 - t21 * (t47 * t43));
+    let t48 = 0.5_f32 * t39;
+    let u_sB_per_w_platform_z = 0.8660254_f32 * sA;
+    let t49 = t23 * u_sB_per_w_platform_z;
+    let t50 = t48 + (u_hA * (0.5_f32 * t31) + t49);
+    let t51 = u_hB * u_sB_per_u_hB - t50;
+    let t52 = t36 + t37;
+    let t53 = 0.5_f32 * t52;
+    let t54 = 1.0_f32 - t30 * t30;
+    let t55 = 1.0_f32 / t54;
+    let u_psiC_per_w_platform_y = t55 * t53;
+    let t56 = u_psiC_per_w_platform_y * w_platform_y + t55 * (0.8660254_f32 * t52) * t21;
+    let u_psiC_per_w_platform_z = v_G_z_per_u_hA * t55;
+    let u_psiC = t56 - u_psiC_per_w_platform_z * t23;
+    let t57 = 1.0_f32 / Real::sqrt(t54);
+    let u_thC_per_w_platform_z = t52 * t57;
+    let t58 = t23 * u_thC_per_w_platform_z;
+    let t59 = w_platform_y * (t57 * t45) + t58;
+    let u_thC_per_w_platform_x = t57 * t47;
+    let t60 = t21 * u_thC_per_w_platform_x + t59;
+    let t61 = u_hC * t30 - t48;
+    let v_G_y = sA * t23 + u_hA * v_G_y_per_u_hA;
+    let u_sC = t61 + 0.8660254_f32 * v_G_y;
+    let u_root = w_platform_y * (t3 * root) - t21 * (t1 * root);
+    let t62 = t22 * u_root;
+    let u_slope_x = root * w_platform_y + t62;
+    let t63 = t18 * u_root;
+    let u_slope_y = root * t21 - t63;
+    [u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, t51, u_hC, u_psiC, -t60, u_sC, u_slope_x, u_slope_y, u_root]
 }
 ///Requested outputs in the order of `OUTPUT_NAMES`.
 ///
-///79 operations.
+///78 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -694,45 +838,52 @@ pub fn outputs(
     _inputs: &[S; 3usize],
     p: &Prepared,
 ) -> [S; 12usize] {
-    let R = p.R;
-    let k19 = p.k19;
+    let k14 = p.k14;
     let hB = q[1];
     let hC = q[2];
-    let t1 = k19 * (1.7320508_f32 * (hB - hC));
+    let t1 = k14 * (1.7320508_f32 * (hB - hC));
     let t2 = t1 * t1;
     let hA = q[0];
-    let t3 = k19 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
+    let t3 = k14 * (2.0_f32 * (0.5_f32 * (hB + hC) - hA));
     let t4 = t3 * t3;
-    let root = Real::sqrt(t2 + (1.0_f32 + t4));
-    let t5 = 1.0_f32 + root;
-    let t6 = 1.0_f32 / t5;
-    let cos2 = t4 - t2;
-    let sA = R * (1.0_f32 + t6 * (0.5_f32 * (t2 + t4) + cos2));
+    let t5 = t2 + t4;
+    let root = Real::sqrt(1.0_f32 + t5);
+    let t6 = 1.0_f32 + root;
+    let k = 1.0_f32 / (root * t6);
+    let psiA = Real::atan2(t1 * (t3 * k), 1.0_f32 - t4 * k);
+    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
     let v_G_z_per_u_hA = 1.0_f32 / root;
     let t7 = t3 * v_G_z_per_u_hA;
     let t8 = Real::sqrt(1.0_f32 - t7 * t7);
-    let k = 1.0_f32 / (root * t5);
-    let psiA = Real::atan2(t1 * (t3 * k), 1.0_f32 - t4 * k);
-    let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);
-    let t9 = sA * (t8 * sin_psiA);
-    let t10 = R - sA * (t8 * cos_psiA);
-    let t11 = hA + t7 * sA;
+    let t9 = t8 * sin_psiA;
+    let t10 = 0.5_f32 * t5;
+    let cos2 = t4 - t2;
+    let t11 = t10 + cos2;
+    let t12 = 1.0_f32 / t6;
+    let R = p.R;
+    let sA = R * (1.0_f32 + t11 * t12);
+    let t13 = sA * t9;
+    let t14 = R - sA * (t8 * cos_psiA);
+    let t15 = hA + sA * t7;
     let thA = Real::asin(t7);
-    let t12 = 0.8660254_f32 * t1;
-    let t13 = 0.5_f32 * t3;
-    let t14 = t12 + t13;
-    let t15 = 0.5_f32 * t1;
-    let t16 = 0.8660254_f32 * t3;
-    let acrossB = t15 - t16;
-    let psiB = Real::atan2(t14 * k * acrossB, 1.0_f32 - k * (t14 * t14));
-    let u_sB_per_u_hB = v_G_z_per_u_hA * t14;
-    let t17 = 0.8660254_f32 * (t1 * (2.0_f32 * t3));
-    let sB = R * (1.0_f32 + t6 * (t2 + t17));
-    let alongC = t12 - t13;
-    let acrossC = t16 + t15;
-    let psiC = Real::atan2(-alongC * k * acrossC, 1.0_f32 - k * (alongC * alongC));
-    let thC = Real::asin(alongC * v_G_z_per_u_hA);
-    [t9, t10, t11, psiA, thA, sA, psiB, -Real::asin(u_sB_per_u_hB), sB, psiC, thC, -R * ((t17 - t2) * t6 - 1.0_f32)]
+    let t16 = 0.8660254_f32 * t1;
+    let t17 = 0.5_f32 * t3;
+    let t18 = t16 + t17;
+    let t19 = t18 * k;
+    let t20 = 0.8660254_f32 * t3;
+    let t21 = 0.5_f32 * t1;
+    let psiB = Real::atan2(-(t20 - t21) * t19, 1.0_f32 - t18 * t18 * k);
+    let u_sB_per_u_hB = t18 * v_G_z_per_u_hA;
+    let t22 = Real::asin(u_sB_per_u_hB);
+    let t23 = 0.8660254_f32 * (t1 * (2.0_f32 * t3));
+    let sB = R * (1.0_f32 + (t2 + t23) * t12);
+    let t24 = t17 - t16;
+    let t25 = t24 * k;
+    let acrossC = t20 + t21;
+    let psiC = Real::atan2(acrossC * t25, 1.0_f32 - t24 * t24 * k);
+    let t26 = Real::asin(t24 * v_G_z_per_u_hA);
+    let sC = R * (1.0_f32 + (t2 - t23) * t12);
+    [t13, t14, t15, psiA, thA, sA, psiB, -t22, sB, psiC, -t26, sC]
 }
 ///Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them.
 ///

@@ -1,8 +1,10 @@
 //! The tile of twelve coordinates against the minimal tile, and the laws that both must obey.
 
 use nalgebra::{Matrix3, Vector3};
+use smartbed_codegen::Effort;
 use smartbed_tests::cases;
 use smartbed_tests::closed_form::tile;
+use smartbed_tests::interpreted::{InterpretedSubject, program_with};
 use smartbed_tests::random::Random;
 use smartbed_tests::reference::data;
 use smartbed_tests::subject::{self, Built, ENGINES, Engine, Rates, State, Subject};
@@ -16,6 +18,8 @@ const NOMINAL: f64 = 0.0;
 const STATES: usize = 10_000;
 /// Two derivations of one mechanism at random states.
 const DERIVATIONS: f64 = 1e-11;
+/// The same where only roundings differ, at a thousand of them.
+const ROUNDINGS: f64 = 1e-14;
 /// The same at states that hide no cancellation.
 const SPECIAL: f64 = 1e-13;
 
@@ -42,6 +46,16 @@ fn accelerations(tile: &mut dyn Subject<f64>, model: &str, motion: [[f64; 3]; 3]
     rates.u_dot.try_into().expect("three heights")
 }
 
+/// Random motions within reach: heights, their rates, thrusts.
+fn random_motions(n: usize) -> Vec<[[f64; 3]; 3]> {
+    let mut random = Random::new(5);
+    let mut motion = || {
+        let (h, h_dot) = tile::random_heights(&mut random, R, NOMINAL);
+        [h, h_dot, [(); 3].map(|()| random.between(-30.0, 80.0))]
+    };
+    (0..n).map(|_| motion()).collect()
+}
+
 /// Largest relative difference of the two tiles' accelerations over given motions.
 fn difference(engine: Engine, motions: &[[[f64; 3]; 3]]) -> f64 {
     let mut full = subject("tile", engine);
@@ -57,16 +71,30 @@ fn difference(engine: Engine, motions: &[[[f64; 3]; 3]]) -> f64 {
 
 #[test]
 fn tile_and_minimal_tile_agree_at_random_states() {
-    let mut random = Random::new(5);
-    let motions: Vec<[[f64; 3]; 3]> = (0..STATES)
-        .map(|_| {
-            let (h, h_dot) = tile::random_heights(&mut random, R, NOMINAL);
-            [h, h_dot, [(); 3].map(|()| random.between(-30.0, 80.0))]
-        })
-        .collect();
-    let worst = difference(Engine::Compiled, &motions);
+    let worst = difference(Engine::Compiled, &random_motions(STATES));
     println!("tile against tile_minimal at {STATES} states: {worst:.1e}");
     assert!(worst <= DERIVATIONS, "{worst:e}");
+}
+
+/// Neither the shorter equations nor the search for fewer operations may cost accuracy.
+#[test]
+fn minimal_tile_of_every_effort_is_the_tile_as_derived() {
+    let interpreted = |model: &str, effort| {
+        let mut subject = InterpretedSubject::<f64>::of(&program_with(model, &[], effort));
+        data::minimal().parameters.into_iter().for_each(|(name, value)| subject.set_parameter(&name, value));
+        subject
+    };
+    let mut full = interpreted("tile", Effort::None);
+    for effort in [Effort::None, Effort::Default, Effort::All] {
+        let mut minimal = interpreted("tile_minimal", effort);
+        let errors = random_motions(1000).into_iter().map(|motion| {
+            let expected = accelerations(&mut full, "tile", motion);
+            relative_error(&accelerations(&mut minimal, "tile_minimal", motion), &expected)
+        });
+        let worst = errors.fold(0.0, f64::max);
+        println!("tile_minimal, {effort:?}, against the tile: {worst:.1e}");
+        assert!(worst <= ROUNDINGS, "{effort:?}: {worst:e}");
+    }
 }
 
 #[test]

@@ -47,14 +47,23 @@ pub fn program_with(model: &str, keep: &[&str], effort: Effort) -> Program {
 /// With the diagnosis, if the model is refused.
 #[must_use]
 pub fn emitted(name: &str, scalar: ScalarType) -> String {
+    emitted_with(name, scalar, Effort::Default)
+}
+
+/// [`emitted()`] with another effort to shorten the program.
+///
+/// # Panics
+/// With the diagnosis, if the model is refused.
+#[must_use]
+pub fn emitted_with(name: &str, scalar: ScalarType, effort: Effort) -> String {
     let text = std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
     // Paths count from the root of the workspace, wherever the tests run.
     let root = path(name).parent().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default();
     let load = |base: &Path| std::fs::read_to_string(root.join(base)).map_err(|error| error.to_string());
     let model = model::parse_with(&format!("models/{name}.toml"), &text, &load);
     let model = model.unwrap_or_else(|found| panic!("{found}"));
-    let program =
-        program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"));
+    let program = program::derive_with(&model, &ParameterChoice::default(), effort)
+        .unwrap_or_else(|found| panic!("{found}"));
     rust::emit(&program, &EmitOptions { scalar, ..EmitOptions::default() })
 }
 

@@ -6,8 +6,9 @@
 //! the accelerations at y' = 0, inwards the wrenches that they take. Walker, Orin 1982; Featherstone
 //! 2008, chapters 5 and 6. Everything in the triad of the node at hand.
 
+use super::parallel::{self, Turning};
 use super::spatial::{Acceleration, Inertia, Wrench, gradient};
-use super::tree::{Joint, Node};
+use super::tree::{self, Joint, Node};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{
     Kinematics, Motion, Rate, UnknownId, derivative_of, lower_vector, rate_of, scalar_rate_of, value_of,
@@ -32,10 +33,10 @@ struct State {
 }
 
 /// A joint's rates: how it turns, and how its place moves in the parent's triad.
-struct Moves {
-    turn: Rate,
+pub(super) struct Moves {
+    pub turn: Rate,
     turn_rate: ExprId,
-    slide: [Rate; 3],
+    pub slide: [Rate; 3],
 }
 
 /// What hangs on a node, in its triad about its origin.
@@ -44,27 +45,16 @@ struct Load {
     inertia: Inertia,
     bias: Wrench,
     columns: BTreeMap<UnknownId, Wrench>,
-}
-
-/// Nodes from `root` inwards to which the tree may be cut: each carries all of it.
-pub(super) fn cuts(k: &Kinematics, nodes: &[Node], root: usize) -> Vec<usize> {
-    let mut list = vec![root];
-    let mut at = root;
-    loop {
-        let mut children = (at + 1..nodes.len())
-            .filter(|&i| nodes[i].joint.as_ref().is_some_and(|joint| joint.parent == at));
-        match (children.next(), children.next()) {
-            (Some(only), None) if nodes[at].own.is_zero(&k.dag) && k.dag.is_zero(nodes[only].spin) => {
-                list.push(only);
-                at = only;
-            }
-            _ => return list,
-        }
-    }
+    /// Columns that leave a parallel hinge farther out unturned, and that hinge's unknown: the column of the
+    /// first rate alone is both together.
+    beside: BTreeMap<UnknownId, UnknownId>,
 }
 
 /// Contributions of the nodes that hang on `cut`, itself included, its whole twist being its own.
 pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], cut: usize) -> Contributions {
+    let mut nodes = nodes.to_vec();
+    tree::move_inwards(k, &mut nodes, cut);
+    let nodes = &nodes[..];
     let mut found = Contributions::default();
     let base = Base::new(model, k, &nodes[cut]);
     let mut states: Vec<Option<State>> = vec![None; nodes.len()];
@@ -77,6 +67,7 @@ pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], c
         states[i] = Some(outwards(k, joint, &motion, &inner));
         moves[i] = Some(motion);
     }
+    let mut turning = parallel::turning(k, nodes, &moves);
     let dag = &mut k.dag;
     let mut loads: Vec<Option<Load>> = Vec::new();
     for (node, state) in nodes.iter().zip(&states) {
@@ -84,6 +75,7 @@ pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], c
             inertia: node.own.clone(),
             bias: node.own.resistance(dag, &state.acceleration),
             columns: BTreeMap::new(),
+            beside: BTreeMap::new(),
         }));
     }
     for i in (cut + 1..nodes.len()).rev() {
@@ -91,8 +83,11 @@ pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], c
             continue;
         };
         let Some(inner) = states[joint.parent].clone() else { continue };
-        let load = inwards(k, &nodes[i], joint, motion, load, &inner, &mut found);
+        let load = inwards(k, &nodes[i], joint, motion, (load, turning[i].take()), &inner, &mut found);
         if let Some(parent) = &mut loads[joint.parent] {
+            if let Some(turning) = &mut turning[joint.parent] {
+                turning.add(&mut k.dag, i, &load.inertia, &joint.offset);
+            }
             parent.add(&mut k.dag, &load);
         }
     }
@@ -111,6 +106,7 @@ impl Load {
         for (&unknown, wrench) in &other.columns {
             self.add_column(dag, unknown, wrench);
         }
+        self.beside.extend(&other.beside);
     }
 
     fn add_column(&mut self, dag: &mut Dag, unknown: UnknownId, wrench: &Wrench) {
@@ -171,7 +167,7 @@ fn inwards(
     node: &Node,
     joint: &Joint,
     motion: &Moves,
-    mut load: Load,
+    (mut load, turning): (Load, Option<Turning>),
     inner: &State,
     found: &mut Contributions,
 ) -> Load {
@@ -184,7 +180,10 @@ fn inwards(
         w[axis] = partial;
         own.push((unknown, zero, w));
     }
-    load.meet(dag, &own, found);
+    match turning {
+        Some(turning) => load.meet_parallel(dag, &own[0], &turning, found),
+        None => load.meet(dag, &own, found),
+    }
     let mut load = load.turned(dag, joint);
     load.spin(dag, node.spin, joint.axis, motion, inner, found);
     let sliding: Vec<UnknownId> = motion.slide.iter().flat_map(|r| r.partials.keys().copied()).collect();
@@ -208,9 +207,8 @@ impl Load {
     ) {
         let new: Vec<Wrench> = own.iter().map(|(_, v, w)| self.inertia.momentum(dag, v, w)).collect();
         for (n, (unknown, v, w)) in own.iter().enumerate() {
-            for (other, column) in &self.columns {
-                let product = power(dag, v, w, column);
-                found.add_mass(dag, *unknown, *other, product);
+            for (other, product) in self.powers(dag, v, w) {
+                found.add_mass(dag, *unknown, other, product);
             }
             for ((other, ..), column) in own.iter().zip(&new).skip(n) {
                 let product = power(dag, v, w, column);
@@ -224,6 +222,44 @@ impl Load {
         }
     }
 
+    /// What a twist contributes against every column: products with the rates' own columns.
+    fn powers(&self, dag: &mut Dag, v: &Components, w: &Components) -> BTreeMap<UnknownId, ExprId> {
+        let mut products: BTreeMap<UnknownId, ExprId> =
+            self.columns.iter().map(|(&unknown, column)| (unknown, power(dag, v, w, column))).collect();
+        // The outermost hinge of several first: its column is its own.
+        let mut waiting = self.beside.clone();
+        while let Some((&inner, &outer)) = waiting.iter().find(|(_, outer)| !waiting.contains_key(outer)) {
+            let sum = dag.add(products[&inner], products[&outer]);
+            products.insert(inner, sum);
+            waiting.remove(&inner);
+        }
+        products
+    }
+
+    /// [`Load::meet()`] of a hinge that leaves a parallel one farther out unturned: with M'_aa its own part, and
+    /// d = M_ab - M_bb what the translation of the other takes, M_aa = M'_aa + d + M_ab.
+    fn meet_parallel(
+        &mut self,
+        dag: &mut Dag,
+        (unknown, v, w): &(UnknownId, Components, Components),
+        turning: &Turning,
+        found: &mut Contributions,
+    ) {
+        let products = self.powers(dag, v, w);
+        let (outer, own, column) = turning.column(dag, w);
+        let lever = dag.sub(products[&outer], found.mass_of(outer));
+        let sum = dag.add(own, lever);
+        let diagonal = dag.add(sum, products[&outer]);
+        for (other, product) in products {
+            found.add_mass(dag, *unknown, other, product);
+        }
+        found.mass.push((*unknown, *unknown, diagonal));
+        let work = power(dag, v, w, &self.bias);
+        found.force.push((*unknown, dag.negate(work)));
+        self.add_column(dag, *unknown, &column);
+        self.beside.insert(*unknown, outer);
+    }
+
     fn turned(&self, dag: &mut Dag, joint: &Joint) -> Self {
         Self {
             inertia: self.inertia.turned(dag, joint.axis, joint.angle),
@@ -231,6 +267,7 @@ impl Load {
             columns: (self.columns.iter())
                 .map(|(&unknown, column)| (unknown, column.turned(dag, joint.axis, joint.angle)))
                 .collect(),
+            beside: self.beside.clone(),
         }
     }
 
@@ -241,6 +278,7 @@ impl Load {
             columns: (self.columns.iter())
                 .map(|(&unknown, column)| (unknown, column.shifted(dag, offset)))
                 .collect(),
+            beside: self.beside.clone(),
         }
     }
 
@@ -288,6 +326,12 @@ impl Contributions {
         dag.state_cost(&roots)
     }
 
+    /// The entry M_aa of a hinge that has been met.
+    fn mass_of(&self, unknown: UnknownId) -> ExprId {
+        let entry = self.mass.iter().find(|(a, b, _)| *a == unknown && *b == unknown);
+        entry.expect("a hinge farther out is met before").2
+    }
+
     /// An unknown that meets its own column of a joint farther out counts twice.
     fn add_mass(&mut self, dag: &mut Dag, a: UnknownId, b: UnknownId, product: ExprId) {
         let two = dag.number(crate::expr::number::Number::integer(2));
@@ -297,7 +341,7 @@ impl Contributions {
 }
 
 /// v . force + w . moment.
-fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wrench) -> ExprId {
+pub(super) fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wrench) -> ExprId {
     let straight = dot_components(dag, v, &wrench.force);
     let turning = dot_components(dag, w, &wrench.moment);
     dag.add(straight, turning)

@@ -6,6 +6,7 @@
 //! takes fewer operations.
 
 use super::composite::{self, Contributions};
+use super::shared_axis::{self, Massive};
 use super::{Unprojected, tree};
 use crate::expr::{Dag, ExprId};
 use crate::id::Id;
@@ -16,18 +17,18 @@ use crate::vector::{Components, TriadId, Vector, cross_components, dot_component
 /// Adds every body's inertia.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     // A tree weighs all that it carries: a body without weight stands alone.
-    let (hanging, alone): (Vec<&Body>, Vec<&Body>) = model.bodies.iter().partition(|body| body.weight);
+    let bodies = shared_axis::bodies(model, k);
+    let (hanging, alone): (Vec<Massive>, Vec<Massive>) = bodies.into_iter().partition(|m| m.body.weight);
     let mut all = body_by_body(model, k, &alone);
     let forest = tree::build(model, k, &hanging);
     for (root, bodies) in forest.roots() {
-        let bodies: Vec<&Body> = bodies.into_iter().map(|i| hanging[i]).collect();
+        let bodies: Vec<Massive> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
         let mut best = body_by_body(model, k, &bodies);
         if forest.has_joints(root) {
-            for cut in composite::cuts(k, &forest.nodes, root) {
-                let candidate = composite::contributions(model, k, &forest.nodes, cut);
-                if candidate.cost(&k.dag) < best.cost(&k.dag) {
-                    best = candidate;
-                }
+            let cut = tree::cut(k, &forest.nodes, root);
+            let candidate = composite::contributions(model, k, &forest.nodes, cut);
+            if candidate.cost(&k.dag) < best.cost(&k.dag) {
+                best = candidate;
             }
         }
         all.mass.extend(best.mass);
@@ -50,18 +51,18 @@ impl Contributions {
 /// Adds every body's moment of inertia only.
 pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     let mut found = Contributions::default();
-    for body in model.bodies.iter() {
-        rotation(k, body, &mut found);
+    for massive in shared_axis::bodies(model, k) {
+        rotation(k, &massive, &mut found);
     }
     found.join(&mut k.dag, parts);
 }
 
 /// Every body for itself.
-fn body_by_body(model: &Model, k: &mut Kinematics, bodies: &[&Body]) -> Contributions {
+fn body_by_body(model: &Model, k: &mut Kinematics, bodies: &[Massive]) -> Contributions {
     let mut found = Contributions::default();
-    for body in bodies {
-        translation(model, k, body, &mut found);
-        rotation(k, body, &mut found);
+    for massive in bodies {
+        translation(model, k, massive.body, &mut found);
+        rotation(k, massive, &mut found);
     }
     found
 }
@@ -151,9 +152,13 @@ fn cost(k: &Kinematics, products: &Products) -> usize {
     k.dag.cone_cost(&roots)
 }
 
-fn rotation(k: &mut Kinematics, body: &Body, found: &mut Contributions) {
-    let Some(frame) = body.frame else { return };
-    let Some(inertia) = inertia_matrix(k, body) else { return };
+pub(super) fn rotation(k: &mut Kinematics, massive: &Massive, found: &mut Contributions) {
+    let Some(frame) = massive.body.frame else { return };
+    let [xx, yy, zz, xy, xz, yz] = massive.inertia;
+    if massive.inertia.iter().all(|&e| k.dag.is_zero(e)) {
+        return;
+    }
+    let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let triad = k.frame_triad[frame];
     let angular = k.angular[triad].clone();
     let partials: Vec<(UnknownId, Components)> =
@@ -204,16 +209,6 @@ fn euler_products(dag: &mut Dag, inertia: &[Components; 3], w: &Components) -> C
         let product = dag.mul(w[j], w[l]);
         dag.mul(difference, product)
     })
-}
-
-/// The inertia matrix; `None` if every entry is left out or folds to 0.
-fn inertia_matrix(k: &mut Kinematics, body: &Body) -> Option<[Components; 3]> {
-    let zero = k.dag.zero();
-    let entry: [ExprId; 6] =
-        std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
-    let [xx, yy, zz, xy, xz, yz] = entry;
-    let any = entry.iter().any(|&e| !k.dag.is_zero(e));
-    any.then_some([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 }
 
 fn times(dag: &mut Dag, matrix: &[Components; 3], v: &Components) -> Components {

@@ -5,15 +5,18 @@
 //! out is M = T' M_y T and T' (F_y - h_y - M_y beta), with y = T u, but T itself is never formed.
 //! No mass matrix of the dependent speeds is ever inverted.
 
+mod absolute;
 mod active_force;
 mod augmented;
 mod chain;
 mod composite;
 mod energy;
 mod inertia_force;
+mod parallel;
 mod reduce;
 mod segment;
 mod segment_inertia;
+mod shared_axis;
 mod solve;
 mod spatial;
 mod tree;

@@ -1,5 +1,6 @@
 //! M u' = forcing by L D L', written out; M is symmetric and positive definite.
 
+use super::absolute::Absolute;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
@@ -21,6 +22,8 @@ pub(super) fn ldl(
     let n = forcing.len();
     let dag = &mut k.dag;
     let zero = dag.zero();
+    let absolute = Absolute::new(dag, mass, forcing);
+    let (mass, forcing) = (&absolute.mass, &absolute.forcing);
     // scaled[i][j] = L_ij D_j, lower[i][j] = L_ij for j < i.
     let (mut scaled, mut lower) = (vec![vec![zero; n]; n], vec![vec![zero; n]; n]);
     let mut pivots = Vec::new();
@@ -40,9 +43,9 @@ pub(super) fn ldl(
             let reference = table.values(dag, mass[i][i]).to_vec();
             let values = table.values(dag, entry);
             if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
-                return Err(without_inertia(model, k, i));
+                return Err(without_inertia(model, k, absolute.order[i]));
             }
-            dag.name(entry, &format!("pivot_{i}"));
+            dag.name(entry, &format!("pivot_{}", absolute.order[i]));
             if !dag.is_constant(entry) {
                 pivots.push(pivot_of(dag, table, entry));
             }
@@ -64,7 +67,7 @@ pub(super) fn ldl(
             u_dot[i] = dag.sub(u_dot[i], term);
         }
     }
-    Ok((u_dot, pivots))
+    Ok((absolute.relative(dag, &u_dot), pivots))
 }
 
 fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {

@@ -5,11 +5,12 @@
 //! O that is resolved in that triad. What a turn leaves as it is moves inwards: mass and moments
 //! along a hinge's axis, and all of a wheel but its spin. Those sums depend on parameters alone.
 
+use super::shared_axis::Massive;
 use super::spatial::Inertia;
 use crate::expr::{Dependence, ExprId};
 use crate::id::Id;
-use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
-use crate::model::{Axis, Body, Model};
+use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
+use crate::model::{Axis, Model};
 use crate::vector::{Components, TriadId, Turn, Vector};
 use std::collections::BTreeMap;
 
@@ -64,10 +65,10 @@ impl Forest {
 }
 
 /// The tree of the bodies given.
-pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[&Body]) -> Forest {
+pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[Massive]) -> Forest {
     let mut nodes = Vec::new();
     let mut node_of_body = Vec::new();
-    for body in bodies {
+    for Massive { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
         let own = body.frame.map(|f| k.frame_triad[f]);
         let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::from_index(0));
@@ -78,14 +79,11 @@ pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[&Body]) -> Fore
             (origin, centre) = (position, [zero; 3]);
         }
         let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(k, m));
-        let matrix: [ExprId; 6] =
-            std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
-        let inertia = Inertia::of_body(&mut k.dag, mass, &centre, &matrix);
+        let inertia = Inertia::of_body(&mut k.dag, mass, &centre, inertia);
         let node = node_of(model, k, &mut nodes, triad, &origin);
         nodes[node].own = nodes[node].own.plus(&mut k.dag, &inertia);
         node_of_body.push(node);
     }
-    move_inwards(k, &mut nodes);
     Forest { nodes, node_of_body }
 }
 
@@ -119,9 +117,33 @@ fn node_of(
     nodes.len() - 1
 }
 
-/// Base parameters: hands inwards what a joint's turn leaves as it is.
-fn move_inwards(k: &mut Kinematics, nodes: &mut [Node]) {
-    for i in (0..nodes.len()).rev() {
+/// Where the tree of `root` is cut: at the first node, from `root` outwards, that bears inertia or branches.
+///
+/// Farther in, the inertia of the first body would be moved to places that it turns about, and turned back; the
+/// moments there are large beside what they leave.
+pub(super) fn cut(k: &mut Kinematics, nodes: &[Node], root: usize) -> usize {
+    if derivative_of(k, &nodes[root].origin).partials.is_empty() {
+        return root; // what is moved inwards to a place at rest has no inertia
+    }
+    let mut at = root;
+    loop {
+        let mut children = (at + 1..nodes.len())
+            .filter(|&i| nodes[i].joint.as_ref().is_some_and(|joint| joint.parent == at));
+        match (children.next(), children.next()) {
+            (Some(only), None) if nodes[at].own.is_zero(&k.dag) => at = only,
+            _ => return at,
+        }
+    }
+}
+
+/// Base parameters: hands inwards, as far as the node `cut`, what a joint's turn leaves as it is.
+pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize) {
+    let mut hangs = vec![false; nodes.len()];
+    hangs[cut] = true;
+    for i in cut + 1..nodes.len() {
+        hangs[i] = nodes[i].joint.as_ref().is_some_and(|joint| hangs[joint.parent]);
+    }
+    for i in (cut + 1..nodes.len()).rev().filter(|&i| hangs[i]) {
         let Some(joint) = nodes[i].joint.clone() else { continue };
         let dag = &mut k.dag;
         if joint.offset.iter().any(|&c| dag.dependence(c) == Dependence::State) {

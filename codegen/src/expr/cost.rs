@@ -1,7 +1,7 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::{Binary, Dag, Dependence, ExprId, Node, Unary};
+use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
 
@@ -80,24 +80,32 @@ impl Dag {
     /// on parameters alone is computed when they change.
     #[must_use]
     pub fn state_cost(&self, roots: &[ExprId]) -> usize {
-        let of_state = |&&id: &&ExprId| self.dependence(id) == Dependence::State && self.is_operation(id);
-        self.reachable(roots).iter().filter(of_state).count()
+        let mut operations = 0;
+        self.cone_above(roots, |id| {
+            // Only what depends on the state leads to more of it.
+            let of_state = self.dependence(id) == Dependence::State;
+            operations += usize::from(of_state && self.is_operation(id));
+            !of_state
+        });
+        operations
     }
 
     /// Operations needed for `roots` together, shared parts once.
     #[must_use]
     pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
-        let mut seen = HashSet::default();
-        let mut stack: Vec<ExprId> = roots.to_vec();
         let mut operations = 0;
-        while let Some(id) = stack.pop() {
-            if !seen.insert(id) {
-                continue;
-            }
+        self.cone_above(roots, |id| {
             operations += usize::from(self.is_operation(id));
-            stack.extend(self.operands(id).into_iter().flatten());
-        }
+            self.is_constant(id)
+        });
         operations
+    }
+
+    /// The operations needed for `roots` together.
+    pub(crate) fn operations_of(&self, roots: &[ExprId]) -> NodeSet {
+        let mut cone = self.cone_above(roots, |id| self.is_constant(id));
+        cone.retain(|id| self.is_operation(id));
+        cone
     }
 
     /// Does the node cost an operation at run time? Constants and negations do not.
@@ -119,16 +127,19 @@ impl Dag {
         roots: &[ExprId],
         dependence: Dependence,
     ) -> BTreeMap<&'static str, usize> {
-        let mut counts = BTreeMap::new();
-        let counted = |&id: &ExprId| self.is_operation(id) && self.dependence(id) == dependence;
-        for id in self.reachable(roots).into_iter().filter(counted) {
+        let mut counts: Vec<(&'static str, usize)> = Vec::new();
+        let counted = |&id: &ExprId| self.dependence(id) == dependence && self.is_operation(id);
+        for id in self.cone(roots).iter().filter(counted) {
             let kind = match self.node(id) {
                 Node::Unary(function, _) => super::print::unary_name(function),
                 Node::Binary(operator, ..) => super::print::binary_name(operator),
                 _ => continue,
             };
-            *counts.entry(kind).or_insert(0) += 1;
+            match counts.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, count)) => *count += 1,
+                None => counts.push((kind, 1)),
+            }
         }
-        counts
+        counts.into_iter().collect()
     }
 }

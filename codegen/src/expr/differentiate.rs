@@ -1,28 +1,34 @@
 //! Partial derivatives on the DAG, memoised: each node is differentiated once per symbol.
 
 use super::number::Number;
-use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use super::{Binary, Dag, ExprId, Node, SymbolId, Unary, symbol_bit};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
 impl Dag {
     /// Partial derivative of `expr` with respect to `symbol`.
     pub fn derivative(&mut self, expr: ExprId, symbol: SymbolId) -> ExprId {
+        let bit = symbol_bit(symbol);
+        let is_known = |dag: &Self, id| !dag.may_read(id, bit) || dag.derivatives.contains_key(&(id, symbol));
         // Ascending order: operands come before their node, so no recursion is needed.
-        for id in self.reachable(&[expr]) {
-            if !self.derivatives.contains_key(&(id, symbol)) {
+        for id in self.reachable_above(&[expr], |id| is_known(self, id)) {
+            if !is_known(self, id) {
                 let derivative = match self.as_symbol(id) {
                     Some(s) if s == symbol => self.one(),
                     _ => {
-                        let of = |a: Option<ExprId>| a.map(|a| self.derivatives[&(a, symbol)]);
-                        let changes = self.operands(id).map(of);
+                        let changes = self.operands(id).map(|a| a.map(|a| self.known_derivative(a, symbol)));
                         self.change_of_node(id, changes)
                     }
                 };
                 self.derivatives.insert((id, symbol), derivative);
             }
         }
-        self.derivatives[&(expr, symbol)]
+        self.known_derivative(expr, symbol)
+    }
+
+    /// A derivative found before; 0 for what does not read the symbol.
+    fn known_derivative(&mut self, id: ExprId, symbol: SymbolId) -> ExprId {
+        if self.may_read(id, symbol_bit(symbol)) { self.derivatives[&(id, symbol)] } else { self.zero() }
     }
 
     /// Rate of `expr` when its symbols have the given rates and all others stand still.
@@ -30,18 +36,21 @@ impl Dag {
     /// One sweep that keeps every factor whole: shorter than partial derivatives times rates
     /// wherever a node depends on several symbols.
     pub fn rate(&mut self, expr: ExprId, rates: &HashMap<SymbolId, ExprId>) -> ExprId {
+        let moving = rates.keys().fold(0, |bits, &symbol| bits | symbol_bit(symbol));
+        let zero = self.zero();
         let mut changes: HashMap<ExprId, ExprId> = HashMap::default();
-        for id in self.reachable(&[expr]) {
+        let change_of = |changes: &HashMap<ExprId, ExprId>, id| changes.get(&id).copied().unwrap_or(zero);
+        for id in self.reachable_above(&[expr], |id| !self.may_read(id, moving)) {
             let change = match self.as_symbol(id).and_then(|symbol| rates.get(&symbol)) {
                 Some(&rate) => rate,
                 None => {
-                    let operands = self.operands(id).map(|a| a.map(|a| changes[&a]));
+                    let operands = self.operands(id).map(|a| a.map(|a| change_of(&changes, a)));
                     self.change_of_node(id, operands)
                 }
             };
             changes.insert(id, change);
         }
-        changes[&expr]
+        change_of(&changes, expr)
     }
 
     /// Change of a node from the changes of its operands; 0 for what has none.

@@ -43,17 +43,31 @@ pub fn number<S: Real>(number: Number) -> S {
 impl Dag {
     /// Values of `roots` with the symbols' values from `value_of`.
     pub fn evaluate<S: Real>(&self, roots: &[ExprId], value_of: &dyn Fn(SymbolId) -> S) -> Vec<S> {
-        let mut values = vec![S::ZERO; roots.iter().map(|r| r.index() + 1).max().unwrap_or(0)];
-        for id in self.reachable(roots) {
-            values[id.index()] = match self.node(id) {
-                Node::Number(c) => number(c),
-                Node::Pi => S::from_f64(std::f64::consts::PI),
-                Node::Symbol(symbol) => value_of(symbol),
-                Node::Negate(a) => -values[a.index()],
-                Node::Unary(function, a) => unary(function, values[a.index()]),
-                Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
-            };
-        }
-        roots.iter().map(|r| values[r.index()]).collect()
+        self.evaluate_at(roots, 1, &|symbol, _| value_of(symbol)).remove(0)
+    }
+
+    /// The same at so many points, one after the other.
+    pub(crate) fn evaluate_at<S: Real>(
+        &self,
+        roots: &[ExprId],
+        points: usize,
+        value_of: &dyn Fn(SymbolId, usize) -> S,
+    ) -> Vec<Vec<S>> {
+        let order = self.reachable(roots);
+        let mut values = vec![S::ZERO; order.last().map_or(0, |id| id.index() + 1)];
+        let mut at = |point: usize| {
+            for &id in &order {
+                values[id.index()] = match self.node(id) {
+                    Node::Number(c) => number(c),
+                    Node::Pi => S::from_f64(std::f64::consts::PI),
+                    Node::Symbol(symbol) => value_of(symbol, point),
+                    Node::Negate(a) => -values[a.index()],
+                    Node::Unary(function, a) => unary(function, values[a.index()]),
+                    Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
+                };
+            }
+            roots.iter().map(|r| values[r.index()]).collect()
+        };
+        (0..points).map(&mut at).collect()
     }
 }

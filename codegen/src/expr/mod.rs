@@ -8,15 +8,19 @@
 pub mod cost;
 pub mod differentiate;
 pub mod evaluate;
+mod intern;
 pub mod number;
 pub mod print;
+mod set;
 mod simplify;
 pub mod substitute;
 pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
+use intern::Index;
 use number::Number;
 use rustc_hash::FxHashMap as HashMap;
+pub(crate) use set::NodeSet;
 
 ids! {
     /// A node of the [`Dag`].
@@ -88,7 +92,11 @@ pub enum Dependence {
 pub struct Dag {
     nodes: IdVec<ExprId, Node>,
     dependence: Vec<Dependence>,
-    index: HashMap<Node, ExprId>,
+    /// By node: bit k is set if it depends on a symbol whose index is k modulo 64.
+    symbols_read: Vec<u64>,
+    index: Index,
+    zero: Option<ExprId>,
+    one: Option<ExprId>,
     symbols: IdVec<SymbolId, (String, Dependence)>,
     names: HashMap<ExprId, String>,
     derivatives: HashMap<(ExprId, SymbolId), ExprId>,
@@ -159,13 +167,13 @@ impl Dag {
     /// Is it the constant 0?
     #[must_use]
     pub fn is_zero(&self, id: ExprId) -> bool {
-        self.nodes[id] == Node::Number(Number::ZERO)
+        Some(id) == self.zero
     }
 
     /// Is it the constant 1?
     #[must_use]
     pub fn is_one(&self, id: ExprId) -> bool {
-        self.nodes[id] == Node::Number(Number::ONE)
+        Some(id) == self.one
     }
 
     /// Gives a node a readable name for the generated code; the first name stays.
@@ -182,24 +190,41 @@ impl Dag {
     }
 
     fn intern(&mut self, node: Node) -> ExprId {
-        if let Some(&id) = self.index.get(&node) {
-            return id;
-        }
-        let dependence = match node {
-            Node::Number(_) | Node::Pi => Dependence::Constant,
-            Node::Symbol(symbol) => self.symbols[symbol].1,
-            Node::Negate(a) | Node::Unary(_, a) => self.dependence(a),
-            Node::Binary(_, a, b) => self.dependence(a).max(self.dependence(b)),
+        let slot = match self.index.find(&self.nodes, &node) {
+            Ok(id) => return id,
+            Err(slot) => slot,
+        };
+        let of = |a: ExprId| (self.dependence[a.index()], self.symbols_read[a.index()]);
+        let (dependence, symbols) = match node {
+            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
+            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
+            Node::Negate(a) | Node::Unary(_, a) => of(a),
+            Node::Binary(_, a, b) => {
+                let ((dependence, symbols), (other, others)) = (of(a), of(b));
+                (dependence.max(other), symbols | others)
+            }
         };
         let id = self.nodes.push(node);
         self.dependence.push(dependence);
-        self.index.insert(node, id);
+        self.symbols_read.push(symbols);
+        self.index.insert(slot, &self.nodes);
         id
+    }
+
+    /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.
+    fn may_read(&self, id: ExprId, bits: u64) -> bool {
+        self.symbols_read[id.index()] & bits != 0
     }
 
     /// A constant.
     pub fn number(&mut self, number: Number) -> ExprId {
-        self.intern(Node::Number(number))
+        let id = self.intern(Node::Number(number));
+        match number {
+            Number::ZERO => self.zero = Some(id),
+            Number::ONE => self.one = Some(id),
+            _ => {}
+        }
+        id
     }
 
     /// An f64 constant.
@@ -209,12 +234,12 @@ impl Dag {
 
     /// 0.
     pub fn zero(&mut self) -> ExprId {
-        self.number(Number::ZERO)
+        self.zero.unwrap_or_else(|| self.number(Number::ZERO))
     }
 
     /// 1.
     pub fn one(&mut self) -> ExprId {
-        self.number(Number::ONE)
+        self.one.unwrap_or_else(|| self.number(Number::ONE))
     }
 
     /// Pi.
@@ -350,20 +375,26 @@ impl Dag {
     /// The same without what is below the nodes that `is_leaf` names.
     #[must_use]
     pub fn reachable_above(&self, roots: &[ExprId], is_leaf: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
-        let mut needed = vec![false; self.nodes.len()];
-        let mut last = 0;
-        for &root in roots {
-            needed[root.index()] = true;
-            last = last.max(root.index() + 1);
-        }
-        // Operands are always older than their node: one backward sweep marks everything.
-        for index in (0..last).rev() {
-            if needed[index] && !is_leaf(ExprId::from_index(index)) {
-                for operand in self.operands(ExprId::from_index(index)).into_iter().flatten() {
-                    needed[operand.index()] = true;
-                }
-            }
-        }
-        (0..last).filter(|&index| needed[index]).map(ExprId::from_index).collect()
+        self.cone_above(roots, is_leaf).iter().collect()
     }
+
+    /// All nodes that the roots need, as a set.
+    pub(crate) fn cone(&self, roots: &[ExprId]) -> NodeSet {
+        self.cone_above(roots, |_| false)
+    }
+
+    /// The same without what is below the nodes that `is_leaf` names; it is asked once about every node.
+    pub(crate) fn cone_above(&self, roots: &[ExprId], mut is_leaf: impl FnMut(ExprId) -> bool) -> NodeSet {
+        let bound = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
+        let mut needed = NodeSet::below(bound);
+        roots.iter().for_each(|&root| needed.insert(root));
+        // Operands are always older than their node: one sweep downwards marks everything.
+        needed.sweep_down(|id| if is_leaf(id) { [None, None] } else { self.operands(id) });
+        needed
+    }
+}
+
+/// The bit that stands for a symbol, among others.
+fn symbol_bit(symbol: SymbolId) -> u64 {
+    1 << (symbol.index() % 64)
 }

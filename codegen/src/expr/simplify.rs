@@ -2,7 +2,7 @@
 //! root less than two transcendental functions).
 
 use super::number::Number;
-use super::{Binary, Dag, ExprId, Node, Unary};
+use super::{Binary, Dag, Dependence, ExprId, Node, Unary};
 
 /// Shorter form of -a.
 pub(super) fn negate(dag: &mut Dag, a: ExprId) -> Option<ExprId> {
@@ -26,6 +26,11 @@ pub(super) fn unary(dag: &mut Dag, function: Unary, a: ExprId) -> Option<ExprId>
             Cos | Abs => return Some(dag.unary(function, x)), // even: f(-x) = f(x)
             _ => {}
         }
+    }
+    if let (Abs, Node::Binary(Binary::Mul, x, y)) = (function, dag.node(a))
+        && x == y
+    {
+        return Some(a); // |x^2| = x^2
     }
     if let (Sin | Cos, Node::Unary(inverse @ (Asin | Acos), x)) = (function, dag.node(a)) {
         if (function == Sin) == (inverse == Asin) {
@@ -118,12 +123,13 @@ fn fold_two(dag: &mut Dag, a: ExprId, b: ExprId, f: fn(f64, f64) -> f64) -> Opti
 }
 
 fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
+    if dag.is_zero(a) || dag.is_zero(b) {
+        return Some(if dag.is_zero(a) { b } else { a }); // 0 + x = x + 0 = x
+    }
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
         return Some(dag.number(x.plus(y))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
-        _ if dag.is_zero(a) => Some(b), // 0 + x = x
-        _ if dag.is_zero(b) => Some(a), // x + 0 = x
         (Node::Negate(x), Node::Negate(y)) => {
             let sum = dag.add(x, y); // -x - y = -(x + y)
             Some(dag.negate(sum))
@@ -142,13 +148,14 @@ fn add(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
 }
 
 fn sub(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
+    if dag.is_zero(a) || dag.is_zero(b) {
+        return Some(if dag.is_zero(b) { a } else { dag.negate(b) }); // x - 0 = x, 0 - x = -x
+    }
     if let (Some(x), Some(y)) = (dag.as_number(a), dag.as_number(b)) {
         return Some(dag.number(x.plus(y.negate()))); // constants fold
     }
     match (dag.node(a), dag.node(b)) {
         _ if a == b => Some(dag.zero()),             // x - x = 0
-        _ if dag.is_zero(b) => Some(a),              // x - 0 = x
-        _ if dag.is_zero(a) => Some(dag.negate(b)),  // 0 - x = -x
         (_, Node::Negate(y)) => Some(dag.add(a, y)), // x - -y = x + y
         (Node::Negate(x), _) => {
             let sum = dag.add(x, b); // -x - y = -(x + y)
@@ -212,6 +219,9 @@ fn is_sine_and_cosine_squared(dag: &Dag, a: ExprId, b: ExprId) -> bool {
 }
 
 fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
+    if dag.is_zero(a) || dag.is_zero(b) {
+        return Some(dag.zero()); // 0 x = x 0 = 0
+    }
     // A constant, if any, is handled first and kept on the left by `times_constant`.
     match (dag.node(a), dag.node(b)) {
         (Node::Number(x), Node::Number(y)) => Some(dag.number(x.multiply(y))), // constants fold
@@ -229,14 +239,47 @@ fn mul(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
         (Node::Unary(Unary::Sqrt, x), _) if a == b => Some(x), // sqrt(x)^2 = x
         (Node::Binary(Binary::Div, x, y), _) if y == b => Some(x), // (x / y) y = x
         (_, Node::Binary(Binary::Div, x, y)) if y == a => Some(x), // y (x / y) = x
+        _ => prepared_factor(dag, a, b).or_else(|| prepared_factor(dag, b, a)),
+    }
+}
+
+/// p (r x) = (p r) x for p, r of parameters alone: the product of both is prepared.
+fn prepared_factor(dag: &mut Dag, p: ExprId, product: ExprId) -> Option<ExprId> {
+    let (r, x) = prepared_part(dag, product)?;
+    if dag.dependence(p) == Dependence::State {
+        return None;
+    }
+    let factor = dag.mul(p, r);
+    Some(dag.mul(factor, x))
+}
+
+/// z / (r y) = ((1 / r) z) / y and (p x) / (r y) = ((p / r) x) / y for p, r of parameters alone.
+fn prepared_divisor(dag: &mut Dag, dividend: ExprId, divisor: ExprId) -> Option<ExprId> {
+    let (r, y) = prepared_part(dag, divisor)?;
+    let (p, x) = prepared_part(dag, dividend).unwrap_or((dag.one(), dividend));
+    if std::env::var("NODIV").is_ok() {
+        return None;
+    }
+    let ratio = dag.div(p, r);
+    let scaled = dag.mul(ratio, x);
+    Some(dag.div(scaled, y))
+}
+
+/// (r, x) of a product r x where r depends on parameters alone and x does not.
+fn prepared_part(dag: &Dag, product: ExprId) -> Option<(ExprId, ExprId)> {
+    let Node::Binary(Binary::Mul, x, y) = dag.node(product) else { return None };
+    let is_state = |e| dag.dependence(e) == Dependence::State;
+    match (is_state(x), is_state(y)) {
+        (false, true) if dag.as_number(x).is_none() => Some((x, y)),
+        (true, false) if dag.as_number(y).is_none() => Some((y, x)),
         _ => None,
     }
 }
 
 /// c x. The node keeps the constant first whatever the ids: see [`ordered_constant_product`].
 fn times_constant(dag: &mut Dag, c: Number, constant: ExprId, x: ExprId) -> Option<ExprId> {
-    if c == Number::ZERO || c == Number::ONE {
-        return Some(if c == Number::ZERO { constant } else { x }); // 0 x = 0; 1 x = x
+    if dag.is_one(constant) {
+        return Some(x); // 1 x = x
     }
     if c.is_negative() {
         let positive = dag.number(c.negate());
@@ -292,6 +335,6 @@ fn div(dag: &mut Dag, a: ExprId, b: ExprId) -> Option<ExprId> {
         }
         (_, Node::Unary(Unary::Sqrt, x)) if x == a => Some(b), // x / sqrt(x) = sqrt(x)
         (_, Node::Binary(Binary::Div, x, y)) if dag.is_one(x) => Some(dag.mul(a, y)), // z / (1 / y) = z y
-        _ => None,
+        _ => prepared_divisor(dag, a, b),
     }
 }

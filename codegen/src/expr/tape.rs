@@ -146,7 +146,7 @@ impl Dag {
     /// The id of a node that exists already.
     #[must_use]
     pub fn find(&self, node: Node) -> Option<ExprId> {
-        self.index.get(&node).copied()
+        self.index.find(&self.nodes, &node).ok()
     }
 }
 
@@ -155,12 +155,12 @@ impl Dag {
 pub struct SampleTable {
     symbols: HashMap<SymbolId, Vec<f64>>,
     points: usize,
-    /// Where a node's values start in `values`; `UNKNOWN` if they have not been asked for.
-    place: Vec<usize>,
+    /// By node: which of the rows of `values` is its; `UNKNOWN` if it has not been asked for.
+    place: Vec<u32>,
     values: Vec<f64>,
 }
 
-const UNKNOWN: usize = usize::MAX;
+const UNKNOWN: u32 = u32::MAX;
 
 impl SampleTable {
     /// `symbols[k](s)` is the value of symbol k at sample s.
@@ -177,53 +177,50 @@ impl SampleTable {
 
     /// Values of `expr` at every sample; not-a-number where it depends on a symbol without value.
     pub fn values(&mut self, dag: &Dag, expr: ExprId) -> &[f64] {
+        self.compute(dag, expr);
+        self.computed(expr)
+    }
+
+    /// The values of an expression that has been computed.
+    pub(crate) fn computed(&self, expr: ExprId) -> &[f64] {
+        let start = self.place[expr.index()] as usize * self.points;
+        &self.values[start..start + self.points]
+    }
+
+    /// Computes the values of `expr`, unless they are known.
+    pub(crate) fn compute(&mut self, dag: &Dag, expr: ExprId) {
         if self.place.len() < dag.len() {
             self.place.resize(dag.len(), UNKNOWN);
         }
-        let mut stack = vec![expr];
-        while let Some(&id) = stack.last() {
-            let known = self.place[id.index()] != UNKNOWN;
-            let missing = dag.operands(id).into_iter().flatten().filter(|a| self.place[a.index()] == UNKNOWN);
-            let before = stack.len();
-            if !known {
-                stack.extend(missing);
-            }
-            if stack.len() == before {
-                stack.pop();
-                if !known {
+        if self.place[expr.index()] == UNKNOWN {
+            for id in dag.reachable_above(&[expr], |id| self.place[id.index()] != UNKNOWN) {
+                if self.place[id.index()] == UNKNOWN {
                     self.append(dag, id);
                 }
             }
         }
-        let start = self.place[expr.index()];
-        &self.values[start..start + self.points]
     }
 
     fn append(&mut self, dag: &Dag, id: ExprId) {
-        let n = self.points;
         let start = self.values.len();
-        self.place[id.index()] = start;
-        let from = |a: ExprId| self.place[a.index()];
+        self.place[id.index()] = u32::try_from(start / self.points).expect("fewer than 2^32 nodes");
+        self.values.resize(start + self.points, 0.0);
+        let (known, new) = self.values.split_at_mut(start);
+        let of = |a: ExprId| &known[self.place[a.index()] as usize * self.points..];
         match dag.node(id) {
-            Node::Number(c) => self.values.resize(start + n, c.to_f64()),
-            Node::Pi => self.values.resize(start + n, std::f64::consts::PI),
+            Node::Number(c) => new.fill(c.to_f64()),
+            Node::Pi => new.fill(std::f64::consts::PI),
             Node::Symbol(symbol) => match self.symbols.get(&symbol) {
-                Some(values) => self.values.extend_from_slice(values),
-                None => self.values.resize(start + n, f64::NAN),
+                Some(values) => new.copy_from_slice(values),
+                None => new.fill(f64::NAN),
             },
-            Node::Negate(a) => {
-                let a = from(a);
-                (0..n).for_each(|s| self.values.push(-self.values[a + s]));
-            }
+            Node::Negate(a) => new.iter_mut().zip(of(a)).for_each(|(y, a)| *y = -a),
             Node::Unary(function, a) => {
-                let a = from(a);
-                (0..n).for_each(|s| self.values.push(evaluate::unary(function, self.values[a + s])));
+                new.iter_mut().zip(of(a)).for_each(|(y, &a)| *y = evaluate::unary(function, a));
             }
             Node::Binary(operator, a, b) => {
-                let (a, b) = (from(a), from(b));
-                (0..n).for_each(|s| {
-                    self.values.push(evaluate::binary(operator, self.values[a + s], self.values[b + s]));
-                });
+                let operands = of(a).iter().zip(of(b));
+                new.iter_mut().zip(operands).for_each(|(y, (&a, &b))| *y = evaluate::binary(operator, a, b));
             }
         }
     }

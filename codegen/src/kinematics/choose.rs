@@ -3,12 +3,11 @@
 //! In: candidate rows and the unknowns. Out: as many rows, independent at every sampled configuration,
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
-use super::eliminate::{norm, numeric_row, orthogonal_part};
+use super::eliminate::{Basis, NumericRow, norm};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
 use crate::diagnostic::Diagnostics;
+use crate::expr::NodeSet;
 use crate::expr::tape::SampleTable;
-use crate::expr::{Dag, ExprId};
-use crate::id::Id;
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -16,9 +15,6 @@ use rustc_hash::FxHashMap as HashMap;
 const INDEPENDENT: f64 = 1e-3;
 /// A row that adds more operations than this is worth a search for a cheaper one.
 const DEAR: usize = 100;
-
-/// Orthonormal rows at every sample.
-type Bases = Vec<Vec<Vec<f64>>>;
 
 /// Takes independent rows, each time the one that adds the fewest operations to those taken.
 ///
@@ -32,22 +28,23 @@ pub(super) fn rows(
 ) -> Result<Vec<Row>, Diagnostics> {
     let n = unknown.len();
     let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases: Bases = vec![Vec::new(); table.points()];
-    let mut bill = Bill::new(&k.dag);
+    let bills: Vec<Bill> = k.rows.iter().map(|row| Bill::new(k, row)).collect();
+    let mut bases = vec![Basis::new(n); table.points()];
+    let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..k.rows.len()).collect();
     let mut chosen = Vec::new();
     while chosen.len() < n {
         // A row that depends on the rows taken will depend on any more: it is left out for good.
-        candidates.sort_by_cached_key(|&i| (bill.added_cost(k, &k.rows[i]), i));
-        let found = candidates.iter().position(|&i| extend(k, table, &column, &k.rows[i], &mut bases, n));
+        candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
+        let found = candidates.iter().position(|&i| extend(k, table, &column, &k.rows[i], &mut bases));
         let Some(place) = found else { return Err(rank::explain(model, k, table, None)) };
-        let row = &k.rows[candidates[place]];
+        let row = candidates[place];
         candidates.drain(..=place);
-        bill.pay(row);
-        chosen.push(row.clone());
+        paid.unite(&bills[row].operations);
+        chosen.push(row);
     }
-    exchange(k, table, &column, &mut chosen);
-    Ok(chosen)
+    exchange(k, table, &column, &bills, &mut chosen);
+    Ok(chosen.into_iter().map(|i| k.rows[i].clone()).collect())
 }
 
 /// Adds the row to the bases if it is independent of them at every sample.
@@ -56,116 +53,101 @@ fn extend(
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     row: &Row,
-    bases: &mut Bases,
-    n: usize,
+    bases: &mut [Basis],
 ) -> bool {
-    let numbers = numeric_row(&k.dag, table, row, column, n);
-    // Most dependent rows show at the first sample: no need to look at the others.
-    let remains: Vec<Vec<f64>> = (numbers.iter().zip(bases.iter()))
-        .map(|(v, basis)| orthogonal_part(v, basis))
-        .take_while(|v| norm(v) > INDEPENDENT)
-        .collect();
-    if remains.len() < table.points() {
-        return false;
+    let row = NumericRow::new(&k.dag, table, row, column);
+    let mut remains = Vec::with_capacity(bases.len());
+    for (sample, basis) in bases.iter().enumerate() {
+        let rest = basis.orthogonal_part(row.unit(sample));
+        // Most dependent rows show at the first sample: no need to look at the others.
+        let is_independent = norm(&rest) > INDEPENDENT;
+        if !is_independent {
+            return false;
+        }
+        remains.push(rest);
     }
-    for (basis, v) in bases.iter_mut().zip(remains) {
-        let length = norm(&v);
-        basis.push(v.into_iter().map(|x| x / length).collect());
-    }
+    bases.iter_mut().zip(remains).for_each(|(basis, rest)| basis.push(&rest));
     true
 }
 
 /// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
 /// dear where others bring what it needs.
-fn exchange(k: &Kinematics, table: &mut SampleTable, column: &HashMap<UnknownId, usize>, chosen: &mut [Row]) {
+fn exchange(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    column: &HashMap<UnknownId, usize>,
+    bills: &[Bill],
+    chosen: &mut [usize],
+) {
     for _ in 0..chosen.len() {
-        let without = |i: usize| {
-            let mut bill = Bill::new(&k.dag);
-            chosen.iter().enumerate().filter(|(j, _)| *j != i).for_each(|(_, row)| bill.pay(row));
-            bill
+        let others = |place: usize| -> Vec<usize> {
+            let others = chosen.iter().enumerate().filter(|(j, _)| *j != place);
+            others.map(|(_, &row)| row).collect()
         };
-        let mut prices: Vec<(usize, usize)> =
-            (0..chosen.len()).map(|i| (without(i).added_cost(k, &chosen[i]), i)).collect();
+        let paid_by = |rows: &[usize]| {
+            let mut paid = NodeSet::default();
+            rows.iter().for_each(|&row| paid.unite(&bills[row].operations));
+            paid
+        };
+        let mut prices: Vec<(usize, usize)> = (0..chosen.len())
+            .map(|place| (bills[chosen[place]].added_cost(&paid_by(&others(place))), place))
+            .collect();
         prices.retain(|(price, _)| *price > DEAR);
-        prices.sort_by_key(|&(price, i)| (std::cmp::Reverse(price), i));
-        let better = prices.iter().find_map(|&(price, i)| {
-            let others: Vec<&Row> =
-                chosen.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, row)| row).collect();
-            cheaper(k, table, column, &others, without(i), price).map(|row| (i, row))
+        prices.sort_by_key(|&(price, place)| (std::cmp::Reverse(price), place));
+        let better = prices.iter().find_map(|&(price, place)| {
+            let others = others(place);
+            let paid = paid_by(&others);
+            let costs = bills.iter().map(|bill| bill.added_cost(&paid)).enumerate();
+            let mut list: Vec<(usize, usize)> = costs.filter(|(_, cost)| *cost < price).collect();
+            list.sort_by_key(|(_, cost)| *cost);
+            cheaper(k, table, column, &others, &list).map(|row| (place, row))
         });
-        let Some((i, row)) = better else { return };
-        chosen[i] = row;
+        let Some((place, row)) = better else { return };
+        chosen[place] = row;
     }
 }
 
-/// The cheapest row below `price` that is independent of `others`.
+/// The first of the listed rows that is independent of the others.
 fn cheaper(
     k: &Kinematics,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
-    others: &[&Row],
-    mut bill: Bill,
-    price: usize,
-) -> Option<Row> {
-    let mut list: Vec<(usize, &Row)> =
-        (k.rows.iter()).map(|row| (bill.added_cost(k, row), row)).filter(|(cost, _)| *cost < price).collect();
-    list.sort_by_key(|(cost, _)| *cost);
-    let mut bases: Bases = vec![Vec::new(); table.points()];
-    for other in others {
-        extend(k, table, column, other, &mut bases, column.len());
+    others: &[usize],
+    list: &[(usize, usize)],
+) -> Option<usize> {
+    let mut bases = vec![Basis::new(column.len()); table.points()];
+    for &other in others {
+        extend(k, table, column, &k.rows[other], &mut bases);
     }
-    let mut rows = list.into_iter().map(|(_, row)| row);
-    rows.find(|row| extend(k, table, column, row, &mut bases, column.len())).cloned()
+    let mut rows = list.iter().map(|&(row, _)| row);
+    rows.find(|&row| extend(k, table, column, &k.rows[row], &mut bases))
 }
 
-/// Expressions paid for by the rows taken.
-struct Bill<'d> {
-    dag: &'d Dag,
-    paid: Vec<bool>,
-    /// The walk that saw a node last.
-    seen: Vec<u32>,
-    walk: u32,
-    stack: Vec<ExprId>,
+/// What a row costs.
+struct Bill {
+    /// The operations of its expressions: those that other rows have brought are paid for.
+    operations: NodeSet,
+    /// What its entries cost later.
+    entries: usize,
 }
 
-impl<'d> Bill<'d> {
-    fn new(dag: &'d Dag) -> Self {
-        Self { dag, paid: vec![false; dag.len()], seen: vec![0; dag.len()], walk: 0, stack: Vec::new() }
-    }
-
-    /// Operations that a row adds to the expressions paid for, plus what an entry costs later.
-    fn added_cost(&mut self, k: &Kinematics, row: &Row) -> usize {
+impl Bill {
+    fn new(k: &Kinematics, row: &Row) -> Self {
         /// An unknown in a row costs about a product and a sum per right-hand side in the elimination.
         const PER_UNKNOWN: usize = 6;
         /// Two dependent speeds in one row must be taken apart again.
         const COUPLING: usize = 24;
-        let operations = self.visit(row);
         let is_dependent = |&&u: &&UnknownId| matches!(k.unknowns[u].kind, UnknownKind::Dependent(_));
         let own = row.coefficients.keys().filter(is_dependent).count();
-        operations + PER_UNKNOWN * row.coefficients.len() + COUPLING * own.saturating_sub(1)
+        let roots: Vec<_> = row.coefficients.values().copied().chain([row.bias]).collect();
+        Self {
+            operations: k.dag.operations_of(&roots),
+            entries: PER_UNKNOWN * row.coefficients.len() + COUPLING * own.saturating_sub(1),
+        }
     }
 
-    /// Operations of the row that are not paid for.
-    fn visit(&mut self, row: &Row) -> usize {
-        self.walk += 1;
-        self.stack.extend(row.coefficients.values().copied().chain([row.bias]));
-        let mut operations = 0;
-        while let Some(id) = self.stack.pop() {
-            let i = id.index();
-            if self.paid[i] || self.seen[i] == self.walk {
-                continue;
-            }
-            self.seen[i] = self.walk;
-            operations += usize::from(self.dag.is_operation(id));
-            self.stack.extend(self.dag.operands(id).into_iter().flatten());
-        }
-        operations
-    }
-
-    fn pay(&mut self, row: &Row) {
-        self.visit(row);
-        for (paid, seen) in self.paid.iter_mut().zip(&self.seen) {
-            *paid |= *seen == self.walk;
-        }
+    /// Operations that the row adds to those paid for, plus what its entries cost later.
+    fn added_cost(&self, paid: &NodeSet) -> usize {
+        self.operations.count_without(paid) + self.entries
     }
 }

@@ -11,7 +11,7 @@ use super::{Kinematics, Place, UnknownId, lower, orientation, position, rank};
 use crate::expr::ExprId;
 use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
-use crate::vector::{TriadId, Vector, cross_components, dot_components};
+use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -242,10 +242,9 @@ fn project(k: &mut Kinematics, equation: Equation) -> Vec<Row> {
     for &triad in &equation.triads {
         for axis in AXES {
             let a = Vector::axis(&mut k.dag, triad, axis);
-            rows.extend(projection(k, &equation, &Direction { a: a.clone(), times: None }));
+            rows.extend(projection(k, &equation, &mut Direction::new(a.clone(), None)));
             if let Some(fixed) = &equation.fixed {
-                let direction = Direction { a, times: Some(fixed.clone()) };
-                rows.extend(projection(k, &equation, &direction));
+                rows.extend(projection(k, &equation, &mut Direction::new(a, Some(fixed))));
             }
         }
     }
@@ -253,20 +252,31 @@ fn project(k: &mut Kinematics, equation: Equation) -> Vec<Row> {
 }
 
 /// The vector a, or a x times: formed in whatever triad it meets, from the short form of both.
-struct Direction {
+struct Direction<'v> {
     a: Vector,
-    times: Option<Vector>,
+    times: Option<&'v Vector>,
+    /// What has been formed.
+    components: BTreeMap<TriadId, Components>,
 }
 
-impl Direction {
-    fn dot(&self, k: &mut Kinematics, vector: &Vector) -> ExprId {
+impl<'v> Direction<'v> {
+    fn new(a: Vector, times: Option<&'v Vector>) -> Self {
+        Self { a, times, components: BTreeMap::new() }
+    }
+
+    fn within(&mut self, k: &mut Kinematics, triad: TriadId) -> Components {
+        *self.components.entry(triad).or_insert_with(|| {
+            let here = k.triads.express(&mut k.dag, &self.a, triad);
+            let Some(times) = self.times else { return here };
+            let times = k.triads.express(&mut k.dag, times, triad);
+            cross_components(&mut k.dag, &here, &times)
+        })
+    }
+
+    fn dot(&mut self, k: &mut Kinematics, vector: &Vector) -> ExprId {
         let mut total = k.dag.zero();
         for (&triad, components) in &vector.terms {
-            let mut here = k.triads.express(&mut k.dag, &self.a, triad);
-            if let Some(times) = &self.times {
-                let times = k.triads.express(&mut k.dag, times, triad);
-                here = cross_components(&mut k.dag, &here, &times);
-            }
+            let here = self.within(k, triad);
             let term = dot_components(&mut k.dag, &here, components);
             total = k.dag.add(total, term);
         }
@@ -274,7 +284,7 @@ impl Direction {
     }
 }
 
-fn projection(k: &mut Kinematics, equation: &Equation, direction: &Direction) -> Option<Row> {
+fn projection(k: &mut Kinematics, equation: &Equation, direction: &mut Direction) -> Option<Row> {
     let mut coefficients = BTreeMap::new();
     for (&unknown, vector) in &equation.motion.partials {
         let coefficient = direction.dot(k, vector);

@@ -109,14 +109,21 @@ fn check_consequences(
     solution: &Solution,
 ) -> Result<(), Diagnostics> {
     let n = solution.partials.values().next().map_or(0, Vec::len);
+    let coefficients = k.rows.iter().flat_map(|row| row.coefficients.values());
+    for &e in coefficients.chain(solution.partials.values().flatten()) {
+        table.compute(&k.dag, e);
+    }
     for row in &k.rows {
         for j in 0..n {
             let mut sum = vec![0.0_f64; table.points()];
             let mut size = vec![0.0_f64; table.points()];
             for (unknown, &coefficient) in &row.coefficients {
-                let c = table.values(&k.dag, coefficient).to_vec();
-                let t = table.values(&k.dag, solution.partials[unknown][j]);
-                for (((sum, size), c), t) in sum.iter_mut().zip(&mut size).zip(&c).zip(t) {
+                let partial = solution.partials[unknown][j];
+                if k.dag.is_zero(partial) {
+                    continue;
+                }
+                let (c, t) = (table.computed(coefficient), table.computed(partial));
+                for (((sum, size), c), t) in sum.iter_mut().zip(&mut size).zip(c).zip(t) {
                     *sum += c * t;
                     *size += (c * t).abs();
                 }
@@ -129,45 +136,80 @@ fn check_consequences(
     Ok(())
 }
 
-/// Unit rows of the unknown columns at every sample; zero rows stay zero.
-pub(super) fn numeric_row(
-    dag: &Dag,
-    table: &mut SampleTable,
-    row: &Row,
-    column: &HashMap<UnknownId, usize>,
+/// A row's entries in the columns of unknowns, at every sample.
+pub(super) struct NumericRow<'t> {
+    entries: Vec<(usize, &'t [f64])>,
     n: usize,
-) -> Vec<Vec<f64>> {
-    let mut numbers = vec![vec![0.0; n]; table.points()];
-    for (unknown, &coefficient) in &row.coefficients {
-        if let Some(&c) = column.get(unknown) {
-            for (v, &x) in numbers.iter_mut().zip(table.values(dag, coefficient)) {
-                v[c] = x;
-            }
+}
+
+impl<'t> NumericRow<'t> {
+    pub(super) fn new(
+        dag: &Dag,
+        table: &'t mut SampleTable,
+        row: &Row,
+        column: &HashMap<UnknownId, usize>,
+    ) -> Self {
+        for &coefficient in row.coefficients.values() {
+            table.compute(dag, coefficient);
         }
+        let table: &'t SampleTable = table;
+        let entry = |(unknown, &c): (&UnknownId, &ExprId)| Some((*column.get(unknown)?, table.computed(c)));
+        Self { entries: row.coefficients.iter().filter_map(entry).collect(), n: column.len() }
     }
-    for v in &mut numbers {
-        let length = norm(v);
+
+    /// The row at one sample as a unit vector; a zero row stays zero.
+    pub(super) fn unit(&self, sample: usize) -> Vec<f64> {
+        let mut v = vec![0.0; self.n];
+        for &(column, values) in &self.entries {
+            v[column] = values[sample];
+        }
+        let length = norm(&v);
         if length > f64::MIN_POSITIVE {
             v.iter_mut().for_each(|x| *x /= length);
         }
+        v
     }
-    numbers
+}
+
+/// Orthonormal vectors.
+#[derive(Clone)]
+pub(super) struct Basis {
+    /// One vector after the other.
+    vectors: Vec<f64>,
+    n: usize,
+}
+
+impl Basis {
+    /// None yet, of a space of `n` dimensions.
+    pub(super) fn new(n: usize) -> Self {
+        Self { vectors: Vec::with_capacity(n * n), n }
+    }
+
+    /// Number of vectors.
+    pub(super) fn rank(&self) -> usize {
+        self.vectors.len() / self.n.max(1)
+    }
+
+    /// What is left of a vector beside these: Gram-Schmidt, twice for accuracy.
+    pub(super) fn orthogonal_part(&self, mut rest: Vec<f64>) -> Vec<f64> {
+        for _ in 0..2 {
+            for b in self.vectors.chunks_exact(self.n.max(1)) {
+                let projection: f64 = rest.iter().zip(b).map(|(x, y)| x * y).sum();
+                rest.iter_mut().zip(b).for_each(|(x, y)| *x -= projection * y);
+            }
+        }
+        rest
+    }
+
+    /// Adds a vector orthogonal to these, made a unit vector.
+    pub(super) fn push(&mut self, v: &[f64]) {
+        let length = norm(v);
+        self.vectors.extend(v.iter().map(|x| x / length));
+    }
 }
 
 pub(super) fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// Gram-Schmidt, twice for accuracy.
-pub(super) fn orthogonal_part(v: &[f64], basis: &[Vec<f64>]) -> Vec<f64> {
-    let mut rest = v.to_vec();
-    for _ in 0..2 {
-        for b in basis {
-            let projection: f64 = rest.iter().zip(b).map(|(x, y)| x * y).sum();
-            rest.iter_mut().zip(b).for_each(|(x, y)| *x -= projection * y);
-        }
-    }
-    rest
 }
 
 fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {

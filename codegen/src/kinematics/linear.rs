@@ -17,10 +17,9 @@ pub fn solve(mut a: Vec<f64>, mut b: Vec<f64>, columns: usize) -> (Vec<f64>, usi
     while rank < rows.min(columns) {
         let (mut best, mut at) = (0.0, (rank, rank));
         for r in rank..rows {
-            for c in rank..columns {
-                let size = a[r * columns + c].abs();
-                if size > best {
-                    (best, at) = (size, (r, c));
+            for (c, entry) in a[r * columns + rank..(r + 1) * columns].iter().enumerate() {
+                if entry.abs() > best {
+                    (best, at) = (entry.abs(), (r, rank + c));
                 }
             }
         }
@@ -29,12 +28,16 @@ pub fn solve(mut a: Vec<f64>, mut b: Vec<f64>, columns: usize) -> (Vec<f64>, usi
             break;
         }
         swap(&mut a, &mut b, &mut order, columns, rank, at);
-        for r in rank + 1..rows {
-            let factor = a[r * columns + rank] / a[rank * columns + rank];
-            for c in rank..columns {
-                a[r * columns + c] -= factor * a[rank * columns + c];
+        let (done, below) = a.split_at_mut((rank + 1) * columns);
+        let pivot_row = &done[rank * columns + rank..];
+        for (r, row) in below.chunks_exact_mut(columns).enumerate() {
+            let row = &mut row[rank..];
+            // A loop's equations are sparse: most rows have no part in the unknown at hand.
+            if row[0] != 0.0 {
+                let factor = row[0] / pivot_row[0];
+                row.iter_mut().zip(pivot_row).for_each(|(x, p)| *x -= factor * p);
+                b[rank + 1 + r] -= factor * b[rank];
             }
-            b[r] -= factor * b[rank];
         }
         rank += 1;
     }
@@ -56,11 +59,12 @@ fn swap(
 ) {
     b.swap(rank, row);
     order.swap(rank, column);
-    for c in 0..columns {
-        a.swap(rank * columns + c, row * columns + c);
+    let (above, below) = a.split_at_mut(row * columns);
+    if rank != row {
+        above[rank * columns..(rank + 1) * columns].swap_with_slice(&mut below[..columns]);
     }
-    for r in 0..b.len() {
-        a.swap(r * columns + rank, r * columns + column);
+    if rank != column {
+        a.chunks_exact_mut(columns).for_each(|entries| entries.swap(rank, column));
     }
 }
 

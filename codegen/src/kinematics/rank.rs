@@ -2,7 +2,7 @@
 //!
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
-use super::eliminate::numeric_row;
+use super::eliminate::{Basis, NumericRow, norm};
 use super::{Kinematics, UnknownId, UnknownKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
@@ -15,18 +15,19 @@ const DEPENDENT: f64 = 1e-8;
 /// Rank of all rows over the given unknowns, at every sample.
 fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases: Vec<Vec<Vec<f64>>> = vec![Vec::new(); table.points()];
+    let mut bases = vec![Basis::new(unknowns.len()); table.points()];
     for row in &k.rows {
-        let numbers = numeric_row(&k.dag, table, row, &column, unknowns.len());
-        for (basis, v) in bases.iter_mut().zip(numbers) {
-            let rest = super::eliminate::orthogonal_part(&v, basis);
-            let length = super::eliminate::norm(&rest);
-            if DEPENDENT < length {
-                basis.push(rest.into_iter().map(|x| x / length).collect());
+        let row = NumericRow::new(&k.dag, table, row, &column);
+        // Beside as many vectors as there are unknowns nothing is left.
+        let incomplete = bases.iter_mut().enumerate().filter(|(_, basis)| basis.rank() < unknowns.len());
+        for (sample, basis) in incomplete {
+            let rest = basis.orthogonal_part(row.unit(sample));
+            if DEPENDENT < norm(&rest) {
+                basis.push(&rest);
             }
         }
     }
-    bases.iter().map(Vec::len).collect()
+    bases.iter().map(Basis::rank).collect()
 }
 
 /// Do the rows give every dependent unknown, at every sample?

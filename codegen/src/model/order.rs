@@ -1,8 +1,8 @@
 //! The order in which parameters, definitions, frames and points can be computed.
 //!
-//! In: a draft model. Out: its entities, each after all that it refers to. Closures of points and
-//! fixed vectors of frames are equations, not computations, and do not take part. A coordinate
-//! with a closed form stands for what that form refers to.
+//! In: a draft model. Out: its entities, each after all that it refers to. Closures of points are equations, not
+//! computations, and do not take part; a frame comes after the vectors that are fixed in it. A coordinate with
+//! a closed form stands for what that form refers to.
 
 use std::collections::BTreeMap;
 
@@ -121,16 +121,21 @@ fn references(model: &Model, node: Node) -> Vec<(Node, Span)> {
                 collect(form, &mut result);
             }
         }
-        Node::Frame(id) => match &model.frames[id].orientation {
-            Orientation::Inertial => {}
-            Orientation::Rotations { parent, rotations } => {
-                result.push((Node::Frame(*parent), model.frames[id].span));
-                rotations.iter().for_each(|(_, angle)| collect(angle, &mut result));
+        Node::Frame(id) => {
+            match &model.frames[id].orientation {
+                Orientation::Inertial => {}
+                Orientation::Rotations { parent, rotations } => {
+                    result.push((Node::Frame(*parent), model.frames[id].span));
+                    rotations.iter().for_each(|(_, angle)| collect(angle, &mut result));
+                }
+                Orientation::Directions { axes } => {
+                    axes.iter().flatten().for_each(|axis| collect(axis, &mut result))
+                }
             }
-            Orientation::Directions { axes } => {
-                axes.iter().flatten().for_each(|axis| collect(axis, &mut result))
+            for fixed in &model.frames[id].fixed_vectors {
+                std::iter::once(&fixed.vector).chain(&fixed.components).for_each(|e| collect(e, &mut result));
             }
-        },
+        }
     }
     result
 }

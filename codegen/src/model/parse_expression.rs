@@ -46,8 +46,15 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
         found.push(Diagnostic::error(message).label(text.place(range), "here").help(help));
         return None;
     }
+    let mut reader = Reader { text, scope, found };
+    // Most texts are one word: no parser is needed to read it.
+    if let Some(kind) = reader.known(text.text.trim()) {
+        let start = text.text.len() - text.text.trim_start().len();
+        let place = text.place(start..start + text.text.trim().len());
+        return Some(Expr { kind, span: place, unit: Unit::NONE });
+    }
     let result = match syn::parse_str::<syn::Expr>(&text.text) {
-        Ok(syntax) => Reader { text, scope, found }.expression(&syntax),
+        Ok(syntax) => reader.expression(&syntax),
         Err(error) => {
             found.push(
                 Diagnostic::error(format!("not an expression: {error}"))
@@ -184,7 +191,15 @@ impl Reader<'_> {
     }
 
     fn name(&mut self, name: &str, span: RustSpan) -> Option<Expr> {
-        let kind = match (name, self.scope.values.get(name)) {
+        match self.known(name) {
+            Some(kind) => self.node(kind, span),
+            None => self.unknown(name, span),
+        }
+    }
+
+    /// What a name stands for.
+    fn known(&self, name: &str) -> Option<ExprKind> {
+        Some(match (name, self.scope.values.get(name)) {
             ("t", _) => ExprKind::Time,
             ("pi", _) => ExprKind::Pi,
             ("deg", _) => ExprKind::Degree,
@@ -196,9 +211,8 @@ impl Reader<'_> {
                 Binding::Definition(id) => ExprKind::Definition(id),
                 Binding::Point(id) => ExprKind::Point(id),
             },
-            (_, None) => return self.unknown(name, span),
-        };
-        self.node(kind, span)
+            (_, None) => return None,
+        })
     }
 
     fn unknown<T>(&mut self, name: &str, span: RustSpan) -> Option<T> {

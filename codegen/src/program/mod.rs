@@ -8,6 +8,7 @@ pub mod interpreter;
 mod kinematic;
 mod prepared;
 mod reciprocal;
+mod reorder;
 mod shorten;
 
 use crate::diagnostic::Diagnostics;
@@ -142,6 +143,9 @@ pub fn derive_with(
     let mut program = assemble(model, k, &solution, dynamics, assembly);
     program.warnings = warnings;
     shorten::answers(&mut program, &mut table, effort);
+    if effort != Effort::None {
+        reorder::sums(&mut program, &mut table);
+    }
     mark_angles(&mut program);
     Ok(program)
 }
@@ -209,9 +213,17 @@ fn assemble(
 }
 
 /// min over the pivots of |pivot| / nominal; pivots of one nominal size share the scaling.
+///
+/// A sine or cosine is left out where its square is a pivot of the same nominal size: the square is never larger.
 fn worst_pivot(dag: &mut Dag, pivots: &[Pivot]) -> ExprId {
+    let smaller_square = |pivot: &Pivot| {
+        let square = Node::Binary(Binary::Mul, pivot.value, pivot.value);
+        matches!(dag.node(pivot.value), Node::Unary(Unary::Sin | Unary::Cos, _))
+            && pivots.iter().any(|p| p.nominal == pivot.nominal && dag.node(p.value) == square)
+    };
+    let weakest: Vec<Pivot> = pivots.iter().filter(|pivot| !smaller_square(pivot)).copied().collect();
     let mut groups: Vec<(f64, ExprId)> = Vec::new();
-    for pivot in pivots {
+    for pivot in &weakest {
         let size = dag.unary(Unary::Abs, pivot.value);
         match groups.iter_mut().find(|(nominal, _)| *nominal == pivot.nominal) {
             Some((_, smallest)) => *smallest = dag.binary(Binary::Min, *smallest, size),
@@ -376,7 +388,18 @@ impl Program {
         }
     }
 
-    /// The same for all results but those of the augmented form.
+    /// All results but those of the augmented form: forward dynamics with the worst pivot, then the others.
+    fn answers(&self) -> [Vec<ExprId>; 2] {
+        let mut rates = self.forward_dynamics();
+        rates.push(self.rates.worst_pivot);
+        let named = self.speeds.iter().chain(&self.outputs).map(|(_, e)| *e);
+        let mut others: Vec<ExprId> = self.correction.iter().map(|(_, e)| *e).collect();
+        others.push(self.residual);
+        others.extend(self.energy.into_iter().chain(named));
+        [rates, others]
+    }
+
+    /// Replaces the results that [`Program::answers()`] lists by their images.
     fn map_answers(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
         let rates = &mut self.rates;
         for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {

@@ -4,8 +4,7 @@
 //! by something that depends on the state. All operations below that border are `prepare()`'s.
 
 use super::Program;
-use crate::expr::{Dag, Dependence, ExprId, Node};
-use std::collections::BTreeSet;
+use crate::expr::{Dag, Dependence, ExprId, Node, NodeSet};
 
 impl Program {
     /// The values that `roots` need prepared, tunable parameters that are read as they are included,
@@ -13,15 +12,14 @@ impl Program {
     #[must_use]
     pub fn prepared(&self, roots: &[ExprId]) -> Vec<ExprId> {
         let dag = &self.dag;
-        let mut border = BTreeSet::new();
-        for id in dag.reachable(roots) {
+        let mut border = NodeSet::below(dag.len());
+        for id in dag.reachable_above(roots, |id| dag.dependence(id) != Dependence::State) {
             if dag.dependence(id) == Dependence::State {
-                border.extend(dag.operands(id).into_iter().flatten().map(|a| unsigned(dag, a)));
+                dag.operands(id).into_iter().flatten().for_each(|a| border.insert(unsigned(dag, a)));
             }
         }
-        border.extend(roots.iter().map(|&root| unsigned(dag, root)));
-        border.retain(|&id| dag.dependence(id) == Dependence::Parameters);
-        border.into_iter().collect()
+        roots.iter().for_each(|&root| border.insert(unsigned(dag, root)));
+        border.iter().filter(|&id| dag.dependence(id) == Dependence::Parameters).collect()
     }
 }
 

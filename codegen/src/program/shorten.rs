@@ -21,14 +21,7 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
     } else {
         guard.clone()
     };
-    let mut rates = program.forward_dynamics();
-    rates.push(program.rates.worst_pivot);
-    let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
-    let mut projection: Vec<ExprId> = program.correction.iter().map(|(_, e)| *e).collect();
-    projection.push(program.residual);
-    let others =
-        [projection, program.energy.to_vec(), second(&program.speeds), second(&program.outputs)].concat();
-    let groups = [rates, others];
+    let groups = program.answers();
     let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, effort);
     let image: HashMap<ExprId, ExprId> = groups.concat().into_iter().zip(shorter.concat()).collect();
     program.map_answers(|e| image[&e]);

@@ -1,119 +1,156 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
-use super::name;
+use super::{layout, name};
 use crate::program::Program;
-use proc_macro2::TokenStream;
-use quote::quote;
+
+/// The struct, with `$name` for its name, `$runtime` for the runtime's path and `$getters`, `$setters` for the arms
+/// of the parameters.
+const STRUCT: &str = "\
+#[derive(Clone, Copy, Debug)]
+pub struct $name {
+    parameters: Parameters,
+    prepared: Prepared,
+}
+impl Default for $name {
+    fn default() -> Self {
+        Self::new(Parameters::default())
+    }
+}
+impl $name {
+    /// The mechanism with these parameters.
+    #[must_use]
+    pub fn new(parameters: Parameters) -> Self {
+        Self {
+            parameters,
+            prepared: prepare(&parameters),
+        }
+    }
+    /// Its parameters.
+    #[must_use]
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+    /// What depends on them alone.
+    #[must_use]
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+    /// Changes all parameters and prepares anew.
+    pub fn set_parameters(&mut self, parameters: Parameters) {
+        *self = Self::new(parameters);
+    }
+    /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
+    #[must_use]
+    pub fn parameter(&self, index: usize) -> Option<S> {
+        Some(
+            match index {
+$getters                _ => return None,
+            },
+        )
+    }
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
+        let place = match index {
+$setters            _ => return false,
+        };
+        *place = value;
+        self.prepared = prepare(&self.parameters);
+        true
+    }
+}
+impl $runtime::mechanism::Mechanism<S> for $name {
+    fn n_q(&self) -> usize {
+        NQ
+    }
+    fn n_u(&self) -> usize {
+        NU
+    }
+    fn n_inputs(&self) -> usize {
+        N_INPUTS
+    }
+    fn is_angle(&self, index: usize) -> bool {
+        IS_ANGLE.get(index).copied().unwrap_or(false)
+    }
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        inputs: &[S],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, $runtime::mechanism::Fault> {
+        let (Ok(q), Ok(u), Ok(inputs), Ok(q_out), Ok(u_out)) = (
+            <&[S; NQ]>::try_from(q),
+            <&[S; NU]>::try_from(u),
+            <&[S; N_INPUTS]>::try_from(inputs),
+            <&mut [S; NQ]>::try_from(q_dot),
+            <&mut [S; NU]>::try_from(u_dot),
+        ) else {
+            return Err($runtime::mechanism::Fault::Shape);
+        };
+        let pivot;
+        (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
+        Ok(pivot)
+    }
+    #[allow(
+        clippy::assign_op_pattern,
+        reason = \"scalars need not have assigning operators\"
+    )]
+$project        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
+            return Err($runtime::mechanism::Fault::Shape);
+        };
+        let (correction, residual) = projection(
+            <S as Real>::ZERO,
+            q,
+            &[<S as Real>::ZERO; NU],
+            &[<S as Real>::ZERO; N_INPUTS],
+            &self.prepared,
+        );
+        for (&index, &change) in CORRECTED.iter().zip(&correction) {
+            if let Some(coordinate) = q.get_mut(index) {
+                *coordinate = *coordinate + change;
+            }
+        }
+        Ok(residual)
+    }
+$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
+            return Err($runtime::mechanism::Fault::Shape);
+        };
+        Ok(
+            energy(
+                <S as Real>::ZERO,
+                q,
+                u,
+                &[<S as Real>::ZERO; N_INPUTS],
+                &self.prepared,
+            ),
+        )
+    }
+}
+";
 
 /// `pub struct Tile` and its `impl Mechanism<S>`.
-pub(super) fn mechanism(program: &Program, runtime: &TokenStream) -> TokenStream {
-    let ident = name::type_name(&program.name);
+pub(super) fn mechanism(program: &Program, runtime: &str) -> String {
     let doc = match program.doc.is_empty() {
         true => format!("The mechanism `{}`.", program.name),
         false => program.doc.clone(),
     };
-    let setters = program.parameters.iter().enumerate().map(|(index, p)| {
-        let field = name::identifier(&p.name);
-        quote! { #index => &mut self.parameters.#field }
-    });
-    let getters = program.parameters.iter().enumerate().map(|(index, p)| {
-        let field = name::identifier(&p.name);
-        quote! { #index => self.parameters.#field }
-    });
-    quote! {
-        #[doc = #doc]
-        #[derive(Clone, Copy, Debug)]
-        pub struct #ident {
-            parameters: Parameters,
-            prepared: Prepared,
-        }
-        impl Default for #ident {
-            fn default() -> Self {
-                Self::new(Parameters::default())
-            }
-        }
-        impl #ident {
-            /// The mechanism with these parameters.
-            #[must_use]
-            pub fn new(parameters: Parameters) -> Self {
-                Self { parameters, prepared: prepare(&parameters) }
-            }
-            /// Its parameters.
-            #[must_use]
-            pub fn parameters(&self) -> &Parameters { &self.parameters }
-            /// What depends on them alone.
-            #[must_use]
-            pub fn prepared(&self) -> &Prepared { &self.prepared }
-            /// Changes all parameters and prepares anew.
-            pub fn set_parameters(&mut self, parameters: Parameters) {
-                *self = Self::new(parameters);
-            }
-            /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
-            #[must_use]
-            pub fn parameter(&self, index: usize) -> Option<S> {
-                Some(match index {
-                    #(#getters,)*
-                    _ => return None,
-                })
-            }
-            /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
-            pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
-                let place = match index {
-                    #(#setters,)*
-                    _ => return false,
-                };
-                *place = value;
-                self.prepared = prepare(&self.parameters);
-                true
-            }
-        }
-        impl #runtime::mechanism::Mechanism<S> for #ident {
-            fn n_q(&self) -> usize { NQ }
-            fn n_u(&self) -> usize { NU }
-            fn n_inputs(&self) -> usize { N_INPUTS }
-            fn is_angle(&self, index: usize) -> bool { IS_ANGLE.get(index).copied().unwrap_or(false) }
-            fn rates(
-                &mut self,
-                t: S,
-                q: &[S],
-                u: &[S],
-                inputs: &[S],
-                q_dot: &mut [S],
-                u_dot: &mut [S],
-            ) -> Result<S, #runtime::mechanism::Fault> {
-                let (Ok(q), Ok(u), Ok(inputs), Ok(q_out), Ok(u_out)) = (
-                    <&[S; NQ]>::try_from(q),
-                    <&[S; NU]>::try_from(u),
-                    <&[S; N_INPUTS]>::try_from(inputs),
-                    <&mut [S; NQ]>::try_from(q_dot),
-                    <&mut [S; NU]>::try_from(u_dot),
-                ) else {
-                    return Err(#runtime::mechanism::Fault::Shape);
-                };
-                let pivot;
-                (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
-                Ok(pivot)
-            }
-            #[allow(clippy::assign_op_pattern, reason = "scalars need not have assigning operators")]
-            fn project(&mut self, q: &mut [S]) -> Result<S, #runtime::mechanism::Fault> {
-                let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
-                    return Err(#runtime::mechanism::Fault::Shape);
-                };
-                let (correction, residual) =
-                    projection(<S as Real>::ZERO, q, &[<S as Real>::ZERO; NU], &[<S as Real>::ZERO; N_INPUTS], &self.prepared);
-                for (&index, &change) in CORRECTED.iter().zip(&correction) {
-                    if let Some(coordinate) = q.get_mut(index) {
-                        *coordinate = *coordinate + change;
-                    }
-                }
-                Ok(residual)
-            }
-            fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), #runtime::mechanism::Fault> {
-                let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
-                    return Err(#runtime::mechanism::Fault::Shape);
-                };
-                Ok(energy(<S as Real>::ZERO, q, u, &[<S as Real>::ZERO; N_INPUTS], &self.prepared))
-            }
-        }
-    }
+    let arms = |indent: &str, place: &str| -> String {
+        let fields = program.parameters.iter().map(|p| name::identifier(&p.name)).enumerate();
+        fields.map(|(index, field)| format!("{indent}{index}usize => {place}.{field},\n")).collect()
+    };
+    let method = |head: &str, arguments: &[&str], value: &str| {
+        let arguments: Vec<String> = arguments.iter().map(|&a| a.to_owned()).collect();
+        let output = format!("Result<{value}, {runtime}::mechanism::Fault>");
+        layout::signature(head, &arguments, &output, "    ")
+    };
+    let text = STRUCT
+        .replace("$name", &name::type_name(&program.name))
+        .replace("$getters", &arms(&" ".repeat(16), "self.parameters"))
+        .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))
+        .replace("$project", &method("fn project", &["&mut self", "q: &mut [S]"], "S"))
+        .replace("$energy", &method("fn energy", &["&mut self", "q: &[S]", "u: &[S]"], "(S, S)"))
+        .replace("$runtime", runtime);
+    layout::doc(&doc) + &text
 }

@@ -1,25 +1,18 @@
 //! The comment that an emitted file opens with: provenance and cost.
 
-use super::prepared::Prepared;
-use super::{Answer, EmitOptions, ScalarType};
-use crate::expr::Dependence;
+use super::{Answer, Cost, EmitOptions, scalar_name};
 use crate::program::Program;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The header lines.
 #[must_use]
-pub(super) fn text(
+pub(super) fn text<'a>(
     program: &Program,
-    options: &EmitOptions,
-    answers: &[Answer],
-    prepared: &Prepared,
+    options: &'a EmitOptions,
+    answers: impl Iterator<Item = (&'a Answer, &'a Cost)>,
+    prepare: &Cost,
 ) -> String {
-    let scalar = match &options.scalar {
-        ScalarType::F32 => "f32",
-        ScalarType::F64 => "f64",
-        ScalarType::Path(path) => path,
-    };
+    let scalar = scalar_name(&options.scalar);
     let mut text = format!(
         "// Generated from {} by smartbed-codegen {}; do not edit, change the model instead.\n",
         program.path,
@@ -43,15 +36,14 @@ pub(super) fn text(
             worst.worst
         );
     }
-    for answer in answers {
-        let kinds = program.dag.operations_by_kind(&answer.roots(program), Dependence::State);
-        cost(&mut text, answer.name(), &kinds);
+    for (answer, kinds) in answers {
+        cost(&mut text, answer.name(), kinds);
     }
-    cost(&mut text, "prepare", &prepared.operations(program));
+    cost(&mut text, "prepare", prepare);
     text
 }
 
-fn cost(text: &mut String, name: &str, kinds: &BTreeMap<&str, usize>) {
+fn cost(text: &mut String, name: &str, kinds: &Cost) {
     let total: usize = kinds.values().sum();
     let kinds: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
     let _ = writeln!(text, "// Cost of {name}: {total} operations ({}).", kinds.join(", "));

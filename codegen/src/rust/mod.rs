@@ -1,20 +1,21 @@
 //! Program -> Rust: straight-line functions, one per answer, and the glue to the runtime's trait.
 //!
 //! In: a [`Program`]. Out: formatted source text, the same bytes for the same input. Knows names and
-//! tokens, no mechanics. Every node with more than one use is one `let`; sine and cosine of an
-//! angle are one call; constants are rounded once, from f64, to the file's scalar.
+//! layout, no mechanics. Every node with more than one use is one `let`; sine and cosine of an
+//! angle are one call, in f64 of two angles; constants are rounded once, from f64, to the file's scalar.
 
 mod glue;
 mod header;
+mod layout;
 mod name;
+mod pairs;
 mod prepared;
+mod schedule;
 mod statement;
 
-use crate::expr::ExprId;
+use crate::expr::{Dependence, ExprId};
 use crate::program::{Program, Quantity};
 use prepared::Prepared;
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
 use statement::Body;
 
 /// The scalar of an emitted file.
@@ -123,55 +124,62 @@ impl Answer {
     }
 }
 
+/// Of a function that nobody reads line by line.
+const STRAIGHT_LINE: &str = "\
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = \"generated straight-line arithmetic\"
+)]
+#[must_use]
+";
+/// Of structs whose fields are the model's.
+const PLAIN_STRUCT: &str = "\
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = \"names are the model's\")]
+";
+
 /// The formatted source text.
-///
-/// # Panics
-/// If the emitted tokens are not Rust: a fault of this emitter, caught by every golden test.
 #[must_use]
 pub fn emit(program: &Program, options: &EmitOptions) -> String {
     let answers = if options.answers.is_empty() { Answer::ALL.to_vec() } else { options.answers.clone() };
-    let scalar = scalar_tokens(&options.scalar);
-    let runtime: TokenStream = options.runtime.parse().expect("a path");
-    let mut items = quote! {
-        use #runtime::real::Real;
-        /// The scalar of this file.
-        pub type S = #scalar;
-    };
-    items.extend(constants(program, options));
-    items.extend(parameters(program, options));
-    if answers.contains(&Answer::Augmented) {
-        let doc = "Speeds and lifted twists of the augmented form, in order.";
-        items.extend(names_constant("UNKNOWN_NAMES", doc, &program.augmented.unknowns));
-    }
     let roots: Vec<ExprId> = answers.iter().flat_map(|answer| answer.roots(program)).collect();
     let prepared = Prepared::new(program, &roots);
-    let (prepare, text) = prepared.items(program, &options.scalar);
-    items.extend(prepare);
-    let mut bodies = vec![(format_ident!("body_of_prepare"), text)];
-    for &answer in &answers {
-        let body = Body::new(program, &answer.roots(program), &options.scalar, &prepared);
-        items.extend(function(program, answer, &body.arguments()));
-        let mut text: String = body.statements.iter().map(|line| format!("    {line}\n")).collect();
-        text.push_str(&format!("    {}\n", result(program, answer, &body.results)));
-        bodies.push((placeholder(answer), text));
+    let costs: Vec<Cost> = answers
+        .iter()
+        .map(|answer| program.dag.operations_by_kind(&answer.roots(program), Dependence::State))
+        .collect();
+    let preparing = prepared.operations(program);
+    let mut text = header::text(program, options, answers.iter().zip(&costs), &preparing);
+    let runtime = options.runtime.trim();
+    text += &format!("\nuse {runtime}::real::Real;\n/// The scalar of this file.\n");
+    text += &format!("pub type S = {};\n", scalar_name(&options.scalar));
+    text += &constants(program, options);
+    text += &parameters(program, options);
+    if answers.contains(&Answer::Augmented) {
+        let doc = "Speeds and lifted twists of the augmented form, in order.";
+        text += &names_constant("UNKNOWN_NAMES", doc, &program.augmented.unknowns);
+    }
+    text += &prepared.items(program, &options.scalar, &preparing);
+    for (&answer, cost) in answers.iter().zip(&costs) {
+        text += &function(program, answer, cost, &options.scalar, &prepared);
     }
     if options.answers.is_empty() {
-        items.extend(glue::mechanism(program, &runtime));
-    }
-    let file: syn::File = syn::parse2(items).expect("emitted tokens are Rust items");
-    let mut text =
-        format!("{}\n{}", header::text(program, options, &answers, &prepared), prettyplease::unparse(&file));
-    for (placeholder, body) in bodies {
-        text = text.replacen(&format!("    {placeholder}!();\n"), &body, 1);
+        text += &glue::mechanism(program, runtime);
     }
     text
 }
 
-fn scalar_tokens(scalar: &ScalarType) -> TokenStream {
+/// Operations by kind.
+type Cost = std::collections::BTreeMap<&'static str, usize>;
+
+fn scalar_name(scalar: &ScalarType) -> &str {
     match scalar {
-        ScalarType::F32 => quote!(f32),
-        ScalarType::F64 => quote!(f64),
-        ScalarType::Path(path) => path.parse().expect("a type path"),
+        ScalarType::F32 => "f32",
+        ScalarType::F64 => "f64",
+        ScalarType::Path(path) => path.trim(),
     }
 }
 
@@ -196,120 +204,93 @@ fn literal(value: f64, scalar: &ScalarType) -> String {
     if text.starts_with('-') { format!("({text})") } else { text }
 }
 
-/// [`literal`] as tokens.
-fn number(value: f64, scalar: &ScalarType) -> TokenStream {
-    literal(value, scalar).parse().expect("a number")
+fn names_constant(name: &str, doc: &str, names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
+    layout::doc(doc) + &layout::array(&format!("pub const {name}: [&str; {}usize] = ", names.len()), &quoted)
 }
 
-fn names_constant(name: &str, doc: &str, names: &[String]) -> TokenStream {
-    let (name, n) = (format_ident!("{name}"), names.len());
-    quote! {
-        #[doc = #doc]
-        pub const #name: [&str; #n] = [#(#names),*];
-    }
-}
-
-fn constants(program: &Program, options: &EmitOptions) -> TokenStream {
+fn constants(program: &Program, options: &EmitOptions) -> String {
     let names = |list: &[Quantity]| list.iter().map(|x| x.name.clone()).collect::<Vec<_>>();
     let firsts = |list: &[(String, ExprId)]| list.iter().map(|(n, _)| n.clone()).collect::<Vec<_>>();
-    let (nq, nu, ni) = (program.q.len(), program.u.len(), program.inputs.len());
-    let mut items = quote! {
-        /// Number of coordinates q.
-        pub const NQ: usize = #nq;
-        /// Number of independent speeds u.
-        pub const NU: usize = #nu;
-        /// Number of inputs.
-        pub const N_INPUTS: usize = #ni;
+    let nq = program.q.len();
+    let mut text = String::new();
+    let sizes = [
+        ("NQ", "Number of coordinates q.", nq),
+        ("NU", "Number of independent speeds u.", program.u.len()),
+        ("N_INPUTS", "Number of inputs.", program.inputs.len()),
+    ];
+    for (name, doc, size) in sizes {
+        text += &format!("/// {doc}\npub const {name}: usize = {size}usize;\n");
+    }
+    text += &names_constant("Q_NAMES", "Coordinates in order.", &names(&program.q));
+    text += &names_constant("U_NAMES", "Independent speeds in order.", &names(&program.u));
+    text += &names_constant("INPUT_NAMES", "Inputs in order.", &names(&program.inputs));
+    text += &names_constant("PARAMETER_NAMES", "Tunable parameters in order.", &names(&program.parameters));
+    text += &names_constant("SPEED_NAMES", "All speeds in order.", &firsts(&program.speeds));
+    text += &names_constant("OUTPUT_NAMES", "Outputs in order.", &firsts(&program.outputs));
+    let corrected: Vec<String> = program.correction.iter().map(|(i, _)| format!("{i}usize")).collect();
+    text += "/// Indices of the coordinates that the projection corrects.\n";
+    text += &layout::array(&format!("pub const CORRECTED: [usize; {}usize] = ", corrected.len()), &corrected);
+    let angles: Vec<String> = program.q.iter().map(|q| q.is_angle.to_string()).collect();
+    text += "/// Coordinates read only by sines and cosines: they may be wrapped by whole turns.\n";
+    text += &layout::array(&format!("pub const IS_ANGLE: [bool; {nq}usize] = "), &angles);
+    let (scalar, nominal): (_, Vec<String>) = match options.scalar {
+        ScalarType::F32 => ("f32", program.q.iter().map(|q| format!("{}f32", q.value as f32)).collect()),
+        _ => ("f64", program.q.iter().map(|q| format!("{}f64", q.value)).collect()),
     };
-    items.extend(names_constant("Q_NAMES", "Coordinates in order.", &names(&program.q)));
-    items.extend(names_constant("U_NAMES", "Independent speeds in order.", &names(&program.u)));
-    items.extend(names_constant("INPUT_NAMES", "Inputs in order.", &names(&program.inputs)));
-    items.extend(names_constant(
-        "PARAMETER_NAMES",
-        "Tunable parameters in order.",
-        &names(&program.parameters),
-    ));
-    items.extend(names_constant("SPEED_NAMES", "All speeds in order.", &firsts(&program.speeds)));
-    items.extend(names_constant("OUTPUT_NAMES", "Outputs in order.", &firsts(&program.outputs)));
-    let corrected: Vec<usize> = program.correction.iter().map(|(i, _)| *i).collect();
-    let n = corrected.len();
-    let angles: Vec<bool> = program.q.iter().map(|q| q.is_angle).collect();
-    let nominal: Vec<f64> = program.q.iter().map(|q| q.value).collect();
-    let nominal = match options.scalar {
-        ScalarType::F32 => {
-            let values = nominal.iter().map(|&x| Literal::f32_suffixed(x as f32));
-            quote!([f32; #nq] = [#(#values),*])
-        }
-        _ => quote!([f64; #nq] = [#(#nominal),*]),
-    };
-    items.extend(quote! {
-        /// Indices of the coordinates that the projection corrects.
-        pub const CORRECTED: [usize; #n] = [#(#corrected),*];
-        /// Coordinates read only by sines and cosines: they may be wrapped by whole turns.
-        pub const IS_ANGLE: [bool; #nq] = [#(#angles),*];
-        /// The nominal configuration.
-        pub const NOMINAL: #nominal;
-    });
-    items
+    text += "/// The nominal configuration.\n";
+    text += &layout::array(&format!("pub const NOMINAL: [{scalar}; {nq}usize] = "), &nominal);
+    text
 }
 
 /// The struct of tunable parameters and its defaults.
-fn parameters(program: &Program, options: &EmitOptions) -> TokenStream {
+fn parameters(program: &Program, options: &EmitOptions) -> String {
     let path = &program.path;
     let fields = program.parameters.iter().map(|p| {
-        let ident = name::identifier(&p.name);
         let doc = format!("{} ({}), {path}:{}.", name::sentence(&p.doc, &p.name), p.unit, p.line);
-        quote! { #[doc = #doc] pub #ident: S }
+        format!("///{doc}\n    pub {}: S", name::identifier(&p.name))
     });
-    let defaults = program.parameters.iter().map(|p| {
-        let (ident, value) = (name::identifier(&p.name), number(p.value, &options.scalar));
-        quote! { #ident: #value }
-    });
-    quote! {
-        /// Tunable parameters, SI units.
-        #[derive(Clone, Copy, Debug)]
-        #[repr(C)]
-        #[allow(non_snake_case, reason = "names are the model's")]
-        pub struct Parameters { #(#fields),* }
-        impl Default for Parameters {
-            fn default() -> Self {
-                Self { #(#defaults),* }
-            }
-        }
-    }
+    let defaults = program
+        .parameters
+        .iter()
+        .map(|p| format!("{}: {}", name::identifier(&p.name), literal(p.value, &options.scalar)));
+    let values = layout::block("Self", defaults, "        ");
+    format!(
+        "/// Tunable parameters, SI units.\n{PLAIN_STRUCT}{}impl Default for Parameters {{\n    fn default() -> Self {{\n{values}    }}\n}}\n",
+        layout::block("pub struct Parameters", fields, "")
+    )
 }
 
-/// Stands for the body of an answer's function until the text is put in.
-fn placeholder(answer: Answer) -> proc_macro2::Ident {
-    format_ident!("body_of_{}", answer.name())
-}
-
-/// One answer as a function, its body a placeholder.
-fn function(program: &Program, answer: Answer, arguments: &TokenStream) -> TokenStream {
-    let n = answer.roots(program).len();
+/// One answer as a function.
+fn function(
+    program: &Program,
+    answer: Answer,
+    cost: &Cost,
+    scalar: &ScalarType,
+    prepared: &Prepared,
+) -> String {
+    let roots = answer.roots(program);
+    let n = roots.len();
     let (nq, nu, corrections) = (program.q.len(), program.u.len(), n.wrapping_sub(1));
     let output = match answer {
-        Answer::Rates => quote!(([S; #nq], [S; #nu], S)),
-        Answer::Energy => quote!((S, S)),
-        Answer::Speeds | Answer::Outputs => quote!([S; #n]),
-        Answer::Projection => quote!(([S; #corrections], S)),
+        Answer::Rates => format!("([S; {nq}usize], [S; {nu}usize], S)"),
+        Answer::Energy => "(S, S)".to_owned(),
+        Answer::Speeds | Answer::Outputs => format!("[S; {n}usize]"),
+        Answer::Projection => format!("([S; {corrections}usize], S)"),
         Answer::Augmented => {
-            let [a, b, c, d] = augmented_lengths(program);
-            quote!(([S; #a], [S; #b], [S; #c], [S; #d]))
+            let lengths = augmented_lengths(program).map(|n| format!("[S; {n}usize]"));
+            format!("({})", lengths.join(", "))
         }
     };
-    let (ident, doc, body) = (format_ident!("{}", answer.name()), answer.doc(), placeholder(answer));
-    let operations = format!("{} operations.", program.dag.state_cost(&answer.roots(program)));
-    quote! {
-        #[doc = #doc]
-        ///
-        #[doc = #operations]
-        #[allow(non_snake_case, clippy::all, clippy::pedantic, reason = "generated straight-line arithmetic")]
-        #[must_use]
-        pub fn #ident(#arguments) -> #output {
-            #body!();
-        }
-    }
+    let body = Body::new(program, &roots, scalar, prepared);
+    let operations: usize = cost.values().sum();
+    let signature = layout::signature(&format!("pub fn {}", answer.name()), &body.arguments(), &output, "");
+    format!(
+        "///{}\n///\n///{operations} operations.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
+        answer.doc(),
+        body.statements,
+        result(program, answer, &body.results)
+    )
 }
 
 /// The result expression of an answer's function.

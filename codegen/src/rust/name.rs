@@ -1,82 +1,79 @@
 //! Identifiers: sanitised, never a keyword, never twice.
 
-use proc_macro2::{Ident, Span};
-use std::collections::HashSet;
+use rustc_hash::FxHashSet as HashSet;
 
 /// Words that are not identifiers, or would hide what an emitted function uses.
-const KEYWORDS: [&str; 57] = [
-    "as",
-    "async",
-    "await",
-    "break",
-    "const",
-    "continue",
-    "crate",
-    "dyn",
-    "else",
-    "enum",
-    "extern",
-    "false",
-    "fn",
-    "for",
-    "if",
-    "impl",
-    "in",
-    "let",
-    "loop",
-    "match",
-    "mod",
-    "move",
-    "mut",
-    "pub",
-    "ref",
-    "return",
-    "self",
-    "Self",
-    "static",
-    "struct",
-    "super",
-    "trait",
-    "true",
-    "type",
-    "unsafe",
-    "use",
-    "where",
-    "while",
-    "abstract",
-    "become",
-    "box",
-    "do",
-    "final",
-    "gen",
-    "macro",
-    "override",
-    "priv",
-    "try",
-    "typeof",
-    "unsized",
-    "virtual",
-    "yield",
-    "Real",
-    "S",
-    "Parameters",
-    "Prepared",
-    "NQ",
-];
+fn is_taken(word: &str) -> bool {
+    matches!(
+        word,
+        "as" | "async"
+            | "await"
+            | "break"
+            | "const"
+            | "continue"
+            | "crate"
+            | "dyn"
+            | "else"
+            | "enum"
+            | "extern"
+            | "false"
+            | "fn"
+            | "for"
+            | "if"
+            | "impl"
+            | "in"
+            | "let"
+            | "loop"
+            | "match"
+            | "mod"
+            | "move"
+            | "mut"
+            | "pub"
+            | "ref"
+            | "return"
+            | "self"
+            | "Self"
+            | "static"
+            | "struct"
+            | "super"
+            | "trait"
+            | "true"
+            | "type"
+            | "unsafe"
+            | "use"
+            | "where"
+            | "while"
+            | "abstract"
+            | "become"
+            | "box"
+            | "do"
+            | "final"
+            | "gen"
+            | "macro"
+            | "override"
+            | "priv"
+            | "try"
+            | "typeof"
+            | "unsized"
+            | "virtual"
+            | "yield"
+            | "Real"
+            | "S"
+            | "Parameters"
+            | "Prepared"
+            | "NQ"
+    )
+}
 
 /// A valid identifier for a model's name.
 #[must_use]
-pub(super) fn identifier(name: &str) -> Ident {
-    Ident::new(&sanitized(name), Span::call_site())
-}
-
-fn sanitized(name: &str) -> String {
+pub(super) fn identifier(name: &str) -> String {
     let mut text: String =
         name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
     if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) || text.chars().all(|c| c == '_') {
         text.insert(0, 'x');
     }
-    if KEYWORDS.contains(&text.as_str()) {
+    if is_taken(&text) {
         text.push('_');
     }
     text
@@ -84,8 +81,8 @@ fn sanitized(name: &str) -> String {
 
 /// `my_tile` -> `MyTile`.
 #[must_use]
-pub(super) fn type_name(name: &str) -> Ident {
-    let camel: String = sanitized(name)
+pub(super) fn type_name(name: &str) -> String {
+    let camel: String = identifier(name)
         .split('_')
         .flat_map(|word| {
             let mut letters = word.chars();
@@ -118,7 +115,10 @@ impl Scope {
 
     /// The wished name, or with the first free numeric suffix.
     pub fn unique(&mut self, wished: &str) -> String {
-        let wished = sanitized(wished);
+        self.free(identifier(wished))
+    }
+
+    fn free(&mut self, wished: String) -> String {
         let mut name = wished.clone();
         let mut suffix = 2;
         while !self.taken.insert(name.clone()) {
@@ -131,6 +131,6 @@ impl Scope {
     /// A temporary without a name from the model.
     pub fn temporary(&mut self) -> String {
         self.temporaries += 1;
-        self.unique(&format!("t{}", self.temporaries))
+        self.free(format!("t{}", self.temporaries))
     }
 }

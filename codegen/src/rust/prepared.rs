@@ -1,12 +1,10 @@
 //! `Prepared`: what the answers need of the parameters, and `prepare`, which computes it.
 
-use super::ScalarType;
 use super::name::Scope;
 use super::statement::Body;
+use super::{Cost, PLAIN_STRUCT, STRAIGHT_LINE, ScalarType, layout};
 use crate::expr::{Dependence, ExprId};
 use crate::program::Program;
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
 
 /// The fields of `Prepared`: their nodes and names, in order.
 pub(super) struct Prepared {
@@ -35,45 +33,33 @@ impl Prepared {
     }
 
     /// Operations of `prepare`, by kind.
-    pub fn operations(&self, program: &Program) -> std::collections::BTreeMap<&'static str, usize> {
+    pub fn operations(&self, program: &Program) -> Cost {
         program.dag.operations_by_kind(&self.roots(), Dependence::Parameters)
     }
 
-    /// The struct and the function, its body a placeholder; and the body's text.
-    pub fn items(&self, program: &Program, scalar: &ScalarType) -> (TokenStream, String) {
-        let idents: Vec<_> = self.fields.iter().map(|(_, field)| format_ident!("{field}")).collect();
-        let docs = self.fields.iter().map(|(id, field)| match program.dag.as_symbol(*id) {
-            Some(_) => format!("The parameter `{field}`."),
-            None => "Of parameters alone.".to_owned(),
+    /// The struct and the function.
+    pub fn items(&self, program: &Program, scalar: &ScalarType, cost: &Cost) -> String {
+        let fields = self.fields.iter().map(|(id, field)| match program.dag.as_symbol(*id) {
+            Some(_) => format!("///The parameter `{field}`.\n    pub {field}: S"),
+            None => format!("///Of parameters alone.\n    pub {field}: S"),
         });
         let body = Body::of_parameters(program, &self.roots(), scalar);
-        let arguments = body.arguments();
-        let total: usize = self.operations(program).values().sum();
-        let operations = format!("{total} operations.");
-        let items = quote! {
-            /// What the functions below need of the parameters, from [`prepare`].
-            #[derive(Clone, Copy, Debug)]
-            #[repr(C)]
-            #[allow(non_snake_case, reason = "names are the model's")]
-            pub struct Prepared { #(#[doc = #docs] pub #idents: S),* }
-            /// Computes what depends on parameters alone: once, and again when one of them changes.
-            ///
-            #[doc = #operations]
-            #[allow(non_snake_case, clippy::all, clippy::pedantic, reason = "generated straight-line arithmetic")]
-            #[must_use]
-            pub fn prepare(#arguments) -> Prepared {
-                body_of_prepare!();
-            }
-        };
         let values: Vec<String> = (self.fields.iter().zip(&body.results))
             .map(|((_, field), value)| match field == value {
                 true => field.clone(),
                 false => format!("{field}: {value}"),
             })
             .collect();
-        let mut text: String = body.statements.iter().map(|line| format!("    {line}\n")).collect();
-        text.push_str(&format!("    Prepared {{ {} }}\n", values.join(", ")));
-        (items, text)
+        let operations: usize = cost.values().sum();
+        format!(
+            "/// What the functions below need of the parameters, from [`prepare`].\n{PLAIN_STRUCT}{}\
+             /// Computes what depends on parameters alone: once, and again when one of them changes.\n\
+             ///\n///{operations} operations.\n{STRAIGHT_LINE}{}{}    Prepared {{ {} }}\n}}\n",
+            layout::block("pub struct Prepared", fields, ""),
+            layout::signature("pub fn prepare", &body.arguments(), "Prepared", ""),
+            body.statements,
+            values.join(", ")
+        )
     }
 
     /// Name of the field that holds a node.

@@ -1,20 +1,24 @@
-//! The body of one emitted function: `let` statements in the order the results need them.
+//! The body of one emitted function: `let` statements.
 //!
 //! Written as text, one statement a line: a thousand straight-line statements through a token
 //! parser and a general formatter took twenty times as long as the derivation's last stage.
 //! A node gets a `let` if it is used more than once, has a name from the model, or would make its
-//! statement too long; other nodes are written inside their only user. Depth-first order from the
-//! results keeps live ranges short.
+//! statement too long; other nodes are written inside their only user, where that leaves every operation at the
+//! place that [`schedule`] gives it: f64 is for hosts, every other scalar for the chip. Arguments are read before
+//! their first use.
+
+mod steps;
 
 use super::ScalarType;
 use super::name::Scope;
 use super::prepared::Prepared;
+use super::schedule::{self, Core};
 use crate::expr::print::{binary_name, infix, unary_name};
-use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
+use crate::id::Id;
 use crate::program::Program;
-use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
-use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use rustc_hash::FxHashMap as HashMap;
+use std::fmt::Write;
 
 /// Operations in one statement before it is broken up.
 const LONGEST_STATEMENT: usize = 8;
@@ -25,13 +29,20 @@ pub(super) struct Body<'p> {
     scalar: &'p ScalarType,
     /// Where values of parameters are read; none in the function that computes them.
     prepared: Option<&'p Prepared>,
-    /// Statements in order.
-    pub statements: Vec<String>,
+    /// Statements in order, one a line.
+    pub statements: String,
+    n_statements: usize,
     /// Expressions of the results.
     pub results: Vec<String>,
-    uses: HashMap<ExprId, usize>,
-    own_statement: HashSet<ExprId>,
-    ident: HashMap<ExprId, String>,
+    /// By node: how often it is read.
+    uses: Vec<u32>,
+    /// Nodes that get a statement.
+    own_statement: NodeSet,
+    /// Angles whose sine and cosine are computed together with another's.
+    pairs: HashMap<ExprId, ExprId>,
+    /// By node: 1 and the place of its name among `idents`; 0 if it has none.
+    named: Vec<u32>,
+    idents: Vec<String>,
     scope: Scope,
     read: [bool; 5],
 }
@@ -61,27 +72,42 @@ impl<'p> Body<'p> {
         scalar: &'p ScalarType,
         prepared: Option<&'p Prepared>,
     ) -> Self {
+        let n = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         let mut body = Self {
             program,
             scalar,
             prepared,
-            statements: Vec::new(),
+            statements: String::new(),
+            n_statements: 0,
             results: Vec::new(),
-            uses: HashMap::default(),
-            own_statement: HashSet::default(),
-            ident: HashMap::default(),
+            uses: vec![0; n],
+            own_statement: NodeSet::below(n),
+            pairs: HashMap::default(),
+            named: vec![0; n],
+            idents: Vec::new(),
             scope: Scope::default(),
             read: [false; 5],
         };
         for name in GROUPS {
             body.scope.reserve(name);
         }
-        body.count_uses(roots);
-        body.break_up(roots);
-        for &root in roots {
-            body.define(root);
+        let steps = body.steps(roots);
+        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
+        let core = if *scalar == ScalarType::F64 { Core::OutOfOrder } else { Core::InOrder };
+        let order = schedule::order(&steps, &results, core);
+        body.count_uses(&steps, &results);
+        body.break_up(order.iter().map(|&step| &steps[step]));
+        for step in order {
+            let id = steps[step].makes[0];
+            if body.own_statement.contains(id) {
+                steps[step].makes.iter().for_each(|&id| body.read_arguments(id));
+                body.statement(id);
+            }
         }
-        body.results = roots.iter().map(|&r| body.operand(r)).collect();
+        for &root in roots {
+            body.read_arguments(root);
+        }
+        body.results = roots.iter().map(|&root| body.operand(root)).collect();
         body
     }
 
@@ -94,75 +120,42 @@ impl<'p> Body<'p> {
         self.prepared?.field(id)
     }
 
-    /// What the body computes or reads, operands first.
-    fn order(&self, roots: &[ExprId]) -> Vec<ExprId> {
-        self.dag().reachable_above(roots, |id| self.field(id).is_some())
-    }
-
     /// Operands that the body computes: none of what it reads.
     fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
         if self.field(id).is_some() { [None, None] } else { self.dag().operands(id) }
     }
 
-    fn count_uses(&mut self, roots: &[ExprId]) {
-        for id in self.order(roots) {
-            for operand in self.operands(id).into_iter().flatten() {
-                *self.uses.entry(operand).or_insert(0) += 1;
-            }
-        }
-        for &root in roots {
-            *self.uses.entry(root).or_insert(0) += 2;
-        }
+    /// The name given to a node.
+    fn ident(&self, id: ExprId) -> Option<&str> {
+        let place = self.named[id.index()].checked_sub(1)?;
+        Some(&self.idents[place as usize])
     }
 
-    /// Decides which nodes get a statement of their own.
-    fn break_up(&mut self, roots: &[ExprId]) {
-        let dag = self.dag();
-        let mut size: HashMap<ExprId, usize> = HashMap::default();
-        for id in self.order(roots) {
-            let read = matches!(dag.node(id), Node::Symbol(_)) || self.field(id).is_some();
-            let trivial = dag.is_constant(id) || read;
-            let inline: usize = self
-                .operands(id)
-                .into_iter()
-                .flatten()
-                .filter(|a| !self.own_statement.contains(a))
-                .map(|a| size[&a])
-                .sum();
-            let total = inline + usize::from(dag.is_operation(id));
-            let negation = matches!(dag.node(id), Node::Negate(_));
-            let shared = self.uses.get(&id).is_some_and(|&n| n > 1) && !negation;
-            let angle = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
-            if !trivial && (shared || angle || dag.name_of(id).is_some() || total > LONGEST_STATEMENT) {
-                self.own_statement.insert(id);
-            }
-            size.insert(id, if trivial { 0 } else { total });
-        }
+    fn name(&mut self, id: ExprId, ident: String) {
+        self.idents.push(ident);
+        self.named[id.index()] = self.idents.len() as u32;
     }
 
-    /// Emits the statements that `root` needs, operands first.
-    fn define(&mut self, root: ExprId) {
+    /// `let left = right;`
+    fn push(&mut self, left: &str, right: std::fmt::Arguments) {
+        let _ = writeln!(self.statements, "    let {left} = {right};");
+        self.n_statements += 1;
+    }
+
+    /// Reads the arguments of a statement that have not been read yet.
+    fn read_arguments(&mut self, id: ExprId) {
         let dag = self.dag();
-        let mut stack = vec![(root, false)];
-        let mut visited: HashSet<ExprId> = HashSet::default();
-        while let Some((id, expanded)) = stack.pop() {
-            if self.ident.contains_key(&id) || (!expanded && !visited.insert(id)) {
-                continue;
-            }
-            if !expanded {
-                stack.push((id, true));
-                for operand in self.operands(id).into_iter().rev().flatten() {
-                    stack.push((operand, false));
-                }
+        let mut stack = vec![id];
+        while let Some(id) = stack.pop() {
+            if self.ident(id).is_some() || dag.is_constant(id) {
                 continue;
             }
             if let Some(field) = self.field(id) {
                 self.read_parameter(id, field, field);
             } else if let Node::Symbol(symbol) = dag.node(id) {
                 self.load(id, symbol);
-            } else if self.own_statement.contains(&id) {
-                self.statement(id);
             }
+            stack.extend(self.operands(id).into_iter().rev().flatten());
         }
     }
 
@@ -172,7 +165,7 @@ impl<'p> Body<'p> {
         let lists = [&program.q, &program.u, &program.inputs];
         if symbol == program.time {
             self.read[0] = true;
-            self.ident.insert(id, "t".to_owned());
+            self.name(id, "t".to_owned());
             return;
         }
         for (group, list) in lists.iter().enumerate() {
@@ -180,13 +173,13 @@ impl<'p> Body<'p> {
                 self.read[group + 1] = true;
                 let ident = self.scope.unique(&list[index].name);
                 let array = GROUPS[group + 1];
-                self.statements.push(format!("let {ident} = {array}[{index}];"));
-                self.ident.insert(id, ident);
+                self.push(&ident, format_args!("{array}[{index}]"));
+                self.name(id, ident);
                 return;
             }
         }
         if let Some(parameter) = program.parameters.iter().find(|p| p.symbol == symbol) {
-            let field = super::name::identifier(&parameter.name).to_string();
+            let field = super::name::identifier(&parameter.name);
             self.read_parameter(id, &parameter.name, &field);
         }
     }
@@ -195,109 +188,146 @@ impl<'p> Body<'p> {
     fn read_parameter(&mut self, id: ExprId, wished: &str, field: &str) {
         self.read[4] = true;
         let ident = self.scope.unique(wished);
-        self.statements.push(format!("let {ident} = p.{field};"));
-        self.ident.insert(id, ident);
+        self.push(&ident, format_args!("p.{field}"));
+        self.name(id, ident);
     }
 
     fn statement(&mut self, id: ExprId) {
         let dag = self.dag();
-        if let Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) = dag.node(id) {
-            self.sin_cos(id, function, angle);
+        if let Node::Unary(Unary::Sin | Unary::Cos, angle) = dag.node(id) {
+            self.sin_cos(angle);
             return;
         }
-        let value = self.expression(id);
+        let mut value = String::new();
+        self.write_expression(&mut value, id);
         let ident = match dag.name_of(id) {
             Some(name) => self.scope.unique(name),
             None => self.scope.temporary(),
         };
-        self.statements.push(format!("let {ident} = {value};"));
-        self.ident.insert(id, ident);
+        self.push(&ident, format_args!("{value}"));
+        self.name(id, ident);
     }
 
-    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`
-    fn sin_cos(&mut self, id: ExprId, function: Unary, angle: ExprId) {
-        let dag = self.dag();
-        let (other, sine_first) = match function {
-            Unary::Sin => (Unary::Cos, true),
-            _ => (Unary::Sin, false),
+    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once.
+    fn sin_cos(&mut self, angle: ExprId) {
+        let angles: Vec<ExprId> = [angle].into_iter().chain(self.pairs.get(&angle).copied()).collect();
+        let arguments: Vec<String> = angles.iter().map(|&angle| self.operand(angle)).collect();
+        let names: Vec<String> = angles.iter().map(|&angle| self.name_sin_cos(angle)).collect();
+        let (names, arguments) = (names.join(", "), arguments.join(", "));
+        match angles.len() {
+            1 => self.push(&names, format_args!("Real::sin_cos({arguments})")),
+            _ => self.push(&format!("[{names}]"), format_args!("Real::sin_cos_of_two({arguments})")),
+        }
+    }
+
+    /// `(sin_psiA, cos_psiA)`; what is not read gets no name.
+    fn name_sin_cos(&mut self, angle: ExprId) -> String {
+        let of = match self.ident(angle) {
+            Some(name) => name.to_owned(),
+            None => format!("angle{}", self.n_statements),
         };
-        let twin = dag.find(Node::Unary(other, angle)).filter(|t| self.uses.contains_key(t));
-        let of = match self.ident.get(&angle) {
-            Some(name) => name.clone(),
-            None => format!("angle{}", self.statements.len()),
-        };
-        let argument = self.operand(angle);
-        let mine = self.scope.unique(&format!("{}_{of}", unary_name(function)));
-        let yours = match twin {
-            Some(twin) => {
-                let ident = self.scope.unique(&format!("{}_{of}", unary_name(other)));
-                self.ident.insert(twin, ident.clone());
-                ident
-            }
-            None => "_".to_owned(),
-        };
-        let (sin, cos) = if sine_first { (&mine, &yours) } else { (&yours, &mine) };
-        self.statements.push(format!("let ({sin}, {cos}) = Real::sin_cos({argument});"));
-        self.ident.insert(id, mine);
+        let names = [Unary::Sin, Unary::Cos].map(|function| {
+            let is_read = |id: &ExprId| self.uses.get(id.index()).is_some_and(|&n| n > 0);
+            let Some(id) = self.dag().find(Node::Unary(function, angle)).filter(is_read) else {
+                return "_".to_owned();
+            };
+            let name = self.scope.unique(&format!("{}_{of}", unary_name(function)));
+            self.name(id, name.clone());
+            name
+        });
+        format!("({})", names.join(", "))
     }
 
     /// The node as an operand: its name, or its expression.
     fn operand(&self, id: ExprId) -> String {
-        self.ident.get(&id).cloned().unwrap_or_else(|| self.expression(id))
+        let mut text = String::new();
+        self.write_operand(&mut text, id);
+        text
     }
 
-    fn expression(&self, id: ExprId) -> String {
+    fn write_operand(&self, text: &mut String, id: ExprId) {
+        match self.ident(id) {
+            Some(ident) => text.push_str(ident),
+            None => self.write_expression(text, id),
+        }
+    }
+
+    fn write_expression(&self, text: &mut String, id: ExprId) {
         let dag = self.dag();
         if dag.is_constant(id) {
-            return super::literal(dag.evaluate_constant(id), self.scalar);
+            text.push_str(&super::literal(dag.evaluate_constant(id), self.scalar));
+            return;
         }
         match dag.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => self.ident[&id].clone(),
-            Node::Negate(a) => format!("-{}", self.wrapped(a, is_sum)),
-            Node::Unary(function, a) => format!("Real::{}({})", unary_name(function), self.operand(a)),
-            Node::Binary(operator, a, b) => self.binary(operator, a, b),
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => text.push_str(self.ident(id).unwrap_or_default()),
+            Node::Negate(a) => {
+                text.push('-');
+                self.write_wrapped(text, a, is_sum);
+            }
+            Node::Unary(function, a) => {
+                for part in ["Real::", unary_name(function), "("] {
+                    text.push_str(part);
+                }
+                self.write_operand(text, a);
+                text.push(')');
+            }
+            Node::Binary(operator, a, b) => self.write_binary(text, operator, a, b),
         }
     }
 
     /// Parentheses keep the DAG's own order of operations: a + (b + c) is not (a + b) + c.
-    fn binary(&self, operator: Binary, a: ExprId, b: ExprId) -> String {
+    fn write_binary(&self, text: &mut String, operator: Binary, a: ExprId, b: ExprId) {
         let sum_or_negation = |n: Node| is_sum(n) || matches!(n, Node::Negate(_));
         let any = |n: Node| sum_or_negation(n) || matches!(n, Node::Binary(Binary::Mul | Binary::Div, ..));
-        let (name, symbol) = (binary_name(operator), infix(operator).unwrap_or_default());
+        let symbol = infix(operator).unwrap_or_default();
         match operator {
             Binary::Add | Binary::Sub => {
-                format!("{}{symbol}{}", self.operand(a), self.wrapped(b, sum_or_negation))
+                self.write_operand(text, a);
+                text.push_str(symbol);
+                self.write_wrapped(text, b, sum_or_negation);
             }
             Binary::Mul | Binary::Div => {
-                format!("{}{symbol}{}", self.wrapped(a, is_sum), self.wrapped(b, any))
+                self.write_wrapped(text, a, is_sum);
+                text.push_str(symbol);
+                self.write_wrapped(text, b, any);
             }
             Binary::Atan2 | Binary::Min | Binary::Max => {
-                format!("Real::{name}({}, {})", self.operand(a), self.operand(b))
+                for part in ["Real::", binary_name(operator), "("] {
+                    text.push_str(part);
+                }
+                self.write_operand(text, a);
+                text.push_str(", ");
+                self.write_operand(text, b);
+                text.push(')');
             }
         }
     }
 
     /// In parentheses if it is written out here and `needs` says so of its node.
-    fn wrapped(&self, id: ExprId, needs: impl Fn(Node) -> bool) -> String {
-        let text = self.operand(id);
-        let inline = !self.ident.contains_key(&id) && !self.dag().is_constant(id);
-        if inline && needs(self.dag().node(id)) { format!("({text})") } else { text }
+    fn write_wrapped(&self, text: &mut String, id: ExprId, needs: impl Fn(Node) -> bool) {
+        let inline = self.ident(id).is_none() && !self.dag().is_constant(id);
+        if inline && needs(self.dag().node(id)) {
+            text.push('(');
+            self.write_operand(text, id);
+            text.push(')');
+        } else {
+            self.write_operand(text, id);
+        }
     }
 
-    /// The signature; what is not read gets an underscore.
-    pub fn arguments(&self) -> TokenStream {
+    /// The arguments of the signature; what is not read gets an underscore.
+    pub fn arguments(&self) -> Vec<String> {
         let program = self.program;
+        let underscore = |read: bool| if read { "" } else { "_" };
         if self.prepared.is_none() {
-            let p = if self.read[4] { format_ident!("p") } else { format_ident!("_p") };
-            return quote!(#p: &Parameters);
+            return vec![format!("{}p: &Parameters", underscore(self.read[4]))];
         }
-        let (nq, nu, ni) = (program.q.len(), program.u.len(), program.inputs.len());
-        let types = [quote!(S), quote!(&[S; #nq]), quote!(&[S; #nu]), quote!(&[S; #ni]), quote!(&Prepared)];
-        let arguments = GROUPS.iter().zip(types).zip(self.read).map(|((name, ty), read)| {
-            let ident = if read { format_ident!("{name}") } else { format_ident!("_{name}") };
-            quote!(#ident: #ty)
-        });
-        quote!(#(#arguments),*)
+        let array = |n: usize| format!("&[S; {n}usize]");
+        let (q, u, inputs) = (&program.q, &program.u, &program.inputs);
+        let types =
+            ["S".to_owned(), array(q.len()), array(u.len()), array(inputs.len()), "&Prepared".to_owned()];
+        let named = GROUPS.iter().zip(types).zip(self.read);
+        named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).collect()
     }
 }
 

@@ -27,9 +27,8 @@ pub(super) struct Check<'s> {
 impl<'s> Check<'s> {
     pub fn new(dag: &Dag, groups: &[Vec<ExprId>], states: &'s States) -> Self {
         let roots = groups.concat();
-        let exact = (0..states.points)
-            .map(|k| double_double::evaluate_all(dag, &roots, |symbol| states.value(symbol, k)))
-            .collect();
+        let exact =
+            double_double::evaluate_at(dag, &roots, states.points, |symbol, k| states.value(symbol, k));
         let lengths = groups.iter().map(Vec::len).collect();
         let mut check = Self { states, exact, lengths, original: Vec::new() };
         check.original = check.errors(dag, groups);
@@ -40,8 +39,9 @@ impl<'s> Check<'s> {
     fn errors(&self, dag: &Dag, groups: &[Vec<ExprId>]) -> Vec<Vec<f64>> {
         let roots = groups.concat();
         let mut errors = vec![Vec::with_capacity(self.states.points); groups.len()];
-        for (k, exact) in self.exact.iter().enumerate() {
-            let values = dag.evaluate::<f64>(&roots, &|symbol| self.states.value(symbol, k));
+        let of_symbol = |symbol, k| self.states.value(symbol, k);
+        let computed = dag.evaluate_at::<f64>(&roots, self.states.points, &of_symbol);
+        for (exact, values) in self.exact.iter().zip(&computed) {
             let mut start = 0;
             for (errors, &length) in errors.iter_mut().zip(&self.lengths) {
                 let part = start..start + length;

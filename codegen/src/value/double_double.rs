@@ -221,21 +221,30 @@ impl Div for Double2 {
     }
 }
 
-/// Values of `roots`, symbols' values from `value_of`.
-pub(super) fn evaluate_all(dag: &Dag, roots: &[ExprId], value_of: impl Fn(SymbolId) -> f64) -> Vec<Double2> {
-    let mut values = vec![Double2::ZERO; roots.iter().map(|r| r.index() + 1).max().unwrap_or(0)];
-    for id in dag.reachable(roots) {
-        let of = |a: ExprId| values[a.index()];
-        values[id.index()] = match dag.node(id) {
-            Node::Number(c) => Double2::number(c),
-            Node::Pi => Double2::new(std::f64::consts::PI),
-            Node::Symbol(symbol) => Double2::new(value_of(symbol)),
-            Node::Negate(a) => -of(a),
-            Node::Unary(function, a) => Double2::unary(function, of(a)),
-            Node::Binary(operator, a, b) => Double2::binary(operator, of(a), of(b)),
-        };
-    }
-    roots.iter().map(|r| values[r.index()]).collect()
+/// Values of `roots` at so many points, symbols' values there from `value_of`.
+pub(super) fn evaluate_at(
+    dag: &Dag,
+    roots: &[ExprId],
+    points: usize,
+    value_of: impl Fn(SymbolId, usize) -> f64,
+) -> Vec<Vec<Double2>> {
+    let order = dag.reachable(roots);
+    let mut values = vec![Double2::ZERO; order.last().map_or(0, |id| id.index() + 1)];
+    let mut at = |point: usize| {
+        for &id in &order {
+            let of = |a: ExprId| values[a.index()];
+            values[id.index()] = match dag.node(id) {
+                Node::Number(c) => Double2::number(c),
+                Node::Pi => Double2::new(std::f64::consts::PI),
+                Node::Symbol(symbol) => Double2::new(value_of(symbol, point)),
+                Node::Negate(a) => -of(a),
+                Node::Unary(function, a) => Double2::unary(function, of(a)),
+                Node::Binary(operator, a, b) => Double2::binary(operator, of(a), of(b)),
+            };
+        }
+        roots.iter().map(|r| values[r.index()]).collect()
+    };
+    (0..points).map(&mut at).collect()
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::expr::{Dag, ExprId, Node};
+use crate::id::IdVec;
 use rustc_hash::FxHashMap as HashMap;
 
 /// An expression that is a class's value, or its negative.
@@ -21,7 +22,8 @@ pub(super) fn roots(
     roots: &[Option<Signed>],
     names: &HashMap<ClassId, (bool, String)>,
 ) -> Vec<ExprId> {
-    let mut made: HashMap<ClassId, Made> = HashMap::default();
+    let nothing = Made { expr: dag.zero(), negative: false };
+    let mut made: IdVec<ClassId, Made> = graph.classes.ids().map(|_| nothing).collect();
     for &class in live {
         let name = names.get(&class);
         let result = build(graph, dag, class, &made, name.is_some_and(|(negative, _)| *negative));
@@ -30,21 +32,21 @@ pub(super) fn roots(
         {
             dag.name(result.expr, name);
         }
-        made.insert(class, result);
+        made[class] = result;
     }
     let mut root = |root: &Option<Signed>| match root {
         None => dag.zero(),
-        Some(x) => signed(dag, made[&x.class], x.negative),
+        Some(x) => signed(dag, made[x.class], x.negative),
     };
     roots.iter().map(&mut root).collect()
 }
 
 /// `expr` is `negative` times the class; of the two orders of a difference the wanted sign decides.
-fn build(graph: &Graph, dag: &mut Dag, class: ClassId, made: &HashMap<ClassId, Made>, wanted: bool) -> Made {
+fn build(graph: &Graph, dag: &mut Dag, class: ClassId, made: &IdVec<ClassId, Made>, wanted: bool) -> Made {
     let definition = graph.classes[class].current;
     let [x, y] = definition.operands;
     let of = |x: Signed| {
-        let m = made[&x.class];
+        let m = made[x.class];
         Made { negative: m.negative != x.negative, ..m }
     };
     let (expr, negative) = match definition.operation {

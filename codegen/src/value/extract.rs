@@ -32,8 +32,14 @@ pub(super) struct Extraction<'g> {
     seen: Vec<u32>,
     round: u32,
     stack: Vec<ClassId>,
+    /// Classes whose uses a trial has raised.
+    tried: Vec<ClassId>,
     random: u64,
     cost: u32,
+    /// The live classes as last sorted.
+    order: Vec<ClassId>,
+    /// Has a definition changed since?
+    changed: bool,
 }
 
 impl<'g> Extraction<'g> {
@@ -50,8 +56,11 @@ impl<'g> Extraction<'g> {
             seen: vec![0; n],
             round: 0,
             stack: Vec::new(),
+            tried: Vec::new(),
             random: 0x5EED,
             cost: 0,
+            order: Vec::new(),
+            changed: true,
         };
         for class in locked {
             search.locked[class.index()] = true;
@@ -65,7 +74,8 @@ impl<'g> Extraction<'g> {
 
     /// Classes in use, operands first.
     pub fn live(&mut self) -> Vec<ClassId> {
-        self.sort()
+        self.sort();
+        self.order.clone()
     }
 
     /// Sweeps so many times over all classes; the graph is left with the cheapest definitions found.
@@ -73,7 +83,7 @@ impl<'g> Extraction<'g> {
         let mut best = (self.cost, self.snapshot());
         for pass in 0..passes {
             let last = pass + 1 == passes;
-            let mut order = self.sort();
+            let mut order = self.live();
             match pass {
                 0 | 2 => {}
                 _ if pass % 2 == 1 => order.reverse(),
@@ -87,6 +97,7 @@ impl<'g> Extraction<'g> {
             }
         }
         for (class, definition) in self.graph.classes.ids().zip(best.1) {
+            self.changed |= self.graph.classes[class].current != definition;
             self.graph.classes[class].current = definition;
         }
     }
@@ -114,7 +125,7 @@ impl<'g> Extraction<'g> {
         while let Some(class) = self.stack.pop() {
             self.uses[class.index()] += 1;
             if self.uses[class.index()] == 1 {
-                let definition = self.graph.classes[class].current;
+                let definition = &self.graph.classes[class].current;
                 weight += definition.cost();
                 self.stack.extend(definition.reads());
             }
@@ -129,12 +140,34 @@ impl<'g> Extraction<'g> {
         while let Some(class) = self.stack.pop() {
             self.uses[class.index()] -= 1;
             if self.uses[class.index()] == 0 {
-                let definition = self.graph.classes[class].current;
+                let definition = &self.graph.classes[class].current;
                 weight += definition.cost();
                 self.stack.extend(definition.reads());
             }
         }
         weight
+    }
+
+    /// The weight of a definition with what it would bring to life; none if that is above `most`.
+    fn weight_of(&mut self, definition: &Definition, most: u32) -> Option<u32> {
+        let mut weight = definition.cost();
+        self.stack.extend(definition.reads());
+        while weight <= most
+            && let Some(class) = self.stack.pop()
+        {
+            self.uses[class.index()] += 1;
+            self.tried.push(class);
+            if self.uses[class.index()] == 1 {
+                let definition = &self.graph.classes[class].current;
+                weight += definition.cost();
+                self.stack.extend(definition.reads());
+            }
+        }
+        self.stack.clear();
+        for class in self.tried.drain(..) {
+            self.uses[class.index()] -= 1;
+        }
+        (weight <= most).then_some(weight)
     }
 
     /// Takes a better definition of a live class, or an equal one now and then.
@@ -151,22 +184,19 @@ impl<'g> Extraction<'g> {
             if new == old {
                 continue;
             }
-            let added: u32 = new.cost() + new.reads().map(|c| self.add_use(c)).sum::<u32>();
-            new.reads().for_each(|c| {
-                self.drop_use(c);
-            });
-            let gain = i64::from(freed) - i64::from(added);
             // Most definitions are dearer: only the others are worth the search for a cycle.
-            let better = gain >= 0
-                && match best {
-                    None => true,
-                    Some((most, other)) if gain == most => {
-                        let (mine, others) = (self.depth_of(&new), self.depth_of(&other));
-                        let even = mine == others && new.error <= other.error;
-                        mine < others || (even && self.draw() & 1 == 0)
-                    }
-                    Some((most, _)) => gain > most,
-                };
+            let most = best.map_or(freed, |(gain, _)| freed - gain as u32);
+            let Some(added) = self.weight_of(&new, most) else { continue };
+            let gain = i64::from(freed) - i64::from(added);
+            let better = match best {
+                None => true,
+                Some((most, other)) if gain == most => {
+                    let (mine, others) = (self.depth_of(&new), self.depth_of(&other));
+                    let even = mine == others && new.error <= other.error;
+                    mine < others || (even && self.draw() & 1 == 0)
+                }
+                Some((most, _)) => gain > most,
+            };
             if better && !self.reaches(&new, class) {
                 best = Some((gain, new));
             }
@@ -184,9 +214,12 @@ impl<'g> Extraction<'g> {
             self.add_use(c);
         });
         self.cost = (i64::from(self.cost) - gain) as u32;
-        self.graph.classes[class].current = definition;
-        if !self.place(class) {
-            self.sort();
+        if taken.is_some() {
+            self.graph.classes[class].current = definition;
+            self.changed = true;
+            if !self.place(class) {
+                self.sort();
+            }
         }
     }
 
@@ -246,24 +279,31 @@ impl<'g> Extraction<'g> {
     }
 
     /// Sorts the live classes, operands first, and measures their depth.
-    fn sort(&mut self) -> Vec<ClassId> {
+    fn sort(&mut self) {
+        if !self.changed {
+            return;
+        }
+        self.changed = false;
         self.round += 1;
         self.position.fill(NOWHERE);
-        let mut order = Vec::new();
+        self.order.clear();
         let mut stack: Vec<(ClassId, bool)> = self.roots.iter().rev().map(|&c| (c, false)).collect();
         while let Some((class, operands_done)) = stack.pop() {
             let i = class.index();
-            let definition = self.graph.classes[class].current;
+            let definition = &self.graph.classes[class].current;
             if operands_done {
-                self.position[i] = (order.len() as u64 + 1) * SPACING;
-                self.depth[i] = self.depth_of(&definition);
-                order.push(class);
+                self.depth[i] = self.depth_of(definition);
+                self.order.push(class);
+                self.position[i] = self.order.len() as u64 * SPACING;
             } else if self.seen[i] != self.round {
                 self.seen[i] = self.round;
                 stack.push((class, true));
-                stack.extend(definition.reads().map(|c| (c, false)));
+                for read in definition.reads() {
+                    if self.seen[read.index()] != self.round {
+                        stack.push((read, false));
+                    }
+                }
             }
         }
-        order
     }
 }

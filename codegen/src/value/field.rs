@@ -38,6 +38,11 @@ impl Field {
         self.0 > P / 2
     }
 
+    /// Of x and -x the lower.
+    pub fn canonical(self) -> Self {
+        if self.is_upper() { -self } else { self }
+    }
+
     pub fn power(self, mut exponent: u64) -> Self {
         let (mut base, mut result) = (self, Self::ONE);
         while exponent > 0 {
@@ -120,7 +125,8 @@ impl Add for Field {
 impl Sub for Field {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self + -other
+        let (difference, below) = self.0.overflowing_sub(other.0);
+        Self(if below { difference.wrapping_add(P) } else { difference })
     }
 }
 

@@ -180,17 +180,20 @@ impl Graph {
     }
 
     /// A new class for a (operation) b, whose value is given; the class may be its negative.
-    pub fn add(
-        &mut self,
-        value: Value,
-        operation: Operation,
-        a: Signed,
-        b: Signed,
-        estimates: &[Estimate],
-    ) -> Signed {
+    pub fn add(&mut self, value: Value, operation: Operation, a: Signed, b: Signed) -> Signed {
+        let negative = value[0].is_upper();
+        let current = self.prepared(Definition::new(operation, a, b, negative));
+        for point in 0..self.points {
+            let estimate = self.estimate(&current, point);
+            self.estimates.push(estimate);
+        }
+        self.push(value, current)
+    }
+
+    /// A new class by its first definition; the estimates are there.
+    fn push(&mut self, value: Value, current: Definition) -> Signed {
         let negative = value[0].is_upper();
         let value = if negative { value.map(|v| -v) } else { value };
-        let current = self.prepared(Definition::new(operation, a, b, negative));
         let class = self.classes.push(Class {
             value,
             definitions: vec![current],
@@ -198,7 +201,6 @@ impl Graph {
             prepared: current.prepared,
         });
         self.index.insert(value[0].bits(), class);
-        self.estimates.extend(estimates.iter().map(|e| e.signed(negative)));
         Signed { class, negative }
     }
 
@@ -208,7 +210,9 @@ impl Graph {
             return known;
         }
         let own = Signed { class: ClassId::from_index(self.classes.len()), negative: false };
-        let leaf = self.add(value, Operation::Leaf(expr), own, own, estimates);
+        let negative = value[0].is_upper();
+        self.estimates.extend(estimates.iter().map(|e| e.signed(negative)));
+        let leaf = self.push(value, Definition::new(Operation::Leaf(expr), own, own, negative));
         self.classes[leaf.class].prepared = prepared;
         leaf
     }
@@ -231,11 +235,12 @@ impl Graph {
         })
     }
 
-    /// What a definition gives at the guard's states.
-    pub fn estimate(&self, definition: &Definition) -> Vec<Estimate> {
-        let [a, b] = definition.operands;
-        let pairs = self.signed_estimates(a).zip(self.signed_estimates(b));
-        let of = |(a, b)| match definition.operation {
+    /// What a definition gives at one of the guard's states.
+    fn estimate(&self, definition: &Definition, point: usize) -> Estimate {
+        let [a, b] = definition
+            .operands
+            .map(|x| self.estimates[x.class.index() * self.points + point].signed(x.negative));
+        let value = match definition.operation {
             Operation::Leaf(_) => a,
             Operation::Sum => Estimate::sum(a, b),
             Operation::Product => Estimate::product(a, b),
@@ -243,7 +248,12 @@ impl Graph {
             Operation::Unary(f) => Estimate::unary(f, a),
             Operation::Binary(f) => Estimate::binary(f, a, b),
         };
-        pairs.map(|pair| of(pair).signed(definition.negative)).collect()
+        value.signed(definition.negative)
+    }
+
+    /// What a definition gives at the guard's states.
+    pub fn estimates_of(&self, definition: &Definition) -> impl Iterator<Item = Estimate> {
+        (0..self.points).map(move |point| self.estimate(definition, point))
     }
 
     /// Offers `target` a further definition, which must have its value; true if it is new and admitted.
@@ -256,9 +266,8 @@ impl Graph {
         {
             return false;
         }
-        let Some(error) = guard::admits(self.estimates(target.class), &self.estimate(&definition)) else {
-            return false;
-        };
+        let old = self.estimates(target.class).iter().copied();
+        let Some(error) = guard::admits(old, self.estimates_of(&definition)) else { return false };
         self.classes[target.class].definitions.push(Definition { error, ..definition });
         true
     }
@@ -273,8 +282,7 @@ impl Graph {
             self.propose(known, operation, a, b);
             return Some(known);
         }
-        let estimates = self.estimate(&Definition::new(operation, a, b, false));
-        Some(self.add(value, operation, a, b, &estimates))
+        Some(self.add(value, operation, a, b))
     }
 
     /// The more certain of two definitions' bounds is the class's own.

@@ -110,13 +110,21 @@ impl Estimate {
 }
 
 /// How many times the old bound the new one is where that is most, if it is admitted at every state.
-pub(crate) fn admits(old: &[Estimate], new: &[Estimate]) -> Option<f64> {
-    let ratio = |(old, new): (&Estimate, &Estimate)| {
-        let rounding = ROUNDING * old.value.abs();
-        if new.error > old.error { (new.error + rounding) / (old.error + rounding) } else { 1.0 }
-    };
-    let admitted = old.iter().zip(new).all(|(old, new)| old.admits(new));
-    admitted.then(|| old.iter().zip(new).map(ratio).fold(1.0, f64::max))
+pub(crate) fn admits(
+    old: impl Iterator<Item = Estimate>,
+    new: impl Iterator<Item = Estimate>,
+) -> Option<f64> {
+    let mut most = 1.0_f64;
+    for (old, new) in old.zip(new) {
+        if !old.admits(&new) {
+            return None;
+        }
+        if new.error > old.error {
+            let rounding = ROUNDING * old.value.abs();
+            most = most.max((new.error + rounding) / (old.error + rounding));
+        }
+    }
+    Some(most)
 }
 
 #[cfg(test)]

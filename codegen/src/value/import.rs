@@ -17,20 +17,19 @@ pub(super) struct Import<'a> {
     /// The node 0 of the DAG.
     zero: ExprId,
     /// What nodes have become: a class with a sign, or zero.
-    classes: HashMap<ExprId, Option<Signed>>,
+    classes: Vec<Option<Option<Signed>>>,
 }
 
 impl<'a> Import<'a> {
     pub fn new(graph: &'a mut Graph, dag: &'a Dag, states: &'a States, zero: ExprId) -> Self {
-        Self { graph, dag, states, zero, classes: HashMap::default() }
+        Self { graph, dag, states, zero, classes: vec![None; dag.len()] }
     }
 
     /// Loads what `roots` need and returns their classes.
     pub fn load(&mut self, roots: &[ExprId]) -> Vec<Option<Signed>> {
         for id in self.dag.reachable(roots) {
-            if !self.classes.contains_key(&id) {
-                let class = self.class(id);
-                self.classes.insert(id, class);
+            if self.classes[id.index()].is_none() {
+                self.classes[id.index()] = Some(self.class(id));
             }
         }
         roots.iter().map(|&root| self.of(root)).collect()
@@ -38,16 +37,16 @@ impl<'a> Import<'a> {
 
     /// The class of a loaded node; `None` for zero.
     pub fn of(&self, id: ExprId) -> Option<Signed> {
-        self.classes[&id]
+        self.classes[id.index()].expect("operands are loaded before what reads them")
     }
 
     /// Names of the loaded nodes by class; with each whether it names the class's negative.
     pub fn names(&self) -> HashMap<ClassId, (bool, String)> {
-        let mut nodes: Vec<ExprId> = self.classes.keys().copied().collect();
-        nodes.sort();
         let mut names = HashMap::default();
-        for id in nodes {
-            if let (Some(name), Some(class)) = (self.dag.name_of(id), self.of(id)) {
+        for (index, class) in self.classes.iter().enumerate() {
+            if let Some(Some(class)) = class
+                && let Some(name) = self.dag.name_of(ExprId::from_index(index))
+            {
                 names.entry(class.class).or_insert_with(|| (class.negative, name.to_owned()));
             }
         }
@@ -88,16 +87,17 @@ impl<'a> Import<'a> {
         if value[0] == Field::ZERO {
             return None;
         }
-        let estimates = graph.estimate(&Definition::new(operation, a, b, false));
         if let Some(known) = graph.find(value) {
-            let own: Vec<_> = graph.signed_estimates(known).collect();
-            if guard::admits(&estimates, &own).is_some() {
+            let estimates: Vec<Estimate> =
+                graph.estimates_of(&Definition::new(operation, a, b, false)).collect();
+            let own = graph.signed_estimates(known);
+            if guard::admits(estimates.iter().copied(), own).is_some() {
                 graph.propose(known, operation, a, b);
                 graph.sharpen(known.class, &estimates);
                 return Some(known);
             }
         }
-        Some(graph.add(value, operation, a, b, &estimates))
+        Some(graph.add(value, operation, a, b))
     }
 
     fn constant(&mut self, id: ExprId) -> Signed {

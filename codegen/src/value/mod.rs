@@ -24,6 +24,7 @@ use check::Check;
 use extract::Extraction;
 use graph::{ClassId, Graph, Signed};
 use import::Import;
+use pairs::Pairs;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 /// How hard to look for fewer operations.
@@ -31,10 +32,10 @@ use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Equal values merge and common factors are taken out: a millisecond.
+    /// Equal values merge and common factors are taken out: one or two milliseconds.
     #[default]
     Default,
-    /// All rules and the search over pairs: some hundred milliseconds, for release builds.
+    /// All rules and the search over pairs: a tenth of a second, for release builds.
     All,
 }
 
@@ -79,9 +80,10 @@ pub fn shorten(
         Effort::All => &[(ROUNDS.0, 1), (ROUNDS.1, groups.len())],
     };
     let check = Check::new(dag, groups, samples);
+    let mut pairs = Pairs::new();
     for &(most, searched) in rounds {
         for _ in 0..most {
-            let next = round(dag, &best, guard, effort, searched);
+            let next = round(dag, &best, guard, (effort, &mut pairs), searched);
             if !is_shorter(dag, &best[..searched], &next[..searched]) || !check.passes(dag, &next) {
                 break;
             }
@@ -116,7 +118,7 @@ fn round(
     dag: &mut Dag,
     groups: &[Vec<ExprId>],
     guard: &States,
-    effort: Effort,
+    (effort, pairs): (Effort, &mut Pairs),
     searched: usize,
 ) -> Vec<Vec<ExprId>> {
     let (zero, one) = (dag.zero(), dag.one());
@@ -135,7 +137,7 @@ fn round(
         let mut passes = PASSES_DEFAULT;
         if effort == Effort::All {
             passes = PASSES_ALL;
-            pairs::resubstitute(&mut graph, &live, &new);
+            pairs.resubstitute(&mut graph, &live, &new);
             rules::apply(&mut graph, &new, one);
         }
         rules::factor_sums(&mut graph, &live, &new, one);
@@ -144,8 +146,10 @@ fn round(
         settled = search.live();
     }
     let all: Vec<Option<Signed>> = classes.concat();
-    let roots: Vec<Signed> = all.iter().copied().flatten().collect();
-    let live = Extraction::new(&mut graph, &roots, &[]).live();
-    let mut exprs = export::roots(&graph, dag, &live, &all, &names).into_iter();
+    if searched < groups.len() {
+        let roots: Vec<Signed> = all.iter().copied().flatten().collect();
+        settled = Extraction::new(&mut graph, &roots, &[]).live();
+    }
+    let mut exprs = export::roots(&graph, dag, &settled, &all, &names).into_iter();
     groups.iter().map(|group| exprs.by_ref().take(group.len()).collect()).collect()
 }

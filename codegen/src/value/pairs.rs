@@ -1,77 +1,138 @@
 //! One-operation resubstitution: a live value that is the sum, difference or product of two others.
 
 use super::field::Field;
-use super::graph::{ClassId, Graph, Operation, Signed, Value};
+use super::graph::{ClassId, Graph, Operation, Signed};
 use crate::id::Id;
-use rustc_hash::FxHashSet as HashSet;
+use rustc_hash::FxHashMap as HashMap;
 
 /// Bits of a key that the filter looks at.
 const FILTER_BITS: u32 = 17;
 
+/// Words of the filter.
+const WORDS: usize = 1 << (FILTER_BITS - 6);
+
 /// A set of keys that answers most questions about absent ones from the first-level cache.
-struct Filter(Vec<u64>);
+struct Filter(Box<[u64; WORDS]>);
 
 impl Filter {
     fn new() -> Self {
-        Self(vec![0; (1 << FILTER_BITS) / 64])
-    }
-    fn place(key: Field) -> (usize, u64) {
-        let bits = key.bits() & ((1 << FILTER_BITS) - 1);
-        ((bits / 64) as usize, 1 << (bits % 64))
+        Self(Box::new([0; WORDS]))
     }
     fn insert(&mut self, key: Field) {
-        for key in [key, -key] {
-            let (word, bit) = Self::place(key);
-            self.0[word] |= bit;
+        for key in [key.bits(), (-key).bits()] {
+            self.0[key as usize / 64 % WORDS] |= 1 << (key % 64);
         }
     }
     fn may_hold(&self, key: Field) -> bool {
-        let (word, bit) = Self::place(key);
-        self.0[word] & bit != 0
+        self.0[key.bits() as usize / 64 % WORDS] >> (key.bits() % 64) & 1 == 1
     }
 }
 
-/// Proposes every sum, difference and product of two classes that is itself among the classes.
-///
-/// Pairs of classes that are not `new` have been looked at before.
-pub(super) fn resubstitute(graph: &mut Graph, classes: &[ClassId], new: &[ClassId]) {
-    let new: HashSet<ClassId> = new.iter().copied().collect();
-    let is_new: Vec<bool> = classes.iter().map(|c| new.contains(c)).collect();
-    let values: Vec<Value> = classes.iter().map(|&c| graph.classes[c].value).collect();
-    let mut filter = Filter::new();
-    let mut is_target = vec![false; graph.classes.len()];
-    for (&class, value) in classes.iter().zip(&values) {
-        if !graph.classes[class].is_leaf() {
-            filter.insert(value[0]);
+/// Which sums, differences and products of two values are values too, of all values met so far: what one round
+/// has found the next need not look for.
+pub(super) struct Pairs {
+    /// The values, signs canonical, and their inverses.
+    values: Vec<(Field, Field)>,
+    place: HashMap<Field, usize>,
+    filter: Filter,
+    /// Places of two values whose sum, difference or product is a third.
+    found: Vec<[usize; 2]>,
+}
+
+impl Pairs {
+    pub fn new() -> Self {
+        Self { values: Vec::new(), place: HashMap::default(), filter: Filter::new(), found: Vec::new() }
+    }
+
+    /// Place of a value that is not zero; a new one is looked at with every value met before.
+    fn meet(&mut self, x: Field) -> usize {
+        let new = self.values.len();
+        if let Some(&known) = self.place.get(&x) {
+            return known;
+        }
+        self.filter.insert(x);
+        self.place.insert(x, new);
+        self.values.push((x, x.inverse().unwrap_or(Field::ZERO)));
+        for (other, &(y, inverse)) in self.values.iter().enumerate() {
+            // No branch but one: that some of the four is there is rare.
+            let [sum, difference, product, quotient] = [x + y, x - y, x * y, x * inverse];
+            let may_hold = |value| self.filter.may_hold(value);
+            if may_hold(sum) | may_hold(difference) | may_hold(product) | may_hold(quotient) {
+                let place_of = |value: Field| self.place.get(&value.canonical()).copied();
+                for third in [sum, difference].into_iter().filter_map(place_of) {
+                    self.found.extend([[new, other], [new, third], [other, third]]);
+                }
+                self.found.extend(place_of(product).map(|_| [new, other]));
+                self.found.extend(place_of(quotient).map(|factor| [other, factor]));
+            }
+        }
+        new
+    }
+
+    /// Proposes every sum, difference and product of two classes that is itself among the classes.
+    ///
+    /// Pairs of classes that are not `new` have been proposed before.
+    pub fn resubstitute(&mut self, graph: &mut Graph, classes: &[ClassId], new: &[ClassId]) {
+        let mut is_new = vec![false; graph.classes.len()];
+        new.iter().for_each(|class| is_new[class.index()] = true);
+        let mut is_target = vec![false; graph.classes.len()];
+        for &class in classes.iter().filter(|&&class| !graph.classes[class].is_leaf()) {
             is_target[class.index()] = true;
         }
+        let places: Vec<usize> = classes.iter().map(|&c| self.meet(graph.classes[c].value[0])).collect();
+        // Where the guard keeps them apart, several classes have one value.
+        let mut with_value: Vec<Vec<usize>> = vec![Vec::new(); self.values.len()];
+        places.iter().enumerate().for_each(|(i, &place)| with_value[place].push(i));
+        let mut pairs: Vec<(usize, usize)> = Vec::new();
+        for &[p, q] in &self.found {
+            for &i in &with_value[p] {
+                pairs.extend(with_value[q].iter().map(|&j| (i.min(j), i.max(j))));
+            }
+        }
+        // In the order of the classes, whatever was found when.
+        pairs.retain(|&(i, j)| is_new[classes[i].index()] || is_new[classes[j].index()]);
+        pairs.sort_unstable();
+        pairs.dedup();
+        for (i, j) in pairs {
+            offer(graph, &is_target, [classes[i], classes[j]]);
+        }
     }
-    let signed = |class: ClassId, negative: bool| Signed { class, negative };
-    for (i, &a) in classes.iter().enumerate() {
-        for (j, &b) in classes.iter().enumerate().skip(i) {
-            if !is_new[i] && !is_new[j] {
-                continue;
-            }
-            let (x, y) = (values[i][0], values[j][0]);
-            let mut offer = |operation: Operation, minus: bool| {
-                let (a, b) = (signed(a, false), signed(b, minus));
-                let value = graph.apply(operation, a, b);
-                let target = value.and_then(|value| graph.find(value));
-                if let Some(target) = target
-                    && is_target.get(target.class.index()) == Some(&true)
-                {
-                    graph.propose(target, operation, a, b);
-                }
-            };
-            if filter.may_hold(x * y) {
-                offer(Operation::Product, false);
-            }
-            if i != j && filter.may_hold(x + y) {
-                offer(Operation::Sum, false);
-            }
-            if i != j && filter.may_hold(x - y) {
-                offer(Operation::Sum, true);
-            }
+}
+
+/// Proposes a b, a + b and a - b for the classes that have their values, as far as they are targets.
+fn offer(graph: &mut Graph, is_target: &[bool], [a, b]: [ClassId; 2]) {
+    for (operation, minus) in [(Operation::Product, false), (Operation::Sum, false), (Operation::Sum, true)] {
+        if operation == Operation::Sum && a == b {
+            continue;
+        }
+        let (a, b) = (Signed { class: a, negative: false }, Signed { class: b, negative: minus });
+        let target = graph.apply(operation, a, b).and_then(|value| graph.find(value));
+        if let Some(target) = target
+            && is_target.get(target.class.index()) == Some(&true)
+        {
+            graph.propose(target, operation, a, b);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn relations_are_found_whichever_value_comes_last() {
+        let [a, b] = [3, 11].map(Field::new);
+        let values = [a, b, (a + b).canonical(), (a - b).canonical(), (a * b).canonical()];
+        for last in 0..values.len() {
+            let mut order: Vec<Field> = values.to_vec();
+            order.rotate_left(last);
+            let mut pairs = Pairs::new();
+            let places: Vec<usize> = order.iter().map(|&x| pairs.meet(x)).collect();
+            assert_eq!(places, [0, 1, 2, 3, 4]);
+            let [a, b] = [a, b].map(|x| pairs.meet(x));
+            assert!(pairs.found.contains(&[a, b]) || pairs.found.contains(&[b, a]), "{last}");
+            let unrelated = [pairs.meet(values[2]), pairs.meet(values[4])];
+            assert!(!pairs.found.contains(&unrelated), "{last}");
         }
     }
 }

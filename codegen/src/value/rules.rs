@@ -1,8 +1,7 @@
 //! Rules that make new classes and with them new definitions. One identity a function, directed.
 
 use super::graph::{ClassId, Definition, Graph, Operation, Signed};
-use rustc_hash::FxHashMap as HashMap;
-use std::collections::BTreeMap;
+use crate::id::IdVec;
 
 /// Definitions of an operand that a rule looks into.
 const LOOKED_INTO: usize = 6;
@@ -41,23 +40,23 @@ pub(super) fn factor_sums(graph: &mut Graph, live: &[ClassId], classes: &[ClassI
 }
 
 /// How many current definitions of live classes read a class.
-fn readers(graph: &Graph, live: &[ClassId]) -> HashMap<ClassId, usize> {
-    let mut readers = HashMap::default();
+fn readers(graph: &Graph, live: &[ClassId]) -> IdVec<ClassId, u32> {
+    let mut readers: IdVec<ClassId, u32> = graph.classes.ids().map(|_| 0).collect();
     for &class in live {
         for read in graph.classes[class].current.reads() {
-            *readers.entry(read).or_insert(0) += 1;
+            readers[read] += 1;
         }
     }
     readers
 }
 
 /// The terms of a sum, through sums that nothing else reads.
-fn terms(graph: &Graph, sum: Signed, readers: &HashMap<ClassId, usize>) -> Vec<Signed> {
+fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signed> {
     let mut terms = Vec::new();
     let mut stack: Vec<Signed> = vec![sum];
     while let Some(x) = stack.pop() {
         let current = &graph.classes[x.class].current;
-        let own = x == sum || readers.get(&x.class) == Some(&1);
+        let own = x == sum || readers[x.class] == 1;
         if own && current.operation == Operation::Sum && terms.len() + stack.len() < MOST_TERMS {
             stack.extend(current.operands.iter().rev().map(|o| o.times(x.negative)));
         } else {
@@ -69,19 +68,22 @@ fn terms(graph: &Graph, sum: Signed, readers: &HashMap<ClassId, usize>) -> Vec<S
 
 /// f x + f y + ... + r = f (x + y + ...) + r, for every f in two terms or more.
 fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed) {
-    let mut divided: BTreeMap<ClassId, Vec<(usize, Signed)>> = BTreeMap::new();
+    // (factor, place of the term, term / factor); a factor counts once a term.
+    let mut divided: Vec<(ClassId, usize, Signed)> = Vec::new();
     for (i, &term) in terms.iter().enumerate() {
-        for [f, x] in factors(graph, term, one) {
-            let entries = divided.entry(f.class).or_default();
-            if f.class != one.class && entries.last().is_none_or(|(last, _)| *last != i) {
-                entries.push((i, x.times(f.negative)));
-            }
+        for [a, b] in parts(graph, term, Operation::Product) {
+            divided.extend([[a, b], [b, a]].map(|[f, x]| (f.class, i, x.times(f.negative))));
         }
+        divided.push((term.class, i, one.times(term.negative)));
     }
-    for (f, quotients) in divided.into_iter().filter(|(_, quotients)| quotients.len() > 1) {
-        let others = (0..terms.len()).filter(|i| quotients.iter().all(|(k, _)| k != i)).map(|i| terms[i]);
+    divided.retain(|(f, ..)| *f != one.class);
+    divided.sort_by_key(|&(f, i, _)| (f, i));
+    divided.dedup_by_key(|&mut (f, i, _)| (f, i));
+    for quotients in divided.chunk_by(|a, b| a.0 == b.0).filter(|quotients| quotients.len() > 1) {
+        let f = quotients[0].0;
+        let others = (0..terms.len()).filter(|i| quotients.iter().all(|(_, k, _)| k != i)).map(|i| terms[i]);
         let others: Vec<Signed> = others.collect();
-        let quotients: Vec<Signed> = quotients.iter().map(|(_, x)| *x).collect();
+        let quotients: Vec<Signed> = quotients.iter().map(|&(.., x)| x).collect();
         let Some(inner) = sum(graph, &quotients) else { continue };
         let f = Signed { class: f, negative: false };
         if others.is_empty() {
@@ -100,27 +102,14 @@ fn sum(graph: &mut Graph, terms: &[Signed]) -> Option<Signed> {
     rest.iter().try_fold(first, |total, &term| graph.class_of(Operation::Sum, total, term))
 }
 
-/// Ways to write x as a product, both orders, the trivial one last.
-fn factors(graph: &Graph, x: Signed, one: Signed) -> Vec<[Signed; 2]> {
-    let mut found = Vec::new();
-    for [a, b] in parts(graph, x, Operation::Product) {
-        found.extend([[a, b], [b, a]]);
-    }
-    found.push([x, one]);
-    found
-}
-
 /// The first few definitions of x by an operation, as pairs of signed operands with the sign of x drawn in.
-fn parts(graph: &Graph, x: Signed, operation: Operation) -> Vec<[Signed; 2]> {
+fn parts(graph: &Graph, x: Signed, operation: Operation) -> impl Iterator<Item = [Signed; 2]> {
     let definitions = graph.classes[x.class].definitions.iter().take(LOOKED_INTO);
-    definitions
-        .filter(|d| d.operation == operation)
-        .map(|d| {
-            let [a, b] = d.operands;
-            let sign = x.negative != d.negative;
-            if operation == Operation::Sum { [a.times(sign), b.times(sign)] } else { [a.times(sign), b] }
-        })
-        .collect()
+    definitions.filter(move |d| d.operation == operation).map(move |d| {
+        let [a, b] = d.operands;
+        let sign = x.negative != d.negative;
+        if operation == Operation::Sum { [a.times(sign), b.times(sign)] } else { [a.times(sign), b] }
+    })
 }
 
 /// (p + r) + y = p + (r + y) and (p r) y = p (r y).
@@ -129,7 +118,7 @@ fn reassociate(graph: &mut Graph, target: Signed, definition: &Definition) {
     let target = target.times(definition.negative);
     let [a, b] = definition.operands;
     for (x, y) in [(a, b), (b, a)] {
-        for [u, w] in parts(graph, x, operation) {
+        for [u, w] in parts(graph, x, operation).collect::<Vec<_>>() {
             for (p, r) in [(u, w), (w, u)] {
                 if let Some(inner) = graph.class_of(operation, r, y) {
                     graph.propose(target, operation, p, inner);

@@ -179,7 +179,7 @@ fn sines_of_the_screws_azimuths_are_exact() {
 fn every_identity_keeps_its_value_and_never_costs_more() {
     type Build = fn(&mut Dag, ExprId, ExprId) -> ExprId;
     // (name, expression, operations left)
-    let cases: [(&str, Build, usize); 16] = [
+    let cases: [(&str, Build, usize); 17] = [
         (
             "sin^2 + cos^2 = 1",
             |d, x, _| {
@@ -214,6 +214,14 @@ fn every_identity_keeps_its_value_and_never_costs_more() {
                 d.sin(angle)
             },
             3,
+        ),
+        (
+            "|x^2| = x^2",
+            |d, x, _| {
+                let square = d.mul(x, x);
+                d.unary(Unary::Abs, square)
+            },
+            1,
         ),
         ("x - x = 0", |d, x, _| d.sub(x, x), 0),
         ("x + x = 2 x", |d, x, _| d.add(x, x), 1),
@@ -310,9 +318,35 @@ fn every_identity_keeps_its_value_and_never_costs_more() {
             "(-x) (-y) = x y" => x * y,
             "-(x - y) = y - x" => y - x,
             "cos(-x) = cos x" => x.cos(),
+            "|x^2| = x^2" => x * x,
             _ => x.sqrt(),
         };
         assert!((found - expected).abs() < 1e-15, "{name}: {found} {expected}");
+    }
+}
+
+/// p (r x) = (p r) x and (p x) / (r y) = ((p / r) x) / y: parameters meet where they are prepared.
+#[test]
+fn parameters_of_a_product_or_quotient_are_prepared() {
+    let mut dag = Dag::default();
+    let [x, y] = ["x", "y"].map(|name| dag.symbol(name));
+    let [p, r] = ["p", "r"].map(|name| dag.parameter(name));
+    let (px, rx, ry) = (dag.mul(p, x), dag.mul(r, x), dag.mul(r, y));
+    let (one_way, other_way) = (dag.mul(p, rx), dag.mul(r, px));
+    assert_eq!(one_way, other_way);
+    let quotient = dag.div(px, ry);
+    let inverse = dag.div(y, rx);
+    for (root, operations, expected) in [
+        (one_way, 1, 2.5 * 0.7 * 1.3),
+        (quotient, 2, 1.3 * 0.7 / (2.5 * 1.1)),
+        (inverse, 2, 1.1 / (2.5 * 0.7)),
+    ] {
+        assert_eq!(dag.state_cost(&[root]), operations);
+        let symbols = [x, y, p, r].map(|e| dag.as_symbol(e).expect("a symbol"));
+        let value =
+            |s| [0.7, 1.1, 1.3, 2.5][symbols.iter().position(|&known| known == s).expect("one of four")];
+        let found = dag.evaluate::<f64>(&[root], &value)[0];
+        assert!((found - expected).abs() < 1e-15, "{found} {expected}");
     }
 }
 

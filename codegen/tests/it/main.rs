@@ -11,6 +11,7 @@ mod loops;
 mod machines;
 mod model_errors;
 mod models;
+mod parallel;
 mod rejected;
 mod rolling;
 mod speeds;

@@ -1,14 +1,15 @@
 //! Rank of the constraints at sampled configurations, from numbers.
 //!
 //! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion
-//! constraints: rows over the speeds, without the unknowns that the derivation lifts. Out: rank at
+//! constraints: rows over the speeds. Where a motion constraint speaks of a twist that the derivation lifts, the
+//! twists are columns too, and the rows that say what they are stand beside the others. Out: rank at
 //! every sample, and the worst conditioning. Rows are scaled by their largest length and orthogonalised, the
 //! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
 //! is the share of it that the rows before do not say already.
 
 use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
-use smartbed_codegen::kinematics::{Kinematics, eliminate};
+use smartbed_codegen::kinematics::{Kinematics, Row, eliminate};
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use std::collections::BTreeMap;
 
@@ -49,7 +50,9 @@ impl Rank {
             worst_at: k.samples.first().cloned().unwrap_or_default(),
         };
         let rows = rows(model, k);
-        let mut matrices = vec![vec![vec![0.0; unknowns]; rows.len()]; samples];
+        let highest = rows.iter().flat_map(|row| row.keys()).max().map_or(0, |&column| column + 1);
+        let lifted = if unknowns < highest { k.unknowns.len() - unknowns } else { 0 };
+        let mut matrices = vec![vec![vec![0.0; unknowns + lifted]; rows.len()]; samples];
         for (r, row) in rows.iter().enumerate() {
             for (&column, &coefficient) in row {
                 let values = table.values(&k.dag, coefficient);
@@ -61,6 +64,7 @@ impl Rank {
         scale(&mut matrices, rows.len());
         for (sample, matrix) in matrices.into_iter().enumerate() {
             let (found, left) = numeric_rank(matrix);
+            let found = found.saturating_sub(lifted);
             rank.smallest = rank.smallest.min(found);
             rank.largest = rank.largest.max(found);
             if left < rank.least_left {
@@ -96,9 +100,10 @@ fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
         }
     }
     let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
-    for row in k.rows.iter().filter(|row| is_motion(&row.name)) {
-        let of_speeds = row.coefficients.iter().map(|(u, &c)| (u.index(), c));
-        rows.push(of_speeds.filter(|(column, _)| *column < model.speeds.len()).collect());
+    let of_twist = |row: &Row| row.coefficients.keys().any(|unknown| model.speeds.len() <= unknown.index());
+    let lifted = k.rows.iter().any(|row| is_motion(&row.name) && of_twist(row));
+    for row in k.rows.iter().filter(|row| is_motion(&row.name) || (lifted && of_twist(row))) {
+        rows.push(row.coefficients.iter().map(|(unknown, &c)| (unknown.index(), c)).collect());
     }
     rows
 }

@@ -8,11 +8,11 @@ use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
 use crate::body::BodyError;
 use crate::body::vec3::{self, Vec3};
 use crate::contact::System;
-use crate::real::Scalar;
+use crate::real::{Constant, Scalar};
 
 /// One step; returns the error estimate in units of `tolerance`.
 pub(crate) fn step<S: Scalar, const N: usize>(
-    tableau: &Tableau<N>,
+    tableau: &Tableau<Constant, N>,
     system: &System<S>,
     start: Start<S>,
     h: S,
@@ -27,10 +27,10 @@ pub(crate) fn step<S: Scalar, const N: usize>(
             }
             continue;
         }
-        let c = tableau.c.get(s).copied().unwrap_or(0.0);
+        let c = tableau.c.get(s).map_or(S::ZERO, |c| S::constant(*c));
         for i in 0..n {
             let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
-            let drift = vec3::axpy(x, h * S::from_f64(c), v);
+            let drift = vec3::axpy(x, h * c, v);
             let bend = weighted(work.stages, n, i, abar, s);
             let kick = weighted(work.stages, n, i, a, s);
             set(work.stage_pos, i, vec3::axpy(drift, h * h, bend));
@@ -68,11 +68,18 @@ fn set<S: Scalar>(rows: &mut [Vec3<S>], i: usize, value: Vec3<S>) {
 }
 
 /// Sum over the first `count` stages of weight_j k_j of point i.
-fn weighted<S: Scalar>(stages: &[Vec3<S>], n: usize, i: usize, weights: &[f64], count: usize) -> Vec3<S> {
+fn weighted<S: Scalar>(
+    stages: &[Vec3<S>],
+    n: usize,
+    i: usize,
+    weights: &[Constant],
+    count: usize,
+) -> Vec3<S> {
     let mut sum = vec3::zero();
     for (stage, weight) in stages.chunks_exact(n).zip(weights).take(count) {
-        if *weight != 0.0 {
-            sum = vec3::axpy(sum, S::from_f64(*weight), vec3::at(stage, i));
+        let weight = S::constant(*weight);
+        if weight != S::ZERO {
+            sum = vec3::axpy(sum, weight, vec3::at(stage, i));
         }
     }
     sum
@@ -80,14 +87,14 @@ fn weighted<S: Scalar>(stages: &[Vec3<S>], n: usize, i: usize, weights: &[f64], 
 
 /// Largest component of the estimated error over (tolerance (1 + |y|)); Hairer's combination where two estimates exist.
 fn error_estimate<S: Scalar, const N: usize>(
-    tableau: &Tableau<N>,
+    tableau: &Tableau<Constant, N>,
     start: Start<S>,
     h: S,
     tolerance: S,
     work: &Workspace<S>,
     n: usize,
 ) -> S {
-    if tableau.error.b.iter().all(|e| *e == 0.0) {
+    if tableau.error.b.iter().all(|e| S::constant(*e) == S::ZERO) {
         return S::ZERO;
     }
     let (mut fine, mut coarse) = (S::ZERO, S::ZERO);
@@ -95,7 +102,7 @@ fn error_estimate<S: Scalar, const N: usize>(
         let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
         let x_size = tolerance * (S::ONE + vec3::norm(x));
         let v_size = tolerance * (S::ONE + vec3::norm(v));
-        let scaled = |bbar: &[f64; N], b: &[f64; N]| {
+        let scaled = |bbar: &[Constant; N], b: &[Constant; N]| {
             let in_x = vec3::norm(weighted(work.stages, n, i, bbar, N)) * h * h / x_size;
             let in_v = vec3::norm(weighted(work.stages, n, i, b, N)) * h.abs() / v_size;
             in_x.max(in_v)

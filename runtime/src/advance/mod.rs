@@ -257,16 +257,20 @@ pub fn advance<S: Scalar>(
     let error = match method {
         Method::SymplecticEuler => verlet::symplectic_euler(system, start, tau, work)?,
         Method::Verlet => verlet::verlet(system, start, tau, work)?,
-        Method::Nystrom4 => explicit::step(&tableau::NYSTROM_4, system, start, tau, S::ONE, work)?,
-        Method::BlanesMoan4 => explicit::step(&tableau::BLANES_MOAN_4, system, start, tau, S::ONE, work)?,
-        Method::Rk4 => explicit::step(&tableau::RK4, system, start, tau, S::ONE, work)?,
+        Method::Nystrom4 => {
+            explicit::step(&const { tableau::NYSTROM_4.rounded() }, system, start, tau, S::ONE, work)?
+        }
+        Method::BlanesMoan4 => {
+            explicit::step(&const { tableau::BLANES_MOAN_4.rounded() }, system, start, tau, S::ONE, work)?
+        }
+        Method::Rk4 => explicit::step(&const { tableau::RK4.rounded() }, system, start, tau, S::ONE, work)?,
         Method::ImplicitMidpoint => implicit::midpoint(system, start, tau, work)?,
         Method::EnergyMomentum => implicit::energy_momentum(system, start, tau, work)?,
         Method::DormandPrince { tolerance } => {
-            explicit::step(&tableau::DORMAND_PRINCE, system, start, tau, tolerance, work)?
+            explicit::step(&const { tableau::DORMAND_PRINCE.rounded() }, system, start, tau, tolerance, work)?
         }
         Method::Dop853 { tolerance } => {
-            explicit::step(&tableau::DOP853, system, start, tau, tolerance, work)?
+            explicit::step(&const { tableau::DOP853.rounded() }, system, start, tau, tolerance, work)?
         }
     };
     check_finite(&work.end)?;

@@ -1,34 +1,73 @@
 //! Coefficients of explicit methods for x'' = a(x, v), each beside its source.
 //!
+//! Written as fractions in f64 and rounded to every scalar at compile time ([`Tableau::rounded()`]).
 //! A Runge-Kutta method (a, b) of the first-order system becomes abar = a a, bbar = b a, which saves
 //! the stage velocities. `error` and `coarse` are weights of embedded error estimates (0: none).
 
+use crate::real::Constant;
+
 /// Nystrom form of an explicit method with N stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tableau<const N: usize> {
+pub struct Tableau<T, const N: usize> {
     /// Times of the stages.
-    pub c: [f64; N],
+    pub c: [T; N],
     /// Weights of the stage velocities.
-    pub a: [[f64; N]; N],
+    pub a: [[T; N]; N],
     /// Weights of the stage positions.
-    pub abar: [[f64; N]; N],
+    pub abar: [[T; N]; N],
     /// Weights of the new velocity.
-    pub b: [f64; N],
+    pub b: [T; N],
     /// Weights of the new position.
-    pub bbar: [f64; N],
+    pub bbar: [T; N],
     /// Weights of the error estimate.
-    pub error: Weights<N>,
+    pub error: Weights<T, N>,
     /// Weights of a second, coarser estimate.
-    pub coarse: Weights<N>,
+    pub coarse: Weights<T, N>,
 }
 
 /// Weights of one combination of the stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weights<const N: usize> {
+pub struct Weights<T, const N: usize> {
     /// In the velocity.
-    pub b: [f64; N],
+    pub b: [T; N],
     /// In the position.
-    pub bbar: [f64; N],
+    pub bbar: [T; N],
+}
+
+impl<const N: usize> Tableau<f64, N> {
+    /// Every coefficient rounded to every scalar.
+    #[must_use]
+    pub const fn rounded(self) -> Tableau<Constant, N> {
+        Tableau {
+            c: row(self.c),
+            a: rows(self.a),
+            abar: rows(self.abar),
+            b: row(self.b),
+            bbar: row(self.bbar),
+            error: Weights { b: row(self.error.b), bbar: row(self.error.bbar) },
+            coarse: Weights { b: row(self.coarse.b), bbar: row(self.coarse.bbar) },
+        }
+    }
+}
+
+const fn row<const N: usize>(numbers: [f64; N]) -> [Constant; N] {
+    let mut rounded = [Constant::new(0.0); N];
+    let mut i = 0;
+    while i < N {
+        rounded[i] = Constant::new(numbers[i]);
+        i += 1;
+    }
+    rounded
+}
+
+const fn rows<const N: usize>(numbers: [[f64; N]; N]) -> [[Constant; N]; N] {
+    let mut rounded = [[Constant::new(0.0); N]; N];
+    let mut i = 0;
+    while i < N {
+        rounded[i] = row(numbers[i]);
+        i += 1;
+    }
+    rounded
 }
 
 /// x a, for a strictly lower triangular a.
@@ -52,7 +91,7 @@ const fn from_runge_kutta<const N: usize>(
     b: [f64; N],
     error: [f64; N],
     coarse: [f64; N],
-) -> Tableau<N> {
+) -> Tableau<f64, N> {
     let mut c = [0.0; N];
     let mut abar = [[0.0; N]; N];
     let mut i = 0;
@@ -77,7 +116,7 @@ const fn from_runge_kutta<const N: usize>(
 }
 
 /// Nystrom form of a splitting kick b_1 drift a_1 kick b_2 ... kick b_N.
-const fn from_splitting<const N: usize>(b: [f64; N], drift: [f64; N]) -> Tableau<N> {
+const fn from_splitting<const N: usize>(b: [f64; N], drift: [f64; N]) -> Tableau<f64, N> {
     let mut c = [0.0; N];
     let mut a = [[0.0; N]; N];
     let mut abar = [[0.0; N]; N];
@@ -111,13 +150,13 @@ const BM_B3: f64 = -0.0390563049223486;
 const BM_B4: f64 = 1.0 - 2.0 * (BM_B1 + BM_B2 + BM_B3);
 
 /// Blanes & Moan (2002), six-stage symplectic Nystrom splitting of order 4 for x'' = a(x).
-pub const BLANES_MOAN_4: Tableau<7> = from_splitting(
+pub const BLANES_MOAN_4: Tableau<f64, 7> = from_splitting(
     [BM_B1, BM_B2, BM_B3, BM_B4, BM_B3, BM_B2, BM_B1],
     [BM_A1, BM_A2, BM_A3, BM_A3, BM_A2, BM_A1, 0.0],
 );
 
 /// Nystrom (1925), order 4 for x'' = a(x); with speeds in the force the stage velocities are those of order 2.
-pub const NYSTROM_4: Tableau<3> = Tableau {
+pub const NYSTROM_4: Tableau<f64, 3> = Tableau {
     c: [0.0, 0.5, 1.0],
     a: [[0.0; 3], [0.5, 0.0, 0.0], [0.0, 1.0, 0.0]],
     abar: [[0.0; 3], [0.125, 0.0, 0.0], [0.0, 0.5, 0.0]],
@@ -128,7 +167,7 @@ pub const NYSTROM_4: Tableau<3> = Tableau {
 };
 
 /// Kutta (1901), order 4.
-pub const RK4: Tableau<4> = from_runge_kutta(
+pub const RK4: Tableau<f64, 4> = from_runge_kutta(
     [[0.0; 4], [0.5, 0.0, 0.0, 0.0], [0.0, 0.5, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
     [1.0 / 6.0, 2.0 / 6.0, 2.0 / 6.0, 1.0 / 6.0],
     [0.0; 4],
@@ -136,7 +175,7 @@ pub const RK4: Tableau<4> = from_runge_kutta(
 );
 
 /// Dormand & Prince (1980), order 5 with embedded order 4.
-pub const DORMAND_PRINCE: Tableau<7> = from_runge_kutta(
+pub const DORMAND_PRINCE: Tableau<f64, 7> = from_runge_kutta(
     [
         [0.0; 7],
         [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -153,7 +192,7 @@ pub const DORMAND_PRINCE: Tableau<7> = from_runge_kutta(
 
 /// Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.5 and II.10:
 /// Dormand & Prince 8(5,3); `error` is theirs of order 5, `coarse` of order 3.
-pub const DOP853: Tableau<12> = from_runge_kutta(
+pub const DOP853: Tableau<f64, 12> = from_runge_kutta(
     [
         [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.05260015195876773, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

@@ -20,6 +20,11 @@ impl Real for f64 {
     fn sin_cos(self) -> (f64, f64) {
         trig::sin_cos_f64(self)
     }
+    #[cfg(target_arch = "x86_64")]
+    #[inline]
+    fn sin_cos_of_two(a: f64, b: f64) -> [(f64, f64); 2] {
+        super::pair::sin_cos(a, b)
+    }
     fn tan(self) -> f64 {
         libm::tan(self)
     }

@@ -19,10 +19,13 @@ pub trait Lane:
     fn bit(self, index: u32) -> Self::Mask;
     /// `self < other`; false where either is NaN.
     fn less(self, other: Self) -> Self::Mask;
-    /// Where either mask holds, but not both.
-    fn differ(a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// Sine and cosine, a quarter turn further where the mask holds: (cos, -sin).
+    #[inline(always)]
+    fn quarter_turn(mask: Self::Mask, sin: Self, cos: Self) -> (Self, Self) {
+        (Self::select(mask, cos, sin), Self::select(mask, -sin, cos))
+    }
     /// The sign turned where the mask holds.
     fn negate_where(self, mask: Self::Mask) -> Self;
     /// `self == self`: false where NaN.
@@ -68,12 +71,9 @@ macro_rules! scalar_lane {
                 <$bits>::from(self < other).wrapping_neg()
             }
             #[inline(always)]
-            fn differ(a: $bits, b: $bits) -> $bits {
-                a ^ b
-            }
-            #[inline(always)]
             fn select(mask: $bits, yes: $t, no: $t) -> $t {
-                if mask == 0 { no } else { yes }
+                // Not a branch for the compiler either: across one it would move what stands before it.
+                core::hint::select_unpredictable(mask != 0, yes, no)
             }
             #[inline(always)]
             fn negate_where(self, mask: $bits) -> $t {

@@ -13,6 +13,8 @@
 pub mod counting;
 mod double;
 pub mod lane;
+#[cfg(target_arch = "x86_64")]
+mod pair;
 #[cfg(feature = "simd")]
 mod simd;
 mod single;
@@ -45,6 +47,11 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// (sin, cos) of an angle (rad): |x| <= 100 in f32, 1e5 in f64; wrap larger ones first.
     fn sin_cos(self) -> (Self, Self);
+    /// (sin, cos) of two angles (rad), the bits of [`Real::sin_cos`] of each; x86-64 computes f64 side by side.
+    #[inline]
+    fn sin_cos_of_two(a: Self, b: Self) -> [(Self, Self); 2] {
+        [a.sin_cos(), b.sin_cos()]
+    }
     /// Tangent (rad), same domain.
     #[must_use]
     fn tan(self) -> Self;
@@ -80,12 +87,34 @@ pub trait Real:
     fn max(self, other: Self) -> Self;
 }
 
+/// A constant rounded to every scalar when the program is compiled: a table of such numbers costs a machine without
+/// double precision no conversion.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Constant {
+    double: f64,
+    single: f32,
+}
+
+impl Constant {
+    /// The constant nearest to a number.
+    #[must_use]
+    pub const fn new(x: f64) -> Self {
+        Self { double: x, single: x as f32 }
+    }
+}
+
 /// A single real number that compares: f32 or f64.
 pub trait Scalar: Real + PartialOrd {
     /// Distance from 1 to the next number.
     const EPSILON: Self;
     /// 2 pi in three parts, the first so short that whole multiples of it are exact.
     const TURN: [Self; 3];
+    /// The number that [`Real::from_f64()`] gives, found at compile time.
+    #[inline(always)]
+    #[must_use]
+    fn constant(constant: Constant) -> Self {
+        Self::from_f64(constant.double)
+    }
     /// Neither infinite nor not-a-number.
     fn is_finite(self) -> bool;
     /// Exact widening.

@@ -29,10 +29,6 @@ macro_rules! lanes {
                 self.simd_lt(other)
             }
             #[inline(always)]
-            fn differ(a: Self, b: Self) -> Self {
-                a ^ b
-            }
-            #[inline(always)]
             fn select(mask: Self, yes: Self, no: Self) -> Self {
                 mask.bitselect(yes, no)
             }

@@ -6,7 +6,7 @@
 
 use super::lane::Lane;
 use super::sqrt::sqrt_f32;
-use super::{Real, Scalar, lane, trig};
+use super::{Constant, Real, Scalar, lane, trig};
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
 
 /// pi/2 - `FRAC_PI_2`.
@@ -93,6 +93,10 @@ impl Real for f32 {
 
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
+    #[inline(always)]
+    fn constant(constant: Constant) -> f32 {
+        constant.single
+    }
     /// Exact multiples of the quarter turn's parts.
     const TURN: [f32; 3] = {
         let [a, b, c] = trig::QUARTER_TURN_F32;

@@ -229,6 +229,24 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn two_angles_at_once_give_the_bits_of_each(x in -1e5_f64..1e5, y in -4.0_f64..4.0, bits: [u64; 2]) {
+        let special = [0.0, -0.0, f64::INFINITY, f64::NAN, std::f64::consts::FRAC_PI_2];
+        let pairs = [[x, y], [y, x], bits.map(f64::from_bits)].into_iter().chain(special.map(|s| [s, x]));
+        for [a, b] in pairs {
+            let got = Real::sin_cos_of_two(a, b);
+            for ((sin, cos), angle) in got.into_iter().zip([a, b]) {
+                let (sin_want, cos_want) = Real::sin_cos(angle);
+                for (got, want) in [(sin, sin_want), (cos, cos_want)] {
+                    let same = got.to_bits() == want.to_bits() || (got.is_nan() && want.is_nan());
+                    prop_assert!(same, "{got:e} of two, {want:e} alone, angle {angle:e}");
+                }
+            }
+        }
+    }
+}
+
 #[cfg(feature = "simd")]
 mod lanes {
     use super::*;

@@ -1,0 +1,82 @@
+//! Hinges with parallel axes, one inside the other.
+//!
+//! The turn of the inner hinge turns what hangs on the outer one, unless the outer hinge turns back. With the
+//! absolute rate w = u_a + u_b of the outer part in the place of u_b the two share little inertia: the inner
+//! rate carries the outer part along without turning it. In relative rates M_aa, M_ab and M_bb all hold the outer part's
+//! inertia; the elimination takes their difference and loses digits. So the entries are formed as
+//! M_bb, M_ab = M_bb + d, M_aa = M'_aa + d + M_ab, and solved in absolute rates (`solve`), where what they share
+//! is never formed.
+
+use super::composite::{Moves, power};
+use super::spatial::{Inertia, Wrench};
+use super::tree::Node;
+use crate::expr::{Dag, ExprId};
+use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use crate::vector::{Components, cross_components};
+
+/// What the turn of a hinge moves, if one of the parts it carries hangs on a parallel hinge.
+#[derive(Clone, Debug)]
+pub(super) struct Turning {
+    /// The node on the parallel hinge and the unknown that is its rate.
+    outer: (usize, UnknownId),
+    /// What turns with the hinge: all but that part.
+    inertia: Inertia,
+    /// Inertia of that part about the hinge, and where its own hinge stands.
+    carried: Option<(Inertia, Components)>,
+}
+
+/// By node, where all speeds are independent.
+pub(super) fn turning(k: &Kinematics, nodes: &[Node], moves: &[Option<Moves>]) -> Vec<Option<Turning>> {
+    let mut found: Vec<Option<Turning>> = vec![None; nodes.len()];
+    if !k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_))) {
+        return found;
+    }
+    for (i, node) in nodes.iter().enumerate() {
+        let Some(joint) = &node.joint else { continue };
+        let inner = &nodes[joint.parent];
+        let same_axis = inner.joint.as_ref().is_some_and(|other| other.axis == joint.axis);
+        let rigid = moves[i].as_ref().is_some_and(|m| m.slide.iter().all(|rate| rate.partials.is_empty()));
+        let weight = !node.own.is_zero(&k.dag) && k.dag.is_zero(node.spin) && k.dag.is_zero(inner.spin);
+        if let (true, Some(outer), Some(_)) =
+            (same_axis && rigid && weight, rate(k, moves, i), rate(k, moves, joint.parent))
+        {
+            let turning = Turning { outer: (i, outer), inertia: inner.own.clone(), carried: None };
+            found[joint.parent].get_or_insert(turning);
+        }
+    }
+    found
+}
+
+/// The unknown that is the rate of a node's hinge.
+fn rate(k: &Kinematics, moves: &[Option<Moves>], node: usize) -> Option<UnknownId> {
+    let turn = &moves[node].as_ref()?.turn;
+    let (&unknown, &partial) = turn.partials.first_key_value()?;
+    (turn.partials.len() == 1 && k.dag.is_one(partial)).then_some(unknown)
+}
+
+impl Turning {
+    /// A load that has come to the hinge from `node`, which hangs at `offset`.
+    pub fn add(&mut self, dag: &mut Dag, node: usize, inertia: &Inertia, offset: &Components) {
+        if node == self.outer.0 {
+            self.carried = Some((inertia.clone(), *offset));
+        } else {
+            self.inertia = self.inertia.plus(dag, inertia);
+        }
+    }
+
+    /// The outer unknown; M'_aa and the momentum for the turn `w` of the hinge alone, what hangs on the outer hinge
+    /// keeping its orientation: it moves at w x p, all of it.
+    pub fn column(&self, dag: &mut Dag, w: &Components) -> (UnknownId, ExprId, Wrench) {
+        let zero = [dag.zero(); 3];
+        let mut column = self.inertia.momentum(dag, &zero, w);
+        let mut own = power(dag, &zero, w, &column);
+        if let Some((inertia, offset)) = &self.carried {
+            let velocity = cross_components(dag, w, offset);
+            let carried = inertia.momentum(dag, &velocity, &zero);
+            let product = power(dag, &velocity, &zero, &carried);
+            own = dag.add(own, product);
+            column = column.plus(dag, &carried);
+        }
+        (self.outer.1, own, column)
+    }
+}

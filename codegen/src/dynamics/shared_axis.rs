@@ -1,0 +1,87 @@
+//! Inertia that a turn about a shared axis leaves as it is.
+//!
+//! A body with an axis e that is fixed in another frame too turns against that frame about e alone, whatever
+//! loop it is part of. Both have the same angular velocity w across e, and so the same moment of momentum
+//! J w across e of a part J (1 - e e') that is alike all round e: this part is handed to the body of the other
+//! frame, where it is constant and adds to that body's own. What turns about e stays.
+
+use super::composite::Contributions;
+use super::inertia_force;
+use crate::expr::ExprId;
+use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
+use crate::model::{Axis, Body, Model};
+use crate::vector::Components;
+
+/// Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+pub(super) type Moments = [ExprId; 6];
+
+/// A body and the inertia that the equations take for its own, about its centre, in its frame.
+#[derive(Clone, Debug)]
+pub(super) struct Massive<'m> {
+    pub body: &'m Body,
+    pub inertia: Moments,
+}
+
+/// All bodies, with inertia handed over wherever that takes fewer operations.
+pub(super) fn bodies<'m>(model: &'m Model, k: &mut Kinematics) -> Vec<Massive<'m>> {
+    let zero = k.dag.zero();
+    let mut list: Vec<Massive> = Vec::new();
+    for body in model.bodies.iter() {
+        let inertia = std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
+        list.push(Massive { body, inertia });
+    }
+    for i in 0..list.len() {
+        let Some((carrier, axis, direction)) = carrier(model, k, &list, i) else { continue };
+        let parts = [0, 1, 2].map(|other| if other == axis { zero } else { list[i].inertia[other] });
+        let rest = parts.map(|part| without(k, &list[i], axis, part));
+        let least = (0..3).min_by_key(|&n| (cost(k, &rest[n]), parts[n] != zero)).unwrap_or(axis);
+        list[i] = rest[least].clone();
+        add_across(k, &mut list[carrier].inertia, parts[least], &direction);
+    }
+    list
+}
+
+/// A body whose frame is lifted and holds an axis of body `i`: its place, the axis, its components there.
+fn carrier(model: &Model, k: &Kinematics, list: &[Massive], i: usize) -> Option<(usize, usize, Components)> {
+    let triad_of = |massive: &Massive| massive.body.frame.map(|frame| k.frame_triad[frame]);
+    let own = triad_of(&list[i])?;
+    for axis in [Axis::X, Axis::Y, Axis::Z] {
+        for &(other, direction) in k.triads.constants_of(own, axis) {
+            let place = list.iter().position(|massive| triad_of(massive) == Some(other));
+            if let (Some(place), true) = (place, other != own && is_lifted_triad(model, k, other)) {
+                return Some((place, axis as usize, direction));
+            }
+        }
+    }
+    None
+}
+
+/// The body without `part`, which is alike all round the axis.
+fn without<'m>(k: &mut Kinematics, massive: &Massive<'m>, axis: usize, part: ExprId) -> Massive<'m> {
+    let mut rest = massive.clone();
+    for other in (0..3).filter(|&other| other != axis) {
+        rest.inertia[other] = k.dag.sub(rest.inertia[other], part);
+    }
+    rest
+}
+
+/// Entries of the mass matrix that a body's turning by itself takes, and its operations.
+///
+/// Every entry goes through all eliminations: that one is saved counts before what it takes to form it.
+fn cost(k: &mut Kinematics, massive: &Massive) -> (usize, usize) {
+    let mut found = Contributions::default();
+    inertia_force::rotation(k, massive, &mut found);
+    (found.mass.len(), found.cost(&k.dag))
+}
+
+/// Adds part (1 - e e').
+fn add_across(k: &mut Kinematics, inertia: &mut Moments, part: ExprId, e: &Components) {
+    let dag = &mut k.dag;
+    for (entry, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+        let along = dag.mul(e[i], e[j]);
+        let identity = if i == j { dag.one() } else { dag.zero() };
+        let across = dag.sub(identity, along);
+        let term = dag.mul(part, across);
+        inertia[entry] = dag.add(inertia[entry], term);
+    }
+}

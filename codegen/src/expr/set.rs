@@ -1,0 +1,117 @@
+//! Sets of nodes as bits: a cone is a few words, so cones are walked, united and compared by words.
+
+use super::ExprId;
+use crate::id::Id;
+
+/// Nodes in one word.
+const WORD: usize = u64::BITS as usize;
+
+/// A set of nodes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NodeSet(Vec<u64>);
+
+impl NodeSet {
+    /// The empty set, with room for nodes below `bound`.
+    pub fn below(bound: usize) -> Self {
+        Self(vec![0; bound.div_ceil(WORD)])
+    }
+
+    /// Adds a node below the bound.
+    pub fn insert(&mut self, id: ExprId) {
+        self.0[id.index() / WORD] |= 1 << (id.index() % WORD);
+    }
+
+    /// Is a node below the bound in the set?
+    pub fn contains(&self, id: ExprId) -> bool {
+        self.0[id.index() / WORD] >> (id.index() % WORD) & 1 == 1
+    }
+
+    /// Adds the nodes of another set.
+    pub fn unite(&mut self, other: &Self) {
+        if self.0.len() < other.0.len() {
+            self.0.resize(other.0.len(), 0);
+        }
+        self.0.iter_mut().zip(&other.0).for_each(|(mine, theirs)| *mine |= theirs);
+    }
+
+    /// Keeps only the nodes that `wanted` names.
+    pub fn retain(&mut self, wanted: impl Fn(ExprId) -> bool) {
+        for (k, word) in self.0.iter_mut().enumerate() {
+            let mut left = *word;
+            while left != 0 {
+                if !wanted(ExprId::from_index(k * WORD + left.trailing_zeros() as usize)) {
+                    *word &= !(left & left.wrapping_neg());
+                }
+                left &= left - 1;
+            }
+        }
+    }
+
+    /// How many nodes of this set are not in another.
+    pub fn count_without(&self, other: &Self) -> usize {
+        let theirs = other.0.iter().copied().chain(std::iter::repeat(0));
+        self.0.iter().zip(theirs).map(|(mine, theirs)| (mine & !theirs).count_ones() as usize).sum()
+    }
+
+    /// The nodes, ascending.
+    pub fn iter(&self) -> impl Iterator<Item = ExprId> {
+        self.0.iter().enumerate().flat_map(|(k, &word)| {
+            let mut left = word;
+            std::iter::from_fn(move || {
+                let bit = (left != 0).then(|| left.trailing_zeros() as usize)?;
+                left &= left - 1;
+                Some(ExprId::from_index(k * WORD + bit))
+            })
+        })
+    }
+
+    /// Goes through the nodes downwards; `operands` may add nodes below the one it is given.
+    pub fn sweep_down(&mut self, mut operands: impl FnMut(ExprId) -> [Option<ExprId>; 2]) {
+        for k in (0..self.0.len()).rev() {
+            // The bits at and above the node at hand are done; those below may still be set by it.
+            let mut below = u64::MAX;
+            while self.0[k] & below != 0 {
+                let bit = u64::BITS - 1 - (self.0[k] & below).leading_zeros();
+                below = (1 << bit) - 1;
+                for operand in operands(ExprId::from_index(k * WORD + bit as usize)).into_iter().flatten() {
+                    self.insert(operand);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn set(ids: &[usize]) -> NodeSet {
+        let mut set = NodeSet::below(ids.iter().max().map_or(0, |most| most + 1));
+        ids.iter().for_each(|&id| set.insert(ExprId::from_index(id)));
+        set
+    }
+
+    fn ids(set: &NodeSet) -> Vec<usize> {
+        set.iter().map(Id::index).collect()
+    }
+
+    #[test]
+    fn sets_of_unequal_length_are_united_and_compared() {
+        let (short, long) = (set(&[0, 5, 63]), set(&[5, 64, 200]));
+        let mut both = short.clone();
+        both.unite(&long);
+        assert_eq!(ids(&both), [0, 5, 63, 64, 200]);
+        assert_eq!((short.count_without(&long), long.count_without(&short)), (2, 2));
+    }
+
+    #[test]
+    fn a_sweep_reaches_what_nodes_on_the_way_add() {
+        // Every node reads its half and the one before: all below an odd root, in its word and in others.
+        let mut cone = set(&[131]);
+        cone.sweep_down(|id| match id.index() {
+            0 => [None, None],
+            n => [Some(ExprId::from_index(n / 2)), (n % 2 == 1).then(|| ExprId::from_index(n - 1))],
+        });
+        assert_eq!(ids(&cone), [0, 1, 2, 4, 8, 16, 32, 64, 65, 130, 131]);
+    }
+}

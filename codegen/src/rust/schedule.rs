@@ -1,0 +1,340 @@
+//! The order in which a function computes its values, for one of two kinds of core.
+//!
+//! In: steps, each after those that it needs. Out: an order of them. An in-order core has no others to choose
+//! from, and its compiler keeps the order of the text: few values shall wait at a time, so that few go through
+//! memory. Three orders are tried and the one that overfills the registers least is kept: depth first, the
+//! operand that needs more registers before the other (Sethi & Ullman, The generation of optimal code for
+//! arithmetic expressions, 1970); from the first step on, always what frees most; from the last step back, always
+//! what frees most (Goodman & Hsu, Code scheduling and register allocation in large basic blocks, 1988).
+//!
+//! An out-of-order core looks a few hundred instructions ahead, and moves to memory and back are cheap for it. There the
+//! longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
+
+use crate::expr::ExprId;
+use rustc_hash::FxHashMap as HashMap;
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+
+/// Registers of single precision on a Cortex-M4F.
+const REGISTERS: usize = 32;
+
+/// What the order is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Core {
+    /// One instruction after the other: a microcontroller.
+    InOrder,
+    /// Whatever is ready, within a window: a host.
+    OutOfOrder,
+}
+
+/// What is computed at once: one value, or sine and cosine of an angle or two.
+pub(super) struct Step {
+    /// Values that it makes.
+    pub makes: Vec<ExprId>,
+    /// Values that it reads, each once, in the order of the operands; constants left out.
+    pub reads: Vec<ExprId>,
+    /// Cycles of a host until what it makes can be read.
+    pub latency: usize,
+}
+
+/// An order of the steps, by position; `results` are needed to the end.
+pub(super) fn order(steps: &[Step], results: &[ExprId], core: Core) -> Vec<usize> {
+    let graph = Graph::new(steps, results);
+    if core == Core::OutOfOrder {
+        return graph.critical_path_first(steps);
+    }
+    let depth_first = graph.depth_first();
+    let forward = graph.forward(&ranks(&depth_first));
+    let backward = graph.backward(&ranks(&forward));
+    let tried = [depth_first, forward, backward];
+    // Of equals the first: the easiest to read.
+    tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default()
+}
+
+/// Position of each step in an order.
+fn ranks(order: &[usize]) -> Vec<usize> {
+    let mut ranks = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(rank, &step)| ranks[step] = rank);
+    ranks
+}
+
+/// Steps and values by numbers.
+struct Graph {
+    makes: Vec<Vec<usize>>,
+    reads: Vec<Vec<usize>>,
+    /// The step that makes a value; none of what is an argument.
+    maker: Vec<Option<usize>>,
+    readers: Vec<Vec<usize>>,
+    results: Vec<usize>,
+    is_result: Vec<bool>,
+}
+
+impl Graph {
+    fn new(steps: &[Step], results: &[ExprId]) -> Self {
+        let mut number: HashMap<ExprId, usize> = HashMap::default();
+        let mut values = |ids: &[ExprId]| -> Vec<usize> {
+            let next = |id: &ExprId| {
+                let fresh = number.len();
+                *number.entry(*id).or_insert(fresh)
+            };
+            ids.iter().map(next).collect()
+        };
+        let reads: Vec<Vec<usize>> = steps.iter().map(|step| values(&step.reads)).collect();
+        let makes: Vec<Vec<usize>> = steps.iter().map(|step| values(&step.makes)).collect();
+        let results = values(results);
+        let n = number.len();
+        let (mut maker, mut readers, mut is_result) = (vec![None; n], vec![Vec::new(); n], vec![false; n]);
+        for step in 0..steps.len() {
+            makes[step].iter().for_each(|&value| maker[value] = Some(step));
+            reads[step].iter().for_each(|&value| readers[value].push(step));
+        }
+        results.iter().for_each(|&value| is_result[value] = true);
+        Self { makes, reads, maker, readers, results, is_result }
+    }
+
+    /// Operands before their users, the operand that needs more registers first.
+    fn depth_first(&self) -> Vec<usize> {
+        let mut need = vec![1; self.maker.len()];
+        let mut operands: Vec<Vec<usize>> = Vec::with_capacity(self.reads.len());
+        for (reads, makes) in self.reads.iter().zip(&self.makes) {
+            let mut sorted = reads.clone();
+            sorted.sort_by_key(|&value| Reverse(need[value]));
+            let held = sorted.iter().enumerate().map(|(waiting, &value)| need[value] + waiting);
+            let most = held.max().unwrap_or(1);
+            makes.iter().for_each(|&value| need[value] = most);
+            operands.push(sorted);
+        }
+        let (mut order, mut seen) = (Vec::new(), vec![false; self.reads.len()]);
+        let roots = self.results.iter().rev().filter_map(|&value| self.maker[value]);
+        let mut stack: Vec<(usize, bool)> = roots.map(|step| (step, false)).collect();
+        while let Some((step, ready)) = stack.pop() {
+            if ready {
+                order.push(step);
+            } else if !std::mem::replace(&mut seen[step], true) {
+                stack.push((step, true));
+                let makers = operands[step].iter().rev().filter_map(|&value| self.maker[value]);
+                stack.extend(makers.map(|step| (step, false)));
+            }
+        }
+        order
+    }
+
+    /// From the first step on: of those that are ready the one after which fewest values wait; if equal, by rank.
+    fn forward(&self, ranks: &[usize]) -> Vec<usize> {
+        let mut readers_left: Vec<usize> = self.readers.iter().map(Vec::len).collect();
+        self.results.iter().for_each(|&value| readers_left[value] += 1);
+        let mut live = vec![false; self.maker.len()];
+        let is_made = |value: &&usize| self.maker[**value].is_some();
+        let mut missing: Vec<usize> = self.reads.iter().map(|r| r.iter().filter(is_made).count()).collect();
+        let growth = |step: usize, left: &[usize], live: &[bool]| -> isize {
+            let count = |values: &[usize], change: &dyn Fn(usize) -> isize| -> isize {
+                values.iter().map(|&value| change(value)).sum()
+            };
+            let read = |value| isize::from(left[value] > 1) - isize::from(live[value]);
+            count(&self.makes[step], &|value| isize::from(left[value] > 0)) + count(&self.reads[step], &read)
+        };
+        let mut ready = Ready::new(ranks);
+        for step in (0..missing.len()).filter(|&step| missing[step] == 0) {
+            ready.set(step, growth(step, &readers_left, &live));
+        }
+        let mut order = Vec::with_capacity(missing.len());
+        while let Some(step) = ready.pop() {
+            order.push(step);
+            for &value in &self.reads[step] {
+                readers_left[value] -= 1;
+                let was_live = std::mem::replace(&mut live[value], true);
+                if !was_live || readers_left[value] == 1 {
+                    ready.touch(&self.readers[value]);
+                }
+            }
+            for &value in &self.makes[step] {
+                live[value] = true;
+                for &reader in &self.readers[value] {
+                    missing[reader] -= 1;
+                    if missing[reader] == 0 {
+                        ready.refresh.push(reader);
+                    }
+                }
+            }
+            ready.update(|step| growth(step, &readers_left, &live));
+        }
+        order
+    }
+
+    /// First what the longest way to a result leads on from; of equals the one that depth first comes first.
+    fn critical_path_first(&self, steps: &[Step]) -> Vec<usize> {
+        let mut order = self.depth_first();
+        let mut way = vec![0; steps.len()];
+        for &step in order.iter().rev() {
+            let readers = self.makes[step].iter().flat_map(|&value| &self.readers[value]);
+            way[step] = steps[step].latency + readers.map(|&reader| way[reader]).max().unwrap_or(0);
+        }
+        order.sort_by_key(|&step| Reverse(way[step]));
+        order
+    }
+
+    /// From the last step back: of those whose results have all their readers the one before which fewest values
+    /// wait; if equal, the last by rank.
+    fn backward(&self, ranks: &[usize]) -> Vec<usize> {
+        let n = self.reads.len();
+        let from_the_end: Vec<usize> = ranks.iter().map(|rank| n - rank).collect();
+        let mut live = self.is_result.clone();
+        let pending = |makes: &Vec<usize>| makes.iter().map(|&value| self.readers[value].len()).sum();
+        let mut missing: Vec<usize> = self.makes.iter().map(pending).collect();
+        let growth = |step: usize, live: &[bool]| -> isize {
+            let end = self.makes[step].iter().filter(|&&value| live[value]).count();
+            let begin = self.reads[step].iter().filter(|&&value| !live[value]).count();
+            begin.cast_signed() - end.cast_signed()
+        };
+        let mut ready = Ready::new(&from_the_end);
+        for step in (0..n).filter(|&step| missing[step] == 0) {
+            ready.set(step, growth(step, &live));
+        }
+        let mut order = Vec::with_capacity(n);
+        while let Some(step) = ready.pop() {
+            order.push(step);
+            for &value in &self.reads[step] {
+                if !std::mem::replace(&mut live[value], true) {
+                    ready.touch(&self.readers[value]);
+                }
+                if let Some(maker) = self.maker[value] {
+                    missing[maker] -= 1;
+                    if missing[maker] == 0 {
+                        ready.refresh.push(maker);
+                    }
+                }
+            }
+            ready.update(|step| growth(step, &live));
+        }
+        order.reverse();
+        order
+    }
+
+    /// Values that find no register, summed over the steps.
+    fn overfull(&self, order: &[usize]) -> usize {
+        let mut left: Vec<usize> = self.readers.iter().map(Vec::len).collect();
+        self.results.iter().for_each(|&value| left[value] += 1);
+        let mut live = vec![false; self.maker.len()];
+        let (mut waiting, mut total) = (0_usize, 0);
+        for &step in order {
+            for &value in &self.reads[step] {
+                waiting += usize::from(!std::mem::replace(&mut live[value], true));
+                left[value] -= 1;
+                waiting -= usize::from(left[value] == 0);
+            }
+            for &value in &self.makes[step] {
+                live[value] = true;
+                waiting += usize::from(left[value] > 0);
+            }
+            total += waiting.saturating_sub(REGISTERS);
+        }
+        total
+    }
+}
+
+/// Steps that may come next, by growth and rank.
+struct Ready<'r> {
+    ranks: &'r [usize],
+    growth: Vec<Option<isize>>,
+    queue: BTreeSet<(isize, usize, usize)>,
+    /// Steps whose growth has changed, or that have become ready.
+    refresh: Vec<usize>,
+}
+
+impl<'r> Ready<'r> {
+    fn new(ranks: &'r [usize]) -> Self {
+        Self { ranks, growth: vec![None; ranks.len()], queue: BTreeSet::new(), refresh: Vec::new() }
+    }
+
+    /// The growth of those of the steps that are ready has changed.
+    fn touch(&mut self, steps: &[usize]) {
+        self.refresh.extend(steps.iter().filter(|&&step| self.growth[step].is_some()));
+    }
+
+    fn set(&mut self, step: usize, growth: isize) {
+        if let Some(before) = self.growth[step].replace(growth) {
+            self.queue.remove(&(before, self.ranks[step], step));
+        }
+        self.queue.insert((growth, self.ranks[step], step));
+    }
+
+    fn update(&mut self, growth: impl Fn(usize) -> isize) {
+        for step in std::mem::take(&mut self.refresh) {
+            self.set(step, growth(step));
+        }
+    }
+
+    fn pop(&mut self) -> Option<usize> {
+        let (_, _, step) = self.queue.pop_first()?;
+        self.growth[step] = None;
+        Some(step)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Core, Graph, Step, order, ranks};
+    use crate::expr::ExprId;
+    use crate::id::Id;
+
+    /// Steps of one result each: number and operands.
+    fn steps(all: &[(usize, &[usize])]) -> Vec<Step> {
+        let ids = |numbers: &[usize]| numbers.iter().map(|&n| ExprId::from_index(n)).collect();
+        all.iter()
+            .map(|&(makes, reads)| Step { makes: ids(&[makes]), reads: ids(reads), latency: 4 })
+            .collect()
+    }
+
+    /// Sums of `n` pairs of products of arguments, in an order that makes all products first.
+    fn products_first(n: usize) -> (Vec<Step>, ExprId) {
+        let mut all: Vec<(usize, Vec<usize>)> = (0..n).map(|i| (1000 + i, vec![2 * i, 2 * i + 1])).collect();
+        all.push((2000, vec![1000, 1001]));
+        all.extend((2..n).map(|i| (1999 + i, vec![1998 + i, 1000 + i])));
+        let last = all.last().map_or(0, |(makes, _)| *makes);
+        let borrowed: Vec<(usize, &[usize])> =
+            all.iter().map(|(makes, reads)| (*makes, &reads[..])).collect();
+        (steps(&borrowed), ExprId::from_index(last))
+    }
+
+    #[test]
+    fn operands_come_before_their_users() {
+        let (steps, last) = products_first(50);
+        let graph = Graph::new(&steps, &[last]);
+        let depth_first = graph.depth_first();
+        let forward = graph.forward(&ranks(&depth_first));
+        let backward = graph.backward(&ranks(&forward));
+        let critical = graph.critical_path_first(&steps);
+        for order in [depth_first, forward, backward, critical] {
+            let ranks = ranks(&order);
+            assert_eq!(order.len(), steps.len());
+            for (step, reads) in graph.reads.iter().enumerate() {
+                let makers = reads.iter().filter_map(|&value| graph.maker[value]);
+                assert!(makers.into_iter().all(|maker| ranks[maker] < ranks[step]), "{order:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_would_wait_is_made_when_it_is_needed() {
+        let (steps, last) = products_first(50);
+        let graph = Graph::new(&steps, &[last]);
+        assert!(graph.overfull(&(0..steps.len()).collect::<Vec<_>>()) > 0);
+        assert_eq!(graph.overfull(&order(&steps, &[last], Core::InOrder)), 0);
+    }
+
+    #[test]
+    fn the_operand_that_needs_more_registers_is_made_first() {
+        // 10 = a + b; 14 = ((a + b) (c + d)); 15 = e - 14: e alone needs one register.
+        let steps = steps(&[(10, &[0, 1]), (11, &[4]), (12, &[2, 3]), (14, &[10, 12]), (15, &[11, 14])]);
+        let order = order(&steps, &[ExprId::from_index(15)], Core::InOrder);
+        assert_eq!(order, [0, 2, 3, 1, 4]);
+    }
+
+    #[test]
+    fn the_longest_way_to_a_result_is_begun_first() {
+        // 12 = ((a + b) + c) + d and 20 = a c; the chain's steps come before the single product.
+        let steps = steps(&[(20, &[0, 2]), (10, &[0, 1]), (11, &[10, 2]), (12, &[11, 3])]);
+        let results = [20, 12].map(ExprId::from_index);
+        assert_eq!(order(&steps, &results, Core::OutOfOrder), [1, 2, 0, 3]);
+    }
+}

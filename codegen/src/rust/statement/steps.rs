@@ -1,0 +1,119 @@
+//! What a function's body computes, step by step, and which steps get a statement.
+
+use super::super::ScalarType;
+use super::super::pairs::pair_angles;
+use super::super::schedule::Step;
+use super::{Body, LONGEST_STATEMENT};
+use crate::expr::{Binary, ExprId, Node, Unary};
+use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
+
+impl<'p> Body<'p> {
+    /// The value behind an operand: a negation without a name is written where it is read.
+    pub(super) fn value(&self, mut id: ExprId) -> ExprId {
+        let dag = self.dag();
+        while let Node::Negate(positive) = dag.node(id)
+            && self.field(id).is_none()
+            && dag.name_of(id).is_none()
+        {
+            id = positive;
+        }
+        id
+    }
+
+    /// Values that a node reads, in the order of its operands; no constants.
+    fn reads(&self, id: ExprId) -> impl DoubleEndedIterator<Item = ExprId> + use<'p> {
+        let values =
+            self.operands(id).map(|a| a.map(|a| self.value(a)).filter(|&a| !self.dag().is_constant(a)));
+        values.into_iter().flatten()
+    }
+
+    /// What the body computes, operands first.
+    pub(super) fn steps(&mut self, roots: &[ExprId]) -> Vec<Step> {
+        let dag = self.dag();
+        let order = dag.reachable_above(roots, |id| self.field(id).is_some());
+        if *self.scalar == ScalarType::F64 {
+            self.pairs = pair_angles(dag, &order, |id| self.field(id).is_some());
+        }
+        let mut steps: Vec<Step> = Vec::new();
+        let mut angles: HashMap<ExprId, usize> = HashMap::default();
+        for id in order {
+            let computed =
+                dag.is_operation(id) || (matches!(dag.node(id), Node::Negate(_)) && self.value(id) == id);
+            if !computed || dag.is_constant(id) || self.field(id).is_some() {
+                continue;
+            }
+            if let Node::Unary(Unary::Sin | Unary::Cos, angle) = dag.node(id) {
+                let other = self.pairs.get(&angle);
+                let known = angles.get(&angle).or_else(|| angles.get(other?)).copied();
+                angles.insert(angle, known.unwrap_or(steps.len()));
+                if let Some(step) = known {
+                    steps[step].makes.push(id);
+                    let fresh = self.reads(id).filter(|read| !steps[step].reads.contains(read));
+                    let fresh: Vec<ExprId> = fresh.collect();
+                    steps[step].reads.extend(fresh);
+                    continue;
+                }
+            }
+            let mut reads: Vec<ExprId> = self.reads(id).collect();
+            reads.dedup();
+            let latency = latency(dag.node(id));
+            steps.push(Step { makes: vec![id], reads, latency });
+        }
+        steps
+    }
+
+    pub(super) fn count_uses(&mut self, steps: &[Step], results: &[ExprId]) {
+        for step in steps {
+            for &read in &step.reads {
+                self.uses[read.index()] += 1;
+            }
+            if let [Some(a), Some(b)] = self.operands(step.makes[0]).map(|a| a.map(|a| self.value(a)))
+                && a == b
+            {
+                self.uses[a.index()] += 1; // x x reads x twice
+            }
+        }
+        for &result in results {
+            self.uses[result.index()] += 2;
+        }
+    }
+
+    /// Decides which steps get a statement of their own. One that could stand inside its only user waits for
+    /// it; what still waits when something else comes first gets a statement, so that the order is kept.
+    pub(super) fn break_up<'s>(&mut self, order: impl Iterator<Item = &'s Step>) {
+        let dag = self.dag();
+        let mut waiting: Vec<(ExprId, usize)> = Vec::new();
+        for step in order {
+            let id = step.makes[0];
+            let mut size = 1;
+            for read in step.reads.iter().rev() {
+                if let Some((_, inside)) = waiting.pop_if(|(last, _)| last == read) {
+                    size += inside;
+                }
+            }
+            let angle = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
+            let shared = self.uses[id.index()] > 1;
+            let own = shared || angle || dag.name_of(id).is_some() || size > LONGEST_STATEMENT;
+            if own || waiting.iter().any(|(late, _)| step.reads.contains(late)) {
+                waiting.drain(..).for_each(|(late, _)| self.own_statement.insert(late));
+            }
+            if own {
+                self.own_statement.insert(id);
+            } else {
+                waiting.push((id, size));
+            }
+        }
+    }
+}
+
+/// Cycles of a present-day host until the value can be read, roughly.
+fn latency(node: Node) -> usize {
+    match node {
+        Node::Unary(Unary::Sin | Unary::Cos, _) => 60,
+        Node::Unary(..) => 18,
+        Node::Binary(Binary::Div, ..) => 13,
+        Node::Binary(..) => 4,
+        _ => 0,
+    }
+}
