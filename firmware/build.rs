@@ -23,16 +23,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
     );
 
-    let mut options =
-        Options { file_name: Some("mechanism".to_owned()), effort: Effort::All, ..Options::default() };
-    options.emit.scalar = ScalarType::F32;
-    for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
-        let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;
-        options.parameters.values.insert(name.to_owned(), value.parse()?);
-    }
-    let mechanism = smartbed_codegen::build(option("SMARTBED_MODEL", MODEL), &options);
-    fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
-
     let steps: u32 = option("SMARTBED_STEPS", STEPS).parse()?;
     fs::write(out.join("steps.rs"), format!("{steps}"))?;
 
@@ -45,6 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             )
         })?;
         fs::write(out.join("scene.rs"), text)?;
+    } else {
+        // A scene has no mechanism: deriving one would be most of the time that its image takes.
+        derive(out)?;
     }
 
     let inject = option("SMARTBED_INJECT", "");
@@ -57,6 +50,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-link-search={}", out.display());
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }
+    Ok(())
+}
+
+/// Derives the model, with the changes of its parameters.
+fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
+    let mut options =
+        Options { file_name: Some("mechanism".to_owned()), effort: Effort::All, ..Options::default() };
+    options.emit.scalar = ScalarType::F32;
+    for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
+        let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;
+        options.parameters.values.insert(name.to_owned(), value.parse()?);
+    }
+    let model = option("SMARTBED_MODEL", MODEL);
+    if env::var_os("CARGO_FEATURE_EVERYTHING").is_some() {
+        let read = smartbed_codegen::model::read(Path::new(&model)).map_err(|e| e.to_string())?;
+        options.parameters.keep = read.parameters.iter().map(|p| p.name.clone()).collect();
+    }
+    let mechanism = smartbed_codegen::build(model, &options);
+    fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
     Ok(())
 }
 

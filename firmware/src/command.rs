@@ -56,10 +56,19 @@ impl Profile {
     #[must_use]
     pub fn at(&self, t: f32) -> Pose {
         let s = smooth_step(t / self.ramp);
-        let (sin, cos) = (self.turn * t).sin_cos();
+        let (sin, cos) = tile_sin_cos(self.turn * t);
         let slope = self.slope * s;
         Pose { zc: self.start + self.rise * s, tx: slope * cos, ty: slope * sin }
     }
+}
+
+/// Sine and cosine of an angle (rad), out of line.
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+#[must_use]
+pub fn tile_sin_cos(angle: f32) -> (f32, f32) {
+    Real::sin_cos(angle)
 }
 
 /// 0 up to x = 0, 1 from x = 1 on, and between them x^3 (10 - 15 x + 6 x^2): velocity and

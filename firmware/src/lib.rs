@@ -5,10 +5,13 @@
 //! model at build time) advance by one step ([`simulation`]). Every state goes into a [`digest`],
 //! which is how host and chip are compared.
 //!
+//! The image of a flexible scene shares the digest alone: with the feature `scene` nothing is derived.
+//!
 //! Invariants: single precision only, no panic, no heap, no recursion, no fused multiply-add; so
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
 
+#[cfg(not(feature = "scene"))]
 #[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
 pub mod mechanism {
     //! The equations of motion, derived from the model by the build script.
@@ -19,6 +22,7 @@ pub mod mechanism {
 pub mod command;
 pub mod control;
 pub mod digest;
+#[cfg(not(feature = "scene"))]
 pub mod simulation;
 
 /// Number of steps of the demonstration that the image runs.

@@ -1,8 +1,9 @@
 //! The tile with its controller in the loop, one millisecond at a time.
 //!
-//! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u).
+//! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u) and of the energies at the end.
 //! Invariant: the forces are computed once per step and held, as a controller's tick would.
-//! [`tile_step`] and [`tile_rates`] are symbols of the image so that the emulator can count them.
+//! [`tile_step`] and the answers [`tile_rates`], [`tile_project`] and [`tile_energy`] are symbols of the image, so that
+//! the emulator can count them and the report can tell their size.
 
 use crate::command::Profile;
 use crate::control;
@@ -98,7 +99,7 @@ impl Simulation {
         let weight = load * parameter(&model, "g");
         let mut q = NOMINAL;
         for _ in 0..START_CORRECTIONS {
-            model.project(&mut q)?;
+            tile_project(&mut model, &mut q)?;
         }
         let mut x = [0.0; NX];
         x.iter_mut().zip(q).for_each(|(x, q)| *x = q);
@@ -142,7 +143,7 @@ impl Simulation {
         inputs
     }
 
-    /// Takes so many steps and returns the digest of all states after each of them.
+    /// Takes so many steps and returns the digest of all states after each of them, and of the energies after the last.
     ///
     /// # Errors
     /// The number of steps done and why the next one was refused.
@@ -152,6 +153,8 @@ impl Simulation {
             tile_step(self).map_err(|fault| (done, fault))?;
             digest.add(&self.x);
         }
+        let (kinetic, potential) = tile_energy(&mut self.model, &self.x).map_err(|fault| (steps, fault))?;
+        digest.add(&[kinetic, potential]);
         Ok(digest)
     }
 }
@@ -173,8 +176,21 @@ pub fn tile_step(simulation: &mut Simulation) -> Result<(), Fault> {
     let t = simulation.time();
     let Simulation { model, x, low, scratch, .. } = simulation;
     rk4(&mut Held { model, inputs }, t, STEP, &mut State::resume(x, low)?, scratch)?;
+    #[cfg(feature = "everything")]
+    answer(model, t, x, &inputs);
     simulation.steps += 1;
     Ok(())
+}
+
+/// Every other answer of the model, seen by nobody: what a step costs that leaves nothing out.
+#[cfg(feature = "everything")]
+fn answer(model: &Model, t: f32, x: &[f32; NX], inputs: &[f32; N_INPUTS]) {
+    use crate::mechanism::{energy, outputs, speeds};
+    use core::hint::black_box;
+    if let (Some(q), Some(u)) = (x.first_chunk::<NQ>(), x.last_chunk::<NU>()) {
+        let p = model.prepared();
+        black_box((energy(t, q, u, inputs, p), speeds(t, q, u, inputs, p), outputs(t, q, u, inputs, p)));
+    }
 }
 
 /// One evaluation of the equations of motion.
@@ -191,6 +207,29 @@ pub fn tile_rates(
     (q_dot, u_dot): (&mut [f32], &mut [f32]),
 ) -> Result<f32, Fault> {
     model.rates(t, q, u, inputs, q_dot, u_dot)
+}
+
+/// One correction of the dependent coordinates; returns the largest residual before it.
+///
+/// # Errors
+/// As [`Mechanism::project`].
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+pub fn tile_project(model: &mut Model, q: &mut [f32]) -> Result<f32, Fault> {
+    model.project(q)
+}
+
+/// Kinetic and potential energy (J) at the state x = [q, u].
+///
+/// # Errors
+/// As [`Mechanism::energy`].
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+pub fn tile_energy(model: &mut Model, x: &[f32]) -> Result<(f32, f32), Fault> {
+    let (q, u) = x.split_at_checked(NQ).ok_or(Fault::Shape)?;
+    model.energy(q, u)
 }
 
 /// The model with its inputs held.
@@ -213,7 +252,7 @@ impl System<f32> for Held<'_> {
     }
     fn project(&mut self, x: &mut [f32]) -> Result<f32, Fault> {
         let (q, _) = x.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
-        self.model.project(q)
+        tile_project(self.model, q)
     }
     fn projections(&self) -> u8 {
         1

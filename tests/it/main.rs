@@ -25,6 +25,7 @@ mod impact_property;
 mod newton_euler_oracle;
 mod observed_order;
 mod pair_impact;
+mod peers_front;
 mod rigid_impact;
 mod scene_graph;
 mod tile_equations;

@@ -1,84 +1,64 @@
 #!/usr/bin/env python3
-"""Motions of pendulum, four-bar and tile in the peers, as points for the report of speed against error.
+"""Motions of mechanisms and scenes in the peers and in ours, one run: speed against error, and who dominates whom.
 
-    target/peers-venv/bin/python tests/peers/motions.py [FILE.json] [--models pendulum,fourbar]
-    cargo smartbed report pendulum fourbar tile --points target/peers/points.json
+    python3 tests/peers/motions.py [--models pendulum,cube] [--no-report]
 
-Needs the environment of run.py, with SciPy. Errors as in the report: the largest of any coordinate at ten times,
-evenly over the model's seconds, against our Dormand-Prince at 1e-13, with which SciPy's DOP853 at 1e-13 must agree to
-1e-8. Times are processor time per simulated second, the fastest of three runs. What fails is printed and left out.
+Needs the environment of run.py, which it makes. Errors as in the report: the largest of any coordinate at ten times,
+evenly over the seconds, against our own run at 1e-13, with which SciPy's DOP853 at 1e-13 must agree to 1e-8. Times are
+processor time per simulated second, the fastest of three runs. Right after the peers of all models `smartbed report`
+measures ours, puts both into its plots and tables, and says whether a peer's point dominates ours: then, and if
+references differ, the exit status is 1. Results go to tests/peers/results/<machine>/motions.md and .json.
 """
 import argparse
 import csv
-import ctypes
 import json
+import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import time
 
-import casadi as ca
-import mujoco
-import numpy
-import scipy.integrate
+import run
 
-import compare
-import mechanisms
-import states
-import with_casadi
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-# Simulated seconds of the models, and values of the pendulum's.
-SECONDS = {"pendulum": 10, "fourbar": 1, "tile": 1}
-PENDULUM = {"m": 0.5, "l": 0.3, "c": 0.01, "g": 9.81}
+ROOT = run.ROOT
+DIRECTORY = ROOT / "target" / "peers"
+# Simulated seconds: the models' own; of the cube shorter, as long as exact methods agree: later a touch hangs on rounding.
+MECHANISMS = {"pendulum": 10, "fourbar": 1, "tile": 1}
+SCENES = {"single_spring": 3, "cube": 2, "bladder": 2}
+SECONDS = MECHANISMS | SCENES
 SAMPLES, RUNS, AGREEMENT = 10, 3, 1e-8
-TOLERANCES = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12]
-STEPS = [0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4]
+# Runs longer than this (s) are not repeated; after one longer than that a method's finer ones are left out.
+SHORT, LONG = 0.3, 3
 
 
-def reference(name, directory):
-    """(names of the coordinates, state at the start, coordinates at the samples) from our own run."""
-    seconds, target = SECONDS[name], directory / f"{name}_motion.csv"
-    command = ["cargo", "smartbed", "run", name, "--method", "dormand-prince", "--tolerance", "1e-13", "--step", "1e-3",
-               "--seconds", str(seconds), "--every", str(seconds * 1000 // SAMPLES), "--csv", str(target)]
+def reference(name, columns, start_columns):
+    """(state at the start, coordinates at the samples) from our own run."""
+    seconds, target = SECONDS[name], DIRECTORY / f"{name}_motion.csv"
+    method = "dop853" if name in SCENES else "dormand-prince"
+    command = ["cargo", "smartbed", "run", name, "--method", method, "--tolerance", "1e-13", "--step", "1e-3",
+               "--seconds", str(seconds), "--every", str(round(seconds * 1000) // SAMPLES), "--csv", str(target)]
     subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
     with target.open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == SAMPLES + 1, len(rows)
-    mechanism = mechanisms.MECHANISMS.get(name, lambda: None)()
-    q = mechanism.q if mechanism else ["q"]
-    u = [mechanism.u[k] for k in mechanism.independent] if mechanism else ["u_q"]
-    start = [float(rows[0][n]) for n in q + u]
-    return q, numpy.array(start), numpy.array([[float(row[n]) for n in q] for row in rows[1:]])
+    take = lambda row, names: numpy.array([float(row[n]) for n in names])
+    return take(rows[0], start_columns), numpy.array([take(row, columns) for row in rows[1:]])
 
 
-def equations(name):
-    """x -> x' as a CasADi function, x coordinates and independent speeds, no inputs."""
-    if name == "pendulum":
-        x, p = ca.SX.sym("x", 2), PENDULUM
-        rate = -p["g"] / p["l"] * ca.sin(x[0]) - p["c"] / (p["m"] * p["l"] ** 2) * x[1]
-        return ca.Function("f", [x], [ca.vertcat(x[1], rate)])
-    mechanism = mechanisms.MECHANISMS[name]()
-    x = ca.SX.sym("x", len(mechanism.q) + len(mechanism.independent))
-    values = list(states.parameters(name).values())
-    return ca.Function("f", [x], [with_casadi.function(mechanism)(ca.vertcat(x, ca.DM.zeros(len(mechanism.inputs)), *values))], {"cse": True})
+def of_mechanism(name):
+    q, u = motion_mechanisms.symbols(name)
+    start, exact = reference(name, q, q + u)
+    return exact, *motion_mechanisms.prepare(name, start, SECONDS[name], DIRECTORY)
 
 
-def compiled(name, f, directory):
-    """The function's C, compiled as in run.py, as a right-hand side for SciPy."""
-    generator = ca.CodeGenerator("f", {"with_header": False})
-    generator.add(f)
-    wrapper = "\nvoid eval(const double *in, double *out) { const double *a[%d] = {in}; double *r[%d] = {out}; casadi_int iw[%d]; double w[%d]; f(a, r, iw, w, 0); }\n"
-    source = generator.dump() + wrapper % (f.sz_arg(), f.sz_res(), f.sz_iw() + 1, f.sz_w() + 1)
-    function, n = compare.compile_c(source, f"{name}_motion", directory).eval, f.size1_in(0)
-    function.argtypes, function.restype = [ctypes.c_void_p] * 2, None
-
-    def rates(_, x):
-        x, out = numpy.ascontiguousarray(x), numpy.empty(n)
-        function(x.ctypes.data, out.ctypes.data)
-        return out
-
-    return rates
+def of_scene(name):
+    scene, seconds = scenes.Scene(ROOT / "models" / "scenes" / f"{name}.toml"), SECONDS[name]
+    _, exact = reference(name, [f"{axis}{i}" for i in range(scene.n) for axis in "xyz"], [])
+    f = scene_casadi.equations(scene)
+    rates = motion_mechanisms.compiled(name, f, DIRECTORY)
+    peers = [scene_casadi.solvers(scene, f, rates, seconds), scene_mujoco.solvers(scene, seconds), scene_exudyn.solvers(scene, seconds)]
+    return exact, scene_casadi.with_scipy(scene, rates, "DOP853", 1e-13, seconds), (solver for peer in peers for solver in peer)
 
 
 def measured(solve):
@@ -88,108 +68,89 @@ def measured(solve):
         begin = time.process_time_ns()
         found = solve()
         fastest = min(fastest, time.process_time_ns() - begin)
+        if fastest > SHORT * 1e9:
+            break
     return *found, fastest
 
 
-def scipy_solver(rates, start, seconds, method, tolerance, n):
-    times = numpy.linspace(0, seconds, SAMPLES + 1)[1:]
-
-    def solve():
-        # Dense output costs accuracy: every sample is the end of an integration.
-        x, evaluations, samples, t = start, 0, [], 0.0
-        for end in times:
-            done = scipy.integrate.solve_ivp(rates, (t, end), x, method=method, rtol=tolerance, atol=tolerance)
-            if not done.success:
-                raise RuntimeError(done.message)
-            x, t, evaluations = done.y[:, -1], end, evaluations + done.nfev
-            samples.append(x[:n])
-        return numpy.array(samples), evaluations
-
-    return solve
-
-
-def cvodes_solver(f, start, seconds, tolerance, n):
-    x = ca.SX.sym("x", len(start))
-    grid = numpy.linspace(0, seconds, SAMPLES + 1)[1:]
-    options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 1_000_000}
-    integrator = ca.integrator("i", "cvodes", {"x": x, "ode": f(x)}, 0, grid, options)
-    return lambda: (numpy.array(integrator(x0=start)["xf"])[:n].T, None)
-
-
-def mujoco_solver(start, seconds, integrator, step):
-    p = PENDULUM
-    model = mujoco.MjModel.from_xml_string(
-        f'<mujoco><compiler boundmass="0" boundinertia="0"/><option timestep="{step}" integrator="{integrator}" gravity="0 0 -{p["g"]}">'
-        '<flag contact="disable" constraint="disable"/></option><worldbody><body>'
-        f'<joint type="hinge" axis="1 0 0" damping="{p["c"]}"/><inertial pos="0 0 -{p["l"]}" mass="{p["m"]}" diaginertia="1e-14 1e-14 1e-14"/>'
-        "</body></worldbody></mujoco>")
-    data, steps = mujoco.MjData(model), round(seconds / SAMPLES / step)
-
-    def solve():
-        mujoco.mj_resetData(model, data)
-        data.qpos[:], data.qvel[:] = start[:1], start[1:]
-        samples = []
-        for _ in range(SAMPLES):
-            mujoco.mj_step(model, data, steps)
-            samples.append(data.qpos.copy())
-        return numpy.array(samples), SAMPLES * steps * (4 if integrator == "RK4" else 1)
-
-    return solve
-
-
-def solvers(name, f, rates, start, n):
-    """(method, its control, what solves) of every point."""
-    seconds = SECONDS[name]
-    for tolerance in TOLERANCES:
-        for method in ("DOP853", "RK45"):
-            yield f"CasADi, SciPy {method}", {"tolerance": tolerance}, scipy_solver(rates, start, seconds, method, tolerance, n)
-        yield "CasADi, CVODES", {"tolerance": tolerance}, cvodes_solver(f, start, seconds, tolerance, n)
-    if name == "pendulum":
-        for step in STEPS:
-            for integrator in ("RK4", "Euler", "implicitfast"):
-                yield f"MuJoCo {integrator}", {"step": step}, mujoco_solver(start, seconds, integrator, step)
-
-
-def points(name, directory):
-    q, start, exact = reference(name, directory)
-    f, seconds = equations(name), SECONDS[name]
-    rates = compiled(name, f, directory)
-    check, _ = scipy_solver(rates, start, seconds, "DOP853", 1e-13, len(q))()
-    agreement = float(abs(check - exact).max())
-    print(f"{name}: the references agree to {agreement:.1e}")
-    if agreement > AGREEMENT:
+def points(name, missing):
+    """The points of a model; what a peer cannot do goes to `missing`."""
+    exact, check, solvers = (of_scene if name in SCENES else of_mechanism)(name)
+    seconds, extent, slow = SECONDS[name], numpy.ptp(exact, axis=0).max(), set()
+    agreement = float(abs(check()[0] - exact).max())
+    print(f"{name}: the references agree to {agreement:.1e}", flush=True)
+    if not agreement <= AGREEMENT:
         raise RuntimeError(f"the references of {name} differ by {agreement:.1e}: not the same motion")
-    for method, control, solve in solvers(name, f, rates, start, len(q)):
+    for method, control, solve in solvers:
+        if control is None:
+            missing.append([name, method, solve])
+            continue
+        if method in slow:
+            continue
         try:
             samples, evaluations, nanoseconds = measured(solve)
         except RuntimeError as error:
-            print(f"  {method} {control}: {str(error).splitlines()[0]}")
+            print(f"  {method} {control}: {str(error).splitlines()[0]}", flush=True)
             continue
-        point = {"subject": name, "method": method, "scalar": "f64", **control, "error": float(abs(samples - exact).max()),
-                 "nanoseconds": nanoseconds / seconds, "command": f"target/peers-venv/bin/python tests/peers/motions.py --models {name}"}
-        if evaluations:
-            point["evaluations"] = evaluations / seconds
-        print(f"  {method} {control}: error {point['error']:.1e}, {point['nanoseconds']:.0f} ns per second")
-        if numpy.isfinite(point["error"]):
-            yield point
+        slow |= {method} if nanoseconds > LONG * 1e9 else set()
+        error = float(abs(samples - exact).max())
+        print(f"  {method} {control}: error {error:.1e}, {nanoseconds / seconds:.0f} ns per second", flush=True)
+        # As in the report: an error a third as large as the motion is no answer.
+        if error < 0.3 * extent:
+            yield {"subject": name, "seconds": seconds, "method": method, "scalar": "f64", **control, "error": max(error, 1e-17),
+                   "nanoseconds": nanoseconds / seconds, "command": f"python3 tests/peers/motions.py --models {name}",
+                   **({"evaluations": evaluations / seconds} if evaluations else {})}
+
+
+def report(names, file):
+    """Ours beside them; returns what dominates, as told by the report."""
+    out = DIRECTORY / "report"
+    command = ["cargo", "smartbed", "report", *names, "--no-chip", "--points", file.relative_to(ROOT), "--out", out, "--results", out]
+    subprocess.run(command, cwd=ROOT, check=True)
+    processor, folder = compare.machine()
+    target = run.HERE / "results" / folder
+    target.mkdir(parents=True, exist_ok=True)
+    for ending in ("md", "json"):
+        shutil.copy(out / f"{folder}.{ending}", target / f"motions.{ending}")
+    return json.loads((out / "report.json").read_text())["dominating"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", nargs="?", type=pathlib.Path, default=ROOT / "target" / "peers" / "points.json")
     parser.add_argument("--models", default=",".join(SECONDS), help="which, with commas between")
+    parser.add_argument("--no-report", action="store_true", help="peers only: write their points, measure nothing of ours")
     arguments = parser.parse_args()
-    directory = ROOT / "target" / "peers"
-    directory.mkdir(parents=True, exist_ok=True)
-    found = []
-    for name in arguments.models.split(","):
+    names, found, missing, failed = arguments.models.split(","), [], [], []
+    DIRECTORY.mkdir(parents=True, exist_ok=True)
+    # MuJoCo writes its warnings into a file where it runs.
+    os.chdir(DIRECTORY)
+    for name in names:
         try:
-            found += points(name, directory)
-        except (RuntimeError, AssertionError, KeyError, subprocess.CalledProcessError) as error:
-            print(f"{name}: {type(error).__name__}: {error}", file=sys.stderr)
-    arguments.file.write_text(json.dumps({"points": found, "tables": []}, indent=1) + "\n")
-    print(f"{len(found)} points in {arguments.file}")
+            found += points(name, missing)
+        except (RuntimeError, AssertionError, KeyError, NotImplementedError, subprocess.CalledProcessError) as error:
+            failed.append(f"{name}: {type(error).__name__}: {error}")
+    tables = [{"title": "What a peer cannot do", "columns": ["subject", "peer", "why"], "rows": missing,
+               "command": f"python3 tests/peers/motions.py --models {','.join(names)}"}]
+    file = DIRECTORY / "points.json"
+    file.write_text(json.dumps({"points": found, "tables": tables if missing else []}, indent=1) + "\n")
+    print(f"{len(found)} points in {file}")
+    failed += [] if arguments.no_report else report(names, file)
+    for line in failed:
+        print(line, file=sys.stderr)
+    sys.exit(bool(failed))
 
 
 if __name__ == "__main__":
+    python = run.prepare()
+    if pathlib.Path(sys.prefix).resolve() != run.VENV.resolve():
+        os.execv(python, [str(python), *sys.argv])
+    import numpy
+
+    import compare
+    import motion_mechanisms
+    import scene_casadi
+    import scene_exudyn
+    import scene_mujoco
+    import scenes
+
     main()

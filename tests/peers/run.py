@@ -20,7 +20,7 @@ ROOT = HERE.parent.parent
 VENV = ROOT / "target" / "peers-venv"
 # Package on the index by module.
 PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "scipy": "scipy", "casadi": "casadi", "sympy": "sympy", "symforce": "symforce",
-            "pinocchio": "pin", "mujoco": "mujoco"}
+            "pinocchio": "pin", "mujoco": "mujoco", "exudyn": "exudyn"}
 
 
 def prepare():

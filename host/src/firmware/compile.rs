@@ -32,6 +32,8 @@ pub struct Settings {
     pub set: Vec<String>,
     /// A defect for the checks to find.
     pub inject: Option<String>,
+    /// Every parameter of a mechanism tunable, every answer in every step.
+    pub everything: bool,
     /// Constant tables in Rust, if the model is a scene.
     pub tables: Option<String>,
 }
@@ -52,7 +54,12 @@ impl Settings {
             (None, STEPS)
         };
         let steps = arguments.steps.unwrap_or(steps);
-        Ok(Self { model, steps, set: arguments.set.clone(), inject: arguments.inject.clone(), tables })
+        if arguments.everything && tables.is_some() {
+            let why = "--everything: a scene has no parameters or answers that were left out";
+            return Err(Failure::Wrong(format!("{why}; turn on what it lacks with --set")));
+        }
+        let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
+        Ok(Self { model, steps, set, inject, everything: arguments.everything, tables })
     }
 
     /// Name of the program that is built.
@@ -60,10 +67,10 @@ impl Settings {
         if self.tables.is_some() { "scene" } else { "tile" }
     }
 
-    /// Functions of the image that are counted: a step, and an evaluation of a mechanism's rates.
+    /// Functions of the image that are counted: a step, and of a mechanism its rates and a sine and cosine.
     #[must_use]
     pub fn counted(&self) -> &'static [&'static str] {
-        if self.tables.is_some() { &["scene_step"] } else { &["tile_step", "tile_rates"] }
+        if self.tables.is_some() { &["scene_step"] } else { &["tile_step", "tile_rates", "tile_sin_cos"] }
     }
 
     /// Hands the settings to the firmware's build script; tables through a file in `folder`.
@@ -73,6 +80,9 @@ impl Settings {
         match &self.tables {
             None => {
                 command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
+                if self.everything {
+                    command.args(["--features", "everything"]);
+                }
             }
             Some(tables) => {
                 let file = folder.join("scene.rs");

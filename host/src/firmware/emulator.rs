@@ -45,10 +45,14 @@ pub struct Run {
 /// # Errors
 /// [`Failure::Lacking`] if rustc cannot build it.
 pub fn plugin(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Result<PathBuf, Failure> {
-    let library = folder.join("libcount.so");
+    let (library, source) = (folder.join("libcount.so"), workspace.join(PLUGIN));
+    let changed = |path: &Path| fs::metadata(path).and_then(|m| m.modified()).ok();
+    if changed(&library).is_some_and(|built| changed(&source).is_some_and(|written| written < built)) {
+        return Ok(library);
+    }
     let mut rustc = clean(&toolchain.rustc);
     rustc.args(["-O", "--crate-type", "cdylib", "--crate-name", "count", "--edition", "2024"]);
-    rustc.arg(workspace.join(PLUGIN)).arg("-o").arg(&library);
+    rustc.arg(source).arg("-o").arg(&library);
     run_quietly(&mut rustc).map_err(|log| {
         Failure::Lacking(format!("the emulator's plug-in does not build: run `apt-get install gcc`\n{log}"))
     })?;

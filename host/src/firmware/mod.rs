@@ -4,12 +4,14 @@
 //! the value that the host steps.
 //! Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
 //! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
-//! plug-in ([`emulator`]), compare the digests of chip and host, print ([`report`]).
+//! plug-in ([`emulator`]), compare the digests of chip and host, set the counts against the operations
+//! ([`equations`]), print ([`report`]).
 
 pub mod chip;
 pub mod compile;
 pub mod cycles;
 pub mod emulator;
+pub mod equations;
 pub mod image;
 pub mod process;
 pub mod report;
@@ -39,6 +41,9 @@ pub struct Arguments {
     /// Changes a parameter, on the chip and on the host; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Every parameter of a mechanism tunable, every answer computed in every step: what leaving out saves.
+    #[arg(long)]
+    pub everything: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -63,11 +68,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Builds, checks and runs the image; prints progress only.
+/// Builds, checks and runs the image, and the host's simulation to compare it with; prints progress only.
 ///
 /// # Errors
 /// As [`run`], except that broken rules are in the report.
 pub fn measure(arguments: &Arguments) -> Result<Report, Failure> {
+    build(arguments, true)
+}
+
+/// As [`measure()`], without the host's simulation: what an image costs.
+///
+/// # Errors
+/// As [`measure()`].
+pub fn cost(arguments: &Arguments) -> Result<Report, Failure> {
+    build(arguments, false)
+}
+
+fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let workspace = workspace()?;
     let settings = Settings::new(&workspace, arguments)?;
     let toolchain = toolchain::toolchain(STM32F405.target)?;
@@ -83,10 +100,13 @@ pub fn measure(arguments: &Arguments) -> Result<Report, Failure> {
     let mut report = Report::new(&toolchain, &settings, &elf, &image, stack, findings);
     if report.findings.is_empty() {
         let plugin = emulator::plugin(&toolchain, &workspace, &folder)?;
-        let host = compile::simulation(&toolchain, &workspace, &folder, &settings)?;
+        let host = match compared {
+            true => Some(compile::simulation(&toolchain, &workspace, &folder, &settings)?),
+            false => None,
+        };
         eprintln!("running {} steps in the emulator", settings.steps);
         let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, settings.counted())?;
-        report.add_run(&run, &host)?;
+        report.add_run(&run, host.as_deref(), &image)?;
     }
     Ok(report)
 }

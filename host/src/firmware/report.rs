@@ -3,6 +3,7 @@
 use super::chip::STM32F405;
 use super::compile::Settings;
 use super::emulator::{Count, Run};
+use super::equations::Equations;
 use super::image::Image;
 use super::image::rules::{Finding, Rule};
 use super::image::size::Size;
@@ -37,14 +38,16 @@ pub struct Report {
 pub struct Outcome {
     /// Digest of the chip's trajectory.
     pub digest: String,
-    /// Digest of the host's.
-    pub host_digest: String,
+    /// Digest of the host's, if it was run.
+    pub host_digest: Option<String>,
     /// Instructions from reset to the end.
     pub instructions: u64,
     /// One step.
     pub step: Count,
     /// One evaluation of a mechanism's rates; a scene has none.
     pub rates: Option<Count>,
+    /// What the mechanism's equations cost; a scene has none.
+    pub equations: Option<Equations>,
 }
 
 impl Report {
@@ -69,15 +72,15 @@ impl Report {
         }
     }
 
-    /// Adds a run in the emulator and what the host's simulation printed.
+    /// Adds a run in the emulator and what the host's simulation printed, if it was run.
     ///
     /// # Errors
     /// [`Failure::Wrong`] if either printed no digest or the counts are not one per step.
-    pub fn add_run(&mut self, run: &Run, host: &str) -> Result<(), Failure> {
-        let Some((step, rates)) = run.counts.split_first() else {
+    pub fn add_run(&mut self, run: &Run, host: Option<&str>, image: &Image) -> Result<(), Failure> {
+        let Some((step, rest)) = run.counts.split_first() else {
             return Err(Failure::Wrong("the plug-in counted nothing".to_owned()));
         };
-        let (steps, rates) = (u64::from(self.settings.steps), rates.first());
+        let (steps, rates) = (u64::from(self.settings.steps), rest.first());
         if step.calls != steps || rates.is_some_and(|r| r.calls < steps) {
             let evaluations = rates.map_or(0, |r| r.calls);
             return Err(Failure::Wrong(format!(
@@ -85,12 +88,17 @@ impl Report {
                 step.calls
             )));
         }
+        let equations = match rest {
+            [rates, sin_cos] => Some(Equations::new(&self.settings, image, rates, sin_cos)?),
+            _ => None,
+        };
         self.run = Some(Outcome {
             digest: digest(&run.output)?,
-            host_digest: digest(host)?,
+            host_digest: host.map(digest).transpose()?,
             instructions: run.instructions,
             step: step.clone(),
             rates: rates.cloned(),
+            equations,
         });
         Ok(())
     }
@@ -99,11 +107,9 @@ impl Report {
     #[must_use]
     pub fn failures(&self) -> Vec<String> {
         let mut failures: Vec<String> = self.findings.iter().map(Finding::to_string).collect();
-        if let Some(run) = self.run.as_ref().filter(|run| run.digest != run.host_digest) {
-            failures.push(format!(
-                "trajectory: the chip's digest {} differs from the host's {}",
-                run.digest, run.host_digest
-            ));
+        let digests = self.run.as_ref().and_then(|run| Some((&run.digest, run.host_digest.as_ref()?)));
+        if let Some((chip, host)) = digests.filter(|(chip, host)| chip != host) {
+            failures.push(format!("trajectory: the chip's digest {chip} differs from the host's {host}"));
         }
         failures
     }
@@ -128,14 +134,12 @@ impl Report {
         line("  deepest path", path.join(" > "));
         if let Some(run) = &self.run {
             line("trajectory", format!("{} steps, digest {}", self.settings.steps, run.digest));
-            line(
-                "  on the host",
-                if run.digest == run.host_digest {
-                    "the same, bit for bit".to_owned()
-                } else {
-                    format!("DIFFERS: {}", run.host_digest)
-                },
-            );
+            let compared = match &run.host_digest {
+                None => "not run".to_owned(),
+                Some(host) if *host == run.digest => "the same, bit for bit".to_owned(),
+                Some(host) => format!("DIFFERS: {host}"),
+            };
+            line("  on the host", compared);
             let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
             for (name, count) in counts.into_iter().filter_map(|(name, count)| Some((name, count?))) {
                 let [min, median, max] = count.instructions;
@@ -158,6 +162,18 @@ impl Report {
                     ),
                 );
             }
+        }
+        if let Some(equations) = self.run.as_ref().and_then(|run| run.equations.as_ref()) {
+            let Equations { operations, angles, sin_cos, apart, bytes, .. } = equations;
+            let (ratio, strict) = (equations.by_operation(), equations.by_operation_with_constants());
+            line(
+                "  sines and cosines apart",
+                format!(
+                    "{apart} instructions, {ratio:.2} for each of {operations} operations ({strict:.2} with their constants)"
+                ),
+            );
+            line("sine and cosine", format!("{sin_cos} instructions an angle, {angles} angles"));
+            line("rates, projection, energy", format!("{bytes} bytes of code"));
         }
         for rule in Rule::ALL {
             let broken = self.findings.iter().filter(|f| f.rule == rule).count();
@@ -195,6 +211,15 @@ impl Report {
                 "instructions": run.instructions,
                 "step": count(&run.step),
                 "rates": run.rates.as_ref().map(count),
+                "equations": run.equations.as_ref().map(|equations| json!({
+                    "operations": equations.operations,
+                    "angles": equations.angles,
+                    "sin_cos": equations.sin_cos,
+                    "apart": equations.apart,
+                    "by_operation": equations.by_operation(),
+                    "by_operation_with_constants": equations.by_operation_with_constants(),
+                    "bytes": equations.bytes,
+                })),
             })
         });
         let report = json!({

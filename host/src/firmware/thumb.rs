@@ -27,6 +27,8 @@ pub enum Kind {
     Fpv5,
     /// Fused multiply-add: rounds once where the host rounds twice.
     Fused,
+    /// Loads a constant of single precision that stands behind the code.
+    Constant,
     /// Anything else.
     Other,
 }
@@ -125,6 +127,9 @@ fn branch(address: u32, a: u32, b: u32) -> Kind {
 
 /// Floating-point data processing (coprocessors 10: single, 11: double).
 fn float(a: u32, b: u32) -> Kind {
+    if a & 0xFF3F == 0xED1F && b & 0xF00 == 0xA00 {
+        return Kind::Constant; // vldr s, [pc, #n]
+    }
     if b & 0xE00 != 0xA00 || b & 0x10 != 0 {
         return Kind::Other; // another coprocessor, or a transfer to a core register
     }
@@ -162,7 +167,7 @@ mod tests {
     use super::{Kind, decode};
 
     /// Hand-assembled: (halfwords, meaning) at address 0x0800_1000.
-    const CASES: [(&str, [u16; 2], Kind); 31] = [
+    const CASES: [(&str, [u16; 2], Kind); 32] = [
         ("push {r4, r5, r6, r7, lr}", [0xB5F0, 0], Kind::Stack(20)),
         ("push {r0}", [0xB401, 0], Kind::Stack(4)),
         ("sub sp, #508", [0xB0FF, 0], Kind::Stack(508)),
@@ -189,6 +194,7 @@ mod tests {
         ("bx lr", [0x4770, 0], Kind::Other),
         ("bx r3", [0x4718, 0], Kind::IndirectJump),
         ("ldr.w pc, [r0]", [0xF8D0, 0xF000], Kind::IndirectJump),
+        ("vldr s2, [pc, #228]", [0xED9F, 0x1A39], Kind::Constant),
         ("vadd.f64 d0, d0, d1", [0xEE30, 0x0B01], Kind::Double),
         ("vcvt.f64.f32 d0, s0", [0xEEB7, 0x0AC0], Kind::Double),
         ("vadd.f32 s0, s0, s1", [0xEE30, 0x0A20], Kind::Other),

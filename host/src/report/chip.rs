@@ -1,5 +1,6 @@
 //! Costs on the chip: an image of a subject in f32 is built, checked and run in the emulator, as
-//! `smartbed firmware` does; a step's instructions are counted and its cycles modelled.
+//! `smartbed firmware` does (without comparing it with the host, which tests do); a step's instructions are
+//! counted and its cycles modelled.
 
 use super::point::{ChipCost, Section};
 use super::subject::Subject;
@@ -9,6 +10,15 @@ use std::time::{Duration, Instant};
 
 /// Steps that an image runs.
 const STEPS: u32 = 200;
+
+/// How a subject's image differs from what its file asks for.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Variant {
+    /// Changes `key=value`.
+    pub set: Vec<String>,
+    /// Of a mechanism: every parameter tunable, every answer in each step.
+    pub everything: bool,
+}
 
 /// Where costs on the chip come from, as long as they can be had.
 #[derive(Clone, PartialEq, Debug)]
@@ -36,11 +46,11 @@ impl Chip {
         self.lacking.as_deref()
     }
 
-    /// Builds and runs an image; `set` are changes `key=value`.
+    /// Builds and runs an image.
     ///
     /// # Errors
     /// Why it could not be done.
-    pub fn measure(&mut self, name: &str, method: &str, set: &[String]) -> Result<ChipCost, String> {
+    pub fn measure(&mut self, name: &str, method: &str, variant: &Variant) -> Result<ChipCost, String> {
         if let Some(why) = &self.lacking {
             return Err(why.clone());
         }
@@ -50,10 +60,11 @@ impl Chip {
         let arguments = firmware::Arguments {
             model: Some(name.to_owned()),
             steps: Some(STEPS),
-            set: set.to_vec(),
+            set: variant.set.clone(),
+            everything: variant.everything,
             ..firmware::Arguments::default()
         };
-        let report = firmware::measure(&arguments).map_err(|failure| {
+        let report = firmware::cost(&arguments).map_err(|failure| {
             if let Failure::Lacking(why) = &failure {
                 self.lacking = Some(why.clone());
             }
@@ -61,7 +72,8 @@ impl Chip {
         })?;
         let broken = || report.failures().first().cloned().unwrap_or_default();
         let run = report.run.as_ref().ok_or_else(|| format!("the image breaks a rule: {}", broken()))?;
-        let changes: String = set.iter().map(|s| format!(" --set {s}")).collect();
+        let mut changes: String = variant.set.iter().map(|s| format!(" --set '{s}'")).collect();
+        changes += if variant.everything { " --everything" } else { "" };
         Ok(ChipCost {
             method: method.to_owned(),
             instructions: run.step.instructions[1],
@@ -73,22 +85,30 @@ impl Chip {
         })
     }
 
-    /// Fills in a section's costs: every method of fixed step of a scene; a mechanism has one, rk4 at 1 ms.
-    pub fn add(&mut self, subject: &dyn Subject, section: &mut Section) {
-        let methods = match subject.is_scene() {
-            true => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
-            false => vec!["rk4".to_owned()],
-        };
-        for method in methods {
-            let set: Vec<String> =
-                if subject.is_scene() { vec![format!("method={method}")] } else { Vec::new() };
-            match self.measure(subject.name(), &method, &set) {
-                Ok(cost) => section.chip.push(cost),
-                // What nothing can be done about is said once, at the head of the report.
-                Err(_) if self.lacking.is_some() => return,
-                Err(why) => section.notes.push(format!("{method} on the chip: {}", first_line(&why))),
+    /// Fills in the sections' costs: every method of fixed step of a scene; a mechanism has one, rk4 at 1 ms.
+    /// Method after method over all subjects: where time ends, every subject has some.
+    pub fn add(&mut self, subjects: &[Box<dyn Subject>], sections: &mut [Section]) {
+        let methods: Vec<Vec<String>> = subjects.iter().map(|s| methods(s.as_ref())).collect();
+        for n in 0..methods.iter().map(Vec::len).max().unwrap_or(0) {
+            for ((subject, section), methods) in subjects.iter().zip(&mut *sections).zip(&methods) {
+                let Some(method) = methods.get(n) else { continue };
+                let set = if subject.is_scene() { vec![format!("method={method}")] } else { Vec::new() };
+                match self.measure(subject.name(), method, &Variant { set, everything: false }) {
+                    Ok(cost) => section.chip.push(cost),
+                    // What nothing can be done about is said once, at the head of the report.
+                    Err(_) if self.lacking.is_some() => return,
+                    Err(why) => section.notes.push(format!("{method} on the chip: {}", first_line(&why))),
+                }
             }
         }
+    }
+}
+
+/// Those that an image can have.
+fn methods(subject: &dyn Subject) -> Vec<String> {
+    match subject.is_scene() {
+        true => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
+        false => vec!["rk4".to_owned()],
     }
 }
 

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 #[must_use]
 pub fn text(report: &Report) -> String {
     let mut text = String::from(
-        "subject,seconds,method,scalar,step,tolerance,error,evaluations_per_second,nanoseconds_per_second,front,\
+        "subject,seconds,method,scalar,step,tolerance,error,evaluations_per_second,nanoseconds_per_second,front,peer,\
          reference_agreement,command\n",
     );
     for section in &report.sections {
@@ -21,7 +21,7 @@ pub fn text(report: &Report) -> String {
             let evaluations = p.evaluations.map(digits).unwrap_or_default();
             let _ = writeln!(
                 text,
-                "{},{},{},{},{step},{tolerance},{},{evaluations},{},{},{},{}",
+                "{},{},{},{},{step},{tolerance},{},{evaluations},{},{},{},{},{}",
                 section.name,
                 digits(section.seconds),
                 p.method,
@@ -29,6 +29,7 @@ pub fn text(report: &Report) -> String {
                 digits(p.error),
                 digits(p.nanoseconds),
                 p.front,
+                p.is_peer,
                 digits(section.reference.agreement),
                 quoted(&p.command)
             );

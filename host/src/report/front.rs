@@ -2,12 +2,19 @@
 
 use super::point::Point;
 
-/// Marks every point that no other one beats in both error and time.
+/// Is `a` no worse than `b` in error and time, and better in one? Errors stand at the reference's certainty at least,
+/// everybody's: nobody is ahead by rounding.
+#[must_use]
+pub fn dominates(a: &Point, b: &Point) -> bool {
+    let no_worse = a.error <= b.error && a.nanoseconds <= b.nanoseconds;
+    no_worse && (a.error < b.error || a.nanoseconds < b.nanoseconds)
+}
+
+/// Marks every point that no other one dominates.
 pub fn mark(points: &mut [Point]) {
-    let all: Vec<(f64, f64)> = points.iter().map(|p| (p.error, p.nanoseconds)).collect();
+    let all = points.to_vec();
     for point in points {
-        let (e, t) = (point.error, point.nanoseconds);
-        point.front = !all.iter().any(|(error, time)| *error <= e && *time <= t && (*error < e || *time < t));
+        point.front = !all.iter().any(|other| dominates(other, point));
     }
 }
 
@@ -35,6 +42,7 @@ mod tests {
             evaluations: None,
             nanoseconds,
             front: false,
+            is_peer: false,
             command: String::new(),
         }
     }

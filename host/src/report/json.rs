@@ -1,5 +1,6 @@
 //! The report as JSON, graphs left out; its points can be read back by [`super::point::Extras`].
 
+use super::peers;
 use super::point::{ChipCost, Control, Point, Report, Section, Table};
 use serde_json::{Value, json};
 
@@ -16,6 +17,7 @@ pub fn text(report: &Report) -> String {
         "elapsed": report.elapsed,
         "subjects": report.sections.iter().map(section).collect::<Vec<_>>(),
         "points": points,
+        "dominating": peers::dominating(report),
         "tables": report.tables.iter().map(table).collect::<Vec<_>>(),
     });
     format!("{value:#}\n")
@@ -61,6 +63,7 @@ fn point(subject: &str, point: &Point) -> Value {
         "evaluations": point.evaluations,
         "nanoseconds": point.nanoseconds,
         "front": point.front,
+        "peer": point.is_peer,
         "command": point.command,
     })
 }

@@ -115,10 +115,10 @@ pub fn points(section: &Section) -> Table {
             p.method.clone(),
             p.scalar.clone(),
             p.control.map_or("-".to_owned(), |c| c.text()),
-            format!("{:.2e}", p.error),
+            error(p.error, section),
             p.evaluations.map_or("-".to_owned(), |e| format!("{e:.0}")),
             duration(p.nanoseconds),
-            if p.front { "front".to_owned() } else { String::new() },
+            standing(p).to_owned(),
             format!("`{}`", p.command),
         ]
     };
@@ -127,6 +127,22 @@ pub fn points(section: &Section) -> Table {
         columns: columns.map(str::to_owned).to_vec(),
         rows: section.points.iter().map(row).collect(),
         command: String::new(),
+    }
+}
+
+/// An error, or the reference's certainty where it is not larger.
+fn error(error: f64, section: &Section) -> String {
+    let sign = if error <= section.reference.certainty() { "<= " } else { "" };
+    format!("{sign}{error:.2e}")
+}
+
+/// On the front? Of another simulator?
+fn standing(point: &Point) -> &'static str {
+    match (point.front, point.is_peer) {
+        (true, true) => "front, peer",
+        (true, false) => "front",
+        (false, true) => "peer",
+        (false, false) => "",
     }
 }
 

@@ -28,7 +28,8 @@ pub struct Measured {
     pub notes: Vec<String>,
 }
 
-/// Measures a subject. The time is shared evenly: what one ladder leaves, the next ones have.
+/// Measures a subject. What is left of the time is shared evenly by the ladders that are left: one that took longer
+/// than its share costs all later ones a little, not the next one everything.
 #[must_use]
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let mut measured = Measured::default();
@@ -36,10 +37,11 @@ pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let scalars = [ScalarKind::F64, ScalarKind::F32];
     let ladders = scalars.into_iter().flat_map(|s| methods.iter().map(move |m| (m, s)));
     let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();
-    let begin = clock::now();
+    let end = clock::now() + plan.subject;
     for (n, ladder_of) in ladders.iter().enumerate() {
-        let share = (n + 1) as f64 / ladders.len() as f64;
-        ladder(subject, truth, plan, *ladder_of, begin + plan.subject.mul_f64(share), &mut measured);
+        let now = clock::now();
+        let share = end.saturating_sub(now) / (ladders.len() - n) as u32;
+        ladder(subject, truth, plan, *ladder_of, now + share, &mut measured);
     }
     measured
 }
@@ -127,11 +129,11 @@ fn point(
         method: method.name.clone(),
         scalar: scalar.to_owned(),
         control: Some(control),
-        // Below the reference's own uncertainty nothing is known.
-        error: error.max(truth.reference.agreement).max(f64::EPSILON),
+        error: error.max(truth.reference.certainty()),
         evaluations: Some(trace.evaluations as f64 / truth.seconds),
         nanoseconds: trace.elapsed.as_nanos() as f64 / truth.seconds,
         front: false,
+        is_peer: false,
         command: format!(
             "cargo smartbed report {} --seconds {} --method {} {} --scalar {scalar}{}",
             subject.name(),

@@ -2,7 +2,7 @@
 //!
 //! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`mod@reference`], are run over a ladder of steps
 //! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
-//! observed, costs taken on the [`chip`] and put on a [`sheet`]. The renderings
+//! observed, costs taken on the [`chip`] and put on a [`sheet`], other simulators set beside ours ([`peers`]). The renderings
 //! know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
 
 pub mod body;
@@ -17,6 +17,7 @@ pub mod measure;
 pub mod mechanism;
 pub mod order;
 pub mod page;
+pub mod peers;
 pub mod pick;
 pub mod plan;
 pub mod point;
@@ -42,7 +43,7 @@ use std::time::Duration;
 use subject::{Method, Subject};
 
 /// Images for the chip are built for at most this long.
-const CHIP_TIME: Duration = Duration::from_secs(420);
+const CHIP_TIME: Duration = Duration::from_secs(480);
 
 /// Speed against error: tables, plots, one HTML page.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -80,6 +81,9 @@ pub struct Arguments {
     /// What evaluates mechanisms [default: compiled, with --quick or a single row the interpreter].
     #[arg(long, value_enum)]
     pub engine: Option<EngineKind>,
+    /// Leave out costs on the chip.
+    #[arg(long)]
+    pub no_chip: bool,
     /// More points and tables, from other simulators; may be repeated.
     #[arg(long, value_name = "FILE.json")]
     pub points: Vec<String>,
@@ -99,9 +103,10 @@ impl Arguments {
 
     /// Where costs on the chip come from.
     fn chip(&self) -> Chip {
-        match (self.quick, self.is_row()) {
-            (true, _) => Chip::none("left out by --quick"),
-            (_, true) => Chip::none("not of a single row"),
+        match (self.quick, self.no_chip, self.is_row()) {
+            (true, ..) => Chip::none("left out by --quick"),
+            (_, true, _) => Chip::none("left out by --no-chip"),
+            (.., true) => Chip::none("not of a single row"),
             _ => Chip::new(CHIP_TIME),
         }
     }
@@ -120,9 +125,8 @@ impl Arguments {
         option("scalar", self.scalar.map(|s| measure::name_of(s).to_owned()));
         self.points.iter().for_each(|p| option("points", Some(p.clone())));
         words.extend(self.results.as_ref().map(|f| format!("--results {f}")));
-        if self.quick {
-            words.push("--quick".to_owned());
-        }
+        let flags = [("--quick", self.quick), ("--no-chip", self.no_chip)];
+        words.extend(flags.into_iter().filter(|f| f.1).map(|f| f.0.to_owned()));
         words.join(" ")
     }
 
@@ -207,7 +211,10 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     for (n, subject) in subjects.iter().enumerate() {
         eprintln!("report: {} ({} of {}, {:.0} s)", subject.name(), n + 1, names.len(), progress.seconds());
         let plan = plan.hurried(progress.seconds(), clock::now() - begin, names.len() - n);
-        report.sections.push(section(subject.as_ref(), &plan, arguments.seconds)?);
+        // Beside others, as long as they run; what is in a hurry is not.
+        let told = others.iter().find_map(|extras: &Extras| extras.seconds(subject.name()));
+        let seconds = arguments.seconds.or(told.filter(|_| !arguments.quick));
+        report.sections.push(section(subject.as_ref(), &plan, seconds)?);
         progress.at((n + 1) as f64 / names.len() as f64);
     }
     let kinds =
@@ -226,11 +233,9 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     }
     let mut chip = arguments.chip();
     if !arguments.is_row() {
-        for (subject, section) in subjects.iter().zip(&mut report.sections) {
-            chip.add(subject.as_ref(), section);
-        }
         let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
         report.tables.push(sheets);
+        chip.add(&subjects, &mut report.sections);
     }
     report.chip = match chip.lacking() {
         None => "instructions counted in the emulator, cycles by model".to_owned(),
@@ -239,6 +244,10 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     };
     others.into_iter().for_each(|extras| report.add(extras));
     report.sections.iter_mut().for_each(|s| front::mark(&mut s.points));
+    if let Some(table) = peers::table(&report) {
+        report.tables.insert(0, table);
+    }
+    peers::dominating(&report).iter().for_each(|line| eprintln!("a peer dominates: {line}"));
     report.elapsed = progress.seconds();
     Ok(report)
 }
@@ -318,7 +327,7 @@ pub fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes the summary and the points of the fronts, named after the processor.
+/// Writes the summary, the points of our own fronts and all of other simulators, named after the processor.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if one cannot be written.
@@ -326,7 +335,11 @@ pub fn write_results(report: &Report, folder: &Path) -> Result<(), Failure> {
     let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
     std::fs::create_dir_all(folder).map_err(wrong)?;
     let mut fronts = report.clone();
-    fronts.sections.iter_mut().for_each(|s| s.points.retain(|p| p.front));
+    // Ours that only a peer dominates stay: whether one does can be seen in the file.
+    fronts.sections.iter_mut().for_each(|section| {
+        let ours: Vec<_> = section.points.iter().filter(|p| !p.is_peer).cloned().collect();
+        section.points.retain(|p| p.is_peer || !ours.iter().any(|own| front::dominates(own, p)));
+    });
     let put = |ending: &str, text: &str| {
         let file = folder.join(file_name(&report.machine)).with_extension(ending);
         output::write(&file.display().to_string(), text.as_bytes())

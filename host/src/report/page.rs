@@ -63,8 +63,9 @@ fn table(table: &Table) -> String {
     table.columns.iter().for_each(|c| text += &format!("<th>{}</th>", escaped(c)));
     text += "</tr>\n";
     for row in &table.rows {
-        let front = row.iter().any(|cell| cell == "front");
-        text += if front { "<tr class=\"front\">" } else { "<tr>" };
+        let standing = row.iter().find(|cell| ["front", "peer", "front, peer"].contains(&cell.as_str()));
+        let class = standing.map(|s| format!(" class=\"{}\"", s.replace(',', ""))).unwrap_or_default();
+        text += &format!("<tr{class}>");
         row.iter().for_each(|cell| text += &format!("<td>{}</td>", code(cell)));
         text += "</tr>\n";
     }

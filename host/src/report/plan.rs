@@ -51,7 +51,7 @@ impl Plan {
             rungs: 12,
             tolerance_factor: 1e-1,
             run: Duration::from_secs(1),
-            subject: Duration::from_secs(25),
+            subject: Duration::from_secs(45),
             wall: None,
             work: f64::INFINITY,
             method: None,

@@ -52,6 +52,8 @@ pub struct Point {
     pub nanoseconds: f64,
     /// No other point of the subject is both more exact and faster.
     pub front: bool,
+    /// Of another simulator.
+    pub is_peer: bool,
     /// The command that makes these numbers.
     pub command: String,
 }
@@ -63,6 +65,14 @@ pub struct Reference {
     pub text: String,
     /// Largest difference to a second, independent reference (m or rad): errors below mean nothing.
     pub agreement: f64,
+}
+
+impl Reference {
+    /// The smallest error that means anything (m or rad): below it nobody is more exact than another.
+    #[must_use]
+    pub fn certainty(&self) -> f64 {
+        self.agreement.max(f64::EPSILON)
+    }
 }
 
 /// A method's cost on the chip.
@@ -144,15 +154,15 @@ pub struct Report {
 /// Points and tables from elsewhere.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Extras {
-    /// Subject and point.
-    pub points: Vec<(String, Point)>,
+    /// Subject, its simulated time (s) where that is told, and point.
+    pub points: Vec<(String, Option<f64>, Point)>,
     /// Tables.
     pub tables: Vec<Table>,
 }
 
 impl Extras {
-    /// Reads a JSON text: `{"points": [{"subject", "method", "scalar", "step", "error", "nanoseconds",
-    /// "evaluations", "command"}], "tables": [{"title", "columns", "rows", "command"}]}`; scalar, step and
+    /// Reads a JSON text: `{"points": [{"subject", "seconds", "method", "scalar", "step", "error", "nanoseconds",
+    /// "evaluations", "command"}], "tables": [{"title", "columns", "rows", "command"}]}`; seconds, scalar, step and
     /// evaluations may be left out.
     ///
     /// # Errors
@@ -173,21 +183,40 @@ impl Extras {
         }
         Ok(extras)
     }
+
+    /// The simulated time of the first point of a subject that tells it (s).
+    #[must_use]
+    pub fn seconds(&self, subject: &str) -> Option<f64> {
+        self.points.iter().find_map(|(name, seconds, _)| seconds.filter(|_| name == subject))
+    }
 }
 
 impl Report {
-    /// Adds them; points of subjects that the report has not are left out.
+    /// Adds them, their errors lifted to the reference's certainty as ours are. Points of subjects that the report
+    /// has not are left out; those over another simulated time too, with a note.
     pub fn add(&mut self, extras: Extras) {
-        for (subject, point) in extras.points {
-            if let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) {
-                section.points.push(point);
+        for (subject, seconds, mut point) in extras.points {
+            let Some(section) = self.sections.iter_mut().find(|s| s.name == subject) else { continue };
+            let other = seconds.filter(|s| (s / section.seconds - 1.0).abs() > SAME_TIME);
+            match other
+                .map(|s| format!("{}: left out, over {s} s and not {} s", point.method, section.seconds))
+            {
+                None => {
+                    point.error = point.error.max(section.reference.certainty());
+                    section.points.push(point);
+                }
+                Some(note) if !section.notes.contains(&note) => section.notes.push(note),
+                Some(_) => {}
             }
         }
         self.tables.extend(extras.tables);
     }
 }
 
-fn read_point(entry: &Value) -> Option<(String, Point)> {
+/// Relative difference up to which two simulated times are the same.
+const SAME_TIME: f64 = 1e-9;
+
+fn read_point(entry: &Value) -> Option<(String, Option<f64>, Point)> {
     let word = |key: &str| Some(entry[key].as_str()?.to_owned());
     let number = |key: &str| entry[key].as_f64().filter(|x| *x > 0.0 && x.is_finite());
     let point = Point {
@@ -198,9 +227,10 @@ fn read_point(entry: &Value) -> Option<(String, Point)> {
         evaluations: number("evaluations"),
         nanoseconds: number("nanoseconds")?,
         front: false,
+        is_peer: true,
         command: word("command")?,
     };
-    Some((word("subject")?, point))
+    Some((word("subject")?, number("seconds"), point))
 }
 
 fn read_table(entry: &Value) -> Option<Table> {

@@ -4,7 +4,7 @@
 //! nothing, and the energy ledger. Everything of a mechanism: every parameter tunable, and energies, all
 //! speeds and outputs after each step. The ratio is what is saved by modelling only what is asked for.
 
-use super::chip::Chip;
+use super::chip::{Chip, Variant};
 use super::markdown::duration;
 use super::point::{ChipCost, Table};
 use super::subject::Subject;
@@ -27,8 +27,8 @@ pub struct Sheet {
     pub left_out: String,
     /// As asked, and with everything.
     pub costs: [Cost; 2],
-    /// Changes `key=value` that turn everything on, where the chip can have it.
-    pub everything: Option<Vec<String>>,
+    /// What turns everything on.
+    pub everything: Variant,
 }
 
 /// One table of all sheets. What of the chip could not be had is told by `chip`.
@@ -42,23 +42,27 @@ pub fn table(subjects: &[Box<dyn Subject>], chip: &mut Chip, command: &str) -> R
         "left out",
         "operations per step",
         "time per step",
-        "flash, RAM, stack (bytes)",
+        "instructions per step on the chip",
+        "flash there (bytes)",
+        "RAM there",
+        "stack there",
     ];
     let mut rows = Vec::new();
     for subject in subjects {
         let sheet = subject.sheet().map_err(|e| format!("{}: {e}", subject.name()))?;
         let [asked, all] = sheet.costs;
-        let images = sheet.everything.as_ref().map(|set| {
-            [Vec::new(), set.clone()].map(|set| chip.measure(subject.name(), "as asked", &set).ok())
-        });
-        rows.push(vec![
+        let mut row = vec![
             subject.name().to_owned(),
             sheet.asked.clone(),
             sheet.left_out.clone(),
             against(asked.operations, all.operations, |x| format!("{x:.0}")),
             against(asked.nanoseconds, all.nanoseconds, duration),
-            memory(images),
-        ]);
+        ];
+        let images = [Variant::default(), sheet.everything]
+            .map(|variant| chip.measure(subject.name(), "as asked", &variant).ok());
+        let costs: [fn(&ChipCost) -> u64; 4] = [|c| c.instructions, |c| c.flash, |c| c.ram, |c| c.stack];
+        row.extend(costs.map(|cost| both(&images, cost)));
+        rows.push(row);
     }
     let title = "Cost sheets: as asked, with everything on, and what that multiplies".to_owned();
     Ok(Table { title, columns: columns.map(str::to_owned).to_vec(), rows, command: command.to_owned() })
@@ -69,9 +73,14 @@ fn against(asked: f64, all: f64, text: impl Fn(f64) -> String) -> String {
     format!("{} / {} = {:.2} x", text(asked), text(all), all / asked)
 }
 
-/// Flash, RAM and stack of one or two images.
-fn memory(images: Option<[Option<ChipCost>; 2]>) -> String {
-    let text = |c: ChipCost| format!("{}, {}, {}", c.flash, c.ram, c.stack);
-    let found: Vec<String> = images.into_iter().flatten().flatten().map(text).collect();
-    if found.is_empty() { "-".to_owned() } else { found.join(" / ") }
+/// A cost of both images, or of the one that could be had.
+fn both(images: &[Option<ChipCost>; 2], cost: impl Fn(&ChipCost) -> u64) -> String {
+    match images.each_ref().map(|image| image.as_ref().map(&cost)) {
+        // Without statics there is nothing to multiply.
+        [Some(asked), Some(all)] if asked == 0 || asked == all => format!("{asked} / {all}"),
+        [Some(asked), Some(all)] => against(asked as f64, all as f64, |x| format!("{x:.0}")),
+        [Some(asked), None] => format!("{asked} / -"),
+        [None, Some(all)] => format!("- / {all}"),
+        [None, None] => "-".to_owned(),
+    }
 }

@@ -1,6 +1,7 @@
 //! The cost sheet of a scene: operations counted and time taken over its first steps.
 
 use super::body::Body;
+use super::chip::Variant;
 use super::clock;
 use super::sheet::{Cost, Sheet};
 use crate::scene::run::{describe, open_ledger};
@@ -34,7 +35,12 @@ pub fn make(body: &Body) -> Result<Sheet, String> {
         scene.method,
         scene.step
     );
-    Ok(Sheet { asked, left_out: left_out.join(", "), costs, everything: Some(everything) })
+    Ok(Sheet {
+        asked,
+        left_out: left_out.join(", "),
+        costs,
+        everything: Variant { set: everything, everything: false },
+    })
 }
 
 /// What a scene goes without, and the settings that turn it on.

@@ -1,5 +1,6 @@
 //! The cost sheet of a mechanism: a step of rk4, its equations counted by the derivation.
 
+use super::chip::Variant;
 use super::clock;
 use super::mechanism::{Mechanism, Plant64};
 use super::sheet::{Cost, Sheet};
@@ -40,7 +41,8 @@ pub fn make(mechanism: &Mechanism) -> Result<Sheet, String> {
         lean.speeds.len(),
         lean.outputs.len()
     );
-    Ok(Sheet { asked, left_out, costs, everything: None })
+    let everything = Variant { set: Vec::new(), everything: true };
+    Ok(Sheet { asked, left_out, costs, everything })
 }
 
 fn lean_operations(program: &Program) -> f64 {

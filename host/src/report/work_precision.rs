@@ -1,4 +1,5 @@
-//! Error against cost, both as powers of ten: a line per method, full in f64, open in f32, the front in amber.
+//! Error against cost, both as powers of ten: a line per method, squares full in f64, open in f32, crosses for other
+//! simulators, the front in amber.
 
 use super::point::{Point, Section};
 use crate::plot::chart::{line, text};
@@ -96,13 +97,14 @@ pub fn draw(section: &Section, (label, cost): Cost) -> Option<Drawing> {
             let places: Vec<(f64, f64)> =
                 points.iter().filter(of_line).map(|(p, c)| (x.place(*c), y.place(p.error))).collect();
             items.push(line(places.clone(), color, if scalar == "f64" { 1.6 } else { 0.8 }));
-            places.iter().for_each(|at| items.push(marker(*at, color, scalar == "f64")));
+            let mark = if is_peer(&points, method) { Mark::Cross } else { Mark::of_scalar(scalar) };
+            places.iter().for_each(|at| items.extend(marker(*at, color, mark)));
         }
         let at = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * n as f64);
-        items.push(marker(at, color, true));
+        items.extend(marker(at, color, if is_peer(&points, method) { Mark::Cross } else { Mark::Full }));
         items.push(text((at.0 + 12.0, at.1), method, SMALL, Anchor::Start));
     }
-    legend(methods.len(), &mut items);
+    legend(methods.len(), points.iter().any(|p| p.0.is_peer), &mut items);
     Some(Drawing { width: WIDTH as usize, height: HEIGHT as usize, items })
 }
 
@@ -135,24 +137,49 @@ fn front(points: &[(&Point, f64)], x: &LogAxis, y: &LogAxis, items: &mut Vec<Ite
     items.push(line(places, FRONT, 3.0));
 }
 
-fn legend(methods: usize, items: &mut Vec<Item>) {
-    let (left, mut at) = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * methods as f64 + 14.0);
-    let mut entry = |item: Item, words: &str| {
-        items.push(item);
-        items.push(text((left + 14.0, at), words, SMALL, Anchor::Start));
-        at += 20.0;
-    };
-    let top = TOP + 10.0 + 20.0 * methods as f64 + 14.0;
-    entry(marker((left, top), INK, true), "f64");
-    entry(marker((left, top + 20.0), INK, false), "f32");
-    entry(line(vec![(left - 6.0, top + 40.0), (left + 6.0, top + 40.0)], FRONT, 12.0), "front, by time");
+fn legend(methods: usize, has_peers: bool, items: &mut Vec<Item>) {
+    let (left, top) = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * methods as f64 + 14.0);
+    let band = |y: f64| vec![line(vec![(left - 6.0, y), (left + 6.0, y)], FRONT, 12.0)];
+    let mut rows = vec![
+        (marker((left, top), INK, Mark::Full), "f64"),
+        (marker((left, top + 20.0), INK, Mark::Open), "f32"),
+        (band(top + 40.0), "front, by time"),
+    ];
+    if has_peers {
+        rows.push((marker((left, top + 60.0), INK, Mark::Cross), "other simulator"));
+    }
+    for (n, (mark, words)) in rows.into_iter().enumerate() {
+        items.extend(mark);
+        items.push(text((left + 14.0, top + 20.0 * n as f64), words, SMALL, Anchor::Start));
+    }
 }
 
-/// A full or an open square.
-fn marker((x, y): (f64, f64), color: Color, full: bool) -> Item {
-    if full {
-        return line(vec![(x - MARK, y), (x + MARK, y)], color, 2.0 * MARK);
+/// How a point is drawn.
+#[derive(Clone, Copy)]
+enum Mark {
+    /// A full square: f64.
+    Full,
+    /// An open square: f32.
+    Open,
+    /// Another simulator.
+    Cross,
+}
+
+impl Mark {
+    fn of_scalar(scalar: &str) -> Self {
+        if scalar == "f64" { Self::Full } else { Self::Open }
     }
+}
+
+fn is_peer(points: &[(&Point, f64)], method: &str) -> bool {
+    points.iter().any(|p| p.0.is_peer && p.0.method == method)
+}
+
+fn marker((x, y): (f64, f64), color: Color, mark: Mark) -> Vec<Item> {
     let (l, r, t, b) = (x - MARK, x + MARK, y - MARK, y + MARK);
-    line(vec![(l, t), (r, t), (r, b), (l, b), (l, t), (r, t)], color, 1.4)
+    match mark {
+        Mark::Full => vec![line(vec![(l, y), (r, y)], color, 2.0 * MARK)],
+        Mark::Open => vec![line(vec![(l, t), (r, t), (r, b), (l, b), (l, t), (r, t)], color, 1.4)],
+        Mark::Cross => vec![line(vec![(l, t), (r, b)], color, 2.0), line(vec![(l, b), (r, t)], color, 2.0)],
+    }
 }

@@ -13,7 +13,13 @@ const FIRST: [u8; 3] = [0, 114, 178];
 
 const PEERS: &str = r#"{
     "points": [{ "subject": "single_spring", "method": "another simulator", "error": 1e-3,
+                 "nanoseconds": 5e12, "command": "python3 another.py" },
+               { "subject": "single_spring", "method": "too short", "seconds": 1, "error": 1e-3,
                  "nanoseconds": 5e4, "command": "python3 another.py" },
+               { "subject": "single_spring", "method": "from the future", "error": 1e-9,
+                 "nanoseconds": 1, "command": "python3 another.py" },
+               { "subject": "sleigh", "method": "exact by luck", "error": 1e-300,
+                 "nanoseconds": 5e12, "command": "python3 another.py" },
                { "subject": "somewhere else", "method": "x", "error": 1, "nanoseconds": 1, "command": "x" }],
     "tables": [{ "title": "Another table", "columns": ["a", "b"], "rows": [["1", "2"]], "command": "make it" }]
 }"#;
@@ -28,6 +34,9 @@ fn report() -> &'static PathBuf {
             smartbed(&["report", "single_spring", "sleigh", "--quick", "--points", &peers, "--out", &out]);
         assert_eq!(done.status, 0, "{}", done.err);
         assert!(done.err.contains("report: sleigh (2 of 2"), "progress: {}", done.err);
+        let warned: Vec<&str> = done.err.lines().filter(|l| l.starts_with("a peer dominates: ")).collect();
+        assert_eq!(warned.len(), 1, "{}", done.err);
+        assert!(warned[0].contains("single_spring: from the future"), "{}", warned[0]);
         folder
     })
 }
@@ -96,6 +105,42 @@ fn a_row_is_made_again_by_its_command() {
         assert_eq!(again["points"][0]["error"], row["error"], "{command}");
         assert_eq!(again["points"][0]["evaluations"], row["evaluations"], "{command}");
     }
+}
+
+#[test]
+fn other_simulators_stand_beside_ours() {
+    let points = points();
+    let peers: Vec<&str> =
+        points.iter().filter(|p| p["peer"] == true).filter_map(|p| p["method"].as_str()).collect();
+    assert_eq!(
+        peers,
+        ["another simulator", "from the future", "exact by luck"],
+        "what ran shorter is left out"
+    );
+    // Nobody is more exact than the reference is sure: ours at rounding and theirs stand at the same error.
+    let least = |peer: bool| {
+        let errors = points
+            .iter()
+            .filter(|p| p["subject"] == "sleigh" && p["peer"] == peer)
+            .filter_map(|p| p["error"].as_f64());
+        errors.fold(f64::INFINITY, f64::min)
+    };
+    assert!(least(true) > 1e-17 && least(true) <= least(false), "{:e} {:e}", least(true), least(false));
+    let markdown = text("report.md");
+    for part in [
+        "## Beside the peers",
+        "| single_spring | from the future | 1 |",
+        "too short: left out, over 1 s and not 3 s",
+        "front, peer",
+    ] {
+        assert!(markdown.contains(part), "{part}");
+    }
+    let page = text("report.html");
+    for part in ["<tr class=\"peer\">", "<tr class=\"front peer\">", ">other simulator</text>"] {
+        assert!(page.contains(part), "{part}");
+    }
+    let report: Value = serde_json::from_str(&text("report.json")).expect("JSON");
+    assert_eq!(report["dominating"].as_array().map(Vec::len), Some(1));
 }
 
 #[test]

@@ -158,7 +158,7 @@ fn hazard(image: &Image, kind: Kind) -> Option<Rule> {
         Kind::Fpv5 => Some(Rule::Unit),
         Kind::Fused => Some(Rule::Fused),
         Kind::Call(target) | Kind::Jump(target) if image.owner(target).is_none() => Some(Rule::Stack),
-        Kind::Stack(_) | Kind::Call(_) | Kind::Jump(_) | Kind::Other => None,
+        Kind::Stack(_) | Kind::Call(_) | Kind::Jump(_) | Kind::Constant | Kind::Other => None,
     }
 }
 

@@ -1,0 +1,129 @@
+//! What the generated equations cost on the chip: instructions by operation, bytes of code.
+//!
+//! In: the settings, from which the model is derived as the firmware's build script derives it; the image and the
+//! counts of its run. Out: [`Equations`].
+//!
+//! Sine and cosine are counted apart: an angle takes what the function `tile_sin_cos` executes. In the rates they are
+//! inlined and share their constants, so a second, stricter figure leaves those to the rates. What else the rates
+//! do (arguments, results, the worst pivot, which is no operation of the rates) is counted with the operations.
+
+use super::compile::Settings;
+use super::emulator::Count;
+use super::image::Image;
+use super::thumb::Kind;
+use crate::failure::Failure;
+use crate::model_argument::{assignment, wrong};
+use smartbed_codegen::expr::{ExprId, Node, Unary};
+use smartbed_codegen::{Effort, ParameterChoice, model, program};
+use std::collections::BTreeSet;
+
+/// The functions of the image that are the equations: rates, projection, energy.
+const ANSWERS: [&str; 3] = ["tile_rates", "tile_project", "tile_energy"];
+
+/// Cost of the equations.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Equations {
+    /// Operations of the rates without sines and cosines.
+    pub operations: u64,
+    /// Angles of whose sine, cosine or both the rates need.
+    pub angles: u64,
+    /// Instructions of sine and cosine of an angle, called and out of line.
+    pub sin_cos: u64,
+    /// Instructions of an evaluation of the rates without sines and cosines.
+    pub apart: u64,
+    /// The same if the constants of sines and cosines are counted with the rates.
+    pub apart_with_constants: u64,
+    /// Code of rates, projection and energy with everything that they call (bytes).
+    pub bytes: u32,
+}
+
+impl Equations {
+    /// Counts; `rates` and `sin_cos` are those of `tile_rates` and `tile_sin_cos`.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] if the model cannot be derived or a function is not in the image.
+    pub fn new(settings: &Settings, image: &Image, rates: &Count, sin_cos: &Count) -> Result<Self, Failure> {
+        let (operations, angles) = rates_of(settings)?;
+        let missing = || Failure::Wrong("the image lacks a function of the equations".to_owned());
+        let function = image.find("tile_sin_cos").ok_or_else(missing)?;
+        let effects = &image.functions[function].effects;
+        let constants = effects.iter().filter(|(_, kind)| *kind == Kind::Constant).count() as u64;
+        let ([_, evaluation, _], [_, angle, _]) = (rates.instructions, sin_cos.instructions);
+        let without = |each: u64| evaluation.saturating_sub(angles * each);
+        let (apart, apart_with_constants) = (without(angle), without(angle.saturating_sub(constants)));
+        let bytes = bytes(image).ok_or_else(missing)?;
+        Ok(Self { operations, angles, sin_cos: angle, apart, apart_with_constants, bytes })
+    }
+
+    /// Instructions by operation, sines and cosines apart.
+    #[must_use]
+    pub fn by_operation(&self) -> f64 {
+        self.apart as f64 / self.operations as f64
+    }
+
+    /// The same if the constants of sines and cosines are counted with the rates.
+    #[must_use]
+    pub fn by_operation_with_constants(&self) -> f64 {
+        self.apart_with_constants as f64 / self.operations as f64
+    }
+}
+
+/// Operations of the rates without sines and cosines, and angles.
+fn rates_of(settings: &Settings) -> Result<(u64, u64), Failure> {
+    let values = settings.set.iter().map(|change| assignment(change)).collect::<Result<_, _>>()?;
+    let derived = model::read(&settings.model).and_then(|model| {
+        let tunable = model.parameters.iter().filter(|_| settings.everything);
+        let keep = tunable.map(|p| p.name.clone()).collect();
+        program::derive_with(
+            &model,
+            &ParameterChoice { values, keep, ..ParameterChoice::default() },
+            Effort::All,
+        )
+    });
+    let program = derived.map_err(|errors| wrong(&errors))?;
+    let turned = |id: ExprId| match program.dag.node(id) {
+        Node::Unary(Unary::Sin | Unary::Cos, angle) => Some(angle),
+        _ => None,
+    };
+    let reached = program.dag.reachable(&program.forward_dynamics());
+    let functions: Vec<ExprId> = reached.into_iter().filter_map(turned).collect();
+    let angles: BTreeSet<ExprId> = functions.iter().copied().collect();
+    Ok(((program.operations() - functions.len()) as u64, angles.len() as u64))
+}
+
+/// Bytes of the answers and of all functions that they call.
+fn bytes(image: &Image) -> Option<u32> {
+    let mut called: Vec<usize> = ANSWERS.iter().map(|name| image.find(name)).collect::<Option<_>>()?;
+    let mut next = 0;
+    while let Some(&function) = called.get(next) {
+        next += 1;
+        for (_, kind) in &image.functions[function].effects {
+            if let Kind::Call(target) | Kind::Jump(target) = kind
+                && let Some(callee) = image.owner(*target)
+                && !called.contains(&callee)
+            {
+                called.push(callee);
+            }
+        }
+    }
+    Some(called.iter().map(|&f| image.functions[f].end - image.functions[f].address).sum())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bytes;
+    use crate::firmware::image::tests::image;
+
+    #[test]
+    fn what_the_answers_call_counts_once() {
+        let call_next: [u16; 3] = [0xF000, 0xF801, 0x4770]; // bl .+6; bx lr
+        let image = image(&[
+            ("tile_rates", &call_next),
+            ("helper", &[0x4770]),
+            ("tile_project", &[0x4770]),
+            ("tile_energy", &[0xF7FF, 0xFFFA, 0x4770]), // bl .-8: the helper
+            ("other", &[0x4770]),
+        ]);
+        assert_eq!(bytes(&image), Some(6 + 2 + 2 + 6));
+    }
+}
