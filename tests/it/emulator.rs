@@ -41,6 +41,19 @@ fn host_and_chip_agree_to_the_bit_for_10_000_steps() {
     );
 }
 
+#[test]
+fn other_mechanisms_run_on_the_chip_too() {
+    let _image = one_at_a_time();
+    for model in ["pendulum", "fourbar", "arm6"] {
+        let steps = 100;
+        let arguments =
+            Arguments { model: Some(model.to_owned()), steps: Some(steps), ..Arguments::default() };
+        let chip = outcome(&arguments);
+        assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "{model}");
+        assert_eq!(chip.step.calls, u64::from(steps), "{model}");
+    }
+}
+
 /// Bars of the tile's equations on the chip.
 #[test]
 fn the_equations_keep_to_their_instructions_and_bytes() {

@@ -7,6 +7,7 @@
 
 use super::Arguments;
 use super::chip::Chip;
+use super::equations::{RATES, SIN_COS};
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
@@ -67,10 +68,11 @@ impl Settings {
         if self.tables.is_some() { "scene" } else { "tile" }
     }
 
-    /// Functions of the image that are counted: a step, and of a mechanism its rates and a sine and cosine.
+    /// Functions of the image that are counted: a step; of a mechanism its rates, and a sine and cosine where the
+    /// controller calls one.
     #[must_use]
-    pub fn counted(&self) -> &'static [&'static str] {
-        if self.tables.is_some() { &["scene_step"] } else { &["tile_step", "tile_rates", "tile_sin_cos"] }
+    pub fn counted(&self) -> (&'static str, &'static [&'static str]) {
+        if self.tables.is_some() { ("scene_step", &[]) } else { ("tile_step", &[RATES, SIN_COS]) }
     }
 
     /// Hands the settings to the firmware's build script; tables through a file in `folder`.

@@ -59,24 +59,27 @@ pub fn plugin(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Result<
     Ok(library)
 }
 
-/// Runs `elf` and counts the calls of `functions`.
+/// Runs `elf` and counts the calls of a `step`, and of those of the `others` that are in the image.
 ///
 /// # Errors
-/// [`Failure::Wrong`] if a function is not in the image, or the image fails or hangs.
+/// [`Failure::Wrong`] if the image has no such step, fails or hangs.
 pub fn run(
     emulator: &Path,
     plugin: &Path,
     chip: &Chip,
     elf: &Path,
     image: &Image,
-    functions: &[&str],
+    (step, others): (&str, &[&str]),
 ) -> Result<Run, Failure> {
     let counts = elf.with_extension("counts");
     let mut option = format!("{},out={}", plugin.display(), counts.display());
-    for name in functions {
-        let function =
-            image.find(name).ok_or_else(|| Failure::Wrong(format!("the image has no function `{name}`")))?;
-        option += &format!(",fn={name}@{}", image.functions[function].address);
+    if image.find(step).is_none() {
+        return Err(Failure::Wrong(format!("the image has no function `{step}`")));
+    }
+    for name in [step].iter().chain(others) {
+        if let Some(function) = image.find(name) {
+            option += &format!(",fn={name}@{}", image.functions[function].address);
+        }
     }
     let mut command = clean(emulator);
     command.args(["-M", chip.machine, "-nographic", "-monitor", "none", "-serial", "none"]);

@@ -18,7 +18,12 @@ use smartbed_codegen::{Effort, ParameterChoice, model, program};
 use std::collections::BTreeSet;
 
 /// The functions of the image that are the equations: rates, projection, energy.
-const ANSWERS: [&str; 3] = ["tile_rates", "tile_project", "tile_energy"];
+const ANSWERS: [&str; 3] = [RATES, "tile_project", "tile_energy"];
+
+/// An evaluation of the rates, as a function of the image.
+pub const RATES: &str = "tile_rates";
+/// A sine and cosine, out of line.
+pub const SIN_COS: &str = "tile_sin_cos";
 
 /// Cost of the equations.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -38,14 +43,14 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// Counts; `rates` and `sin_cos` are those of `tile_rates` and `tile_sin_cos`.
+    /// Counts; `rates` and `sin_cos` are those of [`RATES`] and [`SIN_COS`].
     ///
     /// # Errors
     /// [`Failure::Wrong`] if the model cannot be derived or a function is not in the image.
     pub fn new(settings: &Settings, image: &Image, rates: &Count, sin_cos: &Count) -> Result<Self, Failure> {
         let (operations, angles) = rates_of(settings)?;
         let missing = || Failure::Wrong("the image lacks a function of the equations".to_owned());
-        let function = image.find("tile_sin_cos").ok_or_else(missing)?;
+        let function = image.find(SIN_COS).ok_or_else(missing)?;
         let effects = &image.functions[function].effects;
         let constants = effects.iter().filter(|(_, kind)| *kind == Kind::Constant).count() as u64;
         let ([_, evaluation, _], [_, angle, _]) = (rates.instructions, sin_cos.instructions);

@@ -3,7 +3,7 @@
 use super::chip::STM32F405;
 use super::compile::Settings;
 use super::emulator::{Count, Run};
-use super::equations::Equations;
+use super::equations::{Equations, RATES, SIN_COS};
 use super::image::Image;
 use super::image::rules::{Finding, Rule};
 use super::image::size::Size;
@@ -80,7 +80,8 @@ impl Report {
         let Some((step, rest)) = run.counts.split_first() else {
             return Err(Failure::Wrong("the plug-in counted nothing".to_owned()));
         };
-        let (steps, rates) = (u64::from(self.settings.steps), rest.first());
+        let find = |name: &str| rest.iter().find(|count| count.name == name);
+        let (steps, rates) = (u64::from(self.settings.steps), find(RATES));
         if step.calls != steps || rates.is_some_and(|r| r.calls < steps) {
             let evaluations = rates.map_or(0, |r| r.calls);
             return Err(Failure::Wrong(format!(
@@ -88,8 +89,8 @@ impl Report {
                 step.calls
             )));
         }
-        let equations = match rest {
-            [rates, sin_cos] => Some(Equations::new(&self.settings, image, rates, sin_cos)?),
+        let equations = match (rates, find(SIN_COS)) {
+            (Some(rates), Some(sin_cos)) => Some(Equations::new(&self.settings, image, rates, sin_cos)?),
             _ => None,
         };
         self.run = Some(Outcome {

@@ -42,8 +42,8 @@ use std::path::Path;
 use std::time::Duration;
 use subject::{Method, Subject};
 
-/// Images for the chip are built for at most this long.
-const CHIP_TIME: Duration = Duration::from_secs(480);
+/// Images for the chip are built until so much time has passed since the report's begin.
+const CHIP_TIME: Duration = Duration::from_secs(1080);
 
 /// Speed against error: tables, plots, one HTML page.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -101,13 +101,13 @@ impl Arguments {
         self.step.is_some() || self.tolerance.is_some()
     }
 
-    /// Where costs on the chip come from.
-    fn chip(&self) -> Chip {
+    /// Where costs on the chip come from, so many seconds after the report's begin.
+    fn chip(&self, elapsed: f64) -> Chip {
         match (self.quick, self.no_chip, self.is_row()) {
             (true, ..) => Chip::none("left out by --quick"),
             (_, true, _) => Chip::none("left out by --no-chip"),
             (.., true) => Chip::none("not of a single row"),
-            _ => Chip::new(CHIP_TIME),
+            _ => Chip::new(CHIP_TIME.saturating_sub(Duration::from_secs_f64(elapsed))),
         }
     }
 
@@ -231,7 +231,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
             report.tables.push(order::table(&title, &rows, &report.command));
         }
     }
-    let mut chip = arguments.chip();
+    let mut chip = arguments.chip(progress.seconds());
     if !arguments.is_row() {
         let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
         report.tables.push(sheets);
