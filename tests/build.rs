@@ -1,9 +1,9 @@
 //! Derives every model under test, as any user would, for each scalar.
 //!
 //! `<model>_<scalar>.rs` has the model's own tunable parameters; `<model>_loaded_<scalar>.rs` keeps
-//! the fixed ones of the tiles too.
+//! the fixed ones of the tiles too; `<model>_accurate_<scalar>.rs` is the form for accuracy.
 
-use smartbed_codegen::{Effort, EmitOptions, Optimise, Options, ParameterChoice, ScalarType};
+use smartbed_codegen::{Effort, EmitOptions, Optimise, Options, ParameterChoice, ScalarType, Settings};
 
 /// Models whose code the tests compile.
 const MODELS: [&str; 4] = ["pendulum3", "fourbar", "tile", "tile_minimal"];
@@ -37,6 +37,10 @@ fn main() {
             derive(model, &format!("{model}_{suffix}"), scalar, &[], Effort::Default);
         }
     }
+    for (suffix, scalar) in [("f64", ScalarType::F64), ("f32", ScalarType::F32), ("counting", counting)] {
+        let accurate = Settings { effort: Effort::Default, optimise: Optimise::Accuracy };
+        derive("fourbar", &format!("fourbar_accurate_{suffix}"), scalar, &[], accurate);
+    }
     for model in TIMED {
         derive(model, &format!("{model}_f64"), ScalarType::F64, &[], Effort::All);
     }
@@ -47,7 +51,8 @@ fn main() {
 }
 
 /// One file in `OUT_DIR`.
-fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], effort: Effort) {
+fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], settings: impl Into<Settings>) {
+    let Settings { effort, optimise } = settings.into();
     let options = Options {
         parameters: ParameterChoice {
             keep: keep.iter().map(ToString::to_string).collect(),
@@ -55,7 +60,7 @@ fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], effor
         },
         emit: EmitOptions { scalar, ..EmitOptions::default() },
         effort,
-        optimise: Optimise::Operations,
+        optimise,
         file_name: Some(file_name.to_owned()),
     };
     smartbed_codegen::build(format!("../models/{model}.toml"), &options);

@@ -1,7 +1,8 @@
 //! Emits a model as Rust, and says on standard output what the file holds:
-//! `cargo run --release -p smartbed-codegen --example emit -- models/tile.toml tile.rs [all] [time]`
+//! `cargo run --release -p smartbed-codegen --example emit -- models/tile.toml tile.rs [all] [time | accuracy]`
 //!
-//! With `all` every effort goes into a short program; with `time` forms are chosen for time on a host instead of count.
+//! With `all` every effort goes into a short program; with `time` forms are chosen for time on a host instead of count,
+//! with `accuracy` for rounding near singular configurations.
 
 use serde_json::json;
 use smartbed_codegen::program::Quantity;
@@ -17,6 +18,7 @@ fn settings(words: &[&str]) -> Option<Settings> {
         match *word {
             "all" => settings.effort = Effort::All,
             "time" => settings.optimise = Optimise::Time,
+            "accuracy" => settings.optimise = Optimise::Accuracy,
             _ => return None,
         }
     }
@@ -27,11 +29,11 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let [input, output, rest @ ..] = &words[..] else {
-        eprintln!("expected: the model, the file to write and, if wanted, the words all and time");
+        eprintln!("expected: the model, the file to write and, if wanted, the words all, time or accuracy");
         return ExitCode::FAILURE;
     };
     let Some(settings) = settings(rest) else {
-        eprintln!("after the model and the file to write only the words all and time are known");
+        eprintln!("after the model and the file to write only the words all, time and accuracy are known");
         return ExitCode::FAILURE;
     };
     let start = Instant::now();

@@ -293,6 +293,7 @@ impl Triads {
         }
         let expressed = match self.constant_in(dag, triad, &components, target) {
             Some(constant) => constant,
+            None if dag.unrounded_differences => self.turn_by_differences(dag, triad, components, target),
             None => self.turn_by_turn(dag, triad, components, target),
         };
         self.expressed.insert((triad, components, target), expressed);
@@ -302,8 +303,9 @@ impl Triads {
     /// [`Self::express_term`], by differences of angles where that is shorter.
     ///
     /// For directions that are formed once. In products of which equations are made the sines of the angles themselves
-    /// stay: one error of a sine then turns all equations alike, where a second angle beside it would not
-    /// (the four-bar lost a factor of 5 that way, 1e-6 rad from its change point a factor of 2.5).
+    /// stay: one error of a sine then turns all equations alike, where that of a rounded difference beside it would not
+    /// (the four-bar lost a factor of 5 that way, 1e-6 rad from its change point a factor of 2.5). An unrounded
+    /// difference has no such error: [`Self::turn_by_differences`].
     fn shorter_term(&mut self, dag: &mut Dag, from: TriadId, v: Components, to: TriadId) -> Components {
         let turned = self.express_term(dag, from, v, to);
         // A way without a difference of angles, as from a triad to itself, and constants have nothing to gain.

@@ -1,6 +1,9 @@
 //! Generated equations against the stored references and the Newton-Euler oracle; engine against engine.
 
+use smartbed_codegen::{Optimise, Settings};
 use smartbed_tests::cases::{self, Case, MECHANISMS};
+use smartbed_tests::generated;
+use smartbed_tests::interpreted::{InterpretedSubject, program_with};
 use smartbed_tests::reference::data;
 use smartbed_tests::subject::{self, Built, ENGINES, Rates, Subject};
 use smartbed_tests::tolerance::{largest, relative_error};
@@ -133,6 +136,23 @@ fn interpreted_and_compiled_agree_bit_for_bit() {
         check_bits(ENGINES.map(|engine| f64::subject(engine, model)), &cases);
         check_bits(ENGINES.map(|engine| f32::subject(engine, model)), &cases);
     }
+}
+
+#[test]
+fn the_form_for_accuracy_agrees_too() {
+    fn engines<S: Built>(compiled: Box<dyn Subject<S>>) -> [Box<dyn Subject<S>>; 2]
+    where
+        InterpretedSubject<S>: Subject<S>,
+    {
+        let accurate = Settings { optimise: Optimise::Accuracy, ..Settings::default() };
+        [Box::new(InterpretedSubject::<S>::of(&program_with("fourbar", &[], accurate))), compiled]
+    }
+    let cases = cases::random_cases("fourbar", RANDOM_STATES, 6);
+    check_bits(engines(generated::double("fourbar accurate")), &cases);
+    check_bits(engines(generated::single("fourbar accurate")), &cases);
+    let worst = worst_error(generated::double("fourbar accurate").as_mut(), &cases);
+    println!("fourbar for accuracy: {worst:.1e}");
+    assert!(worst <= ORACLE, "{worst:e}");
 }
 
 #[test]

@@ -44,6 +44,9 @@ emitted!(pendulum3_counting, Counting, Pendulum3, "pendulum3_counting");
 emitted!(fourbar_f64, f64, Fourbar, "fourbar_f64");
 emitted!(fourbar_f32, f32, Fourbar, "fourbar_f32");
 emitted!(fourbar_counting, Counting, Fourbar, "fourbar_counting");
+emitted!(fourbar_accurate_f64, f64, Fourbar, "fourbar_accurate_f64");
+emitted!(fourbar_accurate_f32, f32, Fourbar, "fourbar_accurate_f32");
+emitted!(fourbar_accurate_counting, Counting, Fourbar, "fourbar_accurate_counting");
 emitted!(tile_f64, f64, Tile, "tile_f64");
 emitted!(tile_f32, f32, Tile, "tile_f32");
 emitted!(tile_counting, Counting, Tile, "tile_counting");
@@ -67,6 +70,7 @@ pub fn double(model: &str) -> Box<dyn Subject<f64>> {
     match model {
         "pendulum3" => Box::new(pendulum3_f64::Pendulum3::default()),
         "fourbar" => Box::new(fourbar_f64::Fourbar::default()),
+        "fourbar accurate" => Box::new(fourbar_accurate_f64::Fourbar::default()),
         "tile" => Box::new(tile_f64::Tile::default()),
         "tile_minimal" => Box::new(tile_minimal_f64::TileMinimal::default()),
         "arm6" => Box::new(arm6_f64::Arm6::default()),
@@ -87,6 +91,7 @@ pub fn single(model: &str) -> Box<dyn Subject<f32>> {
     match model {
         "pendulum3" => Box::new(pendulum3_f32::Pendulum3::default()),
         "fourbar" => Box::new(fourbar_f32::Fourbar::default()),
+        "fourbar accurate" => Box::new(fourbar_accurate_f32::Fourbar::default()),
         "tile" => Box::new(tile_f32::Tile::default()),
         "tile_minimal" => Box::new(tile_minimal_f32::TileMinimal::default()),
         "tile loaded" => Box::new(tile_loaded_f32::Tile::default()),
@@ -104,6 +109,7 @@ pub fn counting(model: &str) -> Box<dyn Subject<Counting>> {
     match model {
         "pendulum3" => Box::new(pendulum3_counting::Pendulum3::default()),
         "fourbar" => Box::new(fourbar_counting::Fourbar::default()),
+        "fourbar accurate" => Box::new(fourbar_accurate_counting::Fourbar::default()),
         "tile" => Box::new(tile_counting::Tile::default()),
         "tile_minimal" => Box::new(tile_minimal_counting::TileMinimal::default()),
         _ => panic!("{:?}: `{model}` is not in build.rs", Engine::Compiled),

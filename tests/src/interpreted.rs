@@ -1,12 +1,12 @@
 //! A model read from `models/` and run by the interpreter.
 
 use crate::subject::{Names, Subject};
-use smartbed_codegen::Effort;
 use smartbed_codegen::kinematics::ParameterChoice;
 use smartbed_codegen::model;
 use smartbed_codegen::program::interpreter::Interpreted;
 use smartbed_codegen::program::{self, Program};
 use smartbed_codegen::rust::{self, EmitOptions, ScalarType};
+use smartbed_codegen::{Effort, Settings};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::real::Real;
 use std::path::{Path, PathBuf};
@@ -27,18 +27,18 @@ pub fn program(model: &str, keep: &[&str]) -> Program {
     program_with(model, keep, Effort::Default)
 }
 
-/// [`program()`] with another effort to shorten it.
+/// [`program()`] with other settings.
 ///
 /// # Panics
 /// With the diagnosis, if the model is refused.
 #[must_use]
-pub fn program_with(model: &str, keep: &[&str], effort: Effort) -> Program {
+pub fn program_with(model: &str, keep: &[&str], settings: impl Into<Settings>) -> Program {
     let choice = ParameterChoice {
         keep: keep.iter().map(ToString::to_string).collect(),
         ..ParameterChoice::default()
     };
     let model = model::read(&path(model)).unwrap_or_else(|found| panic!("{found}"));
-    program::derive_with(&model, &choice, effort).unwrap_or_else(|found| panic!("{found}"))
+    program::derive_with(&model, &choice, settings).unwrap_or_else(|found| panic!("{found}"))
 }
 
 /// The Rust emitted for a model, with a path in it that does not depend on where the tests run.

@@ -13,6 +13,10 @@ pub enum Optimise {
     Operations,
     /// Least time on a superscalar host, by the estimate of [`Dag::cycles`].
     Time,
+    /// Least rounding near singular configurations, such as the change points of linkages: bodies turned about parallel
+    /// axes are turned against each other by differences of angles that are not rounded. Fewer operations, more
+    /// sines.
+    Accuracy,
 }
 
 /// Thirds of a cycle for which an operation occupies the core, and cycles until its result is there.
@@ -34,7 +38,7 @@ impl Dag {
     #[must_use]
     pub fn cost(&self, roots: &[ExprId], optimise: Optimise) -> usize {
         match optimise {
-            Optimise::Operations => self.state_cost(roots),
+            Optimise::Operations | Optimise::Accuracy => self.state_cost(roots),
             Optimise::Time => self.cycles(roots),
         }
     }

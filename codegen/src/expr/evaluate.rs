@@ -62,6 +62,14 @@ impl Dag {
                     Node::Pi => S::from_f64(std::f64::consts::PI),
                     Node::Symbol(symbol) => value_of(symbol, point),
                     Node::Negate(a) => -values[a.index()],
+                    Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
+                        let (sin, cos) = match self.as_difference(angle).filter(|_| !self.is_constant(angle))
+                        {
+                            Some([a, b]) => S::sin_cos_of_difference(values[a.index()], values[b.index()]),
+                            None => values[angle.index()].sin_cos(),
+                        };
+                        if function == Unary::Sin { sin } else { cos }
+                    }
                     Node::Unary(function, a) => unary(function, values[a.index()]),
                     Node::Binary(operator, a, b) => binary(operator, values[a.index()], values[b.index()]),
                 };

@@ -100,6 +100,8 @@ pub struct Dag {
     symbols: IdVec<SymbolId, (String, Dependence)>,
     names: HashMap<ExprId, String>,
     derivatives: HashMap<(ExprId, SymbolId), ExprId>,
+    /// Sines and cosines of differences take them unrounded; see [`Dag::as_difference`].
+    pub(crate) unrounded_differences: bool,
 }
 
 impl Dag {
@@ -363,6 +365,15 @@ impl Dag {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => [None, None],
             Node::Negate(a) | Node::Unary(_, a) => [Some(a), None],
             Node::Binary(_, a, b) => [Some(a), Some(b)],
+        }
+    }
+
+    /// a and b, if sine and cosine of the node are to be those of a - b unrounded: `Real::sin_cos_of_difference`.
+    #[must_use]
+    pub fn as_difference(&self, angle: ExprId) -> Option<[ExprId; 2]> {
+        match self.nodes[angle] {
+            Node::Binary(Binary::Sub, a, b) if self.unrounded_differences => Some([a, b]),
+            _ => None,
         }
     }
 

@@ -14,6 +14,7 @@ enum Instruction {
     Negate { to: u32, a: u32 },
     Unary { function: Unary, to: u32, a: u32 },
     SinCos { sin: u32, cos: u32, a: u32 },
+    SinCosOfDifference { sin: u32, cos: u32, a: u32, b: u32 },
     Binary { operator: Binary, to: u32, a: u32, b: u32 },
 }
 
@@ -82,7 +83,13 @@ impl<S: Real> Tape<S> {
                     }
                     let twin = twin.unwrap_or(spare);
                     let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
-                    tape.instructions.push(Instruction::SinCos { sin, cos, a: slot[&a] });
+                    let read = |id: ExprId| position.contains_key(&id) || dag.is_constant(id);
+                    tape.instructions.push(match dag.as_difference(a).filter(|_| !read(a)) {
+                        Some([a, b]) => {
+                            Instruction::SinCosOfDifference { sin, cos, a: slot[&a], b: slot[&b] }
+                        }
+                        None => Instruction::SinCos { sin, cos, a: slot[&a] },
+                    });
                 }
                 Node::Unary(function, a) => {
                     tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });
@@ -109,6 +116,10 @@ impl<S: Real> Tape<S> {
                 }
                 Instruction::SinCos { sin, cos, a } => {
                     (v[sin as usize], v[cos as usize]) = v[a as usize].sin_cos();
+                }
+                Instruction::SinCosOfDifference { sin, cos, a, b } => {
+                    let of_difference = S::sin_cos_of_difference(v[a as usize], v[b as usize]);
+                    (v[sin as usize], v[cos as usize]) = of_difference;
                 }
                 Instruction::Binary { operator, to, a, b } => {
                     v[to as usize] = evaluate::binary(operator, v[a as usize], v[b as usize]);

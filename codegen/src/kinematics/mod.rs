@@ -21,6 +21,7 @@ mod velocity;
 mod way;
 
 use crate::diagnostic::Diagnostics;
+use crate::expr::cost::Optimise;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::{Id, IdVec, ids};
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
@@ -170,14 +171,19 @@ impl Kinematics {
     }
 }
 
-/// Derives the kinematics of `model`.
+/// Derives the kinematics of `model`; for accuracy by differences of angles.
 ///
 /// # Errors
 /// What the model gets wrong that only numbers show: constraints that cannot be met at the
 /// nominal configuration, a vector that is not constant where it is said to be, a rank that does
 /// not fit.
-pub fn derive(model: &Model, choice: &ParameterChoice) -> Result<Kinematics, Diagnostics> {
+pub fn derive(
+    model: &Model,
+    choice: &ParameterChoice,
+    optimise: Optimise,
+) -> Result<Kinematics, Diagnostics> {
     let mut k = lower::symbols(model, choice);
+    k.dag.unrounded_differences = optimise == Optimise::Accuracy;
     position::derive(model, &mut k);
     speed_map::derive(model, &mut k)?;
     velocity::derive(model, &mut k);

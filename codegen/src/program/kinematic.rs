@@ -6,6 +6,7 @@
 use super::{Effort, Program, assemble, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
+use crate::expr::cost::Optimise;
 use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
 use crate::model::Model;
 
@@ -18,7 +19,7 @@ pub fn derive_kinematic(
     choice: &ParameterChoice,
     effort: Effort,
 ) -> Result<Program, Diagnostics> {
-    let mut k = kinematics::derive(model, choice)?;
+    let mut k = kinematics::derive(model, choice, Optimise::default())?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;

@@ -134,7 +134,7 @@ pub fn derive_with(
     settings: impl Into<Settings>,
 ) -> Result<Program, Diagnostics> {
     let Settings { effort, optimise } = settings.into();
-    let mut k = kinematics::derive(model, choice)?;
+    let mut k = kinematics::derive(model, choice, optimise)?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;

@@ -30,5 +30,9 @@ pub(super) fn pair_angles(
             angles.push(angle);
         }
     }
-    angles.chunks_exact(2).flat_map(|pair| [(pair[0], pair[1]), (pair[1], pair[0])]).collect()
+    // Like with like: a difference takes two arguments.
+    let (differences, plain): (Vec<_>, Vec<_>) =
+        angles.into_iter().partition(|&angle| dag.as_difference(angle).is_some() && !is_read(angle));
+    let pairs = plain.chunks_exact(2).chain(differences.chunks_exact(2));
+    pairs.flat_map(|pair| [(pair[0], pair[1]), (pair[1], pair[0])]).collect()
 }

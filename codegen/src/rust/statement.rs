@@ -120,9 +120,21 @@ impl<'p> Body<'p> {
         self.prepared?.field(id)
     }
 
-    /// Operands that the body computes: none of what it reads.
+    /// Operands that the body computes: none of what it reads. Sine and cosine of a difference take its two angles.
     fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
-        if self.field(id).is_some() { [None, None] } else { self.dag().operands(id) }
+        match self.dag().node(id) {
+            _ if self.field(id).is_some() => [None, None],
+            Node::Unary(Unary::Sin | Unary::Cos, angle) => self.angles(angle),
+            _ => self.dag().operands(id),
+        }
+    }
+
+    /// What sine and cosine of an angle are computed of: its value, or the two of whose it is the difference.
+    fn angles(&self, angle: ExprId) -> [Option<ExprId>; 2] {
+        match self.dag().as_difference(angle) {
+            Some(of) if self.field(angle).is_none() && !self.dag().is_constant(angle) => of.map(Some),
+            _ => [Some(angle), None],
+        }
     }
 
     /// The name given to a node.
@@ -208,16 +220,21 @@ impl<'p> Body<'p> {
         self.name(id, ident);
     }
 
-    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once.
+    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once, or of their difference.
     fn sin_cos(&mut self, angle: ExprId) {
         let angles: Vec<ExprId> = [angle].into_iter().chain(self.pairs.get(&angle).copied()).collect();
-        let arguments: Vec<String> = angles.iter().map(|&angle| self.operand(angle)).collect();
+        let of = angles.iter().flat_map(|&angle| self.angles(angle)).flatten();
+        let arguments: Vec<String> = of.map(|angle| self.operand(angle)).collect();
         let names: Vec<String> = angles.iter().map(|&angle| self.name_sin_cos(angle)).collect();
+        let function = match (angles.len(), arguments.len()) {
+            (1, 1) => "sin_cos",
+            (1, _) => "sin_cos_of_difference",
+            (_, 2) => "sin_cos_of_two",
+            _ => "sin_cos_of_two_differences",
+        };
         let (names, arguments) = (names.join(", "), arguments.join(", "));
-        match angles.len() {
-            1 => self.push(&names, format_args!("Real::sin_cos({arguments})")),
-            _ => self.push(&format!("[{names}]"), format_args!("Real::sin_cos_of_two({arguments})")),
-        }
+        let names = if angles.len() == 1 { names } else { format!("[{names}]") };
+        self.push(&names, format_args!("Real::{function}({arguments})"));
     }
 
     /// `(sin_psiA, cos_psiA)`; what is not read gets no name.

@@ -63,6 +63,22 @@ impl Triads {
         }
         Some(turns)
     }
+
+    /// By the differences of the angles that turn both about one axis against a third; without any, turn by turn.
+    pub(super) fn turn_by_differences(
+        &self,
+        dag: &mut Dag,
+        from: TriadId,
+        v: Components,
+        to: TriadId,
+    ) -> Components {
+        match self.merged_turns(dag, from, to) {
+            Some(turns) if turns.iter().any(|turn| turn.is_difference(dag)) => {
+                MergedTurn::turn(&turns, dag, v)
+            }
+            _ => self.turn_by_turn(dag, from, v, to),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use smartbed_codegen::id::{Id, IdVec};
 use smartbed_codegen::kinematics::{self, Kinematics, Row, eliminate};
 use smartbed_codegen::model::{Axis, Model};
 use smartbed_codegen::vector::{Triads, Turn, Vector};
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use smartbed_codegen::{Interpreted, Optimise, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
 use std::collections::HashMap;
 use std::path::Path;
@@ -14,7 +14,8 @@ use crate::models::shipped;
 
 fn derived(name: &str) -> (Model, Kinematics) {
     let model = shipped(name);
-    let k = kinematics::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"));
+    let k = kinematics::derive(&model, &ParameterChoice::default(), Optimise::default())
+        .unwrap_or_else(|e| panic!("{e}"));
     (model, k)
 }
 

@@ -16,7 +16,7 @@ use rank::Rank;
 use serde_json::{Value, json};
 use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::{Answer, Effort, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::{Answer, Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
@@ -61,7 +61,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         false => program::derive(&model, &choice),
     };
     let program = program.map_err(|e| model_argument::wrong(&e))?;
-    let mut kinematics = kinematics::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let mut kinematics =
+        kinematics::derive(&model, &choice, Optimise::default()).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
     let nearest = near_singular::search(&model, &program, &kinematics.samples);
     let mut report = report(&model, &program, &rank, nearest.as_ref());

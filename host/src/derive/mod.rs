@@ -121,6 +121,8 @@ pub enum OptimiseFor {
     Operations,
     /// Least estimated time on a host.
     Time,
+    /// Least rounding near singular configurations.
+    Accuracy,
 }
 
 impl OptimiseFor {
@@ -128,6 +130,7 @@ impl OptimiseFor {
         match self {
             Self::Operations => Optimise::Operations,
             Self::Time => Optimise::Time,
+            Self::Accuracy => Optimise::Accuracy,
         }
     }
 }

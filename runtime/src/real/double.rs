@@ -3,6 +3,8 @@
 
 use super::sqrt::sqrt_f64;
 use super::{Real, Scalar, lane, trig};
+#[cfg(target_arch = "x86_64")]
+use super::{exact_difference, turn_further};
 
 impl Real for f64 {
     const ZERO: f64 = 0.0;
@@ -24,6 +26,13 @@ impl Real for f64 {
     #[inline]
     fn sin_cos_of_two(a: f64, b: f64) -> [(f64, f64); 2] {
         super::pair::sin_cos(a, b)
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline]
+    fn sin_cos_of_two_differences(a: f64, b: f64, c: f64, d: f64) -> [(f64, f64); 2] {
+        let ((one, lost), (two, lost_of_two)) = (exact_difference(a, b), exact_difference(c, d));
+        let [first, second] = super::pair::sin_cos(one, two);
+        [turn_further(first, lost), turn_further(second, lost_of_two)]
     }
     fn tan(self) -> f64 {
         libm::tan(self)

@@ -52,6 +52,18 @@ pub trait Real:
     fn sin_cos_of_two(a: Self, b: Self) -> [(Self, Self); 2] {
         [a.sin_cos(), b.sin_cos()]
     }
+    /// (sin, cos) of a - b (rad), what rounds off the difference made good: as exact as those of one angle, however
+    /// many turns both have made and however close to each other or to half a turn they are.
+    #[inline]
+    fn sin_cos_of_difference(a: Self, b: Self) -> (Self, Self) {
+        let (difference, lost) = exact_difference(a, b);
+        turn_further(difference.sin_cos(), lost)
+    }
+    /// The same of a - b and c - d, bit for bit; x86-64 computes f64 side by side.
+    #[inline]
+    fn sin_cos_of_two_differences(a: Self, b: Self, c: Self, d: Self) -> [(Self, Self); 2] {
+        [Self::sin_cos_of_difference(a, b), Self::sin_cos_of_difference(c, d)]
+    }
     /// Tangent (rad), same domain.
     #[must_use]
     fn tan(self) -> Self;
@@ -85,6 +97,20 @@ pub trait Real:
     /// The larger of two; NaN if either is; of equals (-0 and 0 included) `other`.
     #[must_use]
     fn max(self, other: Self) -> Self;
+}
+
+/// a - b as the rounded difference and what the rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2).
+#[inline(always)]
+fn exact_difference<R: Real>(a: R, b: R) -> (R, R) {
+    let difference = a - b;
+    let minus_b = difference - a;
+    (difference, (a - (difference - minus_b)) - (b + minus_b))
+}
+
+/// (sin, cos) of an angle a little further on: the second order of what rounding loses is below any rounding.
+#[inline(always)]
+fn turn_further<R: Real>((sin, cos): (R, R), little: R) -> (R, R) {
+    (sin + little * cos, cos - little * sin)
 }
 
 /// A constant rounded to every scalar when the program is compiled: a table of such numbers costs a machine without

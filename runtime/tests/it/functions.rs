@@ -1,6 +1,6 @@
 //! Accuracy of the own functions, each bound a named constant; exactness of sqrt; NaN; lanes.
 
-use crate::double_double;
+use crate::double_double::{self, DoubleDouble};
 use proptest::prelude::*;
 use smartbed_runtime::real::{Real, Scalar};
 
@@ -17,6 +17,8 @@ const SMALL: f64 = 1e-3;
 const SIN_COS_F32_ABSOLUTE: f64 = 1e-10;
 /// f64 sine and cosine, |x| <= 1e5, next to their zeros too [ulp].
 const SIN_COS_F64_ULP: f64 = 0.8;
+/// Sine and cosine of a difference, whatever it cancels [ulp]: one rounding more.
+const DIFFERENCE_ULP: f64 = 1.4;
 /// Bounds of the other f32 functions [ulp], everywhere in their domain.
 const TAN_ULP: f64 = 2.6;
 const ASIN_ULP: f64 = 2.0;
@@ -230,6 +232,33 @@ proptest! {
 }
 
 proptest! {
+    #[test]
+    fn differences_of_angles_are_taken_unrounded(a in -1e4_f64..1e4, near in -10.0_f64..10.0, n in -40_i32..40, power in 0_i32..16) {
+        // Close to a multiple of a quarter turn from each other: there the difference cancels, or its sine or cosine.
+        let b = a - f64::from(n) * std::f64::consts::FRAC_PI_2 - near * 0.1_f64.powi(power);
+        let (a_exact, b_exact) = (double_double::sin_cos(a), double_double::sin_cos(b));
+        let minus = |v: DoubleDouble| DoubleDouble { hi: -v.hi, lo: -v.lo };
+        let sin = a_exact.0.times(b_exact.1).plus(minus(a_exact.1.times(b_exact.0)));
+        let cos = a_exact.1.times(b_exact.1).plus(a_exact.0.times(b_exact.0));
+        let got = Real::sin_cos_of_difference(a, b);
+        for (got, want) in [(got.0, sin), (got.1, cos)] {
+            // The reference itself is good to 1e-31 of 1.
+            let place = (want.hi.abs().next_up() - want.hi.abs()).max(1e-29);
+            let error = ((got - want.hi) - want.lo).abs() / place;
+            prop_assert!(error <= DIFFERENCE_ULP, "{a} - {b}: {error} ulp of {want:?}");
+        }
+        prop_assert_eq!(Real::sin_cos_of_two_differences(a, b, near, a), [got, Real::sin_cos_of_difference(near, a)]);
+    }
+
+    #[test]
+    fn differences_of_angles_are_taken_unrounded_in_f32(a in -40.0_f32..40.0, near in -1.0_f32..1.0, power in 0_i32..7) {
+        let b = a - near * 0.1_f32.powi(power);
+        let (sin, cos) = (f64::from(a) - f64::from(b)).sin_cos();
+        let got = Real::sin_cos_of_difference(a, b);
+        prop_assert!((f64::from(got.0) - sin).abs() <= 2.0 * f64::from(f32::EPSILON) * sin.abs().max(1e-30), "{a} - {b}: {}", got.0);
+        prop_assert!((f64::from(got.1) - cos).abs() <= 2.0 * f64::from(f32::EPSILON), "{a} - {b}: {}", got.1);
+    }
+
     #[test]
     fn two_angles_at_once_give_the_bits_of_each(x in -1e5_f64..1e5, y in -4.0_f64..4.0, bits: [u64; 2]) {
         let special = [0.0, -0.0, f64::INFINITY, f64::NAN, std::f64::consts::FRAC_PI_2];

@@ -6,7 +6,7 @@ use super::super::schedule::Step;
 use super::{Body, LONGEST_STATEMENT};
 use crate::expr::{Binary, ExprId, Node, Unary};
 use crate::id::Id;
-use rustc_hash::FxHashMap as HashMap;
+use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 
 impl<'p> Body<'p> {
     /// The value behind an operand: a negation without a name is written where it is read.
@@ -60,6 +60,14 @@ impl<'p> Body<'p> {
             let latency = latency(dag.node(id));
             steps.push(Step { makes: vec![id], reads, latency });
         }
+        self.without_idle_differences(steps, roots)
+    }
+
+    /// A difference of angles that only sines and cosines were formed of is read by nobody.
+    fn without_idle_differences(&self, mut steps: Vec<Step>, roots: &[ExprId]) -> Vec<Step> {
+        let mut read: HashSet<ExprId> = roots.iter().map(|&root| self.value(root)).collect();
+        steps.iter().for_each(|step| read.extend(&step.reads));
+        steps.retain(|step| step.makes.iter().any(|made| read.contains(made)));
         steps
     }
 
