@@ -105,7 +105,8 @@ def points(name, missing):
 def report(names, file):
     """Ours beside them; returns what dominates, as told by the report."""
     out = DIRECTORY / "report"
-    command = ["cargo", "smartbed", "report", *names, "--no-chip", "--points", file.relative_to(ROOT), "--out", out, "--results", out]
+    command = ["cargo", "smartbed", "report", *names, "--no-chip", "--points", file.relative_to(ROOT),
+               "--out", out.relative_to(ROOT), "--results", out.relative_to(ROOT)]
     subprocess.run(command, cwd=ROOT, check=True)
     processor, folder = compare.machine()
     target = run.HERE / "results" / folder
