@@ -189,11 +189,15 @@ fn the_kinematic_form_needs_no_masses() {
 
 #[test]
 fn a_derived_crate_compiles_on_its_own() {
-    for (scalar, folder) in [("f32", "fourbar_f32"), ("f64x4", "fourbar_f64x4")] {
-        let folder = file(folder);
+    let forms = [("f32", "operations"), ("f64", "accuracy"), ("f64x4", "operations"), ("f64x4", "accuracy")];
+    for (scalar, optimise) in forms {
+        let folder = file(&format!("fourbar_{scalar}_{optimise}"));
+        let path = folder.display().to_string();
         let done =
-            smartbed(&["derive", "fourbar", "--scalar", scalar, "--crate", &folder.display().to_string()]);
+            smartbed(&["derive", "fourbar", "--scalar", scalar, "--optimise", optimise, "--crate", &path]);
         assert_eq!(done.status, 0, "{done:?}");
+        let text = std::fs::read_to_string(folder.join("src/equations.rs")).expect("equations");
+        assert_eq!(text.contains("sin_cos_of_difference"), optimise == "accuracy");
         let mut cargo = Command::new(env!("CARGO"));
         // Its dependencies are the workspace's own: nothing is fetched.
         cargo
@@ -201,7 +205,7 @@ fn a_derived_crate_compiles_on_its_own() {
             .arg(file("derived"))
             .current_dir(&folder);
         let done = finish(cargo);
-        assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}");
+        assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}, {optimise}");
     }
 }
 
