@@ -158,7 +158,8 @@ fn method(model: &Model, arguments: &Arguments) -> Result<Method, Failure> {
         (None, Some(_)) => return Ok(Method::DormandPrince),
         (None, None) => ("[run] method", &model.run.method),
     };
-    Method::from_str(name, false).map_err(|_| {
+    // Scenes spell their methods with `_`.
+    Method::from_str(&name.replace('_', "-"), false).map_err(|_| {
         let names: Vec<String> = Method::value_variants().iter().map(|m| m.name()).collect();
         let help = suggest::help(name, names.iter().map(String::as_str));
         Failure::Wrong(format!("{place}: there is no method `{name}`{help}"))

@@ -3,6 +3,7 @@
 pub mod dop853;
 pub mod fields;
 pub mod lists;
+pub mod method;
 pub mod read;
 pub mod run;
 pub mod shape;

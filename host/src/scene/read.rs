@@ -7,6 +7,7 @@ use smartbed_runtime::contact::{ContactLaw, Ground};
 
 use super::fields::Fields;
 use super::lists::Lists;
+use super::method::method_named;
 use super::shape;
 use super::simulation::{Simulation, Surroundings};
 
@@ -399,27 +400,6 @@ fn read_inflation(fields: &Fields) -> Result<Option<Inflation<f64>>, String> {
         }
     };
     Ok(Some(Inflation { gas, form }))
-}
-
-/// The method named in a scene or on the command line.
-///
-/// # Errors
-/// An unknown name, with the known ones.
-pub fn method_named(name: &str, tolerance: f64) -> Result<Method<f64>, String> {
-    match name {
-        "symplectic_euler" => Ok(Method::SymplecticEuler),
-        "verlet" => Ok(Method::Verlet),
-        "nystrom4" => Ok(Method::Nystrom4),
-        "blanes_moan4" => Ok(Method::BlanesMoan4),
-        "rk4" => Ok(Method::Rk4),
-        "implicit_midpoint" => Ok(Method::ImplicitMidpoint),
-        "energy_momentum" => Ok(Method::EnergyMomentum),
-        "dormand_prince" => Ok(Method::DormandPrince { tolerance }),
-        "dop853" => Ok(Method::Dop853 { tolerance }),
-        other => Err(format!(
-            "unknown method `{other}`; known: symplectic_euler, verlet, nystrom4, blanes_moan4, rk4, implicit_midpoint, energy_momentum, dormand_prince, dop853"
-        )),
-    }
 }
 
 fn read_method(fields: &Fields) -> Result<Method<f64>, String> {

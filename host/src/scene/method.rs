@@ -1,0 +1,51 @@
+//! Integration methods of scenes by their names.
+
+use crate::suggest;
+use smartbed_runtime::advance::Method;
+
+/// Methods of scenes.
+const METHODS: [&str; 9] = [
+    "symplectic_euler",
+    "verlet",
+    "nystrom4",
+    "blanes_moan4",
+    "rk4",
+    "implicit_midpoint",
+    "energy_momentum",
+    "dormand_prince",
+    "dop853",
+];
+
+/// The method named in a scene or on the command line, `-` for `_` as mechanisms spell theirs.
+///
+/// # Errors
+/// An unknown name, with what was probably meant.
+pub fn method_named(name: &str, tolerance: f64) -> Result<Method<f64>, String> {
+    match name.replace('-', "_").as_str() {
+        "symplectic_euler" => Ok(Method::SymplecticEuler),
+        "verlet" => Ok(Method::Verlet),
+        "nystrom4" => Ok(Method::Nystrom4),
+        "blanes_moan4" => Ok(Method::BlanesMoan4),
+        "rk4" => Ok(Method::Rk4),
+        "implicit_midpoint" => Ok(Method::ImplicitMidpoint),
+        "energy_momentum" => Ok(Method::EnergyMomentum),
+        "dormand_prince" => Ok(Method::DormandPrince { tolerance }),
+        "dop853" => Ok(Method::Dop853 { tolerance }),
+        _ => Err(format!("unknown method `{name}`{}", suggest::help(name, METHODS))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_method_is_known_in_both_spellings() {
+        for name in METHODS {
+            assert!(method_named(name, 1e-9).is_ok(), "{name}");
+            assert!(method_named(&name.replace('_', "-"), 1e-9).is_ok(), "{name}");
+        }
+        let message = method_named("verlett", 1e-9).unwrap_err();
+        assert_eq!(message, "unknown method `verlett`; did you mean `verlet`?");
+    }
+}
