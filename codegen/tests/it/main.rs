@@ -5,6 +5,7 @@ mod chain;
 mod example_crate;
 mod expr;
 mod expressions;
+mod forms;
 mod geometry;
 mod layering;
 mod loops;

@@ -1,0 +1,82 @@
+//! What a program is optimised for changes its operations, never its answers.
+
+use crate::models::shipped;
+use smartbed_codegen::{Effort, Interpreted, Optimise, ParameterChoice, Program, Settings, program};
+use smartbed_runtime::mechanism::Mechanism;
+
+/// Every mechanism of models/.
+const MODELS: [&str; 15] = [
+    "arm6",
+    "bicycle",
+    "cart_pole",
+    "double_pendulum",
+    "fourbar",
+    "gyroscope",
+    "pendulum",
+    "pendulum10",
+    "pendulum3",
+    "sleigh",
+    "slider_crank",
+    "slider_crank_closed",
+    "tile",
+    "tile_drive",
+    "tile_minimal",
+];
+/// States by model, and how far coordinates and speeds lie from nominal and from rest at most.
+const STATES: usize = 20;
+const SPREAD: f64 = 0.05;
+/// Newton corrections that put a state on its constraints.
+const CORRECTIONS: usize = 8;
+/// Two formulations of u' at the same state, relative to the largest.
+const AGREEMENT: f64 = 1e-10;
+
+/// Numbers that look random, in [-1, 1].
+fn spread(n: usize, seed: usize) -> Vec<f64> {
+    (0..n).map(|k| (1.7 * (k + 1) as f64 + 2.3 * (seed * (k + 3)) as f64).sin()).collect()
+}
+
+/// q', u' and the energies.
+fn answers(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> [Vec<f64>; 3] {
+    let mut engine = Interpreted::<f64>::new(program);
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    engine.rates(0.0, q, u, inputs, &mut q_dot, &mut u_dot).expect("slices fit");
+    let (kinetic, potential) = engine.energy(q, u).expect("slices fit");
+    [q_dot, u_dot, vec![kinetic, potential]]
+}
+
+#[test]
+fn all_forms_of_every_model_agree() {
+    for name in MODELS {
+        let model = shipped(name);
+        let forms = [
+            (Effort::None, Optimise::Operations),
+            (Effort::All, Optimise::Operations),
+            (Effort::Default, Optimise::Time),
+            (Effort::Default, Optimise::Accuracy),
+            (Effort::All, Optimise::Accuracy),
+        ]
+        .map(|(effort, optimise)| {
+            let derived =
+                program::derive_with(&model, &ParameterChoice::default(), Settings { effort, optimise });
+            derived.unwrap_or_else(|found| panic!("{found}"))
+        });
+        let first = &forms[0];
+        for seed in 0..STATES {
+            let mut q = first.nominal.clone();
+            q.iter_mut().zip(spread(first.q.len(), seed)).for_each(|(q, x)| *q += SPREAD * x);
+            let mut engine = Interpreted::<f64>::new(first);
+            (0..CORRECTIONS).for_each(|_| {
+                engine.project(&mut q).expect("slices fit");
+            });
+            let (u, inputs) = (spread(first.u.len(), seed + 1), spread(first.inputs.len(), seed + 2));
+            let expected = answers(first, &q, &u, &inputs);
+            for form in &forms[1..] {
+                for (found, expected) in answers(form, &q, &u, &inputs).iter().zip(&expected) {
+                    let scale = expected.iter().fold(1e-300_f64, |most, x| most.max(x.abs()));
+                    let worst = found.iter().zip(expected).fold(0.0_f64, |w, (a, b)| w.max((a - b).abs()));
+                    assert!(worst <= AGREEMENT * scale, "{name}: {found:?} against {expected:?}");
+                }
+            }
+        }
+    }
+}
