@@ -381,9 +381,12 @@ impl Triads {
             for (&t, y) in &b.terms {
                 let product = match self.products.get(&[(s, *x), (t, *y)]) {
                     Some(&known) => known,
-                    None => self.dot_terms(dag, (s, x), (t, y)),
+                    None => {
+                        let product = self.dot_terms(dag, (s, x), (t, y));
+                        self.products.insert([(s, *x), (t, *y)], product);
+                        product
+                    }
                 };
-                self.products.insert([(s, *x), (t, *y)], product);
                 total = dag.add(total, product);
             }
         }

@@ -1,7 +1,8 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
+use super::{Binary, Dag, Dependence, ExprId, NO_OPERATION, Node, NodeSet, Unary};
+use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
 
@@ -84,38 +85,47 @@ impl Dag {
     /// on parameters alone is computed when they change.
     #[must_use]
     pub fn state_cost(&self, roots: &[ExprId]) -> usize {
-        let mut operations = 0;
-        self.cone_above(roots, |id| {
-            // Only what depends on the state leads to more of it.
-            let of_state = self.dependence(id) == Dependence::State;
-            operations += usize::from(of_state && self.is_operation(id));
-            !of_state
-        });
-        operations
+        self.costs(roots).0
     }
 
     /// Operations needed for `roots` together, shared parts once.
     #[must_use]
     pub fn cone_cost(&self, roots: &[ExprId]) -> usize {
-        let mut operations = 0;
-        self.cone_above(roots, |id| {
-            operations += usize::from(self.is_operation(id));
-            self.is_constant(id)
+        self.costs(roots).1
+    }
+
+    /// [`Self::state_cost`] and [`Self::cone_cost`] in one walk.
+    pub(crate) fn costs(&self, roots: &[ExprId]) -> (usize, usize) {
+        let (mut of_state, mut all) = (0, 0);
+        self.sweep_operations(roots, |id| {
+            of_state += usize::from(self.dependence(id) == Dependence::State);
+            all += 1;
         });
-        operations
+        (of_state, all)
     }
 
     /// The operations needed for `roots` together.
     pub(crate) fn operations_of(&self, roots: &[ExprId]) -> NodeSet {
-        let mut cone = self.cone_above(roots, |id| self.is_constant(id));
-        cone.retain(|id| self.is_operation(id));
-        cone
+        self.sweep_operations(roots, |_| {})
+    }
+
+    /// From operation to operation downwards: one step each, past negations, symbols and constants.
+    fn sweep_operations(&self, roots: &[ExprId], mut visit: impl FnMut(ExprId)) -> NodeSet {
+        let is_operation = |id: &ExprId| *id != NO_OPERATION;
+        let operations = || roots.iter().map(|root| self.operation[root.index()]).filter(is_operation);
+        let mut needed = NodeSet::below(operations().map(|id| id.index() + 1).max().unwrap_or(0));
+        operations().for_each(|id| needed.insert(id));
+        needed.sweep_down(|id| {
+            visit(id);
+            self.operations_read[id.index()].map(|id| Some(id).filter(is_operation))
+        });
+        needed
     }
 
     /// Does the node cost an operation at run time? Constants and negations do not.
     #[must_use]
     pub fn is_operation(&self, id: ExprId) -> bool {
-        matches!(self.node(id), Node::Unary(..) | Node::Binary(..)) && !self.is_constant(id)
+        self.operation[id.index()] == id
     }
 
     /// Free of symbols?

@@ -1,12 +1,12 @@
-//! Ids by node: open addressing over the arena, which alone holds the nodes.
+//! Ids by node: open addressing over the arena, which alone holds the nodes. And results of operations.
 
-use super::{ExprId, Node};
+use super::{Binary, Dag, Dependence, ExprId, NO_OPERATION, Node, symbol_bit};
 use crate::id::{Id, IdVec};
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
 
-/// Slots at the start: a small mechanism never grows them.
-const SLOTS: usize = 1 << 12;
+/// Slots at the start: most mechanisms never grow them.
+const SLOTS: usize = 1 << 15;
 /// Nothing here yet; else an id and 1.
 const FREE: u32 = 0;
 
@@ -24,7 +24,7 @@ impl Index {
     /// The id of a node, or the slot where it belongs.
     pub fn find(&self, nodes: &IdVec<ExprId, Node>, node: &Node) -> Result<ExprId, usize> {
         let last = self.0.len() - 1;
-        let mut slot = FxBuildHasher.hash_one(node) as usize & last;
+        let mut slot = hash(node) as usize & last;
         loop {
             if self.0[slot] == FREE {
                 return Err(slot);
@@ -48,5 +48,84 @@ impl Index {
                 }
             }
         }
+    }
+}
+
+impl Dag {
+    /// The id of a node, which is new or known.
+    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+        let slot = match self.index.find(&self.nodes, &node) {
+            Ok(id) => return id,
+            Err(slot) => slot,
+        };
+        let of = |a: ExprId| (self.dependence[a.index()], self.symbols_read[a.index()]);
+        let (dependence, symbols) = match node {
+            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
+            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
+            Node::Negate(a) | Node::Unary(_, a) => of(a),
+            Node::Binary(_, a, b) => {
+                let ((dependence, symbols), (other, others)) = (of(a), of(b));
+                (dependence.max(other), symbols | others)
+            }
+        };
+        let id = self.nodes.push(node);
+        let operation = |a: ExprId| self.operation[a.index()];
+        self.operations_read.push(self.operands(id).map(|a| a.map_or(NO_OPERATION, operation)));
+        self.operation.push(match node {
+            Node::Negate(a) => operation(a),
+            Node::Unary(..) | Node::Binary(..) if dependence != Dependence::Constant => id,
+            _ => NO_OPERATION,
+        });
+        self.dependence.push(dependence);
+        self.symbols_read.push(symbols);
+        self.index.insert(slot, &self.nodes);
+        id
+    }
+}
+
+fn hash(node: &Node) -> u64 {
+    match *node {
+        Node::Binary(operator, a, b) => hash_operation(operator, [a, b]),
+        Node::Unary(function, a) => spread((a.index() as u64) << 8 | function as u64),
+        Node::Negate(a) => spread((a.index() as u64) << 8 | 0xFF),
+        _ => FxBuildHasher.hash_one(node),
+    }
+}
+
+fn hash_operation(operator: Binary, [a, b]: [ExprId; 2]) -> u64 {
+    spread(((a.index() as u64) << 32 | b.index() as u64) ^ (operator as u64) << 61)
+}
+
+/// A hash by one multiplication: operands are small numbers, and their upper bits are wanted.
+fn spread(key: u64) -> u64 {
+    key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32
+}
+
+/// Places for results of operations.
+const RESULTS: usize = 1 << 11;
+
+/// What operations on two operands have given: most are asked for again before long.
+#[derive(Clone, Debug)]
+pub(super) struct Results(Vec<Option<(Binary, [ExprId; 2], ExprId)>>);
+
+impl Default for Results {
+    fn default() -> Self {
+        Self(vec![None; RESULTS])
+    }
+}
+
+impl Results {
+    fn place(operator: Binary, operands: [ExprId; 2]) -> usize {
+        hash_operation(operator, operands) as usize % RESULTS
+    }
+
+    /// The result, if the last operation at its place was this one.
+    pub fn find(&self, operator: Binary, operands: [ExprId; 2]) -> Option<ExprId> {
+        let (known, of, result) = self.0[Self::place(operator, operands)]?;
+        (known == operator && of == operands).then_some(result)
+    }
+
+    pub fn insert(&mut self, operator: Binary, operands: [ExprId; 2], result: ExprId) {
+        self.0[Self::place(operator, operands)] = Some((operator, operands, result));
     }
 }

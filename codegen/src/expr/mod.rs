@@ -17,7 +17,7 @@ pub mod substitute;
 pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
-use intern::Index;
+use intern::{Index, Results};
 use number::Number;
 use rustc_hash::FxHashMap as HashMap;
 pub(crate) use set::NodeSet;
@@ -87,6 +87,9 @@ pub enum Dependence {
     State,
 }
 
+/// Stands for a missing operation in half the room of an option.
+const NO_OPERATION: ExprId = ExprId(u32::MAX);
+
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
@@ -94,7 +97,12 @@ pub struct Dag {
     dependence: Vec<Dependence>,
     /// By node: bit k is set if it depends on a symbol whose index is k modulo 64.
     symbols_read: Vec<u64>,
+    /// By node: itself if it is an operation, what it is the negative of; [`NO_OPERATION`] for constants and symbols.
+    operation: Vec<ExprId>,
+    /// By node: the operations that its operands are.
+    operations_read: Vec<[ExprId; 2]>,
     index: Index,
+    results: Results,
     zero: Option<ExprId>,
     one: Option<ExprId>,
     symbols: IdVec<SymbolId, (String, Dependence)>,
@@ -191,28 +199,6 @@ impl Dag {
         self.names.get(&id).map(String::as_str)
     }
 
-    fn intern(&mut self, node: Node) -> ExprId {
-        let slot = match self.index.find(&self.nodes, &node) {
-            Ok(id) => return id,
-            Err(slot) => slot,
-        };
-        let of = |a: ExprId| (self.dependence[a.index()], self.symbols_read[a.index()]);
-        let (dependence, symbols) = match node {
-            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
-            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
-            Node::Negate(a) | Node::Unary(_, a) => of(a),
-            Node::Binary(_, a, b) => {
-                let ((dependence, symbols), (other, others)) = (of(a), of(b));
-                (dependence.max(other), symbols | others)
-            }
-        };
-        let id = self.nodes.push(node);
-        self.dependence.push(dependence);
-        self.symbols_read.push(symbols);
-        self.index.insert(slot, &self.nodes);
-        id
-    }
-
     /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.
     fn may_read(&self, id: ExprId, bits: u64) -> bool {
         self.symbols_read[id.index()] & bits != 0
@@ -259,6 +245,10 @@ impl Dag {
 
     /// A function of one argument.
     pub fn unary(&mut self, function: Unary, a: ExprId) -> ExprId {
+        // A node that is there has no shorter form: else it would not have been made.
+        if let Some(known) = self.find(Node::Unary(function, a)) {
+            return known;
+        }
         match simplify::unary(self, function, a) {
             Some(simpler) => simpler,
             None => self.intern(Node::Unary(function, a)),
@@ -269,10 +259,15 @@ impl Dag {
     pub fn binary(&mut self, operator: Binary, a: ExprId, b: ExprId) -> ExprId {
         let commutes = matches!(operator, Binary::Add | Binary::Mul);
         let (a, b) = if commutes && b < a { (b, a) } else { (a, b) };
-        match simplify::binary(self, operator, a, b) {
+        if let Some(known) = self.results.find(operator, [a, b]) {
+            return known;
+        }
+        let result = match simplify::binary(self, operator, a, b) {
             Some(simpler) => simpler,
             None => self.intern(Node::Binary(operator, a, b)),
-        }
+        };
+        self.results.insert(operator, [a, b], result);
+        result
     }
 
     /// a + b.
@@ -386,7 +381,7 @@ impl Dag {
     /// The same without what is below the nodes that `is_leaf` names.
     #[must_use]
     pub fn reachable_above(&self, roots: &[ExprId], is_leaf: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
-        self.cone_above(roots, is_leaf).iter().collect()
+        self.cone_above(roots, is_leaf).to_vec()
     }
 
     /// All nodes that the roots need, as a set.

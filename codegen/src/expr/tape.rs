@@ -169,21 +169,37 @@ pub struct SampleTable {
     /// By node: which of the rows of `values` is its; `UNKNOWN` if it has not been asked for.
     place: Vec<u32>,
     values: Vec<f64>,
+    /// Scratch of [`SampleTable::compute`].
+    stack: Vec<ExprId>,
 }
 
 const UNKNOWN: u32 = u32::MAX;
+/// Room for the values of so many nodes: address space, which becomes memory as it is filled.
+const NODES: usize = 1 << 13;
 
 impl SampleTable {
     /// `symbols[k](s)` is the value of symbol k at sample s.
     #[must_use]
     pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
-        Self { symbols, points, place: Vec::new(), values: Vec::new() }
+        Self {
+            symbols,
+            points,
+            place: Vec::new(),
+            values: Vec::with_capacity(NODES * points),
+            stack: Vec::new(),
+        }
     }
 
     /// Number of sample points.
     #[must_use]
     pub fn points(&self) -> usize {
         self.points
+    }
+
+    /// Forgets all values; their memory is used again.
+    pub fn clear(&mut self) {
+        self.place.clear();
+        self.values.clear();
     }
 
     /// Values of `expr` at every sample; not-a-number where it depends on a symbol without value.
@@ -203,16 +219,30 @@ impl SampleTable {
         if self.place.len() < dag.len() {
             self.place.resize(dag.len(), UNKNOWN);
         }
-        if self.place[expr.index()] == UNKNOWN {
-            for id in dag.reachable_above(&[expr], |id| self.place[id.index()] != UNKNOWN) {
-                if self.place[id.index()] == UNKNOWN {
-                    self.append(dag, id);
-                }
+        if self.place[expr.index()] != UNKNOWN {
+            return;
+        }
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.push(expr);
+        while let Some(&id) = stack.last() {
+            let depth = stack.len();
+            if self.place[id.index()] == UNKNOWN {
+                let operands = dag.operands(id).into_iter().flatten();
+                stack.extend(operands.filter(|a| self.place[a.index()] == UNKNOWN));
+            }
+            if stack.len() == depth {
+                stack.pop();
+                self.append(dag, id);
             }
         }
+        self.stack = stack;
     }
 
+    /// Appends the values of a node whose operands are known, unless they are there.
     fn append(&mut self, dag: &Dag, id: ExprId) {
+        if self.place[id.index()] != UNKNOWN {
+            return;
+        }
         let start = self.values.len();
         self.place[id.index()] = u32::try_from(start / self.points).expect("fewer than 2^32 nodes");
         self.values.resize(start + self.points, 0.0);
@@ -229,10 +259,17 @@ impl SampleTable {
             Node::Unary(function, a) => {
                 new.iter_mut().zip(of(a)).for_each(|(y, &a)| *y = evaluate::unary(function, a));
             }
+            // The operator is chosen outside of the loop over the samples.
+            Node::Binary(Binary::Add, a, b) => fill(new, of(a), of(b), |a, b| a + b),
+            Node::Binary(Binary::Sub, a, b) => fill(new, of(a), of(b), |a, b| a - b),
+            Node::Binary(Binary::Mul, a, b) => fill(new, of(a), of(b), |a, b| a * b),
             Node::Binary(operator, a, b) => {
-                let operands = of(a).iter().zip(of(b));
-                new.iter_mut().zip(operands).for_each(|(y, (&a, &b))| *y = evaluate::binary(operator, a, b));
+                fill(new, of(a), of(b), |a, b| evaluate::binary(operator, a, b));
             }
         }
     }
+}
+
+fn fill(to: &mut [f64], a: &[f64], b: &[f64], f: impl Fn(f64, f64) -> f64) {
+    to.iter_mut().zip(a.iter().zip(b)).for_each(|(to, (&a, &b))| *to = f(a, b));
 }

@@ -118,11 +118,11 @@ impl Assembly {
         let mut outputs = vec![0.0; self.tape.n_outputs()];
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
         self.tape.run(&self.arguments, &mut outputs);
-        let (residual, jacobian) = outputs.split_at(self.n_residuals);
+        let (residual, jacobian) = outputs.split_at_mut(self.n_residuals);
         let largest =
             residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
-        let right = residual.iter().map(|r| -r).collect();
-        let (correction, _) = linear::solve(jacobian.to_vec(), right, self.dependent.len());
+        residual.iter_mut().for_each(|r| *r = -*r);
+        let (correction, _) = linear::solve(jacobian, residual, self.dependent.len());
         (largest, correction)
     }
 

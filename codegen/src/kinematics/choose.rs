@@ -3,7 +3,7 @@
 //! In: candidate rows and the unknowns. Out: as many rows, independent at every sampled configuration,
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
-use super::eliminate::{Basis, NumericRow, norm};
+use super::basis::{Bases, NumericRow};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::NodeSet;
@@ -29,7 +29,7 @@ pub(super) fn rows(
     let n = unknown.len();
     let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
     let bills: Vec<Bill> = k.rows.iter().map(|row| Bill::new(k, row)).collect();
-    let mut bases = vec![Basis::new(n); table.points()];
+    let mut bases = Bases::new(n, table.points());
     let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..k.rows.len()).collect();
     let mut chosen = Vec::new();
@@ -53,21 +53,9 @@ fn extend(
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     row: &Row,
-    bases: &mut [Basis],
+    bases: &mut Bases,
 ) -> bool {
-    let row = NumericRow::new(&k.dag, table, row, column);
-    let mut remains = Vec::with_capacity(bases.len());
-    for (sample, basis) in bases.iter().enumerate() {
-        let rest = basis.orthogonal_part(row.unit(sample));
-        // Most dependent rows show at the first sample: no need to look at the others.
-        let is_independent = norm(&rest) > INDEPENDENT;
-        if !is_independent {
-            return false;
-        }
-        remains.push(rest);
-    }
-    bases.iter_mut().zip(remains).for_each(|(basis, rest)| basis.push(&rest));
-    true
+    bases.extend(&NumericRow::new(&k.dag, table, row, column), INDEPENDENT)
 }
 
 /// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
@@ -115,7 +103,7 @@ fn cheaper(
     others: &[usize],
     list: &[(usize, usize)],
 ) -> Option<usize> {
-    let mut bases = vec![Basis::new(column.len()); table.points()];
+    let mut bases = Bases::new(column.len(), table.points());
     for &other in others {
         extend(k, table, column, &k.rows[other], &mut bases);
     }

@@ -239,55 +239,62 @@ fn add_residuals(k: &mut Kinematics, residual: &Vector, place: &Place) {
 /// Rows of an equation: projections on the axes a of its triads, and on a x (fixed vector).
 fn project(k: &mut Kinematics, equation: Equation) -> Vec<Row> {
     let mut rows = Vec::new();
+    let mut fixed = equation.fixed.as_ref().map(Resolved::new);
     for &triad in &equation.triads {
         for axis in AXES {
-            let a = Vector::axis(&mut k.dag, triad, axis);
-            rows.extend(projection(k, &equation, &mut Direction::new(a.clone(), None)));
-            if let Some(fixed) = &equation.fixed {
-                rows.extend(projection(k, &equation, &mut Direction::new(a, Some(fixed))));
+            let axis = Vector::axis(&mut k.dag, triad, axis);
+            let mut a = Resolved::new(&axis);
+            rows.extend(projection(k, &equation, |k, triad| a.within(k, triad)));
+            if let Some(fixed) = &mut fixed {
+                let mut formed: BTreeMap<TriadId, Components> = BTreeMap::new();
+                let mut product = |k: &mut Kinematics, triad| {
+                    let (here, times) = (a.within(k, triad), fixed.within(k, triad));
+                    cross_components(&mut k.dag, &here, &times)
+                };
+                let direction =
+                    |k: &mut Kinematics, triad| *formed.entry(triad).or_insert_with(|| product(k, triad));
+                rows.extend(projection(k, &equation, direction));
             }
         }
     }
     rows
 }
 
-/// The vector a, or a x times: formed in whatever triad it meets, from the short form of both.
-struct Direction<'v> {
-    a: Vector,
-    times: Option<&'v Vector>,
-    /// What has been formed.
+/// A vector with its components in whatever triads have been asked for.
+struct Resolved<'v> {
+    vector: &'v Vector,
     components: BTreeMap<TriadId, Components>,
 }
 
-impl<'v> Direction<'v> {
-    fn new(a: Vector, times: Option<&'v Vector>) -> Self {
-        Self { a, times, components: BTreeMap::new() }
+impl<'v> Resolved<'v> {
+    fn new(vector: &'v Vector) -> Self {
+        Self { vector, components: BTreeMap::new() }
     }
 
     fn within(&mut self, k: &mut Kinematics, triad: TriadId) -> Components {
-        *self.components.entry(triad).or_insert_with(|| {
-            let here = k.triads.express(&mut k.dag, &self.a, triad);
-            let Some(times) = self.times else { return here };
-            let times = k.triads.express(&mut k.dag, times, triad);
-            cross_components(&mut k.dag, &here, &times)
-        })
+        let express = || k.triads.express(&mut k.dag, self.vector, triad);
+        *self.components.entry(triad).or_insert_with(express)
     }
+}
 
-    fn dot(&mut self, k: &mut Kinematics, vector: &Vector) -> ExprId {
+/// The equation along a direction, which is given by its components in a triad.
+fn projection(
+    k: &mut Kinematics,
+    equation: &Equation,
+    mut direction: impl FnMut(&mut Kinematics, TriadId) -> Components,
+) -> Option<Row> {
+    let mut dot = |k: &mut Kinematics, vector: &Vector| {
         let mut total = k.dag.zero();
         for (&triad, components) in &vector.terms {
-            let here = self.within(k, triad);
+            let here = direction(k, triad);
             let term = dot_components(&mut k.dag, &here, components);
             total = k.dag.add(total, term);
         }
         total
-    }
-}
-
-fn projection(k: &mut Kinematics, equation: &Equation, direction: &mut Direction) -> Option<Row> {
+    };
     let mut coefficients = BTreeMap::new();
     for (&unknown, vector) in &equation.motion.partials {
-        let coefficient = direction.dot(k, vector);
+        let coefficient = dot(k, vector);
         if !k.dag.is_zero(coefficient) {
             coefficients.insert(unknown, coefficient);
         }
@@ -295,8 +302,8 @@ fn projection(k: &mut Kinematics, equation: &Equation, direction: &mut Direction
     if coefficients.is_empty() {
         return None;
     }
-    let bias = direction.dot(k, &equation.motion.bias);
-    let residual = direction.dot(k, &equation.residual);
+    let bias = dot(k, &equation.motion.bias);
+    let residual = dot(k, &equation.residual);
     let cost = cost(k, &coefficients);
     Some(Row { name: equation.name.clone(), coefficients, bias, residual, cost })
 }

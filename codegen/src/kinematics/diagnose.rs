@@ -138,8 +138,8 @@ impl Equations {
                 .iter()
                 .flat_map(|&i| kept.iter().map(|&j| dot(&rows[i], &rows[j])).collect::<Vec<_>>())
                 .collect();
-            let right = kept_residuals.iter().map(|r| -r).collect();
-            let (y, _) = linear::solve(gram, right, kept.len());
+            let mut right: Vec<f64> = kept_residuals.iter().map(|r| -r).collect();
+            let (y, _) = linear::solve(&gram, &mut right, kept.len());
             for (&i, y) in kept.iter().zip(&y) {
                 at.iter_mut().zip(&rows[i]).for_each(|(q, j)| *q += y * j);
             }
@@ -288,7 +288,8 @@ fn involved(rows: &[Vec<f64>], dependent: &[usize], suspect: usize) -> Vec<usize
     const WEIGHT: f64 = 1e-6;
     let others: Vec<usize> = (0..rows.len()).filter(|i| !dependent.contains(i)).collect();
     let columns = others.len();
-    let matrix = (0..rows[suspect].len()).flat_map(|c| others.iter().map(move |&i| rows[i][c])).collect();
-    let (weights, _) = linear::solve(matrix, rows[suspect].clone(), columns);
+    let columns_of = |c: usize| others.iter().map(move |&i| rows[i][c]);
+    let matrix: Vec<f64> = (0..rows[suspect].len()).flat_map(columns_of).collect();
+    let (weights, _) = linear::solve(&matrix, &mut rows[suspect].clone(), columns);
     others.into_iter().zip(weights).filter(|(_, w)| WEIGHT < w.abs()).map(|(i, _)| i).collect()
 }

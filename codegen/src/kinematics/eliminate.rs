@@ -113,10 +113,11 @@ fn check_consequences(
     for &e in coefficients.chain(solution.partials.values().flatten()) {
         table.compute(&k.dag, e);
     }
+    let (mut sum, mut size) = (vec![0.0_f64; table.points()], vec![0.0_f64; table.points()]);
     for row in &k.rows {
         for j in 0..n {
-            let mut sum = vec![0.0_f64; table.points()];
-            let mut size = vec![0.0_f64; table.points()];
+            sum.fill(0.0);
+            size.fill(0.0);
             for (unknown, &coefficient) in &row.coefficients {
                 let partial = solution.partials[unknown][j];
                 if k.dag.is_zero(partial) {
@@ -134,82 +135,6 @@ fn check_consequences(
         }
     }
     Ok(())
-}
-
-/// A row's entries in the columns of unknowns, at every sample.
-pub(super) struct NumericRow<'t> {
-    entries: Vec<(usize, &'t [f64])>,
-    n: usize,
-}
-
-impl<'t> NumericRow<'t> {
-    pub(super) fn new(
-        dag: &Dag,
-        table: &'t mut SampleTable,
-        row: &Row,
-        column: &HashMap<UnknownId, usize>,
-    ) -> Self {
-        for &coefficient in row.coefficients.values() {
-            table.compute(dag, coefficient);
-        }
-        let table: &'t SampleTable = table;
-        let entry = |(unknown, &c): (&UnknownId, &ExprId)| Some((*column.get(unknown)?, table.computed(c)));
-        Self { entries: row.coefficients.iter().filter_map(entry).collect(), n: column.len() }
-    }
-
-    /// The row at one sample as a unit vector; a zero row stays zero.
-    pub(super) fn unit(&self, sample: usize) -> Vec<f64> {
-        let mut v = vec![0.0; self.n];
-        for &(column, values) in &self.entries {
-            v[column] = values[sample];
-        }
-        let length = norm(&v);
-        if length > f64::MIN_POSITIVE {
-            v.iter_mut().for_each(|x| *x /= length);
-        }
-        v
-    }
-}
-
-/// Orthonormal vectors.
-#[derive(Clone)]
-pub(super) struct Basis {
-    /// One vector after the other.
-    vectors: Vec<f64>,
-    n: usize,
-}
-
-impl Basis {
-    /// None yet, of a space of `n` dimensions.
-    pub(super) fn new(n: usize) -> Self {
-        Self { vectors: Vec::with_capacity(n * n), n }
-    }
-
-    /// Number of vectors.
-    pub(super) fn rank(&self) -> usize {
-        self.vectors.len() / self.n.max(1)
-    }
-
-    /// What is left of a vector beside these: Gram-Schmidt, twice for accuracy.
-    pub(super) fn orthogonal_part(&self, mut rest: Vec<f64>) -> Vec<f64> {
-        for _ in 0..2 {
-            for b in self.vectors.chunks_exact(self.n.max(1)) {
-                let projection: f64 = rest.iter().zip(b).map(|(x, y)| x * y).sum();
-                rest.iter_mut().zip(b).for_each(|(x, y)| *x -= projection * y);
-            }
-        }
-        rest
-    }
-
-    /// Adds a vector orthogonal to these, made a unit vector.
-    pub(super) fn push(&mut self, v: &[f64]) {
-        let length = norm(v);
-        self.vectors.extend(v.iter().map(|x| x / length));
-    }
-}
-
-pub(super) fn norm(v: &[f64]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {

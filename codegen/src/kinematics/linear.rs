@@ -6,66 +6,73 @@
 /// A pivot below this part of the largest entry counts as zero.
 const RANK: f64 = 1e-10;
 
-/// A basic solution of A x = b and the rank of A.
+/// Entries of a row that are worked on together; what a row has beyond its columns is 0.
+const LANES: usize = 4;
+
+/// A basic solution of A x = b and the rank of A; b is used up.
 #[must_use]
-pub fn solve(mut a: Vec<f64>, mut b: Vec<f64>, columns: usize) -> (Vec<f64>, usize) {
-    let rows = b.len();
-    let mut x = vec![0.0; columns];
-    let scale = a.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+pub fn solve(a: &[f64], b: &mut [f64], columns: usize) -> (Vec<f64>, usize) {
+    let (rows, width) = (b.len(), columns.div_ceil(LANES));
+    let mut blocks = vec![[0.0; LANES]; rows * width];
+    for (to, from) in blocks.chunks_exact_mut(width.max(1)).zip(a.chunks_exact(columns.max(1))) {
+        to.as_flattened_mut()[..columns].copy_from_slice(from);
+    }
+    // Sizes of the rows' largest entries, which change only where a row does.
+    let mut sizes: Vec<f64> = blocks.chunks_exact(width.max(1)).map(largest).collect();
+    let scale = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));
     let mut order: Vec<usize> = (0..columns).collect();
     let mut rank = 0;
     while rank < rows.min(columns) {
-        let (mut best, mut at) = (0.0, (rank, rank));
-        for r in rank..rows {
-            for (c, entry) in a[r * columns + rank..(r + 1) * columns].iter().enumerate() {
-                if entry.abs() > best {
-                    (best, at) = (entry.abs(), (r, rank + c));
-                }
-            }
+        let mut best = rank;
+        for r in rank + 1..rows {
+            best = if sizes[r] > sizes[best] { r } else { best };
         }
+        let size = sizes[best];
         // Written so that a not-a-number ends the elimination too.
-        if best.is_nan() || best <= RANK * scale {
+        if size.is_nan() || size <= RANK * scale {
             break;
         }
-        swap(&mut a, &mut b, &mut order, columns, rank, at);
-        let (done, below) = a.split_at_mut((rank + 1) * columns);
-        let pivot_row = &done[rank * columns + rank..];
-        for (r, row) in below.chunks_exact_mut(columns).enumerate() {
-            let row = &mut row[rank..];
-            // A loop's equations are sparse: most rows have no part in the unknown at hand.
-            if row[0] != 0.0 {
-                let factor = row[0] / pivot_row[0];
-                row.iter_mut().zip(pivot_row).for_each(|(x, p)| *x -= factor * p);
+        sizes.swap(rank, best);
+        b.swap(rank, best);
+        let (done, below) = blocks.split_at_mut((rank + 1) * width);
+        let pivot_row = &mut done[rank * width..];
+        if rank != best {
+            pivot_row.swap_with_slice(&mut below[(best - rank - 1) * width..][..width]);
+        }
+        let entries = pivot_row.as_flattened();
+        let place = (rank..columns).find(|&place| entries[order[place]].abs() == size).unwrap_or(rank);
+        order.swap(rank, place);
+        let column = order[rank];
+        for (r, row) in below.chunks_exact_mut(width).enumerate() {
+            // A loop's equations are sparse: many rows have no part in the unknown at hand.
+            let entry = row.as_flattened()[column];
+            if entry != 0.0 {
+                let factor = entry / entries[column];
+                for (row, pivot_row) in row.iter_mut().zip(&*pivot_row) {
+                    row.iter_mut().zip(pivot_row).for_each(|(x, p)| *x -= factor * p);
+                }
+                row.as_flattened_mut()[column] = 0.0;
                 b[rank + 1 + r] -= factor * b[rank];
+                sizes[rank + 1 + r] = largest(row);
             }
         }
         rank += 1;
     }
+    let mut x = vec![0.0; columns];
     for r in (0..rank).rev() {
-        let known: f64 = (r + 1..rank).map(|c| a[r * columns + c] * x[order[c]]).sum();
-        x[order[r]] = (b[r] - known) / a[r * columns + r];
+        let row = blocks[r * width..].as_flattened();
+        let known: f64 = order[r + 1..rank].iter().map(|&c| row[c] * x[c]).sum();
+        x[order[r]] = (b[r] - known) / row[order[r]];
     }
     (x, rank)
 }
 
-/// Brings the entry at `at` to the diagonal place `rank`.
-fn swap(
-    a: &mut [f64],
-    b: &mut [f64],
-    order: &mut [usize],
-    columns: usize,
-    rank: usize,
-    (row, column): (usize, usize),
-) {
-    b.swap(rank, row);
-    order.swap(rank, column);
-    let (above, below) = a.split_at_mut(row * columns);
-    if rank != row {
-        above[rank * columns..(rank + 1) * columns].swap_with_slice(&mut below[..columns]);
-    }
-    if rank != column {
-        a.chunks_exact_mut(columns).for_each(|entries| entries.swap(rank, column));
-    }
+/// The size of the largest entry. The comparison is one instruction, where `f64::max` is six.
+fn largest(row: &[[f64; LANES]]) -> f64 {
+    let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
+    let most =
+        row.iter().fold([0.0; LANES], |most, block| std::array::from_fn(|k| larger(most[k], block[k])));
+    most.into_iter().fold(0.0, larger)
 }
 
 #[cfg(test)]
@@ -74,11 +81,11 @@ mod tests {
 
     #[test]
     fn square_and_redundant_systems() {
-        let (x, rank) = solve(vec![0.0, 2.0, 3.0, 1.0], vec![4.0, 5.0], 2);
+        let (x, rank) = solve(&[0.0, 2.0, 3.0, 1.0], &mut [4.0, 5.0], 2);
         assert_eq!((x, rank), (vec![1.0, 2.0], 2));
         // The second equation repeats the first.
-        let (x, rank) = solve(vec![1.0, 1.0, 2.0, 2.0, 1.0, -1.0], vec![3.0, 6.0, 1.0], 2);
+        let (x, rank) = solve(&[1.0, 1.0, 2.0, 2.0, 1.0, -1.0], &mut [3.0, 6.0, 1.0], 2);
         assert_eq!((x, rank), (vec![2.0, 1.0], 2));
-        assert_eq!(solve(vec![0.0; 4], vec![0.0; 2], 2).1, 0);
+        assert_eq!(solve(&[0.0; 4], &mut [0.0; 2], 2).1, 0);
     }
 }

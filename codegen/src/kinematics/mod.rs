@@ -6,6 +6,7 @@
 //! ("lifted" unknowns): a closure is then one short row per leg against that twist.
 
 mod assemble;
+mod basis;
 mod choose;
 mod constraint;
 pub(crate) mod diagnose;

@@ -2,7 +2,7 @@
 //!
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
-use super::eliminate::{Basis, NumericRow, norm};
+use super::basis::{Bases, NumericRow};
 use super::{Kinematics, UnknownId, UnknownKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
@@ -15,19 +15,11 @@ const DEPENDENT: f64 = 1e-8;
 /// Rank of all rows over the given unknowns, at every sample.
 fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases = vec![Basis::new(unknowns.len()); table.points()];
+    let mut bases = Bases::new(unknowns.len(), table.points());
     for row in &k.rows {
-        let row = NumericRow::new(&k.dag, table, row, &column);
-        // Beside as many vectors as there are unknowns nothing is left.
-        let incomplete = bases.iter_mut().enumerate().filter(|(_, basis)| basis.rank() < unknowns.len());
-        for (sample, basis) in incomplete {
-            let rest = basis.orthogonal_part(row.unit(sample));
-            if DEPENDENT < norm(&rest) {
-                basis.push(&rest);
-            }
-        }
+        bases.extend_where_independent(&NumericRow::new(&k.dag, table, row, &column), DEPENDENT);
     }
-    bases.iter().map(Basis::rank).collect()
+    bases.ranks().to_vec()
 }
 
 /// Do the rows give every dependent unknown, at every sample?

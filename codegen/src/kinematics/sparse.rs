@@ -119,14 +119,17 @@ fn candidates_of(
     let size = |column: &UnknownId| sizes.get(column).copied().unwrap_or(1.0);
     let mut largest = vec![0.0_f64; table.points()];
     for (column, &entry) in &equation.coefficients {
+        let size = size(column);
         for (m, x) in largest.iter_mut().zip(table.values(dag, entry)) {
-            *m = m.max(x.abs() * size(column));
+            let entry = x.abs() * size;
+            *m = if entry > *m { entry } else { *m };
         }
     }
     let candidate = |(&column, &entry): (&UnknownId, &ExprId)| {
         let values = table.values(dag, entry);
-        let relative = values.iter().zip(&largest).map(|(x, m)| x.abs() * size(&column) / m);
-        let smallest = relative.fold(f64::INFINITY, f64::min);
+        let size = size(&column);
+        let relative = values.iter().zip(&largest).map(|(x, m)| x.abs() * size / m);
+        let smallest = relative.fold(f64::INFINITY, |least, x| if x < least { x } else { least });
         // What has two signs vanishes in between.
         let one_sign = values.iter().all(|x| *x > 0.0) || values.iter().all(|x| *x < 0.0);
         Candidate {

@@ -115,7 +115,9 @@ pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
 
 /// Would Rust's notation read this word as something else than a name?
 pub fn is_keyword(name: &str) -> bool {
-    syn::parse_str::<syn::Ident>(name).is_err()
+    // All but one are of two small letters and more: most names need no parser.
+    let looks_like_one = name.len() > 1 && name.bytes().all(|b| b.is_ascii_lowercase()) || name == "Self";
+    looks_like_one && syn::parse_str::<syn::Ident>(name).is_err()
 }
 
 /// `did you mean ...?`, if a known name is near.

@@ -23,12 +23,14 @@ pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
         return;
     }
     let inner = inner_sums(&program.dag, &roots);
+    // Few nodes of the equations are left: their values would only take up fresh memory beside those of the program.
+    table.clear();
     let image = program.dag.rebuild(&roots, |dag, id, image| {
         if inner[id.index()] {
             return None;
         }
         let (terms, partial_sums) = taken_apart(dag, id, &inner)?;
-        let old: f64 = partial_sums.into_iter().map(|sum| size(table.values(dag, sum))).sum();
+        let old: f64 = partial_sums.into_iter().map(|sum| size(table.values(dag, sum).iter().copied())).sum();
         let (order, new) = order(terms.iter().map(|term| term.values(dag, table)).collect());
         // Not-a-number, where a sample lies outside a function's domain, is no reason to reorder.
         if old.is_nan() || new > WORTH * old {
@@ -123,31 +125,34 @@ fn taken_apart(dag: &Dag, sum: ExprId, inner: &[bool]) -> Option<(Vec<Term>, Vec
 }
 
 /// Root mean square.
-fn size(values: &[f64]) -> f64 {
-    (values.iter().map(|x| x * x).sum::<f64>() / values.len().max(1) as f64).sqrt()
+fn size(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let n = values.len().max(1) as f64;
+    (values.map(|x| x * x).sum::<f64>() / n).sqrt()
 }
 
 /// Which sum takes in which, in order, and the sizes of the partial sums, the total left out.
 fn order(mut sums: Vec<Vec<f64>>) -> (Vec<(usize, usize)>, f64) {
-    let mut open: Vec<usize> = (0..sums.len()).collect();
+    let size_of = |a: &[f64], b: &[f64]| size(a.iter().zip(b).map(|(a, b)| a + b));
+    let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
+    for (j, last) in sums.iter().enumerate() {
+        pairs.extend(sums[..j].iter().enumerate().map(|(i, first)| (i, j, size_of(first, last))));
+    }
+    pairs.sort_by_key(|&(i, j, _)| (i, j));
     let (mut order, mut total) = (Vec::new(), 0.0);
-    while let [first, second, ..] = open[..] {
+    while let Some(&(first, second, _)) = pairs.first() {
         // Where no sum is a number, the first two.
-        let mut best = (f64::INFINITY, first, second);
-        for (n, &i) in open.iter().enumerate() {
-            for &j in &open[n + 1..] {
-                let sum: Vec<f64> = sums[i].iter().zip(&sums[j]).map(|(a, b)| a + b).collect();
-                let size = size(&sum);
-                if size < best.0 {
-                    best = (size, i, j);
-                }
-            }
+        let mut best = (first, second, f64::INFINITY);
+        for &pair in &pairs {
+            best = if pair.2 < best.2 { pair } else { best };
         }
-        let (size, i, j) = best;
-        total += if open.len() > 2 { size } else { 0.0 };
+        let (i, j, size) = best;
+        total += if pairs.len() > 1 { size } else { 0.0 };
         let added = std::mem::take(&mut sums[j]);
         sums[i].iter_mut().zip(&added).for_each(|(a, b)| *a += b);
-        open.retain(|&k| k != j);
+        pairs.retain(|&(a, b, _)| a != j && b != j);
+        for (a, b, size) in pairs.iter_mut().filter(|(a, b, _)| *a == i || *b == i) {
+            *size = size_of(&sums[*a], &sums[*b]);
+        }
         order.push((i, j));
     }
     (order, total)

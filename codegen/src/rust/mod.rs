@@ -4,6 +4,7 @@
 //! layout, no mechanics. Every node with more than one use is one `let`; sine and cosine of an
 //! angle are one call, in f64 of two angles; constants are rounded once, from f64, to the file's scalar.
 
+mod few;
 mod glue;
 mod header;
 mod layout;

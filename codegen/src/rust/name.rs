@@ -103,6 +103,7 @@ pub(super) fn sentence(doc: &str, name: &str) -> String {
 /// The names in scope of one function.
 #[derive(Default)]
 pub(super) struct Scope {
+    /// All but those of temporaries, which are many and need no list.
     taken: HashSet<String>,
     temporaries: usize,
 }
@@ -121,16 +122,52 @@ impl Scope {
     fn free(&mut self, wished: String) -> String {
         let mut name = wished.clone();
         let mut suffix = 2;
-        while !self.taken.insert(name.clone()) {
+        while self.is_taken(&name) {
             name = format!("{wished}_{suffix}");
             suffix += 1;
         }
+        self.taken.insert(name.clone());
         name
+    }
+
+    fn is_taken(&self, name: &str) -> bool {
+        self.taken.contains(name) || self.is_temporary(name)
+    }
+
+    /// One of t1, t2, ... that have been given out?
+    fn is_temporary(&self, name: &str) -> bool {
+        let number = name.strip_prefix('t').filter(|digits| digits.starts_with(|c| matches!(c, '1'..='9')));
+        number.and_then(|digits| digits.parse().ok()).is_some_and(|n: usize| n <= self.temporaries)
     }
 
     /// A temporary without a name from the model.
     pub fn temporary(&mut self) -> String {
+        let mut name = String::with_capacity(8);
+        name.push('t');
+        push_number(&mut name, self.temporaries + 1);
+        let name = if self.taken.contains(&name) { self.free(name) } else { name };
         self.temporaries += 1;
-        self.free(format!("t{}", self.temporaries))
+        name
+    }
+}
+
+/// In decimal digits; the formatter takes as long as the rest of a short statement.
+fn push_number(text: &mut String, n: usize) {
+    if n >= 10 {
+        push_number(text, n / 10);
+    }
+    text.push(char::from(b'0' + (n % 10) as u8));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Scope;
+
+    #[test]
+    fn no_name_is_given_out_twice() {
+        let mut scope = Scope::default();
+        assert_eq!([scope.unique("t2"), scope.temporary(), scope.temporary()], ["t2", "t1", "t2_2"]);
+        assert_eq!([scope.unique("t1"), scope.unique("t2"), scope.unique("t3")], ["t1_2", "t2_3", "t3"]);
+        assert_eq!([scope.temporary(), scope.unique("t01")], ["t3_2", "t01"]);
     }
 }

@@ -4,8 +4,9 @@
 //! (`Real::sin_cos_of_two`), if neither has to wait for the other: both are sums and products of what the
 //! function reads. The chip has no such instructions, and there a value that is needed late had better be late.
 
-use crate::expr::{Binary, Dag, ExprId, Node, Unary};
-use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, Unary};
+use crate::id::Id;
+use rustc_hash::FxHashMap as HashMap;
 
 /// The other angle of each pair. `order`: the nodes that are computed or read, operands first; `is_read`: those
 /// that are read.
@@ -14,17 +15,17 @@ pub(super) fn pair_angles(
     order: &[ExprId],
     is_read: impl Fn(ExprId) -> bool,
 ) -> HashMap<ExprId, ExprId> {
-    let mut slow: HashSet<ExprId> = HashSet::default();
+    let mut slow = NodeSet::below(order.last().map_or(0, |id| id.index() + 1));
     let mut angles: Vec<ExprId> = Vec::new();
     for &id in order.iter().filter(|&&id| !is_read(id) && !dag.is_constant(id)) {
         let node = dag.node(id);
         if matches!(node, Node::Unary(..) | Node::Binary(Binary::Div, ..))
-            || dag.operands(id).into_iter().flatten().any(|operand| slow.contains(&operand))
+            || dag.operands(id).into_iter().flatten().any(|operand| slow.contains(operand))
         {
             slow.insert(id);
         }
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = node
-            && !slow.contains(&angle)
+            && !slow.contains(angle)
             && !angles.contains(&angle)
         {
             angles.push(angle);

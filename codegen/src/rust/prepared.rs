@@ -3,12 +3,14 @@
 use super::name::Scope;
 use super::statement::Body;
 use super::{Cost, PLAIN_STRUCT, STRAIGHT_LINE, ScalarType, layout};
-use crate::expr::{Dependence, ExprId};
+use crate::expr::{Dependence, ExprId, NodeSet};
 use crate::program::Program;
 
 /// The fields of `Prepared`: their nodes and names, in order.
 pub(super) struct Prepared {
     pub fields: Vec<(ExprId, String)>,
+    /// The nodes of the fields: most nodes that are asked for have none.
+    nodes: NodeSet,
 }
 
 impl Prepared {
@@ -25,7 +27,9 @@ impl Prepared {
             };
             fields.push((id, name));
         }
-        Self { fields }
+        let mut nodes = NodeSet::below(program.dag.len());
+        fields.iter().for_each(|(id, _)| nodes.insert(*id));
+        Self { fields, nodes }
     }
 
     fn roots(&self) -> Vec<ExprId> {
@@ -64,6 +68,9 @@ impl Prepared {
 
     /// Name of the field that holds a node.
     pub fn field(&self, id: ExprId) -> Option<&str> {
+        if !self.nodes.contains(id) {
+            return None;
+        }
         let place = self.fields.binary_search_by_key(&id, |(id, _)| *id).ok()?;
         Some(&self.fields[place].1)
     }

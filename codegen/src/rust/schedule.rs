@@ -10,8 +10,9 @@
 //! An out-of-order core looks a few hundred instructions ahead, and moves to memory and back are cheap for it. There the
 //! longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
 
+use super::few::Few;
 use crate::expr::ExprId;
-use rustc_hash::FxHashMap as HashMap;
+use crate::id::Id;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -27,12 +28,18 @@ pub(super) enum Core {
     OutOfOrder,
 }
 
+/// Values that a step makes: one, or sine and cosine of an angle or two.
+pub(super) type Makes<T> = Few<T, 4>;
+/// Values that a step reads: two operands at most.
+pub(super) type Reads<T> = Few<T, 2>;
+
 /// What is computed at once: one value, or sine and cosine of an angle or two.
+#[derive(Clone, Copy)]
 pub(super) struct Step {
     /// Values that it makes.
-    pub makes: Vec<ExprId>,
+    pub makes: Makes<ExprId>,
     /// Values that it reads, each once, in the order of the operands; constants left out.
-    pub reads: Vec<ExprId>,
+    pub reads: Reads<ExprId>,
     /// Cycles of a host until what it makes can be read.
     pub latency: usize,
 }
@@ -60,44 +67,82 @@ fn ranks(order: &[usize]) -> Vec<usize> {
 
 /// Steps and values by numbers.
 struct Graph {
-    makes: Vec<Vec<usize>>,
-    reads: Vec<Vec<usize>>,
+    makes: Vec<Makes<usize>>,
+    reads: Vec<Reads<usize>>,
     /// The step that makes a value; none of what is an argument.
     maker: Vec<Option<usize>>,
-    readers: Vec<Vec<usize>>,
+    readers: Readers,
     results: Vec<usize>,
     is_result: Vec<bool>,
 }
 
+/// By value: the steps that read it, in order.
+struct Readers {
+    /// By value: where its readers end, and with them begin those of the next.
+    ends: Vec<usize>,
+    steps: Vec<usize>,
+}
+
+impl Readers {
+    fn new(reads: &[Reads<usize>], values: usize) -> Self {
+        let mut ends = vec![0; values + 1];
+        reads.iter().flat_map(|reads| reads.iter()).for_each(|&value| ends[value + 1] += 1);
+        (1..ends.len()).for_each(|value| ends[value] += ends[value - 1]);
+        let mut steps = vec![0; ends[values]];
+        for (step, reads) in reads.iter().enumerate() {
+            for &value in reads.iter() {
+                steps[ends[value]] = step;
+                ends[value] += 1;
+            }
+        }
+        Self { ends, steps }
+    }
+
+    fn of(&self, value: usize) -> &[usize] {
+        let start = value.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.steps[start..self.ends[value]]
+    }
+
+    /// How many steps read each value.
+    fn counts(&self, values: usize) -> Vec<usize> {
+        (0..values).map(|value| self.of(value).len()).collect()
+    }
+}
+
 impl Graph {
     fn new(steps: &[Step], results: &[ExprId]) -> Self {
-        let mut number: HashMap<ExprId, usize> = HashMap::default();
-        let mut values = |ids: &[ExprId]| -> Vec<usize> {
-            let next = |id: &ExprId| {
-                let fresh = number.len();
-                *number.entry(*id).or_insert(fresh)
-            };
-            ids.iter().map(next).collect()
+        let ids = || steps.iter().flat_map(|step| step.makes.iter().chain(step.reads.iter())).chain(results);
+        // By node: the number of its value and 1; 0 for what is no value.
+        let mut number = vec![0_u32; ids().map(|id| id.index() + 1).max().unwrap_or(0)];
+        let mut n = 0;
+        let mut value = |id: &ExprId| {
+            let number = &mut number[id.index()];
+            if *number == 0 {
+                n += 1;
+                *number = n;
+            }
+            *number as usize - 1
         };
-        let reads: Vec<Vec<usize>> = steps.iter().map(|step| values(&step.reads)).collect();
-        let makes: Vec<Vec<usize>> = steps.iter().map(|step| values(&step.makes)).collect();
-        let results = values(results);
-        let n = number.len();
-        let (mut maker, mut readers, mut is_result) = (vec![None; n], vec![Vec::new(); n], vec![false; n]);
-        for step in 0..steps.len() {
-            makes[step].iter().for_each(|&value| maker[value] = Some(step));
-            reads[step].iter().for_each(|&value| readers[value].push(step));
+        let reads: Vec<Reads<usize>> =
+            steps.iter().map(|step| step.reads.iter().map(&mut value).collect()).collect();
+        let makes: Vec<Makes<usize>> =
+            steps.iter().map(|step| step.makes.iter().map(&mut value).collect()).collect();
+        let results: Vec<usize> = results.iter().map(&mut value).collect();
+        let n = n as usize;
+        let (mut maker, mut is_result) = (vec![None; n], vec![false; n]);
+        for (step, makes) in makes.iter().enumerate() {
+            makes.iter().for_each(|&value| maker[value] = Some(step));
         }
         results.iter().for_each(|&value| is_result[value] = true);
-        Self { makes, reads, maker, readers, results, is_result }
+        Self { readers: Readers::new(&reads, n), makes, reads, maker, results, is_result }
     }
 
     /// Operands before their users, the operand that needs more registers first.
     fn depth_first(&self) -> Vec<usize> {
         let mut need = vec![1; self.maker.len()];
-        let mut operands: Vec<Vec<usize>> = Vec::with_capacity(self.reads.len());
+        let mut operands: Vec<Reads<usize>> = Vec::with_capacity(self.reads.len());
         for (reads, makes) in self.reads.iter().zip(&self.makes) {
-            let mut sorted = reads.clone();
+            let mut sorted = *reads;
             sorted.sort_by_key(|&value| Reverse(need[value]));
             let held = sorted.iter().enumerate().map(|(waiting, &value)| need[value] + waiting);
             let most = held.max().unwrap_or(1);
@@ -121,7 +166,7 @@ impl Graph {
 
     /// From the first step on: of those that are ready the one after which fewest values wait; if equal, by rank.
     fn forward(&self, ranks: &[usize]) -> Vec<usize> {
-        let mut readers_left: Vec<usize> = self.readers.iter().map(Vec::len).collect();
+        let mut readers_left = self.readers.counts(self.maker.len());
         self.results.iter().for_each(|&value| readers_left[value] += 1);
         let mut live = vec![false; self.maker.len()];
         let is_made = |value: &&usize| self.maker[**value].is_some();
@@ -140,16 +185,16 @@ impl Graph {
         let mut order = Vec::with_capacity(missing.len());
         while let Some(step) = ready.pop() {
             order.push(step);
-            for &value in &self.reads[step] {
+            for &value in self.reads[step].iter() {
                 readers_left[value] -= 1;
                 let was_live = std::mem::replace(&mut live[value], true);
                 if !was_live || readers_left[value] == 1 {
-                    ready.touch(&self.readers[value]);
+                    ready.touch(self.readers.of(value));
                 }
             }
-            for &value in &self.makes[step] {
+            for &value in self.makes[step].iter() {
                 live[value] = true;
-                for &reader in &self.readers[value] {
+                for &reader in self.readers.of(value) {
                     missing[reader] -= 1;
                     if missing[reader] == 0 {
                         ready.refresh.push(reader);
@@ -166,7 +211,7 @@ impl Graph {
         let mut order = self.depth_first();
         let mut way = vec![0; steps.len()];
         for &step in order.iter().rev() {
-            let readers = self.makes[step].iter().flat_map(|&value| &self.readers[value]);
+            let readers = self.makes[step].iter().flat_map(|&value| self.readers.of(value));
             way[step] = steps[step].latency + readers.map(|&reader| way[reader]).max().unwrap_or(0);
         }
         order.sort_by_key(|&step| Reverse(way[step]));
@@ -179,7 +224,7 @@ impl Graph {
         let n = self.reads.len();
         let from_the_end: Vec<usize> = ranks.iter().map(|rank| n - rank).collect();
         let mut live = self.is_result.clone();
-        let pending = |makes: &Vec<usize>| makes.iter().map(|&value| self.readers[value].len()).sum();
+        let pending = |makes: &Makes<usize>| makes.iter().map(|&value| self.readers.of(value).len()).sum();
         let mut missing: Vec<usize> = self.makes.iter().map(pending).collect();
         let growth = |step: usize, live: &[bool]| -> isize {
             let end = self.makes[step].iter().filter(|&&value| live[value]).count();
@@ -193,9 +238,9 @@ impl Graph {
         let mut order = Vec::with_capacity(n);
         while let Some(step) = ready.pop() {
             order.push(step);
-            for &value in &self.reads[step] {
+            for &value in self.reads[step].iter() {
                 if !std::mem::replace(&mut live[value], true) {
-                    ready.touch(&self.readers[value]);
+                    ready.touch(self.readers.of(value));
                 }
                 if let Some(maker) = self.maker[value] {
                     missing[maker] -= 1;
@@ -212,17 +257,17 @@ impl Graph {
 
     /// Values that find no register, summed over the steps.
     fn overfull(&self, order: &[usize]) -> usize {
-        let mut left: Vec<usize> = self.readers.iter().map(Vec::len).collect();
+        let mut left = self.readers.counts(self.maker.len());
         self.results.iter().for_each(|&value| left[value] += 1);
         let mut live = vec![false; self.maker.len()];
         let (mut waiting, mut total) = (0_usize, 0);
         for &step in order {
-            for &value in &self.reads[step] {
+            for &value in self.reads[step].iter() {
                 waiting += usize::from(!std::mem::replace(&mut live[value], true));
                 left[value] -= 1;
                 waiting -= usize::from(left[value] == 0);
             }
-            for &value in &self.makes[step] {
+            for &value in self.makes[step].iter() {
                 live[value] = true;
                 waiting += usize::from(left[value] > 0);
             }
@@ -279,10 +324,13 @@ mod tests {
 
     /// Steps of one result each: number and operands.
     fn steps(all: &[(usize, &[usize])]) -> Vec<Step> {
-        let ids = |numbers: &[usize]| numbers.iter().map(|&n| ExprId::from_index(n)).collect();
-        all.iter()
-            .map(|&(makes, reads)| Step { makes: ids(&[makes]), reads: ids(reads), latency: 4 })
-            .collect()
+        let id = ExprId::from_index;
+        let step = |&(makes, reads): &(usize, &[usize])| Step {
+            makes: [id(makes)].into_iter().collect(),
+            reads: reads.iter().map(|&n| id(n)).collect(),
+            latency: 4,
+        };
+        all.iter().map(step).collect()
     }
 
     /// Sums of `n` pairs of products of arguments, in an order that makes all products first.

@@ -45,6 +45,8 @@ pub(super) struct Body<'p> {
     idents: Vec<String>,
     scope: Scope,
     read: [bool; 5],
+    /// Scratch of [`Body::read_arguments`].
+    stack: Vec<ExprId>,
 }
 
 /// Groups of arguments, in the order of the signature.
@@ -87,6 +89,7 @@ impl<'p> Body<'p> {
             idents: Vec::new(),
             scope: Scope::default(),
             read: [false; 5],
+            stack: Vec::new(),
         };
         for name in GROUPS {
             body.scope.reserve(name);
@@ -157,7 +160,8 @@ impl<'p> Body<'p> {
     /// Reads the arguments of a statement that have not been read yet.
     fn read_arguments(&mut self, id: ExprId) {
         let dag = self.dag();
-        let mut stack = vec![id];
+        let mut stack = std::mem::take(&mut self.stack);
+        stack.push(id);
         while let Some(id) = stack.pop() {
             if self.ident(id).is_some() || dag.is_constant(id) {
                 continue;
@@ -169,6 +173,7 @@ impl<'p> Body<'p> {
             }
             stack.extend(self.operands(id).into_iter().rev().flatten());
         }
+        self.stack = stack;
     }
 
     /// `let hA = q[0];`
@@ -210,13 +215,18 @@ impl<'p> Body<'p> {
             self.sin_cos(angle);
             return;
         }
-        let mut value = String::new();
-        self.write_expression(&mut value, id);
         let ident = match dag.name_of(id) {
             Some(name) => self.scope.unique(name),
             None => self.scope.temporary(),
         };
-        self.push(&ident, format_args!("{value}"));
+        let mut text = std::mem::take(&mut self.statements);
+        for part in ["    let ", &ident, " = "] {
+            text.push_str(part);
+        }
+        self.write_expression(&mut text, id);
+        text.push_str(";\n");
+        self.statements = text;
+        self.n_statements += 1;
         self.name(id, ident);
     }
 

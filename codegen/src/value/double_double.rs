@@ -231,6 +231,8 @@ pub(super) fn evaluate_at(
     let order = dag.reachable(roots);
     let mut values = vec![Double2::ZERO; order.last().map_or(0, |id| id.index() + 1)];
     let mut at = |point: usize| {
+        // Sine and cosine of an angle, which mostly follow each other.
+        let mut turned: Option<(ExprId, (Double2, Double2))> = None;
         for &id in &order {
             let of = |a: ExprId| values[a.index()];
             values[id.index()] = match dag.node(id) {
@@ -238,6 +240,11 @@ pub(super) fn evaluate_at(
                 Node::Pi => Double2::new(std::f64::consts::PI),
                 Node::Symbol(symbol) => Double2::new(value_of(symbol, point)),
                 Node::Negate(a) => -of(a),
+                Node::Unary(function @ (Unary::Sin | Unary::Cos), a) => {
+                    let known = turned.filter(|(angle, _)| *angle == a);
+                    let (_, (sin, cos)) = *turned.insert(known.unwrap_or_else(|| (a, of(a).sin_cos())));
+                    if function == Unary::Sin { sin } else { cos }
+                }
                 Node::Unary(function, a) => Double2::unary(function, of(a)),
                 Node::Binary(operator, a, b) => Double2::binary(operator, of(a), of(b)),
             };

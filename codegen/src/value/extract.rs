@@ -172,15 +172,15 @@ impl<'g> Extraction<'g> {
 
     /// Takes a better definition of a live class, or an equal one now and then.
     fn improve(&mut self, class: ClassId, idle_moves: bool) {
-        let n = self.graph.classes[class].definitions.len();
-        if self.uses[class.index()] == 0 || self.locked[class.index()] || n < 2 {
+        let has_choice = self.graph.classes[class].definition(1).is_some();
+        if self.uses[class.index()] == 0 || self.locked[class.index()] || !has_choice {
             return;
         }
         let old = self.graph.classes[class].current;
         let freed: u32 = old.cost() + old.reads().map(|c| self.drop_use(c)).sum::<u32>();
         let mut best: Option<(i64, Definition)> = None;
-        for k in 0..n {
-            let new = self.graph.classes[class].definitions[k];
+        for k in 0.. {
+            let Some(new) = self.graph.classes[class].definition(k) else { break };
             if new == old {
                 continue;
             }

@@ -116,7 +116,7 @@ impl Definition {
             _ => 2,
         };
         let [a, b] = self.operands;
-        [a.class, b.class].into_iter().take(n)
+        (0..n).map(move |k| if k == 0 { a.class } else { b.class })
     }
 
     fn same_but_for_signs(&self, other: &Self) -> bool {
@@ -128,7 +128,9 @@ impl Definition {
 #[derive(Clone, Debug)]
 pub(super) struct Class {
     pub value: Value,
-    pub definitions: Vec<Definition>,
+    /// The first definition and those found later; most classes have but one.
+    first: Definition,
+    others: Vec<Definition>,
     /// The definition in use.
     pub current: Definition,
     /// Depends on parameters alone, as first defined.
@@ -136,6 +138,16 @@ pub(super) struct Class {
 }
 
 impl Class {
+    /// All known definitions, the first one first.
+    pub fn definitions(&self) -> impl Iterator<Item = &Definition> {
+        std::iter::once(&self.first).chain(&self.others)
+    }
+
+    /// The k-th definition, if there are as many.
+    pub fn definition(&self, k: usize) -> Option<Definition> {
+        if k == 0 { Some(self.first) } else { self.others.get(k - 1).copied() }
+    }
+
     pub fn is_leaf(&self) -> bool {
         matches!(self.current.operation, Operation::Leaf(_))
     }
@@ -154,6 +166,13 @@ pub(super) struct Graph {
 impl Graph {
     pub fn new(points: usize) -> Self {
         Self { classes: IdVec::default(), index: HashMap::default(), points, estimates: Vec::new() }
+    }
+
+    /// Makes room for so many more classes.
+    pub fn reserve(&mut self, classes: usize) {
+        self.classes.reserve(classes);
+        self.index.reserve(classes);
+        self.estimates.reserve(classes * self.points);
     }
 
     pub fn value(&self, x: Signed) -> Value {
@@ -196,7 +215,8 @@ impl Graph {
         let value = if negative { value.map(|v| -v) } else { value };
         let class = self.classes.push(Class {
             value,
-            definitions: vec![current],
+            first: current,
+            others: Vec::new(),
             current,
             prepared: current.prepared,
         });
@@ -262,13 +282,13 @@ impl Graph {
         let class = &self.classes[target.class];
         if class.is_leaf()
             || definition.reads().any(|c| c == target.class)
-            || class.definitions.iter().any(|d| d.same_but_for_signs(&definition))
+            || class.definitions().any(|d| d.same_but_for_signs(&definition))
         {
             return false;
         }
         let old = self.estimates(target.class).iter().copied();
         let Some(error) = guard::admits(old, self.estimates_of(&definition)) else { return false };
-        self.classes[target.class].definitions.push(Definition { error, ..definition });
+        self.classes[target.class].others.push(Definition { error, ..definition });
         true
     }
 

@@ -27,7 +27,9 @@ impl<'a> Import<'a> {
 
     /// Loads what `roots` need and returns their classes.
     pub fn load(&mut self, roots: &[ExprId]) -> Vec<Option<Signed>> {
-        for id in self.dag.reachable(roots) {
+        let nodes = self.dag.reachable(roots);
+        self.graph.reserve(nodes.len());
+        for id in nodes {
             if self.classes[id.index()].is_none() {
                 self.classes[id.index()] = Some(self.class(id));
             }

@@ -20,12 +20,13 @@ mod pairs;
 mod rules;
 
 use crate::expr::{Dag, ExprId, SymbolId};
+use crate::id::Id;
 use check::Check;
 use extract::Extraction;
 use graph::{ClassId, Graph, Signed};
 use import::Import;
 use pairs::Pairs;
-use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
+use rustc_hash::FxHashMap as HashMap;
 
 /// How hard to look for fewer operations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -92,23 +93,18 @@ pub fn shorten(
     }
     // What the first group gained the others may have lost: then they stay as they were.
     for (new, old) in best.iter_mut().zip(groups).skip(1) {
-        if cost(dag, new) > cost(dag, old) {
+        if new != old && dag.costs(new) > dag.costs(old) {
             new.clone_from(old);
         }
     }
     best
 }
 
-/// Operations of an evaluation, and with those of the parameters.
-fn cost(dag: &Dag, group: &[ExprId]) -> (usize, usize) {
-    (dag.state_cost(group), dag.cone_cost(group))
-}
-
 /// Less in the first group, or as much there and less in all.
 fn is_shorter(dag: &Dag, old: &[Vec<ExprId>], new: &[Vec<ExprId>]) -> bool {
     let of = |groups: &[Vec<ExprId>]| {
-        let sum = groups.iter().map(|g| cost(dag, g)).fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1));
-        (cost(dag, &groups[0]), sum)
+        let costs: Vec<(usize, usize)> = groups.iter().map(|group| dag.costs(group)).collect();
+        (costs[0], costs.iter().fold((0, 0), |s, c| (s.0 + c.0, s.1 + c.1)))
     };
     of(new) < of(old)
 }
@@ -129,11 +125,13 @@ fn round(
     let names = import.names();
     let mut roots: Vec<Signed> = Vec::new();
     let mut settled: Vec<ClassId> = Vec::new();
-    let mut treated = HashSet::default();
+    let mut treated: Vec<bool> = Vec::new();
     for group in &classes[..searched] {
         roots.extend(group.iter().flatten());
         let live = Extraction::new(&mut graph, &roots, &[]).live();
-        let new: Vec<ClassId> = live.iter().copied().filter(|&class| treated.insert(class)).collect();
+        treated.resize(graph.classes.len(), false);
+        let is_new = |class: &ClassId| !std::mem::replace(&mut treated[class.index()], true);
+        let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
         if effort == Effort::All {
             passes = PASSES_ALL;

@@ -13,7 +13,7 @@ pub(super) fn apply(graph: &mut Graph, classes: &[ClassId], one: Signed) {
     for &class in classes {
         let target = Signed { class, negative: false };
         // The list grows under the rules; what they add is left to the next round.
-        for definition in graph.classes[class].definitions.clone() {
+        for definition in graph.classes[class].definitions().copied().collect::<Vec<_>>() {
             match definition.operation {
                 Operation::Sum => {
                     reassociate(graph, target, &definition);
@@ -52,8 +52,8 @@ fn readers(graph: &Graph, live: &[ClassId]) -> IdVec<ClassId, u32> {
 
 /// The terms of a sum, through sums that nothing else reads.
 fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signed> {
-    let mut terms = Vec::new();
-    let mut stack: Vec<Signed> = vec![sum];
+    let (mut terms, mut stack) = (Vec::with_capacity(MOST_TERMS), Vec::with_capacity(MOST_TERMS));
+    stack.push(sum);
     while let Some(x) = stack.pop() {
         let current = &graph.classes[x.class].current;
         let own = x == sum || readers[x.class] == 1;
@@ -69,7 +69,7 @@ fn terms(graph: &Graph, sum: Signed, readers: &IdVec<ClassId, u32>) -> Vec<Signe
 /// f x + f y + ... + r = f (x + y + ...) + r, for every f in two terms or more.
 fn factor_terms(graph: &mut Graph, target: Signed, terms: &[Signed], one: Signed) {
     // (factor, place of the term, term / factor); a factor counts once a term.
-    let mut divided: Vec<(ClassId, usize, Signed)> = Vec::new();
+    let mut divided: Vec<(ClassId, usize, Signed)> = Vec::with_capacity(4 * terms.len());
     for (i, &term) in terms.iter().enumerate() {
         for [a, b] in parts(graph, term, Operation::Product) {
             divided.extend([[a, b], [b, a]].map(|[f, x]| (f.class, i, x.times(f.negative))));
@@ -104,7 +104,7 @@ fn sum(graph: &mut Graph, terms: &[Signed]) -> Option<Signed> {
 
 /// The first few definitions of x by an operation, as pairs of signed operands with the sign of x drawn in.
 fn parts(graph: &Graph, x: Signed, operation: Operation) -> impl Iterator<Item = [Signed; 2]> {
-    let definitions = graph.classes[x.class].definitions.iter().take(LOOKED_INTO);
+    let definitions = graph.classes[x.class].definitions().take(LOOKED_INTO);
     definitions.filter(move |d| d.operation == operation).map(move |d| {
         let [a, b] = d.operands;
         let sign = x.negative != d.negative;

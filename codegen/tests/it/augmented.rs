@@ -62,8 +62,8 @@ pub(crate) fn agree(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) {
             matrix[(n + r) * size + i] = jacobian[r * n + i];
         }
     }
-    let right = forcing.iter().copied().chain(bias.iter().map(|b| -b)).collect();
-    let (solution, rank) = linear::solve(matrix, right, size);
+    let mut right: Vec<f64> = forcing.iter().copied().chain(bias.iter().map(|b| -b)).collect();
+    let (solution, rank) = linear::solve(&matrix, &mut right, size);
     assert_eq!(rank, size, "{name}: regular");
     for (speed, expected) in program.u.iter().zip(&u_dot) {
         let at = program.augmented.unknowns.iter().position(|x| *x == speed.name).expect("a speed");

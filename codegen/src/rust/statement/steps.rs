@@ -2,7 +2,7 @@
 
 use super::super::ScalarType;
 use super::super::pairs::pair_angles;
-use super::super::schedule::Step;
+use super::super::schedule::{Makes, Reads, Step};
 use super::{Body, LONGEST_STATEMENT};
 use crate::expr::{Binary, ExprId, Node, Unary};
 use crate::id::Id;
@@ -49,16 +49,22 @@ impl<'p> Body<'p> {
                 angles.insert(angle, known.unwrap_or(steps.len()));
                 if let Some(step) = known {
                     steps[step].makes.push(id);
-                    let fresh = self.reads(id).filter(|read| !steps[step].reads.contains(read));
-                    let fresh: Vec<ExprId> = fresh.collect();
-                    steps[step].reads.extend(fresh);
+                    for read in self.reads(id) {
+                        if !steps[step].reads.contains(&read) {
+                            steps[step].reads.push(read);
+                        }
+                    }
                     continue;
                 }
             }
-            let mut reads: Vec<ExprId> = self.reads(id).collect();
-            reads.dedup();
-            let latency = latency(dag.node(id));
-            steps.push(Step { makes: vec![id], reads, latency });
+            let (mut makes, mut reads) = (Makes::default(), Reads::default());
+            makes.push(id);
+            for read in self.reads(id) {
+                if !reads.contains(&read) {
+                    reads.push(read);
+                }
+            }
+            steps.push(Step { makes, reads, latency: latency(dag.node(id)) });
         }
         self.without_idle_differences(steps, roots)
     }
@@ -73,7 +79,7 @@ impl<'p> Body<'p> {
 
     pub(super) fn count_uses(&mut self, steps: &[Step], results: &[ExprId]) {
         for step in steps {
-            for &read in &step.reads {
+            for &read in step.reads.iter() {
                 self.uses[read.index()] += 1;
             }
             if let [Some(a), Some(b)] = self.operands(step.makes[0]).map(|a| a.map(|a| self.value(a)))

@@ -1,0 +1,48 @@
+//! A list of a few elements without a heap.
+
+use std::ops::{Deref, DerefMut};
+
+/// Up to `N` elements.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Few<T, const N: usize> {
+    items: [T; N],
+    n: usize,
+}
+
+impl<T: Copy + Default, const N: usize> Default for Few<T, N> {
+    fn default() -> Self {
+        Self { items: [T::default(); N], n: 0 }
+    }
+}
+
+impl<T, const N: usize> Few<T, N> {
+    /// Appends an element.
+    ///
+    /// # Panics
+    /// If there is no room: a fault of the emitter.
+    pub fn push(&mut self, item: T) {
+        self.items[self.n] = item;
+        self.n += 1;
+    }
+}
+
+impl<T: Copy + Default, const N: usize> FromIterator<T> for Few<T, N> {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        let mut few = Self::default();
+        items.into_iter().for_each(|item| few.push(item));
+        few
+    }
+}
+
+impl<T, const N: usize> Deref for Few<T, N> {
+    type Target = [T];
+    fn deref(&self) -> &[T] {
+        &self.items[..self.n]
+    }
+}
+
+impl<T, const N: usize> DerefMut for Few<T, N> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.items[..self.n]
+    }
+}
