@@ -30,8 +30,8 @@ pub(super) enum Core {
 
 /// Values that a step makes: one, or sine and cosine of an angle or two.
 pub(super) type Makes<T> = Few<T, 4>;
-/// Values that a step reads: two operands at most.
-pub(super) type Reads<T> = Few<T, 2>;
+/// Values that a step reads: two operands, or the angles of two differences.
+pub(super) type Reads<T> = Few<T, 4>;
 
 /// What is computed at once: one value, or sine and cosine of an angle or two.
 #[derive(Clone, Copy)]

@@ -66,15 +66,17 @@ impl<'p> Body<'p> {
             }
             steps.push(Step { makes, reads, latency: latency(dag.node(id)) });
         }
-        self.without_idle_differences(steps, roots)
+        if dag.unrounded_differences {
+            self.drop_idle_differences(&mut steps, roots);
+        }
+        steps
     }
 
     /// A difference of angles that only sines and cosines were formed of is read by nobody.
-    fn without_idle_differences(&self, mut steps: Vec<Step>, roots: &[ExprId]) -> Vec<Step> {
+    fn drop_idle_differences(&self, steps: &mut Vec<Step>, roots: &[ExprId]) {
         let mut read: HashSet<ExprId> = roots.iter().map(|&root| self.value(root)).collect();
-        steps.iter().for_each(|step| read.extend(&step.reads));
+        steps.iter().for_each(|step| read.extend(step.reads.iter()));
         steps.retain(|step| step.makes.iter().any(|made| read.contains(made)));
-        steps
     }
 
     pub(super) fn count_uses(&mut self, steps: &[Step], results: &[ExprId]) {
