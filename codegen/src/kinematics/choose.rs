@@ -66,6 +66,13 @@ fn extend(
         }
         remains.push(rest);
     }
+    // A row of rounding errors is a direction too once it is made a unit vector, but says nothing: what is left of
+    // a row counts against the errors that it had before, where least is left.
+    let left = remains.iter().enumerate().map(|(sample, rest)| (sample, norm(rest) * row.length(sample)));
+    let least = left.min_by(|a, b| a.1.total_cmp(&b.1));
+    if least.is_some_and(|(sample, left)| left <= row.rounding(&k.dag, sample)) {
+        return false;
+    }
     bases.iter_mut().zip(remains).for_each(|(basis, rest)| basis.push(&rest));
     true
 }
