@@ -74,11 +74,7 @@ fn rates_of(settings: &Settings) -> Result<(u64, u64), Failure> {
     let derived = model::read(&settings.model).and_then(|model| {
         let tunable = model.parameters.iter().filter(|_| settings.everything);
         let keep = tunable.map(|p| p.name.clone()).collect();
-        program::derive_with(
-            &model,
-            &ParameterChoice { values, keep, ..ParameterChoice::default() },
-            Effort::All,
-        )
+        program::derive_with(&model, &ParameterChoice { values, keep }, Effort::All)
     });
     let program = derived.map_err(|errors| wrong(&errors))?;
     let turned = |id: ExprId| match program.dag.node(id) {
