@@ -196,7 +196,7 @@ impl<'t> NumericRow<'t> {
 
     /// The length of the row at a sample.
     pub(super) fn length(&self, sample: usize) -> f64 {
-        norm(&self.entries.iter().map(|(_, values)| values[sample]).collect::<Vec<_>>())
+        self.entries.iter().map(|(_, values)| values[sample] * values[sample]).sum::<f64>().sqrt()
     }
 
     /// Bound of the rounding error of the row at a sample. Dear: ask it of rows that pass all else.

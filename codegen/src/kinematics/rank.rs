@@ -19,12 +19,15 @@ fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec
     let points = table.points();
     let mut bases = vec![Basis::new(unknowns.len()); points];
     for row in &k.rows {
+        // Beside as many vectors as there are unknowns nothing is left.
+        if bases.iter().all(|basis| basis.rank() == unknowns.len()) {
+            break;
+        }
         let row = NumericRow::new(&k.dag, table, row, &column);
         // Where the row is shortest its rounding errors show first, if at all.
         let share = |sample| row.rounding(&k.dag, sample) / row.length(sample).max(f64::MIN_POSITIVE);
         let shortest = (0..points).min_by(|&a, &b| row.length(a).total_cmp(&row.length(b)));
         let is_exact = shortest.is_none_or(|sample| share(sample) < DEPENDENT);
-        // Beside as many vectors as there are unknowns nothing is left.
         let incomplete = bases.iter_mut().enumerate().filter(|(_, basis)| basis.rank() < unknowns.len());
         for (sample, basis) in incomplete {
             let rest = basis.orthogonal_part(row.unit(sample));
