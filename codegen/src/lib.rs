@@ -51,6 +51,7 @@
 pub mod expr;
 pub mod id;
 pub mod source;
+pub mod words;
 
 pub mod diagnostic;
 pub mod model;

@@ -14,9 +14,10 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`Failure::Wrong`] with the likely name, if there is no such file.
 pub fn find(argument: &str) -> Result<PathBuf, Failure> {
-    let given = Path::new(argument);
-    if given.is_file() {
-        return Ok(given.to_owned());
+    for given in [PathBuf::from(argument), PathBuf::from(format!("{argument}.toml"))] {
+        if given.is_file() {
+            return Ok(given);
+        }
     }
     let mut known = Vec::new();
     for folder in model_folders() {
@@ -29,6 +30,11 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     }
     known.sort();
     known.dedup();
+    if known.is_empty() {
+        return Err(Failure::Wrong(format!(
+            "no model `{argument}`: there is no such file, and no folder models/ here or above"
+        )));
+    }
     let help = suggest::help(argument, known.iter().map(String::as_str));
     Err(Failure::Wrong(format!(
         "no model `{argument}`: expected the path of a file, or the name of one under models/{help}"

@@ -1,5 +1,5 @@
 // Generated from models/fourbar.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
-// fourbar: 3 coordinates, 1 independent speeds, 1 inputs, 11 tunable parameters; scalar f32.
+// fourbar: 3 coordinates, 1 independent speed, 1 input, 11 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
 // Cost of rates: 93 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 58 mul, 3 sin, 10 sub).
 // Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).

@@ -11,6 +11,7 @@ pub mod evaluate;
 mod intern;
 pub mod number;
 pub mod print;
+pub(crate) mod rounding;
 mod set;
 mod simplify;
 pub mod substitute;

@@ -4,6 +4,7 @@
 //! of one angle are one instruction. Numbers are rounded once, when the tape is made.
 
 use super::evaluate;
+use super::rounding::Rounded;
 use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
@@ -165,6 +166,8 @@ impl Dag {
 #[derive(Clone, Debug)]
 pub struct SampleTable {
     symbols: HashMap<SymbolId, Vec<f64>>,
+    /// What the errors of symbols are relative to, where that is more than their values.
+    sizes: HashMap<SymbolId, f64>,
     points: usize,
     /// By node: which of the rows of `values` is its; `UNKNOWN` if it has not been asked for.
     place: Vec<u32>,
@@ -183,11 +186,28 @@ impl SampleTable {
     pub fn new(symbols: HashMap<SymbolId, Vec<f64>>, points: usize) -> Self {
         Self {
             symbols,
+            sizes: HashMap::default(),
             points,
             place: Vec::new(),
             values: Vec::with_capacity(NODES * points),
             stack: Vec::new(),
         }
+    }
+
+    /// With sizes of solved symbols: one that should be 0 is 0 up to rounding of its size.
+    #[must_use]
+    pub(crate) fn with_sizes(self, sizes: HashMap<SymbolId, f64>) -> Self {
+        Self { sizes, ..self }
+    }
+
+    /// Bounds of the rounding errors of expressions at one sample: a value below its bound may as well be 0.
+    #[must_use]
+    pub fn rounding_errors(&self, dag: &Dag, exprs: &[ExprId], sample: usize) -> Vec<f64> {
+        let symbol = |symbol: SymbolId| {
+            let value = self.symbols.get(&symbol).map_or(f64::NAN, |values| values[sample]);
+            Rounded::new(value, f64::EPSILON * self.sizes.get(&symbol).copied().unwrap_or(0.0))
+        };
+        dag.evaluate(exprs, &symbol).iter().map(|x| x.error).collect()
     }
 
     /// Number of sample points.

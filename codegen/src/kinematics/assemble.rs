@@ -7,6 +7,7 @@
 use super::{Kinematics, linear, speed_map};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
+use crate::expr::rounding::Rounded;
 use crate::expr::tape::Tape;
 use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
@@ -17,7 +18,7 @@ const RANDOM_SAMPLES: usize = 64;
 const MAX_STEPS: usize = 64;
 /// Most Newton corrections per step.
 const MAX_CORRECTIONS: usize = 25;
-/// Residual (SI units, sizes of order 1) that counts as satisfied.
+/// Residual, of equations with terms of order 1, that counts as satisfied: some thousand rounding errors.
 const SATISFIED: f64 = 1e-12;
 /// A residual of closed forms that is more than rounding.
 const CONTRADICTION: f64 = 1e-9;
@@ -28,7 +29,8 @@ const LARGEST_CORRECTION: f64 = 0.5;
 #[derive(Clone, Debug)]
 pub struct Assembly {
     tape: Tape<f64>,
-    n_residuals: usize,
+    /// By what every residual is divided: an equation says the same if all of it is multiplied.
+    scales: Vec<f64>,
     dependent: Vec<usize>,
     independent: Vec<usize>,
     /// Values of the tape's inputs: coordinates, then parameters.
@@ -71,9 +73,14 @@ impl Assembly {
                 arguments.push(k.parameter_values[id]);
             }
         }
+        let argument = |symbol: SymbolId| {
+            let known = inputs.iter().position(|s| *s == symbol);
+            Rounded::new(known.map_or(f64::NAN, |i| arguments[i]), 0.0)
+        };
+        let scales = k.dag.evaluate(&k.residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
         Self {
             tape: Tape::new(&k.dag, &roots, &inputs),
-            n_residuals: k.residuals.len(),
+            scales,
             dependent,
             independent,
             arguments,
@@ -95,7 +102,7 @@ impl Assembly {
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
         let mut best = f64::INFINITY;
         for _ in 0..MAX_CORRECTIONS {
-            let (residual, correction) = self.newton_step(q);
+            let (residual, scaled, correction) = self.newton_step(q);
             best = best.min(residual);
             // The last correction has brought the error to the square of a small number.
             for (&i, d) in self.dependent.iter().zip(correction.iter()) {
@@ -103,7 +110,7 @@ impl Assembly {
             }
             let size =
                 correction.iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::NAN } else { m.max(d.abs()) });
-            if residual < SATISFIED && size < SATISFIED.sqrt() {
+            if scaled < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
             if size.is_nan() || size >= LARGEST_CORRECTION {
@@ -113,17 +120,25 @@ impl Assembly {
         Err(Unreachable { residual: best })
     }
 
-    /// Largest residual and Newton's correction of the dependent coordinates.
-    fn newton_step(&mut self, q: &[f64]) -> (f64, Vec<f64>) {
+    /// Largest residual, as it is and scaled, and Newton's correction of the dependent coordinates.
+    fn newton_step(&mut self, q: &[f64]) -> (f64, f64, Vec<f64>) {
         let mut outputs = vec![0.0; self.tape.n_outputs()];
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
         self.tape.run(&self.arguments, &mut outputs);
-        let (residual, jacobian) = outputs.split_at_mut(self.n_residuals);
-        let largest =
-            residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) });
+        let (residual, jacobian) = outputs.split_at_mut(self.scales.len());
+        let largest = |residual: &[f64]| {
+            residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) })
+        };
+        let absolute = largest(residual);
+        let n = self.dependent.len();
+        for (i, scale) in self.scales.iter().enumerate().filter(|(_, scale)| **scale != 1.0) {
+            residual[i] /= scale;
+            jacobian[i * n..(i + 1) * n].iter_mut().for_each(|slope| *slope /= scale);
+        }
+        let scaled = largest(residual);
         residual.iter_mut().for_each(|r| *r = -*r);
-        let (correction, _) = linear::solve(jacobian, residual, self.dependent.len());
-        (largest, correction)
+        let (correction, _) = linear::solve(jacobian, residual, n);
+        (absolute, scaled, correction)
     }
 
     /// From the configuration `from` (satisfied) to the independent coordinates of `target`.
@@ -154,6 +169,13 @@ impl Assembly {
         }
         Ok(q)
     }
+}
+
+/// A power of two near the size of an equation's terms, in steps of a thousand: exact, and 1 for equations of order 1.
+fn scale(size: f64) -> f64 {
+    /// Binary places of a step.
+    const STEP: f64 = 10.0;
+    (STEP * (size.log2() / STEP).round()).exp2()
 }
 
 /// Fills the samples: nominal, stated configurations, random ones.

@@ -3,9 +3,9 @@
 //! Gram-Schmidt over all samples at once: a vector is a list of columns with one value a sample, so that what is
 //! zero by structure costs nothing and the rest goes through the loops that a compiler turns into wide arithmetic.
 
-use super::{Row, UnknownId};
-use crate::expr::Dag;
+use super::{Kinematics, Row, UnknownId};
 use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId};
 use rustc_hash::FxHashMap as HashMap;
 use std::ops::Range;
 
@@ -15,8 +15,15 @@ const FIRST: usize = 2;
 /// Beside this part of a row's length what rounding has left in it of the vectors does not count.
 const ROUNDED: f64 = 1e-2;
 
+/// A row this short against the longest entry of any may be nothing but rounding errors: those are looked into.
+const DOUBTFUL: f64 = 1e-5;
+
 /// A row's entries in the columns of unknowns, ascending, at every sample.
-pub(super) struct NumericRow<'t>(Vec<(usize, &'t [f64])>);
+pub(super) struct NumericRow<'t> {
+    entries: Vec<(usize, &'t [f64])>,
+    coefficients: Vec<ExprId>,
+    table: &'t SampleTable,
+}
 
 impl<'t> NumericRow<'t> {
     pub fn new(dag: &Dag, table: &'t mut SampleTable, row: &Row, column: &HashMap<UnknownId, usize>) -> Self {
@@ -24,9 +31,28 @@ impl<'t> NumericRow<'t> {
             table.compute(dag, coefficient);
         }
         let table: &'t SampleTable = table;
-        let entries = row.coefficients.iter();
-        Self(entries.filter_map(|(u, &c)| Some((*column.get(u)?, table.computed(c)))).collect())
+        let inside = row.coefficients.iter().filter_map(|(u, &c)| Some((*column.get(u)?, c)));
+        let (columns, coefficients): (Vec<usize>, Vec<ExprId>) = inside.unzip();
+        let values = coefficients.iter().map(|&c| table.computed(c));
+        Self { entries: columns.into_iter().zip(values).collect(), coefficients, table }
     }
+
+    /// The length of the row at a sample.
+    pub fn length(&self, sample: usize) -> f64 {
+        self.entries.iter().map(|(_, values)| values[sample] * values[sample]).sum::<f64>().sqrt()
+    }
+
+    /// Bound of the rounding error of the row at a sample. Dear: ask it of rows that are in doubt.
+    pub fn rounding(&self, dag: &Dag, sample: usize) -> f64 {
+        let errors = self.table.rounding_errors(dag, &self.coefficients, sample);
+        errors.iter().map(|error| error * error).sum::<f64>().sqrt()
+    }
+}
+
+/// The largest entry of all rows at any sample.
+pub(super) fn longest_entry(k: &Kinematics, table: &mut SampleTable) -> f64 {
+    let coefficients = k.rows.iter().flat_map(|row| row.coefficients.values());
+    coefficients.fold(0.0, |most, &c| table.values(&k.dag, c).iter().fold(most, |most, x| most.max(x.abs())))
 }
 
 /// Orthonormal vectors, at every sample as many as have been found independent there.
@@ -39,8 +65,11 @@ pub(super) struct Bases {
     /// The row at hand: by column one value a sample, and whether the column has any.
     rest: Vec<f64>,
     is_filled: Vec<bool>,
-    /// Lengths of the row at hand, one a sample.
+    /// Lengths of what is left of the row at hand, one a sample, and of the row itself.
     lengths: Vec<f64>,
+    whole: Vec<f64>,
+    /// The largest entry of any row.
+    longest: f64,
 }
 
 /// One value a sample in each of some columns, one column after the other.
@@ -51,8 +80,8 @@ struct Vector {
 }
 
 impl Bases {
-    /// No vectors yet, of a space of so many dimensions.
-    pub fn new(dimensions: usize, samples: usize) -> Self {
+    /// No vectors yet, of a space of so many dimensions; `longest` is the largest entry of any row.
+    pub fn new(dimensions: usize, longest: f64, samples: usize) -> Self {
         Self {
             vectors: Vec::new(),
             ranks: vec![0; samples],
@@ -60,6 +89,8 @@ impl Bases {
             rest: vec![0.0; dimensions * samples],
             is_filled: vec![false; dimensions],
             lengths: vec![0.0; samples],
+            whole: vec![0.0; samples],
+            longest,
         }
     }
 
@@ -69,7 +100,10 @@ impl Bases {
     }
 
     /// Adds the row, if at every sample more than this part of its length is left beside the others.
-    pub fn extend(&mut self, row: &NumericRow, least: f64) -> bool {
+    ///
+    /// A row of rounding errors is a direction too once it is made a unit vector, but says nothing: what is left of a
+    /// row counts against the errors that it had before, where least is left.
+    pub fn extend(&mut self, dag: &Dag, row: &NumericRow, least: f64) -> bool {
         let samples = self.ranks.len();
         let first = FIRST.min(samples);
         for part in [0..first, first..samples] {
@@ -78,19 +112,32 @@ impl Bases {
                 return false;
             }
         }
+        let left = self.lengths.iter().zip(&self.whole).map(|(part, length)| part * length).enumerate();
+        if let Some((sample, left)) = left.min_by(|a, b| a.1.total_cmp(&b.1))
+            && left < DOUBTFUL * self.longest
+            && left <= row.rounding(dag, sample)
+        {
+            return false;
+        }
         self.push(least);
         true
     }
 
-    /// Adds the row at those samples at which more than this part of its length is left beside the others.
-    pub fn extend_where_independent(&mut self, row: &NumericRow, least: f64) {
+    /// Adds the row at those samples at which more than this part of its length is left beside the others, and more
+    /// than rounding errors.
+    pub fn extend_where_independent(&mut self, dag: &Dag, row: &NumericRow, least: f64) {
         // Beside as many vectors as there are dimensions nothing is left.
         if self.ranks.iter().all(|&rank| rank == self.dimensions) {
             return;
         }
         self.orthogonalise(row, 0..self.ranks.len(), least);
-        for (length, &rank) in self.lengths.iter_mut().zip(&self.ranks) {
-            *length = if rank < self.dimensions { *length } else { 0.0 };
+        for (sample, length) in self.lengths.iter_mut().enumerate() {
+            let whole = self.whole[sample];
+            let is_rounding =
+                || *length * whole < DOUBTFUL * self.longest && *length * whole <= row.rounding(dag, sample);
+            if self.ranks[sample] == self.dimensions || (*length > least && is_rounding()) {
+                *length = 0.0;
+            }
         }
         self.push(least);
     }
@@ -101,12 +148,13 @@ impl Bases {
         let samples = self.ranks.len();
         let at = |k: usize| k * samples + part.start..k * samples + part.end;
         self.is_filled.fill(false);
-        for &(column, values) in &row.0 {
+        for &(column, values) in &row.entries {
             self.rest[at(column)].copy_from_slice(&values[part.clone()]);
             self.is_filled[column] = true;
         }
         self.measure(part.clone());
-        for &(column, _) in &row.0 {
+        self.whole[part.clone()].copy_from_slice(&self.lengths[part.clone()]);
+        for &(column, _) in &row.entries {
             let lengths = &self.lengths[part.clone()];
             for (x, &length) in self.rest[at(column)].iter_mut().zip(lengths) {
                 *x = if length > f64::MIN_POSITIVE { *x / length } else { *x };
@@ -179,22 +227,26 @@ impl Bases {
 #[cfg(test)]
 mod tests {
     use super::{Bases, NumericRow};
+    use crate::expr::Dag;
+    use crate::expr::tape::SampleTable;
 
     #[test]
     fn a_row_is_added_where_it_is_independent() {
+        let (dag, table) = (Dag::default(), SampleTable::new(Default::default(), 4));
+        let row = |entries| NumericRow { entries, coefficients: Vec::new(), table: &table };
         let (ones, slopes) = ([1.0; 4], [1.0, 2.0, 3.0, 1e-9]);
-        let first = NumericRow(vec![(0, &ones), (2, &ones)]);
+        let first = row(vec![(0, &ones[..]), (2, &ones[..])]);
         // Beside the first, 1e-9 of it is left at the last sample.
-        let second = NumericRow(vec![(0, &ones), (1, &slopes), (2, &ones)]);
-        let mut bases = Bases::new(3, 4);
-        assert!(bases.extend(&first, 1e-3));
-        assert!(!bases.extend(&second, 1e-3));
-        assert!(!bases.extend(&first, 1e-3));
-        bases.extend_where_independent(&second, 1e-3);
+        let second = row(vec![(0, &ones[..]), (1, &slopes[..]), (2, &ones[..])]);
+        let mut bases = Bases::new(3, 1.0, 4);
+        assert!(bases.extend(&dag, &first, 1e-3));
+        assert!(!bases.extend(&dag, &second, 1e-3));
+        assert!(!bases.extend(&dag, &first, 1e-3));
+        bases.extend_where_independent(&dag, &second, 1e-3);
         assert_eq!(bases.ranks(), [2, 2, 2, 1]);
         // The difference of the two, at the samples at which both count.
-        bases.extend_where_independent(&NumericRow(vec![(1, &ones)]), 1e-3);
+        bases.extend_where_independent(&dag, &row(vec![(1, &ones[..])]), 1e-3);
         assert_eq!(bases.ranks(), [2, 2, 2, 2]);
-        assert!(bases.extend(&NumericRow(vec![(2, &ones)]), 1e-3));
+        assert!(bases.extend(&dag, &row(vec![(2, &ones[..])]), 1e-3));
     }
 }

@@ -3,7 +3,7 @@
 //! In: candidate rows and the unknowns. Out: as many rows, independent at every sampled configuration,
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
-use super::basis::{Bases, NumericRow};
+use super::basis::{Bases, NumericRow, longest_entry};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::NodeSet;
@@ -29,7 +29,7 @@ pub(super) fn rows(
     let n = unknown.len();
     let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
     let bills: Vec<Bill> = k.rows.iter().map(|row| Bill::new(k, row)).collect();
-    let mut bases = Bases::new(n, table.points());
+    let mut bases = Bases::new(n, longest_entry(k, table), table.points());
     let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..k.rows.len()).collect();
     let mut chosen = Vec::new();
@@ -55,7 +55,7 @@ fn extend(
     row: &Row,
     bases: &mut Bases,
 ) -> bool {
-    bases.extend(&NumericRow::new(&k.dag, table, row, column), INDEPENDENT)
+    bases.extend(&k.dag, &NumericRow::new(&k.dag, table, row, column), INDEPENDENT)
 }
 
 /// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
@@ -103,7 +103,7 @@ fn cheaper(
     others: &[usize],
     list: &[(usize, usize)],
 ) -> Option<usize> {
-    let mut bases = Bases::new(column.len(), table.points());
+    let mut bases = Bases::new(column.len(), longest_entry(k, table), table.points());
     for &other in others {
         extend(k, table, column, &k.rows[other], &mut bases);
     }

@@ -8,18 +8,23 @@
 use super::{Kinematics, linear};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
+use crate::expr::rounding::Rounded;
 use crate::expr::tape::{SampleTable, Tape};
 use crate::model::{Model, Orientation};
 use crate::source::Span;
 use crate::vector::Turn;
+use crate::words::count;
+use smartbed_runtime::real::Real;
 
 /// A row counts as dependent if this part of its length is left beside the others.
 const DEPENDENT: f64 = 1e-5;
 /// Length of the finite move, in the coordinates' SI units.
 const MOVE: f64 = 0.1;
-/// A redundant equation stays satisfied to this residual after the move.
+/// Moves that turn out too long for the mechanism are made this much shorter, so many times.
+const SHORTER: (f64, usize) = (0.1, 3);
+/// A redundant equation stays satisfied to this residual, relative to its terms, after the move.
 const STAYS: f64 = 1e-10;
-/// The others are satisfied to this residual after the move.
+/// The others are satisfied to this residual, relative to their terms, after the move.
 const SATISFIED: f64 = 1e-12;
 /// Most corrections after a move.
 const MAX_CORRECTIONS: usize = 40;
@@ -52,10 +57,10 @@ fn fixed_vectors(k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostic
     for (place, difference) in &k.fixed_vectors {
         let worst = difference.iter().map(|&e| largest(table.values(&k.dag, e))).fold(0.0, f64::max);
         if NOT_CONSTANT < worst {
-            let message = format!("{}: it is not fixed there", place.name);
+            let message = format!("`{}` is not fixed in its frame", place.name);
             found.push(
                 Diagnostic::error(message)
-                    .label(place.span, format!("the vector differs from the stated one by up to {worst:.1e}"))
+                    .label(place.span, format!("the vector differs from its stated components by up to {worst:.1e}"))
                     .help("`fixed` states what the constraints imply, at every configuration: correct the components, or remove it"),
             );
         }
@@ -85,48 +90,75 @@ fn axes(model: &Model, k: &mut Kinematics, table: &mut SampleTable, found: &mut 
     }
 }
 
-/// Residuals and their derivatives by all coordinates, in numbers.
+/// Residuals and their derivatives by all coordinates, in numbers: relative to the terms of the residual, so that
+/// an equation multiplied by a number is the same equation, and 0 where there is nothing but rounding.
 struct Equations {
-    tape: Tape<f64>,
-    arguments: Vec<f64>,
+    tape: Tape<Rounded>,
+    arguments: Vec<Rounded>,
+    /// How large the terms of every residual are at the nominal configuration.
+    sizes: Vec<f64>,
+    /// Rounding errors of the coordinates.
+    errors: Vec<f64>,
     /// Number of equations and of coordinates.
     size: (usize, usize),
 }
 
 impl Equations {
-    fn new(k: &Kinematics) -> Self {
+    fn new(model: &Model, k: &Kinematics) -> Self {
         // A copy: what is derived here for numbers alone must not leave a trace in the program.
         let mut dag = k.dag.clone();
-        let mut symbols: Vec<SymbolId> = k.q.ids().filter_map(|c| k.coordinate_symbol(c)).collect();
+        let state = k.q.ids().filter_map(|c| Some((k.coordinate_symbol(c)?, model.coordinates[c].range)));
+        let (mut symbols, ranges): (Vec<SymbolId>, Vec<(f64, f64)>) = state.unzip();
+        let errors = ranges.iter().map(|(low, high)| f64::EPSILON * low.abs().max(high.abs())).collect();
         let mut roots = k.residuals.clone();
         for &residual in &k.residuals {
             roots.extend(symbols.iter().map(|&s| dag.derivative(residual, s)));
         }
         let size = (k.residuals.len(), symbols.len());
-        let mut arguments = vec![0.0; symbols.len()];
+        let mut arguments = vec![Rounded::ZERO; symbols.len()];
         for (id, &expr) in k.parameters.enumerate() {
             if let Some(symbol) = k.dag.as_symbol(expr) {
                 symbols.push(symbol);
-                arguments.push(k.parameter_values[id]);
+                arguments.push(Rounded::from_f64(k.parameter_values[id]));
             }
         }
-        Self { tape: Tape::new(&dag, &roots, &symbols), arguments, size }
+        let tape = Tape::new(&dag, &roots, &symbols);
+        let mut equations = Self { tape, arguments, sizes: Vec::new(), errors, size };
+        equations.sizes = equations.run(&k.samples[0])[..size.0].iter().map(|x| x.size()).collect();
+        equations
+    }
+
+    /// Residuals, then the derivatives row by row, as they are.
+    fn run(&mut self, q: &[f64]) -> Vec<Rounded> {
+        let (m, n) = self.size;
+        for ((argument, &q), &error) in self.arguments.iter_mut().zip(q).zip(&self.errors) {
+            *argument = Rounded::new(q, error);
+        }
+        let mut values = vec![Rounded::ZERO; m * (n + 1)];
+        self.tape.run(&self.arguments, &mut values);
+        values
     }
 
     /// Residuals, and one row of derivatives each.
     fn at(&mut self, q: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
         let (m, n) = self.size;
-        self.arguments[..n].copy_from_slice(q);
-        let mut values = vec![0.0; m * (n + 1)];
-        self.tape.run(&self.arguments, &mut values);
-        let rows = values[m..].chunks(n.max(1)).map(<[f64]>::to_vec).collect();
-        values.truncate(m);
-        (values, rows)
+        let values = self.run(q);
+        let (residuals, slopes) = values.split_at(m);
+        let residuals = residuals.iter().zip(&self.sizes).map(|(r, size)| r.value / size).collect();
+        let row = |i: usize| slopes[i * n..(i + 1) * n].iter().map(|x| x.cleaned() / self.sizes[i]).collect();
+        (residuals, (0..m).map(row).collect())
     }
 
-    /// From `q` along `direction`, then back onto the equations `kept`; none if that fails.
+    /// From `q` along `direction`, as far as the mechanism is large; none if that fails.
     fn walk(&mut self, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
-        let mut at: Vec<f64> = q.iter().zip(direction).map(|(q, d)| q + MOVE * d).collect();
+        let (shorter, times) = SHORTER;
+        let mut lengths = std::iter::successors(Some(MOVE), |length| Some(length * shorter)).take(1 + times);
+        lengths.find_map(|length| self.walk_by(length, q, direction, kept))
+    }
+
+    /// So far from `q` along `direction`, then back onto the equations `kept`.
+    fn walk_by(&mut self, length: f64, q: &[f64], direction: &[f64], kept: &[usize]) -> Option<Vec<f64>> {
+        let mut at: Vec<f64> = q.iter().zip(direction).map(|(q, d)| q + length * d).collect();
         for _ in 0..MAX_CORRECTIONS {
             let (residuals, rows) = self.at(&at);
             let kept_residuals: Vec<f64> = kept.iter().map(|&i| residuals[i]).collect();
@@ -188,7 +220,7 @@ fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) ->
     if k.residuals.is_empty() || k.samples[0].is_empty() {
         return Ok(());
     }
-    let mut equations = Equations::new(k);
+    let mut equations = Equations::new(model, k);
     let nominal = k.samples[0].clone();
     let (_, rows) = equations.at(&nominal);
     let (_, suspects) = basis_of(&rows);
@@ -199,25 +231,35 @@ fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) ->
         let residual = after_moves(&mut equations, &nominal, &others, suspect);
         if residual < STAYS {
             kept = others;
-            let place = &k.residual_names[suspect];
-            warnings.push(
-                Diagnostic::warning(format!(
-                    "`{}` follows from the other constraints and is dropped",
-                    place.name
-                ))
-                .label(
-                    place.span,
-                    format!("still satisfied ({residual:.0e}) after a move of {MOVE} along the others"),
-                )
-                .help("remove it, or the part of it that the others imply"),
-            );
+            warnings.push(redundant(k, &kept, suspect, residual));
         } else {
+            let residual = residual * equations.sizes[suspect];
             errors.push(singular(k, &mut equations, suspect, residual));
         }
     }
     errors.finish(())?;
     drop_rows(k, &kept);
     Ok(())
+}
+
+fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> Diagnostic {
+    let place = &k.residual_names[suspect];
+    let whole = kept.iter().all(|&i| k.residual_names[i].name != place.name);
+    let (what, help) = match whole {
+        true => ("", "remove it: the others imply it"),
+        false => (
+            "a component of ",
+            "nothing is lost; to state only what matters, write dot(vector, axis) = 0 for the axes that do",
+        ),
+    };
+    Diagnostic::warning(format!("{what}`{}` follows from the other constraints and is dropped", place.name))
+        .label(
+            place.span,
+            format!(
+                "still satisfied (to {residual:.0e} of its terms) after a move of {MOVE} along the others"
+            ),
+        )
+        .help(help)
 }
 
 /// Largest residual of one equation after finite moves along the others, every way they leave free;
@@ -245,8 +287,8 @@ fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
 }
 
 fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual: f64) -> Diagnostic {
-    let deficient = |q: &Vec<f64>, equations: &mut Equations| !basis_of(&equations.at(q).1).1.is_empty();
-    let count = k.samples.iter().filter(|q| deficient(q, equations)).count();
+    let is_deficient = |q: &Vec<f64>, equations: &mut Equations| !basis_of(&equations.at(q).1).1.is_empty();
+    let deficient = k.samples.iter().filter(|q| is_deficient(q, equations)).count();
     let (_, rows) = equations.at(&k.samples[0]);
     let (basis, dependent) = basis_of(&rows);
     let involved = involved(&rows, &dependent, suspect);
@@ -260,10 +302,10 @@ fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual:
     }
     let names: Vec<String> = places.iter().map(|(name, _)| format!("`{name}`")).collect();
     let mut error = Diagnostic::error(format!(
-        "the constraints are singular: rank {} of {} at {count} of {} sampled configurations; involved: {}",
+        "the constraints are singular: rank {} of {} at {deficient} of {}; involved: {}",
         basis.len(),
         rows.len(),
-        k.samples.len(),
+        count(k.samples.len(), "sampled configuration"),
         names.join(", ")
     ))
     .help(

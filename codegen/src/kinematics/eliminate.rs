@@ -4,6 +4,7 @@
 //! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
 //! are independent at every sampled configuration.
 
+use super::basis::NumericRow;
 use super::choose;
 use super::sparse::{self, Equation};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
@@ -129,12 +130,43 @@ fn check_consequences(
                     *size += (c * t).abs();
                 }
             }
-            if sum.iter().zip(&size).any(|(s, m)| s.abs() > CONSEQUENCE * m.max(CONSEQUENCE)) {
-                return Err(rank::explain(model, k, table, Some(&row.name)));
+            let off: Vec<usize> = (0..sum.len()).filter(|&s| sum[s].abs() > CONSEQUENCE * size[s]).collect();
+            if off.is_empty() {
+                continue;
+            }
+            match is_small(k, table, row, &off, &sum) {
+                Small::Sum => {}
+                Small::Row => break,
+                Small::Neither => return Err(rank::explain(model, k, table, Some(&row.name))),
             }
         }
     }
     Ok(())
+}
+
+/// What of a row is no more than rounding.
+enum Small {
+    /// The sum, at the samples in question.
+    Sum,
+    /// The row, at every sample.
+    Row,
+    Neither,
+}
+
+fn is_small(k: &Kinematics, table: &mut SampleTable, row: &Row, samples: &[usize], sum: &[f64]) -> Small {
+    let column = row.coefficients.keys().enumerate().map(|(i, &unknown)| (unknown, i)).collect();
+    let points = table.points();
+    let row = NumericRow::new(&k.dag, table, row, &column);
+    let lengths = (0..points).map(|sample| (sample, row.length(sample)));
+    let Some((longest, length)) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Small::Row };
+    let is_off = |&s: &usize| {
+        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && row.length(s) > row.rounding(&k.dag, s)
+    };
+    match length <= row.rounding(&k.dag, longest) {
+        true => Small::Row,
+        false if samples.iter().any(is_off) => Small::Neither,
+        false => Small::Sum,
+    }
 }
 
 fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {
@@ -176,6 +208,11 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
         }
     };
     let state: Vec<_> = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+    let sizes = state.iter().filter_map(|&c| {
+        let (low, high) = model.coordinates[c].range;
+        Some((k.coordinate_symbol(c)?, low.abs().max(high.abs())))
+    });
+    let sizes = sizes.collect();
     for (i, &c) in state.iter().enumerate() {
         set(&k.dag, k.q[c], k.samples.iter().map(|q| q[i]).collect());
     }
@@ -193,5 +230,5 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
         let values = SampleTable::new(symbols.clone(), points).values(&k.dag, form).to_vec();
         symbols.extend(k.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
     }
-    SampleTable::new(symbols, points)
+    SampleTable::new(symbols, points).with_sizes(sizes)
 }

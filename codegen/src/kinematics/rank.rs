@@ -2,11 +2,12 @@
 //!
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
-use super::basis::{Bases, NumericRow};
+use super::basis::{Bases, NumericRow, longest_entry};
 use super::{Kinematics, UnknownId, UnknownKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
+use crate::words::count;
 use rustc_hash::FxHashMap as HashMap;
 
 /// A unit row with less than this left beside the others depends on them.
@@ -15,9 +16,10 @@ const DEPENDENT: f64 = 1e-8;
 /// Rank of all rows over the given unknowns, at every sample.
 fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases = Bases::new(unknowns.len(), table.points());
+    let mut bases = Bases::new(unknowns.len(), longest_entry(k, table), table.points());
     for row in &k.rows {
-        bases.extend_where_independent(&NumericRow::new(&k.dag, table, row, &column), DEPENDENT);
+        let row = NumericRow::new(&k.dag, table, row, &column);
+        bases.extend_where_independent(&k.dag, &row, DEPENDENT);
     }
     bases.ranks().to_vec()
 }
@@ -56,14 +58,20 @@ pub(super) fn explain(
 
 fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra: Option<&str>) -> Diagnostic {
     let message = format!(
-        "the mechanism has {dof} degrees of freedom, but {declared} speeds are independent ({unknowns} unknown speeds less constraints of rank {})",
+        "the mechanism has {} of freedom, but {} ({} less constraints of rank {})",
+        count(dof, "degree"),
+        count(declared, "independent speed"),
+        count(unknowns, "unknown speed"),
         unknowns - dof
     );
     let mut error = match extra {
         Some(name) if dof < declared => Diagnostic::error(format!("{message}: `{name}` ties them together"))
-            .help("declare fewer coordinates `independent`, or remove the constraint"),
+            .help(match model.motion_constraints.is_empty() {
+                true => "declare fewer coordinates `independent`, or remove the constraint",
+                false => "say which speeds the constraints give: `speed = { independent = false }` at the coordinate, or `independent = false` in [speeds]; or remove the constraint",
+            }),
         _ => Diagnostic::error(message)
-            .help("a constraint is missing, or more coordinates are `independent = true`"),
+            .help("either a constraint is missing: state it; or more may move freely: mark more coordinates `independent = true`"),
     };
     if let Some((_, span)) = model.dof {
         error = error.label(span, "stated");
@@ -86,9 +94,9 @@ fn dead_point(model: &Model, k: &Kinematics, found: &[usize], needed: usize) -> 
             (
                 found[s],
                 format!(
-                    "at {} of {} sampled configurations, first at {}",
+                    "at {} of {}, first at {}",
                     bad.len(),
-                    found.len(),
+                    count(found.len(), "sampled configuration"),
                     values.join(", ")
                 ),
             )

@@ -10,6 +10,7 @@ use super::unit::{Scale, Unit};
 use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::id::Id;
+use crate::words::count;
 
 /// A speed as declared, before its meaning is read.
 pub(super) struct PlannedSpeed {
@@ -164,7 +165,7 @@ impl Builder<'_> {
         let place = self.entries("speeds").first().map(|(key, _)| key.span).or(missing.map(|(_, c)| c.span));
         if let Some(place) = place.filter(|_| speeds != coordinates) {
             self.found.push(
-                Diagnostic::error(format!("{speeds} speeds for {coordinates} coordinates"))
+                Diagnostic::error(format!("{} for {}", count(speeds, "speed"), count(coordinates, "coordinate")))
                     .label(place, "there must be one speed per coordinate")
                     .help("a coordinate whose rate enters [speeds] has no speed of its own: give it `speed = false`"),
             );
@@ -326,8 +327,11 @@ impl Builder<'_> {
                 None => Default::default(),
             };
             let weight = fields.boolean("weight", self.found).unwrap_or(true);
+            // An inertia that could not be read has been reported.
+            let inertial = inertia.iter().any(Option::is_some)
+                || fields.get("inertia").is_some_and(|given| !matches!(given, Value::Table(_)));
             fields.finish(self.found);
-            self.check_body(key.span, &key.name, mass.is_some(), given.is_some(), &inertia);
+            self.check_body(key.span, &key.name, mass.is_some(), given.is_some(), inertial);
             let centre = centre.unwrap_or(PointId::from_index(0));
             let name = key.name.clone();
             self.draft.model.bodies.push(Body { name, centre, mass, frame, inertia, weight, span: key.span });
@@ -340,8 +344,7 @@ impl Builder<'_> {
             .map(|(_, value)| self.expression(value));
     }
 
-    fn check_body(&mut self, span: Span, name: &str, mass: bool, frame: bool, inertia: &[Option<Expr>; 6]) {
-        let inertial = inertia.iter().any(Option::is_some);
+    fn check_body(&mut self, span: Span, name: &str, mass: bool, frame: bool, inertial: bool) {
         let fault = match (mass, frame, inertial) {
             (false, _, false) => Some(("has neither mass nor inertia", "mass = \"m\"")),
             (_, false, true) => Some(("has inertia, but no frame to measure it in", "frame = \"link\"")),
@@ -426,7 +429,7 @@ impl Builder<'_> {
             _ => {
                 self.found.push(
                     Diagnostic::error(format!("spring `{}` has no ends", fields.name))
-                        .label(fields.span, "`between` or `coordinate` is missing")
+                        .label(fields.span, "neither `between` with two points nor `coordinate` is here")
                         .help("between = [\"P\", \"Q\"] or coordinate = \"q\""),
                 );
                 None

@@ -8,6 +8,7 @@ use super::infer::{Checker, Type};
 use super::unit::Unit;
 use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::words::count;
 
 /// Checks every expression of the draft and fills in the units of outputs.
 pub fn check(draft: &mut Draft, found: &mut Diagnostics) {
@@ -28,15 +29,18 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
         model.speeds.iter().filter(|s| s.independent).map(|s| s.name.as_str()).collect();
     match model.dof {
         Some((stated, span)) if stated != independent.len() => found.push(
-            Diagnostic::error(format!("dof = {stated}, but independent speeds: {}", independent.len()))
-                .label(
-                    span,
-                    format!(
-                        "independent: {}",
-                        if independent.is_empty() { "none".to_owned() } else { independent.join(", ") }
-                    ),
-                )
-                .help("correct dof, or mark coordinates as `independent = true` or `false`"),
+            Diagnostic::error(format!(
+                "dof = {stated}, but the model declares {}",
+                count(independent.len(), "independent speed")
+            ))
+            .label(
+                span,
+                format!(
+                    "independent: {}",
+                    if independent.is_empty() { "none".to_owned() } else { independent.join(", ") }
+                ),
+            )
+            .help("correct dof, or mark coordinates as `independent = true` or `false`"),
         ),
         _ => {}
     }
@@ -49,11 +53,16 @@ impl Checker<'_> {
             match *entity {
                 Entity::Parameter(id) => {
                     let parameter = &draft.model.parameters[id];
-                    self.expect(
-                        &parameter.value,
-                        Type::scalar(draft.units.parameters[id]),
-                        &quoted(&parameter.name),
-                    );
+                    let unit = draft.units.parameters[id];
+                    match self.infer(&parameter.value) {
+                        Ok(Type { vector: false, unit: Some(of) }) if unit == Unit::NONE && of != unit => {
+                            self.without_unit(parameter, of);
+                        }
+                        Ok(of) => {
+                            self.compare(&parameter.value, of, Type::scalar(unit), &quoted(&parameter.name));
+                        }
+                        Err(_) => {}
+                    }
                 }
                 Entity::Definition(id) => {
                     let definition = &draft.model.definitions[id];
@@ -89,6 +98,14 @@ impl Checker<'_> {
                 }
             }
         }
+    }
+
+    fn without_unit(&mut self, parameter: &Parameter, of: Unit) {
+        self.found.push(
+            Diagnostic::error(format!("parameter `{}` is declared without a unit", parameter.name))
+                .label(parameter.value.span, format!("this is in {of}"))
+                .help(format!("declare {} = {{ value = ..., unit = \"{of}\" }}", parameter.name)),
+        );
     }
 
     fn mechanics(&mut self) {

@@ -27,7 +27,17 @@ impl Builder<'_> {
                 Expr { kind: ExprKind::Number(*number), span: *span, unit: Unit::NONE }
             }
             other => {
-                self.found.push(wrong_kind("expression", "a number or an expression in quotes", other));
+                let help = match other {
+                    Value::Array(..) => {
+                        "a vector is a sum of its components, such as \"0.1_m*N.x + 0.2_m*N.y\""
+                    }
+                    _ => "a number, such as 0.1, or an expression in quotes, such as \"2*l\"",
+                };
+                self.found.push(
+                    Diagnostic::error("expected a number or an expression in quotes")
+                        .label(other.span(), format!("this is {}", other.kind()))
+                        .help(help),
+                );
                 unreadable(other.span())
             }
         }
@@ -89,7 +99,9 @@ impl Builder<'_> {
             Ok(scale) => (scale.unit.to_string(), Some(scale)),
             Err((message, range)) => {
                 let name = text.text.get(range.clone()).unwrap_or("");
-                let help = suggestion(name, unit::names())
+                let help = unit::meant(name)
+                    .map(|meant| format!("did you mean `{meant}`?"))
+                    .or_else(|| suggestion(name, unit::names()))
                     .unwrap_or_else(|| "units are products of powers: kg m^2, N s/m, m/s^2, deg".to_owned());
                 self.found
                     .push(Diagnostic::error(message).label(text.place(range), "in this unit").help(help));
@@ -187,9 +199,9 @@ impl Builder<'_> {
             "z" => Some(Axis::Z),
             _ => {
                 self.found.push(
-                    Diagnostic::error("an axis is \"x\", \"y\" or \"z\"")
-                        .label(value.span(), "not an axis")
-                        .help("rotations = [[\"z\", \"angle\"]]"),
+                    Diagnostic::error(format!("unknown axis `{letter}`"))
+                        .label(value.span(), "expected \"x\", \"y\" or \"z\"")
+                        .help("rotations = [[\"z\", \"angle\"]]; about another axis: turn to it first by angles that are constant"),
                 );
                 None
             }

@@ -106,7 +106,9 @@ impl<'a> Fields<'a> {
 
     /// Reports every field that was never asked for.
     pub fn finish(self, found: &mut Diagnostics) {
-        let known = self.known.into_inner();
+        let mut known = self.known.into_inner();
+        known.sort_unstable();
+        known.dedup();
         for (key, _) in &self.table.entries {
             if !known.contains(&key.name.as_str()) {
                 let all = || format!("fields here are {}", known.join(", "));

@@ -66,8 +66,39 @@ impl Checker<'_> {
             self.found.push(
                 Diagnostic::error(format!("{what} must be {}", shown(needs)))
                     .label(expr.span, format!("this is {}", shown(is)))
-                    .help(unit_help(is, needs)),
+                    .help(self.undeclared(expr, is, needs).unwrap_or_else(|| unit_help(is, needs))),
             );
+        }
+    }
+
+    /// What to do if one quantity in a product has been declared without its unit.
+    fn undeclared(&self, expr: &Expr, is: Unit, needs: Unit) -> Option<String> {
+        let mut names = Vec::new();
+        self.unitless(expr, &mut names);
+        match names[..] {
+            [name] => needs.per(is).map(|missing| {
+                format!("a factor in {missing} is missing: was `{name}` meant to have one? Declare it with unit = \"{missing}\"")
+            }),
+            _ => None,
+        }
+    }
+
+    /// Parameters and inputs without a unit among the factors.
+    fn unitless<'n>(&'n self, expr: &Expr, names: &mut Vec<&'n str>) {
+        let (units, model) = (&self.draft.units, &self.draft.model);
+        match &expr.kind {
+            ExprKind::Parameter(id) if units.parameters[*id] == Unit::NONE => {
+                names.push(&model.parameters[*id].name);
+            }
+            ExprKind::Input(id) if units.inputs[*id].unit == Unit::NONE => {
+                names.push(&model.inputs[*id].name)
+            }
+            ExprKind::Negate(a) => self.unitless(a, names),
+            ExprKind::Multiply(a, b) => {
+                self.unitless(a, names);
+                self.unitless(b, names);
+            }
+            _ => {}
         }
     }
 

@@ -59,7 +59,7 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
             found.push(
                 Diagnostic::error(format!("not an expression: {error}"))
                     .label(text.place(error.span().byte_range()), "the notation breaks here")
-                    .help("expressions follow Rust's notation: 2*(a + b)*sin(q) - x.powi(2)"),
+                    .help("expressions follow Rust's notation: 2*(a + b)*sin(q) - x.powi(2), with * in every product and units as in 20_deg"),
             );
             None
         }
@@ -150,9 +150,9 @@ impl Reader<'_> {
     }
 
     fn literal(&mut self, literal: &syn::Lit) -> Option<Expr> {
-        let (digits, suffix) = match literal {
-            syn::Lit::Int(int) => (int.base10_digits().to_owned(), int.suffix().to_owned()),
-            syn::Lit::Float(float) => (float.base10_digits().to_owned(), float.suffix().to_owned()),
+        let (digits, suffix, whole) = match literal {
+            syn::Lit::Int(int) => (int.base10_digits(), int.suffix(), int.to_string()),
+            syn::Lit::Float(float) => (float.base10_digits(), float.suffix(), float.to_string()),
             other => {
                 return self.refuse(
                     other.span(),
@@ -172,6 +172,21 @@ impl Reader<'_> {
             );
         }
         let suffix = suffix.trim_start_matches('_');
+        // 2m would be two metres to one reader and twice m to another.
+        if !suffix.is_empty() && !whole.contains('_') {
+            let help = match unit::named(suffix) {
+                Some(_) => format!(
+                    "write {digits}*{suffix} for the product, {digits}_{suffix} for a number in the unit {suffix}"
+                ),
+                None => format!("write {digits}*{suffix}"),
+            };
+            return self.refuse(
+                literal.span(),
+                format!("`{whole}` is neither a product nor a number with a unit"),
+                "a number and a name side by side",
+                &help,
+            );
+        }
         let scale = match unit::named(suffix) {
             Some(scale) => scale,
             None if suffix.is_empty() => unit::Scale { unit: Unit::NONE, factor: 1.0 },
@@ -270,11 +285,18 @@ impl Reader<'_> {
             syn::Member::Named(member) if member == "y" => Axis::Y,
             syn::Member::Named(member) if member == "z" => Axis::Z,
             other => {
+                let help = match self.scope.values.get(&name) {
+                    Some((binding, _)) => format!(
+                        "`{name}` is {}: its name alone is its value; a component of a vector is dot(vector, N.x)",
+                        binding.kind()
+                    ),
+                    None => "write .x, .y or .z".to_owned(),
+                };
                 return self.refuse(
                     other.span(),
-                    "a frame has the unit vectors x, y and z".to_owned(),
+                    "only a frame has parts: the unit vectors x, y and z".to_owned(),
                     "not one of them",
-                    "write .x, .y or .z",
+                    &help,
                 );
             }
         };
@@ -316,12 +338,12 @@ impl Reader<'_> {
             return self.refuse(place, format!("unknown function `{name}`"), "not a function", &help);
         };
         if arguments.len() != count {
-            let message = format!("`{name}` takes {count} argument{}", if count == 1 { "" } else { "s" });
+            let message = format!("`{name}` takes {}", crate::words::count(count, "argument"));
             return self.refuse(
                 span,
                 message,
                 &format!("{} given", arguments.len()),
-                "see the manual's list of functions",
+                &super::scope::usage(name, count),
             );
         }
         match name {

@@ -111,10 +111,15 @@ fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagn
         match fault {
             Ok(text) => files.push(File { path: name, text }),
             Err(reason) => {
+                let help = match !name.ends_with(".toml") && load(Path::new(&format!("{name}.toml"))).is_ok()
+                {
+                    true => format!("did you mean `{}.toml`?", base.text),
+                    false => "the path counts from the folder of the model that extends it".to_owned(),
+                };
                 items.push(
                     Diagnostic::error(format!("cannot extend {name}: {reason}"))
                         .label(base.span, "this model")
-                        .help("the path counts from the folder of the model that extends it"),
+                        .help(help),
                 );
                 break;
             }

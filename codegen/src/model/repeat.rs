@@ -108,10 +108,14 @@ fn add_section(name: &str, key: &Key, value: Value, sections: &mut Sections, fou
         found.push(
             Diagnostic::error(format!("unknown section `{name}`"))
                 .label(key.span, "no section of a model has this name")
-                .help(
-                    suggestion(&key.name, known)
-                        .unwrap_or_else(|| format!("sections are {}", SECTIONS.join(", "))),
-                ),
+                .help(suggestion(&key.name, known).unwrap_or_else(|| {
+                    match name.starts_with("constraints.") {
+                        true => "equations between coordinates stand in [constraints.configuration], \
+                             between speeds in [constraints.motion]"
+                            .to_owned(),
+                        false => format!("sections are {}", SECTIONS.join(", ")),
+                    }
+                })),
         );
         return;
     }
@@ -123,8 +127,20 @@ fn add_section(name: &str, key: &Key, value: Value, sections: &mut Sections, fou
 
 /// The error for a value of another kind than expected.
 pub fn wrong_kind(what: &str, expected: &str, value: &Value) -> Diagnostic {
+    let example = match what {
+        "inertia" => {
+            "inertia = { Ixx = \"I\", Iyy = \"I\", Izz = \"J\" }: about the mass centre, in the body's frame; what is left out is 0"
+        }
+        "speed" => "speed = \"u1\", or speed = { name = \"u1\", independent = false }, or speed = false",
+        "seconds" | "step" => "a time above 0, such as 0.001",
+        "every" => "every so many steps one is shown: a whole number from 1",
+        _ => {
+            "correct the kind: text stands in quotes, numbers and true or false do not, tables in { }, lists in [ ]"
+        }
+    };
     Diagnostic::error(format!("`{what}` must be {expected}"))
         .label(value.span(), format!("this is {}", value.kind()))
+        .help(example)
 }
 
 /// The placeholders of one copy: name and text.
@@ -157,7 +173,11 @@ fn repeat(name: &Key, body: &Value, sections: &mut Sections, found: &mut Diagnos
 
 fn placeholders(entry: &Value, found: &mut Diagnostics) -> Option<Copy> {
     let Value::Table(table) = entry else {
-        found.push(wrong_kind("entry of each", "a table of placeholders", entry));
+        found.push(
+            Diagnostic::error("a copy is described by a table of placeholders")
+                .label(entry.span(), format!("this is {}", entry.kind()))
+                .help("each = [{ leg = \"A\" }, { leg = \"B\" }]; {leg} then stands for A, then for B"),
+        );
         return None;
     };
     let mut copy = Copy::new();

@@ -144,3 +144,18 @@ fn edit_distance(a: &str, b: &str) -> usize {
     }
     row[b.len()]
 }
+
+/// How a function is written.
+pub fn usage(name: &str, count: usize) -> String {
+    match name {
+        "dot" => {
+            "write dot(a, b) for the product of two vectors; the rate of a coordinate q is its speed `u_q`"
+                .to_owned()
+        }
+        "powi" | "pow" => "write x.powi(2) or pow(x, 2)".to_owned(),
+        "atan2" => "write atan2(y, x)".to_owned(),
+        "smooth_step" => "write smooth_step(x, width)".to_owned(),
+        _ if count == 1 => format!("write {name}(a)"),
+        _ => format!("write {name}(a, b)"),
+    }
+}

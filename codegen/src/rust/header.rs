@@ -2,6 +2,7 @@
 
 use super::{Answer, Cost, EmitOptions, scalar_name};
 use crate::program::Program;
+use crate::words::count;
 use std::fmt::Write;
 
 /// The header lines.
@@ -20,19 +21,19 @@ pub(super) fn text<'a>(
     );
     let _ = writeln!(
         text,
-        "// {}: {} coordinates, {} independent speeds, {} inputs, {} tunable parameters; scalar {scalar}.",
+        "// {}: {}, {}, {}, {}; scalar {scalar}.",
         program.name,
-        program.q.len(),
-        program.u.len(),
-        program.inputs.len(),
-        program.parameters.len()
+        count(program.q.len(), "coordinate"),
+        count(program.u.len(), "independent speed"),
+        count(program.inputs.len(), "input"),
+        count(program.parameters.len(), "tunable parameter")
     );
     if let Some(worst) = program.pivots.iter().min_by(|a, b| a.worst.total_cmp(&b.worst)) {
         let _ = writeln!(
             text,
-            "// Pivots: {}; the worst over {} sampled configurations is {:.3} of its nominal size.",
+            "// Pivots: {}; the worst over {} is {:.3} of its nominal size.",
             program.pivots.len(),
-            program.n_samples,
+            count(program.n_samples, "sampled configuration"),
             worst.worst
         );
     }
@@ -46,5 +47,5 @@ pub(super) fn text<'a>(
 fn cost(text: &mut String, name: &str, kinds: &Cost) {
     let total: usize = kinds.values().sum();
     let kinds: Vec<String> = kinds.iter().map(|(kind, n)| format!("{n} {kind}")).collect();
-    let _ = writeln!(text, "// Cost of {name}: {total} operations ({}).", kinds.join(", "));
+    let _ = writeln!(text, "// Cost of {name}: {} ({}).", count(total, "operation"), kinds.join(", "));
 }

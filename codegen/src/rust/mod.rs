@@ -16,6 +16,7 @@ mod statement;
 
 use crate::expr::{Dependence, ExprId};
 use crate::program::{Program, Quantity};
+use crate::words::count;
 use prepared::Prepared;
 use statement::Body;
 
@@ -284,10 +285,10 @@ fn function(
         }
     };
     let body = Body::new(program, &roots, scalar, prepared);
-    let operations: usize = cost.values().sum();
+    let operations = count(cost.values().sum::<usize>(), "operation");
     let signature = layout::signature(&format!("pub fn {}", answer.name()), &body.arguments(), &output, "");
     format!(
-        "///{}\n///\n///{operations} operations.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
+        "///{}\n///\n///{operations}.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
         answer.doc(),
         body.statements,
         result(program, answer, &body.results)

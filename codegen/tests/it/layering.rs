@@ -4,18 +4,19 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Module, and the modules it may name by `crate::`.
-const MAY_IMPORT: [(&str, &[&str]); 12] = [
+const MAY_IMPORT: [(&str, &[&str]); 13] = [
     ("id", &[]),
     ("source", &[]),
+    ("words", &[]),
     ("diagnostic", &["source"]),
     ("expr", &["id"]),
-    ("model", &["id", "source", "diagnostic"]),
+    ("model", &["id", "source", "words", "diagnostic"]),
     ("vector", &["id", "expr", "model"]),
-    ("kinematics", &["id", "source", "diagnostic", "expr", "model", "vector"]),
+    ("kinematics", &["id", "source", "words", "diagnostic", "expr", "model", "vector"]),
     ("dynamics", &["id", "source", "diagnostic", "expr", "model", "vector", "kinematics"]),
     ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics", "value"]),
     ("value", &["id", "expr"]),
-    ("rust", &["id", "expr", "program"]), // no mechanics
+    ("rust", &["id", "words", "expr", "program"]), // no mechanics
     ("build", &["source", "diagnostic", "model", "kinematics", "program", "rust", "value"]),
 ];
 

@@ -13,6 +13,7 @@ mod machines;
 mod model_errors;
 mod models;
 mod parallel;
+mod redundant;
 mod rejected;
 mod rolling;
 mod speeds;

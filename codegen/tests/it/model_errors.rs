@@ -120,7 +120,7 @@ fn stated_degrees_of_freedom_are_compared() {
     check(
         "dof = 1\n[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n",
         r#"
-error: dof = 1, but independent speeds: 2
+error: dof = 1, but the model declares 2 independent speeds
  --> m.toml:3:7
   |
 3 | dof = 1

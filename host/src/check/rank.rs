@@ -54,10 +54,14 @@ impl Rank {
         let lifted = if unknowns < highest { k.unknowns.len() - unknowns } else { 0 };
         let mut matrices = vec![vec![vec![0.0; unknowns + lifted]; rows.len()]; samples];
         for (r, row) in rows.iter().enumerate() {
-            for (&column, &coefficient) in row {
+            let coefficients: Vec<ExprId> = row.values().copied().collect();
+            let errors = |sample| table.rounding_errors(&k.dag, &coefficients, sample);
+            let errors: Vec<Vec<f64>> = (0..samples).map(errors).collect();
+            for (i, (&column, &coefficient)) in row.iter().enumerate() {
                 let values = table.values(&k.dag, coefficient);
-                for (matrix, value) in matrices.iter_mut().zip(values) {
-                    matrix[r][column] = *value;
+                for ((matrix, value), errors) in matrices.iter_mut().zip(values).zip(&errors) {
+                    // Scaled, a row of rounding errors would count as any other.
+                    matrix[r][column] = if value.abs() <= errors[i] { 0.0 } else { *value };
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use serde_json::Value;
+use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
 /// Tables and sentences.
@@ -57,8 +58,10 @@ fn freedom(facts: &Value, text: &mut String) {
     if rank["largest_rank"].as_u64() != Some(0) {
         let _ = writeln!(
             text,
-            "constraints: rank {} among {} speeds at {} samples",
-            rank["rank"], rank["speeds"], rank["samples"]
+            "constraints: rank {} among {} at {}",
+            rank["rank"],
+            count(&rank["speeds"], "speed"),
+            count(&rank["samples"], "sample")
         );
         let left = rank["least_left"].as_f64().unwrap_or(1.0);
         let _ = writeln!(

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::{model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
+use smartbed_codegen::words::count;
 use smartbed_codegen::{
     Answer, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
 };
@@ -191,7 +192,8 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
     } else {
         let (what, counted) =
             if kinematic { (" of the speeds", Answer::Speeds) } else { ("", Answer::Rates) };
-        format!("{}: {} operations per evaluation{what}, in {written}\n", program.name, operations(counted))
+        let operations = count(operations(counted), "operation");
+        format!("{}: {operations} per evaluation{what}, in {written}\n", program.name)
     };
     output::print(&text);
 }

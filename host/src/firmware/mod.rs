@@ -23,6 +23,7 @@ use chip::STM32F405;
 use compile::Settings;
 use image::{Image, rules};
 use report::Report;
+use smartbed_codegen::words::count;
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -104,7 +105,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
             true => Some(compile::simulation(&toolchain, &workspace, &folder, &settings)?),
             false => None,
         };
-        eprintln!("running {} steps in the emulator", settings.steps);
+        eprintln!("running {} in the emulator", count(settings.steps, "step"));
         let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, settings.counted())?;
         report.add_run(&run, host.as_deref(), &image)?;
     }

@@ -11,6 +11,7 @@ use super::image::stack::Stack;
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use serde_json::{Value, json};
+use smartbed_codegen::words::count;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -134,7 +135,7 @@ impl Report {
             self.stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
         line("  deepest path", path.join(" > "));
         if let Some(run) = &self.run {
-            line("trajectory", format!("{} steps, digest {}", self.settings.steps, run.digest));
+            line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest));
             let compared = match &run.host_digest {
                 None => "not run".to_owned(),
                 Some(host) if *host == run.digest => "the same, bit for bit".to_owned(),
@@ -142,14 +143,14 @@ impl Report {
             };
             line("  on the host", compared);
             let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
-            for (name, count) in counts.into_iter().filter_map(|(name, count)| Some((name, count?))) {
-                let [min, median, max] = count.instructions;
-                let [low, high] = count.cycles;
+            for (name, counted) in counts.into_iter().filter_map(|(name, counted)| Some((name, counted?))) {
+                let [min, median, max] = counted.instructions;
+                let [low, high] = counted.cycles;
                 line(
                     name,
                     format!(
-                        "{min} / {median} / {max} instructions (min / median / max of {} calls)",
-                        count.calls
+                        "{min} / {median} / {max} instructions (min / median / max of {})",
+                        count(counted.calls, "call")
                     ),
                 );
                 let micro = |cycles: u64| cycles as f64 * 1e6 / chip.clock as f64;
@@ -159,7 +160,7 @@ impl Report {
                         "{low}..{high} cycles ({:.1}..{:.1} us), never more than {}",
                         micro(low),
                         micro(high),
-                        count.most_cycles
+                        counted.most_cycles
                     ),
                 );
             }

@@ -10,6 +10,7 @@ use crate::plot::svg;
 use crate::scene::graph::Album;
 use crate::scene::run::{describe, run};
 use crate::scene::{Scene, Simulation, read};
+use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 
 /// Methods with the order of their error.
@@ -134,7 +135,8 @@ impl Subject for Body {
 
     fn title(&self) -> String {
         let lists = &self.scene.lists;
-        format!("{}: {} points, {} springs", self.scene.title, lists.points.len(), lists.springs.len())
+        let (points, springs) = (count(lists.points.len(), "point"), count(lists.springs.len(), "spring"));
+        format!("{}: {points}, {springs}", self.scene.title)
     }
 
     fn seconds(&self) -> f64 {

@@ -16,6 +16,7 @@ use crate::run::{self, Arguments};
 use crate::scene::dop853::Dop853;
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
+use smartbed_codegen::words::count;
 use smartbed_codegen::{Interpreted, Program, program};
 use smartbed_runtime::integrator::step_size::Tolerance;
 use smartbed_runtime::integrator::{DormandPrince, dormand_prince};
@@ -161,8 +162,9 @@ impl Subject for Mechanism {
     }
 
     fn title(&self) -> String {
-        let (n_q, n_u) = (self.program.q.len(), self.program.u.len());
-        format!("{} ({n_q} coordinates, {n_u} independent speeds)", self.model.doc)
+        let (q, u) =
+            (count(self.program.q.len(), "coordinate"), count(self.program.u.len(), "independent speed"));
+        format!("{} ({q}, {u})", self.model.doc)
     }
 
     fn seconds(&self) -> f64 {

@@ -38,6 +38,7 @@ use crate::suggest;
 use chip::Chip;
 use plan::Plan;
 use point::{Control, Extras, Report, Section};
+use smartbed_codegen::words::count;
 use std::path::Path;
 use std::time::Duration;
 use subject::{Method, Subject};
@@ -165,9 +166,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let points: usize = report.sections.iter().map(|s| s.points.len()).sum();
         let (out, subjects) = (&arguments.out, report.sections.len());
         output::print(&format!(
-            "{subjects} subjects, {points} points, {:.0} s\nwritten to {out}: report.html, report.md, report.csv, \
-             report.json, {subjects} plots\n",
-            report.elapsed
+            "{}, {}, {:.0} s\nwritten to {out}: report.html, report.md, report.csv, report.json, {}\n",
+            count(subjects, "subject"),
+            count(points, "point"),
+            report.elapsed,
+            count(subjects, "plot")
         ));
     }
     Ok(())

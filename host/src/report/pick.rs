@@ -11,6 +11,7 @@ use super::reference::{self, Truth};
 use super::subject::Subject;
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
+use smartbed_codegen::words::count;
 use std::time::Duration;
 
 /// What is asked for.
@@ -109,10 +110,10 @@ fn explain(
     };
     let next = other.map_or(String::new(), |p| format!("; next best {}", words(p)));
     format!(
-        "{goal}: picked {} (m or rad, against {}; {} runs over {over}){next}",
+        "{goal}: picked {} (m or rad, against {}; {} over {over}){next}",
         words(best),
         truth.reference.text,
-        points.len()
+        count(points.len(), "run")
     )
 }
 

@@ -6,6 +6,7 @@ use super::clock;
 use super::sheet::{Cost, Sheet};
 use crate::scene::run::{describe, open_ledger};
 use crate::scene::{Scene, Simulation, read};
+use smartbed_codegen::words;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::real::counting::{Counting, count};
 
@@ -28,10 +29,10 @@ pub fn make(body: &Body) -> Result<Sheet, String> {
     let costs = [cost(scene, false)?, cost(&full, true)?];
     let lists = &scene.lists;
     let asked = format!(
-        "{} points, {} springs, {} facets; {:?}; step {:e} s",
-        lists.points.len(),
-        lists.springs.len(),
-        if scene.around.inflation.is_some() { lists.facets.len() } else { 0 },
+        "{}, {}, {}; {:?}; step {:e} s",
+        words::count(lists.points.len(), "point"),
+        words::count(lists.springs.len(), "spring"),
+        words::count(if scene.around.inflation.is_some() { lists.facets.len() } else { 0 }, "facet"),
         scene.method,
         scene.step
     );

@@ -6,6 +6,7 @@ use super::mechanism::{Mechanism, Plant64};
 use super::sheet::{Cost, Sheet};
 use crate::engine::explain;
 use smartbed_codegen::rust::Answer;
+use smartbed_codegen::words::count;
 use smartbed_codegen::{ParameterChoice, Program, program};
 use smartbed_runtime::integrator::Method;
 use smartbed_runtime::state::State;
@@ -37,9 +38,10 @@ pub fn make(mechanism: &Mechanism) -> Result<Sheet, String> {
         model.parameters.len()
     );
     let left_out = format!(
-        "energies, {} speeds, {} outputs; {folded} parameters folded",
-        lean.speeds.len(),
-        lean.outputs.len()
+        "energies, {}, {}; {} folded",
+        count(lean.speeds.len(), "speed"),
+        count(lean.outputs.len(), "output"),
+        count(folded, "parameter")
     );
     let everything = Variant { set: Vec::new(), everything: true };
     Ok(Sheet { asked, left_out, costs, everything })

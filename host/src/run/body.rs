@@ -10,6 +10,7 @@ use crate::scene::graph::{self, Album};
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
 use crate::view::{self, Film};
+use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 use std::path::Path;
 
@@ -80,13 +81,14 @@ impl Done {
             );
         }
         format!(
-            "{}: {} points, {} springs, {} s, {elapsed:.2} s\n{touches} touches, {} events\n\
+            "{}: {}, {}, {} s, {elapsed:.2} s\n{}, {}\n\
              energy: {:.6e} J at the start, {:.6e} J at the end, largest imbalance {:.1e} J\n",
             scene.title,
-            scene.lists.points.len(),
-            scene.lists.springs.len(),
+            count(scene.lists.points.len(), "point"),
+            count(scene.lists.springs.len(), "spring"),
             scene.seconds,
-            self.events.len(),
+            count(touches, "touch"),
+            count(self.events.len(), "event"),
             self.total[0],
             self.total[1],
             self.imbalance

@@ -20,8 +20,12 @@ use observers::Observers;
 use settings::Settings;
 use simulate::{Row, Setup, Summary, columns};
 use smartbed_codegen::model::Model;
+use smartbed_codegen::words::count;
 use smartbed_codegen::{Program, program};
 use std::fmt::Write as _;
+
+/// A motion with a pivot below this share of nominal is worth a warning.
+const NEARLY_SINGULAR: f64 = 1e-3;
 
 /// Simulate a mechanism or a scene.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -208,15 +212,25 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
         );
     }
     let mut text = format!(
-        "{}: {} s in {} steps ({method}), {} evaluations, {elapsed:.2} s\n",
-        setup.program.name, settings.seconds, summary.steps, summary.evaluations
+        "{}: {} s in {} ({method}), {}, {elapsed:.2} s\n",
+        setup.program.name,
+        settings.seconds,
+        count(summary.steps, "step"),
+        count(summary.evaluations, "evaluation")
     );
     if !setup.program.correction.is_empty() {
         let _ = writeln!(
             text,
-            "constraints: worst pivot {:.3} of nominal, largest residual before projection {:.1e}",
+            "constraints: worst pivot {:.3e} of nominal, largest residual before projection {:.1e}",
             summary.pivot, summary.residual
         );
+        if summary.pivot < NEARLY_SINGULAR {
+            let _ = writeln!(
+                text,
+                "warning: the motion passed a configuration that is nearly singular: which way it goes from there the \
+                 constraints hardly say; `smartbed check` finds such configurations"
+            );
+        }
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
     let width = names.iter().map(String::len).max().unwrap_or(0);

@@ -262,7 +262,9 @@ fn widened<S: Scalar>(x: &[S]) -> Vec<f64> {
 fn refused(t: f64, fault: Fault) -> Failure {
     let hint = match fault {
         Fault::Singular => "; expected a motion that keeps away from singular configurations",
-        Fault::NonFinite | Fault::StepSize => "; try a smaller --step or another --method",
+        Fault::NonFinite | Fault::StepSize => {
+            "; try a smaller --step or another --method; `smartbed check` says where a model is singular"
+        }
         Fault::Shape => "",
     };
     Failure::Wrong(format!("t = {t:.6} s: {}{hint}", explain(fault)))

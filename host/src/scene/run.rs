@@ -1,5 +1,6 @@
 //! Runs a scene and gives rows: time, state, ledger; and the events as they happened.
 
+use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
 use smartbed_runtime::body::BodyError;
@@ -194,7 +195,9 @@ fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
 pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
     match error {
         BodyError::Empty => "the body has no points".to_string(),
-        BodyError::Length { expected, found } => format!("a list has {found} entries, expected {expected}"),
+        BodyError::Length { expected, found } => {
+            format!("a list has {}, expected {expected}", count(found, "entry"))
+        }
         BodyError::UnknownPoint { point, points } => {
             format!("point {point} is named, but the points are 0 to {}", points - 1)
         }
