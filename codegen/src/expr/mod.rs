@@ -87,8 +87,8 @@ pub enum Dependence {
     State,
 }
 
-/// Stands for a missing operation in half the room of an option.
-const NO_OPERATION: ExprId = ExprId(u32::MAX);
+/// Stands for a missing operation: the first node has no operands, so it is none.
+const NO_OPERATION: ExprId = ExprId(0);
 
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
@@ -384,7 +384,9 @@ impl Dag {
         let mut needed = NodeSet::below(bound);
         roots.iter().for_each(|&root| needed.insert(root));
         // Operands are always older than their node: one sweep downwards marks everything.
-        needed.sweep_down(|id| if is_leaf(id) { [None, None] } else { self.operands(id) });
+        needed.sweep_down(|id| {
+            if is_leaf(id) { [None, None] } else { self.operands(id) }.into_iter().flatten()
+        });
         needed
     }
 }
