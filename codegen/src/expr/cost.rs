@@ -1,7 +1,8 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::{Binary, Dag, Dependence, ExprId, NO_OPERATION, Node, NodeSet, Unary};
+use super::intern::NO_OPERATION;
+use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
 use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
@@ -108,12 +109,12 @@ impl Dag {
     /// From operation to operation downwards: one step each, past negations, symbols and constants. Also visits
     /// [`NO_OPERATION`].
     fn sweep_operations(&self, roots: &[ExprId], mut visit: impl FnMut(ExprId)) -> NodeSet {
-        let operations = || roots.iter().map(|root| self.operation[root.index()]);
+        let operations = || roots.iter().map(|root| self.facts[*root].operation);
         let mut needed = NodeSet::below(operations().map(|id| id.index() + 1).max().unwrap_or(1));
         operations().for_each(|id| needed.insert(id));
         needed.sweep_down(|id| {
             visit(id);
-            self.operations_read[id.index()]
+            self.facts[id].operations_read
         });
         needed.remove(NO_OPERATION);
         needed
@@ -122,7 +123,7 @@ impl Dag {
     /// Does the node cost an operation at run time? Constants and negations do not.
     #[must_use]
     pub fn is_operation(&self, id: ExprId) -> bool {
-        id != NO_OPERATION && self.operation[id.index()] == id
+        id != NO_OPERATION && self.facts[id].operation == id
     }
 
     /// Free of symbols?
