@@ -1,7 +1,8 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::{Binary, Dag, Dependence, ExprId, NO_OPERATION, Node, NodeSet, Unary};
+use super::intern::NO_OPERATION;
+use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
 use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};
 use std::collections::BTreeMap;
@@ -98,8 +99,8 @@ impl Dag {
     pub(crate) fn costs(&self, roots: &[ExprId]) -> (usize, usize) {
         let (mut of_state, mut all) = (0, 0);
         self.sweep_operations(roots, |id| {
-            of_state += usize::from(self.dependence(id) == Dependence::State);
-            all += 1;
+            of_state += usize::from(self.dependence(id) == Dependence::State && id != NO_OPERATION);
+            all += usize::from(id != NO_OPERATION);
         });
         (of_state, all)
     }
@@ -109,23 +110,24 @@ impl Dag {
         self.sweep_operations(roots, |_| {})
     }
 
-    /// From operation to operation downwards: one step each, past negations, symbols and constants.
+    /// From operation to operation downwards: one step each, past negations, symbols and constants. Also visits
+    /// [`NO_OPERATION`].
     fn sweep_operations(&self, roots: &[ExprId], mut visit: impl FnMut(ExprId)) -> NodeSet {
-        let is_operation = |id: &ExprId| *id != NO_OPERATION;
-        let operations = || roots.iter().map(|root| self.operation[root.index()]).filter(is_operation);
-        let mut needed = NodeSet::below(operations().map(|id| id.index() + 1).max().unwrap_or(0));
+        let operations = || roots.iter().map(|root| self.facts[*root].operation);
+        let mut needed = NodeSet::below(operations().map(|id| id.index() + 1).max().unwrap_or(1));
         operations().for_each(|id| needed.insert(id));
         needed.sweep_down(|id| {
             visit(id);
-            self.operations_read[id.index()].map(|id| Some(id).filter(is_operation))
+            self.facts[id].operations_read
         });
+        needed.remove(NO_OPERATION);
         needed
     }
 
     /// Does the node cost an operation at run time? Constants and negations do not.
     #[must_use]
     pub fn is_operation(&self, id: ExprId) -> bool {
-        self.operation[id.index()] == id
+        id != NO_OPERATION && self.facts[id].operation == id
     }
 
     /// Free of symbols?

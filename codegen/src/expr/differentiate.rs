@@ -38,19 +38,22 @@ impl Dag {
     pub fn rate(&mut self, expr: ExprId, rates: &HashMap<SymbolId, ExprId>) -> ExprId {
         let moving = rates.keys().fold(0, |bits, &symbol| bits | symbol_bit(symbol));
         let zero = self.zero();
-        let mut changes: HashMap<ExprId, ExprId> = HashMap::default();
-        let change_of = |changes: &HashMap<ExprId, ExprId>, id| changes.get(&id).copied().unwrap_or(zero);
-        for id in self.reachable_above(&[expr], |id| !self.may_read(id, moving)) {
+        let order = self.reachable_above(&[expr], |id| !self.may_read(id, moving));
+        // By node, from the first one on.
+        let first = order.first().map_or(0, |id| id.index());
+        let mut changes: Vec<ExprId> = vec![zero; expr.index() + 1 - first];
+        for id in order {
+            let change_of = |a: ExprId| a.index().checked_sub(first).map_or(zero, |place| changes[place]);
             let change = match self.as_symbol(id).and_then(|symbol| rates.get(&symbol)) {
                 Some(&rate) => rate,
                 None => {
-                    let operands = self.operands(id).map(|a| a.map(|a| change_of(&changes, a)));
+                    let operands = self.operands(id).map(|a| a.map(change_of));
                     self.change_of_node(id, operands)
                 }
             };
-            changes.insert(id, change);
+            changes[id.index() - first] = change;
         }
-        change_of(&changes, expr)
+        changes[expr.index() - first]
     }
 
     /// Change of a node from the changes of its operands; 0 for what has none.

@@ -18,7 +18,7 @@ pub mod substitute;
 pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
-use intern::{Index, Results};
+use intern::{Facts, Index, Results};
 use number::Number;
 use rustc_hash::FxHashMap as HashMap;
 pub(crate) use set::NodeSet;
@@ -88,20 +88,11 @@ pub enum Dependence {
     State,
 }
 
-/// Stands for a missing operation in half the room of an option.
-const NO_OPERATION: ExprId = ExprId(u32::MAX);
-
 /// The arena of nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Dag {
     nodes: IdVec<ExprId, Node>,
-    dependence: Vec<Dependence>,
-    /// By node: bit k is set if it depends on a symbol whose index is k modulo 64.
-    symbols_read: Vec<u64>,
-    /// By node: itself if it is an operation, what it is the negative of; [`NO_OPERATION`] for constants and symbols.
-    operation: Vec<ExprId>,
-    /// By node: the operations that its operands are.
-    operations_read: Vec<[ExprId; 2]>,
+    facts: IdVec<ExprId, Facts>,
     index: Index,
     results: Results,
     zero: Option<ExprId>,
@@ -147,7 +138,7 @@ impl Dag {
     /// What its value may change with.
     #[must_use]
     pub fn dependence(&self, id: ExprId) -> Dependence {
-        self.dependence[id.index()]
+        self.facts[id].dependence
     }
 
     /// Name of a symbol.
@@ -202,7 +193,7 @@ impl Dag {
 
     /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.
     fn may_read(&self, id: ExprId, bits: u64) -> bool {
-        self.symbols_read[id.index()] & bits != 0
+        self.facts[id].symbols_read & bits != 0
     }
 
     /// A constant.
@@ -396,7 +387,9 @@ impl Dag {
         let mut needed = NodeSet::below(bound);
         roots.iter().for_each(|&root| needed.insert(root));
         // Operands are always older than their node: one sweep downwards marks everything.
-        needed.sweep_down(|id| if is_leaf(id) { [None, None] } else { self.operands(id) });
+        needed.sweep_down(|id| {
+            if is_leaf(id) { [None, None] } else { self.operands(id) }.into_iter().flatten()
+        });
         needed
     }
 }

@@ -34,6 +34,11 @@ impl NodeSet {
         self.0.iter_mut().zip(&other.0).for_each(|(mine, theirs)| *mine |= theirs);
     }
 
+    /// Takes a node below the bound out.
+    pub fn remove(&mut self, id: ExprId) {
+        self.0[id.index() / WORD] &= !(1 << (id.index() % WORD));
+    }
+
     /// How many nodes of this set are not in another.
     pub fn count_without(&self, other: &Self) -> usize {
         let theirs = other.0.iter().copied().chain(std::iter::repeat(0));
@@ -68,14 +73,14 @@ impl NodeSet {
     }
 
     /// Goes through the nodes downwards; `operands` may add nodes below the one it is given.
-    pub fn sweep_down(&mut self, mut operands: impl FnMut(ExprId) -> [Option<ExprId>; 2]) {
+    pub fn sweep_down<I: IntoIterator<Item = ExprId>>(&mut self, mut operands: impl FnMut(ExprId) -> I) {
         for k in (0..self.0.len()).rev() {
             // The bits at and above the node at hand are done; those below may still be set by it.
             let mut below = u64::MAX;
             while self.0[k] & below != 0 {
                 let bit = u64::BITS - 1 - (self.0[k] & below).leading_zeros();
                 below = (1 << bit) - 1;
-                for operand in operands(ExprId::from_index(k * WORD + bit as usize)).into_iter().flatten() {
+                for operand in operands(ExprId::from_index(k * WORD + bit as usize)) {
                     self.insert(operand);
                 }
             }
@@ -111,8 +116,9 @@ mod tests {
         // Every node reads its half and the one before: all below an odd root, in its word and in others.
         let mut cone = set(&[131]);
         cone.sweep_down(|id| match id.index() {
-            0 => [None, None],
-            n => [Some(ExprId::from_index(n / 2)), (n % 2 == 1).then(|| ExprId::from_index(n - 1))],
+            0 => Vec::new(),
+            n if n % 2 == 0 => vec![ExprId::from_index(n / 2)],
+            n => [n / 2, n - 1].map(ExprId::from_index).to_vec(),
         });
         assert_eq!(ids(&cone), [0, 1, 2, 4, 8, 16, 32, 64, 65, 130, 131]);
     }

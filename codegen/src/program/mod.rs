@@ -138,6 +138,8 @@ pub fn derive_with(
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
+    // The values of the rows have served: their memory is used again.
+    table.clear();
     let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, optimise)?;
     let assembly = Assembly::new(model, &mut k);
     let mut program = assemble(model, k, &solution, dynamics, assembly);

@@ -19,7 +19,7 @@ const SPACING: u64 = 1 << 32;
 
 /// The search.
 pub(super) struct Extraction<'g> {
-    graph: &'g mut Graph,
+    pub graph: &'g mut Graph,
     roots: Vec<ClassId>,
     /// How many definitions in use, and roots, read a class.
     uses: Vec<u32>,
@@ -70,6 +70,16 @@ impl<'g> Extraction<'g> {
         }
         search.sort();
         search
+    }
+
+    /// Makes room for classes that the graph has got since: nothing reads them yet.
+    pub fn grow(&mut self) {
+        let n = self.graph.classes.len();
+        self.uses.resize(n, 0);
+        self.position.resize(n, NOWHERE);
+        self.depth.resize(n, 0);
+        self.locked.resize(n, false);
+        self.seen.resize(n, 0);
     }
 
     /// Classes in use, operands first.

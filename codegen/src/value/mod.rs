@@ -128,18 +128,19 @@ fn round(
     let mut treated: Vec<bool> = Vec::new();
     for group in &classes[..searched] {
         roots.extend(group.iter().flatten());
-        let live = Extraction::new(&mut graph, &roots, &[]).live();
-        treated.resize(graph.classes.len(), false);
+        let mut search = Extraction::new(&mut graph, &roots, &settled);
+        let live = search.live();
+        treated.resize(search.graph.classes.len(), false);
         let is_new = |class: &ClassId| !std::mem::replace(&mut treated[class.index()], true);
         let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
         if effort == Effort::All {
             passes = PASSES_ALL;
-            pairs.resubstitute(&mut graph, &live, &new);
-            rules::apply(&mut graph, &new, one);
+            pairs.resubstitute(search.graph, &live, &new);
+            rules::apply(search.graph, &new, one);
         }
-        rules::factor_sums(&mut graph, &live, &new, one);
-        let mut search = Extraction::new(&mut graph, &roots, &settled);
+        rules::factor_sums(search.graph, &live, &new, one);
+        search.grow();
         search.run(passes);
         settled = search.live();
     }
