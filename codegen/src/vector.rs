@@ -5,7 +5,9 @@
 //! Convention: a simple rotation by angle a about axis k turns the parent's triad into the child's
 //! (right-hand rule); components transform by v_parent = R v_child.
 
+mod components;
 mod merged_turn;
+mod product;
 
 use crate::expr::{Dag, ExprId};
 use crate::id::{Id, IdVec, ids};
@@ -13,6 +15,8 @@ use crate::model::{Axis, PointId};
 use merged_turn::MergedTurn;
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
+
+pub use components::{along_axis, cross_components, dot_components, turn_components};
 
 ids! {
     /// A right-handed triad of unit vectors: a frame, or a step of its successive rotations.
@@ -373,125 +377,4 @@ impl Triads {
             Turn::Directions { rows } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
         }
     }
-
-    /// a . b, each pair of terms in whichever of the two triads gives the shorter expression.
-    pub fn dot(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> ExprId {
-        let mut total = dag.zero();
-        for (&s, x) in &a.terms {
-            for (&t, y) in &b.terms {
-                let product = match self.products.get(&[(s, *x), (t, *y)]) {
-                    Some(&known) => known,
-                    None => {
-                        let product = self.dot_terms(dag, (s, x), (t, y));
-                        self.products.insert([(s, *x), (t, *y)], product);
-                        product
-                    }
-                };
-                total = dag.add(total, product);
-            }
-        }
-        total
-    }
-
-    fn dot_terms(
-        &mut self,
-        dag: &mut Dag,
-        (s, x): (TriadId, &Components),
-        (t, y): (TriadId, &Components),
-    ) -> ExprId {
-        let x_in_t = self.express_term(dag, s, *x, t);
-        let mut product = dot_components(dag, &x_in_t, y);
-        if s == t {
-            return product;
-        }
-        let mut cost = dag.cone_cost(&[product]);
-        let y_in_s = self.express_term(dag, t, *y, s);
-        let other = dot_components(dag, x, &y_in_s);
-        let others = dag.cone_cost(&[other]);
-        if others < cost {
-            (product, cost) = (other, others);
-        }
-        match self.dot_along_axes(dag, (s, x), (t, y)) {
-            Some(other) if dag.cone_cost(&[other]) <= cost => other,
-            _ => product,
-        }
-    }
-
-    /// (x e) . (y f) = x y (e . f), for vectors along one axis each: one cosine serves all such products.
-    fn dot_along_axes(
-        &mut self,
-        dag: &mut Dag,
-        a: (TriadId, &Components),
-        b: (TriadId, &Components),
-    ) -> Option<ExprId> {
-        let [(e, x), (f, y)] = [along_axis(dag, a.1)?, along_axis(dag, b.1)?];
-        let mut unit = [dag.zero(); 3];
-        unit[e] = dag.one();
-        let cosine = self.express_term(dag, a.0, unit, b.0)[f];
-        let size = dag.mul(x, y);
-        Some(dag.mul(size, cosine))
-    }
-
-    /// a x b, each pair of terms in whichever of the two triads gives the shorter expression.
-    pub fn cross(&mut self, dag: &mut Dag, a: &Vector, b: &Vector) -> Vector {
-        let mut total = Vector::zero();
-        for (&s, x) in &a.terms {
-            for (&t, y) in &b.terms {
-                let x_in_t = self.shorter_term(dag, s, *x, t);
-                let mut product = (t, cross_components(dag, &x_in_t, y));
-                if s != t {
-                    let y_in_s = self.shorter_term(dag, t, *y, s);
-                    let other = cross_components(dag, x, &y_in_s);
-                    if other != product.1 && dag.cone_cost(&other) < dag.cone_cost(&product.1) {
-                        product = (s, other);
-                    }
-                }
-                let product = Vector::new(dag, product.0, product.1);
-                total = total.plus(dag, &product);
-            }
-        }
-        total
-    }
-}
-
-/// Components after a simple rotation: child to parent, or (`inverse`) parent to child.
-pub fn turn_components(dag: &mut Dag, axis: Axis, angle: ExprId, v: Components, inverse: bool) -> Components {
-    let k = axis as usize;
-    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-    let (sin, cos) = (dag.sin(angle), dag.cos(angle));
-    if dag.is_zero(v[i]) && dag.is_zero(v[j]) {
-        return v; // along the axis
-    }
-    let sin = if inverse { dag.negate(sin) } else { sin };
-    // v_i' = cos v_i - sin v_j ; v_j' = sin v_i + cos v_j
-    let (ci, sj) = (dag.mul(cos, v[i]), dag.mul(sin, v[j]));
-    let (si, cj) = (dag.mul(sin, v[i]), dag.mul(cos, v[j]));
-    let mut turned = v;
-    turned[i] = dag.sub(ci, sj);
-    turned[j] = dag.add(si, cj);
-    turned
-}
-
-/// The only axis with a component, and that component.
-pub fn along_axis(dag: &Dag, components: &Components) -> Option<(usize, ExprId)> {
-    let mut found = (0..3).filter(|&i| !dag.is_zero(components[i]));
-    match (found.next(), found.next()) {
-        (Some(i), None) => Some((i, components[i])),
-        _ => None,
-    }
-}
-
-/// a . b of components in one triad.
-pub fn dot_components(dag: &mut Dag, a: &Components, b: &Components) -> ExprId {
-    let terms: [ExprId; 3] = std::array::from_fn(|k| dag.mul(a[k], b[k]));
-    dag.sum(&terms)
-}
-
-/// a x b of components in one triad.
-pub fn cross_components(dag: &mut Dag, a: &Components, b: &Components) -> Components {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let (left, right) = (dag.mul(a[i], b[j]), dag.mul(a[j], b[i]));
-        dag.sub(left, right)
-    })
 }

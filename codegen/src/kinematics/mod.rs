@@ -5,6 +5,7 @@
 //! Unknowns are the speeds and, for every body that closes a loop, the components of its twist
 //! ("lifted" unknowns): a closure is then one short row per leg against that twist.
 
+mod angular;
 mod assemble;
 mod basis;
 mod choose;

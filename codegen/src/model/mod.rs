@@ -6,6 +6,7 @@
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
 
 mod build;
+mod build_loads;
 mod build_mechanics;
 mod build_values;
 mod check;

@@ -9,6 +9,7 @@ mod kinematic;
 mod prepared;
 mod reciprocal;
 mod reorder;
+mod roots;
 mod shorten;
 
 use crate::diagnostic::Diagnostics;
@@ -20,7 +21,6 @@ use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
 use crate::model::{CoordinateId, Model};
 use crate::value::Effort;
-use rustc_hash::FxHashMap as HashMap;
 
 pub use kinematic::derive_kinematic;
 
@@ -336,94 +336,5 @@ fn mark_angles(program: &mut Program) {
     for quantity in coordinates {
         let node = dag.find(Node::Symbol(quantity.symbol));
         quantity.is_angle = node.is_none_or(|id| periodic[id.index()]);
-    }
-}
-
-impl Program {
-    /// All results of all answers.
-    #[must_use]
-    pub fn all_roots(&self) -> Vec<ExprId> {
-        let mut roots = self.forward_dynamics();
-        roots.push(self.rates.worst_pivot);
-        roots.extend(self.energy);
-        roots.extend(self.speeds.iter().map(|(_, e)| *e));
-        roots.extend(self.outputs.iter().map(|(_, e)| *e));
-        roots.extend(self.correction.iter().map(|(_, e)| *e));
-        roots.push(self.residual);
-        roots.extend(self.augmented_roots());
-        roots
-    }
-
-    /// q' and u'.
-    #[must_use]
-    pub fn forward_dynamics(&self) -> Vec<ExprId> {
-        self.rates.q_dot.iter().chain(&self.rates.u_dot).copied().collect()
-    }
-
-    /// Operations of one evaluation of q' and u', parameters at run time and prepared.
-    #[must_use]
-    pub fn operations(&self) -> usize {
-        self.dag.state_cost(&self.forward_dynamics())
-    }
-
-    /// Puts expressions in the place of symbols, in every result.
-    fn substitute(&mut self, replacement: &HashMap<SymbolId, ExprId>) {
-        if replacement.is_empty() {
-            return;
-        }
-        let roots = self.all_roots();
-        let image = self.dag.rebuild(&roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
-        self.map_roots(|e| image.of(e));
-        for pivot in &mut self.pivots {
-            pivot.value = image.of(pivot.value);
-        }
-    }
-
-    /// Replaces every result by its image (results keep their meaning).
-    fn map_roots(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
-        self.map_answers(&mut image);
-        let augmented = &mut self.augmented;
-        for part in
-            [&mut augmented.mass, &mut augmented.jacobian, &mut augmented.forcing, &mut augmented.bias]
-        {
-            part.iter_mut().for_each(|e| *e = image(*e));
-        }
-    }
-
-    /// All results but those of the augmented form: forward dynamics with the worst pivot, then the others.
-    fn answers(&self) -> [Vec<ExprId>; 2] {
-        let mut rates = self.forward_dynamics();
-        rates.push(self.rates.worst_pivot);
-        let named = self.speeds.iter().chain(&self.outputs).map(|(_, e)| *e);
-        let mut others: Vec<ExprId> = self.correction.iter().map(|(_, e)| *e).collect();
-        others.push(self.residual);
-        others.extend(self.energy.into_iter().chain(named));
-        [rates, others]
-    }
-
-    /// Replaces the results that [`Program::answers()`] lists by their images.
-    fn map_answers(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
-        let rates = &mut self.rates;
-        for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {
-            *e = image(*e);
-        }
-        rates.worst_pivot = image(rates.worst_pivot);
-        for e in &mut self.energy {
-            *e = image(*e);
-        }
-        for (_, e) in self.speeds.iter_mut().chain(&mut self.outputs) {
-            *e = image(*e);
-        }
-        for (_, e) in &mut self.correction {
-            *e = image(*e);
-        }
-        self.residual = image(self.residual);
-    }
-
-    /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.
-    #[must_use]
-    pub fn augmented_roots(&self) -> Vec<ExprId> {
-        let parts = &self.augmented;
-        [&parts.mass, &parts.jacobian, &parts.forcing, &parts.bias].into_iter().flatten().copied().collect()
     }
 }
