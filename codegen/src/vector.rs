@@ -297,8 +297,11 @@ impl Triads {
         }
         let expressed = match self.constant_in(dag, triad, &components, target) {
             Some(constant) => constant,
-            None if dag.unrounded_differences => self.turn_by_differences(dag, triad, components, target),
-            None => self.turn_by_turn(dag, triad, components, target),
+            None => {
+                let merged =
+                    dag.unrounded_differences.then(|| self.by_differences(dag, triad, components, target));
+                merged.flatten().unwrap_or_else(|| self.turn_by_turn(dag, triad, components, target))
+            }
         };
         self.expressed.insert((triad, components, target), expressed);
         expressed
@@ -309,15 +312,11 @@ impl Triads {
     /// For directions that are formed once. In products of which equations are made the sines of the angles themselves
     /// stay: one error of a sine then turns all equations alike, where that of a rounded difference beside it would not
     /// (the four-bar lost a factor of 5 that way, 1e-6 rad from its change point a factor of 2.5). An unrounded
-    /// difference has no such error: [`Self::turn_by_differences`].
+    /// difference has no such error: [`Dag::as_difference`].
     fn shorter_term(&mut self, dag: &mut Dag, from: TriadId, v: Components, to: TriadId) -> Components {
         let turned = self.express_term(dag, from, v, to);
-        // A way without a difference of angles, as from a triad to itself, and constants have nothing to gain.
-        match self.merged_turns(dag, from, to) {
-            Some(turns) if turns.iter().any(|turn| turn.is_difference(dag)) => {
-                let merged = MergedTurn::turn(&turns, dag, v);
-                if dag.cone_cost(&merged) < dag.cone_cost(&turned) { merged } else { turned }
-            }
+        match self.by_differences(dag, from, v, to) {
+            Some(merged) if dag.cone_cost(&merged) < dag.cone_cost(&turned) => merged,
             _ => turned,
         }
     }

@@ -22,6 +22,23 @@ pub fn unary<S: Real>(function: Unary, a: S) -> S {
     }
 }
 
+/// |f'(x)|, where f(x) is `value`: by what f multiplies a small error of x.
+pub(crate) fn steepness(function: Unary, x: f64, value: f64) -> f64 {
+    let slope = match function {
+        Unary::Sqrt => 0.5 / value,
+        Unary::Sin => unary(Unary::Cos, x),
+        Unary::Cos => unary(Unary::Sin, x),
+        Unary::Tan => 1.0 + value * value,
+        Unary::Asin | Unary::Acos => 1.0 / unary(Unary::Sqrt, 1.0 - x * x),
+        Unary::Exp => value,
+        Unary::Ln => 1.0 / x,
+        Unary::Tanh => 1.0 - value * value,
+        Unary::Abs => 1.0,
+        Unary::Sign => 0.0,
+    };
+    slope.abs()
+}
+
 /// a (op) b over `S`, exactly as the emitted code computes it.
 pub fn binary<S: Real>(operator: Binary, a: S, b: S) -> S {
     match operator {
@@ -63,8 +80,7 @@ impl Dag {
                     Node::Symbol(symbol) => value_of(symbol, point),
                     Node::Negate(a) => -values[a.index()],
                     Node::Unary(function @ (Unary::Sin | Unary::Cos), angle) => {
-                        let (sin, cos) = match self.as_difference(angle).filter(|_| !self.is_constant(angle))
-                        {
+                        let (sin, cos) = match self.as_difference(angle) {
                             Some([a, b]) => S::sin_cos_of_difference(values[a.index()], values[b.index()]),
                             None => values[angle.index()].sin_cos(),
                         };

@@ -355,11 +355,14 @@ impl Dag {
         }
     }
 
-    /// a and b, if sine and cosine of the node are to be those of a - b unrounded: `Real::sin_cos_of_difference`.
+    /// a and b, if sine and cosine of the node, no constant, are to be those of a - b unrounded:
+    /// `Real::sin_cos_of_difference`.
     #[must_use]
     pub fn as_difference(&self, angle: ExprId) -> Option<[ExprId; 2]> {
         match self.nodes[angle] {
-            Node::Binary(Binary::Sub, a, b) if self.unrounded_differences => Some([a, b]),
+            Node::Binary(Binary::Sub, a, b) if self.unrounded_differences && !self.is_constant(angle) => {
+                Some([a, b])
+            }
             _ => None,
         }
     }

@@ -3,6 +3,7 @@
 //! Running error analysis: every operation hands on the errors of its operands, by its derivatives, and adds its
 //! own. First order only; products of two errors are beyond what is asked here.
 
+use super::{Unary, evaluate};
 use smartbed_runtime::real::Real;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -37,9 +38,10 @@ impl Rounded {
         if self.value.abs() <= self.error { 0.0 } else { self.value }
     }
 
-    /// f(x), whose slope at x is known.
-    fn function(self, f: fn(f64) -> f64, slope: f64) -> Self {
-        Self::new(f(self.value), slope.abs() * self.error)
+    /// f(x), whose error is the operand's times the slope's size.
+    fn function(self, function: Unary) -> Self {
+        let value = evaluate::unary(function, self.value);
+        Self::new(value, evaluate::steepness(function, self.value, value) * self.error)
     }
 }
 
@@ -96,14 +98,13 @@ impl Real for Rounded {
         (Self::new(sin, cos.abs() * self.error), Self::new(cos, sin.abs() * self.error))
     }
     fn tan(self) -> Self {
-        let tan = Real::tan(self.value);
-        self.function(Real::tan, 1.0 + tan * tan)
+        self.function(Unary::Tan)
     }
     fn asin(self) -> Self {
-        self.function(Real::asin, 1.0 / (1.0 - self.value * self.value).sqrt())
+        self.function(Unary::Asin)
     }
     fn acos(self) -> Self {
-        self.function(Real::acos, 1.0 / (1.0 - self.value * self.value).sqrt())
+        self.function(Unary::Acos)
     }
     fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
@@ -111,14 +112,13 @@ impl Real for Rounded {
         Self::new(Real::atan2(self.value, x.value), error)
     }
     fn exp(self) -> Self {
-        self.function(Real::exp, Real::exp(self.value))
+        self.function(Unary::Exp)
     }
     fn ln(self) -> Self {
-        self.function(Real::ln, 1.0 / self.value)
+        self.function(Unary::Ln)
     }
     fn tanh(self) -> Self {
-        let tanh = Real::tanh(self.value);
-        self.function(Real::tanh, 1.0 - tanh * tanh)
+        self.function(Unary::Tanh)
     }
     fn abs(self) -> Self {
         Self { value: self.value.abs(), ..self }

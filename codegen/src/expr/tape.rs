@@ -84,13 +84,14 @@ impl<S: Real> Tape<S> {
                     }
                     let twin = twin.unwrap_or(spare);
                     let (sin, cos) = if function == Unary::Sin { (to, twin) } else { (twin, to) };
-                    let read = |id: ExprId| position.contains_key(&id) || dag.is_constant(id);
-                    tape.instructions.push(match dag.as_difference(a).filter(|_| !read(a)) {
-                        Some([a, b]) => {
-                            Instruction::SinCosOfDifference { sin, cos, a: slot[&a], b: slot[&b] }
-                        }
-                        None => Instruction::SinCos { sin, cos, a: slot[&a] },
-                    });
+                    tape.instructions.push(
+                        match dag.as_difference(a).filter(|_| !position.contains_key(&a)) {
+                            Some([a, b]) => {
+                                Instruction::SinCosOfDifference { sin, cos, a: slot[&a], b: slot[&b] }
+                            }
+                            None => Instruction::SinCos { sin, cos, a: slot[&a] },
+                        },
+                    );
                 }
                 Node::Unary(function, a) => {
                     tape.instructions.push(Instruction::Unary { function, to, a: slot[&a] });

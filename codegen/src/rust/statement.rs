@@ -135,7 +135,7 @@ impl<'p> Body<'p> {
     /// What sine and cosine of an angle are computed of: its value, or the two of whose it is the difference.
     fn angles(&self, angle: ExprId) -> [Option<ExprId>; 2] {
         match self.dag().as_difference(angle) {
-            Some(of) if self.field(angle).is_none() && !self.dag().is_constant(angle) => of.map(Some),
+            Some(of) if self.field(angle).is_none() => of.map(Some),
             _ => [Some(angle), None],
         }
     }

@@ -64,19 +64,7 @@ impl Estimate {
     /// f(a): the operand's error times the derivative.
     pub fn unary(function: Unary, a: Self) -> Self {
         let (x, value) = (a.value, evaluate::unary(function, a.value));
-        let slope = match function {
-            Unary::Sqrt => 0.5 / value,
-            Unary::Sin => evaluate::unary(Unary::Cos, x),
-            Unary::Cos => evaluate::unary(Unary::Sin, x),
-            Unary::Tan => 1.0 + value * value,
-            Unary::Asin | Unary::Acos => 1.0 / evaluate::unary(Unary::Sqrt, 1.0 - x * x),
-            Unary::Exp => value,
-            Unary::Ln => 1.0 / x,
-            Unary::Tanh => 1.0 - value * value,
-            Unary::Abs => 1.0,
-            Unary::Sign => 0.0,
-        };
-        let inherited = if a.error == 0.0 { 0.0 } else { slope.abs() * a.error };
+        let inherited = if a.error == 0.0 { 0.0 } else { evaluate::steepness(function, x, value) * a.error };
         Self::computed(value, inherited)
     }
 

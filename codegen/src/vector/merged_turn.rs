@@ -64,20 +64,18 @@ impl Triads {
         Some(turns)
     }
 
-    /// By the differences of the angles that turn both about one axis against a third; without any, turn by turn.
-    pub(super) fn turn_by_differences(
+    /// Components of a vector given in one triad in another, by the differences of the angles that turn both about
+    /// one axis against a third; `None` where there is no such difference, as from a triad to itself: nothing to gain.
+    pub(super) fn by_differences(
         &self,
         dag: &mut Dag,
         from: TriadId,
         v: Components,
         to: TriadId,
-    ) -> Components {
-        match self.merged_turns(dag, from, to) {
-            Some(turns) if turns.iter().any(|turn| turn.is_difference(dag)) => {
-                MergedTurn::turn(&turns, dag, v)
-            }
-            _ => self.turn_by_turn(dag, from, v, to),
-        }
+    ) -> Option<Components> {
+        let turns = self.merged_turns(dag, from, to)?;
+        let has_difference = turns.iter().any(|turn| turn.is_difference(dag));
+        has_difference.then(|| MergedTurn::turn(&turns, dag, v))
     }
 }
 

@@ -4,24 +4,6 @@ use crate::models::shipped;
 use smartbed_codegen::{Effort, Interpreted, Optimise, ParameterChoice, Program, Settings, program};
 use smartbed_runtime::mechanism::Mechanism;
 
-/// Every mechanism of models/.
-const MODELS: [&str; 15] = [
-    "arm6",
-    "bicycle",
-    "cart_pole",
-    "double_pendulum",
-    "fourbar",
-    "gyroscope",
-    "pendulum",
-    "pendulum10",
-    "pendulum3",
-    "sleigh",
-    "slider_crank",
-    "slider_crank_closed",
-    "tile",
-    "tile_drive",
-    "tile_minimal",
-];
 /// States by model, and how far coordinates and speeds lie from nominal and from rest at most.
 const STATES: usize = 20;
 const SPREAD: f64 = 0.05;
@@ -29,6 +11,18 @@ const SPREAD: f64 = 0.05;
 const CORRECTIONS: usize = 8;
 /// Two formulations of u' at the same state, relative to the largest.
 const AGREEMENT: f64 = 1e-10;
+
+/// Names of the mechanisms of models/.
+fn names() -> Vec<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../models");
+    let files = std::fs::read_dir(folder).expect("the models").map(|entry| entry.expect("an entry").path());
+    let models = files.filter(|path| path.extension().is_some_and(|e| e == "toml"));
+    let mut names: Vec<String> =
+        models.filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned())).collect();
+    names.sort();
+    assert!(names.len() >= 15, "{names:?}");
+    names
+}
 
 /// Numbers that look random, in [-1, 1].
 fn spread(n: usize, seed: usize) -> Vec<f64> {
@@ -46,8 +40,8 @@ fn answers(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> [Vec<f64>
 
 #[test]
 fn all_forms_of_every_model_agree() {
-    for name in MODELS {
-        let model = shipped(name);
+    for name in names() {
+        let model = shipped(&name);
         let forms = [
             (Effort::None, Optimise::Operations),
             (Effort::All, Optimise::Operations),

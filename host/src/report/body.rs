@@ -8,23 +8,12 @@ use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::plot::svg;
 use crate::scene::graph::Album;
+use crate::scene::method::METHODS;
 use crate::scene::run::{describe, run};
 use crate::scene::{Scene, Simulation, read};
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 
-/// Methods with the order of their error.
-const METHODS: [(&str, u32, bool); 9] = [
-    ("symplectic_euler", 1, false),
-    ("verlet", 2, false),
-    ("nystrom4", 4, false),
-    ("blanes_moan4", 4, false),
-    ("rk4", 4, false),
-    ("implicit_midpoint", 2, false),
-    ("energy_momentum", 2, false),
-    ("dormand_prince", 5, true),
-    ("dop853", 8, true),
-];
 /// Part of the largest stable step with which a ladder begins.
 const STABLE: f64 = 0.9;
 /// Where there is free fall, adaptive methods are stopped at least so often (s): nothing there tells them of

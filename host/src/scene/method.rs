@@ -3,17 +3,17 @@
 use crate::suggest;
 use smartbed_runtime::advance::Method;
 
-/// Methods of scenes.
-const METHODS: [&str; 9] = [
-    "symplectic_euler",
-    "verlet",
-    "nystrom4",
-    "blanes_moan4",
-    "rk4",
-    "implicit_midpoint",
-    "energy_momentum",
-    "dormand_prince",
-    "dop853",
+/// Methods of scenes: name, order of the error, whether it chooses its own steps.
+pub const METHODS: [(&str, u32, bool); 9] = [
+    ("symplectic_euler", 1, false),
+    ("verlet", 2, false),
+    ("nystrom4", 4, false),
+    ("blanes_moan4", 4, false),
+    ("rk4", 4, false),
+    ("implicit_midpoint", 2, false),
+    ("energy_momentum", 2, false),
+    ("dormand_prince", 5, true),
+    ("dop853", 8, true),
 ];
 
 /// The method named in a scene or on the command line, `-` for `_` as mechanisms spell theirs.
@@ -31,7 +31,7 @@ pub fn method_named(name: &str, tolerance: f64) -> Result<Method<f64>, String> {
         "energy_momentum" => Ok(Method::EnergyMomentum),
         "dormand_prince" => Ok(Method::DormandPrince { tolerance }),
         "dop853" => Ok(Method::Dop853 { tolerance }),
-        _ => Err(format!("unknown method `{name}`{}", suggest::help(name, METHODS))),
+        _ => Err(format!("unknown method `{name}`{}", suggest::help(name, METHODS.map(|(known, ..)| known)))),
     }
 }
 
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn every_method_is_known_in_both_spellings() {
-        for name in METHODS {
+        for (name, ..) in METHODS {
             assert!(method_named(name, 1e-9).is_ok(), "{name}");
             assert!(method_named(&name.replace('_', "-"), 1e-9).is_ok(), "{name}");
         }
