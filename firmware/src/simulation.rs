@@ -153,6 +153,8 @@ impl Simulation {
             tile_step(self).map_err(|fault| (done, fault))?;
             digest.add(&self.x);
         }
+        let time = self.time();
+        self.model.set_time(time);
         let (kinetic, potential) = tile_energy(&mut self.model, &self.x).map_err(|fault| (steps, fault))?;
         digest.add(&[kinetic, potential]);
         Ok(digest)
@@ -249,6 +251,9 @@ impl System<f32> for Held<'_> {
         let (q, u) = x.split_at_checked(NQ).ok_or(Fault::Shape)?;
         let rates = x_dot.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
         tile_rates(self.model, t, (q, u, &self.inputs), rates)
+    }
+    fn set_time(&mut self, t: f32) {
+        self.model.set_time(t);
     }
     fn project(&mut self, x: &mut [f32]) -> Result<f32, Fault> {
         let (q, _) = x.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;

@@ -43,6 +43,11 @@ pub trait Mechanism<S: Real> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault>;
+    /// The time (s) at which [`Mechanism::project`] and [`Mechanism::energy`] are asked for next, where places
+    /// depend on time; [`Mechanism::rates`] sets it too. Before the first of these calls it is 0.
+    fn set_time(&mut self, t: S) {
+        let _ = t;
+    }
     /// One Newton correction that puts the dependent coordinates back on the configuration
     /// constraints; returns the largest residual before the correction.
     ///
@@ -73,6 +78,10 @@ pub trait System<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not `n_x` entries.
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault>;
+    /// The time at which the next projections are asked for (see [`Mechanism::set_time`]).
+    fn set_time(&mut self, t: S) {
+        let _ = t;
+    }
     /// One correction towards the constraints; returns the largest residual before it.
     ///
     /// # Errors
@@ -148,6 +157,9 @@ where
         let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
         (self.law)(t, q, u, self.inputs);
         self.mechanism.rates(t, q, u, self.inputs, q_dot, u_dot)
+    }
+    fn set_time(&mut self, t: S) {
+        self.mechanism.set_time(t);
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         let n_q = self.mechanism.n_q();

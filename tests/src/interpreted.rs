@@ -119,6 +119,9 @@ impl<S: Real> Mechanism<S> for InterpretedSubject<S> {
     ) -> Result<S, Fault> {
         self.engine.rates(t, q, u, inputs, q_dot, u_dot)
     }
+    fn set_time(&mut self, t: S) {
+        self.engine.set_time(t);
+    }
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
         self.engine.project(q)
     }

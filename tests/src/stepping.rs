@@ -33,6 +33,9 @@ impl<S: Tabulated> System<S> for Steered<'_, S> {
         (self.law)(t, q, u, &mut self.inputs);
         self.subject.rates(t, q, u, &self.inputs, q_dot, u_dot)
     }
+    fn set_time(&mut self, t: S) {
+        self.subject.set_time(t);
+    }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         self.subject.project(&mut x[..self.n_q])
     }

@@ -8,8 +8,8 @@
 
 use super::Unprojected;
 use crate::expr::{ExprId, SymbolId};
+use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::Solution;
-use crate::kinematics::{Kinematics, UnknownId};
 use rustc_hash::FxHashMap as HashMap;
 
 /// Matrices of the augmented system, row-major.
@@ -35,7 +35,7 @@ pub(super) fn derive(
     values: &HashMap<SymbolId, ExprId>,
 ) -> Augmented {
     let zero = k.dag.zero();
-    let all: Vec<UnknownId> = k.unknowns.ids().collect();
+    let all = k.moving_unknowns();
     let mut mass = Vec::new();
     for &a in &all {
         for &b in &all {
@@ -50,7 +50,7 @@ pub(super) fn derive(
     }
     let forcing: Vec<ExprId> = all.iter().map(|u| parts.force.get(u).copied().unwrap_or(zero)).collect();
     Augmented {
-        unknowns: k.unknowns.iter().map(|u| u.name.clone()).collect(),
+        unknowns: all.iter().map(|&u| k.unknowns[u].name.clone()).collect(),
         mass,
         jacobian,
         forcing: k.dag.substitute(&forcing, values),

@@ -28,8 +28,9 @@ use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
-use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
+use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
+use reduce::Reduced;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
 use std::collections::BTreeMap;
@@ -47,6 +48,8 @@ pub struct Dynamics {
     pub kinetic: ExprId,
     /// Potential energy (J) of gravity and springs.
     pub potential: ExprId,
+    /// Power (W) of what makes the mechanism follow time, if it is driven.
+    pub drive: Option<ExprId>,
     /// Value of every unknown in terms of the independent speeds.
     pub values: HashMap<SymbolId, ExprId>,
     /// Pivots of the mass matrix.
@@ -107,34 +110,52 @@ pub fn derive(
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
     let augmented = augmented::derive(k, solution, &parts, &values);
-    let (mass_matrix, forcing) = reduce::reduce(k, solution, parts);
+    let Reduced { mass: mass_matrix, forcing, drive } = reduce::reduce(k, solution, parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
     let (u_dot, pivots) =
         accelerations(model, k, table, segments.as_deref(), (&mass_matrix, &forcing), optimise)?;
+    let drive = drive.map(|(mass, force)| drive_power(&mut k.dag, &mass, &u_dot, force, &values));
     Ok(Dynamics {
         mass_matrix,
         forcing,
         u_dot,
         kinetic: energies[0],
         potential: energies[1],
+        drive,
         values,
         pivots,
         augmented,
     })
 }
 
+/// M_t u' - f_t: the power of the forces that make the mechanism follow time.
+fn drive_power(
+    dag: &mut Dag,
+    mass: &[ExprId],
+    u_dot: &[ExprId],
+    force: ExprId,
+    values: &HashMap<SymbolId, ExprId>,
+) -> ExprId {
+    let terms: Vec<ExprId> = mass.iter().zip(u_dot).map(|(&m, &u)| dag.mul(m, u)).collect();
+    let inertia = dag.sum(&terms);
+    let force = dag.substitute(&[force], values)[0];
+    let power = dag.sub(inertia, force);
+    dag.name(power, "drive");
+    power
+}
+
 /// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
 pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
     let values = unknown_values(k, solution);
-    let independent = |u: &&Unknown| matches!(u.kind, UnknownKind::Independent(_));
-    let (zero, n_u) = (k.dag.zero(), k.unknowns.iter().filter(independent).count());
+    let (zero, n_u) = (k.dag.zero(), k.independent_unknowns().len());
     Dynamics {
         mass_matrix: Vec::new(),
         forcing: Vec::new(),
         u_dot: vec![zero; n_u],
         kinetic: zero,
         potential: zero,
+        drive: None,
         values,
         pivots: Vec::new(),
         augmented: Augmented::default(),

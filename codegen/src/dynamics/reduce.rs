@@ -5,35 +5,40 @@
 //! `M_zw += c_z M_yy c_w + c_z M_yw + M_zy c_w`, `f_a -= M_ay b`, `f_z += c_z (f_y - M_yy b)`.
 //! Each step has few coefficients: the partial velocities T are never formed, and M = T' M_y T and
 //! T' (f - M_y beta) come out with what the unknowns share already in common.
+//!
+//! The clock, which no step eliminates, keeps its row too: M_t u' - f_t is the power that the drive puts in, since
+//! virtual power along v_t is that of all forces but those which make the mechanism follow time.
 
 use super::Unprojected;
 use crate::expr::number::Number;
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::eliminate::{Solution, Step};
-use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
+use crate::kinematics::{Kinematics, UnknownId};
 use std::collections::BTreeMap;
 
-/// M and the forcing of the independent speeds.
-pub(super) fn reduce(
-    k: &mut Kinematics,
-    solution: &Solution,
-    mut parts: Unprojected,
-) -> (Vec<Vec<ExprId>>, Vec<ExprId>) {
+/// The equations of the independent speeds, M u' = forcing.
+pub(super) struct Reduced {
+    pub mass: Vec<Vec<ExprId>>,
+    pub forcing: Vec<ExprId>,
+    /// M_t and f_t of the clock, where the model is driven.
+    pub drive: Option<(Vec<ExprId>, ExprId)>,
+}
+
+/// Takes inertia and forces through all eliminations.
+pub(super) fn reduce(k: &mut Kinematics, solution: &Solution, mut parts: Unprojected) -> Reduced {
     for step in &solution.steps {
         eliminate(&mut k.dag, &mut parts, step);
         name_step(k, step);
     }
-    let independent: Vec<UnknownId> = (k.unknowns.enumerate())
-        .filter(|(_, u)| matches!(u.kind, UnknownKind::Independent(_)))
-        .map(|(id, _)| id)
-        .collect();
+    let independent = k.independent_unknowns();
     let zero = k.dag.zero();
     let entry =
         |&a: &UnknownId, &b: &UnknownId| parts.mass.get(&(a.min(b), a.max(b))).copied().unwrap_or(zero);
-    let mass: Vec<Vec<ExprId>> =
-        independent.iter().map(|a| independent.iter().map(|b| entry(a, b)).collect()).collect();
-    let forcing: Vec<ExprId> =
-        independent.iter().map(|a| parts.force.get(a).copied().unwrap_or(zero)).collect();
+    let row = |a: &UnknownId| -> Vec<ExprId> { independent.iter().map(|b| entry(a, b)).collect() };
+    let force = |a: &UnknownId| parts.force.get(a).copied().unwrap_or(zero);
+    let mass: Vec<Vec<ExprId>> = independent.iter().map(row).collect();
+    let forcing: Vec<ExprId> = independent.iter().map(force).collect();
+    let drive = k.clock.map(|clock| (row(&clock), force(&clock)));
     for (i, a) in independent.iter().enumerate() {
         let name = k.unknowns[*a].name.clone();
         for (j, b) in independent.iter().enumerate().skip(i) {
@@ -42,7 +47,7 @@ pub(super) fn reduce(
         }
         k.dag.name(forcing[i], &format!("forcing_{name}"));
     }
-    (mass, forcing)
+    Reduced { mass, forcing, drive }
 }
 
 /// Takes `y` out of the equations.

@@ -1,6 +1,6 @@
 //! Configurations that satisfy the constraints: Newton on the plain residuals, and continuation.
 //!
-//! In: independent coordinates (given), dependent ones (guesses). Out: dependent coordinates with
+//! In: independent coordinates and the time (given), dependent ones (guesses). Out: dependent coordinates with
 //! all residuals at round-off. Far targets are reached from the nominal configuration along a
 //! straight line of the independent coordinates, so the branch connected to nominal is found.
 
@@ -16,6 +16,8 @@ use crate::model::{CoordinateId, Model, ParameterId};
 const RANDOM_SAMPLES: usize = 64;
 /// Most steps of a continuation.
 const MAX_STEPS: usize = 64;
+/// Most steps of a continuation in time, through which a driven mechanism may turn many times.
+const MAX_TIME_STEPS: usize = 4096;
 /// Most Newton corrections per step.
 const MAX_CORRECTIONS: usize = 25;
 /// Residual, of equations with terms of order 1, that counts as satisfied: some thousand rounding errors.
@@ -33,7 +35,7 @@ pub struct Assembly {
     scales: Vec<f64>,
     dependent: Vec<usize>,
     independent: Vec<usize>,
-    /// Values of the tape's inputs: coordinates, then parameters.
+    /// Values of the tape's inputs: coordinates, then parameters, then the time.
     arguments: Vec<f64>,
     n_q: usize,
 }
@@ -73,6 +75,8 @@ impl Assembly {
                 arguments.push(k.parameter_values[id]);
             }
         }
+        inputs.extend(k.dag.as_symbol(k.time));
+        arguments.push(0.0);
         let argument = |symbol: SymbolId| {
             let known = inputs.iter().position(|s| *s == symbol);
             Rounded::new(known.map_or(f64::NAN, |i| arguments[i]), 0.0)
@@ -93,6 +97,36 @@ impl Assembly {
         for (mine, &value) in self.arguments[self.n_q..].iter_mut().zip(tunable) {
             *mine = value;
         }
+    }
+
+    /// The time (s) at which the constraints are taken; 0 at first.
+    pub fn set_time(&mut self, t: f64) {
+        if let Some(time) = self.arguments.last_mut() {
+            *time = t;
+        }
+    }
+
+    /// From the configuration `from`, satisfied at time 0, to time `t`, independent coordinates held.
+    ///
+    /// # Errors
+    /// If no number of steps gets there.
+    pub fn continue_in_time(&mut self, from: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
+        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut steps = 1;
+        while steps <= MAX_TIME_STEPS {
+            let mut q = from.to_vec();
+            let mut walk = (1..=steps).map(|step| {
+                self.set_time(if step == steps { t } else { t * (step as f64 / steps as f64) });
+                self.correct(&mut q)
+            });
+            match walk.find_map(Result::err) {
+                None => return Ok(q),
+                Some(unreachable) => last = unreachable,
+            }
+            steps *= 4;
+        }
+        self.set_time(t);
+        Err(last)
     }
 
     /// Newton from the given guesses; all coordinates in the state's order.
@@ -189,6 +223,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
         return Err(nominal_unreachable(model, unreachable));
     }
     let mut samples = vec![nominal.clone()];
+    let mut times = vec![0.0];
     for configuration in &model.configurations {
         let mut target = nominal.clone();
         for (coordinate, value) in &configuration.values {
@@ -198,6 +233,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
         }
         samples.extend(assembly.continue_to(&nominal, &target));
     }
+    times.resize(samples.len(), 0.0);
     // Rejected targets (outside the reachable range) are drawn again, a bounded number of times.
     let mut random = Random(0x5EED_0F5A_3B1E);
     let wanted = samples.len() + RANDOM_SAMPLES;
@@ -205,6 +241,8 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
         if samples.len() == wanted {
             break;
         }
+        let t = if k.clock.is_some() { random.between((0.0, model.run.seconds)) } else { 0.0 };
+        let Ok(nominal) = at_time(&mut assembly, &nominal, t) else { continue };
         let mut target = nominal.clone();
         for (i, &c) in state.iter().enumerate() {
             let coordinate = &model.coordinates[c];
@@ -216,10 +254,16 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
             && in_range(model, &state, &q)
         {
             samples.push(q);
+            times.push(t);
         }
     }
-    k.samples = samples;
+    (k.samples, k.sample_times) = (samples, times);
     Ok(())
+}
+
+/// The nominal configuration at another time.
+fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
+    if t == 0.0 { Ok(nominal.to_vec()) } else { assembly.continue_in_time(nominal, t) }
 }
 
 /// Puts closed forms into the residuals. Those that hold by the forms alone are solved already.

@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// One scalar equation: `sum_k coefficients[k] y_k = 0`, `sum_k coefficients[k] y_k' + bias = 0`,
+/// One scalar equation: `sum_k coefficients[k] y_k = 0` (the clock's coefficient is its part without speeds), `sum_k coefficients[k] y_k' + bias = 0`,
 /// and for Newton's correction d of the configuration `sum_k coefficients[k] d_k = -residual`.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -323,19 +323,10 @@ fn row(k: &Kinematics, name: &str, rate: Rate, residual: ExprId) -> Option<Row> 
     (!row.coefficients.is_empty()).then_some(row)
 }
 
-/// A motion constraint e(q, u) = 0, linear in the speeds: e = sum_k c_k y_k.
+/// A motion constraint e(q, u, t) = 0, linear in the speeds: e = sum_k c_k y_k.
 fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
-    let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.zero() };
-    for unknown in k.unknowns.ids().collect::<Vec<_>>() {
-        let value = k.unknowns[unknown].value;
-        let Some(symbol) = k.dag.as_symbol(value) else { continue };
-        let coefficient = k.dag.derivative(e, symbol);
-        if k.dag.is_zero(coefficient) {
-            continue;
-        }
-        rate.partials.insert(unknown, coefficient);
-    }
-    rate.bias = velocity::configuration_rate(k, e);
+    let partials = velocity::coefficients(k, [e]).into_iter().map(|(unknown, [c])| (unknown, c)).collect();
+    let rate = Rate { partials, bias: velocity::configuration_rate(k, e) };
     let zero = k.dag.zero();
     row(k, name, rate, zero)
 }

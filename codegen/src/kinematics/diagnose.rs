@@ -108,7 +108,10 @@ impl Equations {
         // A copy: what is derived here for numbers alone must not leave a trace in the program.
         let mut dag = k.dag.clone();
         let state = k.q.ids().filter_map(|c| Some((k.coordinate_symbol(c)?, model.coordinates[c].range)));
-        let (mut symbols, ranges): (Vec<SymbolId>, Vec<(f64, f64)>) = state.unzip();
+        // Of a driven mechanism time is one more coordinate: what follows at one time may not at the next.
+        let time =
+            k.dag.as_symbol(k.time).filter(|_| k.clock.is_some()).map(|t| (t, (0.0, model.run.seconds)));
+        let (mut symbols, ranges): (Vec<SymbolId>, Vec<(f64, f64)>) = state.chain(time).unzip();
         let errors = ranges.iter().map(|(low, high)| f64::EPSILON * low.abs().max(high.abs())).collect();
         let mut roots = k.residuals.clone();
         for &residual in &k.residuals {
@@ -124,7 +127,7 @@ impl Equations {
         }
         let tape = Tape::new(&dag, &roots, &symbols);
         let mut equations = Self { tape, arguments, sizes: Vec::new(), errors, size };
-        equations.sizes = equations.run(&k.samples[0])[..size.0].iter().map(|x| x.size()).collect();
+        equations.sizes = equations.run(&sample(k, 0))[..size.0].iter().map(|x| x.size()).collect();
         equations
     }
 
@@ -180,6 +183,11 @@ impl Equations {
     }
 }
 
+/// Coordinates of a sample, and its time where the mechanism is driven.
+fn sample(k: &Kinematics, index: usize) -> Vec<f64> {
+    k.samples[index].iter().copied().chain(k.clock.map(|_| k.sample_times[index])).collect()
+}
+
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
@@ -221,7 +229,7 @@ fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) ->
         return Ok(());
     }
     let mut equations = Equations::new(model, k);
-    let nominal = k.samples[0].clone();
+    let nominal = sample(k, 0);
     let (_, rows) = equations.at(&nominal);
     let (_, suspects) = basis_of(&rows);
     let mut kept: Vec<usize> = (0..rows.len()).collect();
@@ -288,8 +296,8 @@ fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
 
 fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual: f64) -> Diagnostic {
     let is_deficient = |q: &Vec<f64>, equations: &mut Equations| !basis_of(&equations.at(q).1).1.is_empty();
-    let deficient = k.samples.iter().filter(|q| is_deficient(q, equations)).count();
-    let (_, rows) = equations.at(&k.samples[0]);
+    let deficient = (0..k.samples.len()).filter(|&s| is_deficient(&sample(k, s), equations)).count();
+    let (_, rows) = equations.at(&sample(k, 0));
     let (basis, dependent) = basis_of(&rows);
     let involved = involved(&rows, &dependent, suspect);
     let mut places: Vec<(&str, Span)> =

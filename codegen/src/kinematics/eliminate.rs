@@ -7,7 +7,7 @@
 use super::basis::NumericRow;
 use super::choose;
 use super::sparse::{self, Equation};
-use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
+use super::{Kinematics, Row, UnknownId, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
@@ -32,7 +32,8 @@ pub struct Pivot {
 /// Solution of the constraints at the velocity, acceleration and correction level.
 #[derive(Clone, Debug, Default)]
 pub struct Solution {
-    /// `speeds[y][j]`: coefficient of independent speed j in y. Independent speeds are in it too.
+    /// `partials[y][j]`: coefficient in y of independent speed j, or of the clock, the last where there is one.
+    /// Independent speeds and the clock are in it too.
     pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
     /// Newton's correction of what y is the rate of.
     pub correction: BTreeMap<UnknownId, ExprId>,
@@ -61,13 +62,10 @@ pub struct Step {
 /// # Errors
 /// If the rows do not determine the dependent speeds, or over-determine them.
 pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
-    let independent: Vec<UnknownId> = (k.unknowns.enumerate())
-        .filter(|(_, u)| matches!(u.kind, UnknownKind::Independent(_)))
-        .map(|(id, _)| id)
-        .collect();
-    let unknown: Vec<UnknownId> = k.unknowns.ids().filter(|id| !independent.contains(id)).collect();
+    let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
+    let unknown = k.dependent_unknowns();
     let chosen = choose::rows(model, k, table, &unknown)?;
-    let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &independent)).collect();
+    let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &known)).collect();
     let eliminations = sparse::eliminate(&mut k.dag, table, equations);
     let Some(values) = sparse::back_substitute(&mut k.dag, &eliminations) else {
         return Err(rank::explain(model, k, table, None));
@@ -76,14 +74,14 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
         record(&k.dag, table, pivot, &mut solution.pivots);
     }
-    let n = independent.len();
-    for (column, &id) in independent.iter().enumerate() {
+    let n = known.len();
+    for (column, &id) in known.iter().enumerate() {
         let (zero, one) = (k.dag.zero(), k.dag.one());
         let unit = (0..n).map(|j| if j == column { one } else { zero }).collect();
         solution.partials.insert(id, unit);
         solution.correction.insert(id, zero);
     }
-    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, &independent)).collect();
+    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, &known)).collect();
     for (id, mut values) in values {
         solution.correction.insert(id, values[n + 1]);
         values.truncate(n);
@@ -94,12 +92,12 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     Ok(solution)
 }
 
-/// An elimination with the right-hand sides of the independent speeds among the coefficients.
-fn step(dag: &Dag, elimination: sparse::Elimination, independent: &[UnknownId]) -> Step {
+/// An elimination with the right-hand sides of what is known among the coefficients.
+fn step(dag: &Dag, elimination: sparse::Elimination, known: &[UnknownId]) -> Step {
     let mut coefficients = elimination.coefficients;
-    coefficients.extend(independent.iter().copied().zip(elimination.right.iter().copied()));
+    coefficients.extend(known.iter().copied().zip(elimination.right.iter().copied()));
     coefficients.retain(|_, c| !dag.is_zero(*c));
-    Step { unknown: elimination.unknown, coefficients, bias: elimination.right[independent.len()] }
+    Step { unknown: elimination.unknown, coefficients, bias: elimination.right[known.len()] }
 }
 
 /// Every candidate row must hold for y = T u: else the independent speeds are not independent.
@@ -134,8 +132,10 @@ fn check_consequences(
             if off.is_empty() {
                 continue;
             }
+            let is_clock = k.clock.is_some() && j + 1 == n;
             match is_small(k, table, row, &off, &sum) {
                 Small::Sum => {}
+                _ if is_clock => return Err(rank::contradiction(model, &row.name)),
                 Small::Row => break,
                 Small::Neither => return Err(rank::explain(model, k, table, Some(&row.name))),
             }
@@ -169,12 +169,12 @@ fn is_small(k: &Kinematics, table: &mut SampleTable, row: &Row, samples: &[usize
     }
 }
 
-fn equation(dag: &mut Dag, row: &Row, independent: &[UnknownId]) -> Equation {
+fn equation(dag: &mut Dag, row: &Row, known: &[UnknownId]) -> Equation {
     let mut coefficients = row.coefficients.clone();
     let mut right: Vec<ExprId> = Vec::new();
-    for id in independent {
-        let known = coefficients.remove(id).unwrap_or_else(|| dag.zero());
-        right.push(dag.negate(known));
+    for id in known {
+        let coefficient = coefficients.remove(id).unwrap_or_else(|| dag.zero());
+        right.push(dag.negate(coefficient));
     }
     right.push(dag.negate(row.bias));
     right.push(dag.negate(row.residual));
@@ -219,7 +219,7 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     for (id, &expr) in k.parameters.enumerate() {
         set(&k.dag, expr, vec![k.parameter_values[id]; points]);
     }
-    set(&k.dag, k.time, vec![0.0; points]);
+    set(&k.dag, k.time, k.sample_times.clone());
     for &input in k.inputs.iter() {
         set(&k.dag, input, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
     }

@@ -38,6 +38,9 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         };
         unknowns.push(Unknown { name: declared.name.clone(), value, kind });
     }
+    let one = dag.one();
+    let clock = Unknown { name: "clock".to_owned(), value: one, kind: UnknownKind::Clock };
+    let clock = model.is_driven().then(|| unknowns.push(clock));
     let mut triads = Triads::default();
     let inertial = triads.push(Turn::Inertial);
     let mut k = Kinematics {
@@ -51,6 +54,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         parameters: model.parameters.iter().map(|_| zero).collect(),
         parameter_values: model.parameter_defaults(),
         unknowns,
+        clock,
         frame_triad: model.frames.iter().map(|_| inertial).collect(),
         positions: model.points.iter().map(|_| Vector::zero()).collect(),
         flat_positions: Default::default(),
@@ -64,6 +68,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         fixed_vectors: Vec::new(),
         rate_pivots: Vec::new(),
         samples: Vec::new(),
+        sample_times: Vec::new(),
     };
     parameters(model, choice, &mut k);
     k

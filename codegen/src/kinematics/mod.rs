@@ -3,7 +3,9 @@
 //! In: a validated model. Out: positions; velocities and angular velocities as linear forms in the
 //! generalised speeds (their coefficients are the partial velocities); the constraint rows.
 //! Unknowns are the speeds and, for every body that closes a loop, the components of its twist
-//! ("lifted" unknowns): a closure is then one short row per leg against that twist.
+//! ("lifted" unknowns): a closure is then one short row per leg against that twist. A model that is driven
+//! has one more, known: the clock, y_t = 1 and y_t' = 0. Kane's v_t is its partial velocity, so that linear forms,
+//! eliminations and biases carry what time and constant parts add as they carry any speed.
 
 mod angular;
 mod assemble;
@@ -68,6 +70,8 @@ pub enum UnknownKind {
     Dependent(SpeedId),
     /// A component of the velocity or angular velocity of a body that closes a loop.
     Lifted,
+    /// Time as a coordinate: its rate is 1, its partial velocities are what velocities have without speeds.
+    Clock,
 }
 
 /// An equation of the model, for messages.
@@ -110,8 +114,10 @@ pub struct Kinematics {
     pub parameters: IdVec<ParameterId, ExprId>,
     /// Default values of the parameters, overrides applied.
     pub parameter_values: IdVec<ParameterId, f64>,
-    /// Unknowns: first the speeds in the model's order, then the lifted ones.
+    /// Unknowns: first the speeds in the model's order, then the clock if the model is driven, then the lifted ones.
     pub unknowns: IdVec<UnknownId, Unknown>,
+    /// The unknown whose value is 1, if the model is driven.
+    pub clock: Option<UnknownId>,
     /// Triad of every frame.
     pub frame_triad: IdVec<FrameId, TriadId>,
     /// Position of every point from O; lifted points appear as themselves.
@@ -138,6 +144,8 @@ pub struct Kinematics {
     pub rate_pivots: Vec<ExprId>,
     /// Coordinates at sampled configurations that satisfy the constraints, nominal first.
     pub samples: Vec<Vec<f64>>,
+    /// Times (s) of the samples: 0 unless the model is driven.
+    pub sample_times: Vec<f64>,
 }
 
 impl Kinematics {
@@ -164,6 +172,28 @@ impl Kinematics {
             }
         }
         values
+    }
+
+    /// Unknowns that the constraints give: dependent speeds and lifted twists.
+    #[must_use]
+    pub fn dependent_unknowns(&self) -> Vec<UnknownId> {
+        self.unknowns_where(|kind| matches!(kind, UnknownKind::Dependent(_) | UnknownKind::Lifted))
+    }
+
+    /// Unknowns that are independent speeds.
+    #[must_use]
+    pub fn independent_unknowns(&self) -> Vec<UnknownId> {
+        self.unknowns_where(|kind| matches!(kind, UnknownKind::Independent(_)))
+    }
+
+    /// Unknowns that move: all but the clock.
+    #[must_use]
+    pub fn moving_unknowns(&self) -> Vec<UnknownId> {
+        self.unknowns_where(|kind| kind != UnknownKind::Clock)
+    }
+
+    fn unknowns_where(&self, wanted: impl Fn(UnknownKind) -> bool) -> Vec<UnknownId> {
+        self.unknowns.enumerate().filter(|(_, u)| wanted(u.kind)).map(|(id, _)| id).collect()
     }
 
     /// The unknown of a speed.

@@ -3,7 +3,7 @@
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::{Kinematics, UnknownId, UnknownKind};
+use super::{Kinematics, UnknownId};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
@@ -26,10 +26,7 @@ fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec
 
 /// Do the rows give every dependent unknown, at every sample?
 pub(super) fn determined(model: &Model, k: &Kinematics) -> bool {
-    let dependent: Vec<UnknownId> = (k.unknowns.enumerate())
-        .filter(|(_, u)| !matches!(u.kind, UnknownKind::Independent(_)))
-        .map(|(id, _)| id)
-        .collect();
+    let dependent = k.dependent_unknowns();
     let mut table = super::eliminate::sample_table(model, k);
     ranks(k, &mut table, &dependent).iter().all(|&rank| rank == dependent.len())
 }
@@ -41,9 +38,7 @@ pub(super) fn explain(
     table: &mut SampleTable,
     extra: Option<&str>,
 ) -> Diagnostics {
-    let all: Vec<UnknownId> = k.unknowns.ids().collect();
-    let independent = |u: &UnknownId| matches!(k.unknowns[*u].kind, UnknownKind::Independent(_));
-    let dependent: Vec<UnknownId> = all.iter().copied().filter(|u| !independent(u)).collect();
+    let (all, dependent) = (k.moving_unknowns(), k.dependent_unknowns());
     let declared = all.len() - dependent.len();
     let over_all = ranks(k, table, &all);
     let dof = all.len() - over_all.first().copied().unwrap_or(0);
@@ -54,6 +49,16 @@ pub(super) fn explain(
         dead_point(model, k, &found, dependent.len())
     };
     Diagnostics::one(model.source.clone(), error)
+}
+
+/// A constraint that follows from the others but for its part without speeds.
+pub(super) fn contradiction(model: &Model, name: &str) -> Diagnostics {
+    let error = Diagnostic::error(format!("`{name}` prescribes another motion than the other constraints"))
+        .help(
+            "what time, or the part of a motion constraint without speeds, makes the mechanism do must be the same by \
+             every constraint: correct it, or remove one of them",
+        );
+    Diagnostics::one(model.source.clone(), label_constraints(model, error))
 }
 
 fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra: Option<&str>) -> Diagnostic {

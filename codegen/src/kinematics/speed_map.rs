@@ -87,8 +87,8 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
 /// Y q_dot = u: one equation per speed; unknown c is the rate of coordinate c, right-hand side s is u_s.
 fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnostics> {
     let (zero, one) = (k.dag.zero(), k.dag.one());
-    let symbols = rates_as_unknowns(model, k);
-    let real = std::mem::replace(&mut k.unknowns, symbols.clone());
+    let (symbols, clock) = rates_as_unknowns(model, k);
+    let real = (std::mem::replace(&mut k.unknowns, symbols.clone()), std::mem::replace(&mut k.clock, clock));
     let pending = lower_definitions(model, k);
     let mut equations = Vec::new();
     let mut found = Diagnostics::new(model.source.clone());
@@ -111,7 +111,7 @@ fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnos
         right[speed.index()] = one;
         equations.push(Equation { coefficients, right });
     }
-    k.unknowns = real;
+    (k.unknowns, k.clock) = real;
     for definition in pending {
         k.definitions[definition] = lower::Value::Pending;
     }
@@ -122,7 +122,7 @@ fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnos
 }
 
 /// Lets q_dot(c) stand for a symbol of its own while the combinations are read.
-fn rates_as_unknowns(model: &Model, k: &mut Kinematics) -> IdVec<UnknownId, Unknown> {
+fn rates_as_unknowns(model: &Model, k: &mut Kinematics) -> (IdVec<UnknownId, Unknown>, Option<UnknownId>) {
     let one = k.dag.one();
     let mut symbols = IdVec::default();
     for (id, coordinate) in model.coordinates.enumerate() {
@@ -133,9 +133,10 @@ fn rates_as_unknowns(model: &Model, k: &mut Kinematics) -> IdVec<UnknownId, Unkn
             k.rates[id].partials.insert(unknown, one);
         }
     }
-    let real = std::mem::replace(&mut k.unknowns, symbols);
+    let clock = k.clock.map(|clock| symbols.push(k.unknowns[clock].clone()));
+    let real = (std::mem::replace(&mut k.unknowns, symbols), std::mem::replace(&mut k.clock, clock));
     closed_forms(model, k);
-    std::mem::replace(&mut k.unknowns, real)
+    (std::mem::replace(&mut k.unknowns, real.0), std::mem::replace(&mut k.clock, real.1))
 }
 
 /// Lowers definitions that wait for rates only; they are lowered again once the rates are known.
@@ -200,6 +201,7 @@ pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
             symbols.insert(symbol, vec![k.parameter_values[id]; 1 + SCREENED]);
         }
     }
+    symbols.extend(k.dag.as_symbol(k.time).map(|time| (time, vec![0.0; 1 + SCREENED])));
     SampleTable::new(symbols, 1 + SCREENED)
 }
 

@@ -177,6 +177,9 @@ pub(super) fn configuration_rate(k: &mut Kinematics, e: ExprId) -> ExprId {
             rates.insert(symbol, rate_value(k, &rate));
         }
     }
+    if let (Some(_), Some(time)) = (k.clock, k.dag.as_symbol(k.time)) {
+        rates.insert(time, k.dag.one());
+    }
     k.dag.rate(e, &rates)
 }
 
@@ -203,8 +206,33 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
             partials.insert(unknown, sum);
         }
     }
+    if let (Some(clock), Some(time)) = (k.clock, k.dag.as_symbol(k.time)) {
+        let slope = k.dag.derivative(s, time);
+        let mine = partials.get(&clock).copied().unwrap_or_else(|| k.dag.zero());
+        partials.insert(clock, k.dag.add(mine, slope));
+    }
     partials.retain(|_, p| !k.dag.is_zero(*p));
     partials
+}
+
+/// Coefficients of the unknowns in expressions that are linear in them: de/dy; the clock's are what is left
+/// of the expressions when all others are 0.
+pub(super) fn coefficients<const N: usize>(
+    k: &mut Kinematics,
+    linear: [ExprId; N],
+) -> Vec<(UnknownId, [ExprId; N])> {
+    let mut found = Vec::new();
+    let mut at_rest = HashMap::default();
+    for unknown in k.unknowns.ids().collect::<Vec<_>>() {
+        let Some(symbol) = k.dag.as_symbol(k.unknowns[unknown].value) else { continue };
+        found.push((unknown, linear.map(|e| k.dag.derivative(e, symbol))));
+        at_rest.insert(symbol, k.dag.zero());
+    }
+    if let Some(clock) = k.clock {
+        let free = k.dag.substitute(&linear, &at_rest);
+        found.push((clock, std::array::from_fn(|i| free[i])));
+    }
+    found
 }
 
 /// The motion of a vector given as linear in the unknowns: `v_k = dv/dy_k`; the bias is the vector's
@@ -212,9 +240,7 @@ fn total_derivative(k: &mut Kinematics, s: ExprId) -> BTreeMap<UnknownId, ExprId
 pub(super) fn linear_motion(k: &mut Kinematics, velocity: &Vector) -> Motion {
     let mut motion = Motion::default();
     for (&triad, components) in &velocity.terms {
-        for unknown in k.unknowns.ids().collect::<Vec<_>>() {
-            let Some(symbol) = k.dag.as_symbol(k.unknowns[unknown].value) else { continue };
-            let partial = components.map(|c| k.dag.derivative(c, symbol));
+        for (unknown, partial) in coefficients(k, *components) {
             let partial = Vector::new(&k.dag, triad, partial);
             motion.add_partial(k, unknown, &partial);
         }

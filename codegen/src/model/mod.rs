@@ -11,6 +11,7 @@ mod build_mechanics;
 mod build_values;
 mod check;
 mod document;
+mod driven;
 mod entry;
 mod evaluate;
 pub mod expression;

@@ -1,7 +1,7 @@
 //! What an expression depends on, and what may depend on what.
 //!
-//! Masses are constant, positions know no speeds, constraints know no inputs, motion constraints
-//! are linear in the speeds: each rule is one line of [`check`].
+//! Masses are constant, positions know no speeds, constraints know no inputs, motion constraints and
+//! stated velocities are linear in the speeds: each rule is one line of [`check`].
 
 use std::ops::BitOr;
 
@@ -52,12 +52,15 @@ impl BitOr for Reach {
     }
 }
 
-const CONFIGURATION: Reach = Reach(1 | 2);
+/// What a place may depend on: coordinates, and time where it is driven.
+const CONFIGURATION: Reach = Reach(1 | 2 | 32);
+const MOTION: Reach = Reach(1 | 2 | 4 | 8 | 32);
 const STATE: Reach = Reach(1 | 2 | 4);
 
 /// What each entity depends on.
 struct Reaches<'a> {
     model: &'a Model,
+    coordinates: IdVec<CoordinateId, Reach>,
     definitions: IdVec<DefinitionId, Reach>,
     frames: IdVec<FrameId, Reach>,
     points: IdVec<PointId, Reach>,
@@ -70,6 +73,11 @@ pub fn check(draft: &Draft, found: &mut Diagnostics) {
     let model = &draft.model;
     let mut of = Reaches {
         model,
+        coordinates: model
+            .coordinates
+            .iter()
+            .map(|c| if c.independent { Reach::COORDINATES } else { Reach::DEPENDENT })
+            .collect(),
         definitions: model.definitions.iter().map(|_| Reach::CONSTANT).collect(),
         frames: model.frames.iter().map(|_| Reach::CONSTANT).collect(),
         points: model.points.iter().map(|_| Reach::CONSTANT).collect(),
@@ -131,7 +139,13 @@ impl Reaches<'_> {
                         self.frames[id] = self.frames[id] | self.of(e);
                     }
                 }
-                Entity::Coordinate(_) => {}
+                Entity::Coordinate(id) => {
+                    if let Some(form) = &self.model.coordinates[id].closed_form {
+                        let allowed = Reach::COORDINATES | Reach::TIME;
+                        self.within(form, allowed, "a closed form", found);
+                        self.coordinates[id] = self.of(form);
+                    }
+                }
                 Entity::Point(id) => {
                     let position = &self.model.points[id].position;
                     self.within(position, CONFIGURATION, "a position", found);
@@ -141,20 +155,23 @@ impl Reaches<'_> {
         }
     }
 
-    /// Motion constraints and speeds: linear in speeds and rates.
+    /// Motion constraints, stated velocities and speeds: linear in speeds and rates.
     fn motion(&self, found: &mut Diagnostics) {
-        let constraints = self
+        let constraints =
+            self.model.motion_constraints.iter().map(|c| (&c.expression, "a motion constraint", MOTION));
+        let velocities = self
             .model
-            .motion_constraints
+            .points
             .iter()
-            .map(|c| (&c.expression, "a motion constraint", STATE | Reach::RATES));
+            .filter_map(|p| Some((p.velocity.as_ref()?, "a stated velocity", MOTION)));
         let combinations = self.model.speeds.iter().filter_map(|speed| match &speed.meaning {
             SpeedMeaning::Combination(e) => Some((e, "a speed", CONFIGURATION | Reach::RATES)),
             SpeedMeaning::RateOf(_) => None,
         });
-        for (expression, what, allowed) in constraints.chain(combinations) {
+        for (expression, what, allowed) in constraints.chain(velocities).chain(combinations) {
             self.within(expression, allowed, what, found);
             match self.degree(expression) {
+                0 if what == "a stated velocity" => {}
                 1 => {}
                 0 => found.push(
                     Diagnostic::error(format!("{what} must depend on the motion"))
@@ -164,7 +181,7 @@ impl Reaches<'_> {
                 _ => found.push(
                     Diagnostic::error(format!("{what} must be linear in the speeds"))
                         .label(self.nonlinear(expression).span, "this is not linear in the speeds")
-                        .help("Kane's method needs constraints of the form sum of a_r(q) u_r + b(q) = 0"),
+                        .help("Kane's method needs velocities of the form sum of a_r(q, t) u_r + b(q, t)"),
                 ),
             }
         }
@@ -172,11 +189,7 @@ impl Reaches<'_> {
 
     fn values(&self, draft: &Draft, found: &mut Diagnostics) {
         let model = self.model;
-        for (id, coordinate) in model.coordinates.enumerate() {
-            coordinate
-                .closed_form
-                .iter()
-                .for_each(|e| self.within(e, Reach::COORDINATES, "a closed form", found));
+        for id in model.coordinates.ids() {
             for e in draft.coordinate_values[id].iter().flatten() {
                 self.within(e, Reach::CONSTANT, "a nominal value or range", found);
             }
@@ -218,9 +231,11 @@ impl Reaches<'_> {
         if let Some(culprit) = culprit {
             let help = match allowed {
                 Reach::CONSTANT => "only numbers, parameters and functions of them may stand here",
-                Reach::COORDINATES => "only independent coordinates may stand here",
                 CONFIGURATION => {
-                    "positions, orientations and configuration constraints depend on coordinates and parameters only; speeds may enter loads, outputs and [constraints.motion]"
+                    "positions, orientations and configuration constraints depend on coordinates, parameters and time only; speeds may enter loads, outputs and [constraints.motion]"
+                }
+                _ if !Reach::DEPENDENT.within(allowed) => {
+                    "only independent coordinates and time may stand here"
                 }
                 _ => "this kind of quantity is not known where the expression is used",
             };
@@ -243,11 +258,7 @@ impl Reaches<'_> {
     fn leaf(&self, expr: &Expr) -> Reach {
         match &expr.kind {
             ExprKind::Time => Reach::TIME,
-            ExprKind::Coordinate(id) => {
-                let coordinate = &self.model.coordinates[*id];
-                let free = coordinate.independent || coordinate.closed_form.is_some();
-                if free { Reach::COORDINATES } else { Reach::DEPENDENT }
-            }
+            ExprKind::Coordinate(id) => self.coordinates[*id],
             ExprKind::Rate(_) => Reach::RATES,
             ExprKind::Speed(_) => Reach::SPEEDS,
             ExprKind::Input(_) => Reach::INPUTS,

@@ -63,10 +63,15 @@ impl<S: Real> Arguments<S> {
             return Err(Fault::Shape);
         }
         self.set_state(q, u)?;
-        self.values[0] = t;
+        self.set_time(t);
         let first = 1 + self.n_q + self.n_u;
         self.values[first..first + self.n_inputs].copy_from_slice(inputs);
         Ok(())
+    }
+
+    /// Sets the time; all else stays.
+    pub fn set_time(&mut self, t: S) {
+        self.values[0] = t;
     }
 
     /// Sets the state; time and inputs stay.

@@ -21,6 +21,7 @@ pub struct Interpreted<S> {
     energy: Tape<S>,
     speeds: Tape<S>,
     outputs: Tape<S>,
+    drive: Tape<S>,
 }
 
 impl<S: Real> Interpreted<S> {
@@ -32,8 +33,9 @@ impl<S: Real> Interpreted<S> {
         let mut projection: Vec<_> = program.correction.iter().map(|(_, e)| *e).collect();
         projection.push(program.residual);
         let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
-        let answers =
-            [rates, projection, program.energy.to_vec(), second(&program.speeds), second(&program.outputs)];
+        let (speeds, outputs) = (second(&program.speeds), second(&program.outputs));
+        let drive = program.drive.into_iter().collect();
+        let answers = [rates, projection, program.energy.to_vec(), speeds, outputs, drive];
         let symbols = |list: &[Quantity]| -> Vec<SymbolId> { list.iter().map(|x| x.symbol).collect() };
         let prepared = program.prepared(&answers.concat());
         let prepare = Tape::new(&program.dag, &prepared, &symbols(&program.parameters));
@@ -45,7 +47,7 @@ impl<S: Real> Interpreted<S> {
         let n_prepared = prepared.len();
         inputs.extend(prepared);
         let longest = answers.iter().map(Vec::len).max().unwrap_or(0);
-        let [rates, projection, energy, speeds, outputs] =
+        let [rates, projection, energy, speeds, outputs, drive] =
             answers.map(|roots| Tape::above(&program.dag, &roots, &inputs));
         let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
         let mut this = Self {
@@ -59,6 +61,7 @@ impl<S: Real> Interpreted<S> {
             energy,
             speeds,
             outputs,
+            drive,
         };
         this.set_parameters(&parameters);
         this
@@ -69,7 +72,7 @@ impl<S: Real> Interpreted<S> {
         self.prepare.run(values, self.arguments.prepared_mut());
     }
 
-    /// All speeds of the model, dependent ones included, in the model's order.
+    /// All speeds of the model, dependent ones included, in the model's order, at the time last set.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -91,7 +94,18 @@ impl<S: Real> Interpreted<S> {
         Ok(values)
     }
 
-    /// Largest constraint residual of a configuration.
+    /// The power (W) that the drive puts in; 0 where nothing is driven.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    pub fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault> {
+        self.arguments.set(t, q, u, inputs)?;
+        let mut power = [S::ZERO];
+        self.drive.run(self.arguments.values(), &mut power);
+        Ok(power[0])
+    }
+
+    /// Largest constraint residual of a configuration, at the time last set.
     ///
     /// # Errors
     /// [`Fault::Shape`] if `q` has not `n_q` entries.
@@ -130,6 +144,10 @@ impl<S: Real> Mechanism<S> for Interpreted<S> {
         self.arguments.set(t, q, u, inputs)?;
         self.rates.run(self.arguments.values(), &mut self.results);
         self.arguments.split_rates(&self.results, q_dot, u_dot)
+    }
+
+    fn set_time(&mut self, t: S) {
+        self.arguments.set_time(t);
     }
 
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {

@@ -49,6 +49,8 @@ pub struct Program {
     pub rates: Rates,
     /// Kinetic and potential energy (J).
     pub energy: [ExprId; 2],
+    /// Power (W) that the drive puts in, where the mechanism follows time or stated velocities.
+    pub drive: Option<ExprId>,
     /// All speeds of the model by name, dependent ones in terms of the independent.
     pub speeds: Vec<(String, ExprId)>,
     /// Requested outputs.
@@ -197,6 +199,7 @@ fn assemble(
         parameters,
         rates: Rates { q_dot, u_dot: dynamics.u_dot, worst_pivot },
         energy: [dynamics.kinetic, dynamics.potential],
+        drive: dynamics.drive,
         speeds: speeds.into_iter().map(|(name, _)| name).zip(speed_values).collect(),
         outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
         correction,

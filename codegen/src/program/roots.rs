@@ -16,6 +16,7 @@ impl Program {
         roots.extend(self.correction.iter().map(|(_, e)| *e));
         roots.push(self.residual);
         roots.extend(self.augmented_roots());
+        roots.extend(self.drive);
         roots
     }
 
@@ -62,7 +63,7 @@ impl Program {
         let named = self.speeds.iter().chain(&self.outputs).map(|(_, e)| *e);
         let mut others: Vec<ExprId> = self.correction.iter().map(|(_, e)| *e).collect();
         others.push(self.residual);
-        others.extend(self.energy.into_iter().chain(named));
+        others.extend(self.energy.into_iter().chain(named).chain(self.drive));
         [rates, others]
     }
 
@@ -83,6 +84,7 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
+        self.drive = self.drive.map(image);
     }
 
     /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.

@@ -47,9 +47,14 @@ fn watched(program: &Program, table: &mut SampleTable) -> Vec<usize> {
 fn states(program: &Program, table: &mut SampleTable, chosen: &[usize]) -> States {
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     let groups = [&program.q, &program.u, &program.inputs, &program.parameters];
-    for symbol in groups.into_iter().flatten().map(|quantity| quantity.symbol) {
+    let quantities = groups.into_iter().flatten().map(|quantity| quantity.symbol);
+    for symbol in quantities.chain([program.time]) {
         if let Some(expr) = program.dag.find(Node::Symbol(symbol)) {
             let values = table.values(&program.dag, expr);
+            // Without values, where every sample is at time 0, time counts as 1: loads that begin at 0 are watched too.
+            if symbol == program.time && values.iter().all(|&t| t == 0.0) {
+                continue;
+            }
             symbols.insert(symbol, chosen.iter().map(|&k| values[k]).collect());
         }
     }

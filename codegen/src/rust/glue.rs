@@ -1,16 +1,16 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
-use super::{layout, name};
+use super::{Answer, layout, name};
 use crate::program::Program;
 
-/// The struct, with `$name` for its name, `$runtime` for the runtime's path and `$getters`, `$setters` for the arms
-/// of the parameters.
+/// The struct, with `$name` for its name, `$runtime` for the runtime's path, `$getters`, `$setters` for the arms of the
+/// parameters, and [`TIME`] where places depend on time.
 const STRUCT: &str = "\
 #[derive(Clone, Copy, Debug)]
 pub struct $name {
     parameters: Parameters,
     prepared: Prepared,
-}
+$time_field}
 impl Default for $name {
     fn default() -> Self {
         Self::new(Parameters::default())
@@ -23,7 +23,7 @@ impl $name {
         Self {
             parameters,
             prepared: prepare(&parameters),
-        }
+$time_start        }
     }
     /// Its parameters.
     #[must_use]
@@ -37,7 +37,7 @@ impl $name {
     }
     /// Changes all parameters and prepares anew.
     pub fn set_parameters(&mut self, parameters: Parameters) {
-        *self = Self::new(parameters);
+        *self = $anew;
     }
     /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
     #[must_use]
@@ -89,11 +89,11 @@ impl $runtime::mechanism::Mechanism<S> for $name {
         ) else {
             return Err($runtime::mechanism::Fault::Shape);
         };
-        let pivot;
+$time_given        let pivot;
         (*q_out, *u_out, pivot) = rates(t, q, u, inputs, &self.prepared);
         Ok(pivot)
     }
-    #[allow(
+$time_setter    #[allow(
         clippy::assign_op_pattern,
         reason = \"scalars need not have assigning operators\"
     )]
@@ -101,7 +101,7 @@ $project        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
             return Err($runtime::mechanism::Fault::Shape);
         };
         let (correction, residual) = projection(
-            <S as Real>::ZERO,
+            $time,
             q,
             &[<S as Real>::ZERO; NU],
             &[<S as Real>::ZERO; N_INPUTS],
@@ -119,7 +119,7 @@ $energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_fr
         };
         Ok(
             energy(
-                <S as Real>::ZERO,
+                $time,
                 q,
                 u,
                 &[<S as Real>::ZERO; N_INPUTS],
@@ -129,6 +129,22 @@ $energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_fr
     }
 }
 ";
+
+/// What stands for the placeholders of time: nothing is kept where projection and energy do not read it.
+const TIME: [(&str, &str, &str); 6] = [
+    ("$time_field", "    time: S,\n", ""),
+    ("$time_start", "            time: <S as Real>::ZERO,\n", ""),
+    ("$time_given", "        self.time = t;\n", ""),
+    ("$time_setter", "    fn set_time(&mut self, t: S) {\n        self.time = t;\n    }\n", ""),
+    ("$anew", "Self { time: self.time, ..Self::new(parameters) }", "Self::new(parameters)"),
+    ("$time", "self.time", "<S as Real>::ZERO"),
+];
+
+/// Do projection or energy read time?
+fn keeps_time(program: &Program) -> bool {
+    let roots = [Answer::Projection, Answer::Energy].map(|answer| answer.roots(program)).concat();
+    roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))
+}
 
 /// `pub struct Tile` and its `impl Mechanism<S>`.
 pub(super) fn mechanism(program: &Program, runtime: &str) -> String {
@@ -145,7 +161,11 @@ pub(super) fn mechanism(program: &Program, runtime: &str) -> String {
         let output = format!("Result<{value}, {runtime}::mechanism::Fault>");
         layout::signature(head, &arguments, &output, "    ")
     };
-    let text = STRUCT
+    let keeps = keeps_time(program);
+    let timed = TIME.iter().fold(STRUCT.to_owned(), |text, (place, kept, not_kept)| {
+        text.replace(place, if keeps { kept } else { not_kept })
+    });
+    let text = timed
         .replace("$name", &name::type_name(&program.name))
         .replace("$getters", &arms(&" ".repeat(16), "self.parameters"))
         .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))

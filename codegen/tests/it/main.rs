@@ -2,6 +2,7 @@
 
 mod augmented;
 mod chain;
+mod driven;
 mod emitted_bytes;
 mod example_crate;
 mod expr;

@@ -110,7 +110,7 @@ error: a motion constraint must be linear in the speeds
   |
 7 | bad = "u_x - u_y*u_y/1_m*1_s"
   |              ^^^^^^^ this is not linear in the speeds
-  = help: Kane's method needs constraints of the form sum of a_r(q) u_r + b(q) = 0
+  = help: Kane's method needs velocities of the form sum of a_r(q, t) u_r + b(q, t)
 "#,
     );
 }

@@ -125,6 +125,9 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
         call(self.function, Which::Rates, self.arguments.values(), &mut self.rates)?;
         self.arguments.split_rates(&self.rates, q_dot, u_dot)
     }
+    fn set_time(&mut self, t: S) {
+        self.arguments.set_time(t);
+    }
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
         self.arguments.set_coordinates(q)?;
         let mut results = vec![S::ZERO; self.corrected.len() + 1];

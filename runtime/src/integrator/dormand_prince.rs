@@ -190,7 +190,7 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
         let mut trial = Trial { x: &mut *self.x_new, low: &mut *self.low_new };
         let k = &self.k;
         trial.advance_from(state, (0..k[0].len()).map(|index| h * combine(k, b, index)));
-        let residual = trial.settle(system, self.stage)?;
+        let residual = trial.settle(system, t + h, self.stage)?;
         let errors = (0..k[0].len()).map(|index| h * combine(k, &tableau.e, index));
         let values = state.x().iter().copied().zip(trial.x.iter().copied());
         let norm = self.tolerance.norm(errors, values);

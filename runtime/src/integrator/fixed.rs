@@ -42,7 +42,7 @@ pub fn explicit_euler<S: Tabulated>(
     evaluate(system, t, state.x(), k, &mut pivot)?;
     let mut trial = Trial { x, low };
     trial.advance_from(state, k.iter().map(|k| h * *k));
-    let residual = trial.settle(system, k)?;
+    let residual = trial.settle(system, t + h, k)?;
     trial.commit(system, state);
     Ok(Report { pivot, residual })
 }
@@ -73,7 +73,7 @@ pub fn semi_implicit_euler<S: Tabulated>(
     k.iter_mut().zip(&*q_dot).take(n_q).for_each(|(k, q_dot)| *k = *q_dot);
     let mut trial = Trial { x: q_dot, low };
     trial.advance_from(state, k.iter().map(|k| h * *k));
-    let residual = trial.settle(system, mixed)?;
+    let residual = trial.settle(system, t + h, mixed)?;
     trial.commit(system, state);
     Ok(Report { pivot, residual })
 }
@@ -105,7 +105,7 @@ pub fn rk4<S: Tabulated>(
     }
     let mut trial = Trial { x, low };
     trial.advance_from(state, sum.iter().map(|sum| h * *sum));
-    let residual = trial.settle(system, stage)?;
+    let residual = trial.settle(system, t + h, stage)?;
     trial.commit(system, state);
     Ok(Report { pivot, residual })
 }

@@ -111,9 +111,11 @@ impl<S: Scalar> Trial<'_, S> {
         }
     }
 
-    /// Projects and checks; returns the residual before the first projection. `before` is memory.
-    fn settle(&mut self, system: &mut impl System<S>, before: &mut [S]) -> Result<S, Fault> {
+    /// Projects at the end `t` of the step and checks; returns the residual before the first projection. `before`
+    /// is memory.
+    fn settle(&mut self, system: &mut impl System<S>, t: S, before: &mut [S]) -> Result<S, Fault> {
         let mut residual = S::ZERO;
+        system.set_time(t);
         for round in 0..system.projections().min(2) {
             before.iter_mut().zip(&*self.x).for_each(|(b, x)| *b = *x);
             let found = system.project(self.x)?;

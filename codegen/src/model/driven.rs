@@ -1,0 +1,92 @@
+//! Does the mechanism move by itself, with all speeds at zero?
+//!
+//! In: a model. Out: whether time enters positions or constraints, or a velocity has a part without speeds
+//! (Kane's v_t): b of a motion constraint a_r u_r + b = 0, a point's stated velocity. Decided on the text: a part
+//! that happens to vanish counts, at the price of an unknown that nothing reads.
+
+use super::expression::{Expr, ExprKind};
+use super::*;
+
+/// What is known of each definition.
+struct Definitions {
+    /// Time occurs in it.
+    reads_time: IdVec<DefinitionId, bool>,
+    /// Something is left of it when all speeds are 0.
+    has_free_part: IdVec<DefinitionId, bool>,
+}
+
+impl Model {
+    /// Do velocities have a part that no speed enters?
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        let mut known = Definitions {
+            reads_time: self.definitions.iter().map(|_| false).collect(),
+            has_free_part: self.definitions.iter().map(|_| false).collect(),
+        };
+        for entity in &self.order {
+            if let Entity::Definition(id) = *entity {
+                let value = &self.definitions[id].value;
+                known.reads_time[id] = known.time_in(value);
+                known.has_free_part[id] = known.free_part_in(value);
+            }
+        }
+        let constraints = self.motion_constraints.iter().map(|c| &c.expression);
+        let mut velocities = constraints.chain(self.points.iter().filter_map(|p| p.velocity.as_ref()));
+        self.geometry().into_iter().any(|e| known.time_in(e)) || velocities.any(|e| known.free_part_in(e))
+    }
+
+    /// Expressions of places, directions and constraints.
+    fn geometry(&self) -> Vec<&Expr> {
+        let mut all: Vec<&Expr> = self.coordinates.iter().filter_map(|c| c.closed_form.as_ref()).collect();
+        all.extend(self.speeds.iter().filter_map(|s| match &s.meaning {
+            SpeedMeaning::Combination(e) => Some(e),
+            SpeedMeaning::RateOf(_) => None,
+        }));
+        for frame in self.frames.iter() {
+            match &frame.orientation {
+                Orientation::Inertial => {}
+                Orientation::Rotations { rotations, .. } => all.extend(rotations.iter().map(|(_, e)| e)),
+                Orientation::Directions { axes } => all.extend(axes.iter().flatten()),
+            }
+            all.extend(frame.fixed_vectors.iter().map(|f| &f.vector));
+        }
+        for point in self.points.iter() {
+            all.extend(std::iter::once(&point.position).chain(&point.closures).chain(&point.velocity));
+        }
+        let constraints = self.configuration_constraints.iter().chain(&self.motion_constraints);
+        all.extend(constraints.map(|c| &c.expression));
+        all
+    }
+}
+
+impl Definitions {
+    fn time_in(&self, expr: &Expr) -> bool {
+        let mut found = false;
+        expr.visit(&mut |e| {
+            found |= match &e.kind {
+                ExprKind::Time => true,
+                ExprKind::Definition(id) => self.reads_time[*id],
+                _ => false,
+            };
+        });
+        found
+    }
+
+    /// Is something left of a linear form in the speeds when all of them are 0?
+    fn free_part_in(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            // What a velocity is made of is looked at where it is stated.
+            ExprKind::Speed(_) | ExprKind::Rate(_) | ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) => {
+                false
+            }
+            ExprKind::Number(x) => *x != 0.0,
+            ExprKind::Definition(id) => self.has_free_part[*id],
+            ExprKind::Negate(a) | ExprKind::Divide(a, _) | ExprKind::Power(a, _) => self.free_part_in(a),
+            ExprKind::Add(a, b) | ExprKind::Subtract(a, b) => self.free_part_in(a) || self.free_part_in(b),
+            ExprKind::Multiply(a, b) | ExprKind::Dot(a, b) | ExprKind::Cross(a, b) => {
+                self.free_part_in(a) && self.free_part_in(b)
+            }
+            _ => true,
+        }
+    }
+}
