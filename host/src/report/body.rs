@@ -60,13 +60,11 @@ impl Body {
     }
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
-        let mut settings = self.settings.clone();
-        settings.extend([
-            format!("method={method}"),
-            format!("tolerance={tolerance:e}"),
-            format!("step={step:e}"),
-        ]);
-        read::open(&self.path, &settings)
+        let mut variation = vec![format!("method={method}"), format!("step={step:e}")];
+        if METHODS.iter().any(|(name, _, adaptive)| *name == method && *adaptive) {
+            variation.push(format!("tolerance={tolerance:e}"));
+        }
+        read::open_varied(&self.path, &self.settings, &variation)
     }
 
     /// Steps per sample so that none is longer than `longest`.

@@ -25,7 +25,7 @@ const NOTHING: &str = "1e-12";
 pub fn make(body: &Body) -> Result<Sheet, String> {
     let scene = body.scene();
     let (left_out, everything) = rest(scene);
-    let full = read::open(body.path(), &[body.settings(), &everything].concat())?;
+    let full = read::open_varied(body.path(), body.settings(), &everything)?;
     let costs = [cost(scene, false)?, cost(&full, true)?];
     let lists = &scene.lists;
     let asked = format!(

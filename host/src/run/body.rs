@@ -43,8 +43,8 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(), Failure
 /// The command line as settings of the scene's own keys.
 pub(super) fn settings(arguments: &Arguments) -> Vec<String> {
     let mut settings = Vec::new();
-    let mut set = |key: &str, value: Option<String>| settings.extend(value.map(|v| format!("{key}={v}")));
-    set("T", arguments.seconds.map(|x| x.to_string()));
+    let mut set = |key: &str, value: Option<String>| settings.extend(value.map(|v| format!("--{key}={v}")));
+    set("seconds", arguments.seconds.map(|x| x.to_string()));
     set("step", arguments.step.map(|x| x.to_string()));
     set("method", arguments.method.clone());
     set("tolerance", arguments.tolerance.map(|x| x.to_string()));

@@ -80,7 +80,7 @@ impl Settings {
             start: BTreeMap::new(),
             choice: ParameterChoice::default(),
         };
-        settings.check()?;
+        settings.check(arguments.tolerance)?;
         for (owner, value) in &model.start {
             let name = match owner {
                 StartRef::Coordinate(id) => &model.coordinates[*id].name,
@@ -88,8 +88,15 @@ impl Settings {
             };
             settings.set_start(model, name, *value)?;
         }
+        let mut names = Vec::new();
         for change in &arguments.set {
             let (name, value) = model_argument::assignment(change)?;
+            if names.contains(&name) {
+                return Err(Failure::Wrong(format!(
+                    "--set {change}: `{name}` is set twice; leave one of them out"
+                )));
+            }
+            names.push(name.clone());
             if model.parameters.iter().any(|p| p.name == name) {
                 settings.choice.values.insert(name, value);
             } else {
@@ -99,7 +106,7 @@ impl Settings {
         Ok(settings)
     }
 
-    fn check(&self) -> Result<(), Failure> {
+    fn check(&self, tolerance: Option<f64>) -> Result<(), Failure> {
         let wrong = |message: String| Err(Failure::Wrong(message));
         let positive = |x: f64| x > 0.0 && x.is_finite();
         if !(self.seconds >= 0.0 && self.seconds.is_finite()) {
@@ -116,6 +123,13 @@ impl Settings {
         }
         if self.every == 0 {
             return wrong("--every 0: expected a number of steps of 1 or more".to_owned());
+        }
+        let fixed = self.method.fixed().is_some();
+        if let Some(tolerance) = tolerance.filter(|_| fixed) {
+            let name = self.method.name();
+            return wrong(format!(
+                "--tolerance {tolerance:e}: {name} takes fixed steps; expected --step, or --method dormand-prince"
+            ));
         }
         if !positive(self.tolerance) {
             return wrong(format!(

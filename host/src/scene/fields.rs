@@ -1,91 +1,130 @@
-//! Keys and values of a scene text (TOML or JSON), each error with file and line.
+//! Keys and values of a scene text (TOML or JSON) and of the settings on the command line, which override it;
+//! each error names its file and line, or its setting.
 
+use super::keys::ALIASES;
+use serde::de::{Deserializer, MapAccess, Visitor};
 use serde_json::{Map, Value};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// A scene text taken apart, with what is needed to say where something stands.
+/// A scene taken apart, with what is needed to say where something stands.
 #[derive(Clone, Debug)]
 pub struct Fields {
     path: String,
     text: String,
     map: Map<String, Value>,
+    /// Keys that stand in the text under another name, or come from a setting: how they are written there.
+    written: BTreeMap<String, Written>,
+}
+
+#[derive(Clone, Debug)]
+enum Written {
+    /// In the text, by this name.
+    Text(String),
+    /// On the command line: the setting.
+    Setting(String),
 }
 
 impl Fields {
-    /// Parses TOML, or JSON where the path ends in `.json` (then `geometry` is opened and foreign keys are let be).
+    /// Parses TOML, or JSON where the path ends in `.json` (then `geometry` is opened).
     ///
     /// # Errors
     /// What the parser says, with file and line.
     pub fn parse(path: &str, text: &str) -> Result<Fields, String> {
-        let mut map: Map<String, Value> = if path.ends_with(".json") {
-            serde_json::from_str(text).map_err(|e| format!("{path}:{}:{}: {e}", e.line(), e.column()))?
+        let mut map = if path.ends_with(".json") {
+            let object: Object =
+                serde_json::from_str(text).map_err(|e| format!("{path}:{}:{}: {e}", e.line(), e.column()))?;
+            object.0
         } else {
-            toml::from_str(text).map_err(|e: toml::de::Error| {
+            let table: toml::Table = toml::from_str(text).map_err(|e: toml::de::Error| {
                 let line = e.span().map_or(1, |s| text[..s.start.min(text.len())].lines().count().max(1));
                 format!("{path}:{line}: {}", e.message())
-            })?
+            })?;
+            table.into_iter().map(|(key, value)| (key, of_toml(value))).collect()
         };
         if let Some(Value::Object(geometry)) = map.remove("geometry") {
-            map.extend(geometry);
+            for (key, value) in geometry {
+                if map.insert(key.clone(), value).is_some() {
+                    return Err(format!("{path}: `{key}`: given twice, inside `geometry` and beside it"));
+                }
+            }
         }
-        Ok(Fields { path: path.to_string(), text: text.to_string(), map })
+        let mut fields =
+            Fields { path: path.to_string(), text: text.to_string(), map, written: BTreeMap::new() };
+        for (alias, key) in ALIASES {
+            if let Some(value) = fields.map.remove(alias) {
+                if fields.map.contains_key(key) {
+                    return Err(
+                        fields.error(alias, &format!("means the same as `{key}`; leave one of them out"))
+                    );
+                }
+                fields.map.insert(key.to_owned(), value);
+                fields.written.insert(key.to_owned(), Written::Text(alias.to_owned()));
+            }
+        }
+        Ok(fields)
     }
 
-    /// Sets a key as `--set name=value` does.
+    /// Sets a key: `name=value` as `--set` takes it, or an option of its own, `--name=value`. The value is TOML,
+    /// JSON or a bare word. Returns the key.
     ///
     /// # Errors
-    /// Not of the form name=value.
-    pub fn set(&mut self, assignment: &str) -> Result<(), String> {
-        let Some((name, value)) = assignment.split_once('=') else {
-            return Err(format!("--set {assignment}: expected name=value, for example --set C=10"));
+    /// Not of this form.
+    pub fn set(&mut self, setting: &str) -> Result<String, String> {
+        let (words, assignment) = match setting.strip_prefix("--") {
+            Some(option) => (setting.replacen('=', " ", 1), option),
+            None => (format!("--set {setting}"), setting),
         };
-        let value = serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.to_string()));
-        self.map.insert(name.trim().to_string(), value);
-        Ok(())
+        let parts = assignment.split_once('=').map(|(name, value)| (name.trim(), value.trim()));
+        let Some((name, value)) = parts.filter(|(name, _)| !name.is_empty()) else {
+            return Err(format!("--set {setting}: expected NAME=VALUE, for example --set C=10"));
+        };
+        let key = ALIASES.iter().find(|(alias, _)| *alias == name).map_or(name, |(_, key)| key).to_owned();
+        self.map.insert(key.clone(), value_of(value));
+        self.written.insert(key.clone(), Written::Setting(words));
+        Ok(key)
     }
 
-    /// Refuses keys outside `known`.
-    ///
-    /// # Errors
-    /// The first unknown key.
-    pub fn refuse_unknown(&self, known: &str) -> Result<(), String> {
-        match self.map.keys().find(|k| !known.split_whitespace().any(|w| w == k.as_str())) {
-            Some(key) => Err(self.error(key, &format!("unknown key; a scene knows {}", known))),
-            None => Ok(()),
-        }
+    /// All keys.
+    pub fn keys(&self) -> impl Iterator<Item = &String> {
+        self.map.keys()
     }
 
-    /// Refuses `--set` of a name outside `known`.
-    ///
-    /// # Errors
-    /// The name.
-    pub fn refuse_unknown_name(&self, assignment: &str, known: &str) -> Result<(), String> {
-        let name = assignment.split('=').next().unwrap_or_default().trim();
-        if known.split_whitespace().any(|w| w == name) {
-            return Ok(());
-        }
-        Err(format!("--set {name}: unknown name; a scene knows {}", known))
+    /// Forgets a key.
+    pub fn remove(&mut self, key: &str) {
+        self.map.remove(key);
+    }
+
+    /// Is the text JSON?
+    #[must_use]
+    pub fn is_json(&self) -> bool {
+        self.path.ends_with(".json")
     }
 
     /// An error message about a key.
     #[must_use]
     pub fn error(&self, key: &str, message: &str) -> String {
+        let name = match self.written.get(key) {
+            Some(Written::Setting(setting)) => return format!("{setting}: {message}"),
+            Some(Written::Text(name)) => name,
+            None => key,
+        };
         let starts = |line: &str| {
-            let line = line.trim_start().trim_start_matches('"');
-            line.strip_prefix(key).is_some_and(|rest| {
+            let line = line.trim_start().trim_start_matches(['"', '[']);
+            line.strip_prefix(name).is_some_and(|rest| {
                 let rest = rest.trim_start_matches('"').trim_start();
-                rest.starts_with('=') || rest.starts_with(':')
+                rest.starts_with(['=', ':', ']', '.'])
             })
         };
         match self.text.lines().position(starts) {
-            Some(line) => format!("{}:{}: `{key}`: {message}", self.path, line + 1),
-            None => format!("{}: `{key}`: {message}", self.path),
+            Some(line) => format!("{}:{}: `{name}`: {message}", self.path, line + 1),
+            None => format!("{}: `{name}`: {message}", self.path),
         }
     }
 
     /// The value of a key.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Value> {
-        self.map.get(key).filter(|v| !v.is_null())
+        self.map.get(key)
     }
 
     /// A number, or `default` where the key is missing.
@@ -95,10 +134,9 @@ impl Fields {
     pub fn number(&self, key: &str, default: f64) -> Result<f64, String> {
         match self.get(key) {
             None => Ok(default),
-            Some(value) => value
-                .as_f64()
-                .filter(|x| x.is_finite())
-                .ok_or_else(|| self.error(key, &format!("expected a number, found {value}"))),
+            Some(value) => {
+                finite(value).ok_or_else(|| self.error(key, &format!("expected a number, found {value}")))
+            }
         }
     }
 
@@ -109,6 +147,15 @@ impl Fields {
     pub fn not_negative(&self, key: &str, default: f64) -> Result<f64, String> {
         let x = self.number(key, default)?;
         if x >= 0.0 { Ok(x) } else { Err(self.error(key, &format!("expected a number >= 0, found {x}"))) }
+    }
+
+    /// A number above 0.
+    ///
+    /// # Errors
+    /// 0, negative, or not a number.
+    pub fn positive(&self, key: &str, default: f64) -> Result<f64, String> {
+        let x = self.number(key, default)?;
+        if x > 0.0 { Ok(x) } else { Err(self.error(key, &format!("expected a number > 0, found {x}"))) }
     }
 
     /// A count of at least `least`.
@@ -147,6 +194,43 @@ impl Fields {
         }
     }
 
+    /// A table with no other entries than these, as pairs.
+    ///
+    /// # Errors
+    /// Not a table, or another entry.
+    pub fn table<const N: usize>(
+        &self,
+        key: &str,
+        entries: [&str; N],
+    ) -> Result<Option<[Option<&Value>; N]>, String> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let expected = format!("expected a table of {}", entries.join(" and "));
+        let Some(table) = value.as_object() else {
+            return Err(self.error(key, &format!("{expected}, found {value}")));
+        };
+        match table.keys().find(|k| !entries.contains(&k.as_str())) {
+            Some(other) => {
+                let help = crate::suggest::help(other, entries);
+                Err(self.error(key, &format!("unknown key `{other}`{help}")))
+            }
+            None => Ok(Some(entries.map(|entry| table.get(entry)))),
+        }
+    }
+
+    /// A vector, or a number for its z component.
+    ///
+    /// # Errors
+    /// Neither.
+    pub fn vector(&self, key: &str) -> Result<[f64; 3], String> {
+        match self.get(key) {
+            None => Ok([0.0; 3]),
+            Some(value) => finite(value).map(|z| [0.0, 0.0, z]).or_else(|| row(value)).ok_or_else(|| {
+                let expected = "expected a number (its z component) or three numbers";
+                self.error(key, &format!("{expected}, found {value}"))
+            }),
+        }
+    }
+
     /// `count` numbers: one for all, or a list of that length.
     ///
     /// # Errors
@@ -154,16 +238,11 @@ impl Fields {
     pub fn numbers(&self, key: &str, default: f64, count: usize) -> Result<Vec<f64>, String> {
         let expected = || self.error(key, &format!("expected a number >= 0 or a list of {count} of them"));
         let list = match self.get(key) {
-            Some(Value::Array(items)) => {
-                items.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>().ok_or_else(expected)?
-            }
-            _ => vec![self.number(key, default)?; count],
+            Some(Value::Array(items)) => items.iter().map(finite).collect::<Option<Vec<f64>>>(),
+            _ => Some(vec![self.number(key, default)?; count]),
         };
-        if list.len() == count && list.iter().all(|x| *x >= 0.0 && x.is_finite()) {
-            Ok(list)
-        } else {
-            Err(expected())
-        }
+        let fits = |list: &Vec<f64>| list.len() == count && list.iter().all(|x| *x >= 0.0);
+        list.filter(fits).ok_or_else(expected)
     }
 
     /// A list of rows of N numbers.
@@ -171,31 +250,117 @@ impl Fields {
     /// # Errors
     /// Some row is not.
     pub fn rows<const N: usize>(&self, key: &str) -> Result<Option<Vec<[f64; N]>>, String> {
-        let Some(value) = self.get(key) else { return Ok(None) };
-        let row = |v: &Value| -> Option<[f64; N]> {
-            let items: Vec<f64> = v.as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
-            items.try_into().ok()
-        };
-        let rows = value.as_array().and_then(|items| items.iter().map(row).collect::<Option<Vec<_>>>());
-        rows.map(Some).ok_or_else(|| self.error(key, &format!("expected a list of rows of {N} numbers")))
+        self.list(key, &format!("expected a list of rows of {N} numbers"), row)
     }
 
-    /// A list of point numbers below `points`.
+    /// A list of rows of N whole numbers.
+    ///
+    /// # Errors
+    /// Some row is not.
+    pub fn whole_rows<const N: usize>(&self, key: &str) -> Result<Option<Vec<[usize; N]>>, String> {
+        let row = |value: &Value| -> Option<[usize; N]> {
+            let items: Option<Vec<usize>> = value.as_array()?.iter().map(whole).collect();
+            items?.try_into().ok()
+        };
+        self.list(key, &format!("expected a list of rows of {N} whole numbers >= 0"), row)
+    }
+
+    /// A list of point numbers below `points`, each once.
     ///
     /// # Errors
     /// Not a list, or a point that does not exist.
     pub fn points(&self, key: &str, points: usize) -> Result<Option<Vec<usize>>, String> {
-        let Some(value) = self.get(key) else { return Ok(None) };
-        let list = value.as_array().and_then(|items| {
-            items.iter().map(|v| v.as_u64().and_then(|n| usize::try_from(n).ok())).collect::<Option<Vec<_>>>()
-        });
-        let list =
-            list.ok_or_else(|| self.error(key, "expected a list of point numbers, for example [0, 2]"))?;
-        match list.iter().find(|p| **p >= points) {
-            Some(p) => {
-                Err(self.error(key, &format!("names point {p}, but the points are 0 to {}", points - 1)))
+        let list = self.list(key, "expected a list of point numbers, for example [0, 2]", whole)?;
+        let mut named = BTreeSet::new();
+        for p in list.iter().flatten() {
+            if *p >= points {
+                return Err(
+                    self.error(key, &format!("names point {p}, but the points are 0 to {}", points - 1))
+                );
             }
-            None => Ok(Some(list)),
+            if !named.insert(*p) {
+                return Err(self.error(key, &format!("names point {p} twice")));
+            }
         }
+        Ok(list)
+    }
+
+    /// A list whose items all read as wanted; the message names the first that does not.
+    fn list<T>(
+        &self,
+        key: &str,
+        expected: &str,
+        read: impl Fn(&Value) -> Option<T>,
+    ) -> Result<Option<Vec<T>>, String> {
+        let Some(value) = self.get(key) else { return Ok(None) };
+        let items = value.as_array().ok_or_else(|| self.error(key, &format!("{expected}, found {value}")))?;
+        let wrong = |(n, item): (usize, &Value)| self.error(key, &format!("{expected}; entry {n} is {item}"));
+        let read = |(n, item)| read(item).ok_or_else(|| wrong((n, item)));
+        items.iter().enumerate().map(read).collect::<Result<Vec<T>, String>>().map(Some)
+    }
+}
+
+/// A finite number.
+#[must_use]
+pub fn finite(value: &Value) -> Option<f64> {
+    value.as_f64().filter(|x| x.is_finite())
+}
+
+/// N finite numbers.
+#[must_use]
+pub fn row<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let items: Option<Vec<f64>> = value.as_array()?.iter().map(finite).collect();
+    items?.try_into().ok()
+}
+
+fn whole(value: &Value) -> Option<usize> {
+    value.as_u64().and_then(|n| usize::try_from(n).ok())
+}
+
+/// A value on the command line. What is neither JSON nor TOML is a word; null, which JSON has, is no value.
+fn value_of(text: &str) -> Value {
+    let json = serde_json::from_str(text).ok().filter(|value: &Value| !value.is_null());
+    let toml =
+        || toml::from_str::<toml::Table>(&format!("value = {text}")).ok()?.remove("value").map(of_toml);
+    json.or_else(toml).unwrap_or_else(|| Value::String(text.to_owned()))
+}
+
+/// TOML has infinities, not-a-number and dates, JSON has none: they become words, which no number is read from.
+fn of_toml(value: toml::Value) -> Value {
+    match value {
+        toml::Value::String(text) => Value::String(text),
+        toml::Value::Integer(n) => Value::from(n),
+        toml::Value::Float(x) if x.is_finite() => Value::from(x),
+        toml::Value::Float(x) => Value::String(x.to_string()),
+        toml::Value::Boolean(b) => Value::Bool(b),
+        toml::Value::Datetime(date) => Value::String(date.to_string()),
+        toml::Value::Array(items) => Value::Array(items.into_iter().map(of_toml).collect()),
+        toml::Value::Table(table) => Value::Object(table.into_iter().map(|(k, v)| (k, of_toml(v))).collect()),
+    }
+}
+
+/// A JSON object in which no key stands twice: one of them would be ignored.
+struct Object(Map<String, Value>);
+
+impl<'de> serde::Deserialize<'de> for Object {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        struct Keys;
+        impl<'de> Visitor<'de> for Keys {
+            type Value = Object;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("an object")
+            }
+            fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Object, A::Error> {
+                let mut map = Map::new();
+                while let Some((key, value)) = entries.next_entry::<String, Value>()? {
+                    if map.contains_key(&key) {
+                        return Err(serde::de::Error::custom(format!("`{key}` is given twice")));
+                    }
+                    map.insert(key, value);
+                }
+                Ok(Object(map))
+            }
+        }
+        from.deserialize_map(Keys)
     }
 }

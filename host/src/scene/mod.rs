@@ -2,6 +2,7 @@
 
 pub mod dop853;
 pub mod fields;
+pub mod keys;
 pub mod lists;
 pub mod method;
 pub mod read;

@@ -8,5 +8,6 @@ mod nonsense;
 mod reference;
 mod report;
 mod run;
+mod settings;
 mod support;
 mod view;

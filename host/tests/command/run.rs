@@ -119,23 +119,9 @@ F = "20_N*sin(9*t/1_s)"
 z = 0.6
 "#;
     let path = written("shaker.toml", model);
-    for method in ["rk4", "dormand-prince"] {
-        let done = smartbed(&[
-            "run",
-            &path,
-            "--seconds",
-            "2",
-            "--step",
-            "1e-3",
-            "--every",
-            "50",
-            "--method",
-            method,
-            "--tolerance",
-            "1e-10",
-            "--csv",
-            "-",
-        ]);
+    for (method, accuracy) in [("rk4", "--step=1e-3"), ("dormand-prince", "--tolerance=1e-10")] {
+        let line = ["run", &path, "--seconds=2", "--every=50", "--method", method, accuracy, "--csv=-"];
+        let done = smartbed(&line);
         assert_eq!(done.status, 0, "{done:?}");
         let table = table(&done.out);
         let last = |name: &str| *column(&table, name).last().expect("rows");

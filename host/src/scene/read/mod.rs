@@ -1,0 +1,270 @@
+//! Scene text -> [`Scene`]: shape or lists, ground and law, gas, method, step; the largest stable step is checked here.
+
+mod body;
+mod surroundings;
+
+use smartbed_runtime::advance::Method;
+use smartbed_runtime::body::stable_step::FORMULA;
+use smartbed_runtime::contact::ContactLaw;
+
+use super::fields::Fields;
+use super::keys::{self, Choice};
+use super::lists::Lists;
+use super::method::method_named;
+use super::run::describe;
+use super::simulation::{Simulation, Surroundings};
+
+/// Everything that a run needs.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// One line about it.
+    pub title: String,
+    /// The body.
+    pub lists: Lists,
+    /// Gravity, air, ground, gas.
+    pub around: Surroundings,
+    /// Method of integration.
+    pub method: Method<f64>,
+    /// Step (s).
+    pub step: f64,
+    /// Length of the run (s).
+    pub seconds: f64,
+    /// Steps between two rows of output.
+    pub every: usize,
+    /// Largest stable step (s), if the springs set one.
+    pub largest_step: Option<f64>,
+    /// What is allowed but should be known; for standard error.
+    pub warnings: Vec<String>,
+}
+
+impl Scene {
+    /// Whole steps in the run; a rest below a thousandth of a step is rounding.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize
+    }
+}
+
+/// w_max h above which energy compensation lets an undamped body gain energy from impact to impact:
+/// measured on a bar of 50 masses and 20 bounces with Verlet, below 1 % at 0.1, 64 % at 0.5.
+const COMPENSATION_FINE: f64 = 0.1;
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e9;
+
+/// Is the text at this path a scene and not a mechanism?
+#[must_use]
+pub fn is_scene(path: &std::path::Path) -> bool {
+    if path.extension().is_some_and(|e| e == "json") {
+        return true;
+    }
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    // A text that cannot be read is a mechanism's: its reader explains best.
+    let table = text.parse::<toml::Table>().unwrap_or_default();
+    table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
+}
+
+/// Reads the scene at a path, or the one of that name under models/scenes.
+///
+/// # Errors
+/// Where it was looked for, or what is wrong in it.
+pub fn open(path_or_name: &str, settings: &[String]) -> Result<Scene, String> {
+    refuse_twice(settings)?;
+    open_varied(path_or_name, settings, &[])
+}
+
+/// Of two settings of one key the first would be ignored.
+fn refuse_twice(settings: &[String]) -> Result<(), String> {
+    let mut fields = Fields::parse("", "")?;
+    let mut keys: Vec<String> = Vec::new();
+    for setting in settings {
+        let key = fields.set(setting)?;
+        if keys.contains(&key) {
+            return Err(fields.error(&key, &format!("`{key}` is set twice; leave one of them out")));
+        }
+        keys.push(key);
+    }
+    Ok(())
+}
+
+/// As [`open()`], then changed by more settings, which may choose another law or method than those before.
+///
+/// # Errors
+/// As [`open()`].
+pub fn open_varied(path_or_name: &str, settings: &[String], variation: &[String]) -> Result<Scene, String> {
+    let named = format!("models/scenes/{path_or_name}.toml");
+    let path = if std::path::Path::new(path_or_name).is_file() { path_or_name } else { named.as_str() };
+    let text = std::fs::read_to_string(path).map_err(|e| {
+        format!(
+            "no scene `{path_or_name}`: neither a file nor {named} ({e}); name a file or one of models/scenes"
+        )
+    })?;
+    parse_varied(path, &text, [settings, variation])
+}
+
+/// Reads a scene text.
+///
+/// # Errors
+/// A message with file, line, what was expected.
+pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Scene, String> {
+    parse_varied(path, text, [settings, &[]])
+}
+
+fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene, String> {
+    let mut fields = Fields::parse(path, text)?;
+    if fields.is_json() {
+        leave_out_results(&mut fields);
+    } else if fields.get("format").and_then(serde_json::Value::as_u64) != Some(1) {
+        return Err(fields.error("format", "expected format = 1"));
+    }
+    let keys: Vec<String> = fields.keys().cloned().collect();
+    refuse_unread(&fields, &keys)?;
+    for settings in layers {
+        override_by(&mut fields, settings)?;
+    }
+    forget_unread(&mut fields)?;
+    let mut lists = body::read(&fields)?;
+    let around = surroundings::read(&fields, &mut lists)?;
+    let mut scene = Scene {
+        title: fields.word("title", path)?.to_string(),
+        around,
+        method: read_method(&fields)?,
+        step: fields.positive("step", 1e-3)?,
+        seconds: fields.not_negative("T", 3.0)?,
+        every: fields.count("every", 1, 1)?,
+        largest_step: None,
+        warnings: Vec::new(),
+        lists,
+    };
+    if scene.seconds / scene.step > MOST_STEPS {
+        let message = format!(
+            "{} s in steps of {} s are more than {MOST_STEPS:e} steps; take a larger step",
+            scene.seconds, scene.step
+        );
+        return Err(fields.error("step", &message));
+    }
+    check_step(&fields, &mut scene)?;
+    choose_anchor(&fields, &mut scene)?;
+    scene.warnings.extend(warn_of_gain(path, &scene));
+    Ok(scene)
+}
+
+/// A reference file holds the motion beside the scene, and its points stand at their height already.
+fn leave_out_results(fields: &mut Fields) {
+    keys::OF_REFERENCES.split_whitespace().for_each(|key| fields.remove(key));
+    if fields.get("points").is_some() {
+        fields.remove("drop_height");
+    }
+}
+
+/// Sets keys. One that only the choice before read (a law's, a shape's) falls away with that choice; one that is
+/// set and not read is refused.
+fn override_by(fields: &mut Fields, settings: &[String]) -> Result<(), String> {
+    let set = settings.iter().map(|setting| fields.set(setting)).collect::<Result<Vec<String>, String>>()?;
+    match set.iter().any(|key| key == "format") {
+        true => Err(fields.error("format", "the text has its format; leave it out")),
+        false => refuse_unread(fields, &set),
+    }
+}
+
+/// Refuses the first key that nothing reads.
+fn refuse_unread(fields: &Fields, keys: &[String]) -> Result<(), String> {
+    let choices = choices(fields)?;
+    match keys.iter().find_map(|key| Some((key, keys::complaint(key, &choices)?))) {
+        Some((key, complaint)) => Err(fields.error(key, &complaint)),
+        None => Ok(()),
+    }
+}
+
+/// What was read with the choice before, and no longer is.
+fn forget_unread(fields: &mut Fields) -> Result<(), String> {
+    let read: Vec<&str> = keys::read_with(&choices(fields)?).collect();
+    let unread: Vec<String> = fields.keys().filter(|k| !read.contains(&k.as_str())).cloned().collect();
+    unread.iter().for_each(|key| fields.remove(key));
+    Ok(())
+}
+
+/// What the scene chooses.
+fn choices(fields: &Fields) -> Result<Vec<Choice>, String> {
+    let mut choices = vec![match fields.get("shape") {
+        None => Choice::Lists,
+        Some(_) => Choice::Shape(body::shape(fields)?),
+    }];
+    let law = surroundings::law(fields)?;
+    choices.push(Choice::Law(law));
+    // Moreau's law is a way of stepping: no other method takes part.
+    if law != "moreau" {
+        let adaptive = read_method(fields)?.control_order() > 0;
+        choices.push(if adaptive { Choice::AdaptiveStep } else { Choice::FixedStep });
+    }
+    if fields.get("pressure").is_some() {
+        choices.extend([Choice::Pressure, Choice::Gas(surroundings::gas(fields)?)]);
+    }
+    Ok(choices)
+}
+
+/// Part of the largest stable step up to which the ledger anchor helps; above it, it harms.
+const ANCHOR_STEP: f64 = 0.25;
+
+/// Without a word about it, methods that let the energy of an undamped body drift are anchored to the ledger at
+/// each touch: Verlet lifts it there, Runge-Kutta and Nystrom damp it. A damped body cannot be anchored.
+fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
+    let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
+    let small = scene.largest_step.is_some_and(|largest| scene.step <= ANCHOR_STEP * largest);
+    let Some(ContactLaw::Compensation { anchor, .. }) = scene.around.ground.as_mut().map(|g| &mut g.law)
+    else {
+        return Ok(());
+    };
+    if *anchor && damped {
+        let message =
+            "a damped body has no energy to be anchored to; set C = 0 and air_drag = 0, or anchor = false";
+        return Err(fields.error("anchor", message));
+    }
+    if fields.get("anchor").is_none() {
+        let drifts = matches!(scene.method, Method::Verlet | Method::Rk4 | Method::Nystrom4);
+        *anchor = drifts && !damped && small;
+    }
+    Ok(())
+}
+
+/// Computes the largest stable step and refuses a larger one.
+fn check_step(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
+    let probe = Simulation::<f64>::new(&scene.lists, &scene.around, scene.method).map_err(|e| {
+        fields.error(if fields.get("shape").is_some() { "shape" } else { "points" }, &describe(&e))
+    })?;
+    scene.largest_step = probe.largest_stable_step();
+    let adaptive = scene.method.control_order() > 0;
+    if let Some(largest) =
+        scene.largest_step.filter(|_| !adaptive && !fields.flag("allow_unstable").unwrap_or(false))
+        && scene.step > largest * (1.0 + 1e-12)
+    {
+        let message = format!(
+            "{} s is larger than the largest stable step {largest:.6e} s: {FORMULA}; take a smaller step or say allow_unstable = true",
+            scene.step
+        );
+        return Err(fields.error("step", &message));
+    }
+    Ok(())
+}
+
+/// Says so where energy compensation and the step's own energy error add up. The method that keeps the
+/// energy exactly has none; a damped body loses it again.
+fn warn_of_gain(path: &str, scene: &Scene) -> Option<String> {
+    let compensated = matches!(scene.around.ground?.law, ContactLaw::Compensation { eta, .. } if eta > 0.0);
+    let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
+    let exact = matches!(scene.method, Method::EnergyMomentum) || scene.method.control_order() > 0;
+    let stiffness = 2.0 * scene.step / scene.largest_step?;
+    (compensated && !damped && !exact && stiffness > COMPENSATION_FINE * (1.0 + 1e-9)).then(|| {
+        format!(
+            "{path}: `step`: w_max h = {stiffness:.2} with energy compensation on an undamped body: above \
+             {COMPENSATION_FINE} it may gain energy from impact to impact; take a step up to {:.1e} s, \
+             method = \"energy_momentum\" or law = \"massless_point\"",
+            scene.step * COMPENSATION_FINE / stiffness
+        )
+    })
+}
+
+fn read_method(fields: &Fields) -> Result<Method<f64>, String> {
+    let tolerance = fields.positive("tolerance", 1e-9)?;
+    method_named(fields.word("method", "energy_momentum")?, tolerance).map_err(|e| fields.error("method", &e))
+}

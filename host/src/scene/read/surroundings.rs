@@ -1,0 +1,159 @@
+//! What is around the body of a scene: gravity, air, ground with its law, gas.
+
+use smartbed_runtime::body::{Gas, Inflation, PressureForm};
+use smartbed_runtime::contact::{ContactLaw, Ground};
+
+use super::super::fields::{Fields, finite, row};
+use super::super::keys;
+use super::super::lists::Lists;
+use super::super::simulation::Surroundings;
+use crate::suggest;
+
+/// Part of the shortest rest length within which points touch together.
+const CLUSTER: f64 = 1e-11;
+/// A normal written with so few digits that its length is off 1 by less than this is a unit vector.
+const UNIT: f64 = 1e-3;
+
+/// Reads them; massless points hand their mass to their neighbours.
+///
+/// # Errors
+/// What is wrong, and where.
+pub(super) fn read(fields: &Fields, lists: &mut Lists) -> Result<Surroundings, String> {
+    Ok(Surroundings {
+        gravity: match fields.get("g") {
+            Some(serde_json::Value::Array(_)) => fields.vector("g")?,
+            _ => [0.0, 0.0, -fields.number("g", 9.81)?],
+        },
+        air_drag: fields.not_negative("air_drag", 0.0)?,
+        ground: read_ground(fields, lists)?,
+        inflation: read_inflation(fields, lists)?,
+    })
+}
+
+/// The law's name; the references write "EC-P, frictionless floor ...".
+pub(super) fn law(fields: &Fields) -> Result<&'static str, String> {
+    let word = fields.word("law", "compensation")?;
+    let name = if word.starts_with("EC-P") { "compensation" } else { word };
+    keys::laws().find(|law| *law == name).ok_or_else(|| {
+        let help = suggest::help(word, keys::laws());
+        fields.error("law", &format!("unknown law `{word}`{help}"))
+    })
+}
+
+/// The gas's name.
+pub(super) fn gas(fields: &Fields) -> Result<&'static str, String> {
+    let word = fields.word("gas", "constant")?;
+    keys::gases().find(|gas| *gas == word).ok_or_else(|| {
+        let help = suggest::help(word, keys::gases());
+        fields.error("gas", &format!("unknown gas `{word}`{help}"))
+    })
+}
+
+fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>, String> {
+    let share = |key: &str, default: f64| {
+        let x = fields.not_negative(key, default)?;
+        if x <= 1.0 { Ok(x) } else { Err(fields.error(key, &format!("expected 0 to 1, found {x}"))) }
+    };
+    let law = match law(fields)? {
+        "none" => return Ok(None),
+        "newton" => ContactLaw::Newton { restitution: share("e", 0.0)? },
+        "moreau" => ContactLaw::Moreau { restitution: share("e", 0.0)? },
+        "penalty" => ContactLaw::Penalty { stiffness: fields.positive("stiffness", 1e5)? },
+        "hunt_crossley" => ContactLaw::HuntCrossley {
+            stiffness: fields.positive("stiffness", 1e5)?,
+            dissipation: fields.not_negative("dissipation", 0.0)?,
+        },
+        "massless_point" => {
+            take_masses(fields, lists)?;
+            ContactLaw::MasslessPoint
+        }
+        _ => ContactLaw::Compensation {
+            eta: share("eta", 1.0)?,
+            anchor: fields.flag("anchor")?,
+            plastic_alone: fields.flag("plastic_alone")?,
+        },
+    };
+    let (normal, offset) = read_floor(fields)?;
+    let shortest = lists.rest_lengths.iter().copied().filter(|l| *l > 0.0).fold(1.0, f64::min);
+    let tolerance = fields.not_negative("cluster_tolerance", CLUSTER * shortest)?;
+    Ok(Some(Ground { normal, offset, law, friction: fields.not_negative("mu", 0.0)?, tolerance }))
+}
+
+/// Takes the mass of the points that touch: those named, else the lowest.
+fn take_masses(fields: &Fields, lists: &mut Lists) -> Result<(), String> {
+    let massless = match fields.points("massless", lists.points.len())? {
+        Some(points) if points.is_empty() => {
+            return Err(
+                fields.error("massless", "expected at least one point: no other one touches the ground")
+            );
+        }
+        Some(points) => points,
+        None => {
+            let lowest = lists.points.iter().map(|p| p[2]).fold(f64::INFINITY, f64::min);
+            (0..lists.points.len()).filter(|p| lists.points[*p][2] <= lowest + 1e-9).collect()
+        }
+    };
+    lists.redistribute(&massless).map_err(|e| fields.error("massless", &e))
+}
+
+/// The ground is the plane n.x = offset: with another length of n it would stand elsewhere.
+fn read_floor(fields: &Fields) -> Result<([f64; 3], f64), String> {
+    let Some([normal, offset]) = fields.table("floor", ["normal", "offset"])? else {
+        return Ok(([0.0, 0.0, 1.0], 0.0));
+    };
+    let expected = |entry: &str, found| {
+        fields.error(
+            "floor",
+            &format!("expected {{ normal = [x, y, z], offset = metres }}; `{entry}` is {found}"),
+        )
+    };
+    let offset = match offset {
+        None => 0.0,
+        Some(value) => finite(value).ok_or_else(|| expected("offset", value))?,
+    };
+    let Some(value) = normal else { return Ok(([0.0, 0.0, 1.0], offset)) };
+    let normal: [f64; 3] = row(value).ok_or_else(|| expected("normal", value))?;
+    let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
+    if (length - 1.0).abs() > UNIT {
+        let help = match length > 0.0 && length.is_finite() {
+            true => format!(
+                "; write {:?}, and offset as the distance from the origin",
+                normal.map(|c| c / length)
+            ),
+            false => String::new(),
+        };
+        let message = format!("expected a `normal` of length 1, found {value} of length {length:.4}{help}");
+        return Err(fields.error("floor", &message));
+    }
+    Ok((normal.map(|c| c / length), offset))
+}
+
+fn read_inflation(fields: &Fields, lists: &Lists) -> Result<Option<Inflation<f64>>, String> {
+    if fields.get("pressure").is_none() {
+        return Ok(None);
+    }
+    let pressure = fields.number("pressure", 0.0)?;
+    if lists.facets.is_empty() {
+        return Err(fields.error("pressure", "the body has no `facets` for a pressure to act on"));
+    }
+    let form = match fields.word("pressure_form", "exact")? {
+        "exact" => PressureForm::Exact,
+        "facet" => PressureForm::Facet,
+        "fan" => PressureForm::Fan,
+        other => {
+            let message = format!("unknown form `{other}`; known: exact, facet, fan (Eq. 3.10 as printed)");
+            return Err(fields.error("pressure_form", &message));
+        }
+    };
+    let gas = match gas(fields)? {
+        "polytropic" => Gas::Polytropic {
+            pressure,
+            ambient: fields.not_negative("ambient", 101_325.0)?,
+            volume: fields.positive("volume", 1.0)?,
+            exponent: fields.positive("exponent", 1.4)?,
+            dead_volume: fields.not_negative("dead_volume", 0.0)?,
+        },
+        _ => Gas::Constant(pressure),
+    };
+    Ok(Some(Inflation { gas, form }))
+}
