@@ -201,6 +201,14 @@ impl SampleTable {
         Self { sizes, ..self }
     }
 
+    /// The same points with other values of some symbols; nothing is computed yet.
+    #[must_use]
+    pub(crate) fn with_symbols(mut self, symbols: HashMap<SymbolId, Vec<f64>>) -> Self {
+        self.clear();
+        self.symbols.extend(symbols);
+        self
+    }
+
     /// Bounds of the rounding errors of expressions at one sample: a value below its bound may as well be 0.
     #[must_use]
     pub fn rounding_errors(&self, dag: &Dag, exprs: &[ExprId], sample: usize) -> Vec<f64> {

@@ -3,7 +3,7 @@
 //! Gram-Schmidt over all samples at once: a vector is a list of columns with one value a sample, so that what is
 //! zero by structure costs nothing and the rest goes through the loops that a compiler turns into wide arithmetic.
 
-use super::{Kinematics, Row, UnknownId};
+use super::{Row, UnknownId};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use rustc_hash::FxHashMap as HashMap;
@@ -42,6 +42,11 @@ impl<'t> NumericRow<'t> {
         self.entries.iter().map(|(_, values)| values[sample] * values[sample]).sum::<f64>().sqrt()
     }
 
+    /// Writes the row at a sample into a dense one.
+    pub fn write(&self, sample: usize, dense: &mut [f64]) {
+        self.entries.iter().for_each(|(column, values)| dense[*column] = values[sample]);
+    }
+
     /// Bound of the rounding error of the row at a sample. Dear: ask it of rows that are in doubt.
     pub fn rounding(&self, dag: &Dag, sample: usize) -> f64 {
         let errors = self.table.rounding_errors(dag, &self.coefficients, sample);
@@ -50,9 +55,9 @@ impl<'t> NumericRow<'t> {
 }
 
 /// The largest entry of all rows at any sample.
-pub(super) fn longest_entry(k: &Kinematics, table: &mut SampleTable) -> f64 {
-    let coefficients = k.rows.iter().flat_map(|row| row.coefficients.values());
-    coefficients.fold(0.0, |most, &c| table.values(&k.dag, c).iter().fold(most, |most, x| most.max(x.abs())))
+pub(super) fn longest_entry(dag: &Dag, rows: &[Row], table: &mut SampleTable) -> f64 {
+    let coefficients = rows.iter().flat_map(|row| row.coefficients.values());
+    coefficients.fold(0.0, |most, &c| table.values(dag, c).iter().fold(most, |most, x| most.max(x.abs())))
 }
 
 /// Orthonormal vectors, at every sample as many as have been found independent there.

@@ -4,47 +4,47 @@
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
-use crate::diagnostic::Diagnostics;
+use super::{Kinematics, Row, UnknownId, UnknownKind};
 use crate::expr::NodeSet;
 use crate::expr::tape::SampleTable;
-use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
-const INDEPENDENT: f64 = 1e-3;
+pub(super) const INDEPENDENT: f64 = 1e-3;
 /// A row that adds more operations than this is worth a search for a cheaper one.
 const DEAR: usize = 100;
 
-/// Takes independent rows, each time the one that adds the fewest operations to those taken.
-///
-/// # Errors
-/// If there are too few independent rows.
-pub(super) fn rows(
-    model: &Model,
-    k: &Kinematics,
-    table: &mut SampleTable,
-    unknown: &[UnknownId],
-) -> Result<Vec<Row>, Diagnostics> {
-    let n = unknown.len();
-    let column: HashMap<UnknownId, usize> = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let bills: Vec<Bill> = k.rows.iter().map(|row| Bill::new(k, row)).collect();
-    let mut bases = Bases::new(n, longest_entry(k, table), table.points());
+/// What rows are taken from, and when one counts as independent of those taken.
+pub(super) struct Choice<'a> {
+    /// Candidate rows.
+    pub rows: &'a [Row],
+    /// Columns: the unknowns to be solved for.
+    pub unknown: &'a [UnknownId],
+    /// Part of a row's length that must be left beside the others at every sample.
+    pub independent: f64,
+}
+
+/// Takes independent rows, each time the one that adds the fewest operations to those taken; none if there are too
+/// few.
+pub(super) fn rows(k: &Kinematics, table: &mut SampleTable, choice: &Choice<'_>) -> Option<Vec<Row>> {
+    let n = choice.unknown.len();
+    let column: HashMap<UnknownId, usize> = choice.unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
+    let bills: Vec<Bill> = choice.rows.iter().map(|row| Bill::new(k, row)).collect();
+    let mut bases = Bases::new(n, longest_entry(&k.dag, choice.rows, table), table.points());
     let mut paid = NodeSet::default();
-    let mut candidates: Vec<usize> = (0..k.rows.len()).collect();
+    let mut candidates: Vec<usize> = (0..choice.rows.len()).collect();
     let mut chosen = Vec::new();
     while chosen.len() < n {
         // A row that depends on the rows taken will depend on any more: it is left out for good.
         candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
-        let found = candidates.iter().position(|&i| extend(k, table, &column, &k.rows[i], &mut bases));
-        let Some(place) = found else { return Err(rank::explain(model, k, table, None)) };
+        let place = candidates.iter().position(|&i| extend(k, table, &column, choice, i, &mut bases))?;
         let row = candidates[place];
         candidates.drain(..=place);
         paid.unite(&bills[row].operations);
         chosen.push(row);
     }
-    exchange(k, table, &column, &bills, &mut chosen);
-    Ok(chosen.into_iter().map(|i| k.rows[i].clone()).collect())
+    exchange(k, table, &column, choice, &bills, &mut chosen);
+    Some(chosen.into_iter().map(|i| choice.rows[i].clone()).collect())
 }
 
 /// Adds the row to the bases if it is independent of them at every sample.
@@ -52,10 +52,12 @@ fn extend(
     k: &Kinematics,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
-    row: &Row,
+    choice: &Choice<'_>,
+    row: usize,
     bases: &mut Bases,
 ) -> bool {
-    bases.extend(&k.dag, &NumericRow::new(&k.dag, table, row, column), INDEPENDENT)
+    let row = NumericRow::new(&k.dag, table, &choice.rows[row], column);
+    bases.extend(&k.dag, &row, choice.independent)
 }
 
 /// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
@@ -64,6 +66,7 @@ fn exchange(
     k: &Kinematics,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
+    choice: &Choice<'_>,
     bills: &[Bill],
     chosen: &mut [usize],
 ) {
@@ -88,7 +91,7 @@ fn exchange(
             let costs = bills.iter().map(|bill| bill.added_cost(&paid)).enumerate();
             let mut list: Vec<(usize, usize)> = costs.filter(|(_, cost)| *cost < price).collect();
             list.sort_by_key(|(_, cost)| *cost);
-            cheaper(k, table, column, &others, &list).map(|row| (place, row))
+            cheaper(k, table, column, choice, &others, &list).map(|row| (place, row))
         });
         let Some((place, row)) = better else { return };
         chosen[place] = row;
@@ -100,15 +103,16 @@ fn cheaper(
     k: &Kinematics,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
+    choice: &Choice<'_>,
     others: &[usize],
     list: &[(usize, usize)],
 ) -> Option<usize> {
-    let mut bases = Bases::new(column.len(), longest_entry(k, table), table.points());
+    let mut bases = Bases::new(column.len(), longest_entry(&k.dag, choice.rows, table), table.points());
     for &other in others {
-        extend(k, table, column, &k.rows[other], &mut bases);
+        extend(k, table, column, choice, other, &mut bases);
     }
     let mut rows = list.iter().map(|&(row, _)| row);
-    rows.find(|&row| extend(k, table, column, &k.rows[row], &mut bases))
+    rows.find(|&row| extend(k, table, column, choice, row, &mut bases))
 }
 
 /// What a row costs.

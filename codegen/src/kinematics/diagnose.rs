@@ -283,15 +283,24 @@ fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: 
     ends.iter().map(|end| largest(&equations.at(end).0[suspect..=suspect])).fold(0.0, f64::max)
 }
 
-/// Keeps only the residuals `kept`, and no rows of a scalar equation that is dropped as a whole.
+/// Keeps only the residuals `kept`, and no rows of a scalar equation that is dropped as a whole. The others are
+/// implied: they are watched, not solved.
 fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
     let names: Vec<&str> = kept.iter().map(|&i| k.residual_names[i].name.as_str()).collect();
     let dropped: Vec<String> = (k.residual_names.iter().map(|p| p.name.clone()))
         .filter(|name| !names.contains(&name.as_str()))
         .collect();
-    k.rows.retain(|row| !dropped.contains(&row.name));
-    k.residuals = kept.iter().map(|&i| k.residuals[i]).collect();
-    k.residual_names = kept.iter().map(|&i| k.residual_names[i].clone()).collect();
+    let (spare, rows) = std::mem::take(&mut k.rows).into_iter().partition(|row| dropped.contains(&row.name));
+    (k.rows, k.spare_rows) = (rows, spare);
+    let all = std::mem::take(&mut k.residuals).into_iter().zip(std::mem::take(&mut k.residual_names));
+    for (i, (residual, name)) in all.enumerate() {
+        let (residuals, names) = match kept.contains(&i) {
+            true => (&mut k.residuals, &mut k.residual_names),
+            false => (&mut k.implied, &mut k.implied_names),
+        };
+        residuals.push(residual);
+        names.push(name);
+    }
 }
 
 fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual: f64) -> Diagnostic {

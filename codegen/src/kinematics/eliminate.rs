@@ -1,13 +1,15 @@
 //! Dependent speeds and lifted unknowns by one sparse symbolic elimination.
 //!
 //! In: candidate rows. Out: for every unknown y one step y = sum c z, y' = sum c z' + b; T with y = T u; and
-//! Newton's correction delta of the configuration. Rows are taken cheapest first as long as they
-//! are independent at every sampled configuration.
+//! Newton's correction delta of the configuration. The cheapest rows are taken that are independent at every sampled
+//! configuration and whose pivots vanish only where the constraints lose rank ([`Regularity`]).
 
 use super::basis::NumericRow;
 use super::choose;
+use super::least_squares;
+use super::regular::{self, Regularity};
 use super::sparse::{self, Equation};
-use super::{Kinematics, Row, UnknownId, rank};
+use super::{Kinematics, Row, Sample, UnknownId, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
@@ -17,6 +19,11 @@ use std::collections::BTreeMap;
 
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
+
+/// A row is well independent of others if this part of its length is left at every sample.
+const WELL_INDEPENDENT: f64 = 0.1;
+/// Most attempts to choose rows that are regular wherever the constraints are.
+const ROUNDS: usize = 6;
 
 /// A pivot and its size at the nominal configuration.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -64,10 +71,7 @@ pub struct Step {
 pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
     let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
     let unknown = k.dependent_unknowns();
-    let chosen = choose::rows(model, k, table, &unknown)?;
-    let equations = chosen.iter().map(|row| equation(&mut k.dag, row, &known)).collect();
-    let eliminations = sparse::eliminate(&mut k.dag, table, equations);
-    let Some(values) = sparse::back_substitute(&mut k.dag, &eliminations) else {
+    let Some(Form { rows, eliminations, values }) = form(model, k, table, [&unknown, &known]) else {
         return Err(rank::explain(model, k, table, None));
     };
     let mut solution = Solution::default();
@@ -88,8 +92,91 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         solution.partials.insert(id, values);
     }
     check_consequences(model, k, table, &solution)?;
-    solution.rows = chosen;
+    solution.rows = rows;
     Ok(solution)
+}
+
+/// Rows, and the unknowns from them.
+struct Form {
+    rows: Vec<Row>,
+    eliminations: Vec<sparse::Elimination>,
+    values: sparse::Values,
+}
+
+impl Form {
+    fn pivots(&self) -> Vec<ExprId> {
+        self.eliminations.iter().map(|e| e.pivot).collect()
+    }
+}
+
+/// The cheapest form that is regular wherever the constraints are: the cheapest rows; rows chosen with the
+/// configurations in view at which those fail; at last the normal equations, which fail nowhere else.
+fn form(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    [unknown, known]: [&[UnknownId]; 2],
+) -> Option<Form> {
+    let choice = choose::Choice { rows: &k.rows, unknown, independent: choose::INDEPENDENT };
+    let cheapest = choose::rows(k, table, &choice);
+    let first = match cheapest {
+        Some(rows) => Some(eliminated(k, table, rows, known)?),
+        None if rank::determined(model, k) => None,
+        None => return None,
+    };
+    if unknown.is_empty() {
+        return first;
+    }
+    let all: Vec<Row> = k.rows.iter().chain(&k.spare_rows).cloned().collect();
+    let mut samples = k.sampled();
+    let mut rows = Vec::new();
+    let mut found = first;
+    for _ in 0..ROUNDS {
+        match found {
+            Some(form) => {
+                let mut wider = (samples.len() > k.samples.len()).then(|| table_at(model, k, &samples));
+                let screened = wider.as_mut().unwrap_or(table);
+                let mut lost = regular::suspects(model, k, screened, &samples, &form.pivots());
+                if !lost.is_empty() {
+                    lost = Regularity::new(model, k, unknown, table).regular(lost);
+                }
+                if lost.is_empty() {
+                    return Some(form);
+                }
+                samples.extend(lost);
+                rows = if rows.is_empty() { form.rows } else { rows };
+            }
+            None if samples.len() > k.samples.len() => break,
+            None => {}
+        }
+        let mut wider = table_at(model, k, &samples);
+        let choice = choose::Choice { rows: &all, unknown, independent: WELL_INDEPENDENT };
+        let chosen = choose::rows(k, &mut wider, &choice);
+        found = chosen.and_then(|rows| eliminated(k, &mut wider, rows, known));
+        if found.is_none() {
+            break;
+        }
+    }
+    let mut wider = table_at(model, k, &samples);
+    let rows = Regularity::new(model, k, unknown, table).complete(&mut wider, rows);
+    let equations: Vec<Equation> = rows.iter().map(|row| equation(&mut k.dag, row, known)).collect();
+    let normal = least_squares::normal_equations(&mut k.dag, &equations);
+    let eliminations = sparse::eliminate_definite(&mut k.dag, table, normal);
+    let values = sparse::back_substitute(&mut k.dag, &eliminations)?;
+    (values.len() == unknown.len()).then_some(Form { rows, eliminations, values })
+}
+
+/// The unknowns from as many rows; none if a row cancels.
+fn eliminated(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    rows: Vec<Row>,
+    known: &[UnknownId],
+) -> Option<Form> {
+    let equations = rows.iter().map(|row| equation(&mut k.dag, row, known)).collect();
+    let eliminations = sparse::eliminate(&mut k.dag, table, equations);
+    let values = sparse::back_substitute(&mut k.dag, &eliminations)?;
+    Some(Form { rows, eliminations, values })
 }
 
 /// An elimination with the right-hand sides of what is known among the coefficients.
@@ -199,7 +286,12 @@ pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Piv
 /// Table of all symbols at the sampled configurations: speeds and inputs random, parameters default.
 #[must_use]
 pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
-    let points = k.samples.len();
+    table_at(model, k, &k.sampled())
+}
+
+/// The same at other configurations.
+pub(super) fn table_at(model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
+    let points = samples.len();
     let mut random = super::assemble::Random(0x00C0_FFEE);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     let mut set = |dag: &Dag, expr: ExprId, values: Vec<f64>| {
@@ -214,12 +306,12 @@ pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
     });
     let sizes = sizes.collect();
     for (i, &c) in state.iter().enumerate() {
-        set(&k.dag, k.q[c], k.samples.iter().map(|q| q[i]).collect());
+        set(&k.dag, k.q[c], samples.iter().map(|sample| sample.q[i]).collect());
     }
     for (id, &expr) in k.parameters.enumerate() {
         set(&k.dag, expr, vec![k.parameter_values[id]; points]);
     }
-    set(&k.dag, k.time, k.sample_times.clone());
+    set(&k.dag, k.time, samples.iter().map(|sample| sample.t).collect());
     for &input in k.inputs.iter() {
         set(&k.dag, input, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
     }

@@ -14,11 +14,13 @@ mod choose;
 mod constraint;
 pub(crate) mod diagnose;
 pub mod eliminate;
+mod least_squares;
 pub mod linear;
 mod lower;
 mod orientation;
 mod position;
 mod rank;
+mod regular;
 pub(crate) mod sparse;
 mod speed_map;
 mod velocity;
@@ -134,10 +136,16 @@ pub struct Kinematics {
     pub velocities: IdVec<PointId, Motion>,
     /// Candidate constraint rows, cheapest first.
     pub rows: Vec<Row>,
+    /// Rows of constraints that follow from the others: needed only where the others are not enough.
+    pub spare_rows: Vec<Row>,
     /// Configuration constraints as scalars: 0 when satisfied.
     pub residuals: Vec<ExprId>,
     /// What each residual belongs to.
     pub residual_names: Vec<Place>,
+    /// Constraints that follow from the others at the nominal parameters: no equations, but they must stay satisfied.
+    pub implied: Vec<ExprId>,
+    /// What each of them belongs to.
+    pub implied_names: Vec<Place>,
     /// Vectors stated to be fixed in a frame: inertial components less the stated ones.
     pub fixed_vectors: Vec<(Place, [ExprId; 3])>,
     /// What the speeds' definition divides by.
@@ -148,7 +156,22 @@ pub struct Kinematics {
     pub sample_times: Vec<f64>,
 }
 
+/// A configuration that satisfies the constraints at a time.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Sample {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Time (s).
+    pub t: f64,
+}
+
 impl Kinematics {
+    /// The sampled configurations with their times.
+    pub(crate) fn sampled(&self) -> Vec<Sample> {
+        let samples = self.samples.iter().zip(&self.sample_times);
+        samples.map(|(q, &t)| Sample { q: q.clone(), t }).collect()
+    }
+
     /// Symbol of a coordinate; `None` for a closed form.
     #[must_use]
     pub fn coordinate_symbol(&self, coordinate: CoordinateId) -> Option<SymbolId> {

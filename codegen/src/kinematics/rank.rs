@@ -16,7 +16,7 @@ const DEPENDENT: f64 = 1e-8;
 /// Rank of all rows over the given unknowns, at every sample.
 fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases = Bases::new(unknowns.len(), longest_entry(k, table), table.points());
+    let mut bases = Bases::new(unknowns.len(), longest_entry(&k.dag, &k.rows, table), table.points());
     for row in &k.rows {
         let row = NumericRow::new(&k.dag, table, row, &column);
         bases.extend_where_independent(&k.dag, &row, DEPENDENT);

@@ -89,6 +89,28 @@ pub(crate) fn eliminate_screened(
     done
 }
 
+/// Triangular form of a symmetric positive definite system, equation i being that of unknown i: pivots from the
+/// diagonal, the equation with the fewest unknowns first. No pivot vanishes where the system is regular.
+pub(crate) fn eliminate_definite(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    mut equations: BTreeMap<UnknownId, Equation>,
+) -> Vec<Elimination> {
+    let mut done = Vec::new();
+    while let Some(column) = equations.iter().min_by_key(|(_, e)| e.coefficients.len()).map(|(&u, _)| u) {
+        let Some(row) = equations.remove(&column) else { break };
+        let Some(&pivot) = row.coefficients.get(&column) else { break };
+        table.values(dag, pivot);
+        let one = dag.one();
+        let step = solved_for(dag, row, column, pivot, one);
+        for other in equations.values_mut() {
+            substitute(dag, other, &step);
+        }
+        done.push(step);
+    }
+    done
+}
+
 /// Solves the equations; also the pivots divided by, in order. None if an equation cancels.
 pub(crate) fn solve(
     dag: &mut Dag,

@@ -2,11 +2,11 @@
 //!
 //! In: every speed as the rate of a coordinate or as a linear combination u = Y(q) q_dot. Out: the
 //! rates as linear forms in the speeds, N = Y^-1 by sparse elimination with pivots screened at random
-//! configurations. A coordinate in closed form is no state. With a speed of its own it takes part like
+//! configurations; where these vanish though Y is regular, N = Y' (Y Y')^-1. A coordinate in closed form is no state. With a speed of its own it takes part like
 //! one: its rate is that speed, a dependent one, and constraint rows give it where they are shorter than
 //! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
 
-use super::sparse::{self, Equation};
+use super::sparse::{self, Equation, Values};
 use super::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, assemble, lower, velocity};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
@@ -21,6 +21,9 @@ use std::collections::BTreeMap;
 const SCREENED: usize = 16;
 /// A pivot of this size at the nominal configuration means: the rates do not follow.
 const SINGULAR: f64 = 1e-9;
+
+/// What differs by less than this part of its terms, everywhere, is equal.
+const IDENTICAL: f64 = 1e-12;
 
 /// Fills the rates of all coordinates.
 pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
@@ -65,13 +68,17 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     let equations = equations(model, k)?;
     let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
     let mut table = screening_table(model, k);
-    let Some((values, pivots)) = sparse::solve(&mut k.dag, &mut table, equations) else {
-        return Err(not_invertible(model));
+    let mut usable = |k: &Kinematics, (values, pivots): &(Values, Vec<ExprId>)| {
+        let mut nominal = |p: &ExprId| table.values(&k.dag, *p)[0].abs();
+        values.len() >= states.len() && pivots.iter().all(|p| SINGULAR < nominal(p))
     };
-    let usable = pivots.iter().all(|&p| SINGULAR < table.values(&k.dag, p)[0].abs());
-    if values.len() < states.len() || !usable {
-        return Err(not_invertible(model));
-    }
+    let mut screened = screening_table(model, k);
+    let solved = sparse::solve(&mut k.dag, &mut screened, equations.clone());
+    let solved = match solved.filter(|solved| usable(k, solved)) {
+        Some(solved) if is_regular(model, k, &solved.1) => Some(solved),
+        solved => least_norm(model, k, &equations).filter(|solved| usable(k, solved)).or(solved),
+    };
+    let Some((values, pivots)) = solved else { return Err(not_invertible(model)) };
     k.rate_pivots = pivots;
     for (&coordinate, row) in states.iter().zip(values.values()) {
         let entries = row.iter().enumerate().filter(|(_, e)| !k.dag.is_zero(**e));
@@ -82,6 +89,70 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
         k.rates[coordinate].bias = velocity::bias_of(k, &rate.partials);
     }
     Ok(())
+}
+
+/// Do the pivots vanish only where Y does? Where one has two signs and their product, det Y but for its sign, has one,
+/// the pivot vanishes in between, and Y does not.
+fn is_regular(model: &Model, k: &Kinematics, pivots: &[ExprId]) -> bool {
+    let mut table = screening_table(model, k);
+    let mut signs =
+        |p: &ExprId| -> Vec<bool> { table.values(&k.dag, *p).iter().map(|x| x.is_sign_positive()).collect() };
+    let signs: Vec<Vec<bool>> = pivots.iter().map(&mut signs).collect();
+    let one_sign = |signs: &[bool]| signs.windows(2).all(|pair| pair[0] == pair[1]);
+    let points = signs.first().map_or(0, Vec::len);
+    let product: Vec<bool> =
+        (0..points).map(|s| signs.iter().fold(true, |product, signs| product == signs[s])).collect();
+    signs.iter().all(|signs| one_sign(signs)) || !one_sign(&product)
+}
+
+/// N = Y' (Y Y')^-1: the pivots of the symmetric Y Y' vanish only where Y is singular. Rows of Y at right angles to one
+/// another, as those of Euler parameters, leave a diagonal.
+fn least_norm(model: &Model, k: &mut Kinematics, equations: &[Equation]) -> Option<(Values, Vec<ExprId>)> {
+    let mut identities = identity_table(model, k);
+    let mut gram: BTreeMap<UnknownId, Equation> = BTreeMap::new();
+    let mut diagonals: Vec<(ExprId, Vec<f64>)> = Vec::new();
+    for (i, row) in equations.iter().enumerate() {
+        let mut coefficients = BTreeMap::new();
+        for (j, other) in equations.iter().enumerate() {
+            let shared = row.coefficients.iter().filter_map(|(c, &x)| Some((x, *other.coefficients.get(c)?)));
+            let terms: Vec<ExprId> = shared.map(|(x, y)| k.dag.mul(x, y)).collect();
+            let sum = k.dag.sum(&terms);
+            let mut size = vec![0.0_f64; identities.points()];
+            for &term in &terms {
+                let values = identities.values(&k.dag, term);
+                size.iter_mut().zip(values).for_each(|(size, x)| *size += x.abs());
+            }
+            let values = identities.values(&k.dag, sum).to_vec();
+            let same = |a: &[f64], b: &[f64]| {
+                a.iter().zip(b).zip(&size).all(|((a, b), size)| (a - b).abs() <= IDENTICAL * size)
+            };
+            if same(&values, &vec![0.0; size.len()]) {
+                continue;
+            }
+            let known = diagonals.iter().find(|(_, known)| i == j && same(known, &values)).map(|(d, _)| *d);
+            if i == j && known.is_none() {
+                diagonals.push((sum, values));
+            }
+            coefficients.insert(UnknownId::from_index(j), known.unwrap_or(sum));
+        }
+        gram.insert(UnknownId::from_index(i), Equation { coefficients, right: row.right.clone() });
+    }
+    let mut table = screening_table(model, k);
+    let done = sparse::eliminate_definite(&mut k.dag, &mut table, gram);
+    let by_row = sparse::back_substitute(&mut k.dag, &done)?;
+    let mut values = Values::new();
+    for (row, solved) in equations.iter().zip(by_row.values()) {
+        for (&coordinate, &y) in &row.coefficients {
+            let n = solved.len();
+            let zero = k.dag.zero();
+            let mine = values.entry(coordinate).or_insert_with(|| vec![zero; n]);
+            for (sum, &x) in mine.iter_mut().zip(solved) {
+                let product = k.dag.mul(y, x);
+                *sum = k.dag.add(*sum, product);
+            }
+        }
+    }
+    Some((values, done.into_iter().map(|step| step.pivot).collect()))
 }
 
 /// Y q_dot = u: one equation per speed; unknown c is the rate of coordinate c, right-hand side s is u_s.
@@ -203,6 +274,19 @@ pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
     }
     symbols.extend(k.dag.as_symbol(k.time).map(|time| (time, vec![0.0; 1 + SCREENED])));
     SampleTable::new(symbols, 1 + SCREENED)
+}
+
+/// [`screening_table`] with other parameters at every place: what is equal there is equal for all parameters.
+fn identity_table(model: &Model, k: &Kinematics) -> SampleTable {
+    let mut random = assemble::Random(0x1DE7_717E);
+    let table = screening_table(model, k);
+    let parameters = k.parameters.enumerate().filter_map(|(id, &expr)| {
+        let size = k.parameter_values[id].abs().max(1.0);
+        let values = (0..table.points()).map(|_| random.between((0.5 * size, 1.5 * size))).collect();
+        Some((k.dag.as_symbol(expr)?, values))
+    });
+    let parameters: HashMap<SymbolId, Vec<f64>> = parameters.collect();
+    table.with_symbols(parameters)
 }
 
 fn affine(speed: &Speed, expression: &Expr) -> Diagnostic {

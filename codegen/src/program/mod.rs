@@ -19,7 +19,7 @@ use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
-use crate::model::{CoordinateId, Model};
+use crate::model::{CoordinateId, Model, SpeedMeaning};
 use crate::value::Effort;
 
 pub use kinematic::derive_kinematic;
@@ -252,9 +252,10 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
     })
 }
 
-/// Corrections of the dependent coordinates: those of the speeds through q_dot = N u.
+/// Corrections of the coordinates: those of the dependent speeds through q_dot = N u, the independent ones held.
 ///
-/// A free coordinate whose speed a motion constraint gives is where it is: nothing to correct.
+/// An independent coordinate stays where it is, unless it shares a dependent speed with others: it moves with them
+/// (Euler parameters along their own direction). One whose own speed a motion constraint gives stays too.
 fn correction(
     model: &Model,
     k: &mut Kinematics,
@@ -262,7 +263,13 @@ fn correction(
     solution: &Solution,
 ) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
-    for (index, &c) in state.iter().enumerate().filter(|(_, c)| !model.coordinates[**c].independent) {
+    let has_speed = |c: CoordinateId| {
+        model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == c))
+    };
+    for (index, &c) in state.iter().enumerate() {
+        if model.coordinates[c].independent && has_speed(c) {
+            continue;
+        }
         let rate = k.rates[c].partials.clone();
         let terms: Vec<ExprId> =
             rate.into_iter().map(|(unknown, n)| k.dag.mul(n, solution.correction[&unknown])).collect();

@@ -16,6 +16,7 @@ mod model_errors;
 mod models;
 mod parallel;
 mod redundant;
+mod regular;
 mod rejected;
 mod rolling;
 mod speeds;
