@@ -123,8 +123,7 @@ pub(super) fn suspects(
     for &pivot in pivots.iter().filter(|p| !k.dag.is_constant(**p)) {
         let values = table.values(&k.dag, pivot);
         let smallest = (0..values.len()).min_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()));
-        // Written so that what is not a number is a suspect too.
-        let small = |&s: &usize| !(values[s].abs() > SMALL * values[0].abs());
+        let small = |&s: &usize| values[s].is_nan() || values[s].abs() <= SMALL * values[0].abs();
         suspects.extend(smallest.filter(small).map(|s| samples[s].clone()));
         let others = (1..values.len()).filter(|&s| values[s] * values[0] < 0.0);
         for s in others.take(ATTEMPTS) {
