@@ -27,6 +27,7 @@ mod observed_order;
 mod pair_impact;
 mod peers_front;
 mod rigid_impact;
+mod rigid_motion;
 mod scene_graph;
 mod tile_equations;
 mod tile_motion;

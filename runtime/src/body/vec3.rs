@@ -50,6 +50,12 @@ pub fn cross<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> Vec3<S> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
+/// The product of a matrix, given by its rows, and a.
+#[must_use]
+pub fn apply<S: Scalar>(rows: &[Vec3<S>; 3], a: Vec3<S>) -> Vec3<S> {
+    rows.map(|row| dot(row, a))
+}
+
 /// |a|.
 #[must_use]
 pub fn norm<S: Scalar>(a: Vec3<S>) -> S {

@@ -9,7 +9,6 @@ pub mod friction;
 pub mod massless;
 pub mod pair;
 pub mod restitution;
-pub mod rigid;
 pub mod soft;
 
 use crate::body::Body;

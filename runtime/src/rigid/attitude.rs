@@ -1,0 +1,66 @@
+//! Attitude of a body as a unit quaternion e = (e0, e1, e2, e3) (Euler parameters): it turns body axes to N.
+
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// Euler parameters of the turn from N to the body; unit length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attitude<S> {
+    scalar: S,
+    vector: Vec3<S>,
+}
+
+impl<S: Scalar> Attitude<S> {
+    /// Body axes along those of N.
+    #[must_use]
+    pub fn identity() -> Attitude<S> {
+        Attitude { scalar: S::ONE, vector: vec3::zero() }
+    }
+
+    /// From Euler parameters of any length but 0; no length, no turn.
+    #[must_use]
+    pub fn new(parameters: [S; 4]) -> Attitude<S> {
+        let [scalar, x, y, z] = parameters;
+        let vector = [x, y, z];
+        let length = (scalar * scalar + vec3::dot(vector, vector)).sqrt();
+        if length > S::ZERO {
+            Attitude { scalar: scalar / length, vector: vec3::scale(vector, S::ONE / length) }
+        } else {
+            Attitude::identity()
+        }
+    }
+
+    /// e0, e1, e2, e3.
+    #[must_use]
+    pub fn parameters(&self) -> [S; 4] {
+        let [x, y, z] = self.vector;
+        [self.scalar, x, y, z]
+    }
+
+    /// Components in N of a vector given in body axes.
+    #[must_use]
+    pub fn to_inertial(&self, a: Vec3<S>) -> Vec3<S> {
+        self.rotate(self.vector, a)
+    }
+
+    /// Components in body axes of a vector given in N.
+    #[must_use]
+    pub fn to_body(&self, a: Vec3<S>) -> Vec3<S> {
+        self.rotate(vec3::scale(self.vector, -S::ONE), a)
+    }
+
+    /// a + 2 e x (e x a + e0 a).
+    fn rotate(&self, e: Vec3<S>, a: Vec3<S>) -> Vec3<S> {
+        let inner = vec3::axpy(vec3::cross(e, a), self.scalar, a);
+        vec3::axpy(a, S::from_f64(2.0), vec3::cross(e, inner))
+    }
+
+    /// This turn followed by Cayley's turn (I - \[w\])^-1 (I + \[w\]) about w in body axes, |w| = tan(angle/2).
+    #[must_use]
+    pub fn turned(&self, w: Vec3<S>) -> Attitude<S> {
+        let scalar = self.scalar - vec3::dot(self.vector, w);
+        let vector = vec3::add(vec3::axpy(self.vector, self.scalar, w), vec3::cross(self.vector, w));
+        let [x, y, z] = vector;
+        Attitude::new([scalar, x, y, z])
+    }
+}

@@ -1,0 +1,174 @@
+//! Slip whose direction swerves: the part of an impact that no formula covers (Keller 1986; Bhatt and Koechling 1995).
+//!
+//! With d tau = dp/|v_t| as clock the equations are smooth up to the end of slip,
+//! ```text
+//! P_n' = s,   P_t' = -mu v_t,   W' = v_n s,   v = v_0 + K P,   s = |v_t|
+//! ```
+//! and their Taylor series follow from one recurrence. A step is as long as the series' last terms allow; v_n = 0
+//! and the end of the work are roots of its polynomials. The direction tends to one that it keeps; from there on, or
+//! once slip is lost in rounding, the straight phases of `impact` take over.
+
+use super::impact::{BISECTIONS, Progress, Touch, slip_of};
+use crate::body::vec3;
+use crate::real::Scalar;
+
+/// Terms of the series.
+const TERMS: usize = 24;
+/// Steps at most; each turns the slip by a good part of what is left of its turn.
+const STEPS: usize = 400;
+
+/// Advances until the direction of slip is constant (false) or the impact is over (true).
+pub(super) fn advance<S: Scalar>(
+    touch: &Touch<S>,
+    at: &mut Progress<S>,
+    mut show: impl FnMut(&Progress<S>),
+) -> bool {
+    let scale = vec3::norm(touch.velocity);
+    for _ in 0..STEPS {
+        let (_, slip) = slip_of(at.velocity);
+        if slip <= S::EPSILON * scale {
+            (at.velocity[1], at.velocity[2]) = (S::ZERO, S::ZERO);
+            return false;
+        }
+        if keeps_direction(touch, at.velocity) {
+            return false;
+        }
+        let ended = advance_step(touch, at, &Series::new(touch, at));
+        show(at);
+        if ended {
+            return true;
+        }
+    }
+    false
+}
+
+/// One step of the series, or less: to v_n = 0 or to the end of the work. True: the impact is over.
+fn advance_step<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>, series: &Series<S>) -> bool {
+    let step = series.step();
+    let rate = |tau: S| value(&series.n, tau);
+    let Some(left) = at.work_left(touch.restitution) else {
+        let reaches = rate(step) >= S::ZERO;
+        series.apply(at, if reaches { root(rate, step) } else { step });
+        if reaches {
+            at.compressed();
+        }
+        return false;
+    };
+    // v_n may fall to 0 again in restitution: the bodies compress anew.
+    let falls = rate(step) < S::ZERO;
+    let step = if falls { root(|tau| -rate(tau), step) } else { step };
+    let missing = |tau: S| value(&series.work, tau) - left;
+    if missing(step) >= S::ZERO {
+        series.apply(at, root(missing, step));
+        return true;
+    }
+    series.apply(at, step);
+    if falls {
+        at.compresses_again();
+    }
+    false
+}
+
+/// Does slip go on along its line? The part of K dP/dp across it is no more than rounding.
+fn keeps_direction<S: Scalar>(touch: &Touch<S>, velocity: vec3::Vec3<S>) -> bool {
+    let ([x, y], _) = slip_of(velocity);
+    let change = vec3::apply(&touch.inverse_mass, [S::ONE, -(touch.friction * x), -(touch.friction * y)]);
+    let [_, [kx, a, b], [ky, _, c]] = touch.inverse_mass;
+    let size = kx.abs() + ky.abs() + touch.friction * (a + c + b.abs());
+    (x * change[2] - y * change[1]).abs() <= S::from_f64(4.0) * S::EPSILON * size
+}
+
+/// The place in (0, step] where f rises through 0, by bisection to the last bit.
+fn root<S: Scalar>(f: impl Fn(S) -> S, step: S) -> S {
+    let half = S::from_f64(0.5);
+    let (mut low, mut high) = (S::ZERO, step);
+    for _ in 0..BISECTIONS {
+        let middle = half * (low + high);
+        if f(middle) < S::ZERO { low = middle } else { high = middle }
+    }
+    high
+}
+
+/// Coefficients of the powers of tau: velocity, normal impulse, work.
+struct Series<S> {
+    n: [S; TERMS],
+    x: [S; TERMS],
+    y: [S; TERMS],
+    impulse: [S; TERMS],
+    work: [S; TERMS],
+    friction: S,
+}
+
+impl<S: Scalar> Series<S> {
+    fn new(touch: &Touch<S>, at: &Progress<S>) -> Series<S> {
+        let none = [S::ZERO; TERMS];
+        let mut series =
+            Series { n: none, x: none, y: none, impulse: none, work: none, friction: touch.friction };
+        let (mut slip, mut count) = (none, S::ZERO);
+        let mut term = at.velocity;
+        for k in 0..TERMS {
+            (series.n[k], series.x[k], series.y[k]) = (term[0], term[1], term[2]);
+            slip[k] = slip_term(&series.x, &series.y, &slip, k);
+            count = count + S::ONE;
+            let rate = [slip[k], -(touch.friction * term[1]), -(touch.friction * term[2])];
+            let next = vec3::scale(rate, S::ONE / count);
+            let power = convolution(&series.n, &slip, k) / count;
+            // The last term has no successor.
+            if let (Some(impulse), Some(work)) = (series.impulse.get_mut(k + 1), series.work.get_mut(k + 1)) {
+                (*impulse, *work) = (next[0], power);
+            }
+            term = vec3::apply(&touch.inverse_mass, next);
+        }
+        series
+    }
+
+    /// The step after which the last terms of v_t are rounding: (epsilon |v_t| / |term|)^(1/order).
+    fn step(&self) -> S {
+        let size = |k: usize| slip_of([S::ZERO, self.x[k], self.y[k]]).1;
+        let order = S::from_f64((TERMS - 1) as f64);
+        let last = size(TERMS - 1).max(size(TERMS - 2) * size(1) / size(0));
+        // The first term bounds the step where the series happens to end early.
+        let by_first = size(0) / size(1);
+        if last > S::ZERO {
+            ((S::EPSILON * size(0) / last).ln() / order).exp().min(by_first)
+        } else {
+            by_first
+        }
+    }
+
+    fn apply(&self, at: &mut Progress<S>, tau: S) {
+        // P_t = -mu times the integral of v_t.
+        let [mut x, mut y] = [S::ZERO; 2];
+        let mut count = order_of::<S>();
+        for (vx, vy) in self.x.iter().zip(&self.y).rev() {
+            (x, y) = (x * tau + *vx / count, y * tau + *vy / count);
+            count = count - S::ONE;
+        }
+        let sideways = -(self.friction * tau);
+        at.impulse = vec3::add(at.impulse, [value(&self.impulse, tau), sideways * x, sideways * y]);
+        at.work = at.work + value(&self.work, tau);
+        at.velocity = [value(&self.n, tau), value(&self.x, tau), value(&self.y, tau)];
+    }
+}
+
+/// The number of terms.
+fn order_of<S: Scalar>() -> S {
+    S::from_f64(TERMS as f64)
+}
+
+/// The sum of the powers of tau.
+fn value<S: Scalar>(terms: &[S; TERMS], tau: S) -> S {
+    terms.iter().rev().fold(S::ZERO, |sum, term| sum * tau + *term)
+}
+
+/// Term k of the product of two series.
+fn convolution<S: Scalar>(a: &[S; TERMS], b: &[S; TERMS], k: usize) -> S {
+    let pairs = a.iter().take(k + 1).zip(b.iter().take(k + 1).rev());
+    pairs.fold(S::ZERO, |sum, (a, b)| sum + *a * *b)
+}
+
+/// Term k of s from s s = v_t . v_t, the terms below it known and itself still 0.
+fn slip_term<S: Scalar>(x: &[S; TERMS], y: &[S; TERMS], s: &[S; TERMS], k: usize) -> S {
+    let square = convolution(x, x, k) + convolution(y, y, k);
+    if k == 0 { square.sqrt() } else { (square - convolution(s, s, k)) / (S::from_f64(2.0) * s[0]) }
+}
