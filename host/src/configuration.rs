@@ -23,6 +23,8 @@ pub struct Configurations {
     ranges: Vec<(f64, f64)>,
     nominal: Vec<f64>,
     defaults: Vec<f64>,
+    /// At which the constraints are to hold (s).
+    time: f64,
 }
 
 impl Configurations {
@@ -40,6 +42,7 @@ impl Configurations {
                 .collect(),
             nominal: program.nominal.clone(),
             defaults: program.parameters.iter().map(|p| p.value).collect(),
+            time: 0.0,
         }
     }
 
@@ -49,19 +52,21 @@ impl Configurations {
         self.independent.get(index).copied().unwrap_or(false)
     }
 
-    /// From a configuration that meets the constraints to the independent coordinates of another.
+    /// From a configuration that meets the constraints at time `t` (s) to the independent coordinates of another.
     ///
     /// # Errors
     /// If it cannot be assembled there.
-    pub fn follow(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
+    pub fn follow(&mut self, t: f64, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        self.assembly.set_time(t);
         self.assembly.continue_to(from, target)
     }
 
-    /// The nominal configuration at these parameters, reached from that at the default ones.
+    /// The nominal configuration at these parameters and time 0, reached from that at the default ones.
     ///
     /// # Errors
     /// If it cannot be assembled there.
     pub fn nominal_at(&mut self, parameters: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        self.assembly.set_time(0.0);
         if parameters == self.defaults {
             self.assembly.set_parameters(parameters);
             return Ok(self.nominal.clone());
@@ -94,6 +99,20 @@ impl Configurations {
         Ok(q)
     }
 
+    /// [`Configurations::complete`] at time `t` (s).
+    ///
+    /// # Errors
+    /// As [`Configurations::solve`].
+    pub fn complete_at(
+        &mut self,
+        t: f64,
+        parameters: &[f64],
+        given: &[Option<f64>],
+    ) -> Result<Vec<f64>, Unreachable> {
+        self.time = t;
+        self.complete(parameters, given)
+    }
+
     /// All coordinates; `given[i]` is the value of the i-th one. A complete list comes back as it is.
     ///
     /// # Errors
@@ -111,7 +130,10 @@ impl Configurations {
     /// # Errors
     /// If no dependent coordinates were found.
     pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
-        let nominal = self.nominal_at(parameters)?;
+        let mut nominal = self.nominal_at(parameters)?;
+        if self.time != 0.0 {
+            nominal = self.assembly.continue_in_time(&nominal, self.time)?;
+        }
         let mut target = nominal.clone();
         for (i, value) in given.iter().enumerate() {
             if let (true, Some(value)) = (self.is_independent(i), value) {

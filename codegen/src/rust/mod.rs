@@ -62,6 +62,8 @@ pub enum Answer {
     Outputs,
     /// Newton's correction of the dependent coordinates.
     Projection,
+    /// Power of the drive; a program that is not driven has none.
+    Drive,
     /// The equations before the elimination; emitted only on request.
     Augmented,
 }
@@ -71,7 +73,14 @@ impl Answer {
     pub const KINEMATIC: [Self; 3] = [Self::Speeds, Self::Outputs, Self::Projection];
 
     /// Every answer of a complete file, in its order; [`Answer::Augmented`] is a form of its own.
-    pub const ALL: [Self; 5] = [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection];
+    pub const ALL: [Self; 6] =
+        [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection, Self::Drive];
+
+    /// Those of [`Answer::ALL`] that a program has.
+    #[must_use]
+    pub fn of(program: &Program) -> Vec<Self> {
+        Self::ALL.into_iter().filter(|&answer| answer != Self::Drive || program.drive.is_some()).collect()
+    }
 
     /// Name of the emitted function and of the answer on the command line.
     #[must_use]
@@ -82,6 +91,7 @@ impl Answer {
             Self::Speeds => "speeds",
             Self::Outputs => "outputs",
             Self::Projection => "projection",
+            Self::Drive => "drive",
             Self::Augmented => "augmented",
         }
     }
@@ -104,6 +114,7 @@ impl Answer {
                 roots.push(program.residual);
                 roots
             }
+            Self::Drive => program.drive.into_iter().collect(),
             Self::Augmented => program.augmented_roots(),
         }
     }
@@ -119,6 +130,7 @@ impl Answer {
             Self::Projection => {
                 "Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them."
             }
+            Self::Drive => "Power that what drives the mechanism puts in (W).",
             Self::Augmented => {
                 "Mass matrix M, Jacobian J (row-major), forcing f and bias b of M y' - J' lambda = f, J y' = -b, y as in `UNKNOWN_NAMES`."
             }
@@ -143,10 +155,14 @@ const PLAIN_STRUCT: &str = "\
 #[allow(non_snake_case, reason = \"names are the model's\")]
 ";
 
-/// The formatted source text.
+/// The formatted source text; a program that is not driven has no [`Answer::Drive`].
 #[must_use]
 pub fn emit(program: &Program, options: &EmitOptions) -> String {
-    let answers = if options.answers.is_empty() { Answer::ALL.to_vec() } else { options.answers.clone() };
+    let mut answers = Answer::of(program);
+    if !options.answers.is_empty() {
+        let wanted = options.answers.iter().copied();
+        answers = wanted.filter(|&answer| answer == Answer::Augmented || answers.contains(&answer)).collect();
+    }
     let roots: Vec<ExprId> = answers.iter().flat_map(|answer| answer.roots(program)).collect();
     let prepared = Prepared::new(program, &roots);
     let costs: Vec<Cost> = answers
@@ -279,6 +295,7 @@ fn function(
         Answer::Energy => "(S, S)".to_owned(),
         Answer::Speeds | Answer::Outputs => format!("[S; {n}usize]"),
         Answer::Projection => format!("([S; {corrections}usize], S)"),
+        Answer::Drive => "S".to_owned(),
         Answer::Augmented => {
             let lengths = augmented_lengths(program).map(|n| format!("[S; {n}usize]"));
             format!("({})", lengths.join(", "))
@@ -310,6 +327,7 @@ fn result(program: &Program, answer: Answer, results: &[String]) -> String {
             let (corrections, residual) = results.split_at(results.len() - 1);
             format!("({}, {})", list(corrections), residual.concat())
         }
+        Answer::Drive => results.concat(),
         Answer::Augmented => {
             let mut rest = results;
             let parts = augmented_lengths(program).map(|n| {

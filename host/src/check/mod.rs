@@ -64,10 +64,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut kinematics =
         kinematics::derive(&model, &choice, Optimise::default()).map_err(|e| model_argument::wrong(&e))?;
     let rank = Rank::over_samples(&model, &mut kinematics);
-    let nearest = near_singular::search(&model, &program, &kinematics.samples);
+    let nearest = near_singular::search(&model, &program, (&kinematics.samples, &kinematics.sample_times));
     let mut report = report(&model, &program, &rank, nearest.as_ref());
     if arguments.rounding {
-        report.facts["rounding"] = rounding::facts(&rounding::survey(&program, &kinematics.samples));
+        report.facts["rounding"] =
+            rounding::facts(&rounding::survey(&program, (&kinematics.samples, &kinematics.sample_times)));
     }
     if arguments.json {
         output::print(&format!("{}\n", report.facts));
@@ -166,7 +167,7 @@ fn units(model: &Model, program: &Program) -> Value {
 }
 
 fn cost(model: &Model, program: &Program) -> Value {
-    let answers: &[Answer] = if model.bodies.is_empty() { &Answer::KINEMATIC } else { &Answer::ALL };
+    let answers = if model.bodies.is_empty() { Answer::KINEMATIC.to_vec() } else { Answer::of(program) };
     let costs = answers.iter().map(|answer| {
         let roots = answer.roots(program);
         json!({

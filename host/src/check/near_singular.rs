@@ -28,15 +28,22 @@ pub(super) struct Nearest {
     pub q: Vec<f64>,
     /// Smallest pivot there, relative to nominal.
     pub pivot: f64,
+    /// The time (s), which matters where the mechanism is driven.
+    pub t: f64,
 }
 
 /// Looks for it; none if nothing is divided by.
-pub(super) fn search(model: &Model, program: &Program, samples: &[Vec<f64>]) -> Option<Nearest> {
+pub(super) fn search(
+    model: &Model,
+    program: &Program,
+    (samples, times): (&[Vec<f64>], &[f64]),
+) -> Option<Nearest> {
     if program.pivots.is_empty() {
         return None;
     }
     let mut search = Search::new(model, program);
-    let mut starts: Vec<Nearest> = samples.iter().filter_map(|q| search.look(q.clone())).collect();
+    let mut starts: Vec<Nearest> =
+        samples.iter().zip(times).filter_map(|(q, &t)| search.look(t, q.clone())).collect();
     starts.sort_by(|a, b| a.pivot.total_cmp(&b.pivot));
     starts.truncate(STARTS);
     let found: Vec<Nearest> = starts.into_iter().map(|start| search.descend(start)).collect();
@@ -72,25 +79,25 @@ impl Search {
     }
 
     /// The worst pivot at a configuration; none if it is no number.
-    fn look(&mut self, q: Vec<f64>) -> Option<Nearest> {
+    fn look(&mut self, t: f64, q: Vec<f64>) -> Option<Nearest> {
         let ([q_dot, u_dot], [u, inputs]) = (&mut self.rates, &self.zeros);
-        let pivot = self.engine.rates(0.0, &q, u, inputs, q_dot, u_dot).ok()?;
-        pivot.is_finite().then_some(Nearest { q, pivot })
+        let pivot = self.engine.rates(t, &q, u, inputs, q_dot, u_dot).ok()?;
+        pivot.is_finite().then_some(Nearest { q, pivot, t })
     }
 
-    /// The configuration reached from `from` by moving one independent coordinate.
-    fn moved(&mut self, from: &[f64], index: usize, by: f64) -> Option<Nearest> {
+    /// The configuration reached from another by moving one independent coordinate, at the same time.
+    fn moved(&mut self, Nearest { q: from, t, .. }: &Nearest, index: usize, by: f64) -> Option<Nearest> {
         let (_, (low, high)) = self.ranges[index];
-        let mut target = from.to_vec();
+        let mut target = from.clone();
         target[index] = (from[index] + by).clamp(low.min(high), high.max(low));
         if target[index] == from[index] {
             return None;
         }
         self.looks += 1;
-        let q = self.configurations.follow(from, &target).ok()?;
+        let q = self.configurations.follow(*t, from, &target).ok()?;
         let inside =
             self.ranges.iter().zip(&q).all(|((free, (low, high)), x)| *free || (low..=high).contains(&x));
-        if inside { self.look(q) } else { None }
+        if inside { self.look(*t, q) } else { None }
     }
 
     fn descend(&mut self, start: Nearest) -> Nearest {
@@ -102,7 +109,7 @@ impl Search {
             for &index in &free {
                 let (low, high) = self.ranges[index].1;
                 for sign in [1.0, -1.0] {
-                    let there = self.moved(&best.q.clone(), index, sign * step * (high - low));
+                    let there = self.moved(&best.clone(), index, sign * step * (high - low));
                     if let Some(there) = there.filter(|there| there.pivot < best.pivot) {
                         (best, better) = (there, true);
                         break;

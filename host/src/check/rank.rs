@@ -51,7 +51,7 @@ impl Rank {
         };
         let rows = rows(model, k);
         let highest = rows.iter().flat_map(|row| row.keys()).max().map_or(0, |&column| column + 1);
-        let lifted = if unknowns < highest { k.unknowns.len() - unknowns } else { 0 };
+        let lifted = if unknowns < highest { k.moving_unknowns().len() - unknowns } else { 0 };
         let mut matrices = vec![vec![vec![0.0; unknowns + lifted]; rows.len()]; samples];
         for (r, row) in rows.iter().enumerate() {
             let coefficients: Vec<ExprId> = row.values().copied().collect();
@@ -104,12 +104,23 @@ fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
         }
     }
     let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
-    let of_twist = |row: &Row| row.coefficients.keys().any(|unknown| model.speeds.len() <= unknown.index());
+    let clock = k.clock.map(|clock| clock.index());
+    let is_twist = |unknown: usize| model.speeds.len() <= unknown && Some(unknown) != clock;
+    let of_twist = |row: &Row| row.coefficients.keys().any(|unknown| is_twist(unknown.index()));
     let lifted = k.rows.iter().any(|row| is_motion(&row.name) && of_twist(row));
     for row in k.rows.iter().filter(|row| is_motion(&row.name) || (lifted && of_twist(row))) {
         rows.push(row.coefficients.iter().map(|(unknown, &c)| (unknown.index(), c)).collect());
     }
-    rows
+    match clock {
+        Some(clock) => rows.into_iter().map(|row| without(row, clock)).collect(),
+        None => rows,
+    }
+}
+
+/// The row without the clock's column, which is none of the motion's; those behind it move up.
+fn without(row: BTreeMap<usize, ExprId>, clock: usize) -> BTreeMap<usize, ExprId> {
+    let moving = row.into_iter().filter(|(column, _)| *column != clock);
+    moving.map(|(column, c)| (column - usize::from(clock < column), c)).collect()
 }
 
 /// Coefficients of the speeds in the rate of an expression, by the chain rule.

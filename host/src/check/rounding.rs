@@ -37,7 +37,7 @@ pub(super) struct Rounding {
 }
 
 /// Surveys every output that is not zero throughout.
-pub(super) fn survey(program: &Program, samples: &[Vec<f64>]) -> Vec<Rounding> {
+pub(super) fn survey(program: &Program, samples: (&[Vec<f64>], &[f64])) -> Vec<Rounding> {
     let symbols = symbols(program);
     let (names, roots): (Vec<String>, Vec<ExprId>) = outputs(program).into_iter().unzip();
     let states = states(program, samples);
@@ -83,17 +83,17 @@ fn outputs(program: &Program) -> Vec<(String, ExprId)> {
     outputs
 }
 
-/// Numbers for [`symbols`], all exact in f32, at time 0.
-fn states(program: &Program, samples: &[Vec<f64>]) -> Vec<Vec<f64>> {
+/// Numbers for [`symbols`], all exact in f32, at the samples' times.
+fn states(program: &Program, (samples, times): (&[Vec<f64>], &[f64])) -> Vec<Vec<f64>> {
     let mut drawn = 0;
     let mut draw = |within: f64| {
         drawn += 1;
         within * (2.0 * (f64::from(drawn) * GOLDEN).fract() - 1.0)
     };
     let mut states = Vec::new();
-    for q in samples {
+    for (q, &t) in samples.iter().zip(times) {
         for _ in 0..DRAWS {
-            let mut state = vec![0.0];
+            let mut state = vec![t];
             state.extend(q);
             state.extend(program.u.iter().map(|_| draw(SPEEDS)));
             state.extend(program.inputs.iter().map(|_| draw(INPUTS)));

@@ -38,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     pub optimise: OptimiseFor,
     /// Only these functions, without the struct that joins them to the runtime:
-    /// rates, energy, speeds, outputs, projection.
+    /// rates, energy, speeds, outputs, projection, and drive where the mechanism is driven.
     #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
     pub answers: Vec<Answer>,
     /// Keep these fixed parameters as fields.
@@ -150,11 +150,15 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
-    let options = EmitOptions {
-        scalar: arguments.scalar.scalar_type(),
-        answers: answers(arguments, &model)?,
-        ..Default::default()
-    };
+    let answers = answers(arguments, &model)?;
+    if answers.contains(&Answer::Drive) && program.drive.is_none() {
+        return Err(Failure::Wrong(format!(
+            "--answers drive: nothing drives `{}`; expected a model in which time enters places or constraints, or a \
+             motion constraint has a part without speeds",
+            model.name
+        )));
+    }
+    let options = EmitOptions { scalar: arguments.scalar.scalar_type(), answers, ..Default::default() };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;
@@ -183,7 +187,7 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
     }
     let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
     let kinematic = arguments.form == Form::Kinematic;
-    let answers: &[Answer] = if kinematic { &Answer::KINEMATIC } else { &Answer::ALL };
+    let answers = if kinematic { Answer::KINEMATIC.to_vec() } else { Answer::of(program) };
     let text = if arguments.json {
         let costs = answers.iter().map(|&a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
         let costs = serde_json::Map::from_iter(costs);

@@ -19,6 +19,7 @@ enum Which {
     Outputs = 3,
     Projection = 4,
     Prepare = 5,
+    Drive = 6,
 }
 
 /// A mechanism whose equations were compiled a moment ago, or are from the cache.
@@ -29,6 +30,7 @@ pub struct Compiled<S> {
     _library: Library,
     n_speeds: usize,
     n_outputs: usize,
+    is_driven: bool,
     corrected: Vec<usize>,
     angles: Vec<bool>,
     arguments: Arguments<S>,
@@ -45,7 +47,7 @@ impl<S: EngineScalar> Compiled<S> {
         let path = cache::library(&files)?;
         let (library, function) =
             load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
-        let roots: Vec<_> = Answer::ALL.iter().flat_map(|answer| answer.roots(program)).collect();
+        let roots: Vec<_> = Answer::of(program).iter().flat_map(|answer| answer.roots(program)).collect();
         let n_prepared = program.prepared(&roots).len();
         let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
         let mut this = Self {
@@ -53,6 +55,7 @@ impl<S: EngineScalar> Compiled<S> {
             _library: library,
             n_speeds: program.speeds.len(),
             n_outputs: program.outputs.len(),
+            is_driven: program.drive.is_some(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
             arguments: Arguments::new(program, n_prepared),
@@ -160,5 +163,13 @@ impl<S: EngineScalar> Engine<S> for Compiled<S> {
         let mut values = vec![S::ZERO; self.n_outputs];
         self.answer(Which::Outputs, &mut values)?;
         Ok(values)
+    }
+    fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault> {
+        self.arguments.set(t, q, u, inputs)?;
+        let mut power = [S::ZERO];
+        if self.is_driven {
+            self.answer(Which::Drive, &mut power)?;
+        }
+        Ok(power[0])
     }
 }

@@ -84,7 +84,11 @@ counting = []
 "
     );
     let options = EmitOptions { scalar, runtime: "crate".to_owned(), answers: Vec::new() };
-    let root = include_str!("dynamic.rs.txt").to_owned();
+    let drive = match program.drive {
+        Some(_) => "6 => fill(results, [drive(*t, q, u, inputs, p)].iter()),",
+        None => "// 6, the power of the drive: nothing drives this mechanism.",
+    };
+    let root = include_str!("dynamic.rs.txt").replace("// DRIVE", drive);
     let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
     files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
     files.extend(sources());

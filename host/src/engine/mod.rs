@@ -52,7 +52,7 @@ impl EngineScalar for f64 {
 pub trait Engine<S: EngineScalar>: Mechanism<S> {
     /// Sets all tunable parameters, in the program's order.
     fn set_parameters(&mut self, values: &[S]);
-    /// All speeds, dependent ones included.
+    /// All speeds, dependent ones included, at the time last set.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -62,7 +62,12 @@ pub trait Engine<S: EngineScalar>: Mechanism<S> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault>;
-    /// Largest constraint residual of a configuration, which stays as it is.
+    /// The power (W) that the drive puts in; 0 where nothing is driven.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault>;
+    /// Largest constraint residual of a configuration, which stays as it is, at the time last set.
     ///
     /// # Errors
     /// [`Fault::Shape`] if `q` has not the stated length.
@@ -80,6 +85,9 @@ impl<S: EngineScalar> Engine<S> for Interpreted<S> {
     }
     fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault> {
         Interpreted::outputs(self, t, q, u, inputs)
+    }
+    fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault> {
+        Interpreted::drive(self, t, q, u, inputs)
     }
 }
 

@@ -24,7 +24,7 @@ use write::Evaluated;
   with in.json: {\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0}, \"u\": {\"u_hA\": 0.1},
                               \"inputs\": {\"FA\": 30}, \"parameters\": {\"M\": 8}}]}
 
-SI units. Independent coordinates must be given; dependent ones are solved for where left out, and
+SI units. Beside \"q\" a state may have the time \"t\", else it is 0. Independent coordinates must be given; dependent ones are solved for where left out, and
 those in closed form follow from the others (given all the same, they must agree). Left-out speeds and inputs are 0, left-out parameters are the model's.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
@@ -41,7 +41,7 @@ pub struct Arguments {
     /// What it computes with.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
-    /// Only these: rates, energy, speeds, outputs, projection [default: all but speeds].
+    /// Only these: rates, energy, speeds, outputs, projection, drive [default: all but speeds].
     #[arg(long, value_delimiter = ',', value_parser = answer)]
     pub answers: Vec<Answer>,
     /// Print one JSON object about what was done (the answers are JSON in any case).
@@ -94,8 +94,8 @@ fn evaluate<S: EngineScalar>(
     states: &[State],
 ) -> Result<String, Failure> {
     let answers = match arguments.answers.as_slice() {
-        [] => &[Answer::Rates, Answer::Energy, Answer::Outputs, Answer::Projection],
-        given => given,
+        [] => Answer::of(program).into_iter().filter(|&answer| answer != Answer::Speeds).collect(),
+        given => given.to_vec(),
     };
     let mut engine = engine::new::<S>(arguments.engine, program)?;
     let mut configurations = Configurations::new(model, program);
@@ -108,7 +108,7 @@ fn evaluate<S: EngineScalar>(
         let at =
             |message: String| Failure::Wrong(format!("{}: states[{number}]: {message}", arguments.states));
         let given = state.resolve(program, names, &configurations).map_err(at)?;
-        let q = configurations.complete(&given.parameters, &given.q).map_err(|unreachable| {
+        let q = configurations.complete_at(state.t, &given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
                 "the dependent coordinates cannot be found: a constraint residual of {:.1e} is left; expected \
                  independent coordinates within reach of the nominal configuration (its branch is followed), \
@@ -118,12 +118,12 @@ fn evaluate<S: EngineScalar>(
         })?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
-        let mut evaluated = one(engine.as_mut(), &q, &given.u, &given.inputs)
+        let mut evaluated = one(engine.as_mut(), state.t, &q, &given.u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         if let Some(closed_forms) = &mut closed_forms {
             closed_forms.set_parameters(&parameters);
             let values = closed_forms
-                .outputs(S::ZERO, &rounded(&q), &rounded(&given.u), &rounded(&given.inputs))
+                .outputs(S::from_f64(state.t), &rounded(&q), &rounded(&given.u), &rounded(&given.inputs))
                 .map_err(|fault| at(explain(fault).to_owned()))?;
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
@@ -134,7 +134,7 @@ fn evaluate<S: EngineScalar>(
             )));
         }
         text.push_str(if number == 0 { "\n" } else { ",\n" });
-        evaluated.write(program, names, answers, &mut text);
+        evaluated.write(program, names, &answers, &mut text);
     }
     text.push_str("\n]}\n");
     Ok(text)
@@ -162,16 +162,20 @@ fn rounded<S: EngineScalar>(values: &[f64]) -> Vec<S> {
 
 fn one<S: EngineScalar>(
     engine: &mut dyn Engine<S>,
+    t: f64,
     q: &[f64],
     u: &[f64],
     inputs: &[f64],
 ) -> Result<Evaluated, smartbed_runtime::mechanism::Fault> {
     let (state_q, state_u, state_inputs) = (rounded::<S>(q), rounded::<S>(u), rounded::<S>(inputs));
     let (mut q_dot, mut u_dot) = (vec![S::ZERO; q.len()], vec![S::ZERO; u.len()]);
-    let pivot = engine.rates(S::ZERO, &state_q, &state_u, &state_inputs, &mut q_dot, &mut u_dot)?;
+    let time = S::from_f64(t);
+    engine.set_time(time);
+    let pivot = engine.rates(time, &state_q, &state_u, &state_inputs, &mut q_dot, &mut u_dot)?;
     let energy = engine.energy(&state_q, &state_u)?;
     let widened = |values: Vec<S>| values.into_iter().map(S::to_f64).collect::<Vec<f64>>();
     Ok(Evaluated {
+        t,
         q: q.to_vec(),
         closed: Vec::new(),
         u: u.to_vec(),
@@ -180,7 +184,8 @@ fn one<S: EngineScalar>(
         pivot: pivot.to_f64(),
         energy: [energy.0.to_f64(), energy.1.to_f64()],
         speeds: widened(engine.speeds(&state_q, &state_u)?),
-        outputs: widened(engine.outputs(S::ZERO, &state_q, &state_u, &state_inputs)?),
+        outputs: widened(engine.outputs(time, &state_q, &state_u, &state_inputs)?),
+        drive: engine.drive(time, &state_q, &state_u, &state_inputs)?.to_f64(),
         residual: engine.residual(&state_q)?.to_f64(),
     })
 }

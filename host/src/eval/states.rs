@@ -1,4 +1,4 @@
-//! States files: `{"states": [{"q": {name: value}, "u": {...}, "inputs": {...}, "parameters": {...}}]}`.
+//! States files: `{"states": [{"t": value, "q": {name: value}, "u": {...}, "inputs": {...}, "parameters": {...}}]}`.
 //!
 //! In: text. Out: named numbers per state, then lists in a program's order. Every name must exist and
 //! belong where it stands; messages say which state and which name.
@@ -12,6 +12,8 @@ use smartbed_codegen::model::Model;
 use smartbed_codegen::program::Quantity;
 use std::io::Read;
 
+/// The time of a state; 0 where it is left out.
+const TIME: &str = "t";
 /// Names of the groups of a state.
 const GROUPS: [&str; 4] = ["q", "u", "inputs", "parameters"];
 /// Most states in one file.
@@ -20,6 +22,8 @@ const MOST_STATES: usize = 1_000_000;
 /// One state as written: named numbers.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct State {
+    /// Time (s).
+    pub t: f64,
     /// Coordinates.
     pub q: Vec<(String, f64)>,
     /// Independent speeds.
@@ -77,10 +81,15 @@ pub fn parse(text: &str) -> Result<Vec<State>, String> {
 
 fn state(value: &Value) -> Result<State, String> {
     let groups = value.as_object().ok_or(": expected an object {\"q\": {...}, ...}")?;
-    if let Some(unknown) = groups.keys().find(|k| !GROUPS.contains(&k.as_str())) {
-        return Err(format!(": unknown key `{unknown}`{}", suggest::help(unknown, GROUPS)));
+    if let Some(unknown) = groups.keys().find(|k| *k != TIME && !GROUPS.contains(&k.as_str())) {
+        let known = GROUPS.into_iter().chain([TIME]);
+        return Err(format!(": unknown key `{unknown}`{}", suggest::help(unknown, known)));
     }
     let mut state = State::default();
+    if let Some(time) = groups.get(TIME) {
+        let seconds = time.as_f64().filter(|t| t.is_finite());
+        state.t = seconds.ok_or_else(|| format!(".{TIME}: expected a number of seconds, found {time}"))?;
+    }
     let lists = [&mut state.q, &mut state.u, &mut state.inputs, &mut state.parameters];
     for (name, list) in GROUPS.into_iter().zip(lists) {
         *list = match groups.get(name) {

@@ -6,6 +6,7 @@ use smartbed_codegen::{Answer, Program};
 
 /// Everything known about one state.
 pub(super) struct Evaluated {
+    pub t: f64,
     pub q: Vec<f64>,
     /// Value and rate of every coordinate in closed form, one after the other.
     pub closed: Vec<f64>,
@@ -17,12 +18,14 @@ pub(super) struct Evaluated {
     pub speeds: Vec<f64>,
     pub outputs: Vec<f64>,
     pub residual: f64,
+    /// Power of the drive.
+    pub drive: f64,
 }
 
 impl Evaluated {
     /// What is not a number, or infinite.
     pub fn not_finite(&self) -> Option<&'static str> {
-        let lists: [(&str, &[f64]); 7] = [
+        let lists: [(&str, &[f64]); 8] = [
             ("a coordinate in closed form", &self.closed),
             ("q_dot", &self.q_dot),
             ("u_dot", &self.u_dot),
@@ -30,6 +33,7 @@ impl Evaluated {
             ("a speed", &self.speeds),
             ("an output", &self.outputs),
             ("the constraint residual", std::slice::from_ref(&self.residual)),
+            ("the power of the drive", std::slice::from_ref(&self.drive)),
         ];
         lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())).map(|(name, _)| name)
     }
@@ -54,10 +58,11 @@ impl Evaluated {
         let named = |list: &[(String, _)], values: &[f64]| {
             json_object(list.iter().map(|(name, _)| name.as_str()).zip(values.iter().copied()))
         };
-        let mut parts = vec![
-            format!("\"q\": {}", coordinates(&self.q, 0)),
-            format!("\"u\": {}", quantities(&program.u, &self.u)),
-        ];
+        // A state without a time is written as it was given.
+        let time = (self.t != 0.0).then(|| format!("\"t\": {}", json_number(self.t)));
+        let mut parts: Vec<String> = time.into_iter().collect();
+        parts.push(format!("\"q\": {}", coordinates(&self.q, 0)));
+        parts.push(format!("\"u\": {}", quantities(&program.u, &self.u)));
         for answer in answers {
             match answer {
                 Answer::Rates => {
@@ -76,6 +81,7 @@ impl Evaluated {
                 Answer::Projection => {
                     parts.push(format!("\"constraint_residual\": {}", json_number(self.residual)));
                 }
+                Answer::Drive => parts.push(format!("\"drive\": {}", json_number(self.drive))),
                 // A form of `derive`; the command line does not offer it here.
                 Answer::Augmented => {}
             }

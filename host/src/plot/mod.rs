@@ -123,7 +123,7 @@ pub fn motion(
             None => panels.push(Panel { label, curves: vec![curve] }),
         }
     }
-    let energies = ["kinetic", "gravity", "spring", "damping", "actuator", "external", "total"];
+    let energies = ["kinetic", "gravity", "spring", "damping", "actuator", "external", "drive", "total"];
     let curves: Vec<Curve> = energies.into_iter().filter_map(curve).collect();
     // An account that nothing was booked to tells nothing.
     let curves: Vec<Curve> = curves.into_iter().filter(|c| c.values.iter().any(|x| *x != 0.0)).collect();

@@ -1,7 +1,7 @@
 //! The energy ledger of a run, an observer in f64: what was put in, taken out, and is left over.
 //!
 //! total = kinetic + gravity + spring; imbalance = total - total at the start + damping - actuator -
-//! external, which is 0 in exact arithmetic. Works are integrals of powers over each step by
+//! external - drive, which is 0 in exact arithmetic. Works are integrals of powers over each step by
 //! Simpson's rule; between two states a cubic (Hermite) or the method's own dense output.
 
 use super::observers::{LEDGER, Observers};
@@ -24,6 +24,19 @@ pub const COLUMNS: [&str; 12] = [
     "imbalance",
 ];
 
+/// [`COLUMNS`], and `drive` after `external` where something drives the mechanism.
+#[must_use]
+pub fn columns(program: &Program) -> Vec<&'static str> {
+    let mut names = COLUMNS.to_vec();
+    if program.drive.is_some() {
+        names.insert(DRIVE, "drive");
+    }
+    names
+}
+
+/// Where `drive` stands.
+const DRIVE: usize = 10;
+
 /// Stored energies and accounts (J).
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Accounts {
@@ -39,6 +52,8 @@ pub struct Accounts {
     pub actuator: f64,
     /// Work put in by other loads.
     pub external: f64,
+    /// Work put in by what makes the mechanism follow time; none where nothing does.
+    pub drive: Option<f64>,
     /// kinetic + gravity + spring at the start.
     pub start: f64,
 }
@@ -53,15 +68,17 @@ impl Accounts {
     /// What no account explains.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
-        self.total() - self.start + self.damping - self.actuator - self.external
+        self.total() - self.start + self.damping - self.actuator - self.external - self.drive.unwrap_or(0.0)
     }
 
-    /// The values of [`COLUMNS`].
+    /// The values of [`columns`].
     #[must_use]
-    pub fn columns(&self) -> [f64; 12] {
+    pub fn columns(&self) -> Vec<f64> {
         let (total, imbalance) = (self.total(), self.imbalance());
         let Self { kinetic, gravity, spring, damping, actuator, external, .. } = *self;
-        [kinetic, gravity, spring, 0.0, damping, 0.0, 0.0, 0.0, actuator, external, total, imbalance]
+        let stored = [kinetic, gravity, spring, 0.0];
+        let works = [damping, 0.0, 0.0, 0.0, actuator, external];
+        stored.into_iter().chain(works).chain(self.drive).chain([total, imbalance]).collect()
     }
 }
 
@@ -72,8 +89,8 @@ struct Moment {
     x: Vec<f64>,
     x_dot: Vec<f64>,
     kinetic: f64,
-    /// In the order of [`LEDGER`].
-    entries: [f64; 5],
+    /// In the order of [`LEDGER`], then the power of the drive.
+    entries: [f64; 6],
 }
 
 /// Keeps the accounts.
@@ -103,6 +120,7 @@ impl Ledger {
             last: Moment::default(),
             accounts: Accounts::default(),
         };
+        ledger.accounts.drive = program.drive.map(|_| 0.0);
         ledger.last = ledger.moment(t, x)?;
         ledger.store();
         ledger.accounts.start = ledger.accounts.total();
@@ -140,7 +158,7 @@ impl Ledger {
     /// Simpson's rule over the last state, those between, and the new one.
     fn book(&mut self, between: &[Vec<f64>], new: Moment) -> Result<(), Fault> {
         let h = (new.t - self.last.t) / (between.len() + 1) as f64;
-        let mut sums: [f64; 3] = std::array::from_fn(|i| self.last.entries[2 + i] + new.entries[2 + i]);
+        let mut sums: [f64; 4] = std::array::from_fn(|i| self.last.entries[2 + i] + new.entries[2 + i]);
         for (n, x) in between.iter().enumerate() {
             let weight = if n % 2 == 0 { 4.0 } else { 2.0 };
             let entries = self.entries(self.last.t + (n + 1) as f64 * h, x)?;
@@ -149,6 +167,7 @@ impl Ledger {
         self.accounts.actuator += sums[0] * h / 3.0;
         self.accounts.damping += sums[1] * h / 3.0;
         self.accounts.external += sums[2] * h / 3.0;
+        self.accounts.drive = self.accounts.drive.map(|work| work + sums[3] * h / 3.0);
         self.last = new;
         self.store();
         Ok(())
@@ -169,15 +188,16 @@ impl Ledger {
         Ok(Moment { t, x: x.to_vec(), x_dot, kinetic, entries })
     }
 
-    /// The observer's outputs; leaves the inputs commanded at (t, x) in `inputs`.
-    fn entries(&mut self, t: f64, x: &[f64]) -> Result<[f64; 5], Fault> {
+    /// The observer's outputs and the power of the drive; leaves the inputs commanded at (t, x) in `inputs`.
+    fn entries(&mut self, t: f64, x: &[f64]) -> Result<[f64; 6], Fault> {
         let (q, u) = x.split_at_checked(self.mechanism.n_q()).ok_or(Fault::Shape)?;
         let commanded = self.law.outputs(t, q, u, &vec![0.0; self.inputs.len()])?;
         for (&input, value) in self.law_inputs.iter().zip(commanded) {
             self.inputs[input] = value;
         }
-        let found = self.observer.outputs(t, q, u, &self.inputs)?;
+        let mut found = self.observer.outputs(t, q, u, &self.inputs)?;
         debug_assert_eq!(found.len(), LEDGER.len());
+        found.push(self.mechanism.drive(t, q, u, &self.inputs)?);
         found.try_into().map_err(|_| Fault::Shape)
     }
 }

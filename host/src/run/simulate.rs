@@ -83,7 +83,7 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names.extend(program.q.iter().map(|q| q.name.clone()));
     names.extend(observers.closed.iter().map(|(name, _)| name.clone()));
     names.extend(program.speeds.iter().map(|(name, _)| name.clone()));
-    names.extend(ledger::COLUMNS.map(str::to_owned));
+    names.extend(ledger::columns(program).into_iter().map(str::to_owned));
     let more = program.outputs.iter().map(|(name, _)| name).chain(program.inputs.iter().map(|i| &i.name));
     for name in more {
         // A name twice would make the table ambiguous; the contract's columns come first.
@@ -108,6 +108,9 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> System<S> f
         let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
         let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
         self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
+    }
+    fn set_time(&mut self, t: S) {
+        self.engine.set_time(t);
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         let n_q = self.engine.n_q();
@@ -144,6 +147,7 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
     /// [`Fault::Shape`] if it has another length.
     pub fn answers(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        self.engine.set_time(t);
         self.engine.energy(q, u)?;
         self.engine.speeds(q, u)?;
         self.engine.outputs(t, q, u, &self.inputs)?;
@@ -183,6 +187,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         let n_q = self.program.q.len();
         let (q, u) = x.split_at(n_q);
         plant.command(S::from_f64(t), x).map_err(failure)?;
+        plant.engine.set_time(S::from_f64(t));
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
         let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
         let accounts = ledger.accounts();
@@ -327,8 +332,9 @@ where
     let mut progress = Progress::new("running");
     let (mut t, mut next_row) = (0.0_f64, 1_u64);
     let mut inside = vec![S::ZERO; n];
-    let mut dense = |method: &DormandPrince<'_, S>, plant: &mut Plant<E, S>, theta: f64| {
+    let mut dense = |method: &DormandPrince<'_, S>, plant: &mut Plant<E, S>, t: f64, theta: f64| {
         method.dense(S::from_f64(theta), &mut inside)?;
+        plant.set_time(S::from_f64(t));
         // Between two states on the constraints the interpolant is a little off them.
         plant.project(&mut inside)?;
         Ok::<Vec<S>, Fault>(inside.clone())
@@ -352,18 +358,18 @@ where
             }
             let theta = ((at - t) / h).min(1.0);
             let x = if theta < 1.0 {
-                dense(&method, plant, theta).map_err(|f| refused(at, f))?
+                dense(&method, plant, at, theta).map_err(|f| refused(at, f))?
             } else {
                 state.x().to_vec()
             };
-            book(&mut ledger, (from, theta), at, &x, |th| dense(&method, plant, th))
+            book(&mut ledger, (from, theta), at, &x, |th| dense(&method, plant, t + th * h, th))
                 .map_err(|f| refused(at, f))?;
             recorder.row(plant, at, &x, &ledger)?;
             (from, next_row) = (theta, next_row + 1);
         }
         if from < 1.0 {
             let x = state.x().to_vec();
-            book(&mut ledger, (from, 1.0), end, &x, |th| dense(&method, plant, th))
+            book(&mut ledger, (from, 1.0), end, &x, |th| dense(&method, plant, t + th * h, th))
                 .map_err(|f| refused(end, f))?;
         }
         t = end;
