@@ -51,12 +51,12 @@ pub(super) fn explain(
     Diagnostics::one(model.source.clone(), error)
 }
 
-/// A constraint that follows from the others but for its part without speeds.
+/// A constraint that would follow from the others, were it not for its part without speeds.
 pub(super) fn contradiction(model: &Model, name: &str) -> Diagnostics {
-    let error = Diagnostic::error(format!("`{name}` prescribes another motion than the other constraints"))
+    let error = Diagnostic::error(format!("`{name}` prescribes a motion that the other constraints do not allow"))
         .help(
             "what time, or the part of a motion constraint without speeds, makes the mechanism do must be the same by \
-             every constraint: correct it, or remove one of them",
+             every constraint, and some coordinate must be able to follow: correct it, or remove one of them",
         );
     Diagnostics::one(model.source.clone(), label_constraints(model, error))
 }
