@@ -11,6 +11,9 @@
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
 
+#[cfg(test)]
+extern crate std;
+
 #[cfg(not(feature = "scene"))]
 #[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
 pub mod mechanism {
@@ -22,6 +25,7 @@ pub mod mechanism {
 pub mod command;
 pub mod control;
 pub mod digest;
+pub mod link;
 #[cfg(not(feature = "scene"))]
 pub mod simulation;
 

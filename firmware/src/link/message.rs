@@ -1,0 +1,257 @@
+//! What is said: commands to a tile and its reports, as postcard writes them.
+//!
+//! In: a [`Header`] and a [`Command`] or [`Report`]. Out: a body, and back.
+//! Layout of a body: header, message, and behind a command that moves something its [`tag`](super::tag).
+//! A number that is not finite, and bytes left over, are refused here: nothing behind sees them.
+
+use super::frame::{Body, MAX_BODY};
+use super::tag::{TAG, Tag};
+use serde::{Deserialize, Serialize};
+
+/// Version of this protocol; another one is refused.
+pub const VERSION: u8 = 1;
+/// Marks a report in the header's version.
+pub const REPORT: u8 = 0x80;
+/// Address of every tile; only what needs no tag may be sent to it.
+pub const EVERY_TILE: u8 = 0xFF;
+
+/// What stands before every message.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Header {
+    /// [`VERSION`], with [`REPORT`] in a tile's answer.
+    pub version: u8,
+    /// The tile that is meant, or that reports.
+    pub tile: u8,
+    /// How often that tile has started: a command to an earlier life is refused.
+    pub boot: u32,
+    /// Counts the sender's messages in this life.
+    pub sequence: u32,
+    /// The tile's time (ms): when a command is to be done, or when a report was made.
+    pub tick: u32,
+}
+
+/// What a tile is asked for. SI units.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+pub enum Command {
+    /// Drives off, valves closed. Needs no tag.
+    Stop,
+    /// Report the state. Needs no tag.
+    Status,
+    /// Report the log from this entry on. Needs no tag.
+    Log(u32),
+    /// Report who you are. Needs no tag.
+    Identify,
+    /// Go on: the sender is there; with its clock (ms).
+    Beat(u32),
+    /// Allow motion.
+    Enable,
+    /// Forget these latched faults, if their causes are gone.
+    Clear(u32),
+    /// Find the switches.
+    Home,
+    /// Move the platform.
+    Move(Target),
+    /// Keep this pressure over ambient in the bladder (Pa).
+    Pressure(f32),
+    /// Level, lower and vent, for resuscitation.
+    Flatten,
+    /// Take and store this calibration; drives must be off.
+    Calibrate(Trim),
+}
+
+/// A pose of the platform: see [`crate::command::Pose`].
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Target {
+    /// Mean height of the connectors (m).
+    pub heave: f32,
+    /// Slope along x (1).
+    pub slope_x: f32,
+    /// Slope along y (1).
+    pub slope_y: f32,
+}
+
+/// Offsets that a tile is calibrated with.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Trim {
+    /// Added to the heights that the position sensors give (m).
+    pub height: [f32; 3],
+    /// Added to both pressures (Pa).
+    pub pressure: f32,
+}
+
+/// What a tile says.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
+pub enum Report {
+    /// What became of the command of this sequence number.
+    Answer(u32, Outcome),
+    /// The state.
+    State(State),
+    /// An entry of the log: its number, when it was made, what it says.
+    Entry(u32, u32, Event),
+    /// Protocol, entries of the log so far, frames lost, commands refused.
+    Identity(u8, u32, u32, u32),
+}
+
+/// What became of a command.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub enum Outcome {
+    /// It is done, or begun.
+    Done,
+    /// It will be done at its tick.
+    Waits,
+    /// Refused; nothing moves by it.
+    Refused(Refusal),
+}
+
+/// Why a command is refused.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub enum Refusal {
+    /// Another version of the protocol, or a report.
+    Version,
+    /// No message, or not all of one.
+    Malformed,
+    /// A number that is not finite.
+    NonFinite,
+    /// Moves something but has no tag, or is for every tile.
+    Untagged,
+    /// The tag is not of this tile's key.
+    WrongTag,
+    /// For another life of the tile.
+    WrongBoot,
+    /// Its sequence number has been used.
+    Replayed,
+    /// Its tick lies too far back.
+    Late,
+    /// Its tick lies too far ahead.
+    Early,
+    /// No room among the commands that wait.
+    Full,
+    /// Not in this mode.
+    Mode,
+    /// A fault is latched.
+    Faulted,
+    /// A motion is under way: stop it first.
+    Busy,
+    /// A height would leave the stroke.
+    Stroke,
+    /// The tilt would be too steep.
+    Tilt,
+    /// The pressure is not one that the bladder may have.
+    Pressure,
+    /// The cause of a fault is still there, or it cannot be cleared.
+    Cause,
+    /// The boot counter could not be stored: no tag is fresh.
+    Storage,
+    /// An offset larger than any that a sound sensor needs.
+    Trim,
+}
+
+/// A line of the log.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub enum Event {
+    /// The tile has started, for this reason.
+    Started(u8),
+    /// These faults are new.
+    Faults(u32),
+    /// These faults were cleared.
+    Cleared(u32),
+    /// A command of this sequence number was refused.
+    Refused(u32, Refusal),
+    /// The mode has changed to this one.
+    Mode(u8),
+}
+
+/// State of a tile. SI units.
+#[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct State {
+    /// Number of the mode.
+    pub mode: u8,
+    /// Latched faults, a bit each.
+    pub faults: u32,
+    /// Heights of the connectors (m).
+    pub heights: [f32; 3],
+    /// Heights that they are to have now (m).
+    pub wanted: [f32; 3],
+    /// Duty of the drives (-1 to 1).
+    pub duty: [f32; 3],
+    /// Pressure over ambient (Pa).
+    pub pressure: f32,
+    /// What the bladder carries (kg).
+    pub load: f32,
+    /// Bits: drives enabled, supply valve open, vent open, homed.
+    pub flags: u8,
+}
+
+impl Command {
+    /// Must a tag vouch for it? All but what stops or asks.
+    #[must_use]
+    pub fn needs_tag(&self) -> bool {
+        !matches!(self, Self::Stop | Self::Status | Self::Log(_) | Self::Identify)
+    }
+
+    fn is_finite(&self) -> bool {
+        match self {
+            Self::Move(t) => t.heave.is_finite() && t.slope_x.is_finite() && t.slope_y.is_finite(),
+            Self::Pressure(p) => p.is_finite(),
+            Self::Calibrate(t) => t.height.iter().all(|h| h.is_finite()) && t.pressure.is_finite(),
+            _ => true,
+        }
+    }
+}
+
+/// A command as it came, its tag not yet checked.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Received {
+    /// Its header.
+    pub header: Header,
+    /// What is asked for.
+    pub command: Command,
+    /// Its tag, if it has one.
+    pub tag: Option<Tag>,
+    /// The bytes that the tag vouches for.
+    pub vouched: Body,
+}
+
+/// Reads a command.
+///
+/// # Errors
+/// [`Refusal::Version`], [`Refusal::Malformed`], [`Refusal::NonFinite`], with the header if there is one.
+pub fn read(body: &[u8]) -> Result<Received, (Header, Refusal)> {
+    let (header, rest) =
+        postcard::take_from_bytes::<Header>(body).map_err(|_| (Header::default(), Refusal::Malformed))?;
+    if header.version != VERSION {
+        return Err((header, Refusal::Version));
+    }
+    let (command, rest) =
+        postcard::take_from_bytes::<Command>(rest).map_err(|_| (header, Refusal::Malformed))?;
+    if !command.is_finite() {
+        return Err((header, Refusal::NonFinite));
+    }
+    let tag = match rest.len() {
+        0 => None,
+        TAG => Some(rest.first_chunk().copied().ok_or((header, Refusal::Malformed))?),
+        _ => return Err((header, Refusal::Malformed)),
+    };
+    let vouched = body.len().checked_sub(rest.len()).and_then(|end| body.get(..end)).unwrap_or_default();
+    let vouched = Body::from_slice(vouched).map_err(|_| (header, Refusal::Malformed))?;
+    Ok(Received { header, command, tag, vouched })
+}
+
+/// The body of a header and a message; none if it is too long, which no message of ours is.
+#[must_use]
+pub fn write<M: Serialize>(header: &Header, message: &M) -> Option<Body> {
+    let mut bytes = [0_u8; MAX_BODY];
+    let used = postcard::to_slice(&(header, message), &mut bytes).ok()?;
+    Body::from_slice(used).ok()
+}
+
+/// Reads a report.
+#[must_use]
+pub fn read_report(body: &[u8]) -> Option<(Header, Report)> {
+    let (header, rest) = postcard::take_from_bytes::<Header>(body).ok()?;
+    if header.version != VERSION | REPORT {
+        return None;
+    }
+    let (report, rest) = postcard::take_from_bytes::<Report>(rest).ok()?;
+    rest.is_empty().then_some((header, report))
+}

@@ -1,0 +1,12 @@
+//! The link between a supervisor and a tile: see `docs/protocol.md`.
+//!
+//! In: bytes of a serial line, or frames of a CAN bus. Out: commands that may be done, and reports.
+//! From the wire inwards: [`cobs`] and [`frame`] find bodies, [`message`] says what they mean, [`tag`] and
+//! [`session`] decide whose they are; [`can`] carries the same bodies in frames of eight bytes.
+
+pub mod can;
+pub mod cobs;
+pub mod frame;
+pub mod message;
+pub mod session;
+pub mod tag;
