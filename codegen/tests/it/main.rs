@@ -3,6 +3,7 @@
 mod augmented;
 mod chain;
 mod driven;
+mod driven_models;
 mod emitted_bytes;
 mod example_crate;
 mod expr;
