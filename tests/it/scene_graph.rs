@@ -12,7 +12,7 @@ fn scene(name: &str, settings: &[&str]) -> Scene {
 }
 
 fn drawn(scene: &Scene) -> (String, Vec<EventRecord>, usize) {
-    let mut album = Album::new(scene);
+    let mut album = Album::new(scene, None, &scene.note()).expect("an album");
     let mut rows = 0;
     let events = run::<f64>(scene, |row| {
         album.push(row);
@@ -20,7 +20,7 @@ fn drawn(scene: &Scene) -> (String, Vec<EventRecord>, usize) {
     })
     .expect("a run");
     let drawing = album.draw(scene, &events);
-    assert!(png::bytes(&drawing).starts_with(b"\x89PNG"), "the same drawing in pixels");
+    assert!(png::bytes(&drawing).expect("pixels").starts_with(b"\x89PNG"), "the same drawing in pixels");
     (svg::text(&drawing), events, rows)
 }
 
@@ -34,13 +34,14 @@ fn points(svg: &str, color: &str) -> usize {
 fn energies_have_the_colours_of_the_thesis() {
     let scene = scene("truss", &["C=10"]);
     let (svg, _, rows) = drawn(&scene);
-    // Blue, orange, green, purple, red: read off the drawing, not off the constants under test.
+    // Blue, orange, green, purple, red as Okabe and Ito (2008) have them, least channel first: read off the
+    // drawing, not off the constants under test.
     for (name, color, channels) in [
-        ("total", "#1f77b4", [0, 1, 2]),
-        ("kinetic", "#ff7f0e", [2, 1, 0]),
-        ("potential", "#2ca02c", [2, 0, 1]),
-        ("gravity", "#9467bd", [1, 0, 2]),
-        ("spring", "#d62728", [1, 2, 0]),
+        ("total", "#0072b2", [0, 1, 2]),
+        ("kinetic", "#e69f00", [2, 1, 0]),
+        ("potential", "#009e73", [0, 2, 1]),
+        ("gravity", "#cc79a7", [1, 2, 0]),
+        ("spring", "#d55e00", [2, 1, 0]),
     ] {
         assert!(svg.contains(&format!(">{name}</text>")), "{name} in the legend");
         assert_eq!(points(&svg, color), rows, "{name}: one point per row");

@@ -30,6 +30,17 @@ pub enum ScalarKind {
     F64,
 }
 
+impl ScalarKind {
+    /// What rounding leaves, over a run, of numbers of size 1 that cancel.
+    #[must_use]
+    pub fn noise(self) -> f64 {
+        match self {
+            Self::F32 => 1e-5,
+            Self::F64 => 1e-12,
+        }
+    }
+}
+
 /// A scalar that an engine computes with.
 pub trait EngineScalar: Tabulated {
     /// Its name in emitted files.

@@ -1,4 +1,4 @@
-//! A picture as lines and words, in pixels from the upper left corner.
+//! A picture as lines, filled shapes and words, in pixels from the upper left corner.
 
 /// Red, green, blue.
 pub type Color = [u8; 3];
@@ -26,6 +26,13 @@ pub enum Item {
         /// Width.
         width: f64,
     },
+    /// A filled polygon.
+    Area {
+        /// Corners.
+        points: Vec<(f64, f64)>,
+        /// Colour.
+        color: Color,
+    },
     /// Words; upright letters are `size` high.
     Text {
         /// Middle of the text's height.
@@ -39,6 +46,21 @@ pub enum Item {
         /// Turned to read from bottom to top.
         upwards: bool,
     },
+}
+
+impl Item {
+    /// The same item, `down` pixels lower.
+    #[must_use]
+    pub fn lowered(self, down: f64) -> Self {
+        let lower = |points: Vec<(f64, f64)>| points.into_iter().map(|(x, y)| (x, y + down)).collect();
+        match self {
+            Self::Line { points, color, width } => Self::Line { points: lower(points), color, width },
+            Self::Area { points, color } => Self::Area { points: lower(points), color },
+            Self::Text { at, text, size, anchor, upwards } => {
+                Self::Text { at: (at.0, at.1 + down), text, size, anchor, upwards }
+            }
+        }
+    }
 }
 
 /// A picture.

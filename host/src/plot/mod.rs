@@ -1,23 +1,26 @@
 //! Plots of a run: coordinates by unit, and energies, over time; SVG or PNG by the file's name.
 //!
-//! In: recorded rows. Out: a [`Drawing`] of lines and words ([`chart`]), which [`svg`] and [`png`] write.
+//! In: recorded rows. [`panels`] says which curves stand together, [`chart`] lays them out as a [`Drawing`] of lines,
+//! shapes and words, which [`svg`] and [`png`] (painted by `tiny-skia` with the letters of [`font`]) write.
 
+mod axis;
 pub mod chart;
 pub mod drawing;
+pub mod font;
+pub mod motion;
+pub mod panels;
+pub mod pattern;
 pub mod png;
 pub mod svg;
 
+pub(crate) use axis::Axis;
+
 use crate::failure::Failure;
 use crate::output;
-use chart::{Curve, Panel};
 use drawing::Drawing;
-use smartbed_codegen::Program;
 
 /// Rows kept; beyond twice as many every second one is dropped.
 const KEPT: usize = 2000;
-/// Curves in one panel that a reader can tell apart.
-const CURVES: usize = 8;
-
 /// Rows for a plot, thinned out as they become many.
 #[derive(Clone, Debug)]
 pub struct Recording {
@@ -87,51 +90,11 @@ pub fn format_of(file: &str) -> Result<Format, Failure> {
 pub fn write(file: &str, drawing: &Drawing) -> Result<(), Failure> {
     match format_of(file)? {
         Format::Svg => output::write(file, svg::text(drawing).as_bytes()),
-        Format::Png => output::write(file, &png::bytes(drawing)),
-    }
-}
-
-/// Coordinates and outputs by unit, and the energies of the ledger; `more` are the names and units of what is
-/// no state, `names` the columns of the recording.
-#[must_use]
-pub fn motion(
-    program: &Program,
-    more: &[(String, String)],
-    names: &[String],
-    recording: &Recording,
-) -> Drawing {
-    let curve = |name: &str| {
-        let index = names.iter().position(|n| n == name)?;
-        Some(Curve { name: name.to_owned(), values: recording.column(index), color: None, across: None })
-    };
-    let mut panels: Vec<Panel> = Vec::new();
-    let states = program.q.iter().map(|q| (q.name.as_str(), q.unit.as_str()));
-    for (name, unit) in states.chain(more.iter().map(|(name, unit)| (name.as_str(), unit.as_str()))) {
-        let label = match unit {
-            "rad" => "angle [rad]".to_owned(),
-            "m" => "length [m]".to_owned(),
-            "" | "1" => "number [1]".to_owned(),
-            "m/s" => "speed [m/s]".to_owned(),
-            "rad/s" => "rate [rad/s]".to_owned(),
-            "N" => "force [N]".to_owned(),
-            "N m" => "torque [N m]".to_owned(),
-            unit => format!("[{unit}]"),
-        };
-        let Some(curve) = curve(name) else { continue };
-        match panels.iter_mut().find(|p| p.label == label && p.curves.len() < CURVES) {
-            Some(panel) => panel.curves.push(curve),
-            None => panels.push(Panel { label, curves: vec![curve] }),
+        Format::Png => {
+            let bytes = png::bytes(drawing).map_err(|e| Failure::Wrong(format!("--plot {file}: {e}")))?;
+            output::write(file, &bytes)
         }
     }
-    let energies = ["kinetic", "gravity", "spring", "damping", "actuator", "external", "drive", "total"];
-    let curves: Vec<Curve> = energies.into_iter().filter_map(curve).collect();
-    // An account that nothing was booked to tells nothing.
-    let curves: Vec<Curve> = curves.into_iter().filter(|c| c.values.iter().any(|x| *x != 0.0)).collect();
-    if !curves.is_empty() {
-        panels.push(Panel { label: "energy [J]".to_owned(), curves });
-    }
-    let title = if program.doc.is_empty() { &program.name } else { &program.doc };
-    chart::draw(title, "time [s]", &recording.column(0), &panels)
 }
 
 #[cfg(test)]

@@ -1,171 +1,173 @@
-//! A drawing as PNG: lines covered by distance, letters from an 8 x 8 font, deflated.
-//!
-//! The font stands at twice its size (16 pixels), which all texts of a chart have room for.
+//! A drawing as PNG: painted and encoded by `tiny-skia`, letters as outlines of the embedded font.
 
 use super::drawing::{Anchor, Color, Drawing, INK, Item};
-use font8x8::UnicodeFonts;
+use super::font;
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+use ttf_parser::{Face, OutlineBuilder};
 
-/// Pixels per pixel of the font, across: 8 x 10 letters of even strokes.
-const GLYPH: f64 = 8.0;
+/// Pixels of the file per pixel of the drawing: screens have more dots than they had.
+pub const SCALE: u32 = 2;
 
-/// The picture's pixels.
-struct Raster {
-    width: usize,
-    height: usize,
-    pixels: Vec<u8>,
-}
-
-impl Raster {
-    /// Blends a colour into a pixel.
-    fn blend(&mut self, x: i64, y: i64, color: Color, share: f64) {
-        let inside = (0..self.width as i64).contains(&x) && (0..self.height as i64).contains(&y);
-        if !inside || share <= 0.0 {
-            return;
-        }
-        let first = 3 * (y as usize * self.width + x as usize);
-        for (pixel, c) in self.pixels[first..first + 3].iter_mut().zip(color) {
-            let mixed = f64::from(*pixel) + share.min(1.0) * (f64::from(c) - f64::from(*pixel));
-            *pixel = mixed.round() as u8;
-        }
-    }
-
-    /// A polyline; pixels are covered by their distance to it, each once.
-    fn line(&mut self, points: &[(f64, f64)], color: Color, width: f64) {
-        let reach = 0.5 * width + 0.5;
-        let mut covered: std::collections::BTreeMap<(i64, i64), f64> = std::collections::BTreeMap::new();
-        for ends in points.windows(2) {
-            let ((ax, ay), (bx, by)) = (ends[0], ends[1]);
-            let (x0, x1) = ((ax.min(bx) - reach).floor() as i64, (ax.max(bx) + reach).ceil() as i64);
-            let (y0, y1) = ((ay.min(by) - reach).floor() as i64, (ay.max(by) + reach).ceil() as i64);
-            let (x0, x1) = (x0.max(0), x1.min(self.width as i64));
-            let (y0, y1) = (y0.max(0), y1.min(self.height as i64));
-            for y in y0..=y1 {
-                for x in x0..=x1 {
-                    let share = reach - distance((x as f64 + 0.5, y as f64 + 0.5), (ax, ay), (bx, by));
-                    if share > 0.0 {
-                        let most = covered.entry((y, x)).or_insert(0.0);
-                        *most = most.max(share);
-                    }
-                }
-            }
-        }
-        for ((y, x), share) in covered {
-            self.blend(x, y, color, share);
-        }
-    }
-
-    fn text(&mut self, (x, y): (f64, f64), text: &str, size: f64, anchor: Anchor, upwards: bool) {
-        // Height of a letter is `size`; its width a little less than the font's square.
-        let (tall, wide) = (size / GLYPH, 0.62 * size / GLYPH * 1.15);
-        let length = wide * GLYPH * text.chars().count() as f64;
-        let start = match anchor {
-            Anchor::Start => 0.0,
-            Anchor::Middle => -0.5 * length,
-            Anchor::End => -length,
-        };
-        for (n, c) in text.chars().enumerate() {
-            let glyph =
-                font8x8::BASIC_FONTS.get(c).or_else(|| font8x8::BASIC_FONTS.get('?')).unwrap_or([0; 8]);
-            let left = start + n as f64 * wide * GLYPH;
-            for (row, bits) in glyph.iter().enumerate() {
-                for column in (0..8).filter(|c| bits >> c & 1 == 1) {
-                    let (u, v) = (left + column as f64 * wide, (row as f64 - 0.5 * GLYPH) * tall);
-                    let corner = if upwards { (x + v, y - u - wide) } else { (x + u, y + v) };
-                    let extent = if upwards { (tall, wide) } else { (wide, tall) };
-                    self.rectangle(corner, extent);
-                }
-            }
-        }
-    }
-
-    /// A filled rectangle; pixels at its edges are covered in part.
-    fn rectangle(&mut self, (x, y): (f64, f64), (w, h): (f64, f64)) {
-        let overlap =
-            |pixel: i64, from: f64, to: f64| (to.min(pixel as f64 + 1.0) - from.max(pixel as f64)).max(0.0);
-        for py in y.floor() as i64..=(y + h).floor() as i64 {
-            for px in x.floor() as i64..=(x + w).floor() as i64 {
-                self.blend(px, py, INK, overlap(px, x, x + w) * overlap(py, y, y + h));
-            }
-        }
-    }
-}
-
-/// Distance of a point from the line between two others.
-fn distance((px, py): (f64, f64), (ax, ay): (f64, f64), (bx, by): (f64, f64)) -> f64 {
-    let (dx, dy) = (bx - ax, by - ay);
-    let square = dx * dx + dy * dy;
-    let along = if square > 0.0 { ((px - ax) * dx + (py - ay) * dy) / square } else { 0.0 };
-    let along = along.clamp(0.0, 1.0);
-    (px - ax - along * dx).hypot(py - ay - along * dy)
-}
-
-/// The file's bytes.
-#[must_use]
-pub fn bytes(drawing: &Drawing) -> Vec<u8> {
-    let (width, height) = (drawing.width, drawing.height);
-    let mut raster = Raster { width, height, pixels: vec![255; 3 * width * height] };
+/// The file.
+///
+/// # Errors
+/// In words, if there is no memory for so many pixels.
+pub fn bytes(drawing: &Drawing) -> Result<Vec<u8>, String> {
+    let size = |n: usize| u32::try_from(n).unwrap_or(u32::MAX).saturating_mul(SCALE);
+    let (width, height) = (size(drawing.width), size(drawing.height));
+    let mut pixels = Pixmap::new(width, height)
+        .ok_or_else(|| format!("a picture of {width} x {height} pixels is too large"))?;
+    pixels.fill(tiny_skia::Color::WHITE);
+    let face = font::face();
+    let scale = Transform::from_scale(SCALE as f32, SCALE as f32);
     for item in &drawing.items {
         match item {
-            Item::Line { points, color, width } => raster.line(points, *color, *width),
+            Item::Line { points, color, width } => {
+                let stroke = Stroke {
+                    width: *width as f32,
+                    line_cap: LineCap::Butt,
+                    line_join: LineJoin::Round,
+                    ..Stroke::default()
+                };
+                if let Some(path) = polygon(points, false) {
+                    pixels.stroke_path(&path, &paint(*color), &stroke, scale, None);
+                }
+            }
+            Item::Area { points, color } => {
+                if let Some(path) = polygon(points, true) {
+                    pixels.fill_path(&path, &paint(*color), FillRule::Winding, scale, None);
+                }
+            }
             Item::Text { at, text, size, anchor, upwards } => {
-                raster.text(*at, text, *size, *anchor, *upwards)
+                let place = placed(*at, font::width(text, *size), *size, *anchor, *upwards);
+                if let Some(path) = face.as_ref().and_then(|face| letters(face, text, *size)) {
+                    let place = place.post_concat(scale);
+                    pixels.fill_path(&path, &paint(INK), FillRule::Winding, place, None);
+                }
             }
         }
     }
-    encoded(&raster)
+    pixels.encode_png().map_err(|e| e.to_string())
 }
 
-/// PNG: signature, header, one chunk of deflated rows, end.
-fn encoded(raster: &Raster) -> Vec<u8> {
-    /// Row filter 0: bytes as they are.
-    const AS_IT_IS: u8 = 0;
-    /// Bits per channel, colour type (red, green, blue), deflate, filters of the standard, no interlacing.
-    const KIND: [u8; 5] = [8, 2, 0, 0, 0];
-    let mut header = Vec::new();
-    header.extend((raster.width as u32).to_be_bytes());
-    header.extend((raster.height as u32).to_be_bytes());
-    header.extend(KIND);
-    let rows = raster.pixels.chunks(3 * raster.width);
-    let raw: Vec<u8> = rows.flat_map(|row| std::iter::once(AS_IT_IS).chain(row.iter().copied())).collect();
-    let data = miniz_oxide::deflate::compress_to_vec_zlib(&raw, 6);
-    let mut file = vec![0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n'];
-    for (kind, content) in [(b"IHDR", header), (b"IDAT", data), (b"IEND", Vec::new())] {
-        file.extend((content.len() as u32).to_be_bytes());
-        let start = file.len();
-        file.extend(kind);
-        file.extend(content);
-        let sum = checksum(&file[start..]);
-        file.extend(sum.to_be_bytes());
-    }
-    file
+fn paint(color: Color) -> Paint<'static> {
+    let [r, g, b] = color;
+    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    paint.set_color_rgba8(r, g, b, 255);
+    paint
 }
 
-/// CRC-32 of the PNG standard (polynomial 0xEDB88320, bits reversed).
-fn checksum(bytes: &[u8]) -> u32 {
-    let mut crc = u32::MAX;
-    for byte in bytes {
-        crc ^= u32::from(*byte);
-        for _ in 0..8 {
-            crc = (crc >> 1) ^ (0xEDB8_8320 & (crc & 1).wrapping_neg());
+fn polygon(points: &[(f64, f64)], closed: bool) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for (n, (x, y)) in points.iter().enumerate() {
+        match n {
+            0 => path.move_to(*x as f32, *y as f32),
+            _ => path.line_to(*x as f32, *y as f32),
         }
     }
-    !crc
+    if closed {
+        path.close();
+    }
+    path.finish()
+}
+
+/// From the text's left end on its base line to its place.
+fn placed((x, y): (f64, f64), width: f64, size: f64, anchor: Anchor, upwards: bool) -> Transform {
+    let back = match anchor {
+        Anchor::Start => 0.0,
+        Anchor::Middle => -0.5 * width,
+        Anchor::End => -width,
+    };
+    // Capitals are 0.71 em high: their middle lies 0.35 em above the base line.
+    let base = Transform::from_translate(back as f32, (0.35 * size) as f32);
+    let turn = if upwards { Transform::from_rotate(-90.0) } else { Transform::identity() };
+    base.post_concat(turn).post_translate(x as f32, y as f32)
+}
+
+/// Outlines of a text from its left end on, the base line at 0.
+fn letters(face: &Face<'_>, text: &str, size: f64) -> Option<Path> {
+    let scale = size as f32 / f32::from(face.units_per_em());
+    let mut outline = Outline { path: PathBuilder::new(), x: 0.0, scale };
+    for c in text.chars() {
+        let glyph = face.glyph_index(c).unwrap_or_default();
+        // A space has no outline.
+        let _ = face.outline_glyph(glyph, &mut outline);
+        outline.x += scale * f32::from(face.glyph_hor_advance(glyph).unwrap_or_default());
+    }
+    outline.path.finish()
+}
+
+/// Takes outlines over, upside down: a font's y points up.
+struct Outline {
+    path: PathBuilder,
+    x: f32,
+    scale: f32,
+}
+
+impl Outline {
+    fn at(&self, x: f32, y: f32) -> (f32, f32) {
+        (self.x + self.scale * x, -self.scale * y)
+    }
+}
+
+impl OutlineBuilder for Outline {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.move_to(x, y);
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        let (x, y) = self.at(x, y);
+        self.path.line_to(x, y);
+    }
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ((x1, y1), (x, y)) = (self.at(x1, y1), self.at(x, y));
+        self.path.quad_to(x1, y1, x, y);
+    }
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ((x1, y1), (x2, y2), (x, y)) = (self.at(x1, y1), self.at(x2, y2), self.at(x, y));
+        self.path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+    fn close(&mut self) {
+        self.path.close();
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// Darkest value of a picture's pixels in a box of the drawing.
+    fn darkest(png: &[u8], (left, top, right, bottom): (u32, u32, u32, u32)) -> u8 {
+        let pixels = Pixmap::decode_png(png).expect("a picture");
+        let inside = (top * SCALE..bottom * SCALE)
+            .flat_map(|y| (left * SCALE..right * SCALE).map(move |x| (x, y)))
+            .filter_map(|(x, y)| pixels.pixel(x, y));
+        inside.map(|p| p.red()).min().unwrap_or(255)
+    }
+
     #[test]
-    fn the_checksum_is_the_standard_one() {
-        assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
+    fn words_stand_where_they_belong() {
+        let text =
+            |at, anchor, upwards| Item::Text { at, text: "Hm".to_owned(), size: 20.0, anchor, upwards };
+        let draw = |item| bytes(&Drawing { width: 100, height: 100, items: vec![item] }).expect("a picture");
+        let start = draw(text((50.0, 50.0), Anchor::Start, false));
+        assert!(darkest(&start, (51, 42, 90, 58)) < 60 && darkest(&start, (0, 0, 50, 100)) == 255);
+        assert!(darkest(&start, (0, 0, 100, 42)) == 255 && darkest(&start, (0, 58, 100, 100)) == 255);
+        let end = draw(text((50.0, 50.0), Anchor::End, false));
+        assert!(darkest(&end, (10, 42, 50, 58)) < 60 && darkest(&end, (51, 0, 100, 100)) == 255);
+        // Read from bottom to top, from (50, 50) upwards.
+        let up = draw(text((50.0, 50.0), Anchor::Start, true));
+        assert!(darkest(&up, (42, 10, 58, 50)) < 60 && darkest(&up, (0, 51, 100, 100)) == 255);
     }
 
     #[test]
     fn a_line_is_drawn_where_it_belongs() {
-        let mut raster = Raster { width: 10, height: 10, pixels: vec![255; 300] };
-        raster.line(&[(0.0, 5.5), (10.0, 5.5)], [0, 0, 0], 1.0);
-        let at = |x: usize, y: usize| raster.pixels[3 * (10 * y + x)];
-        assert_eq!((at(5, 5), at(5, 3), at(5, 8)), (0, 255, 255));
+        let points = vec![(0.0, 5.5), (10.0, 5.5)];
+        let line = Item::Line { points, color: [0, 0, 0], width: 1.0 };
+        let png = bytes(&Drawing { width: 10, height: 10, items: vec![line] }).expect("a picture");
+        assert_eq!(
+            (darkest(&png, (5, 5, 6, 6)), darkest(&png, (5, 0, 6, 5)), darkest(&png, (5, 6, 6, 10))),
+            (0, 255, 255)
+        );
     }
 }

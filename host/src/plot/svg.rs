@@ -1,6 +1,7 @@
 //! A drawing as SVG.
 
 use super::drawing::{Anchor, Color, Drawing, INK, Item};
+use super::font;
 use std::fmt::Write as _;
 
 /// The file's text.
@@ -9,20 +10,26 @@ pub fn text(drawing: &Drawing) -> String {
     let Drawing { width, height, .. } = drawing;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+         viewBox=\"0 0 {width} {height}\" font-family=\"{}\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+        font::FAMILY
     );
+    let list = |points: &[(f64, f64)]| {
+        points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect::<Vec<_>>().join(" ")
+    };
     for item in &drawing.items {
         match item {
             Item::Line { points, color, width } => {
-                let places: Vec<String> = points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect();
                 let _ = writeln!(
                     svg,
                     "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{width}\" \
                      stroke-linejoin=\"round\"/>",
-                    places.join(" "),
+                    list(points),
                     hex(*color)
                 );
+            }
+            Item::Area { points, color } => {
+                let _ = writeln!(svg, "<polygon points=\"{}\" fill=\"{}\"/>", list(points), hex(*color));
             }
             Item::Text { at: (x, y), text, size, anchor, upwards } => {
                 let anchor = match anchor {
@@ -37,10 +44,12 @@ pub fn text(drawing: &Drawing) -> String {
                 };
                 // Letters are centred by hand: renderers disagree about `dominant-baseline`.
                 let base = y + 0.35 * size;
+                // Another font may be wider: its letters move together, and words stay where they have room.
+                let length = font::width(text, *size);
                 let _ = writeln!(
                     svg,
                     "<text x=\"{x:.2}\" y=\"{base:.2}\" font-size=\"{size}\" text-anchor=\"{anchor}\" \
-                     fill=\"{}\"{turn}>{}</text>",
+                     textLength=\"{length:.1}\" lengthAdjust=\"spacingAndGlyphs\" fill=\"{}\"{turn}>{}</text>",
                     hex(INK),
                     escaped(text)
                 );

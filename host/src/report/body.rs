@@ -200,7 +200,7 @@ impl Subject for Body {
     fn graph(&self) -> Result<String, String> {
         let mut scene = self.scene.clone();
         scene.every = scene.every.max(scene.steps() / ROWS).max(1);
-        let mut album = Album::new(&scene);
+        let mut album = Album::new(&scene, None, &scene.note()).map_err(|e| e.to_string())?;
         let events = run::<f64>(&scene, |row| album.push(row))?;
         Ok(svg::text(&album.draw(&scene, &events)))
     }

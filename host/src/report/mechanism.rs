@@ -8,7 +8,8 @@ use super::subject::{Method, SAMPLES, Subject, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
-use crate::plot::{self, Recording, svg};
+use crate::plot::motion::{self, Motion};
+use crate::plot::{Recording, svg};
 use crate::run::observers::Observers;
 use crate::run::settings::{self, Settings};
 use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
@@ -260,6 +261,14 @@ impl Subject for Mechanism {
             Ok(())
         })
         .map_err(|e| e.to_string())?;
-        Ok(svg::text(&plot::motion(&self.program, &self.observers.closed, &names, &recording)))
+        let motion = Motion {
+            model: &self.model,
+            names: &names,
+            recording: &recording,
+            note: &settings.note(),
+            show: None,
+            noise: ScalarKind::F64.noise(),
+        };
+        Ok(svg::text(&motion::draw(&motion).map_err(|e| e.to_string())?))
     }
 }

@@ -1,12 +1,13 @@
 //! `smartbed run` of a scene: a flexible body instead of a mechanism, with the same arguments.
 
-use super::Arguments;
+use super::{Arguments, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
 use crate::output::{self, Output};
+use crate::plot;
 use crate::progress::Progress;
-use crate::scene::graph::{self, Album};
+use crate::scene::graph::Album;
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
 use crate::view::{self, Film};
@@ -103,7 +104,9 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     if let Some(csv) = &mut csv {
         csv.write(&(csv_header(n) + "\n"))?;
     }
-    let mut album = arguments.plot.as_ref().map(|_| Album::new(scene));
+    let note = noted(scene.note(), arguments);
+    let album = |_| Album::new(scene, arguments.show.as_deref(), &note);
+    let mut album = arguments.plot.as_ref().map(album).transpose()?;
     let mut film = arguments.view.as_ref().map(|_| Film::of_points(n, scene.lists.springs.clone()));
     let mut progress = Progress::new("running");
     let (mut rows, mut imbalance, mut total) = (0, 0.0_f64, [f64::NAN; 2]);
@@ -131,7 +134,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         None => csv.map_or(Ok(()), Output::finish)?,
     }
     if let (Some(file), Some(album)) = (&arguments.plot, &album) {
-        graph::write(file, album, scene, &events)?;
+        plot::write(file, &album.draw(scene, &events))?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(file, view::page(&scene.title, film).as_bytes())?;

@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::number::{digits, json_number, json_object};
 use crate::output::{self, Output};
 use crate::plot::Recording;
+use crate::plot::motion::{self, Motion};
 use crate::progress::Progress;
 use crate::view::Film;
 use crate::{model_argument, plot, view};
@@ -71,6 +72,9 @@ pub struct Arguments {
     /// Plot coordinates and energies over time.
     #[arg(long, value_name = "FILE.svg|.png")]
     pub plot: Option<String>,
+    /// What --plot shows beside energies: names of coordinates, speeds, outputs, inputs, with * and ?.
+    #[arg(long, value_name = "h*,u_*", requires = "plot")]
+    pub show: Option<String>,
     /// Write an animation that any browser shows; FILE.html#t=0.5 opens it at 0.5 s.
     #[arg(long, value_name = "FILE.html")]
     pub view: Option<String>,
@@ -168,9 +172,15 @@ fn record<S: EngineScalar>(
         csv.finish()?;
     }
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        let outputs = model.outputs.iter().map(|o| (o.name.clone(), o.unit.clone()));
-        let more: Vec<(String, String)> = setup.observers.closed.iter().cloned().chain(outputs).collect();
-        plot::write(file, &plot::motion(setup.program, &more, &names, recording))?;
+        let motion = Motion {
+            model,
+            names: &names,
+            recording,
+            note: &noted(setup.settings.note(), arguments),
+            show: arguments.show.as_deref(),
+            noise: arguments.scalar.noise(),
+        };
+        plot::write(file, &motion::draw(&motion)?)?;
     }
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(
@@ -179,6 +189,13 @@ fn record<S: EngineScalar>(
         )?;
     }
     Ok(summary)
+}
+
+/// How a run was made: method and step, the scalar if it is not the usual one, what was changed.
+fn noted(method: String, arguments: &Arguments) -> String {
+    let scalar = (arguments.scalar != ScalarKind::default()).then(|| "f32".to_owned());
+    let changed = arguments.set.iter().map(|change| change.replacen('=', " = ", 1));
+    std::iter::once(method).chain(scalar).chain(changed).collect::<Vec<_>>().join(", ")
 }
 
 fn line(values: &[f64]) -> String {

@@ -158,6 +158,15 @@ impl Settings {
         Err(Failure::Wrong(format!("`{}` has no parameter or start value `{name}`{help}", model.name)))
     }
 
+    /// Method and step in words.
+    #[must_use]
+    pub fn note(&self) -> String {
+        match self.method.fixed() {
+            Some(_) => format!("{}, step {} s", self.method.name(), self.step),
+            None => format!("{}, tolerance {:e}", self.method.name(), self.tolerance),
+        }
+    }
+
     /// Time between rows (s).
     #[must_use]
     pub fn row_interval(&self) -> f64 {

@@ -6,54 +6,83 @@
 use super::pictures::Pictures;
 use super::read::Scene;
 use super::run::{EventRecord, Row};
+use crate::engine::ScalarKind;
 use crate::failure::Failure;
-use crate::plot::chart::{self, Curve, Panel};
-use crate::plot::drawing::{Color, Drawing, Item};
-use crate::plot::{self, Recording};
+use crate::plot::chart::{self, Chart, Curve, Panel};
+use crate::plot::drawing::{Color, Drawing};
+use crate::plot::panels::{self, Shown};
+use crate::plot::{Recording, pattern};
 
-/// Energies of the graph: name and colour, back to front.
+/// Energies of the graph: name and colour, back to front; the thesis' colours as Okabe & Ito have them.
 pub const ENERGIES: [(&str, Color); 6] = [
     ("pressure", [110, 110, 110]),
-    ("spring", [214, 39, 40]),
-    ("gravity", [148, 103, 189]),
-    ("potential", [44, 160, 44]),
-    ("kinetic", [255, 127, 14]),
-    ("total", [31, 119, 180]),
+    ("spring", [213, 94, 0]),
+    ("gravity", [204, 121, 167]),
+    ("potential", [0, 158, 115]),
+    ("kinetic", [230, 159, 0]),
+    ("total", [0, 114, 178]),
 ];
 /// Accounts of what left the body.
 const ACCOUNTS: [&str; 5] = ["damping", "drag", "impact", "friction", "actuator"];
-/// Most points whose height is plotted.
-const HEIGHTS: usize = 8;
+/// Most points whose height is plotted unasked.
+const HEIGHTS: usize = 7;
 /// Most impacts whose work is plotted, the strongest; more curves cannot be told apart.
-const IMPACTS: usize = 8;
+const IMPACTS: usize = 7;
 /// Points of one phase of a work-impulse curve.
 const PHASE: usize = 24;
 
 /// What of a run is kept for its drawing.
 #[derive(Clone, Debug)]
 pub struct Album {
-    heights: usize,
+    /// Points' coordinates and velocities that are drawn: name, unit, place in a row's state.
+    curves: Vec<(String, &'static str, usize)>,
+    /// Heights alone, unasked.
+    heights: bool,
+    /// How the run was made.
+    note: String,
     recording: Recording,
     pictures: Pictures,
 }
 
 impl Album {
-    /// Nothing yet.
-    #[must_use]
-    pub fn new(scene: &Scene) -> Self {
-        let heights = scene.lists.points.len().min(HEIGHTS);
-        let columns = 1 + heights + ENERGIES.len() + ACCOUNTS.len();
-        Self { heights, recording: Recording::new(columns), pictures: Pictures::new(scene) }
+    /// Nothing yet; the heights of the first points are drawn, or what `show` names (see [`pattern`]).
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] for a pattern that names nothing.
+    pub fn new(scene: &Scene, show: Option<&str>, note: &str) -> Result<Self, Failure> {
+        let n = scene.lists.points.len();
+        let axes = ["x", "y", "z"];
+        let name = |part: &str, i: usize| format!("{part}{}{}", axes[i % 3], i / 3);
+        let places = (0..3 * n).map(|i| (name("", i), "m", i));
+        let all: Vec<(String, &'static str, usize)> =
+            places.chain((0..3 * n).map(|i| (name("v", i), "m/s", 3 * n + i))).collect();
+        let curves: Vec<(String, &str, usize)> = match show {
+            None => (0..n.min(HEIGHTS)).map(|i| all[3 * i + 2].clone()).collect(),
+            Some(patterns) => {
+                let names: Vec<&str> = all.iter().map(|c| c.0.as_str()).collect();
+                let chosen = pattern::chosen(patterns, &names)?;
+                all.iter().filter(|c| chosen.contains(&c.0.as_str())).cloned().collect()
+            }
+        };
+        let recording = Recording::new(1 + curves.len() + ENERGIES.len() + ACCOUNTS.len());
+        Ok(Self {
+            curves,
+            heights: show.is_none(),
+            note: note.to_owned(),
+            recording,
+            pictures: Pictures::new(scene),
+        })
     }
 
     /// Looks at a row.
     pub fn push(&mut self, row: &Row) {
         let [kinetic, gravity, spring, pressure] = row.energy.stored;
         let potential = gravity + spring + pressure;
-        let heights = row.pos.iter().take(self.heights).map(|x| x[2]);
+        let state: Vec<f64> = row.pos.iter().chain(&row.vel).flatten().copied().collect();
+        let curves = self.curves.iter().map(|c| state[c.2]);
         let energies = [pressure, spring, gravity, potential, kinetic, row.energy.total];
         let numbers: Vec<f64> =
-            std::iter::once(row.t).chain(heights).chain(energies).chain(row.energy.accounts).collect();
+            std::iter::once(row.t).chain(curves).chain(energies).chain(row.energy.accounts).collect();
         self.recording.push(&numbers);
         self.pictures.push(row);
     }
@@ -61,51 +90,57 @@ impl Album {
     /// The whole drawing: charts, then pictures.
     #[must_use]
     pub fn draw(&self, scene: &Scene, events: &[EventRecord]) -> Drawing {
-        let mut drawing = self.charts(scene);
+        let mut drawing = self.charts(scene, events);
         let impacts = impact_curves(events);
         if !impacts.is_empty() {
-            let panel = Panel { label: "work [J]".to_owned(), curves: impacts };
-            let impulse = panel.curves.iter().flat_map(|c| c.across.clone().unwrap_or_default());
-            let impulse: Vec<f64> = impulse.collect();
-            let title = "work over impulse: the ground takes it, the springs give it back";
-            below(&mut drawing, chart::draw(title, "impulse [N s]", &impulse, &[panel]));
+            let panels = [Panel { label: "work [J]".to_owned(), curves: impacts }];
+            let impulse = panels[0].curves.iter().flat_map(|c| c.across.clone().unwrap_or_default());
+            let time: Vec<f64> = impulse.collect();
+            let title = "Work over impulse: the ground takes it, the springs give it back";
+            let (note, across) = ("", "impulse [N s]");
+            let lower = Chart { title, note, across, time: &time, panels: &panels, events: &[] };
+            chart::below(&mut drawing, chart::draw(&lower));
         }
-        below(&mut drawing, self.pictures.draw(scene));
+        chart::below(&mut drawing, self.pictures.draw(scene));
         drawing
     }
 
-    /// Heights, energies, losses over time.
-    fn charts(&self, scene: &Scene) -> Drawing {
+    /// Heights or what was asked for, energies, losses over time; touches as events.
+    fn charts(&self, scene: &Scene, events: &[EventRecord]) -> Drawing {
         let column = |name: &str, index: usize, color: Option<Color>| {
             let values = self.recording.column(index);
             Curve { name: name.to_owned(), values, color, across: None }
         };
-        let heights = (0..self.heights).map(|i| column(&format!("z{i}"), 1 + i, None)).collect();
-        let first = 1 + self.heights;
+        let curves = self.curves.iter().enumerate().map(|(n, (name, unit, _))| {
+            let curve = column(name, 1 + n, None);
+            Shown { curve, unit: (*unit).to_owned(), natural: 0.0 }
+        });
+        let first = 1 + self.curves.len();
         let energies =
             ENERGIES.iter().enumerate().map(|(n, (name, color))| column(name, first + n, Some(*color)));
         let first = first + ENERGIES.len();
         let accounts = ACCOUNTS.iter().enumerate().map(|(n, name)| column(name, first + n, None));
         // An account that nothing was booked to tells nothing.
         let told = |c: &Curve| c.values.iter().any(|x| *x != 0.0);
-        let mut panels = vec![
-            Panel { label: "height [m]".to_owned(), curves: heights },
-            Panel { label: "energy [J]".to_owned(), curves: energies.filter(told).collect() },
-        ];
+        let mut panels = panels::of(curves.collect(), ScalarKind::F64.noise());
+        if self.heights {
+            panels.iter_mut().for_each(|p| p.label = "height [m]".to_owned());
+        }
+        let energies = energies.filter(told).map(|curve| Shown { curve, unit: "J".to_owned(), natural: 0.0 });
+        panels.extend(panels::of(energies.collect(), ScalarKind::F64.noise()));
         let accounts: Vec<Curve> = accounts.filter(told).collect();
         if !accounts.is_empty() {
             panels.push(Panel { label: "taken out [J]".to_owned(), curves: accounts });
         }
-        chart::draw(&scene.title, "time [s]", &self.recording.column(0), &panels)
+        let touches = events.iter().filter(|e| !e.touches.is_empty()).map(|e| e.time);
+        let events: Vec<f64> = touches.collect();
+        let note = match events.len() {
+            0 => self.note.clone(),
+            _ => format!("{}; grey: touches", self.note),
+        };
+        let (title, time) = (&scene.title, &self.recording.column(0));
+        chart::draw(&Chart { title, note: &note, across: "time [s]", time, panels: &panels, events: &events })
     }
-}
-
-/// Draws a run and writes it; SVG or PNG by the file's name.
-///
-/// # Errors
-/// [`Failure::Wrong`] if the file cannot be written or has another ending.
-pub fn write(file: &str, album: &Album, scene: &Scene, events: &[EventRecord]) -> Result<(), Failure> {
-    plot::write(file, &album.draw(scene, events))
 }
 
 /// Curves of the strongest impacts, in order of time.
@@ -121,20 +156,4 @@ fn impact_curves(events: &[EventRecord]) -> Vec<Curve> {
         Some(Curve { name: format!("{:.4} s", event.time), values, color: None, across: Some(across) })
     };
     strongest.into_iter().filter_map(curve).collect()
-}
-
-/// Puts a drawing under another.
-fn below(drawing: &mut Drawing, lower: Drawing) {
-    let down = drawing.height as f64;
-    let moved = lower.items.into_iter().map(|item| match item {
-        Item::Line { points, color, width } => {
-            Item::Line { points: points.into_iter().map(|(x, y)| (x, y + down)).collect(), color, width }
-        }
-        Item::Text { at, text, size, anchor, upwards } => {
-            Item::Text { at: (at.0, at.1 + down), text, size, anchor, upwards }
-        }
-    });
-    drawing.items.extend(moved);
-    drawing.width = drawing.width.max(lower.width);
-    drawing.height += lower.height;
 }

@@ -35,6 +35,16 @@ pub fn method_named(name: &str, tolerance: f64) -> Result<Method<f64>, String> {
     }
 }
 
+/// The name of a method.
+#[must_use]
+pub fn name_of(method: &Method<f64>) -> &'static str {
+    let same = |name| {
+        let named = method_named(name, 0.0).map(|named| std::mem::discriminant(&named));
+        named == Ok(std::mem::discriminant(method))
+    };
+    METHODS.into_iter().map(|(name, ..)| name).find(|name| same(name)).unwrap_or("another method")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,7 +52,7 @@ mod tests {
     #[test]
     fn every_method_is_known_in_both_spellings() {
         for (name, ..) in METHODS {
-            assert!(method_named(name, 1e-9).is_ok(), "{name}");
+            assert_eq!(method_named(name, 1e-9).map(|method| name_of(&method)), Ok(name));
             assert!(method_named(&name.replace('_', "-"), 1e-9).is_ok(), "{name}");
         }
         let message = method_named("verlett", 1e-9).unwrap_err();

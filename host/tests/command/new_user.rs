@@ -48,7 +48,7 @@ fn the_first_mechanism_is_checked_run_and_plotted() {
         assert!(printed[0].contains(part), "{part}: {}", printed[0]);
     }
     let plot = std::fs::read_to_string(folder.join("press.svg")).expect("a plot");
-    for part in ["time [s]", "angle [rad]", "length [m]", "energy [J]", ">length<", ">actuator<", ">q3<"] {
+    for part in ["time [s]", "angle [deg]", "length [m]", "energy [J]", ">length<", ">actuator<", ">q3<"] {
         assert!(plot.contains(part), "{part}");
     }
     assert!(std::fs::read_to_string(folder.join("press.html")).expect("a page").contains("<canvas"));

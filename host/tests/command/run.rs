@@ -185,20 +185,65 @@ fn pictures_are_what_their_names_say() {
         assert_eq!(done.status, 0, "{done:?}");
     }
     let text = std::fs::read_to_string(svg).expect("an svg");
-    for part in
-        ["<svg ", "time [s]", "length [m]", "angle [rad]", "energy [J]", ">hA<", ">kinetic<", "</svg>"]
-    {
+    for part in [
+        "<svg ",
+        "time [s]",
+        "length [m]",
+        "angle [rad]",
+        "energy [J]",
+        ">hA, hB, hC, Gz<",
+        ">kinetic",
+        "</svg>",
+    ] {
         assert!(text.contains(part), "{part}");
     }
     let bytes = std::fs::read(png).expect("a png");
     assert_eq!(bytes[..8], [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1a, b'\n']);
-    assert_eq!(bytes[16..20], 1000_u32.to_be_bytes());
+    // Two pixels for each of the drawing.
+    assert_eq!(bytes[16..20], 2000_u32.to_be_bytes());
     assert!(bytes.len() > 10_000, "{}", bytes.len());
     let page = std::fs::read_to_string(html).expect("a page");
     assert!(page.contains("<canvas") && page.contains("\"GA\"") || page.contains("\"G\""));
     assert!(!page.contains("http://") && !page.contains("https://"), "self-contained");
     let wrong = smartbed(&["run", "tile", "--plot", "x.pdf"]);
     assert!(wrong.message().contains(".svg or .png"), "{wrong:?}");
+}
+
+#[test]
+fn a_plot_says_how_it_was_made_and_shows_what_is_asked_for() {
+    let svg = file("shown.svg").display().to_string();
+    let run = |model: &str, more: &[&str]| {
+        let mut arguments = vec!["run", model, "--plot", &svg];
+        arguments.extend(more);
+        let done = smartbed(&arguments);
+        assert_eq!(done.status, 0, "{done:?}");
+        std::fs::read_to_string(&svg).expect("a plot")
+    };
+    let plot = run(
+        "tile",
+        &[
+            "--seconds",
+            "0.2",
+            "--method",
+            "rk4",
+            "--step",
+            "0.002",
+            "--set",
+            "hA=0.01",
+            "--show",
+            "h*,u_psi*",
+        ],
+    );
+    assert!(plot.contains("rk4, step 0.002 s, hA = 0.01") && plot.contains("rate [rad/s]"));
+    assert!(
+        plot.contains(">hA<") && plot.contains("u_psiA") && !plot.contains("u_h") && !plot.contains(">thA")
+    );
+    // Symmetry keeps these angles at 0, rounding at 1e-17.
+    assert!(run("tile", &["--seconds", "0.2"]).contains(">psiC, thC = 0<"), "rounding noise is 0");
+    let drop = run("single_spring", &["--seconds", "0.6", "--show", "vz*"]);
+    assert!(drop.contains("speed [m/s]") && drop.contains("grey: touches") && !drop.contains(">z0"));
+    let wrong = smartbed(&["run", "tile", "--plot", &svg, "--show", "hD"]);
+    assert!(wrong.message().contains("--show hD: no curve has such a name; did you mean"), "{wrong:?}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use smartbed_runtime::contact::ContactLaw;
 use super::fields::Fields;
 use super::keys::{self, Choice};
 use super::lists::Lists;
-use super::method::method_named;
+use super::method::{method_named, name_of};
 use super::run::describe;
 use super::simulation::{Simulation, Surroundings};
 
@@ -42,6 +42,12 @@ impl Scene {
     #[must_use]
     pub fn steps(&self) -> usize {
         (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize
+    }
+
+    /// Method and step in words.
+    #[must_use]
+    pub fn note(&self) -> String {
+        format!("{}, step {} s", name_of(&self.method), self.step)
     }
 }
 

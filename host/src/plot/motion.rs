@@ -1,0 +1,122 @@
+//! The chart of a mechanism's run: coordinates and outputs, or what `--show` names, in the model's own units;
+//! and the energies of the ledger.
+
+use super::chart::{self, Chart, Curve};
+use super::drawing::{Color, Drawing};
+use super::panels::{self, Shown};
+use super::pattern;
+use super::{Recording, chart::Panel};
+use crate::failure::Failure;
+use smartbed_codegen::model::{Coordinate, Model, SpeedMeaning};
+
+/// Entries of the ledger in the thesis' colours (chapter 5) as Okabe & Ito have them.
+pub const ENERGIES: [(&str, Color); 8] = [
+    ("kinetic", [230, 159, 0]),
+    ("gravity", [204, 121, 167]),
+    ("spring", [213, 94, 0]),
+    ("damping", [110, 110, 110]),
+    ("actuator", [86, 180, 233]),
+    ("external", [0, 0, 0]),
+    ("drive", [120, 60, 20]),
+    ("total", [0, 114, 178]),
+];
+
+/// What a chart of a run needs beside the rows.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// Names of the rows' columns.
+    pub names: &'a [String],
+    /// The rows.
+    pub recording: &'a Recording,
+    /// How it was made.
+    pub note: &'a str,
+    /// Patterns of `--show`; nothing for coordinates and outputs.
+    pub show: Option<&'a str>,
+    /// What rounding leaves of a number of size 1.
+    pub noise: f64,
+}
+
+/// Draws it.
+///
+/// # Errors
+/// [`Failure::Wrong`] for a pattern that names nothing.
+pub fn draw(motion: &Motion<'_>) -> Result<Drawing, Failure> {
+    let time = motion.recording.column(0);
+    let seconds = time.last().copied().filter(|t| *t > 0.0).unwrap_or(1.0);
+    let model = motion.model;
+    let columns: Vec<Column> = columns(model, seconds);
+    let known: Vec<&str> = columns.iter().map(|c| c.name).filter(|n| index(motion, n).is_some()).collect();
+    let wanted = match motion.show {
+        Some(patterns) => pattern::chosen(patterns, &known)?,
+        None => columns.iter().filter(|c| c.by_default).map(|c| c.name).collect(),
+    };
+    let shown = columns.iter().filter(|c| wanted.contains(&c.name));
+    let shown = shown.filter_map(|column| {
+        let values = motion.recording.column(index(motion, column.name)?);
+        let values = values.into_iter().map(|x| x / column.factor).collect();
+        let curve = Curve { name: column.name.to_owned(), values, color: None, across: None };
+        Some(Shown { curve, unit: column.unit.clone(), natural: column.natural / column.factor })
+    });
+    let mut panels = panels::of(shown.collect(), motion.noise);
+    panels.extend(energies(motion));
+    let title = if model.doc.is_empty() { &model.name } else { &model.doc };
+    let (note, events) = (motion.note, &[]);
+    Ok(chart::draw(&Chart { title, note, across: "time [s]", time: &time, panels: &panels, events }))
+}
+
+fn index(motion: &Motion<'_>, name: &str) -> Option<usize> {
+    motion.names.iter().position(|n| n == name)
+}
+
+/// A column of a run that can be drawn.
+struct Column<'a> {
+    name: &'a str,
+    /// As the model writes it.
+    unit: String,
+    /// SI units in one of it.
+    factor: f64,
+    /// Natural size in SI units; 0 if unknown.
+    natural: f64,
+    by_default: bool,
+}
+
+/// Coordinates, speeds, outputs, inputs.
+fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
+    let natural = |c: &Coordinate| if c.unit == "rad" { 1.0 } else { 0.0 };
+    let coordinates = model.coordinates.iter().map(|c| {
+        let (unit, factor) = (c.written_unit.0.clone(), c.written_unit.1);
+        Column { name: &c.name, unit, factor, natural: natural(c), by_default: true }
+    });
+    let speeds = model.speeds.iter().map(|s| match &s.meaning {
+        // A rate in the unit of its coordinate.
+        SpeedMeaning::RateOf(id) => {
+            let coordinate = &model.coordinates[*id];
+            let (written, factor) = &coordinate.written_unit;
+            let unit = if written == "1" { "1/s".to_owned() } else { format!("{written}/s") };
+            let natural = natural(coordinate) / seconds;
+            Column { name: &s.name, unit, factor: *factor, natural, by_default: false }
+        }
+        SpeedMeaning::Combination(_) => plain(&s.name, &s.unit, false),
+    });
+    let outputs = model.outputs.iter().map(|o| plain(&o.name, &o.unit, true));
+    let inputs = model.inputs.iter().map(|i| plain(&i.name, &i.unit, false));
+    coordinates.chain(speeds).chain(outputs).chain(inputs).collect()
+}
+
+fn plain<'a>(name: &'a str, unit: &str, by_default: bool) -> Column<'a> {
+    let natural = if unit == "rad" { 1.0 } else { 0.0 };
+    Column { name, unit: unit.to_owned(), factor: 1.0, natural, by_default }
+}
+
+/// The accounts that something was booked to.
+fn energies(motion: &Motion<'_>) -> Vec<Panel> {
+    let curve = |(name, color): (&str, Color)| {
+        let values = motion.recording.column(index(motion, name)?);
+        let told = values.iter().any(|x| *x != 0.0);
+        let curve = Curve { name: name.to_owned(), values, color: Some(color), across: None };
+        told.then(|| Shown { curve, unit: "J".to_owned(), natural: 0.0 })
+    };
+    panels::of(ENERGIES.into_iter().filter_map(curve).collect(), motion.noise)
+}
