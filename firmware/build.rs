@@ -55,8 +55,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Derives the model, with the changes of its parameters.
 fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
-    let mut options =
-        Options { file_name: Some("mechanism".to_owned()), effort: Effort::All, ..Options::default() };
+    let mut options = Options {
+        file_name: Some("mechanism".to_owned()),
+        settings: Effort::All.into(),
+        ..Options::default()
+    };
     options.emit.scalar = ScalarType::F32;
     for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
         let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;

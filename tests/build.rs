@@ -52,15 +52,13 @@ fn main() {
 
 /// One file in `OUT_DIR`.
 fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], settings: impl Into<Settings>) {
-    let Settings { effort, optimise } = settings.into();
     let options = Options {
         parameters: ParameterChoice {
             keep: keep.iter().map(ToString::to_string).collect(),
             ..ParameterChoice::default()
         },
         emit: EmitOptions { scalar, ..EmitOptions::default() },
-        effort,
-        optimise,
+        settings: settings.into(),
         file_name: Some(file_name.to_owned()),
     };
     smartbed_codegen::build(format!("../models/{model}.toml"), &options);

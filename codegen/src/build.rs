@@ -1,13 +1,12 @@
 //! The front door: all stages in order, and one call for build scripts.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::escape;
 use crate::kinematics::ParameterChoice;
-use crate::model;
-use crate::program::{self, Optimise, Settings};
-use crate::rust;
-use crate::rust::EmitOptions;
+use crate::model::{self, Model};
+use crate::program::{self, Settings};
+use crate::rust::{self, EmitOptions};
 use crate::source::Source;
-use crate::value::Effort;
 use std::path::{Path, PathBuf};
 
 /// What to derive and how to emit it.
@@ -15,20 +14,12 @@ use std::path::{Path, PathBuf};
 pub struct Options {
     /// Parameters kept tunable besides the model's own, and changed values.
     pub parameters: ParameterChoice,
-    /// How hard to look for fewer operations.
-    pub effort: Effort,
-    /// What the choice between forms of the equations goes by.
-    pub optimise: Optimise,
+    /// How the equations are derived.
+    pub settings: Settings,
     /// Scalar, answers, path of the runtime.
     pub emit: EmitOptions,
     /// Name of the file in `OUT_DIR`, without `.rs`; the model file's own name if left out.
     pub file_name: Option<String>,
-}
-
-impl Options {
-    fn settings(&self) -> Settings {
-        Settings { effort: self.effort, optimise: self.optimise }
-    }
 }
 
 /// Derives the model at `path` and returns the formatted Rust.
@@ -36,9 +27,14 @@ impl Options {
 /// # Errors
 /// Everything that is wrong with the model, each with its place.
 pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
-    let model = model::read(path)?;
-    let program = program::derive_with(&model, &options.parameters, options.settings())?;
-    Ok(rust::emit(&program, &options.emit))
+    let (text, _) = emitted(&model::read(path)?, options)?;
+    Ok(text)
+}
+
+/// All stages behind the reading: the formatted Rust, and the warnings of the model and of its derivation.
+fn emitted(model: &Model, options: &Options) -> Result<(String, [Diagnostics; 2]), Diagnostics> {
+    let program = program::derive_with(model, &options.parameters, options.settings)?;
+    Ok((rust::emit(&program, &options.emit), [model.warnings(), program.warnings]))
 }
 
 /// For build scripts: derives the model at `path` into `OUT_DIR` and returns the file written.
@@ -63,26 +59,37 @@ pub fn build(path: impl AsRef<Path>, options: &Options) -> PathBuf {
 /// # Errors
 /// Everything that is wrong with the model; a file that cannot be written; no `OUT_DIR`.
 pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics> {
-    println!("cargo::rerun-if-changed={}", path.display());
+    watch(&path.display().to_string())?;
     let model = model::read(path)?;
     for file in model.source.files.iter() {
-        println!("cargo::rerun-if-changed={}", file.path);
+        watch(&file.path)?;
     }
-    let program = program::derive_with(&model, &options.parameters, options.settings())?;
-    for line in [model.warnings(), program.warnings.clone()]
-        .iter()
-        .flat_map(|w| w.to_string().lines().map(str::to_owned).collect::<Vec<_>>())
-    {
+    let (text, warnings) = emitted(&model, options)?;
+    for line in warnings.iter().map(ToString::to_string).collect::<String>().lines() {
         println!("cargo::warning={line}");
     }
-    let text = rust::emit(&program, &options.emit);
-    let fail = |message: String| Diagnostics::one(Source::default(), Diagnostic::error(message));
     let directory = std::env::var_os("OUT_DIR")
-        .ok_or_else(|| fail("OUT_DIR is not set: call this from a build script".to_owned()))?;
+        .ok_or_else(|| failure("OUT_DIR is not set: call this from a build script".to_owned()))?;
     let name = options.file_name.clone().unwrap_or_else(|| {
-        path.file_stem().map_or_else(|| program.name.clone(), |stem| stem.to_string_lossy().into_owned())
+        path.file_stem().map_or_else(|| model.name.clone(), |stem| stem.to_string_lossy().into_owned())
     });
     let file = Path::new(&directory).join(format!("{name}.rs"));
-    std::fs::write(&file, text).map_err(|e| fail(format!("cannot write {}: {e}", file.display())))?;
+    std::fs::write(&file, text).map_err(|e| failure(format!("cannot write {}: {e}", file.display())))?;
     Ok(file)
+}
+
+/// Asks cargo to run the script again when the file changes. Cargo reads one instruction a line.
+fn watch(path: &str) -> Result<(), Diagnostics> {
+    if path.contains(char::is_control) {
+        let message =
+            format!("cargo cannot watch `{}`: no line break may stand in a path", escape::line(path));
+        return Err(failure(message));
+    }
+    println!("cargo::rerun-if-changed={path}");
+    Ok(())
+}
+
+/// An error without a place in a model.
+fn failure(message: String) -> Diagnostics {
+    Diagnostics::one(Source::default(), Diagnostic::error(message))
 }

@@ -2,10 +2,11 @@
 //!
 //! In: a [`Source`] and [`Span`]s of it. Out: text of the form known from compilers: message,
 //! `file:line:column`, the line, a caret under the place with a label, and help.
-//! Invariant: rendering never fails, whatever the spans.
+//! Invariants: rendering never fails, whatever the spans; no character of a model moves the terminal's cursor.
 
 use std::fmt;
 
+use crate::escape;
 use crate::source::{Source, Span};
 
 /// How bad it is.
@@ -146,7 +147,7 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
         Severity::Error => "error",
         Severity::Warning => "warning",
     };
-    writeln!(f, "{severity}: {}", item.message)?;
+    writeln!(f, "{severity}: {}", escape::lines(&item.message))?;
     let lines = item.labels.iter().map(|l| source.line_column(l.span).0);
     let width = lines.max().unwrap_or(1).to_string().len();
     let (mut previous, mut previous_line) = (None, 0);
@@ -155,15 +156,20 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
         let Some(file) = source.files.get(label.span.file as usize) else { continue };
         if previous != Some(label.span.file) {
             let arrow = if i == 0 { "-->" } else { ":::" };
-            writeln!(f, "{:width$}{arrow} {}:{line}:{column}", " ", file.path)?;
+            writeln!(f, "{:width$}{arrow} {}:{line}:{column}", " ", escape::line(&file.path))?;
             writeln!(f, "{:width$} |", " ")?;
             previous = Some(label.span.file);
             previous_line = 0;
         }
         let text: Vec<char> = file.text.lines().nth(line - 1).unwrap_or("").chars().collect();
         let first = (column - 1).saturating_sub(EXCERPT / 2);
-        let shown: String =
-            text.iter().skip(first).take(EXCERPT).map(|c| if *c == '\t' { ' ' } else { *c }).collect();
+        // One character for one, so that the marks stand under their place.
+        let visible = |c: char| match c {
+            '\t' => ' ',
+            c if escape::is_unseen(c) => char::REPLACEMENT_CHARACTER,
+            c => c,
+        };
+        let shown: String = text.iter().skip(first).take(EXCERPT).map(|&c| visible(c)).collect();
         let shown = match first {
             0 => shown,
             _ => format!("...{}", shown.chars().skip(3).collect::<String>()),
@@ -176,10 +182,10 @@ fn render(f: &mut fmt::Formatter<'_>, source: &Source, item: &Diagnostic) -> fmt
         let length = characters(&file.text, label.span).clamp(1, to_line_end.min(EXCERPT / 2));
         let caret = if i == 0 { "^" } else { "-" };
         let marks = format!("{}{}", " ".repeat(column - 1 - first), caret.repeat(length));
-        writeln!(f, "{:width$} | {}", " ", format!("{marks} {}", label.text).trim_end())?;
+        writeln!(f, "{:width$} | {}", " ", format!("{marks} {}", escape::lines(&label.text)).trim_end())?;
     }
     match &item.help {
-        Some(help) => writeln!(f, "{:width$} = help: {help}", " "),
+        Some(help) => writeln!(f, "{:width$} = help: {}", " ", escape::lines(help)),
         None => Ok(()),
     }
 }

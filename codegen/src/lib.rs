@@ -48,6 +48,7 @@
 //! (expression DAG) know nothing of each other; `vector` -> `kinematics` -> `dynamics` -> `program`
 //! -> `rust` each build on what stands before.
 
+pub mod escape;
 pub mod expr;
 pub mod id;
 pub mod source;

@@ -190,6 +190,11 @@ impl<'a> Builder<'a> {
             ["forces", "torques", "springs", "outputs", "constraints.configuration", "constraints.motion"]
         {
             for (i, (key, _)) in self.entries(section).iter().enumerate() {
+                match section {
+                    // Columns of a table beside those of time and of the quantities.
+                    "outputs" => scope::check_name(&key.name, key.span, self.found),
+                    _ => scope::check_word(&key.name, key.span, self.found),
+                }
                 if let Some((first, _)) = self.entries(section)[..i].iter().find(|(k, _)| k.name == key.name)
                 {
                     self.found.push(duplicate(&key.name, key.span, first.span, "in this section"));

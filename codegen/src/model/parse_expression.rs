@@ -3,6 +3,8 @@
 //! In: a [`Text`] and the model's [`Scope`]. Out: [`Expr`]. All faults of an expression that can
 //! be told apart are reported; the tree is then incomplete and never used.
 
+extern crate proc_macro;
+
 use proc_macro2::Span as RustSpan;
 use syn::spanned::Spanned;
 
@@ -68,9 +70,31 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
     result
 }
 
-/// Frees the text that proc-macro2 keeps per thread; inside a procedural macro the compiler owns it.
+/// Stack of the thread that reads expressions (bytes): nesting is bounded by [`lexing::DEEPEST`].
+const STACK: usize = 8 << 20;
+
+/// Reads expressions on a thread of its own: the text that proc-macro2 keeps for the places of its words belongs to
+/// a thread, and a caller who uses proc-macro2 too keeps its own. A procedural macro's places belong to the
+/// compiler, which knows them on the caller's thread alone.
+pub fn on_own_thread<T: Send>(read: impl FnOnce() -> T + Send) -> T {
+    if proc_macro::is_available() {
+        return read();
+    }
+    let mut read = Some(read);
+    let ended = std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(STACK);
+        thread.spawn_scoped(scope, || read.take().map(|read| read())).map(std::thread::ScopedJoinHandle::join)
+    });
+    match ended {
+        Ok(Ok(Some(value))) => value,
+        Ok(Err(panic)) => std::panic::resume_unwind(panic),
+        // A system without threads.
+        _ => read.take().expect("read once")(),
+    }
+}
+
+/// Frees the text of the expression that has just been read, on [`on_own_thread`].
 fn forget_spans() {
-    extern crate proc_macro;
     if !proc_macro::is_available() {
         proc_macro2::extra::invalidate_current_thread_spans();
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::document::{Table, Value};
 use super::repeat::{Sections, wrong_kind};
 use super::*;
-use super::{build, check, document, extend, order, reach, repeat};
+use super::{build, check, document, extend, order, parse_expression, reach, repeat};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::File;
 
@@ -58,7 +58,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
         sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
     }
     let sections: Sections = sections.unwrap_or_default();
-    let mut draft = build::build(&source, &sections, &mut found);
+    let mut draft = parse_expression::on_own_thread(|| build::build(&source, &sections, &mut found));
     let mut found = next_stage(found)?;
     draft.model.order = order::sort(&draft.model, &mut found);
     let mut found = next_stage(found)?;

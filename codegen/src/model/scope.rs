@@ -88,17 +88,28 @@ pub fn duplicate(name: &str, span: Span, first: Span, kind: &str) -> Diagnostic 
         .help("parameters, coordinates, speeds, inputs, definitions and points share one name space; rename one of the two")
 }
 
-/// Is it an identifier that may be used as a name?
-pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
+/// Is it a word: letters, digits and underscores?
+fn is_word(name: &str) -> bool {
     let mut letters = name.chars();
     let starts = letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
-    if !starts || !letters.all(|c| c.is_ascii_alphanumeric() || c == '_') || name == "_" || 64 < name.len() {
+    starts && letters.all(|c| c.is_ascii_alphanumeric() || c == '_') && name != "_" && name.len() <= 64
+}
+
+/// Checks the name of something that no expression refers to: any word will do.
+pub(super) fn check_word(name: &str, span: Span, found: &mut Diagnostics) {
+    if !is_word(name) {
         found.push(
             Diagnostic::error(format!("`{name}` cannot be a name"))
                 .label(span, "not an identifier")
                 .help("names are at most 64 letters, digits and underscores and start with a letter"),
         );
-    } else if RESERVED.contains(&name) {
+    }
+}
+
+/// Checks the name of a quantity, a frame or a body: a word without a meaning of its own in expressions.
+pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
+    check_word(name, span, found);
+    if RESERVED.contains(&name) {
         found.push(
             Diagnostic::error(format!("`{name}` has a meaning of its own"))
                 .label(span, "cannot be declared")

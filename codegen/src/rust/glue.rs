@@ -1,6 +1,7 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
 use super::{Answer, layout, name};
+use crate::escape;
 use crate::program::Program;
 
 /// The struct, with `$name` for its name, `$runtime` for the runtime's path, `$getters`, `$setters` for the arms of the
@@ -146,15 +147,15 @@ fn keeps_time(program: &Program) -> bool {
     roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))
 }
 
-/// `pub struct Tile` and its `impl Mechanism<S>`.
-pub(super) fn mechanism(program: &Program, runtime: &str) -> String {
-    let doc = match program.doc.is_empty() {
-        true => format!("The mechanism `{}`.", program.name),
-        false => program.doc.clone(),
+/// `pub struct Tile` and its `impl Mechanism<S>`; `fields` are those of `Parameters`.
+pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str) -> String {
+    let doc = match program.doc.trim().is_empty() {
+        true => format!("The mechanism {}.", escape::markdown_code(&program.name)),
+        false => program.doc.trim().lines().map(escape::markdown).collect::<Vec<_>>().join("\n"),
     };
     let arms = |indent: &str, place: &str| -> String {
-        let fields = program.parameters.iter().map(|p| name::identifier(&p.name)).enumerate();
-        fields.map(|(index, field)| format!("{indent}{index}usize => {place}.{field},\n")).collect()
+        let numbered = fields.iter().enumerate();
+        numbered.map(|(index, field)| format!("{indent}{index}usize => {place}.{field},\n")).collect()
     };
     let method = |head: &str, arguments: &[&str], value: &str| {
         let arguments: Vec<String> = arguments.iter().map(|&a| a.to_owned()).collect();

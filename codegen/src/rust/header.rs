@@ -1,6 +1,7 @@
 //! The comment that an emitted file opens with: provenance and cost.
 
 use super::{Answer, Cost, EmitOptions, scalar_name};
+use crate::escape;
 use crate::program::Program;
 use crate::words::count;
 use std::fmt::Write;
@@ -16,13 +17,13 @@ pub(super) fn text<'a>(
     let scalar = scalar_name(&options.scalar);
     let mut text = format!(
         "// Generated from {} by smartbed-codegen {}; do not edit, change the model instead.\n",
-        program.path,
+        escape::line(&program.path),
         env!("CARGO_PKG_VERSION")
     );
     let _ = writeln!(
         text,
         "// {}: {}, {}, {}, {}; scalar {scalar}.",
-        program.name,
+        escape::line(&program.name),
         count(program.q.len(), "coordinate"),
         count(program.u.len(), "independent speed"),
         count(program.inputs.len(), "input"),

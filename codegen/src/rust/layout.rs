@@ -56,9 +56,9 @@ pub(super) fn block(head: &str, elements: impl IntoIterator<Item = String>, inde
     format!("{indent}{head} {{\n{elements}{indent}}}\n")
 }
 
-/// A doc comment; one line a line of the text. A carriage return may not stand in one.
+/// A doc comment; one line a line of the text.
 pub(super) fn doc(text: &str) -> String {
-    text.split(['\n', '\r']).map(|line| format!("///{line}\n")).collect()
+    text.lines().map(|line| format!("///{line}\n")).collect()
 }
 
 #[cfg(test)]

@@ -14,11 +14,12 @@ mod prepared;
 mod schedule;
 mod statement;
 
+use crate::escape;
 use crate::expr::{Dependence, ExprId};
 use crate::program::{Program, Quantity};
 use crate::words::count;
 use prepared::Prepared;
-use statement::Body;
+use statement::{Body, Parameters};
 
 /// The scalar of an emitted file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -175,17 +176,18 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     text += &format!("\nuse {runtime}::real::Real;\n/// The scalar of this file.\n");
     text += &format!("pub type S = {};\n", scalar_name(&options.scalar));
     text += &constants(program, options);
-    text += &parameters(program, options);
+    let fields = name::fields(program);
+    text += &parameters(program, &fields, options);
     if answers.contains(&Answer::Augmented) {
         let doc = "Speeds and lifted twists of the augmented form, in order.";
         text += &names_constant("UNKNOWN_NAMES", doc, &program.augmented.unknowns);
     }
-    text += &prepared.items(program, &options.scalar, &preparing);
+    text += &prepared.items(program, &fields, &options.scalar, &preparing);
     for (&answer, cost) in answers.iter().zip(&costs) {
         text += &function(program, answer, cost, &options.scalar, &prepared);
     }
     if options.answers.is_empty() {
-        text += &glue::mechanism(program, runtime);
+        text += &glue::mechanism(program, &fields, runtime);
     }
     text
 }
@@ -261,17 +263,15 @@ fn constants(program: &Program, options: &EmitOptions) -> String {
     text
 }
 
-/// The struct of tunable parameters and its defaults.
-fn parameters(program: &Program, options: &EmitOptions) -> String {
-    let path = &program.path;
-    let fields = program.parameters.iter().map(|p| {
-        let doc = format!("{} ({}), {path}:{}.", name::sentence(&p.doc, &p.name), p.unit, p.line);
-        format!("///{doc}\n    pub {}: S", name::identifier(&p.name))
+/// The struct of tunable parameters, with these names for its fields, and its defaults.
+fn parameters(program: &Program, names: &[String], options: &EmitOptions) -> String {
+    let named = || program.parameters.iter().zip(names);
+    let fields = named().map(|(p, name)| {
+        let what = name::sentence(&p.doc, &p.name);
+        let doc = escape::markdown(&format!("{what} ({}), {}:{}.", p.unit, program.path, p.line));
+        format!("///{doc}\n    pub {name}: S")
     });
-    let defaults = program
-        .parameters
-        .iter()
-        .map(|p| format!("{}: {}", name::identifier(&p.name), literal(p.value, &options.scalar)));
+    let defaults = named().map(|(p, name)| format!("{name}: {}", literal(p.value, &options.scalar)));
     let values = layout::block("Self", defaults, "        ");
     format!(
         "/// Tunable parameters, SI units.\n{PLAIN_STRUCT}{}impl Default for Parameters {{\n    fn default() -> Self {{\n{values}    }}\n}}\n",
@@ -301,7 +301,7 @@ fn function(
             format!("({})", lengths.join(", "))
         }
     };
-    let body = Body::new(program, &roots, scalar, prepared);
+    let body = Body::new(program, &roots, scalar, Parameters::Prepared(prepared));
     let operations = count(cost.values().sum::<usize>(), "operation");
     let signature = layout::signature(&format!("pub fn {}", answer.name()), &body.arguments(), &output, "");
     format!(

@@ -1,85 +1,104 @@
-//! Identifiers: sanitised, never a keyword, never twice.
+//! Names of emitted items: every name of a model becomes one of Rust that nothing else in its place has.
+//!
+//! In: names of a model. Out: identifiers. A [`Scope`] is a place in which names must differ: the fields of a struct,
+//! the values of a function, the types of the file. It starts with the names that the emitted text itself has
+//! there and gives every name out once, so that no two can collide, whatever the model says.
 
+use crate::program::Program;
 use rustc_hash::FxHashSet as HashSet;
 
-/// Words that are not identifiers, or would hide what an emitted function uses.
-fn is_taken(word: &str) -> bool {
-    matches!(
-        word,
-        "as" | "async"
-            | "await"
-            | "break"
-            | "const"
-            | "continue"
-            | "crate"
-            | "dyn"
-            | "else"
-            | "enum"
-            | "extern"
-            | "false"
-            | "fn"
-            | "for"
-            | "if"
-            | "impl"
-            | "in"
-            | "let"
-            | "loop"
-            | "match"
-            | "mod"
-            | "move"
-            | "mut"
-            | "pub"
-            | "ref"
-            | "return"
-            | "self"
-            | "Self"
-            | "static"
-            | "struct"
-            | "super"
-            | "trait"
-            | "true"
-            | "type"
-            | "unsafe"
-            | "use"
-            | "where"
-            | "while"
-            | "abstract"
-            | "become"
-            | "box"
-            | "do"
-            | "final"
-            | "gen"
-            | "macro"
-            | "override"
-            | "priv"
-            | "try"
-            | "typeof"
-            | "unsized"
-            | "virtual"
-            | "yield"
-            | "Real"
-            | "S"
-            | "Parameters"
-            | "Prepared"
-            | "NQ"
-    )
-}
+/// Words that Rust does not take for names, of all editions.
+const KEYWORDS: [&str; 53] = [
+    "as", "async", "await", "break", "const", "continue", "crate", "dyn", "else", "enum", "extern", "false",
+    "fn", "for", "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return",
+    "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where", "while",
+    "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv", "try", "typeof",
+    "unsized", "virtual", "yield", "_",
+];
 
-/// A valid identifier for a model's name.
-#[must_use]
-pub(super) fn identifier(name: &str) -> String {
+/// Arguments of the emitted functions: time, coordinates, speeds, inputs, and what depends on parameters.
+pub(super) const ARGUMENTS: [&str; 5] = ["t", "q", "u", "inputs", "p"];
+
+/// Constants of the emitted file. A `let` with such a name would compare with the constant.
+const CONSTANTS: [&str; 13] = [
+    "NQ",
+    "NU",
+    "N_INPUTS",
+    "Q_NAMES",
+    "U_NAMES",
+    "INPUT_NAMES",
+    "PARAMETER_NAMES",
+    "SPEED_NAMES",
+    "OUTPUT_NAMES",
+    "UNKNOWN_NAMES",
+    "CORRECTED",
+    "IS_ANGLE",
+    "NOMINAL",
+];
+
+/// Types and traits of the emitted file and of the module that it reads.
+const TYPES: [&str; 6] = ["S", "Real", "Parameters", "Prepared", "Mechanism", "Fault"];
+
+/// Types, traits and variants that every Rust file has in scope: a type of that name would hide them in the
+/// emitted file and in the module that includes it, and a `let` cannot have the name of a variant.
+const PRELUDE: [&str; 41] = [
+    "Option",
+    "Some",
+    "None",
+    "Result",
+    "Ok",
+    "Err",
+    "Default",
+    "Clone",
+    "Copy",
+    "Debug",
+    "Send",
+    "Sync",
+    "Sized",
+    "Unpin",
+    "Drop",
+    "Fn",
+    "FnMut",
+    "FnOnce",
+    "AsyncFn",
+    "AsyncFnMut",
+    "AsyncFnOnce",
+    "AsRef",
+    "AsMut",
+    "From",
+    "Into",
+    "TryFrom",
+    "TryInto",
+    "FromIterator",
+    "Iterator",
+    "IntoIterator",
+    "Extend",
+    "DoubleEndedIterator",
+    "ExactSizeIterator",
+    "Future",
+    "IntoFuture",
+    "ToOwned",
+    "ToString",
+    "String",
+    "Vec",
+    "Box",
+    "Hash",
+];
+
+/// A name as an identifier: other characters become underscores, and no keyword remains.
+fn identifier(name: &str) -> String {
     let mut text: String =
         name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
     if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) || text.chars().all(|c| c == '_') {
         text.insert(0, 'x');
     }
-    if is_taken(&text) {
+    if KEYWORDS.contains(&text.as_str()) {
         text.push('_');
     }
     text
 }
 
-/// `my_tile` -> `MyTile`.
+/// `my_tile` -> `MyTile`, by a name that no other type of the file or of the prelude has.
 #[must_use]
 pub(super) fn type_name(name: &str) -> String {
     let camel: String = identifier(name)
@@ -89,7 +108,16 @@ pub(super) fn type_name(name: &str) -> String {
             letters.next().map(|c| c.to_ascii_uppercase()).into_iter().chain(letters).collect::<Vec<_>>()
         })
         .collect();
-    identifier(&camel)
+    let is_own = camel.starts_with(|c: char| c.is_ascii_alphabetic())
+        && !TYPES.iter().chain(&PRELUDE).chain(&KEYWORDS).any(|taken| *taken == camel);
+    if is_own { camel } else { format!("Model{camel}") }
+}
+
+/// Fields of `Parameters`, in the order of the parameters.
+#[must_use]
+pub(super) fn fields(program: &Program) -> Vec<String> {
+    let mut fields = Scope::default();
+    program.parameters.iter().map(|p| fields.unique(&p.name)).collect()
 }
 
 /// The description with a capital, or the name where there is none.
@@ -100,7 +128,7 @@ pub(super) fn sentence(doc: &str, name: &str) -> String {
     letters.next().map_or(String::new(), |c| c.to_uppercase().chain(letters).collect())
 }
 
-/// The names in scope of one function.
+/// Names of one place: the fields of a struct, the values of a function.
 #[derive(Default)]
 pub(super) struct Scope {
     /// All but those of temporaries, which are many and need no list.
@@ -109,9 +137,14 @@ pub(super) struct Scope {
 }
 
 impl Scope {
-    /// Keeps a name from being given out.
-    pub fn reserve(&mut self, name: &str) {
-        self.taken.insert(name.to_owned());
+    /// A place that has these names already.
+    fn of<'n>(names: impl Iterator<Item = &'n &'n str>) -> Self {
+        Self { taken: names.map(|&name| name.to_owned()).collect(), temporaries: 0 }
+    }
+
+    /// The values of a function of the emitted file.
+    pub fn of_function() -> Self {
+        Self::of(ARGUMENTS.iter().chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
     }
 
     /// The wished name, or with the first free numeric suffix.

@@ -1,7 +1,7 @@
 //! `Prepared`: what the answers need of the parameters, and `prepare`, which computes it.
 
 use super::name::Scope;
-use super::statement::Body;
+use super::statement::{Body, Parameters};
 use super::{Cost, PLAIN_STRUCT, STRAIGHT_LINE, ScalarType, layout};
 use crate::expr::{Dependence, ExprId, NodeSet};
 use crate::program::Program;
@@ -41,13 +41,13 @@ impl Prepared {
         program.dag.operations_by_kind(&self.roots(), Dependence::Parameters)
     }
 
-    /// The struct and the function.
-    pub fn items(&self, program: &Program, scalar: &ScalarType, cost: &Cost) -> String {
+    /// The struct and the function; `names` are those of the fields of `Parameters`.
+    pub fn items(&self, program: &Program, names: &[String], scalar: &ScalarType, cost: &Cost) -> String {
         let fields = self.fields.iter().map(|(id, field)| match program.dag.as_symbol(*id) {
             Some(_) => format!("///The parameter `{field}`.\n    pub {field}: S"),
             None => format!("///Of parameters alone.\n    pub {field}: S"),
         });
-        let body = Body::of_parameters(program, &self.roots(), scalar);
+        let body = Body::new(program, &self.roots(), scalar, Parameters::Given(names));
         let values: Vec<String> = (self.fields.iter().zip(&body.results))
             .map(|((_, field), value)| match field == value {
                 true => field.clone(),

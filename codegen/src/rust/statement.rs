@@ -10,7 +10,7 @@
 mod steps;
 
 use super::ScalarType;
-use super::name::Scope;
+use super::name::{ARGUMENTS, Scope};
 use super::prepared::Prepared;
 use super::schedule::{self, Core};
 use crate::expr::print::{binary_name, infix, unary_name};
@@ -23,12 +23,20 @@ use std::fmt::Write;
 /// Operations in one statement before it is broken up.
 const LONGEST_STATEMENT: usize = 8;
 
+/// Where a function reads values of parameters.
+#[derive(Clone, Copy)]
+pub(super) enum Parameters<'p> {
+    /// An answer: in `p: &Prepared`.
+    Prepared(&'p Prepared),
+    /// `prepare`: in `p: &Parameters`, whose fields have these names.
+    Given(&'p [String]),
+}
+
 /// Statements and results of a function.
 pub(super) struct Body<'p> {
     program: &'p Program,
     scalar: &'p ScalarType,
-    /// Where values of parameters are read; none in the function that computes them.
-    prepared: Option<&'p Prepared>,
+    parameters: Parameters<'p>,
     /// Statements in order, one a line.
     pub statements: String,
     n_statements: usize,
@@ -49,36 +57,19 @@ pub(super) struct Body<'p> {
     stack: Vec<ExprId>,
 }
 
-/// Groups of arguments, in the order of the signature.
-const GROUPS: [&str; 5] = ["t", "q", "u", "inputs", "p"];
-
 impl<'p> Body<'p> {
-    /// Of an answer: it reads `p: &Prepared`.
+    /// The statements that compute `roots`.
     pub fn new(
         program: &'p Program,
         roots: &[ExprId],
         scalar: &'p ScalarType,
-        prepared: &'p Prepared,
-    ) -> Self {
-        Self::of(program, roots, scalar, Some(prepared))
-    }
-
-    /// Of `prepare`: it reads `p: &Parameters`.
-    pub fn of_parameters(program: &'p Program, roots: &[ExprId], scalar: &'p ScalarType) -> Self {
-        Self::of(program, roots, scalar, None)
-    }
-
-    fn of(
-        program: &'p Program,
-        roots: &[ExprId],
-        scalar: &'p ScalarType,
-        prepared: Option<&'p Prepared>,
+        parameters: Parameters<'p>,
     ) -> Self {
         let n = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         let mut body = Self {
             program,
             scalar,
-            prepared,
+            parameters,
             statements: String::new(),
             n_statements: 0,
             results: Vec::new(),
@@ -87,13 +78,10 @@ impl<'p> Body<'p> {
             pairs: HashMap::default(),
             named: vec![0; n],
             idents: Vec::new(),
-            scope: Scope::default(),
+            scope: Scope::of_function(),
             read: [false; 5],
             stack: Vec::new(),
         };
-        for name in GROUPS {
-            body.scope.reserve(name);
-        }
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
         let core = if *scalar == ScalarType::F64 { Core::OutOfOrder } else { Core::InOrder };
@@ -120,7 +108,10 @@ impl<'p> Body<'p> {
 
     /// Name of the field of `Prepared` that holds the node.
     fn field(&self, id: ExprId) -> Option<&'p str> {
-        self.prepared?.field(id)
+        match self.parameters {
+            Parameters::Prepared(prepared) => prepared.field(id),
+            Parameters::Given(_) => None,
+        }
     }
 
     /// Operands that the body computes: none of what it reads. Sine and cosine of a difference take its two angles.
@@ -189,15 +180,15 @@ impl<'p> Body<'p> {
             if let Some(index) = list.iter().position(|x| x.symbol == symbol) {
                 self.read[group + 1] = true;
                 let ident = self.scope.unique(&list[index].name);
-                let array = GROUPS[group + 1];
+                let array = ARGUMENTS[group + 1];
                 self.push(&ident, format_args!("{array}[{index}]"));
                 self.name(id, ident);
                 return;
             }
         }
-        if let Some(parameter) = program.parameters.iter().find(|p| p.symbol == symbol) {
-            let field = super::name::identifier(&parameter.name);
-            self.read_parameter(id, &parameter.name, &field);
+        let parameter = program.parameters.iter().position(|p| p.symbol == symbol);
+        if let (Parameters::Given(fields), Some(index)) = (self.parameters, parameter) {
+            self.read_parameter(id, &fields[index], &fields[index]);
         }
     }
 
@@ -346,14 +337,14 @@ impl<'p> Body<'p> {
     pub fn arguments(&self) -> Vec<String> {
         let program = self.program;
         let underscore = |read: bool| if read { "" } else { "_" };
-        if self.prepared.is_none() {
+        if let Parameters::Given(_) = self.parameters {
             return vec![format!("{}p: &Parameters", underscore(self.read[4]))];
         }
         let array = |n: usize| format!("&[S; {n}usize]");
         let (q, u, inputs) = (&program.q, &program.u, &program.inputs);
         let types =
             ["S".to_owned(), array(q.len()), array(u.len()), array(inputs.len()), "&Prepared".to_owned()];
-        let named = GROUPS.iter().zip(types).zip(self.read);
+        let named = ARGUMENTS.iter().zip(types).zip(self.read);
         named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).collect()
     }
 }

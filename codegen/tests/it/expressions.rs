@@ -195,3 +195,13 @@ fn limits_have_messages() {
     let nested = format!("{}a{}", "sin(".repeat(128), ")".repeat(128));
     assert!(read(&nested).is_ok(), "128 are allowed");
 }
+
+#[test]
+fn places_of_the_callers_own_tokens_outlive_a_model() {
+    // A build script that reads Rust with proc-macro2 and derives a model in between.
+    let tokens: proc_macro2::TokenStream = "first + second".parse().expect("tokens");
+    model::parse("pendulum.toml", include_str!("../../../models/pendulum.toml"))
+        .unwrap_or_else(|e| panic!("{e}"));
+    let texts: Vec<Option<String>> = tokens.into_iter().map(|token| token.span().source_text()).collect();
+    assert_eq!(texts, ["first", "+", "second"].map(|word| Some(word.to_owned())));
+}

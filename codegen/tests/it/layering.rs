@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Module, and the modules it may name by `crate::`.
-const MAY_IMPORT: [(&str, &[&str]); 13] = [
+const MAY_IMPORT: [(&str, &[&str]); 14] = [
     ("id", &[]),
     ("source", &[]),
     ("words", &[]),
-    ("diagnostic", &["source"]),
+    ("escape", &[]),
+    ("diagnostic", &["escape", "source"]),
     ("expr", &["id"]),
     ("model", &["id", "source", "words", "diagnostic"]),
     ("vector", &["id", "expr", "model"]),
@@ -16,8 +17,8 @@ const MAY_IMPORT: [(&str, &[&str]); 13] = [
     ("dynamics", &["id", "source", "diagnostic", "expr", "model", "vector", "kinematics"]),
     ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics", "value"]),
     ("value", &["id", "expr"]),
-    ("rust", &["id", "words", "expr", "program"]), // no mechanics
-    ("build", &["source", "diagnostic", "model", "kinematics", "program", "rust", "value"]),
+    ("rust", &["escape", "id", "words", "expr", "program"]), // no mechanics
+    ("build", &["escape", "source", "diagnostic", "model", "kinematics", "program", "rust", "value"]),
 ];
 
 fn rust_files(folder: &Path) -> Vec<PathBuf> {

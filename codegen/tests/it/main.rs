@@ -10,6 +10,7 @@ mod expr;
 mod expressions;
 mod forms;
 mod geometry;
+mod hostile;
 mod layering;
 mod loops;
 mod machines;

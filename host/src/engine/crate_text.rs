@@ -3,7 +3,7 @@
 //! In: a program and a scalar. Out: (path, text) of every file. The crate needs `libm`, and `wide` for
 //! lanes; nothing else of this project.
 
-use smartbed_codegen::{EmitOptions, Program, ScalarType, rust};
+use smartbed_codegen::{EmitOptions, Program, ScalarType, escape, rust};
 use smartbed_runtime::SOURCES;
 
 /// (path within the crate, text).
@@ -16,12 +16,14 @@ pub fn library(program: &Program, scalar: &ScalarType, options: &EmitOptions) ->
     let wide = if lanes { "wide = { version = \"1.7\", default-features = false }\n" } else { "" };
     let features = if lanes { "default = [\"simd\"]\n" } else { "" };
     let name = crate_name(&program.name);
-    let about = if program.doc.is_empty() { &program.name } else { &program.doc };
+    let about = if program.doc.trim().is_empty() { &program.name } else { &program.doc };
+    // Text of TOML, whose escapes are not Rust's.
+    let description = toml::Value::from(escape::line(&about.replace(['\n', '\t'], " ")));
     let manifest = format!(
         "# Written by `smartbed derive --crate`.
 [package]
 name = \"{name}\"
-description = {about:?}
+description = {description}
 version = \"0.1.0\"
 edition = \"2024\"
 rust-version = \"1.89\"
@@ -52,7 +54,7 @@ pub mod real;
 
 pub use equations::*;
 ",
-        about.replace('\n', " ")
+        escape::markdown(about)
     );
     let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
     let options = EmitOptions { runtime: "crate".to_owned(), ..options.clone() };

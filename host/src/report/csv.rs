@@ -22,10 +22,10 @@ pub fn text(report: &Report) -> String {
             let _ = writeln!(
                 text,
                 "{},{},{},{},{step},{tolerance},{},{evaluations},{},{},{},{},{}",
-                section.name,
+                quoted(&section.name),
                 digits(section.seconds),
-                p.method,
-                p.scalar,
+                quoted(&p.method),
+                quoted(&p.scalar),
                 digits(p.error),
                 digits(p.nanoseconds),
                 p.front,
@@ -39,7 +39,7 @@ pub fn text(report: &Report) -> String {
 }
 
 fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
+    if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
         text.to_owned()

@@ -1,6 +1,7 @@
 //! The report as Markdown: a summary, then each subject's points, costs on the chip and notes.
 
 use super::point::{Point, Report, Section, Table};
+use smartbed_codegen::escape::{markdown, markdown_code};
 use std::fmt::Write as _;
 
 /// Errors (m or rad) for which the summary names the cheapest method.
@@ -10,13 +11,17 @@ const TARGETS: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-11];
 #[must_use]
 pub fn text(report: &Report) -> String {
     let mut text = format!(
-        "# Speed against error\n\n{}; made by `{}` in {:.0} s; mechanisms by the {}. \
+        "# Speed against error\n\n{}; made by {} in {:.0} s; mechanisms by the {}. \
          Costs on the chip: {}.\n\n\
          Errors are the largest of any coordinate (m or rad) at ten times over the simulated time, against the \
          reference named with each subject. Time is computing time per simulated second, without output. The \
          command of a row makes its numbers again. \
          Hard cases and their bounds: docs/hard-cases.md of the repository.\n\n",
-        report.machine, report.command, report.elapsed, report.engine, report.chip
+        markdown(&report.machine),
+        markdown_code(&report.command),
+        report.elapsed,
+        markdown(&report.engine),
+        markdown(&report.chip)
     );
     tables(&mut text, report);
     report.sections.iter().for_each(|s| section_text(&mut text, s));
@@ -27,10 +32,14 @@ pub fn text(report: &Report) -> String {
 #[must_use]
 pub fn results(report: &Report) -> String {
     let mut text = format!(
-        "# Speed against error: {}\n\nMade by `{}` in {:.0} s; mechanisms by the {}. Costs on the chip: {}.\n\
+        "# Speed against error: {}\n\nMade by {} in {:.0} s; mechanisms by the {}. Costs on the chip: {}.\n\
          What the columns mean is told in docs/report.md; all points are in the command's own report.md and \
          report.csv, those of the fronts in the JSON file beside this one.\n\n",
-        report.machine, report.command, report.elapsed, report.engine, report.chip
+        markdown(&report.machine),
+        markdown_code(&report.command),
+        report.elapsed,
+        markdown(&report.engine),
+        markdown(&report.chip)
     );
     tables(&mut text, report);
     text
@@ -88,11 +97,11 @@ fn section_text(text: &mut String, section: &Section) {
     let _ = write!(
         text,
         "## {}\n\n{}\n\n{} of {} s simulated. Reference: {}; they agree to {:.1e}.\n\n",
-        section.name,
-        section.title,
+        markdown(&section.name),
+        markdown(&section.title),
         short(section.seconds),
         short(section.asked),
-        section.reference.text,
+        markdown(&section.reference.text),
         section.reference.agreement
     );
     push_rows(text, &points(section));
@@ -100,7 +109,7 @@ fn section_text(text: &mut String, section: &Section) {
         push_rows(text, &chip(section));
     }
     section.notes.iter().for_each(|note| {
-        let _ = writeln!(text, "- {note}");
+        let _ = writeln!(text, "- {}", markdown(note));
     });
     text.push('\n');
 }
@@ -171,15 +180,55 @@ pub fn chip(section: &Section) -> Table {
 }
 
 fn push(text: &mut String, table: &Table) {
-    let _ = write!(text, "## {}\n\n", table.title);
+    let _ = write!(text, "## {}\n\n", markdown(&table.title));
     push_rows(text, table);
-    let _ = write!(text, "By `{}`.\n\n", table.command);
+    let _ = write!(text, "By {}.\n\n", markdown_code(&table.command));
 }
 
 fn push_rows(text: &mut String, table: &Table) {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let line = |cells: &[String]| {
+        let cells: Vec<String> = cells.iter().map(|text| cell(text)).collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
     *text += &line(&table.columns);
     *text += &format!("|{}\n", "---|".repeat(table.columns.len()));
     table.rows.iter().for_each(|row| *text += &line(row));
     text.push('\n');
+}
+
+/// A cell of a table. What stands between back ticks is code, in which a bar would still end the cell.
+fn cell(text: &str) -> String {
+    match text.strip_prefix('`').and_then(|text| text.strip_suffix('`')) {
+        Some(code) => markdown_code(code).replace('|', "\\|"),
+        None => markdown(text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Table, push};
+
+    #[test]
+    fn a_table_holds_what_its_cells_say_and_nothing_else() {
+        let cells = ["<script>", "a | b", "x\ny", "`run a|b\n`", "**5**"].map(str::to_owned).to_vec();
+        let table = Table {
+            title: "[a](b)\n# c".to_owned(),
+            columns: vec!["|".to_owned(); 5],
+            rows: vec![cells],
+            command: "run `x`".to_owned(),
+        };
+        let mut text = String::new();
+        push(&mut text, &table);
+        let lines = [
+            r"## \[a](b) # c",
+            "",
+            r"| \| | \| | \| | \| | \| |",
+            "|---|---|---|---|---|",
+            r"| \<script> | a \| b | x y | `run a\|bU+000A` | \*\*5\*\* |",
+            "",
+            "By `` run `x` ``.",
+            "",
+        ];
+        assert_eq!(text.lines().collect::<Vec<_>>(), lines);
+    }
 }

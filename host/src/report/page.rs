@@ -3,7 +3,7 @@
 use super::markdown;
 use super::point::{Report, Section, Table};
 use super::work_precision::{COSTS, draw};
-use crate::plot::svg;
+use crate::plot::svg::{self, escaped};
 use std::fmt::Write as _;
 
 const PAGE: &str = include_str!("page.html");
@@ -28,7 +28,11 @@ pub fn text(report: &Report) -> String {
         let _ = writeln!(links, "<a href=\"#{name}\">{name}</a>");
         sections += &section_text(section);
     }
-    PAGE.replace("HEAD", &head).replace("LINKS", &links).replace("SECTIONS", &sections)
+    // Each part once, in the page's order: what a part says is not looked through for the next.
+    let (before, rest) = PAGE.split_once("LINKS").unwrap_or((PAGE, ""));
+    let (between, rest) = rest.split_once("HEAD").unwrap_or((rest, ""));
+    let (then, after) = rest.split_once("SECTIONS").unwrap_or((rest, ""));
+    [before, &links, between, &head, then, &sections, after].concat()
 }
 
 fn section_text(section: &Section) -> String {
@@ -82,8 +86,4 @@ fn code(cell: &str) -> String {
         Some(inner) => format!("<code>{}</code>", escaped(inner)),
         None => escaped(cell),
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

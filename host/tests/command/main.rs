@@ -3,6 +3,7 @@
 mod browser;
 mod check_and_derive;
 mod eval;
+mod hostile_text;
 mod new_user;
 mod nonsense;
 mod reference;

@@ -1,0 +1,48 @@
+//! Texts of a model that try to become code or markup on their way through the commands.
+
+use crate::support::{command, file, finish, smartbed};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A line that stops the compiler wherever it is code.
+const CODE: &str = "compile_error!(\"a text became code\");";
+
+/// The pendulum with such lines in its descriptions and, where files may have them, in its file's name.
+fn hostile(folder: &str) -> PathBuf {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/pendulum.toml"));
+    let payload =
+        format!("a\\n{}\\r{}\\n```\\n{0}\\n```\\n    {0}\\u202e \\u0000", CODE.replace('"', "\\\""), "*/");
+    let model = model.expect("a model").replace("mass at the end of the rod", &payload);
+    let model = model.replace("Simple pendulum with friction in the pin.", &payload);
+    let name = if cfg!(unix) { format!("a\n{}\nb.toml", CODE.replace('/', "")) } else { "a.toml".to_owned() };
+    let path = file(folder).join(name);
+    std::fs::create_dir_all(file(folder)).expect("a folder");
+    std::fs::write(&path, model).expect("the test folder can be written");
+    path
+}
+
+#[test]
+fn a_crate_of_a_hostile_model_compiles() {
+    let model = hostile("hostile_crate_model").display().to_string();
+    let folder = file("hostile_crate");
+    let done = smartbed(&["derive", &model, "--crate", &folder.display().to_string()]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
+    std::fs::copy(lock, folder.join("Cargo.lock")).expect("copied");
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.args(["check", "--offline", "--quiet"]).current_dir(&folder).env_remove("CARGO_TARGET_DIR");
+    let done = finish(cargo);
+    assert_eq!(done.status, 0, "{}", done.err);
+}
+
+#[test]
+fn a_hostile_model_runs_compiled_as_it_runs_interpreted() {
+    let model = hostile("hostile_run").display().to_string();
+    let run = |engine: &str| {
+        let arguments = ["run", &model, "--seconds", "0.1", "--csv", "-", "--engine", engine];
+        let done = finish(command(&arguments));
+        assert_eq!(done.status, 0, "{done:?}");
+        done.out
+    };
+    assert_eq!(run("interpreter"), run("compiled"));
+}
