@@ -3,12 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::document::{Table, Value};
-use super::repeat::{Sections, wrong_kind};
-use super::*;
-use super::{build, check, document, extend, order, parse_expression, reach, repeat};
+use super::check::{evaluate, order, reach, units};
+use super::data::Model;
+use super::text::document::{self, Table, Value, wrong_kind};
+use super::text::expression::on_own_thread;
+use super::text::repeat::{self, Sections};
+use super::text::{extend, sections};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::File;
+use crate::source::{Source, Span};
 
 /// Largest model text in bytes.
 const LARGEST_TEXT: usize = 4 << 20;
@@ -58,11 +61,11 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
         sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
     }
     let sections: Sections = sections.unwrap_or_default();
-    let mut draft = parse_expression::on_own_thread(|| build::build(&source, &sections, &mut found));
+    let mut draft = on_own_thread(|| sections::read(&source, &sections, &mut found));
     let mut found = next_stage(found)?;
     draft.model.order = order::sort(&draft.model, &mut found);
     let mut found = next_stage(found)?;
-    check::check(&mut draft, &mut found);
+    units::check(&mut draft, &mut found);
     reach::check(&draft, &mut found);
     let mut found = next_stage(found)?;
     let model = evaluate::evaluate(draft, &mut found);

@@ -1,11 +1,11 @@
 //! The sections of loads: forces, torques, springs.
 
-use super::build::{Builder, si};
-use super::expression::{Expr, ExprKind};
+use super::builder::{Builder, si};
 use super::fields::Fields;
-use super::unit::Unit;
-use super::*;
 use crate::diagnostic::Diagnostic;
+use crate::model::data::*;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::unit::Unit;
 
 impl Builder<'_> {
     pub(super) fn loads(&mut self) {

@@ -6,9 +6,11 @@
 
 use std::collections::BTreeMap;
 
-use super::expression::{Expr, ExprKind};
-use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::data::*;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::ids::*;
+use crate::source::Span;
 
 /// An entity or a coordinate with a closed form.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -5,10 +5,12 @@
 
 use std::ops::BitOr;
 
-use super::build::Draft;
-use super::expression::{Expr, ExprKind};
-use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::id::IdVec;
+use crate::model::data::*;
+use crate::model::draft::Draft;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::ids::*;
 
 /// A set of things an expression depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -1,118 +1,36 @@
-//! Sections -> [`Draft`]: names declared first, then every entry read with names resolved to ids.
-//!
-//! Values that are numbers in the end (nominal values, ranges, starts) stay expressions here; they
-//! are evaluated once the parameters have been put in order and checked.
+//! The reader of sections: names of all sections, the header, and entries that are one value each.
 
-use super::build_mechanics::PlannedSpeed;
+use super::document::wrong_kind;
 use super::document::{Key, Table, Value};
-use super::entry::unreadable;
-use super::expression::Expr;
 use super::fields::Fields;
-use super::repeat::{Sections, wrong_kind};
-use super::scope::{Binding, Scope, duplicate};
-use super::unit::{Scale, Unit};
-use super::*;
+use super::repeat::Sections;
+use super::scope::{Binding, Scope, check_name, check_word, duplicate};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::Id;
-
-/// Units of everything that is declared with one.
-#[derive(Debug, Default)]
-pub struct Units {
-    /// Of parameters.
-    pub parameters: IdVec<ParameterId, Unit>,
-    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of it.
-    pub coordinates: IdVec<CoordinateId, Scale>,
-    /// Of speeds.
-    pub speeds: IdVec<SpeedId, Scale>,
-    /// Of inputs.
-    pub inputs: IdVec<InputId, Scale>,
-    /// Of definitions that state one.
-    pub definitions: IdVec<DefinitionId, Option<Unit>>,
-    /// Of outputs that state one.
-    pub outputs: Vec<Option<Unit>>,
-}
-
-/// A model whose units are unchecked and whose constants are unevaluated.
-#[derive(Debug)]
-pub struct Draft {
-    /// The model; `order`, numbers and inferred units are still to be filled in.
-    pub model: Model,
-    /// Declared units.
-    pub units: Units,
-    /// Nominal value and range of each coordinate.
-    pub coordinate_values: IdVec<CoordinateId, [Option<Expr>; 3]>,
-    /// Values of each configuration.
-    pub configuration_values: Vec<Vec<(CoordinateId, Expr)>>,
-    /// Start values.
-    pub start_values: Vec<(StartRef, Expr)>,
-}
+use crate::model::data::*;
+use crate::model::draft::Draft;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::ids::*;
+use crate::model::unit::{Scale, Unit};
+use crate::source::Span;
 
 /// A scale of factor 1.
 pub(super) const fn si(unit: Unit) -> Scale {
     Scale { unit, factor: 1.0 }
 }
 
-/// Reads all sections.
-pub fn build(source: &Source, sections: &Sections, found: &mut Diagnostics) -> Draft {
-    let mut scope = Scope::default();
-    let mut builder = Builder {
-        draft: Draft::empty(source),
-        sections,
-        scope: &mut scope,
-        found,
-        planned_speeds: Vec::new(),
-    };
-    builder.header();
-    builder.declare();
-    builder.parameters();
-    builder.coordinates();
-    builder.speeds();
-    builder.inputs();
-    builder.definitions();
-    builder.frames();
-    builder.points();
-    builder.bodies();
-    builder.constraints();
-    builder.loads();
-    builder.outputs();
-    builder.values();
-    builder.draft
+/// The number 0 in the place of something that could not be read; never used, because an error was reported.
+pub(super) fn unreadable(span: Span) -> Expr {
+    Expr { kind: ExprKind::Number(0.0), span, unit: Unit::NONE }
 }
 
-impl Draft {
-    fn empty(source: &Source) -> Self {
-        let model = Model {
-            source: source.clone(),
-            name: String::new(),
-            doc: String::new(),
-            dof: None,
-            parameters: IdVec::default(),
-            coordinates: IdVec::default(),
-            speeds: IdVec::default(),
-            inputs: IdVec::default(),
-            definitions: IdVec::default(),
-            frames: IdVec::default(),
-            points: IdVec::default(),
-            bodies: IdVec::default(),
-            configuration_constraints: Vec::new(),
-            motion_constraints: Vec::new(),
-            gravity: None,
-            loads: Vec::new(),
-            outputs: Vec::new(),
-            configurations: Vec::new(),
-            order: Vec::new(),
-            start: Vec::new(),
-            laws: Vec::new(),
-            run: Run::default(),
-        };
-        Self {
-            model,
-            units: Units::default(),
-            coordinate_values: IdVec::default(),
-            configuration_values: Vec::new(),
-            start_values: Vec::new(),
-        }
-    }
+/// A speed as declared, before its meaning is read.
+pub(super) struct PlannedSpeed {
+    pub name: String,
+    pub span: Span,
+    /// The coordinate whose rate it is, or none for an entry of `[speeds]`.
+    pub coordinate: Option<CoordinateId>,
+    pub independent: Option<bool>,
 }
 
 /// What the n-th entry of a section stands for.
@@ -134,7 +52,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Top-level fields.
-    fn header(&mut self) {
+    pub(super) fn header(&mut self) {
         let table = Table { entries: self.sections.scalars.clone(), span: Span::default() };
         let fields = Fields::of("the model", Span { start: 0, end: 1, file: 0 }, &table);
         match fields.need("format", "1", self.found) {
@@ -148,7 +66,7 @@ impl<'a> Builder<'a> {
         let model = &mut self.draft.model;
         model.doc = fields.doc(self.found);
         if let Some(Value::Text(name)) = fields.need("name", "\"pendulum\"", self.found) {
-            scope::check_name(&name.text, name.span, self.found);
+            check_name(&name.text, name.span, self.found);
             model.name = name.text.clone();
         }
         match fields.get("dof") {
@@ -164,7 +82,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Declares every name, so that expressions may refer to what stands further down.
-    fn declare(&mut self) {
+    pub(super) fn declare(&mut self) {
         let nowhere = Span::default();
         self.scope.frames.insert("N".to_owned(), (FrameId::from_index(0), nowhere));
         self.scope.values.insert("O".to_owned(), (Binding::Point(PointId::from_index(0)), nowhere));
@@ -192,8 +110,8 @@ impl<'a> Builder<'a> {
             for (i, (key, _)) in self.entries(section).iter().enumerate() {
                 match section {
                     // Columns of a table beside those of time and of the quantities.
-                    "outputs" => scope::check_name(&key.name, key.span, self.found),
-                    _ => scope::check_word(&key.name, key.span, self.found),
+                    "outputs" => check_name(&key.name, key.span, self.found),
+                    _ => check_word(&key.name, key.span, self.found),
                 }
                 if let Some((first, _)) = self.entries(section)[..i].iter().find(|(k, _)| k.name == key.name)
                 {
@@ -204,7 +122,7 @@ impl<'a> Builder<'a> {
         self.declare_speeds();
     }
 
-    fn parameters(&mut self) {
+    pub(super) fn parameters(&mut self) {
         for (key, value) in self.entries("parameters") {
             let parameter = match value {
                 Value::Table(_) => {
@@ -232,7 +150,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn inputs(&mut self) {
+    pub(super) fn inputs(&mut self) {
         for (key, value) in self.entries("inputs") {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
             let doc = fields.doc(self.found);
@@ -243,7 +161,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn definitions(&mut self) {
+    pub(super) fn definitions(&mut self) {
         for (key, value) in self.entries("definitions") {
             let (value, unit) = match value {
                 Value::Table(_) => {
@@ -262,7 +180,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn outputs(&mut self) {
+    pub(super) fn outputs(&mut self) {
         for (key, value) in self.entries("outputs") {
             let (value, unit) = match value {
                 Value::Table(_) => {

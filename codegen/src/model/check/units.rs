@@ -3,11 +3,11 @@
 //! In: a draft whose entities are in order. Out: errors at the offending sub-expression with both units;
 //! inferred units of outputs.
 
-use super::build::Draft;
 use super::infer::{Checker, Type};
-use super::unit::Unit;
-use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::data::*;
+use crate::model::draft::Draft;
+use crate::model::unit::Unit;
 use crate::words::count;
 
 /// Checks every expression of the draft and fills in the units of outputs.

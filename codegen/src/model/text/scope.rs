@@ -2,8 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::{BodyId, CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::ids::{
+    BodyId, CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId,
+};
 use crate::source::Span;
 
 /// What a name in an expression stands for.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::document::{Key, Table, Text, Value};
+use super::document::{Key, Table, Text, Value, wrong_kind};
 use super::scope::suggestion;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 
@@ -123,24 +123,6 @@ fn add_section(name: &str, key: &Key, value: Value, sections: &mut Sections, fou
         Value::Table(table) => sections.tables.entry(name.to_owned()).or_default().extend(table.entries),
         other => found.push(wrong_kind(name, "a table", &other)),
     }
-}
-
-/// The error for a value of another kind than expected.
-pub fn wrong_kind(what: &str, expected: &str, value: &Value) -> Diagnostic {
-    let example = match what {
-        "inertia" => {
-            "inertia = { Ixx = \"I\", Iyy = \"I\", Izz = \"J\" }: about the mass centre, in the body's frame; what is left out is 0"
-        }
-        "speed" => "speed = \"u1\", or speed = { name = \"u1\", independent = false }, or speed = false",
-        "seconds" | "step" => "a time above 0, such as 0.001",
-        "every" => "every so many steps one is shown: a whole number from 1",
-        _ => {
-            "correct the kind: text stands in quotes, numbers and true or false do not, tables in { }, lists in [ ]"
-        }
-    };
-    Diagnostic::error(format!("`{what}` must be {expected}"))
-        .label(value.span(), format!("this is {}", value.kind()))
-        .help(example)
 }
 
 /// The placeholders of one copy: name and text.

@@ -3,10 +3,10 @@
 //! In: an expression with names resolved. Out: its type and unit, or errors at the offending
 //! sub-expression with both units. A literal 0 fits every unit.
 
-use super::build::Draft;
-use super::expression::{Expr, ExprKind, Function};
-use super::unit::Unit;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::draft::Draft;
+use crate::model::expression::{Expr, ExprKind, Function};
+use crate::model::unit::Unit;
 
 /// Type and unit of an expression. No unit: a literal 0, which fits all.
 #[derive(Clone, Copy, PartialEq, Debug)]

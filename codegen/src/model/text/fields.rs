@@ -2,8 +2,8 @@
 
 use std::cell::RefCell;
 
+use super::document::wrong_kind;
 use super::document::{Key, Table, Text, Value};
-use super::repeat::wrong_kind;
 use super::scope::suggestion;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::Span;

@@ -4,8 +4,10 @@
 //! (Kane's v_t): b of a motion constraint a_r u_r + b = 0, a point's stated velocity. Decided on the text: a part
 //! that happens to vanish counts, at the price of an unknown that nothing reads.
 
-use super::expression::{Expr, ExprKind};
-use super::*;
+use crate::id::IdVec;
+use crate::model::data::*;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::ids::*;
 
 /// What is known of each definition.
 struct Definitions {

@@ -3,11 +3,14 @@
 //! Only what does not depend on the state can be evaluated; anything else is NaN, which the
 //! checks before have ruled out.
 
-use super::build::Draft;
-use super::expression::{Expr, ExprKind, Function};
-use super::unit::Unit;
-use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::id::IdVec;
+use crate::model::data::*;
+use crate::model::draft::Draft;
+use crate::model::expression::{Expr, ExprKind, Function};
+use crate::model::ids::*;
+use crate::model::unit::Unit;
+use crate::source::Span;
 
 /// Values of everything constant.
 #[derive(Debug)]

@@ -1,25 +1,18 @@
 //! The mechanical sections: coordinates, speeds, frames, points, bodies, constraints.
 
-use super::build::{Builder, si};
+use super::builder::{Builder, PlannedSpeed, si};
 use super::document::Value;
-use super::expression::{Expr, ExprKind};
+use super::document::wrong_kind;
 use super::fields::Fields;
-use super::repeat::wrong_kind;
 use super::scope::Binding;
-use super::unit::{Scale, Unit};
-use super::*;
 use crate::diagnostic::Diagnostic;
 use crate::id::Id;
+use crate::model::data::*;
+use crate::model::expression::{Axis, Expr, ExprKind};
+use crate::model::ids::*;
+use crate::model::unit::{Scale, Unit};
+use crate::source::Span;
 use crate::words::count;
-
-/// A speed as declared, before its meaning is read.
-pub(super) struct PlannedSpeed {
-    name: String,
-    span: Span,
-    /// The coordinate whose rate it is, or none for an entry of `[speeds]`.
-    coordinate: Option<CoordinateId>,
-    independent: Option<bool>,
-}
 
 impl Builder<'_> {
     /// Every coordinate has the speed `u_<name>` unless it names another one or has none; then

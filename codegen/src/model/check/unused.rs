@@ -2,9 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use super::expression::{Expr, ExprKind};
-use super::*;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::data::*;
+use crate::model::expression::{Expr, ExprKind};
+use crate::model::ids::*;
+use crate::source::Span;
 
 /// What is mentioned somewhere.
 #[derive(Default)]

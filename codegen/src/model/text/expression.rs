@@ -5,15 +5,16 @@
 
 extern crate proc_macro;
 
+use crate::model::ids::FrameId;
 use proc_macro2::Span as RustSpan;
 use syn::spanned::Spanned;
 
 use super::document::Text;
-use super::expression::{Axis, Expr, ExprKind, Function};
 use super::lexing;
-use super::scope::{Binding, RESERVED, Scope, suggestion};
-use super::unit::{self, Unit};
+use super::scope::{Binding, RESERVED, Scope, suggestion, usage};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::expression::{Axis, Expr, ExprKind, Function};
+use crate::model::unit::{self, Unit};
 use crate::source::Span;
 
 /// Largest integer exponent.
@@ -328,7 +329,7 @@ impl Reader<'_> {
         self.node(ExprKind::Axis(id, axis), field.span())
     }
 
-    fn frame(&mut self, name: &str, span: RustSpan) -> Option<super::FrameId> {
+    fn frame(&mut self, name: &str, span: RustSpan) -> Option<FrameId> {
         if let Some((id, _)) = self.scope.frames.get(name) {
             return Some(*id);
         }
@@ -363,12 +364,7 @@ impl Reader<'_> {
         };
         if arguments.len() != count {
             let message = format!("`{name}` takes {}", crate::words::count(count, "argument"));
-            return self.refuse(
-                span,
-                message,
-                &format!("{} given", arguments.len()),
-                &super::scope::usage(name, count),
-            );
+            return self.refuse(span, message, &format!("{} given", arguments.len()), &usage(name, count));
         }
         match name {
             "powi" | "pow" => return self.power(arguments, span),

@@ -1,13 +1,15 @@
 //! Sections of numbers: configurations, start values, laws of the inputs, the run.
 
-use super::build::{Builder, si};
-use super::document::Value;
+use super::builder::{Builder, si};
+use super::document::wrong_kind;
+use super::document::{Key, Table, Text, Value};
 use super::fields::Fields;
-use super::repeat::wrong_kind;
 use super::scope::{Binding, suggestion};
-use super::unit::{Scale, Unit};
-use super::*;
 use crate::diagnostic::Diagnostic;
+use crate::model::data::*;
+use crate::model::ids::*;
+use crate::model::unit::{Scale, Unit};
+use crate::source::Span;
 
 /// The unit of a quantity; none if its entry was faulty, which has been reported.
 fn known(scale: Option<&Scale>) -> Scale {
@@ -66,7 +68,7 @@ impl Builder<'_> {
         }
     }
 
-    fn unknown_key(&mut self, key: &document::Key, kind: &str, fits: impl Fn(&Binding) -> bool) {
+    fn unknown_key(&mut self, key: &Key, kind: &str, fits: impl Fn(&Binding) -> bool) {
         let known: Vec<&str> =
             self.scope.values.iter().filter(|(_, (b, _))| fits(b)).map(|(name, _)| name.as_str()).collect();
         let all = || match known.is_empty() {
@@ -84,7 +86,7 @@ impl Builder<'_> {
     }
 
     fn run(&mut self) {
-        let table = document::Table { entries: self.entries("run").to_vec(), span: Span::default() };
+        let table = Table { entries: self.entries("run").to_vec(), span: Span::default() };
         let span = table.entries.first().map_or(table.span, |(key, _)| key.span);
         let fields = Fields::of("run", span, &table);
         let mut run = Run::default();
@@ -109,8 +111,8 @@ impl Builder<'_> {
         self.draft.model.run = run;
     }
 
-    fn coordinate_named(&mut self, key: &document::Key) -> Option<CoordinateId> {
-        let text = document::Text::bare(&key.name, key.span);
+    fn coordinate_named(&mut self, key: &Key) -> Option<CoordinateId> {
+        let text = Text::bare(&key.name, key.span);
         self.coordinate_of(Some(&Value::Text(text)))
     }
 }

@@ -1,26 +1,23 @@
 //! What stands in the fields of an entry: expressions, quantities, units, names of other entries.
 
-use super::build::{Builder, si};
+use super::builder::{Builder, si, unreadable};
+use super::document::wrong_kind;
 use super::document::{Text, Value};
-use super::expression::{Axis, Expr, ExprKind};
+use super::expression;
 use super::fields::Fields;
-use super::repeat::wrong_kind;
 use super::scope::{Binding, Scope, suggestion};
-use super::unit::{self, Scale, Unit};
-use super::*;
 use crate::diagnostic::Diagnostic;
-
-/// The number 0 in the place of something that could not be read; never used, because an error was reported.
-pub(super) fn unreadable(span: Span) -> Expr {
-    Expr { kind: ExprKind::Number(0.0), span, unit: Unit::NONE }
-}
+use crate::model::expression::{Axis, Expr, ExprKind};
+use crate::model::ids::*;
+use crate::model::unit::{self, Scale, Unit};
+use crate::source::Span;
 
 impl Builder<'_> {
     /// An expression in its own units.
     pub(super) fn expression(&mut self, value: &Value) -> Expr {
         match value {
             Value::Text(text) => {
-                parse_expression::parse(text, self.scope, self.found).unwrap_or_else(|| unreadable(text.span))
+                expression::parse(text, self.scope, self.found).unwrap_or_else(|| unreadable(text.span))
             }
             Value::Number(number, span) => {
                 self.finite(*number, *span);

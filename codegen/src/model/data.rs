@@ -1,0 +1,356 @@
+//! The data of a model: what each section says, names resolved to ids, every place in the text kept.
+
+use super::expression::{Axis, Expr};
+use super::ids::*;
+use crate::id::IdVec;
+use crate::source::{Source, Span};
+
+/// Everything a model file says.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The text it was read from.
+    pub source: Source,
+    /// The model's name, an identifier.
+    pub name: String,
+    /// Title or description, for documentation of the generated code.
+    pub doc: String,
+    /// Degrees of freedom as stated by the author.
+    pub dof: Option<(usize, Span)>,
+    /// Parameters, in the author's order.
+    pub parameters: IdVec<ParameterId, Parameter>,
+    /// Generalised coordinates q.
+    pub coordinates: IdVec<CoordinateId, Coordinate>,
+    /// Generalised speeds u.
+    pub speeds: IdVec<SpeedId, Speed>,
+    /// Inputs.
+    pub inputs: IdVec<InputId, Input>,
+    /// Intermediate quantities.
+    pub definitions: IdVec<DefinitionId, Definition>,
+    /// Frames; id 0 is N.
+    pub frames: IdVec<FrameId, Frame>,
+    /// Points; id 0 is O.
+    pub points: IdVec<PointId, Point>,
+    /// Bodies.
+    pub bodies: IdVec<BodyId, Body>,
+    /// Configuration constraints, each expression = 0.
+    pub configuration_constraints: Vec<Constraint>,
+    /// Motion constraints, each expression (linear in the speeds) = 0.
+    pub motion_constraints: Vec<Constraint>,
+    /// Uniform gravity (m/s^2), a vector; acts on every body with `weight`.
+    pub gravity: Option<Expr>,
+    /// Forces, torques and spring-dampers.
+    pub loads: Vec<Load>,
+    /// Requested outputs, in order.
+    pub outputs: Vec<Output>,
+    /// Configurations to be sampled besides the nominal one: (name, given coordinates).
+    pub configurations: Vec<Configuration>,
+    /// Entities in an order in which each refers only to earlier ones.
+    pub order: Vec<Entity>,
+    /// `[start]`: values of independent coordinates and speeds (dependent ones are start guesses).
+    pub start: Vec<(StartRef, f64)>,
+    /// `[law]`: inputs as expressions of t, q, u and parameters.
+    pub laws: Vec<(InputId, Expr)>,
+    /// `[run]`.
+    pub run: Run,
+}
+
+/// What an entry of [`Model::order`] stands for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Entity {
+    /// A parameter's value expression.
+    Parameter(ParameterId),
+    /// A definition.
+    Definition(DefinitionId),
+    /// A frame.
+    Frame(FrameId),
+    /// A point.
+    Point(PointId),
+    /// A coordinate given in closed form.
+    Coordinate(CoordinateId),
+}
+
+/// A number the author may change.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name.
+    pub name: String,
+    /// What it is, for documentation.
+    pub doc: String,
+    /// Unit as written, e.g. `kg m^2`.
+    pub unit: String,
+    /// Value: a constant, or an expression of earlier parameters.
+    pub value: Expr,
+    /// A tunable parameter stays a field of the generated code; a fixed one is folded.
+    pub tunable: bool,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A generalised coordinate q.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub doc: String,
+    /// Coherent SI unit, such as `m` or `rad`.
+    pub unit: String,
+    /// Unit as written, such as `mm` or `deg`, and how many of `unit` make one of it.
+    pub written_unit: (String, f64),
+    /// Independent (state) or solved from the configuration constraints.
+    pub independent: bool,
+    /// Value at the nominal configuration (a start guess where dependent), SI.
+    pub nominal: f64,
+    /// Range for sampling (independent) or plausible range (dependent), SI.
+    pub range: (f64, f64),
+    /// Closed form of a dependent coordinate; it is then not state.
+    pub closed_form: Option<Expr>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A generalised speed u.
+#[derive(Clone, Debug)]
+pub struct Speed {
+    /// Its name, `u_<coordinate>` unless given.
+    pub name: String,
+    /// Unit as written.
+    pub unit: String,
+    /// u = q_dot of this coordinate, or a linear combination of coordinate rates.
+    pub meaning: SpeedMeaning,
+    /// Independent, or eliminated through the constraints.
+    pub independent: bool,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// How a speed relates to the rates of the coordinates.
+#[derive(Clone, Debug)]
+pub enum SpeedMeaning {
+    /// u = q_dot.
+    RateOf(CoordinateId),
+    /// u = expression, linear in `Name::Rate`s.
+    Combination(Expr),
+}
+
+/// An input.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub doc: String,
+    /// Unit as written.
+    pub unit: String,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A named intermediate quantity; its name survives into the generated code.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Its name.
+    pub name: String,
+    /// Scalar or vector expression.
+    pub value: Expr,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A reference frame.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Its name.
+    pub name: String,
+    /// How it is oriented.
+    pub orientation: Orientation,
+    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here).
+    /// A consequence of the constraints that the derivation may use; checked at the samples.
+    pub fixed_vectors: Vec<FixedVector>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// `vector` has the constant components `components` in the frame that states it.
+#[derive(Clone, Debug)]
+pub struct FixedVector {
+    /// The vector, given in other frames.
+    pub vector: Expr,
+    /// Its components here: expressions of parameters only.
+    pub components: [Expr; 3],
+    /// Where it is stated.
+    pub span: Span,
+}
+
+/// Orientation of a frame.
+#[derive(Clone, Debug)]
+pub enum Orientation {
+    /// The inertial frame.
+    Inertial,
+    /// Successive simple rotations from the parent, each about an axis of the frame reached so far (rad).
+    Rotations {
+        /// The frame to start from.
+        parent: FrameId,
+        /// (axis, angle) in order.
+        rotations: Vec<(Axis, Expr)>,
+    },
+    /// Unit vectors given as vector expressions of other frames. Two are enough (the third is
+    /// their cross product); they are orthonormal wherever the constraints hold. Angular velocity by Kane's definition.
+    Directions {
+        /// x, y, z.
+        axes: [Option<Expr>; 3],
+    },
+}
+
+/// A point.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Its name.
+    pub name: String,
+    /// Position from the origin O (m); may name other points (their positions from O).
+    pub position: Expr,
+    /// Other expressions of the same position, one per closed loop: each gives the configuration
+    /// constraint `position - closure = 0` (3 equations).
+    pub closures: Vec<Expr>,
+    /// Its velocity in N (m/s), where no coordinates locate it: a body that rolls. The position
+    /// then counts only up to a displacement that nothing depends on.
+    pub velocity: Option<Expr>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A rigid body or a particle.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Mass centre.
+    pub centre: PointId,
+    /// Mass (kg), 0 for a body of pure inertia.
+    pub mass: Option<Expr>,
+    /// The frame fixed in it; none for a particle.
+    pub frame: Option<FrameId>,
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the inertia matrix about the mass centre, in `frame`.
+    pub inertia: [Option<Expr>; 6],
+    /// Does gravity act on it?
+    pub weight: bool,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// An equation `expression = 0`.
+#[derive(Clone, Debug)]
+pub struct Constraint {
+    /// Its name.
+    pub name: String,
+    /// Scalar, or vector (then three equations).
+    pub expression: Expr,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// Something that does work on the mechanism.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Its name.
+    pub name: String,
+    /// What acts where.
+    pub kind: LoadKind,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// Kinds of loads.
+#[derive(Clone, Debug)]
+pub enum LoadKind {
+    /// Force vector (N) at a point; the reaction acts on `reaction` if given, else on the ground.
+    Force {
+        /// Point of application.
+        point: PointId,
+        /// Force.
+        force: Expr,
+        /// Point that feels the reaction.
+        reaction: Option<PointId>,
+    },
+    /// Torque vector (N m) on a frame's body; the reaction on `reaction` if given, else on the ground.
+    Torque {
+        /// Frame it acts on.
+        frame: FrameId,
+        /// Torque.
+        torque: Expr,
+        /// Frame that feels the reaction.
+        reaction: Option<FrameId>,
+    },
+    /// Linear spring-damper between two points. Tension = stiffness (length - rest_length) + damping length_rate.
+    Spring {
+        /// The two ends.
+        ends: [PointId; 2],
+        /// Stiffness (N/m).
+        stiffness: Expr,
+        /// Rest length (m).
+        rest_length: Expr,
+        /// Damping (N s/m).
+        damping: Option<Expr>,
+    },
+    /// Spring-damper on a coordinate: generalised force -stiffness (q - rest) - damping q_dot.
+    CoordinateSpring {
+        /// The coordinate.
+        coordinate: CoordinateId,
+        /// Stiffness (unit of force per unit of q).
+        stiffness: Expr,
+        /// Value without force.
+        rest: Expr,
+        /// Damping.
+        damping: Option<Expr>,
+    },
+}
+
+/// A requested output.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its name.
+    pub name: String,
+    /// Scalar expression.
+    pub value: Expr,
+    /// Unit as inferred.
+    pub unit: String,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A configuration to be sampled when pivots are chosen.
+#[derive(Clone, Debug)]
+pub struct Configuration {
+    /// Its name.
+    pub name: String,
+    /// Given coordinates; left-out independent ones are nominal.
+    pub values: Vec<(CoordinateId, f64)>,
+}
+
+/// A start value's owner.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StartRef {
+    /// A coordinate.
+    Coordinate(CoordinateId),
+    /// A speed.
+    Speed(SpeedId),
+}
+
+/// `[run]`: defaults for `smartbed run`.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Run {
+    /// Simulated time (s).
+    pub seconds: f64,
+    /// Step size (s).
+    pub step: f64,
+    /// Method by name.
+    pub method: String,
+    /// Every how many steps a row is written.
+    pub every: usize,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self { seconds: 1.0, step: 1e-3, method: "rk4".to_owned(), every: 1 }
+    }
+}

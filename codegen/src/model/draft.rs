@@ -1,0 +1,77 @@
+//! A model before its checks: sections read, names resolved, units as declared, numbers still as expressions.
+
+use super::data::*;
+use super::expression::Expr;
+use super::ids::*;
+use super::unit::{Scale, Unit};
+use crate::id::IdVec;
+use crate::source::Source;
+
+/// Units of everything that is declared with one.
+#[derive(Debug, Default)]
+pub struct Units {
+    /// Of parameters.
+    pub parameters: IdVec<ParameterId, Unit>,
+    /// Of coordinates: plain numbers in ranges, configurations and starts are multiples of it.
+    pub coordinates: IdVec<CoordinateId, Scale>,
+    /// Of speeds.
+    pub speeds: IdVec<SpeedId, Scale>,
+    /// Of inputs.
+    pub inputs: IdVec<InputId, Scale>,
+    /// Of definitions that state one.
+    pub definitions: IdVec<DefinitionId, Option<Unit>>,
+    /// Of outputs that state one.
+    pub outputs: Vec<Option<Unit>>,
+}
+
+/// A model whose units are unchecked and whose constants are unevaluated.
+#[derive(Debug)]
+pub struct Draft {
+    /// The model; `order`, numbers and inferred units are still to be filled in.
+    pub model: Model,
+    /// Declared units.
+    pub units: Units,
+    /// Nominal value and range of each coordinate.
+    pub coordinate_values: IdVec<CoordinateId, [Option<Expr>; 3]>,
+    /// Values of each configuration.
+    pub configuration_values: Vec<Vec<(CoordinateId, Expr)>>,
+    /// Start values.
+    pub start_values: Vec<(StartRef, Expr)>,
+}
+
+impl Draft {
+    /// Nothing declared yet.
+    pub fn empty(source: &Source) -> Self {
+        let model = Model {
+            source: source.clone(),
+            name: String::new(),
+            doc: String::new(),
+            dof: None,
+            parameters: IdVec::default(),
+            coordinates: IdVec::default(),
+            speeds: IdVec::default(),
+            inputs: IdVec::default(),
+            definitions: IdVec::default(),
+            frames: IdVec::default(),
+            points: IdVec::default(),
+            bodies: IdVec::default(),
+            configuration_constraints: Vec::new(),
+            motion_constraints: Vec::new(),
+            gravity: None,
+            loads: Vec::new(),
+            outputs: Vec::new(),
+            configurations: Vec::new(),
+            order: Vec::new(),
+            start: Vec::new(),
+            laws: Vec::new(),
+            run: Run::default(),
+        };
+        Self {
+            model,
+            units: Units::default(),
+            coordinate_values: IdVec::default(),
+            configuration_values: Vec::new(),
+            start_values: Vec::new(),
+        }
+    }
+}

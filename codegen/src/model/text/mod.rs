@@ -1,0 +1,19 @@
+//! The text of a model: TOML, repetition, extension, names, and the expressions in its strings.
+//!
+//! In: text. Out: a [`Draft`](super::draft::Draft). From the notation to the sections: `document` (TOML with places),
+//! `repeat` and `extend` (which entries there are), `scope` (names), `lexing` and `expression` (strings), `builder`
+//! with `entry` (fields), then a file for each group of sections.
+
+mod builder;
+pub mod document;
+mod entry;
+pub mod expression;
+pub mod extend;
+mod fields;
+mod lexing;
+mod loads;
+mod mechanics;
+pub mod repeat;
+mod scope;
+pub mod sections;
+mod values;

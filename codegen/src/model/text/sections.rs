@@ -1,0 +1,38 @@
+//! Sections -> [`Draft`]: names declared first, then every entry read with names resolved to ids.
+//!
+//! Values that are numbers in the end (nominal values, ranges, starts) stay expressions here; they
+//! are evaluated once the parameters have been put in order and checked.
+
+use super::builder::Builder;
+use super::repeat::Sections;
+use super::scope::Scope;
+use crate::diagnostic::Diagnostics;
+use crate::model::draft::Draft;
+use crate::source::Source;
+
+/// Reads all sections.
+pub fn read(source: &Source, sections: &Sections, found: &mut Diagnostics) -> Draft {
+    let mut scope = Scope::default();
+    let mut builder = Builder {
+        draft: Draft::empty(source),
+        sections,
+        scope: &mut scope,
+        found,
+        planned_speeds: Vec::new(),
+    };
+    builder.header();
+    builder.declare();
+    builder.parameters();
+    builder.coordinates();
+    builder.speeds();
+    builder.inputs();
+    builder.definitions();
+    builder.frames();
+    builder.points();
+    builder.bodies();
+    builder.constraints();
+    builder.loads();
+    builder.outputs();
+    builder.values();
+    builder.draft
+}
