@@ -187,6 +187,16 @@ fn emitted(model: &Model, n: u64) -> Result<(Program, EmitOptions), String> {
     Ok((program.map_err(|e| e.to_string())?, EmitOptions { scalar, answers, ..EmitOptions::default() }))
 }
 
+/// A model without anything hostile, at rest or moved by time.
+fn plain(is_driven: bool) -> Model {
+    let moved = if is_driven { " + sin(t*1_Hz)*1_m*N.y" } else { "" };
+    let text = format!(
+        "format = 1\nname = \"plain\"\n[parameters]\nm = {{ value = 1, unit = \"kg\" }}\n[coordinates]\n\
+         q = {{ unit = \"m\" }}\n[points]\nP = \"q*N.x{moved}\"\n[bodies]\nb = {{ centre = \"P\", mass = \"m\" }}\n"
+    );
+    model::parse("plain.toml", &text).unwrap_or_else(|found| panic!("{found}"))
+}
+
 /// Names of a file's items in order, that of the mechanism and its implementations left out.
 fn items(text: &str) -> Vec<String> {
     let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}:\n{text}"));
@@ -260,9 +270,6 @@ fn compile(modules: &[String]) -> String {
 #[test]
 fn hostile_models_stay_text() {
     let wanted = std::env::var("SMARTBED_HOSTILE").ok().and_then(|n| n.parse().ok()).unwrap_or(MODELS);
-    let plain = "format = 1\nname = \"plain\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\n[coordinates]\n\
-                 q = { unit = \"m\" }\n[points]\nP = \"q*N.x\"\n[bodies]\nb = { centre = \"P\", mass = \"m\" }\n";
-    let plain = model::parse("plain.toml", plain).unwrap_or_else(|found| panic!("{found}"));
     let (mut modules, mut refused) = (Vec::new(), 0);
     let mut drawn = 0;
     while (modules.len() as u64) < wanted {
@@ -283,7 +290,7 @@ fn hostile_models_stay_text() {
         let n = modules.len() as u64;
         let (program, options) = emitted(&model, n).unwrap_or_else(|found| panic!("{found}\n{text}"));
         let module = rust::emit(&program, &options);
-        let (like, options) = emitted(&plain, n).expect("the plain model derives");
+        let (like, options) = emitted(&plain(model.is_driven()), n).expect("the plain model derives");
         assert_eq!(items(&module), items(&rust::emit(&like, &options)), "{text}\n{module}");
         assert_eq!(faults(&module), Vec::<String>::new(), "{text}\n{module}");
         modules.push(module);
