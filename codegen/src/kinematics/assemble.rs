@@ -106,17 +106,22 @@ impl Assembly {
         }
     }
 
-    /// From the configuration `from`, satisfied at time 0, to time `t`, independent coordinates held.
+    /// From the configuration `from`, satisfied at the time last set, to time `t`, independent coordinates held.
     ///
     /// # Errors
     /// If no number of steps gets there.
     pub fn continue_in_time(&mut self, from: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
+        let start = self.arguments.last().copied().unwrap_or(0.0);
         let mut last = Unreachable { residual: f64::INFINITY };
         let mut steps = 1;
         while steps <= MAX_TIME_STEPS {
             let mut q = from.to_vec();
             let mut walk = (1..=steps).map(|step| {
-                self.set_time(if step == steps { t } else { t * (step as f64 / steps as f64) });
+                self.set_time(if step == steps {
+                    t
+                } else {
+                    start + (t - start) * (step as f64 / steps as f64)
+                });
                 self.correct(&mut q)
             });
             match walk.find_map(Result::err) {
@@ -263,6 +268,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
 
 /// The nominal configuration at another time.
 fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
+    assembly.set_time(0.0);
     if t == 0.0 { Ok(nominal.to_vec()) } else { assembly.continue_in_time(nominal, t) }
 }
 

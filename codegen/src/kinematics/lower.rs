@@ -135,6 +135,15 @@ pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
     }
 }
 
+/// Does the expression read definitions that are not lowered yet?
+pub(super) fn needs_definitions(k: &Kinematics, expr: &Expr) -> bool {
+    let mut found = false;
+    expr.visit(&mut |e| {
+        found |= matches!(e.kind, ExprKind::Definition(id) if k.definitions[id] == Value::Pending);
+    });
+    found
+}
+
 /// Lowers an expression (nesting is limited by the parser).
 pub(super) fn value(k: &mut Kinematics, expr: &Expr) -> Value {
     match &expr.kind {

@@ -152,8 +152,9 @@ fn zero_between(
     for _ in 0..HALVINGS {
         let target: Vec<f64> = from.q.iter().zip(&to.q).map(|(a, b)| 0.5 * (a + b)).collect();
         let t = 0.5 * (from.t + to.t);
-        assembly.set_time(t);
-        let middle = Sample { q: assembly.continue_to(&from.q, &target).ok()?, t };
+        assembly.set_time(from.t);
+        let later = if t == from.t { from.q.clone() } else { assembly.continue_in_time(&from.q, t).ok()? };
+        let middle = Sample { q: assembly.continue_to(&later, &target).ok()?, t };
         if is_positive(&middle) == first { from = middle } else { to = middle }
     }
     Some(to)

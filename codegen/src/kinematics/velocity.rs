@@ -10,7 +10,7 @@ use super::{Kinematics, Unknown, UnknownId, UnknownKind, orientation, position, 
 use crate::expr::ExprId;
 use crate::expr::number::Number;
 use crate::id::Id;
-use crate::model::{Axis, Entity, FrameId, Model, PointId};
+use crate::model::{Axis, DefinitionId, Entity, FrameId, Model, PointId};
 use crate::vector::{TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -70,7 +70,12 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
         }
     }
     let loops = way::loops(model, k);
+    let stated = model.points.iter().filter_map(|point| point.velocity.as_ref());
+    let reads_definitions = stated.into_iter().any(|velocity| lower::needs_definitions(k, velocity));
     for entity in &model.order {
+        if let (true, Entity::Definition(id)) = (reads_definitions, *entity) {
+            lower_definition(model, k, id);
+        }
         let Entity::Point(point) = *entity else { continue };
         if let Some(velocity) = &model.points[point].velocity {
             let velocity = lower::vector(k, velocity);
@@ -82,16 +87,22 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
         }
     }
     for entity in &model.order {
-        if let Entity::Definition(id) = *entity
-            && k.definitions[id] == Value::Pending
-        {
-            let value = lower::value(k, &model.definitions[id].value);
-            if let Value::Scalar(e) = value {
-                k.dag.name(e, &model.definitions[id].name);
-            }
-            k.definitions[id] = value;
+        if let Entity::Definition(id) = *entity {
+            lower_definition(model, k, id);
         }
     }
+}
+
+/// Lowers a definition that has waited for velocities.
+fn lower_definition(model: &Model, k: &mut Kinematics, id: DefinitionId) {
+    if k.definitions[id] != Value::Pending {
+        return;
+    }
+    let value = lower::value(k, &model.definitions[id].value);
+    if let Value::Scalar(e) = value {
+        k.dag.name(e, &model.definitions[id].name);
+    }
+    k.definitions[id] = value;
 }
 
 fn lifted_frames(model: &Model) -> impl Iterator<Item = FrameId> + '_ {

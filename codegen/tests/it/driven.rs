@@ -334,3 +334,80 @@ fn driven_models_in_augmented_form() {
     augmented::agree(&derived("driven_pendulum"), &[0.4, 1.1], &[0.3], &[]);
     augmented::agree(&derived("turntable"), &[0.3, -0.2, 0.5, 0.5, -0.5, 0.5], &[0.3, 1.0, -2.0], &[]);
 }
+
+#[test]
+fn a_stated_velocity_may_read_a_definition_of_velocities() {
+    let text = r#"
+format = 1
+name = "carried"
+dof = 1
+[parameters]
+m = { value = 2, unit = "kg" }
+a = { value = 3, unit = "m/s^2" }
+k = { value = 5, unit = "N/m" }
+[coordinates]
+x = { unit = "m" }
+[definitions]
+both = "velocity(P) + a*t*N.x"
+[points]
+P = "x*N.x"
+Q = { position = "x*N.x", velocity = "both" }
+[bodies]
+bob = { centre = "Q", mass = "m" }
+[springs]
+s = { coordinate = "x", stiffness = "k" }
+"#;
+    // m (x'' + a) = -k x
+    let mut engine = Interpreted::<f64>::new(&derived(text));
+    let (q_dot, u_dot) = rates(&mut engine, 0.3, &[0.2], &[0.7]);
+    assert!(off(&[q_dot[0], u_dot[0]], &[0.7, -5.0 * 0.2 / 2.0 - 3.0]) <= 1e-15, "{q_dot:?} {u_dot:?}");
+}
+
+/// A four-bar whose crank turns as prescribed: no freedom is left, no pivot of the elimination vanishes on the way.
+#[test]
+fn a_linkage_without_freedom_turns_all_round() {
+    let text = r#"
+format = 1
+name = "linkage"
+dof = 0
+[parameters]
+a = { value = 0.1, unit = "m" }
+b = { value = 0.3, unit = "m" }
+c = { value = 0.25, unit = "m" }
+d = { value = 0.3, unit = "m" }
+m = { value = 1, unit = "kg" }
+[coordinates]
+q1 = { unit = "rad", closed_form = "1 + 12_rad/1_s*t" }
+q2 = { unit = "rad", nominal = 0.6 }
+q3 = { unit = "rad", nominal = 1.5 }
+[frames]
+crank = { rotations = [["z", "q1"]] }
+coupler = { rotations = [["z", "q2"]] }
+rocker = { rotations = [["z", "q3"]] }
+[points]
+B = "a*crank.x + b*coupler.x"
+C = "d*N.x + c*rocker.x"
+[constraints.configuration]
+loop = "B - C"
+[bodies]
+tip = { centre = "B", mass = "m" }
+"#;
+    let program = derived(text);
+    let start = program.nominal.clone();
+    let mut engine = Interpreted::<f64>::new(&program);
+    let h = 2e-3;
+    for n in 0..300 {
+        let q = moved::<f64>(&program, &start, h, n + 1);
+        let t = (n + 1) as f64 * h;
+        // The rocker's angle by the cosine rule in the triangle of crank pin, coupler and rocker.
+        let pin = [0.1 * (1.0 + 12.0 * t).cos(), 0.1 * (1.0 + 12.0 * t).sin()];
+        let (x, y) = (pin[0] - 0.3, pin[1]);
+        let distance = x.hypot(y);
+        let inner = ((0.0625 + distance * distance - 0.09) / (0.5 * distance)).acos();
+        let angle = y.atan2(x) - inner;
+        let turns = ((q[1] - angle) / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+        assert!((q[1] - angle - turns).abs() < 1e-9, "{t}: {} {angle}", q[1]);
+        let pivot = engine.rates(t, &q, &[], &[], &mut [0.0; 2], &mut []).expect("lengths fit");
+        assert!(0.1 < pivot, "{t}: {pivot}");
+    }
+}
