@@ -48,6 +48,8 @@ pub struct Model {
     pub order: Vec<Entity>,
     /// `[start]`: values of independent coordinates and speeds (dependent ones are start guesses).
     pub start: Vec<(StartRef, f64)>,
+    /// The same as they are written.
+    pub start_written: Vec<(StartRef, Expr)>,
     /// `[law]`: inputs as expressions of t, q, u and parameters.
     pub laws: Vec<(InputId, Expr)>,
     /// `[run]`.
@@ -103,6 +105,8 @@ pub struct Coordinate {
     pub nominal: f64,
     /// Range for sampling (independent) or plausible range (dependent), SI.
     pub range: (f64, f64),
+    /// Nominal value and ends of the range as they are written.
+    pub written: [Option<Expr>; 3],
     /// Closed form of a dependent coordinate; it is then not state.
     pub closed_form: Option<Expr>,
     /// Where it is declared.
@@ -325,6 +329,8 @@ pub struct Configuration {
     pub name: String,
     /// Given coordinates; left-out independent ones are nominal.
     pub values: Vec<(CoordinateId, f64)>,
+    /// The same as they are written.
+    pub written: Vec<(CoordinateId, Expr)>,
 }
 
 /// A start value's owner.

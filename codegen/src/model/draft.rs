@@ -1,7 +1,6 @@
 //! A model before its checks: sections read, names resolved, units as declared, numbers still as expressions.
 
 use super::data::*;
-use super::expression::Expr;
 use super::ids::*;
 use super::unit::{Scale, Unit};
 use crate::id::IdVec;
@@ -31,12 +30,6 @@ pub struct Draft {
     pub model: Model,
     /// Declared units.
     pub units: Units,
-    /// Nominal value and range of each coordinate.
-    pub coordinate_values: IdVec<CoordinateId, [Option<Expr>; 3]>,
-    /// Values of each configuration.
-    pub configuration_values: Vec<Vec<(CoordinateId, Expr)>>,
-    /// Start values.
-    pub start_values: Vec<(StartRef, Expr)>,
 }
 
 impl Draft {
@@ -63,15 +56,10 @@ impl Draft {
             configurations: Vec::new(),
             order: Vec::new(),
             start: Vec::new(),
+            start_written: Vec::new(),
             laws: Vec::new(),
             run: Run::default(),
         };
-        Self {
-            model,
-            units: Units::default(),
-            coordinate_values: IdVec::default(),
-            configuration_values: Vec::new(),
-            start_values: Vec::new(),
-        }
+        Self { model, units: Units::default() }
     }
 }

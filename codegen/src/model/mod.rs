@@ -1,7 +1,7 @@
 //! A validated model: names resolved to ids, units checked, every place in the text kept.
 //!
-//! In: TOML with expression strings. Out: a [`Model`], data only. [`mod@text`] reads, [`check`] judges, [`mod@read`] is
-//! the list of stages. Expressions are still trees over the model's own names ([`expression::Expr`]); the
+//! In: TOML with expression strings. Out: a [`Model`], data only. `text` reads, `check` judges by the one
+//! list of expressions (`walk`), `read` is the list of stages. Expressions are still trees over the model's own names ([`expression::Expr`]); the
 //! kinematics stage lowers them, in the order [`Model::order`], into the shared expression DAG.
 //! Invariants: every id is in range; every expression has been checked for type (scalar or
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
@@ -14,8 +14,10 @@ mod ids;
 mod read;
 mod text;
 pub mod unit;
+mod walk;
 
 pub use data::*;
 pub use expression::{Axis, Expr};
 pub use ids::*;
 pub use read::{parse, parse_with, read};
+pub use walk::Role;

@@ -14,6 +14,7 @@ mod hostile;
 mod layering;
 mod loops;
 mod machines;
+mod mentioned;
 mod model_errors;
 mod models;
 mod parallel;

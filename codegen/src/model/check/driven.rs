@@ -5,6 +5,7 @@
 //! that happens to vanish counts, at the price of an unknown that nothing reads.
 
 use crate::id::IdVec;
+use crate::model::Role;
 use crate::model::data::*;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::ids::*;
@@ -32,32 +33,18 @@ impl Model {
                 known.has_free_part[id] = known.free_part_in(value);
             }
         }
-        let constraints = self.motion_constraints.iter().map(|c| &c.expression);
-        let mut velocities = constraints.chain(self.points.iter().filter_map(|p| p.velocity.as_ref()));
-        self.geometry().into_iter().any(|e| known.time_in(e)) || velocities.any(|e| known.free_part_in(e))
-    }
-
-    /// Expressions of places, directions and constraints.
-    fn geometry(&self) -> Vec<&Expr> {
-        let mut all: Vec<&Expr> = self.coordinates.iter().filter_map(|c| c.closed_form.as_ref()).collect();
-        all.extend(self.speeds.iter().filter_map(|s| match &s.meaning {
-            SpeedMeaning::Combination(e) => Some(e),
-            SpeedMeaning::RateOf(_) => None,
-        }));
-        for frame in self.frames.iter() {
-            match &frame.orientation {
-                Orientation::Inertial => {}
-                Orientation::Rotations { rotations, .. } => all.extend(rotations.iter().map(|(_, e)| e)),
-                Orientation::Directions { axes } => all.extend(axes.iter().flatten()),
-            }
-            all.extend(frame.fixed_vectors.iter().map(|f| &f.vector));
-        }
-        for point in self.points.iter() {
-            all.extend(std::iter::once(&point.position).chain(&point.closures).chain(&point.velocity));
-        }
-        let constraints = self.configuration_constraints.iter().chain(&self.motion_constraints);
-        all.extend(constraints.map(|c| &c.expression));
-        all
+        self.expressions().into_iter().any(|(role, e)| match role {
+            Role::MotionConstraint | Role::StatedVelocity(_) => known.time_in(e) || known.free_part_in(e),
+            Role::ClosedForm(_)
+            | Role::Speed(_)
+            | Role::Angle(_)
+            | Role::Direction(_)
+            | Role::FixedVector(..)
+            | Role::Position(_)
+            | Role::Closure(_)
+            | Role::ConfigurationConstraint => known.time_in(e),
+            _ => false,
+        })
     }
 }
 

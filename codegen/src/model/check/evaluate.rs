@@ -74,7 +74,7 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
     }
     let mut value = |expr: &Expr| finite(constants.value(expr), expr.span, found);
     for id in model.coordinates.ids() {
-        let [nominal, low, high] = &draft.coordinate_values[id];
+        let [nominal, low, high] = &model.coordinates[id].written;
         let nominal = nominal.as_ref().map_or(0.0, &mut value);
         // Without a range: once around for angles, one unit to both sides for the rest.
         let reach = if draft.units.coordinates[id].unit == Unit::NONE { std::f64::consts::PI } else { 1.0 };
@@ -83,10 +83,10 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
         let coordinate = &mut model.coordinates[id];
         (coordinate.nominal, coordinate.range) = (nominal, (low, high));
     }
-    for (configuration, values) in model.configurations.iter_mut().zip(&draft.configuration_values) {
-        configuration.values = values.iter().map(|(id, expr)| (*id, value(expr))).collect();
+    for configuration in &mut model.configurations {
+        configuration.values = configuration.written.iter().map(|(id, expr)| (*id, value(expr))).collect();
     }
-    model.start = draft.start_values.iter().map(|(of, expr)| (*of, value(expr))).collect();
+    model.start = model.start_written.iter().map(|(of, expr)| (*of, value(expr))).collect();
     model
 }
 

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Role;
 use crate::model::data::*;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::ids::*;
@@ -22,12 +23,16 @@ enum Node {
     Coordinate(CoordinateId),
 }
 
+/// By node: what it refers to, with the places.
+type References = BTreeMap<Node, Vec<(Node, Span)>>;
+
 /// Sorts the entities; a cycle is an error that names its members.
 pub fn sort(model: &Model, found: &mut Diagnostics) -> Vec<Entity> {
     let mut state: BTreeMap<Node, bool> = BTreeMap::new();
     let mut order = Vec::new();
+    let references = references(model);
     for root in all(model) {
-        visit(model, root, &mut state, &mut order, found);
+        visit(model, &references, root, &mut state, &mut order, found);
     }
     order
 }
@@ -44,6 +49,7 @@ fn all(model: &Model) -> Vec<Node> {
 /// Depth-first search with its own stack; `state` is false while a node is on it, true once done.
 fn visit(
     model: &Model,
+    references: &References,
     root: Node,
     state: &mut BTreeMap<Node, bool>,
     order: &mut Vec<Entity>,
@@ -53,7 +59,8 @@ fn visit(
         return;
     }
     state.insert(root, false);
-    let mut stack = vec![(root, references(model, root), 0)];
+    let of = |node: Node| references.get(&node).map_or(&[][..], Vec::as_slice);
+    let mut stack = vec![(root, of(root), 0)];
     while let Some((node, next, at)) = stack.last_mut() {
         let node = *node;
         let Some((reference, _)) = next.get(*at).copied() else {
@@ -66,7 +73,7 @@ fn visit(
         match state.get(&reference) {
             None => {
                 state.insert(reference, false);
-                stack.push((reference, references(model, reference), 0));
+                stack.push((reference, of(reference), 0));
             }
             Some(false) => {
                 let start = stack.iter().position(|(n, ..)| *n == reference).unwrap_or(0);
@@ -108,38 +115,29 @@ fn report(model: &Model, cycle: &[(Node, Span)]) -> Diagnostic {
     error
 }
 
-/// What a node refers to, with the places.
-fn references(model: &Model, node: Node) -> Vec<(Node, Span)> {
-    let mut result = Vec::new();
-    match node {
-        Node::Parameter(id) => collect(&model.parameters[id].value, &mut result),
-        Node::Definition(id) => collect(&model.definitions[id].value, &mut result),
-        Node::Point(id) => {
-            collect(&model.points[id].position, &mut result);
-            model.points[id].velocity.iter().for_each(|velocity| collect(velocity, &mut result));
-        }
-        Node::Coordinate(id) => {
-            if let Some(form) = &model.coordinates[id].closed_form {
-                collect(form, &mut result);
-            }
-        }
-        Node::Frame(id) => {
-            match &model.frames[id].orientation {
-                Orientation::Inertial => {}
-                Orientation::Rotations { parent, rotations } => {
-                    result.push((Node::Frame(*parent), model.frames[id].span));
-                    rotations.iter().for_each(|(_, angle)| collect(angle, &mut result));
-                }
-                Orientation::Directions { axes } => {
-                    axes.iter().flatten().for_each(|axis| collect(axis, &mut result))
-                }
-            }
-            for fixed in &model.frames[id].fixed_vectors {
-                std::iter::once(&fixed.vector).chain(&fixed.components).for_each(|e| collect(e, &mut result));
-            }
+/// What each node refers to, with the places.
+fn references(model: &Model) -> References {
+    let mut all = References::new();
+    for (id, frame) in model.frames.enumerate() {
+        if let Orientation::Rotations { parent, .. } = &frame.orientation {
+            all.entry(Node::Frame(id)).or_default().push((Node::Frame(*parent), frame.span));
         }
     }
-    result
+    for (role, expression) in model.expressions() {
+        let node = match role {
+            Role::Parameter(id) => Node::Parameter(id),
+            Role::Definition(id) => Node::Definition(id),
+            Role::Angle(id)
+            | Role::Direction(id)
+            | Role::FixedVector(id, _)
+            | Role::FixedComponent(id, _) => Node::Frame(id),
+            Role::Position(id) | Role::StatedVelocity(id) => Node::Point(id),
+            Role::ClosedForm(id) => Node::Coordinate(id),
+            _ => continue,
+        };
+        collect(expression, all.entry(node).or_default());
+    }
+    all
 }
 
 fn collect(expr: &Expr, into: &mut Vec<(Node, Span)>) {

@@ -7,6 +7,7 @@ use std::ops::BitOr;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::IdVec;
+use crate::model::Role;
 use crate::model::data::*;
 use crate::model::draft::Draft;
 use crate::model::expression::{Expr, ExprKind};
@@ -59,9 +60,11 @@ const CONFIGURATION: Reach = Reach(1 | 2 | 32);
 const MOTION: Reach = Reach(1 | 2 | 4 | 8 | 32);
 const STATE: Reach = Reach(1 | 2 | 4);
 
+/// Everything there is.
+const ANYTHING: Reach = Reach(1 | 2 | 4 | 8 | 16 | 32);
+
 /// What each entity depends on.
-struct Reaches<'a> {
-    model: &'a Model,
+struct Reaches {
     coordinates: IdVec<CoordinateId, Reach>,
     definitions: IdVec<DefinitionId, Reach>,
     frames: IdVec<FrameId, Reach>,
@@ -73,152 +76,106 @@ struct Reaches<'a> {
 /// Checks every rule.
 pub fn check(draft: &Draft, found: &mut Diagnostics) {
     let model = &draft.model;
-    let mut of = Reaches {
-        model,
-        coordinates: model
-            .coordinates
-            .iter()
-            .map(|c| if c.independent { Reach::COORDINATES } else { Reach::DEPENDENT })
-            .collect(),
-        definitions: model.definitions.iter().map(|_| Reach::CONSTANT).collect(),
-        frames: model.frames.iter().map(|_| Reach::CONSTANT).collect(),
-        points: model.points.iter().map(|_| Reach::CONSTANT).collect(),
-        degrees: model.definitions.iter().map(|_| 0).collect(),
-    };
-    of.entities(found);
-    for point in model.points.iter() {
-        point.closures.iter().for_each(|e| of.within(e, CONFIGURATION, "a position", found));
-    }
-    for fixed in model.frames.iter().flat_map(|f| &f.fixed_vectors) {
-        of.within(&fixed.vector, CONFIGURATION, "a fixed vector", found);
-        fixed
-            .components
-            .iter()
-            .for_each(|e| of.within(e, Reach::CONSTANT, "a component of a fixed vector", found));
-    }
-    for body in model.bodies.iter() {
-        body.mass.iter().for_each(|e| of.within(e, Reach::CONSTANT, "a mass", found));
-        body.inertia
-            .iter()
-            .flatten()
-            .for_each(|e| of.within(e, Reach::CONSTANT, "a moment of inertia", found));
-    }
-    model.gravity.iter().for_each(|e| of.within(e, Reach::CONSTANT, "gravity", found));
-    for constraint in &model.configuration_constraints {
-        of.within(&constraint.expression, CONFIGURATION, "a configuration constraint", found);
-    }
-    of.motion(found);
-    of.values(draft, found);
-    model.loads.iter().for_each(|load| of.load(&load.kind, found));
-    for output in &model.outputs {
-        of.within(&output.value, STATE | Reach::RATES | Reach::INPUTS | Reach::TIME, "an output", found);
+    let of = Reaches::of_entities(model);
+    for (role, expression) in model.expressions() {
+        let (what, allowed) = rule(role);
+        of.within(expression, allowed, what, found);
+        if let Role::MotionConstraint | Role::StatedVelocity(_) | Role::Speed(_) = role {
+            of.linear(expression, role, what, found);
+        }
     }
 }
 
-impl Reaches<'_> {
-    fn entities(&mut self, found: &mut Diagnostics) {
-        for entity in &self.model.order {
-            match *entity {
-                Entity::Parameter(id) => {
-                    self.within(&self.model.parameters[id].value, Reach::CONSTANT, "a parameter", found);
-                }
-                Entity::Definition(id) => {
-                    let value = &self.model.definitions[id].value;
-                    self.definitions[id] = self.of(value);
-                    self.degrees[id] = self.degree(value);
-                }
-                Entity::Frame(id) => {
-                    let expressions: Vec<&Expr> = match &self.model.frames[id].orientation {
-                        Orientation::Inertial => Vec::new(),
-                        Orientation::Rotations { parent, rotations } => {
-                            self.frames[id] = self.frames[*parent];
-                            rotations.iter().map(|(_, angle)| angle).collect()
-                        }
-                        Orientation::Directions { axes } => axes.iter().flatten().collect(),
-                    };
-                    for e in expressions {
-                        self.within(e, CONFIGURATION, "an orientation", found);
-                        self.frames[id] = self.frames[id] | self.of(e);
-                    }
-                }
-                Entity::Coordinate(id) => {
-                    if let Some(form) = &self.model.coordinates[id].closed_form {
-                        let allowed = Reach::COORDINATES | Reach::TIME;
-                        self.within(form, allowed, "a closed form", found);
-                        self.coordinates[id] = self.of(form);
-                    }
-                }
-                Entity::Point(id) => {
-                    let position = &self.model.points[id].position;
-                    self.within(position, CONFIGURATION, "a position", found);
-                    self.points[id] = self.of(position);
-                }
-            }
+/// What an expression is called, and what it may depend on.
+fn rule(role: Role) -> (&'static str, Reach) {
+    match role {
+        Role::Parameter(_) => ("a parameter", Reach::CONSTANT),
+        // It is judged where it is used.
+        Role::Definition(_) => ("a definition", ANYTHING),
+        Role::Angle(_) | Role::Direction(_) => ("an orientation", CONFIGURATION),
+        Role::FixedVector(..) => ("a fixed vector", CONFIGURATION),
+        Role::FixedComponent(..) => ("a component of a fixed vector", Reach::CONSTANT),
+        Role::Position(_) | Role::Closure(_) => ("a position", CONFIGURATION),
+        Role::StatedVelocity(_) => ("a stated velocity", MOTION),
+        Role::Mass(_) => ("a mass", Reach::CONSTANT),
+        Role::Inertia(_) => ("a moment of inertia", Reach::CONSTANT),
+        Role::ConfigurationConstraint => ("a configuration constraint", CONFIGURATION),
+        Role::MotionConstraint => ("a motion constraint", MOTION),
+        Role::Gravity => ("gravity", Reach::CONSTANT),
+        Role::ClosedForm(_) => ("a closed form", Reach::COORDINATES | Reach::TIME),
+        Role::Nominal(_) => ("a nominal value or range", Reach::CONSTANT),
+        Role::Speed(_) => ("a speed", CONFIGURATION | Reach::RATES),
+        Role::Start(_) => ("a start value", Reach::CONSTANT),
+        Role::Configuration(_) => ("a configuration", Reach::CONSTANT),
+        Role::Law(_) => ("a law", STATE | Reach::TIME),
+        Role::Force => ("a force", ANYTHING),
+        Role::Torque => ("a torque", ANYTHING),
+        Role::Stiffness | Role::RestLength | Role::Damping => ("a number of a spring", Reach::CONSTANT),
+        Role::CoordinateStiffness(_) | Role::CoordinateRest(_) | Role::CoordinateDamping(_) => {
+            ("a number of a spring", Reach::CONSTANT)
         }
+        Role::Output(_) => ("an output", ANYTHING),
     }
+}
 
-    /// Motion constraints, stated velocities and speeds: linear in speeds and rates.
-    fn motion(&self, found: &mut Diagnostics) {
-        let constraints =
-            self.model.motion_constraints.iter().map(|c| (&c.expression, "a motion constraint", MOTION));
-        let velocities = self
-            .model
-            .points
-            .iter()
-            .filter_map(|p| Some((p.velocity.as_ref()?, "a stated velocity", MOTION)));
-        let combinations = self.model.speeds.iter().filter_map(|speed| match &speed.meaning {
-            SpeedMeaning::Combination(e) => Some((e, "a speed", CONFIGURATION | Reach::RATES)),
-            SpeedMeaning::RateOf(_) => None,
-        });
-        for (expression, what, allowed) in constraints.chain(velocities).chain(combinations) {
-            self.within(expression, allowed, what, found);
-            match self.degree(expression) {
-                0 if what == "a stated velocity" => {}
-                1 => {}
-                0 => found.push(
-                    Diagnostic::error(format!("{what} must depend on the motion"))
-                        .label(expression.span, "no speed and no rate occurs here")
-                        .help("equations between coordinates alone belong into [constraints.configuration]"),
-                ),
-                _ => found.push(
-                    Diagnostic::error(format!("{what} must be linear in the speeds"))
-                        .label(self.nonlinear(expression).span, "this is not linear in the speeds")
-                        .help("Kane's method needs velocities of the form sum of a_r(q, t) u_r + b(q, t)"),
-                ),
-            }
-        }
-    }
-
-    fn values(&self, draft: &Draft, found: &mut Diagnostics) {
-        let model = self.model;
-        for id in model.coordinates.ids() {
-            for e in draft.coordinate_values[id].iter().flatten() {
-                self.within(e, Reach::CONSTANT, "a nominal value or range", found);
-            }
-        }
-        for (_, e) in draft.configuration_values.iter().flatten() {
-            self.within(e, Reach::CONSTANT, "a configuration", found);
-        }
-        draft.start_values.iter().for_each(|(_, e)| self.within(e, Reach::CONSTANT, "a start value", found));
-        model.laws.iter().for_each(|(_, e)| self.within(e, STATE | Reach::TIME, "a law", found));
-    }
-
-    fn load(&self, kind: &LoadKind, found: &mut Diagnostics) {
-        let anything = STATE | Reach::RATES | Reach::INPUTS | Reach::TIME;
-        let constants = |of: [Option<&Expr>; 3], found: &mut Diagnostics| {
-            of.into_iter()
-                .flatten()
-                .for_each(|e| self.within(e, Reach::CONSTANT, "a number of a spring", found));
+impl Reaches {
+    /// What definitions, frames, points and closed forms depend on, each after what it refers to.
+    fn of_entities(model: &Model) -> Self {
+        let free = |c: &Coordinate| if c.independent { Reach::COORDINATES } else { Reach::DEPENDENT };
+        let mut of = Self {
+            coordinates: model.coordinates.iter().map(free).collect(),
+            definitions: model.definitions.iter().map(|_| Reach::CONSTANT).collect(),
+            frames: model.frames.iter().map(|_| Reach::CONSTANT).collect(),
+            points: model.points.iter().map(|_| Reach::CONSTANT).collect(),
+            degrees: model.definitions.iter().map(|_| 0).collect(),
         };
-        match kind {
-            LoadKind::Force { force, .. } => self.within(force, anything, "a force", found),
-            LoadKind::Torque { torque, .. } => self.within(torque, anything, "a torque", found),
-            LoadKind::Spring { stiffness, rest_length, damping, .. } => {
-                constants([Some(stiffness), Some(rest_length), damping.as_ref()], found);
+        for entity in &model.order {
+            match *entity {
+                Entity::Parameter(_) => {}
+                Entity::Definition(id) => {
+                    let value = &model.definitions[id].value;
+                    of.definitions[id] = of.of(value);
+                    of.degrees[id] = of.degree(value);
+                }
+                Entity::Frame(id) => of.frames[id] = of.orientation(&model.frames[id].orientation),
+                Entity::Coordinate(id) => {
+                    if let Some(form) = &model.coordinates[id].closed_form {
+                        of.coordinates[id] = of.of(form);
+                    }
+                }
+                Entity::Point(id) => of.points[id] = of.of(&model.points[id].position),
             }
-            LoadKind::CoordinateSpring { stiffness, rest, damping, .. } => {
-                constants([Some(stiffness), Some(rest), damping.as_ref()], found);
+        }
+        of
+    }
+
+    fn orientation(&self, orientation: &Orientation) -> Reach {
+        match orientation {
+            Orientation::Inertial => Reach::CONSTANT,
+            Orientation::Rotations { parent, rotations } => {
+                rotations.iter().fold(self.frames[*parent], |all, (_, angle)| all | self.of(angle))
             }
+            Orientation::Directions { axes } => {
+                axes.iter().flatten().fold(Reach::CONSTANT, |all, axis| all | self.of(axis))
+            }
+        }
+    }
+
+    /// Motion constraints, stated velocities and speeds are linear in speeds and rates.
+    fn linear(&self, expression: &Expr, role: Role, what: &str, found: &mut Diagnostics) {
+        match self.degree(expression) {
+            0 if matches!(role, Role::StatedVelocity(_)) => {}
+            1 => {}
+            0 => found.push(
+                Diagnostic::error(format!("{what} must depend on the motion"))
+                    .label(expression.span, "no speed and no rate occurs here")
+                    .help("equations between coordinates alone belong into [constraints.configuration]"),
+            ),
+            _ => found.push(
+                Diagnostic::error(format!("{what} must be linear in the speeds"))
+                    .label(self.nonlinear(expression).span, "this is not linear in the speeds")
+                    .help("Kane's method needs velocities of the form sum of a_r(q, t) u_r + b(q, t)"),
+            ),
         }
     }
 

@@ -5,18 +5,23 @@
 
 use super::infer::{Checker, Type};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::id::Id;
+use crate::model::Role;
 use crate::model::data::*;
 use crate::model::draft::Draft;
+use crate::model::expression::Expr;
+use crate::model::ids::CoordinateId;
 use crate::model::unit::Unit;
 use crate::words::count;
 
 /// Checks every expression of the draft and fills in the units of outputs.
 pub fn check(draft: &mut Draft, found: &mut Diagnostics) {
     let mut checker = Checker { draft, definitions: vec![None; draft.model.definitions.len()], found };
-    checker.entities();
-    checker.mechanics();
-    checker.loads();
-    let units = checker.outputs();
+    checker.definitions();
+    for (role, expression) in draft.model.expressions() {
+        checker.role(role, expression);
+    }
+    let units: Vec<Unit> = (0..draft.model.outputs.len()).map(|n| checker.output(n).known()).collect();
     for (output, unit) in draft.model.outputs.iter_mut().zip(units) {
         output.unit = unit.to_string();
     }
@@ -47,57 +52,94 @@ fn check_dof(model: &Model, found: &mut Diagnostics) {
 }
 
 impl Checker<'_> {
-    fn entities(&mut self) {
+    /// Types of definitions, each after what it refers to.
+    fn definitions(&mut self) {
         let draft = self.draft;
         for entity in &draft.model.order {
-            match *entity {
-                Entity::Parameter(id) => {
-                    let parameter = &draft.model.parameters[id];
-                    let unit = draft.units.parameters[id];
-                    match self.infer(&parameter.value) {
-                        Ok(Type { vector: false, unit: Some(of) }) if unit == Unit::NONE && of != unit => {
-                            self.without_unit(parameter, of);
-                        }
-                        Ok(of) => {
-                            self.compare(&parameter.value, of, Type::scalar(unit), &quoted(&parameter.name));
-                        }
-                        Err(_) => {}
-                    }
-                }
-                Entity::Definition(id) => {
-                    let definition = &draft.model.definitions[id];
-                    let mut result = self.infer(&definition.value).ok();
-                    if let (Some(of), Some(unit)) = (result, draft.units.definitions[id]) {
-                        self.compare(
-                            &definition.value,
-                            of,
-                            Type { vector: of.vector, unit: Some(unit) },
-                            &definition.name,
-                        );
-                        result = Some(Type { vector: of.vector, unit: Some(unit) });
-                    }
-                    self.definitions[crate::id::Id::index(id)] = result;
-                }
-                Entity::Frame(id) => match &draft.model.frames[id].orientation {
-                    Orientation::Inertial => {}
-                    Orientation::Rotations { rotations, .. } => {
-                        for (_, angle) in rotations {
-                            self.expect(angle, Type::scalar(Unit::NONE), "an angle of rotation");
-                        }
-                    }
-                    Orientation::Directions { axes } => {
-                        for axis in axes.iter().flatten() {
-                            self.expect(axis, Type::vector(Unit::NONE), "a unit vector");
-                        }
-                    }
-                },
-                Entity::Coordinate(_) => {}
-                Entity::Point(id) if crate::id::Id::index(id) == 0 => {}
-                Entity::Point(id) => {
-                    self.expect(&draft.model.points[id].position, Type::vector(Unit::LENGTH), "a position");
-                }
+            let Entity::Definition(id) = *entity else { continue };
+            let definition = &draft.model.definitions[id];
+            let mut result = self.infer(&definition.value).ok();
+            if let (Some(of), Some(unit)) = (result, draft.units.definitions[id]) {
+                let wanted = Type { vector: of.vector, unit: Some(unit) };
+                self.compare(&definition.value, of, wanted, &definition.name);
+                result = Some(wanted);
             }
+            self.definitions[id.index()] = result;
         }
+    }
+
+    /// The type that an expression must have by its role.
+    fn role(&mut self, role: Role, expression: &Expr) {
+        let draft = self.draft;
+        let (model, units) = (&draft.model, &draft.units);
+        let over = |a: Unit, b: Unit| a.per(b).unwrap_or(Unit::NONE);
+        // A generalised force works along q: its unit is J per unit of q.
+        let stiff = |id: CoordinateId| {
+            over(over(Unit::TORQUE, units.coordinates[id].unit), units.coordinates[id].unit)
+        };
+        let of_coordinate = |id: CoordinateId| {
+            (Type::scalar(units.coordinates[id].unit), quoted(&model.coordinates[id].name))
+        };
+        let plain = |wanted: Type, what: &str| (wanted, what.to_owned());
+        let (wanted, what) = match role {
+            // Types of definitions are known already; the origin is where it is.
+            Role::Definition(_) => return,
+            Role::Position(id) if id.index() == 0 => return,
+            Role::Parameter(id) => return self.parameter(&model.parameters[id], units.parameters[id]),
+            Role::ConfigurationConstraint | Role::MotionConstraint => return drop(self.infer(expression)),
+            Role::FixedVector(..) => match self.infer(expression) {
+                Ok(of) => plain(Type { vector: true, ..of }, "a fixed vector"),
+                Err(_) => return,
+            },
+            Role::FixedComponent(id, n) => match self.infer(&model.frames[id].fixed_vectors[n].vector) {
+                Ok(of) => plain(Type { vector: false, ..of }, "a component of this vector"),
+                Err(_) => return,
+            },
+            Role::Output(n) => (self.output(n), quoted(&model.outputs[n].name)),
+            Role::Angle(_) => plain(Type::scalar(Unit::NONE), "an angle of rotation"),
+            Role::Direction(_) => plain(Type::vector(Unit::NONE), "a unit vector"),
+            Role::Position(_) | Role::Closure(_) => plain(Type::vector(Unit::LENGTH), "a position"),
+            Role::StatedVelocity(_) => plain(Type::vector(Unit::VELOCITY), "a velocity"),
+            Role::Mass(_) => plain(Type::scalar(Unit::MASS), "a mass"),
+            Role::Inertia(_) => plain(Type::scalar(Unit::INERTIA), "a moment of inertia"),
+            Role::Gravity => plain(Type::vector(Unit::ACCELERATION), "gravity"),
+            Role::ClosedForm(id) | Role::Nominal(id) | Role::Configuration(id) => of_coordinate(id),
+            Role::Speed(id) => (Type::scalar(units.speeds[id].unit), quoted(&model.speeds[id].name)),
+            Role::Start(StartRef::Coordinate(id)) => {
+                plain(Type::scalar(units.coordinates[id].unit), "this start value")
+            }
+            Role::Start(StartRef::Speed(id)) => {
+                plain(Type::scalar(units.speeds[id].unit), "this start value")
+            }
+            Role::Law(id) => (Type::scalar(units.inputs[id].unit), quoted(&model.inputs[id].name)),
+            Role::Force => plain(Type::vector(Unit::FORCE), "a force"),
+            Role::Torque => plain(Type::vector(Unit::TORQUE), "a torque"),
+            Role::Stiffness => plain(Type::scalar(over(Unit::FORCE, Unit::LENGTH)), "a stiffness"),
+            Role::RestLength => plain(Type::scalar(Unit::LENGTH), "a rest length"),
+            Role::Damping => plain(Type::scalar(over(Unit::FORCE, Unit::VELOCITY)), "a damping"),
+            Role::CoordinateStiffness(id) => plain(Type::scalar(stiff(id)), "a stiffness"),
+            Role::CoordinateRest(id) => plain(Type::scalar(units.coordinates[id].unit), "a rest value"),
+            Role::CoordinateDamping(id) => plain(Type::scalar(over(stiff(id), Unit::RATE)), "a damping"),
+        };
+        self.expect(expression, wanted, &what);
+    }
+
+    /// A parameter must have its declared unit.
+    fn parameter(&mut self, parameter: &Parameter, unit: Unit) {
+        match self.infer(&parameter.value) {
+            Ok(Type { vector: false, unit: Some(of) }) if unit == Unit::NONE && of != unit => {
+                self.without_unit(parameter, of);
+            }
+            Ok(of) => self.compare(&parameter.value, of, Type::scalar(unit), &quoted(&parameter.name)),
+            Err(_) => {}
+        }
+    }
+
+    /// The type of an output: a scalar in the stated unit, or in its own.
+    fn output(&mut self, n: usize) -> Type {
+        let draft = self.draft;
+        let of = self.infer(&draft.model.outputs[n].value).unwrap_or(Type::scalar(Unit::NONE));
+        Type { vector: false, unit: draft.units.outputs[n].or(of.unit) }
     }
 
     fn without_unit(&mut self, parameter: &Parameter, of: Unit) {
@@ -106,115 +148,6 @@ impl Checker<'_> {
                 .label(parameter.value.span, format!("this is in {of}"))
                 .help(format!("declare {} = {{ value = ..., unit = \"{of}\" }}", parameter.name)),
         );
-    }
-
-    fn mechanics(&mut self) {
-        let draft = self.draft;
-        let model = &draft.model;
-        for frame in model.frames.iter() {
-            for fixed in &frame.fixed_vectors {
-                let Ok(of) = self.infer(&fixed.vector) else { continue };
-                self.compare(&fixed.vector, of, Type { vector: true, ..of }, "a fixed vector");
-                for component in &fixed.components {
-                    self.expect(component, Type { vector: false, ..of }, "a component of this vector");
-                }
-            }
-        }
-        for point in model.points.iter() {
-            for closure in &point.closures {
-                self.expect(closure, Type::vector(Unit::LENGTH), "a position");
-            }
-            if let Some(velocity) = &point.velocity {
-                self.expect(velocity, Type::vector(Unit::VELOCITY), "a velocity");
-            }
-        }
-        for body in model.bodies.iter() {
-            if let Some(mass) = &body.mass {
-                self.expect(mass, Type::scalar(Unit::MASS), "a mass");
-            }
-            for moment in body.inertia.iter().flatten() {
-                self.expect(moment, Type::scalar(Unit::INERTIA), "a moment of inertia");
-            }
-        }
-        for constraint in model.configuration_constraints.iter().chain(&model.motion_constraints) {
-            let _ = self.infer(&constraint.expression);
-        }
-        if let Some(gravity) = &model.gravity {
-            self.expect(gravity, Type::vector(Unit::ACCELERATION), "gravity");
-        }
-        for (id, coordinate) in model.coordinates.enumerate() {
-            let unit = Type::scalar(draft.units.coordinates[id].unit);
-            let numbers = draft.coordinate_values[id].iter().flatten();
-            for value in coordinate.closed_form.iter().chain(numbers) {
-                self.expect(value, unit, &quoted(&coordinate.name));
-            }
-        }
-        for (id, speed) in model.speeds.enumerate() {
-            if let SpeedMeaning::Combination(value) = &speed.meaning {
-                self.expect(value, Type::scalar(draft.units.speeds[id].unit), &quoted(&speed.name));
-            }
-        }
-        for (of, value) in &draft.start_values {
-            let unit = match of {
-                StartRef::Coordinate(id) => draft.units.coordinates[*id].unit,
-                StartRef::Speed(id) => draft.units.speeds[*id].unit,
-            };
-            self.expect(value, Type::scalar(unit), "this start value");
-        }
-        for (id, value) in draft.configuration_values.iter().flatten() {
-            self.expect(
-                value,
-                Type::scalar(draft.units.coordinates[*id].unit),
-                &quoted(&model.coordinates[*id].name),
-            );
-        }
-        for (id, value) in &model.laws {
-            self.expect(value, Type::scalar(draft.units.inputs[*id].unit), &quoted(&model.inputs[*id].name));
-        }
-    }
-
-    fn loads(&mut self) {
-        let draft = self.draft;
-        let over = |a: Unit, b: Unit| a.per(b).unwrap_or(Unit::NONE);
-        for load in &draft.model.loads {
-            match &load.kind {
-                LoadKind::Force { force, .. } => self.expect(force, Type::vector(Unit::FORCE), "a force"),
-                LoadKind::Torque { torque, .. } => {
-                    self.expect(torque, Type::vector(Unit::TORQUE), "a torque")
-                }
-                LoadKind::Spring { stiffness, rest_length, damping, .. } => {
-                    let per_length = over(Unit::FORCE, Unit::LENGTH);
-                    self.expect(stiffness, Type::scalar(per_length), "a stiffness");
-                    self.expect(rest_length, Type::scalar(Unit::LENGTH), "a rest length");
-                    if let Some(damping) = damping {
-                        self.expect(damping, Type::scalar(over(Unit::FORCE, Unit::VELOCITY)), "a damping");
-                    }
-                }
-                LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
-                    let q = draft.units.coordinates[*coordinate].unit;
-                    // A generalised force works along q: its unit is J per unit of q.
-                    let stiff = over(over(Unit::TORQUE, q), q);
-                    self.expect(stiffness, Type::scalar(stiff), "a stiffness");
-                    self.expect(rest, Type::scalar(q), "a rest value");
-                    if let Some(damping) = damping {
-                        let damp = stiff.times(Unit::TIME).unwrap_or(Unit::NONE);
-                        self.expect(damping, Type::scalar(damp), "a damping");
-                    }
-                }
-            }
-        }
-    }
-
-    fn outputs(&mut self) -> Vec<Unit> {
-        let draft = self.draft;
-        let mut units = Vec::new();
-        for (output, stated) in draft.model.outputs.iter().zip(&draft.units.outputs) {
-            let of = self.infer(&output.value).unwrap_or(Type::scalar(Unit::NONE));
-            let wanted = Type { vector: false, unit: stated.or(of.unit) };
-            self.compare(&output.value, of, wanted, &quoted(&output.name));
-            units.push(wanted.known());
-        }
-        units
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::data::*;
-use crate::model::expression::{Expr, ExprKind};
+use crate::model::expression::ExprKind;
 use crate::model::ids::*;
 use crate::source::Span;
 
@@ -51,59 +51,12 @@ impl Model {
         }
         found
     }
-
-    /// Every expression of the model.
-    pub fn expressions(&self) -> Vec<&Expr> {
-        let mut all: Vec<&Expr> = self.parameters.iter().map(|p| &p.value).collect();
-        all.extend(self.coordinates.iter().filter_map(|c| c.closed_form.as_ref()));
-        all.extend(self.speeds.iter().filter_map(|s| match &s.meaning {
-            SpeedMeaning::Combination(e) => Some(e),
-            SpeedMeaning::RateOf(_) => None,
-        }));
-        all.extend(self.definitions.iter().map(|d| &d.value));
-        for frame in self.frames.iter() {
-            match &frame.orientation {
-                Orientation::Inertial => {}
-                Orientation::Rotations { rotations, .. } => all.extend(rotations.iter().map(|(_, e)| e)),
-                Orientation::Directions { axes } => all.extend(axes.iter().flatten()),
-            }
-            all.extend(
-                frame.fixed_vectors.iter().flat_map(|f| std::iter::once(&f.vector).chain(&f.components)),
-            );
-        }
-        all.extend(self.points.iter().flat_map(|p| std::iter::once(&p.position).chain(&p.closures)));
-        all.extend(self.bodies.iter().flat_map(|b| b.mass.iter().chain(b.inertia.iter().flatten())));
-        all.extend(
-            self.configuration_constraints.iter().chain(&self.motion_constraints).map(|c| &c.expression),
-        );
-        all.extend(&self.gravity);
-        all.extend(self.loads.iter().flat_map(|l| l.kind.expressions()));
-        all.extend(self.outputs.iter().map(|o| &o.value));
-        all.extend(self.laws.iter().map(|(_, e)| e));
-        all
-    }
-}
-
-impl LoadKind {
-    /// Its expressions.
-    fn expressions(&self) -> Vec<&Expr> {
-        match self {
-            Self::Force { force, .. } => vec![force],
-            Self::Torque { torque, .. } => vec![torque],
-            Self::Spring { stiffness, rest_length, damping, .. } => {
-                [stiffness, rest_length].into_iter().chain(damping).collect()
-            }
-            Self::CoordinateSpring { stiffness, rest, damping, .. } => {
-                [stiffness, rest].into_iter().chain(damping).collect()
-            }
-        }
-    }
 }
 
 impl Mentioned {
     fn in_model(model: &Model) -> Self {
         let mut found = Self::default();
-        for expr in model.expressions() {
+        for (_, expr) in model.expressions() {
             expr.visit(&mut |e| match &e.kind {
                 ExprKind::Parameter(id) => {
                     found.parameters.insert(*id);

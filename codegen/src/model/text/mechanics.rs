@@ -100,7 +100,6 @@ impl Builder<'_> {
             fields.get("speed");
             fields.finish(self.found);
             let [low, high] = range;
-            self.draft.coordinate_values.push([nominal, low, high]);
             self.draft.units.coordinates.push(scale);
             self.draft.model.coordinates.push(Coordinate {
                 name: key.name.clone(),
@@ -110,6 +109,7 @@ impl Builder<'_> {
                 independent: independent && closed_form.is_none(),
                 nominal: 0.0,
                 range: (0.0, 0.0),
+                written: [nominal, low, high],
                 closed_form,
                 span: key.span,
             });

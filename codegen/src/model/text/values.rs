@@ -22,16 +22,16 @@ impl Builder<'_> {
         for table in &self.sections.configurations {
             let fields = Fields::of("configuration", table.span, table);
             let name = fields.text("name", self.found).map_or_else(String::new, |text| text.text.clone());
-            let mut values = Vec::new();
+            let mut written = Vec::new();
             for (key, value) in fields.table("values", self.found).map_or(&[][..], |t| &t.entries) {
                 if let Some(id) = self.coordinate_named(key) {
                     let scale = known(self.draft.units.coordinates.get(id));
-                    values.push((id, self.quantity(value, scale)));
+                    written.push((id, self.quantity(value, scale)));
                 }
             }
             fields.finish(self.found);
-            self.draft.model.configurations.push(Configuration { name, values: Vec::new() });
-            self.draft.configuration_values.push(values);
+            let configuration = Configuration { name, values: Vec::new(), written };
+            self.draft.model.configurations.push(configuration);
         }
         self.start();
         self.laws();
@@ -52,7 +52,7 @@ impl Builder<'_> {
                 }
             };
             let value = self.quantity(value, scale);
-            self.draft.start_values.push((of, value));
+            self.draft.model.start_written.push((of, value));
         }
     }
 

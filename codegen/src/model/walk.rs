@@ -1,0 +1,174 @@
+//! Every expression of a model with its role: the one list that all checks and passes go through.
+//!
+//! In: a [`Model`]. Out: pairs of [`Role`] and [`Expr`]. Each record is taken apart field by field, so that a field
+//! that is added does not compile until it is said here whether it holds an expression; a role that is added does
+//! not compile until units and dependences say what they ask of it.
+
+use super::data::*;
+use super::expression::Expr;
+use super::ids::*;
+
+/// What an expression is the value of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Role {
+    /// A parameter's default.
+    Parameter(ParameterId),
+    /// A definition.
+    Definition(DefinitionId),
+    /// An angle of one of a frame's rotations.
+    Angle(FrameId),
+    /// A unit vector of a frame.
+    Direction(FrameId),
+    /// A vector fixed in a frame, by its place among them.
+    FixedVector(FrameId, usize),
+    /// A component of that vector.
+    FixedComponent(FrameId, usize),
+    /// A point's position.
+    Position(PointId),
+    /// Another way to a point.
+    Closure(PointId),
+    /// A point's velocity where it is stated.
+    StatedVelocity(PointId),
+    /// A body's mass.
+    Mass(BodyId),
+    /// An entry of a body's inertia matrix.
+    Inertia(BodyId),
+    /// A configuration constraint.
+    ConfigurationConstraint,
+    /// A motion constraint.
+    MotionConstraint,
+    /// Gravity.
+    Gravity,
+    /// A coordinate in closed form.
+    ClosedForm(CoordinateId),
+    /// A coordinate's nominal value or an end of its range.
+    Nominal(CoordinateId),
+    /// A speed as a combination of rates.
+    Speed(SpeedId),
+    /// A start value.
+    Start(StartRef),
+    /// A coordinate of a configuration that is sampled.
+    Configuration(CoordinateId),
+    /// The law of an input.
+    Law(InputId),
+    /// A force.
+    Force,
+    /// A torque.
+    Torque,
+    /// Stiffness of a spring between points.
+    Stiffness,
+    /// Its length without tension.
+    RestLength,
+    /// Its damping.
+    Damping,
+    /// Stiffness of a spring on a coordinate.
+    CoordinateStiffness(CoordinateId),
+    /// Its value without force.
+    CoordinateRest(CoordinateId),
+    /// Its damping.
+    CoordinateDamping(CoordinateId),
+    /// An output, by its place among them.
+    Output(usize),
+}
+
+/// The list as it grows.
+type List<'m> = Vec<(Role, &'m Expr)>;
+
+impl Model {
+    /// Every expression of the model.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<(Role, &Expr)> {
+        #[rustfmt::skip]
+        let Self {
+            parameters, coordinates, speeds, definitions, frames, points, bodies, configuration_constraints,
+            motion_constraints, gravity, loads, outputs, configurations, start_written, laws,
+            source: _, name: _, doc: _, dof: _, inputs: _, order: _, start: _, run: _,
+        } = self;
+        let mut all = Vec::new();
+        for (id, Parameter { value, name: _, doc: _, unit: _, tunable: _, span: _ }) in parameters.enumerate()
+        {
+            all.push((Role::Parameter(id), value));
+        }
+        for (id, Definition { value, name: _, span: _ }) in definitions.enumerate() {
+            all.push((Role::Definition(id), value));
+        }
+        frames.enumerate().for_each(|(id, frame)| of_frame(id, frame, &mut all));
+        for (id, Point { position, closures, velocity, name: _, span: _ }) in points.enumerate() {
+            all.push((Role::Position(id), position));
+            all.extend(closures.iter().map(|e| (Role::Closure(id), e)));
+            all.extend(velocity.iter().map(|e| (Role::StatedVelocity(id), e)));
+        }
+        for (id, body) in bodies.enumerate() {
+            let Body { mass, inertia, name: _, centre: _, frame: _, weight: _, span: _ } = body;
+            all.extend(mass.iter().map(|e| (Role::Mass(id), e)));
+            all.extend(inertia.iter().flatten().map(|e| (Role::Inertia(id), e)));
+        }
+        for Constraint { expression, name: _, span: _ } in configuration_constraints {
+            all.push((Role::ConfigurationConstraint, expression));
+        }
+        for Constraint { expression, name: _, span: _ } in motion_constraints {
+            all.push((Role::MotionConstraint, expression));
+        }
+        all.extend(gravity.iter().map(|e| (Role::Gravity, e)));
+        coordinates.enumerate().for_each(|(id, coordinate)| of_coordinate(id, coordinate, &mut all));
+        for (id, Speed { meaning, name: _, unit: _, independent: _, span: _ }) in speeds.enumerate() {
+            match meaning {
+                SpeedMeaning::RateOf(_) => {}
+                SpeedMeaning::Combination(e) => all.push((Role::Speed(id), e)),
+            }
+        }
+        all.extend(start_written.iter().map(|(of, e)| (Role::Start(*of), e)));
+        for Configuration { written, name: _, values: _ } in configurations {
+            all.extend(written.iter().map(|(id, e)| (Role::Configuration(*id), e)));
+        }
+        all.extend(laws.iter().map(|(id, e)| (Role::Law(*id), e)));
+        loads.iter().for_each(|Load { kind, name: _, span: _ }| of_load(kind, &mut all));
+        for (n, Output { value, name: _, unit: _, span: _ }) in outputs.iter().enumerate() {
+            all.push((Role::Output(n), value));
+        }
+        all
+    }
+}
+
+fn of_frame<'m>(id: FrameId, frame: &'m Frame, all: &mut List<'m>) {
+    let Frame { orientation, fixed_vectors, name: _, span: _ } = frame;
+    match orientation {
+        Orientation::Inertial => {}
+        Orientation::Rotations { parent: _, rotations } => {
+            all.extend(rotations.iter().map(|(_, angle)| (Role::Angle(id), angle)));
+        }
+        Orientation::Directions { axes } => {
+            all.extend(axes.iter().flatten().map(|axis| (Role::Direction(id), axis)));
+        }
+    }
+    for (n, FixedVector { vector, components, span: _ }) in fixed_vectors.iter().enumerate() {
+        all.push((Role::FixedVector(id, n), vector));
+        all.extend(components.iter().map(|e| (Role::FixedComponent(id, n), e)));
+    }
+}
+
+fn of_coordinate<'m>(id: CoordinateId, coordinate: &'m Coordinate, all: &mut List<'m>) {
+    #[rustfmt::skip]
+    let Coordinate {
+        closed_form, written,
+        name: _, doc: _, unit: _, written_unit: _, independent: _, nominal: _, range: _, span: _,
+    } = coordinate;
+    all.extend(closed_form.iter().map(|e| (Role::ClosedForm(id), e)));
+    all.extend(written.iter().flatten().map(|e| (Role::Nominal(id), e)));
+}
+
+fn of_load<'m>(kind: &'m LoadKind, all: &mut List<'m>) {
+    match kind {
+        LoadKind::Force { force, point: _, reaction: _ } => all.push((Role::Force, force)),
+        LoadKind::Torque { torque, frame: _, reaction: _ } => all.push((Role::Torque, torque)),
+        LoadKind::Spring { stiffness, rest_length, damping, ends: _ } => {
+            all.extend([(Role::Stiffness, stiffness), (Role::RestLength, rest_length)]);
+            all.extend(damping.iter().map(|e| (Role::Damping, e)));
+        }
+        LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
+            let of = *coordinate;
+            all.extend([(Role::CoordinateStiffness(of), stiffness), (Role::CoordinateRest(of), rest)]);
+            all.extend(damping.iter().map(|e| (Role::CoordinateDamping(of), e)));
+        }
+    }
+}
