@@ -2,6 +2,7 @@
 
 mod browser;
 mod check_and_derive;
+mod driven;
 mod eval;
 mod hostile_text;
 mod new_user;
