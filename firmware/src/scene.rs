@@ -7,7 +7,7 @@
 
 use smartbed_firmware::{STEPS, digest::Digest};
 use smartbed_runtime::advance::{MOTION_ROWS, Motion, Workspace};
-use smartbed_runtime::body::{Body, BodyError};
+use smartbed_runtime::body::{Body, BodyError, Massless};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{Mode, System};
 use smartbed_runtime::scene::{State, step};
@@ -24,8 +24,8 @@ mod table {
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 use table::{
-    AIR_DRAG, FACETS, FIXED, GRAVITY, GROUND, INFLATION, MASS, METHOD, POINTS, POS, SCRATCH, SPRINGS, STEP,
-    VEL,
+    AIR_DRAG, FACETS, FIXED, GRAVITY, GROUND, INFLATION, LINKS, LINKS_FROM, MASS, MASSLESS, METHOD, POINTS,
+    POS, SCRATCH, SPRINGS, STEP, VEL,
 };
 
 /// Takes all steps.
@@ -38,6 +38,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
         air_drag: AIR_DRAG,
         facets: &FACETS,
         inflation: INFLATION,
+        massless: Massless { points: &MASSLESS, first: &LINKS_FROM, springs: &LINKS },
     };
     let system = System { body: Body::new(body)?, ground: GROUND };
     let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];
@@ -49,7 +50,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     motion.vel.iter_mut().zip(&VEL).for_each(|(v, start)| *v = *start);
     let mut work = Workspace::new(&mut scratch, &mut impacts, POINTS, METHOD)?;
     let mut state =
-        State { motion, modes: &mut modes, time: [0.0; 2], carry: 0.0, next_step: 0.0, anchor: 0.0 };
+        State { motion, modes: &mut modes, time: [0.0; 2], next_step: 0.0, anchor: 0.0 };
     state.begin(&system, STEP, METHOD, &mut work, &mut ())?;
     let mut digest = Digest::default();
     for _ in 0..STEPS {

@@ -2,7 +2,7 @@
 
 use smartbed::scene::parse;
 use smartbed::scene::run::{EventRecord, Row, run};
-use smartbed_runtime::body::{Body, Spring};
+use smartbed_runtime::body::{Body, Massless, Spring};
 use smartbed_runtime::contact::{ContactLaw, Ground, massless};
 
 const G: f64 = 9.81;
@@ -159,6 +159,7 @@ fn massless_point_in_space_is_in_balance() {
         air_drag: 0.0,
         facets: &[],
         inflation: None,
+        massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
     })
     .expect("body");
     let (mut pressed, mut hung) = (0, 0);

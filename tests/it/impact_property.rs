@@ -3,7 +3,7 @@
 //! The oracle rebuilds the change of every velocity from the reported lambda and ground impulses alone:
 //! +lambda w d on the receiver, -lambda w d on the touching point, J n from the ground.
 
-use smartbed_runtime::body::{Body, Spring, Vec3};
+use smartbed_runtime::body::{Body, Massless, Spring, Vec3};
 use smartbed_runtime::contact::compensation::{Compensation, PointImpact, apply};
 use smartbed_runtime::contact::{ContactLaw, Ground, System, friction};
 use smartbed_runtime::real::Scalar;
@@ -116,6 +116,7 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
         air_drag: S::ZERO,
         facets: &[],
         inflation: None,
+        massless: Massless::default(),
     })
     .expect("body");
     let law = ContactLaw::Compensation { eta: real(eta), anchor: false, plastic_alone: false };
@@ -246,6 +247,7 @@ fn two_stacked_unit_masses_give_the_thesis_formula() {
         air_drag: 0.0,
         facets: &[],
         inflation: None,
+        massless: Massless::default(),
     };
     let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false };
     let ground = Ground { normal: [0.0, 0.0, 1.0], offset: 0.0, law, friction: 0.0, tolerance: 1e-11 };

@@ -1,7 +1,7 @@
 //! Impact between two flexible bodies on random pairs: energy, momentum and angular momentum of the whole, J >= 0,
 //! no approach left; and two springs head on, where symmetry makes each the other's ground.
 
-use smartbed_runtime::body::{Body, Spring};
+use smartbed_runtime::body::{Body, Massless, Spring};
 use smartbed_runtime::contact::pair::{Touch, apply};
 
 type Vector = [f64; 3];
@@ -82,6 +82,7 @@ fn random_pairs_conserve() {
             air_drag: 0.0,
             facets: &[],
             inflation: None,
+            massless: Massless::default(),
         })
         .expect("body");
         let before = totals(&mass, &pos, &vel);
@@ -127,6 +128,7 @@ fn two_springs_head_on_are_each_the_others_ground() {
         air_drag: 0.0,
         facets: &[],
         inflation: None,
+        massless: Massless::default(),
     })
     .expect("body");
     let pos = [[0.0; 3], [0.0, 0.0, 1.0], [0.0; 3], [0.0, 0.0, -1.0]];

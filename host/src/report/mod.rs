@@ -12,6 +12,7 @@ pub mod closed_form;
 pub mod csv;
 pub mod front;
 pub mod json;
+pub mod laws;
 pub mod markdown;
 pub mod measure;
 pub mod mechanism;
@@ -233,6 +234,10 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
             let title = format!("Observed orders, {title} (nominal in brackets)");
             report.tables.push(order::table(&title, &rows, &report.command));
         }
+    }
+    if !arguments.is_row() && subjects.iter().any(|s| s.is_scene()) {
+        let observed = laws::observe().map_err(Failure::Wrong)?;
+        report.tables.push(laws::table(&observed, &report.command));
     }
     let mut chip = arguments.chip(progress.seconds());
     if !arguments.is_row() {

@@ -13,6 +13,7 @@ use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
 use crate::view::{self, Film};
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
+use smartbed_runtime::scene::{MAX_EVENTS, MAX_SUBSTEPS};
 use std::path::Path;
 
 pub(super) use read::is_scene;
@@ -60,6 +61,7 @@ struct Done {
     rows: u64,
     imbalance: f64,
     total: [f64; 2],
+    cut_short: usize,
 }
 
 impl Done {
@@ -68,13 +70,15 @@ impl Done {
         if arguments.json {
             return format!(
                 "{{\"scene\": {}, \"points\": {}, \"springs\": {}, \"seconds\": {}, \"rows\": {}, \"events\": {}, \
-                 \"touches\": {touches}, \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}}}\n",
+                 \"touches\": {touches}, \"method\": {}, \"steps_cut_short\": {}, \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}}}\n",
                 json_string(&scene.title),
                 scene.lists.points.len(),
                 scene.lists.springs.len(),
                 json_number(scene.seconds),
                 self.rows,
                 self.events.len(),
+                json_string(scene.chosen.name),
+                self.cut_short,
                 json_number(self.total[0]),
                 json_number(self.total[1]),
                 json_number(self.imbalance),
@@ -82,19 +86,39 @@ impl Done {
             );
         }
         format!(
-            "{}: {}, {}, {} s, {elapsed:.2} s\n{}, {}\n\
+            "{}: {}, {}, {} s, {elapsed:.2} s\n{}\n{}, {}\n\
              energy: {:.6e} J at the start, {:.6e} J at the end, largest imbalance {:.1e} J\n",
             scene.title,
             count(scene.lists.points.len(), "point"),
             count(scene.lists.springs.len(), "spring"),
             scene.seconds,
+            method(scene),
             count(touches, "touch"),
             count(self.events.len(), "event"),
             self.total[0],
             self.total[1],
             self.imbalance
+        ) + &self.cut_short()
+    }
+
+    /// What the limit of work per step has changed.
+    fn cut_short(&self) -> String {
+        if self.cut_short == 0 {
+            return String::new();
+        }
+        format!(
+            "warning: {} held more than {MAX_EVENTS} touches and releases (or {MAX_SUBSTEPS} tries): from there each \
+             ended without locating more, every touch plastic (Moreau, e = 0); take a smaller step\n",
+            count(self.cut_short, "step")
         )
     }
+}
+
+/// The method, and why it was taken where the scene names none.
+fn method(scene: &Scene) -> String {
+    let chosen = &scene.chosen;
+    let why = if chosen.why.is_empty() { String::new() } else { format!(" by default: {}", chosen.why) };
+    format!("method {}, of order {} here{why}", chosen.name, chosen.order)
 }
 
 /// Steps and writes what is asked for.
@@ -109,7 +133,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     let mut album = arguments.plot.as_ref().map(album).transpose()?;
     let mut film = arguments.view.as_ref().map(|_| Film::of_points(n, scene.lists.springs.clone()));
     let mut progress = Progress::new("running");
-    let (mut rows, mut imbalance, mut total) = (0, 0.0_f64, [f64::NAN; 2]);
+    let (mut rows, mut imbalance, mut total, mut cut_short) = (0, 0.0_f64, [f64::NAN; 2], 0);
     let mut failure = None;
     let events = run::<S>(scene, |row: &Row| {
         if let Some(csv) = &mut csv
@@ -125,6 +149,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         }
         total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
         imbalance = imbalance.max(row.energy.imbalance.abs());
+        cut_short = row.cut_short;
         rows += 1;
         progress.at(row.t / scene.seconds);
     })
@@ -139,5 +164,5 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     if let (Some(file), Some(film)) = (&arguments.view, &film) {
         output::write(file, view::page(&scene.title, film).as_bytes())?;
     }
-    Ok(Done { events, rows, imbalance, total })
+    Ok(Done { events, rows, imbalance, total, cut_short })
 }

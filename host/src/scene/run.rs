@@ -111,12 +111,15 @@ pub struct Row {
     pub energy: EnergyRow,
     /// Touches so far.
     pub touches: usize,
+    /// Steps so far whose end was stepped over without events: there were too many in one.
+    pub cut_short: usize,
 }
 
 struct Watch<S> {
     ledger: Ledger<S>,
     events: Vec<EventRecord>,
     touches: usize,
+    cut_short: usize,
 }
 
 impl<S: Scalar> Observer<S> for Watch<S> {
@@ -151,12 +154,14 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| explain(0.0, e))?;
     let h = S::from_f64(scene.step);
-    let mut watch = Watch { ledger: open_ledger(&simulation), events: Vec::new(), touches: 0 };
+    let ledger = open_ledger(&simulation);
+    let mut watch = Watch { ledger, events: Vec::new(), touches: 0, cut_short: 0 };
     simulation.begin(h, &mut watch).map_err(|e| explain(0.0, e))?;
     emit(&row(&simulation, &watch));
     let steps = scene.steps();
     for n in 1..=steps {
-        simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
+        let report = simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
+        watch.cut_short += usize::from(report.cut_short);
         if n % scene.every == 0 || n == steps {
             emit(&row(&simulation, &watch));
         }
@@ -187,6 +192,7 @@ fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
             imbalance: ledger.imbalance(&energies).to_f64(),
         },
         touches: watch.touches,
+        cut_short: watch.cut_short,
     }
 }
 
@@ -208,6 +214,13 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
         BodyError::NotFinite { point } => {
             format!("point {point} left the numbers; take a smaller step or a smaller load")
         }
+        BodyError::BelowGround { point, depth } => format!(
+            "point {point} starts {:.6e} m below the ground, which no law of touches can undo; raise the body (drop_height) or lower the floor, or take a ground that gives way: penalty, hunt_crossley",
+            depth.to_f64()
+        ),
+        BodyError::ThroughGround { point } => format!(
+            "point {point} has mass and went through the ground, which keeps off massless points alone; name it in `massless`, or take another law"
+        ),
         BodyError::PressureTooHigh { pressure, spring } => format!(
             "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
             pressure.to_f64(),

@@ -3,9 +3,9 @@
 //! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
 
 use smartbed_runtime::advance::{Method, Motion, Workspace, workspace_len};
-use smartbed_runtime::body::stable_step::largest_stable_step;
-use smartbed_runtime::body::{Body, BodyError, Gas, Inflation, Spring, Vec3};
+use smartbed_runtime::body::{Body, BodyError, Gas, Inflation, Massless, Spring, Vec3};
 use smartbed_runtime::contact::compensation::PointImpact;
+use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
@@ -36,15 +36,47 @@ pub struct Simulation<S: Scalar> {
     air_drag: S,
     ground: Option<Ground<S>>,
     inflation: Option<Inflation<S>>,
+    massless: Links,
     method: Method<S>,
     motion: Vec<Vec3<S>>,
     scratch: Vec<Vec3<S>>,
     impacts: Vec<PointImpact<S>>,
     modes: Vec<Mode>,
     time: [S; 2],
-    carry: S,
     next_step: S,
     anchor: S,
+}
+
+/// The massless points and the springs of each, as [`Massless`] borrows them.
+#[derive(Clone, Debug, Default)]
+struct Links {
+    points: Vec<usize>,
+    first: Vec<usize>,
+    springs: Vec<usize>,
+}
+
+impl Links {
+    fn new<S: Scalar>(mass: &[S], springs: &[Spring<S>]) -> Links {
+        let mut of_point = vec![Vec::new(); mass.len()];
+        for (number, spring) in springs.iter().enumerate() {
+            for end in [spring.tail, spring.head] {
+                if mass.get(end).is_some_and(|m| *m == S::ZERO) {
+                    of_point[end].push(number);
+                }
+            }
+        }
+        let mut links = Links { first: vec![0], ..Links::default() };
+        for (point, _) in mass.iter().enumerate().filter(|(_, m)| **m == S::ZERO) {
+            links.points.push(point);
+            links.springs.append(&mut of_point[point]);
+            links.first.push(links.springs.len());
+        }
+        links
+    }
+
+    fn view(&self) -> Massless<'_> {
+        Massless { points: &self.points, first: &self.first, springs: &self.springs }
+    }
 }
 
 const MOTION_ROWS: usize = smartbed_runtime::advance::MOTION_ROWS;
@@ -71,10 +103,13 @@ impl<S: Scalar> Simulation<S> {
             damping: real(lists.damping[i]),
             rest_length: real(lists.rest_lengths[i]),
         };
-        let simulation = Simulation {
-            mass: lists.masses.iter().map(|m| real(*m)).collect(),
+        let mass: Vec<S> = lists.masses.iter().map(|m| real(*m)).collect();
+        let springs: Vec<Spring<S>> = (0..lists.springs.len()).map(spring).collect();
+        let mut simulation = Simulation {
+            massless: Links::new(&mass, &springs),
+            mass,
             fixed: lists.fixed.clone(),
-            springs: (0..lists.springs.len()).map(spring).collect(),
+            springs,
             facets: lists.facets.clone(),
             gravity: vector(&around.gravity),
             air_drag: real(around.air_drag),
@@ -86,11 +121,15 @@ impl<S: Scalar> Simulation<S> {
             impacts: vec![PointImpact::none(); n],
             modes: vec![Mode::Free; n],
             time: [S::ZERO; 2],
-            carry: S::ZERO,
             next_step: S::ZERO,
             anchor: S::ZERO,
         };
         Body::new(simulation.body())?;
+        if simulation.ground.is_some()
+            && let Some(stable) = simulation.largest_stable_step()
+        {
+            simulation.method = limit_step(simulation.method, stable);
+        }
         Ok(simulation)
     }
 
@@ -103,6 +142,7 @@ impl<S: Scalar> Simulation<S> {
             air_drag: self.air_drag,
             facets: &self.facets,
             inflation: self.inflation,
+            massless: self.massless.view(),
         }
     }
 
@@ -132,6 +172,7 @@ impl<S: Scalar> Simulation<S> {
             air_drag: self.air_drag,
             facets: &self.facets,
             inflation: self.inflation,
+            massless: self.massless.view(),
         };
         let system = System { body, ground: self.ground };
         let (motion, _) = Motion::cut(&mut self.motion, n)?;
@@ -139,14 +180,12 @@ impl<S: Scalar> Simulation<S> {
             motion,
             modes: &mut self.modes,
             time: self.time,
-            carry: self.carry,
             next_step: self.next_step,
             anchor: self.anchor,
         };
         let mut workspace = Workspace::new(&mut self.scratch, &mut self.impacts, n, self.method)?;
         let done = work(&system, &mut state, &mut workspace);
-        (self.time, self.carry, self.next_step, self.anchor) =
-            (state.time, state.carry, state.next_step, state.anchor);
+        (self.time, self.next_step, self.anchor) = (state.time, state.next_step, state.anchor);
         done
     }
 
@@ -171,7 +210,8 @@ impl<S: Scalar> Simulation<S> {
     /// Largest stable step of an explicit method in the present state (s).
     #[must_use]
     pub fn largest_stable_step(&self) -> Option<S> {
-        largest_stable_step(&self.body(), self.pos())
+        let mut sums = vec![Sums::none(); self.mass.len()];
+        largest_stable_step(&self.system(), self.pos(), self.vel(), &mut sums)
     }
 
     /// Positions (m).
@@ -214,8 +254,24 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
         Method::Rk4 => Method::Rk4,
         Method::ImplicitMidpoint => Method::ImplicitMidpoint,
         Method::EnergyMomentum => Method::EnergyMomentum,
-        Method::DormandPrince { tolerance } => Method::DormandPrince { tolerance: S::from_f64(tolerance) },
-        Method::Dop853 { tolerance } => Method::Dop853 { tolerance: S::from_f64(tolerance) },
+        Method::DormandPrince { tolerance, longest } => {
+            Method::DormandPrince { tolerance: S::from_f64(tolerance), longest: S::from_f64(longest) }
+        }
+        Method::Dop853 { tolerance, longest } => {
+            Method::Dop853 { tolerance: S::from_f64(tolerance), longest: S::from_f64(longest) }
+        }
+    }
+}
+
+/// A method that chooses its steps, kept below the stable one: in free fall nothing else tells it of the springs, it
+/// would amplify rounding, and points that ought to touch together would touch one after the other.
+fn limit_step<S: Scalar>(method: Method<S>, stable: S) -> Method<S> {
+    match method {
+        Method::DormandPrince { tolerance, longest } => {
+            Method::DormandPrince { tolerance, longest: longest.min(stable) }
+        }
+        Method::Dop853 { tolerance, longest } => Method::Dop853 { tolerance, longest: longest.min(stable) },
+        fixed => fixed,
     }
 }
 

@@ -35,6 +35,9 @@ pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
     table("FIXED", "bool", n, &body.fixed);
     table("SPRINGS", "Spring<f32>", body.springs.len(), &body.springs);
     table("FACETS", "[usize; 4]", body.facets.len(), &body.facets);
+    table("MASSLESS", "usize", body.massless.points.len(), &body.massless.points);
+    table("LINKS_FROM", "usize", body.massless.first.len(), &body.massless.first);
+    table("LINKS", "usize", body.massless.springs.len(), &body.massless.springs);
     table("POS", "[f32; 3]", n, &simulation.pos());
     table("VEL", "[f32; 3]", n, &simulation.vel());
     text

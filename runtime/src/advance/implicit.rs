@@ -149,7 +149,7 @@ fn mean_force<S: Scalar>(
     }
     mean_pressure(body, start.motion.pos, work.stage_pos, work.end.pos, force)?;
     if let Some(ground) = &system.ground {
-        mean_ground(ground, start.motion.pos, work.end.pos, force);
+        mean_ground(ground, h, start.motion.pos, work.end.pos, force);
     }
     Ok(())
 }
@@ -194,20 +194,30 @@ fn mean_gauge_pressure<S: Scalar>(
     Ok((ends + S::from_f64(4.0) * middle) * S::from_f64(1.0 / 6.0))
 }
 
-/// A soft ground's force as minus the quotient of its energy and the gap; its dissipation at the end's rate.
-fn mean_ground<S: Scalar>(ground: &Ground<S>, before: &[Vec3<S>], after: &[Vec3<S>], force: &mut [Vec3<S>]) {
-    if !matches!(ground.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. }) {
-        return;
-    }
+/// A soft ground's force as minus the quotient of its energy and the gap, and its dissipation at the mean rate.
+fn mean_ground<S: Scalar>(
+    ground: &Ground<S>,
+    h: S,
+    before: &[Vec3<S>],
+    after: &[Vec3<S>],
+    force: &mut [Vec3<S>],
+) {
+    let dissipation = match ground.law {
+        ContactLaw::Penalty { .. } => S::ZERO,
+        ContactLaw::HuntCrossley { dissipation, .. } => dissipation,
+        _ => return,
+    };
     for ((x0, x1), f) in before.iter().zip(after).zip(force) {
         let sink = ground.gap(*x0) - ground.gap(*x1);
         let gained = soft::energy(ground, *x1) - soft::energy(ground, *x0);
-        let push = if sink.abs() > S::EPSILON.sqrt() * (S::ONE + ground.gap(*x0).abs()) {
+        let elastic = if sink.abs() > S::EPSILON.sqrt() * (S::ONE + ground.gap(*x0).abs()) {
             gained / sink
         } else {
             let middle = vec3::scale(vec3::add(*x0, *x1), S::from_f64(0.5));
             soft::normal_force(ground, middle, vec3::zero()).0
         };
+        // Never pulling, so that against a rising point too the force takes energy out.
+        let push = (elastic * (S::ONE + dissipation * (sink / h))).max(S::ZERO);
         *f = vec3::axpy(*f, push, ground.normal);
     }
 }

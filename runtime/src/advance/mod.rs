@@ -38,11 +38,15 @@ pub enum Method<S> {
     DormandPrince {
         /// Error allowed per step, absolute and relative.
         tolerance: S,
+        /// Longest step (s).
+        longest: S,
     },
     /// Dormand & Prince 8(5,3) with step control.
     Dop853 {
         /// Error allowed per step, absolute and relative.
         tolerance: S,
+        /// Longest step (s).
+        longest: S,
     },
 }
 
@@ -266,10 +270,10 @@ pub fn advance<S: Scalar>(
         Method::Rk4 => explicit::step(&const { tableau::RK4.rounded() }, system, start, tau, S::ONE, work)?,
         Method::ImplicitMidpoint => implicit::midpoint(system, start, tau, work)?,
         Method::EnergyMomentum => implicit::energy_momentum(system, start, tau, work)?,
-        Method::DormandPrince { tolerance } => {
+        Method::DormandPrince { tolerance, .. } => {
             explicit::step(&const { tableau::DORMAND_PRINCE.rounded() }, system, start, tau, tolerance, work)?
         }
-        Method::Dop853 { tolerance } => {
+        Method::Dop853 { tolerance, .. } => {
             explicit::step(&const { tableau::DOP853.rounded() }, system, start, tau, tolerance, work)?
         }
     };
@@ -369,8 +373,9 @@ fn sum_compensated<S: Scalar>(
 }
 
 pub(crate) fn check_finite<S: Scalar>(motion: &Motion<S>) -> Result<(), BodyError<S>> {
-    let finite = |a: &Vec3<S>| a.iter().all(|c| c.is_finite());
-    let bad = motion.pos.iter().zip(motion.vel.iter()).position(|(x, v)| !(finite(x) && finite(v)));
+    // Squares, because energies and errors are made of them.
+    let finite = |x: &Vec3<S>, v: &Vec3<S>| (vec3::dot(*x, *x) + vec3::dot(*v, *v)).is_finite();
+    let bad = motion.pos.iter().zip(motion.vel.iter()).position(|(x, v)| !finite(x, v));
     match bad {
         Some(point) => Err(BodyError::NotFinite { point }),
         None => Ok(()),

@@ -1,12 +1,14 @@
 //! Moreau's time stepping (Jean & Moreau 1992): impacts belong to the step, not to an instant.
 //!
 //! x_m = x + h/2 v;  v' = v + h f(x_m, v)/m;  where gap(x_m) <= 0 and v'.n < -e v.n:  v'.n := -e v.n;
-//! x' = x_m + h/2 v'. The kinetic energy that the correction takes is the impact's loss.
+//! x' = x_m + h/2 v'. The way is h (v + v')/2, so an impulse J takes -J.(v + v')/2 out, exactly. That is never
+//! negative for a point that comes; one that rises is let turn around, v'.n >= -v.n, and friction turns no slip
+//! around, so that neither gives energy.
 
 use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
 use crate::body::BodyError;
-use crate::body::vec3;
-use crate::contact::{System, friction};
+use crate::body::vec3::{self, Vec3};
+use crate::contact::{Ground, System, friction};
 use crate::real::Scalar;
 
 /// What the ground took in one step.
@@ -46,15 +48,7 @@ pub fn step<S: Scalar>(
             && ground.gap(vec3::at(work.stage_pos, i)) <= S::ZERO
         {
             let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
-            let rate = ground.gap_rate(after);
-            let wanted = -(restitution * ground.gap_rate(before));
-            if rate < wanted {
-                impulse = mass * (wanted - rate);
-                after = vec3::axpy(after, wanted - rate, ground.normal);
-                taken.impact = taken.impact + half * mass * (rate * rate - wanted * wanted);
-                taken.friction = taken.friction
-                    + friction::apply(&mut after, ground.normal, mass, ground.friction, impulse);
-            }
+            impulse = push(ground, mass, restitution, before, &mut after, &mut taken);
         }
         if let (Some(dx), Some(dv), Some(point)) =
             (work.dx.get_mut(i), work.dv.get_mut(i), work.impacts.get_mut(i))
@@ -66,4 +60,36 @@ pub fn step<S: Scalar>(
     }
     finish(system, start, work)?;
     Ok(taken)
+}
+
+/// The ground's impulse on one point and its friction; returns the normal impulse (N s).
+fn push<S: Scalar>(
+    ground: &Ground<S>,
+    mass: S,
+    restitution: S,
+    before: Vec3<S>,
+    after: &mut Vec3<S>,
+    taken: &mut Taken<S>,
+) -> S {
+    let half = S::from_f64(0.5);
+    let (came, rate) = (ground.gap_rate(before), ground.gap_rate(*after));
+    let wanted = if came > S::ZERO { -came } else { -(restitution * came) };
+    if rate >= wanted {
+        return S::ZERO;
+    }
+    let impulse = mass * (wanted - rate);
+    *after = vec3::axpy(*after, wanted - rate, ground.normal);
+    taken.impact = taken.impact - half * impulse * (came + wanted);
+    if ground.friction > S::ZERO {
+        let (old, new) = (vec3::tangential(before, ground.normal), vec3::tangential(*after, ground.normal));
+        let (size, along) = (vec3::dot(new, new), vec3::dot(old, new));
+        // J_t.(v_t + v_t') <= 0 for the part f of the slip that is taken: f <= 1 + v_t.v_t*/v_t*^2.
+        let share = if size > S::ZERO { (S::ONE + along.min(S::ZERO) / size).max(S::ZERO) } else { S::ZERO };
+        let allowed = mass * size.sqrt() * share;
+        friction::apply(after, ground.normal, mass, S::ONE, allowed.min(ground.friction * impulse));
+        let kept = vec3::tangential(*after, ground.normal);
+        let work = vec3::dot(vec3::sub(kept, new), vec3::add(old, kept));
+        taken.friction = taken.friction - half * mass * work;
+    }
+    impulse
 }

@@ -1,15 +1,13 @@
 //! Symplectic Euler and velocity Verlet, with dampers solved implicitly.
 //!
-//! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). With dampers a half step of them stands before and
-//! one after (Strang: order 2), each by the implicit midpoint rule at fixed positions, which takes energy
-//! out for every C and h and conserves momentum.
+//! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). Where forces depend on speeds (dampers, air, a soft ground)
+//! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
+//! fixed positions, which takes energy out for every C and h and conserves momentum.
 
 use super::{
-    Start, Workspace, copy, eval_elastic, eval_viscous as eval_all_viscous, finish, place_positions,
-    place_velocities,
+    Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities,
 };
 use crate::body::BodyError;
-use crate::body::force::eval_viscous;
 use crate::body::vec3::{self, Vec3};
 use crate::contact::System;
 use crate::real::Scalar;
@@ -54,13 +52,13 @@ pub(crate) fn verlet<S: Scalar>(
     work: &mut Workspace<S>,
 ) -> Result<S, BodyError<S>> {
     let half = S::from_f64(0.5) * h;
-    let damped = system.body.is_damped();
+    let damped = system.is_damped();
     copy(work.stage_vel, start.motion.vel);
     if damped {
         relax(system, start, Place::Start, half, work)?;
     }
     for (i, (dx, v)) in work.dx.iter_mut().zip(work.stage_vel.iter_mut()).enumerate() {
-        let a = system.acceleration(i, start.mode(i), velocity_free(system, start, i));
+        let a = system.acceleration(i, start.mode(i), vec3::at(start.motion.elastic, i));
         *v = vec3::axpy(*v, half, a);
         *dx = drift(system, i, *v, h);
     }
@@ -78,16 +76,11 @@ pub(crate) fn verlet<S: Scalar>(
         *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.motion.vel, i));
     }
     place_velocities(system, start, work);
-    eval_all_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
+    eval_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
     Ok(S::ZERO)
 }
 
-/// The start's force without that of the dampers, which have their own half steps; a soft ground's stays.
-fn velocity_free<S: Scalar>(system: &System<S>, start: Start<S>, i: usize) -> Vec3<S> {
-    if system.body.is_damped() { vec3::at(start.motion.elastic, i) } else { start.motion.force(i) }
-}
-
-/// Lets the dampers and the air act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
+/// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
 ///
 /// Fixed-point iteration on the middle: all springs at once, so a symmetric body stays symmetric.
 fn relax<S: Scalar>(
@@ -105,7 +98,7 @@ fn relax<S: Scalar>(
     copy(middle, vel);
     let half = S::from_f64(0.5) * h;
     for _ in 0..ITERATIONS {
-        eval_viscous(&system.body, pos, middle, work.stage_viscous);
+        eval_viscous(system, pos, middle, work.stage_viscous);
         let (mut change, mut size) = (S::ZERO, S::ZERO);
         for (i, (m, v)) in middle.iter_mut().zip(vel.iter()).enumerate() {
             let a = system.acceleration(i, start.mode(i), vec3::at(work.stage_viscous, i));

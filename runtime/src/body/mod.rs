@@ -7,7 +7,6 @@ pub mod energy;
 pub mod force;
 pub mod pressure;
 pub mod spring;
-pub mod stable_step;
 pub mod vec3;
 
 use crate::real::Scalar;
@@ -32,6 +31,29 @@ pub struct Body<'a, S> {
     pub facets: &'a [[usize; 4]],
     /// Gas inside the facets.
     pub inflation: Option<Inflation<S>>,
+    /// The points of mass 0.
+    pub massless: Massless<'a>,
+}
+
+/// The massless points with the springs of each, so that none has to look through all springs.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Massless<'a> {
+    /// The points.
+    pub points: &'a [usize],
+    /// Where the springs of each begin in `springs`, and at last the length of that.
+    pub first: &'a [usize],
+    /// Numbers of springs, point after point.
+    pub springs: &'a [usize],
+}
+
+impl<'a> Massless<'a> {
+    /// Each massless point with its springs.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, &'a [usize])> {
+        let springs = self.springs;
+        let ranges = self.first.iter().zip(self.first.iter().skip(1));
+        let list = move |(from, to): (&usize, &usize)| springs.get(*from..*to).unwrap_or_default();
+        self.points.iter().copied().zip(ranges.map(list))
+    }
 }
 
 /// Why a body or its motion is refused.
@@ -65,8 +87,20 @@ pub enum BodyError<S> {
         /// Vectors given.
         given: usize,
     },
-    /// A position or speed left the numbers; the last good state stands.
+    /// A position or speed, or its square, left the numbers; the last good state stands.
     NotFinite {
+        /// The point.
+        point: usize,
+    },
+    /// A point starts below a ground that does not give way.
+    BelowGround {
+        /// The point.
+        point: usize,
+        /// How deep (m).
+        depth: S,
+    },
+    /// A point with mass went through a ground that carries massless points alone; the last good state stands.
+    ThroughGround {
         /// The point.
         point: usize,
     },
@@ -117,10 +151,15 @@ impl<'a, S: Scalar> Body<'a, S> {
                 return Err(BodyError::Negative { index });
             }
         }
-        match candidate.facets.iter().flatten().find(|p| **p >= points) {
-            Some(point) => Err(BodyError::UnknownPoint { point: *point, points }),
-            None => Ok(candidate),
+        let listed = candidate.massless.points;
+        if let Some(point) = candidate.facets.iter().flatten().chain(listed).find(|p| **p >= points) {
+            return Err(BodyError::UnknownPoint { point: *point, points });
         }
+        let expected = candidate.mass.iter().filter(|m| **m == S::ZERO).count();
+        if candidate.massless.iter().count() != expected {
+            return Err(BodyError::Length { expected, found: listed.len() });
+        }
+        Ok(candidate)
     }
 
     /// Number of points.

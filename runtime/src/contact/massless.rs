@@ -5,9 +5,10 @@
 //! force is continuous. Dampers of its springs must be 0: without inertia its speed is not a state.
 //! Newton's method where the stiffness is positive definite, else Gauss-Newton; a small ridge means least
 //! motion where a chain leaves directions open. First free, then along the surface if it ended below. Several such points are swept in turn.
+//! Without inertia a point has no momentum that friction could take, so the law is one without friction.
 
 use super::Ground;
-use crate::body::Body;
+use crate::body::{Body, Spring};
 use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 
@@ -23,12 +24,10 @@ const RIDGE: f64 = 32.0;
 pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>]) {
     for _ in 0..SWEEPS {
         let mut largest_move = S::ZERO;
-        for (i, mass) in body.mass.iter().enumerate() {
-            if *mass == S::ZERO {
-                let before = vec3::at(pos, i);
-                settle_point(body, ground, pos, i);
-                largest_move = largest_move.max(vec3::norm(vec3::sub(vec3::at(pos, i), before)));
-            }
+        for (i, springs) in body.massless.iter() {
+            let before = vec3::at(pos, i);
+            settle_point(body, springs, ground, pos, i);
+            largest_move = largest_move.max(vec3::norm(vec3::sub(vec3::at(pos, i), before)));
         }
         if largest_move <= ground.tolerance {
             return;
@@ -36,10 +35,17 @@ pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>]
     }
 }
 
-fn settle_point<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>], i: usize) {
+fn settle_point<S: Scalar>(
+    body: &Body<S>,
+    springs: &[usize],
+    ground: &Ground<S>,
+    pos: &mut [Vec3<S>],
+    i: usize,
+) {
     for sliding in [false, true] {
         for _ in 0..CORRECTIONS {
-            let (force, stiffness) = balance(body, ground, pos, i, sliding);
+            let springs = springs.iter().filter_map(|s| body.springs.get(*s));
+            let (force, stiffness) = balance(springs, ground, pos, i, sliding);
             let correction = solve(stiffness, force);
             let correction = if sliding { vec3::tangential(correction, ground.normal) } else { correction };
             vec3::add_at(pos, i, correction);
@@ -57,8 +63,8 @@ fn settle_point<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S
 
 /// Spring force on point i and its stiffness, both along the surface only if `sliding`: the sum of
 /// K d d^T + K (1 - L/l) (1 - d d^T) + ridge, or without its second term where that leaves it indefinite.
-fn balance<S: Scalar>(
-    body: &Body<S>,
+fn balance<'s, S: Scalar>(
+    springs: impl Iterator<Item = &'s Spring<S>>,
     ground: &Ground<S>,
     pos: &[Vec3<S>],
     i: usize,
@@ -68,7 +74,7 @@ fn balance<S: Scalar>(
     let mut stiffness = [vec3::zero(); 3];
     let mut exact = [vec3::zero(); 3];
     let mut ridge = S::ZERO;
-    for spring in body.springs.iter().filter(|s| s.tail == i || s.head == i) {
+    for spring in springs {
         let other = if spring.tail == i { spring.head } else { spring.tail };
         let (d, length) = vec3::direction(vec3::sub(vec3::at(pos, other), vec3::at(pos, i)));
         let d = if sliding { vec3::tangential(d, ground.normal) } else { d };

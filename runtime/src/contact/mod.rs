@@ -10,6 +10,7 @@ pub mod massless;
 pub mod pair;
 pub mod restitution;
 pub mod soft;
+pub mod stable_step;
 
 use crate::body::Body;
 use crate::body::vec3::{self, Vec3};
@@ -109,6 +110,18 @@ impl<S: Scalar> Ground<S> {
     pub fn has_events(&self) -> bool {
         matches!(self.law, ContactLaw::Compensation { .. } | ContactLaw::Newton { .. })
     }
+
+    /// True where no point may be below the surface: the ground does not give way.
+    #[must_use]
+    pub fn is_rigid(&self) -> bool {
+        !matches!(self.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. })
+    }
+
+    /// True where the ground's force depends on speeds.
+    #[must_use]
+    pub fn is_damped(&self) -> bool {
+        matches!(self.law, ContactLaw::HuntCrossley { dissipation, .. } if dissipation > S::ZERO)
+    }
 }
 
 /// Body and ground: everything that stays the same in a run.
@@ -135,6 +148,12 @@ impl<S: Scalar> System<'_, S> {
             (Mode::Held, Some(ground)) => vec3::tangential(a, ground.normal),
             (Mode::Stuck, _) => vec3::zero(),
         }
+    }
+
+    /// True where some force depends on speeds: dampers, air, or the ground.
+    #[must_use]
+    pub fn is_damped(&self) -> bool {
+        self.body.is_damped() || self.ground.is_some_and(|ground| ground.is_damped())
     }
 
     /// Normal force of the ground on a held point (N), thesis Eq. 4.1: what holds it against `force`.

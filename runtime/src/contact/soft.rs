@@ -17,8 +17,9 @@ pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S
         ContactLaw::Penalty { stiffness } => (stiffness * depth, S::ZERO),
         ContactLaw::HuntCrossley { stiffness, dissipation } => {
             let elastic = stiffness * depth * depth.sqrt();
-            let force = (elastic * (S::ONE - dissipation * ground.gap_rate(v))).max(S::ZERO);
-            (force, force - elastic)
+            // Formed by itself: as a difference of forces it would drown in their rounding near rest.
+            let viscous = (-(elastic * dissipation * ground.gap_rate(v))).max(-elastic);
+            (elastic + viscous, viscous)
         }
         _ => (S::ZERO, S::ZERO),
     }

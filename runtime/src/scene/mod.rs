@@ -1,22 +1,25 @@
 //! One step of a body on the ground: try, shorten to the first touch or release, apply it, go on.
 //!
-//! In: a system, a state, a step h, a method. Out: the state h later (less what too many events left
-//! over, which the next step makes up) and a report. The observer sees everything and changes nothing.
-//! Invariant: on an error the state is the last good one. Work per step is bounded.
+//! In: a system, a state, a step h, a method. Out: the state h later and a report. The observer sees
+//! everything and changes nothing. Work per step is bounded and no clock lags: after its last split a step
+//! ends by Moreau's law with e = 0 (`stepping`), and the report says so.
+//! Invariant: on an error the state is the last good one.
 
+mod slide;
+mod stepping;
 mod touch;
 
-use crate::advance::{Method, Motion, Start, Workspace, advance, moreau, shift_positions};
+use crate::advance::{Method, Motion, Start, Workspace, advance, check_finite};
 use crate::body::energy::eval_energies;
 use crate::body::vec3;
 use crate::body::{BodyError, pressure};
 use crate::contact::compensation::{Impact, PointImpact};
-use crate::contact::{ContactLaw, Ground, Mode, System, friction, soft};
+use crate::contact::{ContactLaw, Ground, Mode, System};
 use crate::guard::{self, Shortened};
 use crate::real::Scalar;
 use touch::{apply_law, hold_or_rebound, lift, mark_touching, place_on_surface, release, rub};
 
-/// Events handled in one step; the rest of the step is carried over to the next.
+/// Events located in one step.
 pub const MAX_EVENTS: usize = 64;
 /// Substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
@@ -30,8 +33,6 @@ pub struct State<'a, S> {
     pub modes: &'a mut [Mode],
     /// Time (s) and what rounding dropped from it.
     pub time: [S; 2],
-    /// Part of earlier steps still to be made up (s).
-    pub carry: S,
     /// Length with which an adaptive method goes on (s); 0 before the first step.
     pub next_step: S,
     /// Energy that an undamped body should have (J); kept only for the ledger anchor.
@@ -60,8 +61,12 @@ pub struct Flow<'a, 'm, S> {
     pub before: &'a Motion<'m, S>,
     /// State at its end.
     pub after: &'a Motion<'m, S>,
+    /// Each point against the ground, all the way.
+    pub modes: &'a [Mode],
     /// Its length (s).
     pub tau: S,
+    /// True where the speeds follow from the forces alone: no friction, no impulse within.
+    pub is_smooth: bool,
     /// Energy lost to sliding friction in it (J).
     pub friction: S,
     /// Energy lost to the impact law in it (J) (time stepping laws).
@@ -92,7 +97,7 @@ pub struct StepReport {
     pub trials: usize,
     /// Evaluations of all forces, those of trials included.
     pub evaluations: usize,
-    /// The step ended early: [`MAX_EVENTS`] or [`MAX_SUBSTEPS`] was reached.
+    /// Its end was stepped over without events: [`MAX_EVENTS`] or [`MAX_SUBSTEPS`] was reached.
     pub cut_short: bool,
 }
 
@@ -134,7 +139,7 @@ impl<S: Scalar> State<'_, S> {
     /// Makes the state ready: forces, energy, points that lie on the ground or touch it now.
     ///
     /// # Errors
-    /// From the gas law.
+    /// A point below a ground that does not give way, an energy that is no number, or from the gas law.
     pub fn begin<O: Observer<S>>(
         &mut self,
         system: &System<S>,
@@ -143,6 +148,8 @@ impl<S: Scalar> State<'_, S> {
         work: &mut Workspace<S>,
         observer: &mut O,
     ) -> Result<(), BodyError<S>> {
+        self.refuse_below_ground(system)?;
+        check_finite(&self.motion)?;
         self.motion.refresh(system)?;
         self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total()
             - self.energy_swing(system, h, method, |i| self.modes.get(i).copied().unwrap_or_default());
@@ -159,9 +166,21 @@ impl<S: Scalar> State<'_, S> {
         }
         Ok(())
     }
+
+    /// A law of touches says nothing about a point that is through the surface already.
+    fn refuse_below_ground(&self, system: &System<S>) -> Result<(), BodyError<S>> {
+        let Some(ground) = system.ground.filter(Ground::is_rigid) else { return Ok(()) };
+        for (point, (x, fixed)) in self.motion.pos.iter().zip(system.body.fixed).enumerate() {
+            let depth = -ground.gap(*x);
+            if !fixed && depth > ground.tolerance {
+                return Err(BodyError::BelowGround { point, depth });
+            }
+        }
+        Ok(())
+    }
 }
 
-/// Advances by h (and by what earlier steps left over).
+/// Advances by h.
 ///
 /// # Errors
 /// The state is then the last good one.
@@ -174,15 +193,14 @@ pub fn step<S: Scalar, O: Observer<S>>(
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
     if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law) {
-        return step_moreau(system, state, h, restitution, work, observer);
+        return stepping::step(system, state, h, restitution, work, observer);
     }
     let (mut report, before) = (StepReport::default(), work.evaluations);
-    let mut remaining = h + state.carry;
-    state.carry = S::ZERO;
+    let mut remaining = h;
     while remaining > S::ZERO {
         if report.events >= MAX_EVENTS || report.substeps >= MAX_SUBSTEPS {
             report.cut_short = true;
-            state.carry = remaining;
+            stepping::finish(system, state, remaining, work, observer)?;
             break;
         }
         report.substeps += 1;
@@ -202,11 +220,14 @@ pub fn step<S: Scalar, O: Observer<S>>(
         };
         report.trials += trials;
         pressure::check_inflation(&system.body, work.end.pos)?;
+        refuse_through_ground(system, work.end.pos)?;
         accept(system, state, tau, work, observer)?;
         remaining = remaining - tau;
         if let (true, Some(ground)) = (is_event, &system.ground) {
             report.events += 1;
-            resolve(system, ground, state, (h, method), work, observer)?;
+            // A method that chooses its steps leaves out bounces by their lengths, not by the caller's.
+            let length = if method.control_order() == 0 { h } else { state.next_step.min(h) };
+            resolve(system, ground, state, (length, method), work, observer)?;
         }
     }
     report.evaluations = work.evaluations - before;
@@ -215,13 +236,13 @@ pub fn step<S: Scalar, O: Observer<S>>(
 
 /// Length of the next try (s).
 fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
-    let wanted = if method.control_order() == 0 {
-        // What earlier steps left over does not lengthen this one: it is made up in pieces.
-        h
-    } else if state.next_step > S::ZERO {
-        state.next_step
-    } else {
-        h * S::from_f64(0.01)
+    let wanted = match method {
+        Method::DormandPrince { longest, .. } | Method::Dop853 { longest, .. } => {
+            let first = h * S::from_f64(0.01);
+            let planned = if state.next_step > S::ZERO { state.next_step } else { first };
+            planned.min(longest)
+        }
+        _ => h,
     };
     // A rest of less than one part in 1e3 of the try is not left for a step of its own.
     if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
@@ -250,26 +271,52 @@ fn accept<S: Scalar, O: Observer<S>>(
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
-    let lost = slide(system, state, tau, work)?;
-    lift_departing(system, state.modes, work)?;
-    let flow = Flow { before: &state.motion, after: &work.end, tau, friction: lost, impact: S::ZERO };
+    let lost = slide::slide(system, state, tau, work)?;
+    let lifted = lift_departing(system, state.modes, work)?;
+    let flow = Flow {
+        before: &state.motion,
+        after: &work.end,
+        modes: state.modes,
+        tau,
+        is_smooth: lost == S::ZERO && !lifted,
+        friction: lost,
+        impact: S::ZERO,
+    };
     observer.flow(system, flow);
-    state.motion.copy_from(&work.end);
+    take_over(system, state, tau, work);
     state.anchor = state.anchor - lost;
-    state.pass(tau);
-    if let Some(ground) = &system.ground {
-        settle_modes(system, ground, state);
-    }
     Ok(())
 }
 
-/// Departing points that go away, yet lie below the surface by the method's error, are put on it.
+/// The state in `work.end` is the state, tau later.
+fn take_over<S: Scalar>(system: &System<S>, state: &mut State<S>, tau: S, work: &Workspace<S>) {
+    state.motion.copy_from(&work.end);
+    state.pass(tau);
+    if let Some(ground) = system.ground.filter(Ground::has_events) {
+        settle_modes(system, &ground, state);
+    }
+}
+
+/// Massless points are put on the surface by statics; nothing keeps a point with mass off it.
+fn refuse_through_ground<S: Scalar>(system: &System<S>, pos: &[vec3::Vec3<S>]) -> Result<(), BodyError<S>> {
+    let massless = |ground: &Ground<S>| ground.law == ContactLaw::MasslessPoint;
+    let Some(ground) = system.ground.filter(massless) else { return Ok(()) };
+    let through = |(i, x): (usize, &vec3::Vec3<S>)| {
+        system.body.inverse_mass(i) > S::ZERO && ground.gap(*x) < -ground.tolerance
+    };
+    match pos.iter().enumerate().position(through) {
+        Some(point) => Err(BodyError::ThroughGround { point }),
+        None => Ok(()),
+    }
+}
+
+/// Departing points that go away, yet lie below the surface by the method's error, are put on it; true if any was.
 fn lift_departing<S: Scalar>(
     system: &System<S>,
     modes: &[Mode],
     work: &mut Workspace<S>,
-) -> Result<(), BodyError<S>> {
-    let Some(ground) = system.ground.filter(Ground::has_events) else { return Ok(()) };
+) -> Result<bool, BodyError<S>> {
+    let Some(ground) = system.ground.filter(Ground::has_events) else { return Ok(false) };
     let mut lifted = false;
     for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
@@ -278,50 +325,10 @@ fn lift_departing<S: Scalar>(
             lifted = true;
         }
     }
-    if lifted { work.refresh_end(system) } else { Ok(()) }
-}
-
-/// Friction of the points that slide, with the mean normal force of the stretch; returns the loss (J).
-///
-/// A change of speed dv spread over the stretch moves the point by dv tau/2: order 2, and a point that
-/// sticks does not creep. The loss is what the speeds lose plus the work of the forces on that way.
-fn slide<S: Scalar>(
-    system: &System<S>,
-    state: &State<S>,
-    tau: S,
-    work: &mut Workspace<S>,
-) -> Result<S, BodyError<S>> {
-    let Some(ground) = system.ground.filter(|g| g.friction > S::ZERO) else { return Ok(S::ZERO) };
-    let half = S::from_f64(0.5);
-    let push = |motion: &Motion<S>, i: usize, mode: Mode| match mode {
-        Mode::Held => system.normal_force(motion.force(i)).max(S::ZERO),
-        Mode::Stuck => S::ZERO,
-        _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
-    };
-    let (mut lost, mut slid) = (S::ZERO, false);
-    for (i, mode) in state.modes.iter().enumerate() {
-        let mean = half * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
-        let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
-        let (mut way, mut loss) = (vec3::zero(), S::ZERO);
-        if let Some(v) = work.end.vel.get_mut(i) {
-            let before = *v;
-            loss = friction::apply(v, ground.normal, mass, ground.friction, tau * mean);
-            way = vec3::scale(vec3::sub(*v, before), half * tau);
-        }
-        slid |= loss > S::ZERO;
-        lost = lost + loss + half * vec3::dot(vec3::at(work.end.elastic, i), way);
-        if let Some(row) = work.dx.get_mut(i) {
-            *row = way;
-        }
-    }
-    if slid {
-        shift_positions(work);
+    if lifted {
         work.refresh_end(system)?;
-        for (way, force) in work.dx.iter().zip(work.end.elastic.iter()) {
-            lost = lost + half * vec3::dot(*force, *way);
-        }
     }
-    Ok(lost)
+    Ok(lifted)
 }
 
 /// Arms guards of points that are clear of the ground; sticks and unsticks the held ones.
@@ -370,30 +377,4 @@ fn resolve<S: Scalar, O: Observer<S>>(
     let event = Event { time: state.t(), impact, points: work.impacts, modes: state.modes, released };
     observer.event(system, event);
     Ok(())
-}
-
-fn step_moreau<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
-    state: &mut State<S>,
-    h: S,
-    restitution: S,
-    work: &mut Workspace<S>,
-    observer: &mut O,
-) -> Result<StepReport, BodyError<S>> {
-    let start = Start { motion: &state.motion, modes: state.modes };
-    let before = work.evaluations;
-    let taken = moreau::step(system, start, h, restitution, work)?;
-    crate::advance::check_finite(&work.end)?;
-    pressure::check_inflation(&system.body, work.end.pos)?;
-    let flow = Flow {
-        before: &state.motion,
-        after: &work.end,
-        tau: h,
-        friction: taken.friction,
-        impact: taken.impact,
-    };
-    observer.flow(system, flow);
-    state.motion.copy_from(&work.end);
-    state.pass(h);
-    Ok(StepReport { substeps: 1, evaluations: work.evaluations - before, ..StepReport::default() })
 }

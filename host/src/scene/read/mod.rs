@@ -4,13 +4,13 @@ mod body;
 mod surroundings;
 
 use smartbed_runtime::advance::Method;
-use smartbed_runtime::body::stable_step::FORMULA;
 use smartbed_runtime::contact::ContactLaw;
+use smartbed_runtime::contact::stable_step::FORMULA;
 
 use super::fields::Fields;
 use super::keys::{self, Choice};
 use super::lists::Lists;
-use super::method::{method_named, name_of};
+use super::method::{self, Chosen, Situation};
 use super::run::describe;
 use super::simulation::{Simulation, Surroundings};
 
@@ -25,6 +25,8 @@ pub struct Scene {
     pub around: Surroundings,
     /// Method of integration.
     pub method: Method<f64>,
+    /// Its name, its order here, and why it was chosen.
+    pub chosen: Chosen,
     /// Step (s).
     pub step: f64,
     /// Length of the run (s).
@@ -47,7 +49,7 @@ impl Scene {
     /// Method and step in words.
     #[must_use]
     pub fn note(&self) -> String {
-        format!("{}, step {} s", name_of(&self.method), self.step)
+        format!("{}, step {} s", self.chosen.name, self.step)
     }
 }
 
@@ -131,14 +133,19 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     forget_unread(&mut fields)?;
     let mut lists = body::read(&fields)?;
     let around = surroundings::read(&fields, &mut lists)?;
+    let step = fields.positive("step", 1e-3)?;
+    let largest_step = largest_step(&fields, &lists, &around)?;
+    let situation = Situation::new(&around, &lists.damping, largest_step.map_or(0.0, |h| step / h));
+    let chosen = read_method(&fields, &situation)?;
     let mut scene = Scene {
         title: fields.word("title", path)?.to_string(),
         around,
-        method: read_method(&fields)?,
-        step: fields.positive("step", 1e-3)?,
+        method: chosen.method,
+        chosen,
+        step,
         seconds: fields.not_negative("T", 3.0)?,
         every: fields.count("every", 1, 1)?,
-        largest_step: None,
+        largest_step,
         warnings: Vec::new(),
         lists,
     };
@@ -149,7 +156,7 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
         );
         return Err(fields.error("step", &message));
     }
-    check_step(&fields, &mut scene)?;
+    check_step(&fields, &scene)?;
     choose_anchor(&fields, &mut scene)?;
     scene.warnings.extend(warn_of_gain(path, &scene));
     Ok(scene)
@@ -200,7 +207,11 @@ fn choices(fields: &Fields) -> Result<Vec<Choice>, String> {
     choices.push(Choice::Law(law));
     // Moreau's law is a way of stepping: no other method takes part.
     if law != "moreau" {
-        let adaptive = read_method(fields)?.control_order() > 0;
+        // No default method is adaptive.
+        let adaptive = match named_method(fields)? {
+            Some(name) => method::is_adaptive(name).map_err(|e| fields.error("method", &e))?,
+            None => false,
+        };
         choices.push(if adaptive { Choice::AdaptiveStep } else { Choice::FixedStep });
     }
     if fields.get("pressure").is_some() {
@@ -233,12 +244,16 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// Computes the largest stable step and refuses a larger one.
-fn check_step(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
-    let probe = Simulation::<f64>::new(&scene.lists, &scene.around, scene.method).map_err(|e| {
+/// Largest stable step (s), if something sets one.
+fn largest_step(fields: &Fields, lists: &Lists, around: &Surroundings) -> Result<Option<f64>, String> {
+    let probe = Simulation::<f64>::new(lists, around, Method::Verlet).map_err(|e| {
         fields.error(if fields.get("shape").is_some() { "shape" } else { "points" }, &describe(&e))
     })?;
-    scene.largest_step = probe.largest_stable_step();
+    Ok(probe.largest_stable_step())
+}
+
+/// Refuses a step larger than the stable one.
+fn check_step(fields: &Fields, scene: &Scene) -> Result<(), String> {
     let adaptive = scene.method.control_order() > 0;
     if let Some(largest) =
         scene.largest_step.filter(|_| !adaptive && !fields.flag("allow_unstable").unwrap_or(false))
@@ -259,18 +274,24 @@ fn warn_of_gain(path: &str, scene: &Scene) -> Option<String> {
     let compensated = matches!(scene.around.ground?.law, ContactLaw::Compensation { eta, .. } if eta > 0.0);
     let damped = scene.around.air_drag > 0.0 || scene.lists.damping.iter().any(|c| *c > 0.0);
     let exact = matches!(scene.method, Method::EnergyMomentum) || scene.method.control_order() > 0;
+    let fine = if scene.method == Method::BlanesMoan4 { method::COARSE } else { COMPENSATION_FINE };
     let stiffness = 2.0 * scene.step / scene.largest_step?;
-    (compensated && !damped && !exact && stiffness > COMPENSATION_FINE * (1.0 + 1e-9)).then(|| {
+    (compensated && !damped && !exact && stiffness > fine * (1.0 + 1e-9)).then(|| {
         format!(
             "{path}: `step`: w_max h = {stiffness:.2} with energy compensation on an undamped body: above \
-             {COMPENSATION_FINE} it may gain energy from impact to impact; take a step up to {:.1e} s, \
+             {fine} it may gain energy from impact to impact; take a step up to {:.1e} s, \
              method = \"energy_momentum\" or law = \"massless_point\"",
-            scene.step * COMPENSATION_FINE / stiffness
+            scene.step * fine / stiffness
         )
     })
 }
 
-fn read_method(fields: &Fields) -> Result<Method<f64>, String> {
+/// The word for a method, if there is one.
+fn named_method(fields: &Fields) -> Result<Option<&str>, String> {
+    fields.get("method").map(|_| fields.word("method", "")).transpose()
+}
+
+fn read_method(fields: &Fields, situation: &Situation) -> Result<Chosen, String> {
     let tolerance = fields.positive("tolerance", 1e-9)?;
-    method_named(fields.word("method", "energy_momentum")?, tolerance).map_err(|e| fields.error("method", &e))
+    method::choose(named_method(fields)?, tolerance, situation).map_err(|e| fields.error("method", &e))
 }

@@ -11,6 +11,8 @@ use crate::suggest;
 
 /// Part of the shortest rest length within which points touch together.
 const CLUSTER: f64 = 1e-11;
+/// The same at most: a point this far from the ground is on it.
+const WIDEST_CLUSTER: f64 = 1e-3;
 /// A normal written with so few digits that its length is off 1 by less than this is a unit vector.
 const UNIT: f64 = 1e-3;
 
@@ -76,6 +78,14 @@ fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>
     let (normal, offset) = read_floor(fields)?;
     let shortest = lists.rest_lengths.iter().copied().filter(|l| *l > 0.0).fold(1.0, f64::min);
     let tolerance = fields.not_negative("cluster_tolerance", CLUSTER * shortest)?;
+    if tolerance > WIDEST_CLUSTER * shortest {
+        let message = format!(
+            "expected at most {WIDEST_CLUSTER} of the shortest rest length, {:.3e} m, found {tolerance} m: points \
+             apart would touch at once",
+            WIDEST_CLUSTER * shortest
+        );
+        return Err(fields.error("cluster_tolerance", &message));
+    }
     Ok(Some(Ground { normal, offset, law, friction: fields.not_negative("mu", 0.0)?, tolerance }))
 }
 

@@ -1,0 +1,145 @@
+//! Largest stable step of an explicit method: h_max = (sqrt(C^2 + K m) - C)/K of the square grid, for any graph.
+//!
+//! x.Kx = sum k (d.(x_j - x_i))^2 <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T over the springs of
+//! point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its root.
+//! A point of the square grid has A = 2 K 1: K stands for lambda_max/2 here, C likewise for the dampers.
+//! A ground that gives way is one more spring along its normal, fixed at its other end, for every point:
+//! each may touch.
+
+use super::{ContactLaw, Ground, System, soft};
+use crate::body::energy::eval_energies;
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// The formula of [`largest_stable_step`], for messages.
+pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, with 2 K and 2 C the largest eigenvalues of the sums \
+     of k d d^T and c d d^T over the springs of a point and the ground";
+
+/// Squarings of A/trace(A) before its dominant eigenvalue is read off: the 64th power.
+const SQUARINGS: usize = 6;
+
+/// Sums over the springs of one point: memory that the caller lends.
+#[derive(Clone, Copy, Debug)]
+pub struct Sums<S> {
+    /// Of k d d^T (N/m).
+    pub stiffness: [Vec3<S>; 3],
+    /// Of c d d^T (N s/m).
+    pub damping: [Vec3<S>; 3],
+}
+
+impl<S: Scalar> Sums<S> {
+    /// No spring.
+    #[must_use]
+    pub fn none() -> Sums<S> {
+        Sums { stiffness: [vec3::zero(); 3], damping: [vec3::zero(); 3] }
+    }
+
+    /// Adds a spring along d, or along any direction where it has none.
+    fn add(&mut self, d: Option<Vec3<S>>, share: S, stiffness: S, damping: S) {
+        for (sum, weight) in [(&mut self.stiffness, stiffness), (&mut self.damping, damping)] {
+            for (r, row) in sum.iter_mut().enumerate() {
+                for (c, entry) in row.iter_mut().enumerate() {
+                    let dyad = match d {
+                        Some(d) => component(d, r) * component(d, c),
+                        None => S::from_f64(f64::from(u8::from(r == c))),
+                    };
+                    *entry = *entry + share * weight * dyad;
+                }
+            }
+        }
+    }
+}
+
+/// Largest step (s) for which velocity Verlet and its kin stay stable; None where no spring bounds it.
+///
+/// `sums` is memory, one entry per point.
+#[must_use]
+pub fn largest_stable_step<S: Scalar>(
+    system: &System<S>,
+    pos: &[Vec3<S>],
+    vel: &[Vec3<S>],
+    sums: &mut [Sums<S>],
+) -> Option<S> {
+    let half = S::from_f64(0.5);
+    sums.iter_mut().for_each(|sum| *sum = Sums::none());
+    add_springs(system, pos, sums);
+    if let Some(ground) = &system.ground {
+        let (stiffness, damping) = slopes(system, ground, pos, vel);
+        sums.iter_mut().for_each(|sum| sum.add(Some(ground.normal), half, stiffness, damping));
+    }
+    let mut smallest: Option<S> = None;
+    for (i, (mass, sum)) in system.body.mass.iter().zip(sums.iter()).enumerate() {
+        if system.body.inverse_mass(i) == S::ZERO {
+            continue;
+        }
+        let stiffness = half * largest_eigenvalue(sum.stiffness);
+        let damping = half * (largest_eigenvalue(sum.damping) + half * system.body.air_drag);
+        if stiffness > S::ZERO {
+            let step = ((damping * damping + stiffness * *mass).sqrt() - damping) / stiffness;
+            smallest = Some(smallest.map_or(step, |s| if step < s { step } else { s }));
+        }
+    }
+    smallest
+}
+
+fn add_springs<S: Scalar>(system: &System<S>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
+    for spring in system.body.springs {
+        let (d, length) = spring.direction(pos);
+        let d = (length > S::ZERO).then_some(d);
+        for (i, other) in [(spring.tail, spring.head), (spring.head, spring.tail)] {
+            // The bound's factor 2 is shared between two ends that move; one end alone takes half of it.
+            let share = S::from_f64(if system.body.inverse_mass(other) == S::ZERO { 0.5 } else { 1.0 });
+            if let Some(sum) = sums.get_mut(i) {
+                sum.add(d, share, spring.stiffness, spring.damping);
+            }
+        }
+    }
+}
+
+/// Stiffness (N/m) and damping (N s/m) of the ground where the body, as one point with all the energy that it can
+/// spend on the way to the surface, has pressed it deepest.
+fn slopes<S: Scalar>(system: &System<S>, ground: &Ground<S>, pos: &[Vec3<S>], vel: &[Vec3<S>]) -> (S, S) {
+    match ground.law {
+        ContactLaw::Penalty { stiffness } => (stiffness, S::ZERO),
+        ContactLaw::HuntCrossley { stiffness, dissipation } if stiffness > S::ZERO => {
+            let start = eval_energies(&system.body, pos, vel);
+            let (mut energy, mut total) = (start.kinetic + start.spring, S::ZERO);
+            for (mass, x) in system.body.mass.iter().zip(pos) {
+                let weight = -(*mass * vec3::dot(system.body.gravity, ground.normal));
+                energy = energy + (weight * ground.gap(*x)).max(S::ZERO) + soft::energy(ground, *x);
+                total = total + *mass;
+            }
+            // m v dv = -k d^1.5 (1 + a v) dd: 2/5 k d^2.5 = m (v/a - ln(1 + a v)/a^2), m v^2/2 without a.
+            let braked = dissipation * (S::from_f64(2.0) * energy / total).sqrt();
+            let spent = if braked > S::from_f64(1e-3) {
+                total * (braked - (S::ONE + braked).ln()) / (dissipation * dissipation)
+            } else {
+                energy
+            };
+            // N' = 3/2 k d^0.5 and the damping a k d^1.5 there.
+            let power = S::from_f64(2.5) * spent / stiffness;
+            let root = if power > S::ZERO { (S::from_f64(0.2) * power.ln()).exp() } else { S::ZERO };
+            (S::from_f64(1.5) * stiffness * root, dissipation * stiffness * root * root * root)
+        }
+        _ => (S::ZERO, S::ZERO),
+    }
+}
+
+/// Of a symmetric positive semidefinite matrix, by repeated squaring.
+fn largest_eigenvalue<S: Scalar>(a: [Vec3<S>; 3]) -> S {
+    let trace = |m: &[Vec3<S>; 3]| m[0][0] + m[1][1] + m[2][2];
+    if trace(&a) <= S::ZERO {
+        return S::ZERO;
+    }
+    let product = |x: &[Vec3<S>; 3], y: &[Vec3<S>; 3]| x.map(|row| y.map(|column| vec3::dot(row, column)));
+    let mut power = a.map(|row| vec3::scale(row, S::ONE / trace(&a)));
+    for _ in 0..SQUARINGS {
+        let square = product(&power, &power);
+        power = square.map(|row| vec3::scale(row, S::ONE / trace(&square)));
+    }
+    trace(&product(&a, &power))
+}
+
+fn component<S: Scalar>(a: Vec3<S>, i: usize) -> S {
+    a.get(i).copied().unwrap_or(S::ZERO)
+}

@@ -1,0 +1,117 @@
+//! Steps without events: Moreau's time stepping as a law of its own, and the end of a step that has spent its splits.
+//!
+//! The end, e = 0 (Stewart & Trinkle 1996): v' = v + tau a(x, v), a point that would pass the surface comes
+//! only as far as that, v'.n >= -gap/tau; x' = x + tau v'; there it is held. Order 1, never below the surface,
+//! and the law takes energy out or does nothing.
+
+use super::touch::{lift, release};
+use super::{Flow, Observer, State, StepReport, take_over};
+use crate::advance::{Start, Workspace, check_finite, finish as finish_motion, moreau};
+use crate::body::vec3::{self, Vec3};
+use crate::body::{BodyError, pressure};
+use crate::contact::{Ground, Mode, System, friction};
+use crate::real::Scalar;
+
+/// One step of Moreau's law.
+pub(super) fn step<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    h: S,
+    restitution: S,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<StepReport, BodyError<S>> {
+    let before = work.evaluations;
+    let start = Start { motion: &state.motion, modes: state.modes };
+    let taken = moreau::step(system, start, h, restitution, work)?;
+    close(system, state, h, taken, work, observer)?;
+    Ok(StepReport { substeps: 1, evaluations: work.evaluations - before, ..StepReport::default() })
+}
+
+/// Ends a step: `tau` is left of it.
+pub(super) fn finish<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    tau: S,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<(), BodyError<S>> {
+    let ground = system.ground.filter(Ground::has_events);
+    let mut taken = moreau::Taken { impact: S::ZERO, friction: S::ZERO };
+    for i in 0..system.body.points() {
+        let (v, mode) = (vec3::at(state.motion.vel, i), state.modes.get(i).copied().unwrap_or_default());
+        let free = vec3::axpy(v, tau, system.acceleration(i, mode, state.motion.force(i)));
+        let moves = system.body.inverse_mass(i) > S::ZERO;
+        let (mut way, mut after) = (if moves { free } else { vec3::zero() }, free);
+        if let Some(ground) = ground.filter(|_| moves && !mode.is_held()) {
+            let gap = ground.gap(vec3::at(state.motion.pos, i)).max(S::ZERO);
+            let rate = ground.gap_rate(free);
+            if rate * tau < -gap {
+                (way, after) = stop(system, &ground, i, (free, gap / tau), &mut taken);
+                if let Some(mode) = state.modes.get_mut(i) {
+                    *mode = Mode::Held;
+                }
+            }
+        }
+        if let (Some(dx), Some(dv)) = (work.dx.get_mut(i), work.dv.get_mut(i)) {
+            *dx = vec3::scale(way, tau);
+            *dv = vec3::sub(after, v);
+        }
+    }
+    finish_motion(system, Start { motion: &state.motion, modes: state.modes }, work)?;
+    if let Some(ground) = &ground {
+        (0..system.body.points()).filter(|i| state.modes.get(*i).is_some_and(|m| m.is_held())).for_each(|i| {
+            lift(ground, &mut work.end, i);
+        });
+    }
+    close(system, state, tau, taken, work, observer)?;
+    state.anchor = state.anchor - taken.impact - taken.friction;
+    if ground.is_some() {
+        release(system, state);
+    }
+    Ok(())
+}
+
+/// Velocity on the way to the surface, `approach` of it left along the normal, and the one at rest there.
+fn stop<S: Scalar>(
+    system: &System<S>,
+    ground: &Ground<S>,
+    i: usize,
+    (free, approach): (Vec3<S>, S),
+    taken: &mut moreau::Taken<S>,
+) -> (Vec3<S>, Vec3<S>) {
+    let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
+    let rate = ground.gap_rate(free);
+    let mut after = vec3::tangential(free, ground.normal);
+    taken.impact = taken.impact + S::from_f64(0.5) * mass * rate * rate;
+    let lost = friction::apply(&mut after, ground.normal, mass, ground.friction, -(mass * rate));
+    taken.friction = taken.friction + lost;
+    (vec3::axpy(after, -approach, ground.normal), after)
+}
+
+/// The state is that in `work.end`.
+fn close<S: Scalar, O: Observer<S>>(
+    system: &System<S>,
+    state: &mut State<S>,
+    tau: S,
+    taken: moreau::Taken<S>,
+    work: &mut Workspace<S>,
+    observer: &mut O,
+) -> Result<(), BodyError<S>> {
+    check_finite(&work.end)?;
+    pressure::check_inflation(&system.body, work.end.pos)?;
+    observer.flow(
+        system,
+        Flow {
+            before: &state.motion,
+            after: &work.end,
+            modes: state.modes,
+            tau,
+            is_smooth: false,
+            friction: taken.friction,
+            impact: taken.impact,
+        },
+    );
+    take_over(system, state, tau, work);
+    Ok(())
+}
