@@ -49,8 +49,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     motion.pos.iter_mut().zip(&POS).for_each(|(x, start)| *x = *start);
     motion.vel.iter_mut().zip(&VEL).for_each(|(v, start)| *v = *start);
     let mut work = Workspace::new(&mut scratch, &mut impacts, POINTS, METHOD)?;
-    let mut state =
-        State { motion, modes: &mut modes, time: [0.0; 2], next_step: 0.0, anchor: 0.0 };
+    let mut state = State { motion, modes: &mut modes, time: [0.0; 2], next_step: 0.0, anchor: 0.0 };
     state.begin(&system, STEP, METHOD, &mut work, &mut ())?;
     let mut digest = Digest::default();
     for _ in 0..STEPS {

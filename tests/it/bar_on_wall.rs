@@ -24,7 +24,8 @@ fn rms_error(elements: usize, courant: f64, settings: &[&str]) -> f64 {
     let contact = 2.0 * LENGTH / C;
     let (mut sum, mut count) = (0.0, 0);
     // Moreau's law steps by itself.
-    let method: &[&str] = if settings.contains(&"law=moreau") { &[] } else { &["method=verlet", "allow_unstable=true"] };
+    let method: &[&str] =
+        if settings.contains(&"law=moreau") { &[] } else { &["method=verlet", "allow_unstable=true"] };
     run::<f64>(&bar(elements, courant, &[method, settings].concat()), |row| {
         let exact = if row.t <= contact { 0.0 } else { V0 * (row.t - contact) };
         sum += (row.pos[0][2] - exact).powi(2);

@@ -18,7 +18,10 @@ fn every_entry_keeps_its_order_or_is_refused() {
         let (law, method) = (seen.row.law, seen.method);
         match (seen.entry, seen.observed) {
             (Ok(order), Some((observed, points))) => {
-                println!("{law} damped {} {method}: {observed:.2} of {order} ({points} points)", seen.row.damped);
+                println!(
+                    "{law} damped {} {method}: {observed:.2} of {order} ({points} points)",
+                    seen.row.damped
+                );
                 if points < 3 || observed.is_nan() || observed < f64::from(order) - SLACK {
                     wrong.push(format!("{law} {} {method}: {observed:.2} of {order}", seen.row.damped));
                 }

@@ -105,7 +105,7 @@ fn trace<S: Scalar>(scene: &Scene, steps: usize) -> Result<Trace, String> {
     let (mut samples, mut evaluations) = (Vec::with_capacity(SAMPLES), 0);
     let begin = clock::now();
     simulation.begin(h, &mut ()).map_err(|e| describe(&e))?;
-    for n in 1..=SAMPLES {
+    for _ in 0..SAMPLES {
         for _ in 0..steps {
             let report = simulation.step(h, &mut ()).map_err(|e| describe(&e))?;
             if report.cut_short {
@@ -147,7 +147,8 @@ impl Subject for Body {
 
     fn methods(&self) -> Vec<Method> {
         let situation = Situation::new(&self.scene.around, &self.scene.lists.damping, 0.0);
-        let method = |(name, order, adaptive): (&str, u32, bool)| Method { name: name.to_owned(), order, adaptive };
+        let method =
+            |(name, order, adaptive): (&str, u32, bool)| Method { name: name.to_owned(), order, adaptive };
         situation.methods().into_iter().map(method).collect()
     }
 

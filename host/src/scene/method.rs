@@ -37,10 +37,13 @@ pub struct Row {
     pub entries: [Entry; METHODS.len()],
 }
 
-const SPEEDS: Entry = Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
+const SPEEDS: Entry =
+    Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
                            has order 1; take rk4 or verlet");
-const STATICS: Entry = Err("loses energy with law = \"massless_point\": it gives springs their mean force, for \
-                            which a point placed by statics has no work to show; take verlet or blanes_moan4");
+const STATICS: Entry = Err(
+    "loses energy with law = \"massless_point\": it gives springs their mean force, for \
+                            which a point placed by statics has no work to show; take verlet or blanes_moan4",
+);
 const OWN: Entry = Err("is the stepping of law = \"moreau\" and of no other");
 const NONE: Entry = Err("is not for law = \"moreau\", which steps by itself; leave `method` out");
 
@@ -134,9 +137,13 @@ impl Situation {
         let choice = match self.law {
             "moreau" => ("moreau", "the law steps by itself"),
             "none" | "compensation" | "newton" if self.damped => ("rk4", "order 4 with forces of speeds"),
-            "compensation" if self.coarseness >= COARSE => ("energy_momentum", "keeps the energy at steps this coarse"),
+            "compensation" if self.coarseness >= COARSE => {
+                ("energy_momentum", "keeps the energy at steps this coarse")
+            }
             "none" | "compensation" | "newton" => ("blanes_moan4", "order 4, and energy does not drift"),
-            _ if self.damped => ("verlet", "the law leaves order 2, with one evaluation a step and dampers implicit"),
+            _ if self.damped => {
+                ("verlet", "the law leaves order 2, with one evaluation a step and dampers implicit")
+            }
             _ => ("verlet", "the law leaves order 2, with one evaluation a step"),
         };
         let coarse = format!(" (w_max h = {:.2})", self.coarseness);

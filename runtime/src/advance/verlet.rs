@@ -4,9 +4,7 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
-use super::{
-    Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities,
-};
+use super::{Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities};
 use crate::body::BodyError;
 use crate::body::vec3::{self, Vec3};
 use crate::contact::System;

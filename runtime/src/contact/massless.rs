@@ -8,8 +8,8 @@
 //! Without inertia a point has no momentum that friction could take, so the law is one without friction.
 
 use super::Ground;
-use crate::body::{Body, Spring};
 use crate::body::vec3::{self, Vec3};
+use crate::body::{Body, Spring};
 use crate::real::Scalar;
 
 /// Corrections of one point in one sweep.

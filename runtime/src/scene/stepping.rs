@@ -60,9 +60,11 @@ pub(super) fn finish<S: Scalar, O: Observer<S>>(
     }
     finish_motion(system, Start { motion: &state.motion, modes: state.modes }, work)?;
     if let Some(ground) = &ground {
-        (0..system.body.points()).filter(|i| state.modes.get(*i).is_some_and(|m| m.is_held())).for_each(|i| {
-            lift(ground, &mut work.end, i);
-        });
+        (0..system.body.points()).filter(|i| state.modes.get(*i).is_some_and(|m| m.is_held())).for_each(
+            |i| {
+                lift(ground, &mut work.end, i);
+            },
+        );
     }
     close(system, state, tau, taken, work, observer)?;
     state.anchor = state.anchor - taken.impact - taken.friction;
