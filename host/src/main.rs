@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{Parser, Subcommand};
-use smartbed::{check, derive, eval, firmware, report, run};
+use smartbed::{check, derive, eval, firmware, report, run, view};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -23,6 +23,8 @@ enum Command {
     Eval(eval::Arguments),
     /// Simulate, and write rows, plots or an animation.
     Run(run::Arguments),
+    /// Show the motion in a page that follows the file.
+    View(view::Arguments),
     /// Speed against error: tables, plots, one HTML page.
     Report(report::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };

@@ -71,19 +71,19 @@ fn index(motion: &Motion<'_>, name: &str) -> Option<usize> {
 }
 
 /// A column of a run that can be drawn.
-struct Column<'a> {
-    name: &'a str,
+pub(crate) struct Column<'a> {
+    pub(crate) name: &'a str,
     /// As the model writes it.
-    unit: String,
+    pub(crate) unit: String,
     /// SI units in one of it.
-    factor: f64,
+    pub(crate) factor: f64,
     /// Natural size in SI units; 0 if unknown.
     natural: f64,
     by_default: bool,
 }
 
 /// Coordinates, speeds, outputs, inputs.
-fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
+pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
     let natural = |c: &Coordinate| if c.unit == "rad" { 1.0 } else { 0.0 };
     let coordinates = model.coordinates.iter().map(|c| {
         let (unit, factor) = (c.written_unit.0.clone(), c.written_unit.1);

@@ -97,7 +97,7 @@ fn union(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 }
 
 /// Quantity and unit.
-fn label(unit: &str) -> String {
+pub(crate) fn label(unit: &str) -> String {
     let quantity = match unit {
         "rad" | "deg" => "angle",
         "m" | "mm" | "cm" | "km" | "um" => "length",

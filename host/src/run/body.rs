@@ -4,13 +4,14 @@ use super::{Arguments, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
-use crate::output::{self, Output};
+use crate::output::Output;
 use crate::plot;
 use crate::progress::Progress;
 use crate::scene::graph::Album;
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
-use crate::view::{self, Film};
+use crate::view::film::Series;
+use crate::view::{Film, Stage};
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{MAX_EVENTS, MAX_SUBSTEPS};
@@ -18,11 +19,14 @@ use std::path::Path;
 
 pub(super) use read::is_scene;
 
-/// Runs it.
+/// Points whose heights the page plots.
+const HEIGHTS: usize = 7;
+
+/// Runs it; gives the summary, and the data of `--view`.
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
-pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(), Failure> {
+pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(String, Option<String>), Failure> {
     if arguments.engine == EngineKind::Compiled {
         return Err(Failure::Wrong("--engine compiled: a scene is stepped by the runtime itself".to_owned()));
     }
@@ -34,12 +38,7 @@ pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(), Failure
         ScalarKind::F64 => record::<f64>(arguments, &scene)?,
     };
     let text = done.report(arguments, &scene, clock.seconds());
-    if arguments.csv.as_deref() == Some("-") {
-        eprint!("{text}");
-    } else {
-        output::print(&text);
-    }
-    Ok(())
+    Ok((text, done.film))
 }
 
 /// The command line as settings of the scene's own keys.
@@ -58,6 +57,7 @@ pub(super) fn settings(arguments: &Arguments) -> Vec<String> {
 /// What a run of a scene was.
 struct Done {
     events: Vec<EventRecord>,
+    film: Option<String>,
     rows: u64,
     imbalance: f64,
     total: [f64; 2],
@@ -131,7 +131,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     let note = noted(scene.note(), arguments);
     let album = |_| Album::new(scene, arguments.show.as_deref(), &note);
     let mut album = arguments.plot.as_ref().map(album).transpose()?;
-    let mut film = arguments.view.as_ref().map(|_| Film::of_points(n, scene.lists.springs.clone()));
+    let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_scene(scene), series(n)));
     let mut progress = Progress::new("running");
     let (mut rows, mut imbalance, mut total, mut cut_short) = (0, 0.0_f64, [f64::NAN; 2], 0);
     let mut failure = None;
@@ -145,7 +145,10 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
             album.push(row);
         }
         if let Some(film) = &mut film {
-            film.push(row.t, row.pos.as_flattened());
+            let [kinetic, gravity, spring, pressure] = row.energy.stored;
+            let energies = [kinetic, gravity, spring, pressure, row.energy.total, row.energy.imbalance];
+            let values = row.pos.iter().take(HEIGHTS).map(|x| x[2]).chain(energies);
+            film.push(row.t, row.pos.as_flattened(), values.chain(row.energy.accounts));
         }
         total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
         imbalance = imbalance.max(row.energy.imbalance.abs());
@@ -161,8 +164,28 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     if let (Some(file), Some(album)) = (&arguments.plot, &album) {
         plot::write(file, &album.draw(scene, &events))?;
     }
-    if let (Some(file), Some(film)) = (&arguments.view, &film) {
-        output::write(file, view::page(&scene.title, film).as_bytes())?;
-    }
-    Ok(Done { events, rows, imbalance, total, cut_short })
+    let film = film.map(|film| film.data(&scene.title, &note, &told(&events)));
+    Ok(Done { events, film, rows, imbalance, total, cut_short })
+}
+
+/// Curves beside the motion, in the order of [`record`]'s values.
+fn series(n: usize) -> Vec<Series> {
+    let series = |name: String, group: &str| Series { name, group: group.to_owned(), factor: 1.0 };
+    let heights = (0..n.min(HEIGHTS)).map(|i| series(format!("z{i}"), "height [m]"));
+    let stored = ["kinetic", "gravity", "spring", "pressure", "total"].map(|name| (name, "energy [J]"));
+    let accounts =
+        ["imbalance", "damping", "drag", "impact", "friction", "actuator"].map(|name| (name, "ledger"));
+    heights
+        .chain(stored.into_iter().chain(accounts).map(|(name, group)| series(name.to_owned(), group)))
+        .collect()
+}
+
+/// Events in words.
+fn told(events: &[EventRecord]) -> Vec<(f64, String)> {
+    let words = |event: &EventRecord| match event.touches.as_slice() {
+        [] => format!("{} let go", count(event.released, "point")),
+        [(point, approach, _)] => format!("point {point} touches at {approach:.3} m/s"),
+        touches => format!("{} touch", count(touches.len(), "point")),
+    };
+    events.iter().map(|event| (event.time, words(event))).collect()
 }

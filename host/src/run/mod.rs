@@ -14,8 +14,10 @@ use crate::number::{digits, json_number, json_object};
 use crate::output::{self, Output};
 use crate::plot::Recording;
 use crate::plot::motion::{self, Motion};
+use crate::plot::panels;
 use crate::progress::Progress;
-use crate::view::Film;
+use crate::view::film::Series;
+use crate::view::{Film, Stage};
 use crate::{model_argument, plot, view};
 use observers::Observers;
 use settings::Settings;
@@ -95,6 +97,29 @@ pub struct Arguments {
 /// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a
 /// compiler for `--engine compiled`.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let (text, film) = carry_out(arguments)?;
+    if let (Some(file), Some(film)) = (&arguments.view, film) {
+        output::write(file, view::page(&film).as_bytes())?;
+    }
+    if arguments.csv.as_deref() == Some("-") {
+        eprint!("{text}");
+    } else {
+        output::print(&text);
+    }
+    Ok(())
+}
+
+/// Runs, and gives what the page of the motion reads; `--view` is not written.
+///
+/// # Errors
+/// As [`run`].
+pub fn film(arguments: &Arguments) -> Result<String, Failure> {
+    let arguments = Arguments { view: Some(String::new()), ..arguments.clone() };
+    Ok(carry_out(&arguments)?.1.unwrap_or_default())
+}
+
+/// Runs and writes what is asked for but the page; gives the summary, and the page's data if `--view` is given.
+fn carry_out(arguments: &Arguments) -> Result<(String, Option<String>), Failure> {
     if let Some(file) = &arguments.plot {
         plot::format_of(file)?;
     }
@@ -113,17 +138,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
     let start = start(&model, &program, &settings)?;
     let setup = Setup { program: &program, observers: &observers, settings: &settings, start: &start };
-    let summary = match arguments.scalar {
+    let (summary, film) = match arguments.scalar {
         ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
     };
-    let text = report(arguments, &model, setup, &summary, clock.seconds());
-    if arguments.csv.as_deref() == Some("-") {
-        eprint!("{text}");
-    } else {
-        output::print(&text);
-    }
-    Ok(())
+    Ok((report(arguments, &model, setup, &summary, clock.seconds()), film))
 }
 
 /// Coordinates and independent speeds at the start.
@@ -142,12 +161,12 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     Ok(x)
 }
 
-/// Simulates and writes what is asked for.
+/// Simulates and writes what is asked for; gives the data of `--view`.
 fn record<S: EngineScalar>(
     arguments: &Arguments,
     model: &Model,
     setup: Setup<'_>,
-) -> Result<Summary, Failure> {
+) -> Result<(Summary, Option<String>), Failure> {
     let engine = engine::new::<S>(arguments.engine, setup.program)?;
     let names = columns(setup.program, setup.observers);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
@@ -155,7 +174,8 @@ fn record<S: EngineScalar>(
         csv.write(&(names.join(",") + "\n"))?;
     }
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
-    let mut film = arguments.view.as_ref().map(|_| Film::new(model));
+    let (series, shown) = series(model, &names);
+    let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_model(model), series));
     let summary = simulate::simulate(setup, engine, |row: &Row| {
         if let Some(csv) = &mut csv {
             csv.write(&line(&row.values))?;
@@ -164,7 +184,7 @@ fn record<S: EngineScalar>(
             recording.push(&row.values);
         }
         if let Some(film) = &mut film {
-            film.push(row.values[0], &row.places);
+            film.push(row.values[0], &row.places, shown.iter().map(|n| row.values[*n]));
         }
         Ok(())
     })?;
@@ -182,13 +202,23 @@ fn record<S: EngineScalar>(
         };
         plot::write(file, &motion::draw(&motion)?)?;
     }
-    if let (Some(file), Some(film)) = (&arguments.view, &film) {
-        output::write(
-            file,
-            view::page(if model.doc.is_empty() { &model.name } else { &model.doc }, film).as_bytes(),
-        )?;
-    }
-    Ok(summary)
+    let title = if model.doc.is_empty() { &model.name } else { &model.doc };
+    let note = noted(setup.settings.note(), arguments);
+    Ok((summary, film.map(|film| film.data(title, &note, &[]))))
+}
+
+/// Curves beside the motion, and their places in a row.
+fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
+    let columns = motion::columns(model, 1.0).into_iter();
+    let curves = columns.map(|c| (c.name.to_owned(), panels::label(&c.unit), c.factor));
+    let energies = motion::ENERGIES.into_iter().map(|(name, _)| (name.to_owned(), panels::label("J"), 1.0));
+    let imbalance = std::iter::once(("imbalance".to_owned(), "ledger".to_owned(), 1.0));
+    let all = curves.chain(energies).chain(imbalance);
+    let shown = all.filter_map(|(name, group, factor)| {
+        let index = names.iter().position(|n| *n == name)?;
+        Some((Series { name, group, factor }, index))
+    });
+    shown.unzip()
 }
 
 /// How a run was made: method and step, the scalar if it is not the usual one, what was changed.

@@ -1,5 +1,5 @@
 //! What is watched beside the motion: laws, energies, powers of loads, coordinates in closed form, places of
-//! points.
+//! points and turns of bodies.
 //!
 //! In: a model. Out: the same model with these as its outputs, written in the model's own language,
 //! so that the derivation lowers them like anything else. The program that moves is another one and
@@ -62,7 +62,8 @@ impl Observers {
         self.part(self.law_inputs.len() + LEDGER.len(), 2 * self.closed.len())
     }
 
-    /// A program whose outputs are x, y, z of every point.
+    /// A program whose outputs are what a picture of the mechanism needs: x, y, z of every point; of every body
+    /// with a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity.
     #[must_use]
     pub fn places(&self) -> Program {
         let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len();
@@ -130,13 +131,25 @@ fn closed_forms(model: &Model) -> impl Iterator<Item = Expr> + '_ {
     closed.flat_map(|(id, _)| [node(ExprKind::Coordinate(id)), node(ExprKind::Rate(id))])
 }
 
-/// x, y, z in N of every point but the origin.
+/// x, y, z in N of every point but the origin; axes of bodies; masses and moments; gravity.
 fn places(model: &Model) -> impl Iterator<Item = Expr> + '_ {
+    let points = model.points.ids().skip(1).flat_map(|point| components(node(ExprKind::Point(point))));
+    let frames = model.bodies.iter().filter_map(|body| body.frame);
+    let axes = frames.flat_map(|frame| {
+        [Axis::X, Axis::Y].into_iter().flat_map(move |axis| components(node(ExprKind::Axis(frame, axis))))
+    });
+    let known = |e: &Option<Expr>| e.clone().unwrap_or_else(|| number(0.0));
+    let inertia = model.bodies.iter().flat_map(move |body| {
+        std::iter::once(&body.mass).chain(&body.inertia).map(known).collect::<Vec<_>>()
+    });
+    let gravity = model.gravity.clone().map_or_else(|| std::array::from_fn(|_| number(0.0)), components);
+    points.chain(axes).chain(inertia).chain(gravity)
+}
+
+/// A vector's components in N.
+fn components(vector: Expr) -> [Expr; 3] {
     let inertial = FrameId::from_index(0);
-    model.points.ids().skip(1).flat_map(move |point| {
-        [Axis::X, Axis::Y, Axis::Z]
-            .map(|axis| dot(node(ExprKind::Point(point)), node(ExprKind::Axis(inertial, axis))))
-    })
+    [Axis::X, Axis::Y, Axis::Z].map(|axis| dot(vector.clone(), node(ExprKind::Axis(inertial, axis))))
 }
 
 /// 1/2 k (length - rest)^2.

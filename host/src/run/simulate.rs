@@ -40,7 +40,7 @@ pub struct Plant<E, S> {
 pub struct Row {
     /// Numbers under the names of [`columns`].
     pub values: Vec<f64>,
-    /// x, y, z of every point.
+    /// What a picture needs, see [`Observers::places`].
     pub places: Vec<f64>,
 }
 

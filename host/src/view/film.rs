@@ -1,0 +1,144 @@
+//! Frames of a motion, thinned out as they become many, and what the page reads of them.
+//!
+//! Numbers are sent as 16 bits between the least and the largest value: finer than any screen, and a page stays
+//! below 2 MB however long the run.
+
+use super::stage::Stage;
+use serde_json::{Value, json};
+
+/// Numbers of all frames together; 16 bits are 8/3 letters of base64.
+const NUMBERS: usize = 400_000;
+/// Most and fewest frames.
+const FRAMES: [usize; 2] = [1200, 60];
+
+/// A curve beside the motion.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Its name.
+    pub name: String,
+    /// Quantity and unit: curves of one group share axes.
+    pub group: String,
+    /// What a value is divided by.
+    pub factor: f64,
+}
+
+/// Frames so far.
+#[derive(Clone, Debug)]
+pub struct Film {
+    stage: Stage,
+    series: Vec<Series>,
+    first: Vec<f64>,
+    frames: Vec<(f64, Vec<f64>)>,
+    most: usize,
+    stride: usize,
+    seen: usize,
+}
+
+impl Film {
+    /// Nothing yet.
+    #[must_use]
+    pub fn new(stage: Stage, series: Vec<Series>) -> Self {
+        let width = (stage.moving + series.len()).max(1);
+        let most = (NUMBERS / width).clamp(FRAMES[1], FRAMES[0]);
+        Self { stage, series, first: Vec::new(), frames: Vec::new(), most, stride: 1, seen: 0 }
+    }
+
+    /// Adds a frame: time, places as the stage expects them, a value for every curve.
+    pub fn push(&mut self, t: f64, places: &[f64], values: impl IntoIterator<Item = f64>) {
+        if self.seen == 0 {
+            self.first = places.to_vec();
+        }
+        if self.seen.is_multiple_of(self.stride) {
+            let mut frame = places[..self.stage.moving.min(places.len())].to_vec();
+            frame.extend(values.into_iter().zip(&self.series).map(|(x, s)| x / s.factor));
+            self.frames.push((t, frame));
+        }
+        self.seen += 1;
+        if self.frames.len() > self.most {
+            self.stride *= 2;
+            let mut n = 0;
+            self.frames.retain(|_| {
+                n += 1;
+                n % 2 == 1
+            });
+        }
+    }
+
+    /// What the page reads, as JSON.
+    #[must_use]
+    pub fn data(&self, title: &str, note: &str, events: &[(f64, String)]) -> String {
+        let moving = self.stage.moving;
+        let columns: Vec<Column> = (0..moving + self.series.len()).map(|n| self.column(n)).collect();
+        let (places, curves) = columns.split_at(moving);
+        let mut motion = Vec::with_capacity(2 * moving * self.frames.len());
+        for frame in 0..self.frames.len() {
+            motion.extend(places.iter().flat_map(|c| c.words[frame].to_le_bytes()));
+        }
+        // An account that nothing was booked to tells nothing.
+        let told = |column: &Column| column.low != 0.0 || column.high != 0.0;
+        let shown = self.series.iter().zip(curves).filter(|(s, c)| s.group != "energy [J]" || told(c));
+        let series = shown.map(|(series, column)| {
+            let words: Vec<u8> = column.words.iter().flat_map(|w| w.to_le_bytes()).collect();
+            json!({"name": series.name, "group": series.group, "low": column.low, "high": column.high,
+                "words": base64(&words)})
+        });
+        let mut data = self.stage.data(&self.first);
+        data["title"] = json!(title);
+        data["note"] = json!(note);
+        data["events"] = json!(events);
+        data["times"] = self.frames.iter().map(|(t, _)| json!(t)).collect();
+        data["low"] = places.iter().map(|c| json!(c.low)).collect();
+        data["high"] = places.iter().map(|c| json!(c.high)).collect();
+        data["motion"] = json!(base64(&motion));
+        data["series"] = Value::Array(series.collect());
+        data.to_string()
+    }
+
+    /// A number over all frames; what is not finite is drawn at 0.
+    fn column(&self, n: usize) -> Column {
+        let value =
+            |frame: &(f64, Vec<f64>)| frame.1.get(n).copied().filter(|x| x.is_finite()).unwrap_or(0.0);
+        let range = self.frames.iter().map(value);
+        let (low, high) = range.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };
+        let step = (high - low) / f64::from(u16::MAX);
+        let word = |x: f64| if step > 0.0 { ((x - low) / step).round() as u16 } else { 0 };
+        Column { low, high, words: self.frames.iter().map(|frame| word(value(frame))).collect() }
+    }
+}
+
+/// Numbers as shares of their range.
+struct Column {
+    low: f64,
+    high: f64,
+    words: Vec<u16>,
+}
+
+/// Bytes as base64 (RFC 4648).
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let word = (0..3).fold(0_u32, |w, n| w << 8 | u32::from(three.get(n).copied().unwrap_or(0)));
+        for n in 0..4 {
+            let letter = LETTERS[(word >> (18 - 6 * n)) as usize & 63];
+            text.push(if n <= three.len() { char::from(letter) } else { '=' });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_are_encoded_as_the_standard_says() {
+        // RFC 4648, section 10.
+        for (bytes, text) in
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")]
+        {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! `smartbed view --still`: the page's picture at one time, taken by a browser without a window.
+
+use crate::failure::Failure;
+use crate::firmware::process::which;
+use crate::{install, output};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Names under which distributions install the browser.
+const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+/// Size of the picture (pixels).
+const SIZE: [usize; 2] = [1280, 900];
+
+/// The file's name ends in `.png`?
+///
+/// # Errors
+/// [`Failure::Wrong`] if not.
+pub fn check(file: &str) -> Result<(), Failure> {
+    if file.to_ascii_lowercase().ends_with(".png") {
+        return Ok(());
+    }
+    Err(Failure::Wrong(format!("--still {file}: expected a name that ends in .png")))
+}
+
+/// The time of `t=0.5`.
+///
+/// # Errors
+/// [`Failure::Wrong`] for anything else.
+pub fn time(text: &str) -> Result<f64, Failure> {
+    let number = text.strip_prefix("t=").and_then(|t| t.parse().ok());
+    number.filter(|t: &f64| t.is_finite() && *t >= 0.0).ok_or_else(|| {
+        Failure::Wrong(format!("--still {text}: expected a time of 0 or more, for example t=0.5"))
+    })
+}
+
+/// Opens the page at a time, and writes what is seen.
+///
+/// # Errors
+/// [`Failure::Wrong`] if the file cannot be written; [`Failure::Lacking`] without a browser.
+pub fn take(page: &str, time: f64, file: &str) -> Result<(), Failure> {
+    let browser = browser()?;
+    let folder = std::env::temp_dir().join(format!("smartbed-still-{}", std::process::id()));
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
+    std::fs::create_dir_all(&folder).map_err(wrong)?;
+    let (html, png) = (folder.join("page.html"), folder.join("still.png"));
+    std::fs::write(&html, page).map_err(wrong)?;
+    let status = Command::new(browser)
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars"])
+        .args(["--disable-background-networking", "--virtual-time-budget=4000"])
+        .arg(format!("--window-size={},{}", SIZE[0], SIZE[1]))
+        .arg(format!("--user-data-dir={}", folder.join("profile").display()))
+        .arg(format!("--screenshot={}", png.display()))
+        .arg(format!("file://{}#t={time},still", html.display()))
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .map_err(wrong)?;
+    let picture = std::fs::read(&png);
+    // The browser's helpers may still be writing: what cannot be removed is left to the system.
+    let _ = std::fs::remove_dir_all(Path::new(&folder));
+    match picture {
+        Ok(picture) if status.success() => output::write(file, &picture),
+        _ => Err(Failure::Lacking(format!(
+            "the browser took no picture ({status}); try `smartbed view` without --still"
+        ))),
+    }
+}
+
+fn browser() -> Result<PathBuf, Failure> {
+    let find = || NAMES.iter().find_map(|name| which(name));
+    if let Some(found) = find() {
+        return Ok(found);
+    }
+    let why = "--still needs a browser, and no chromium is on PATH";
+    install::install(why, &["chromium"], "apt-get install chromium")?;
+    find().ok_or_else(|| Failure::Lacking(format!("{why}: `apt-get install chromium`")))
+}
