@@ -23,6 +23,7 @@ pub mod view;
 pub mod check;
 pub mod derive;
 pub mod eval;
+pub mod figure;
 pub mod firmware;
 pub mod report;
 pub mod run;

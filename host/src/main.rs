@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{Parser, Subcommand};
-use smartbed::{check, derive, eval, firmware, report, run, view};
+use smartbed::{check, derive, eval, figure, firmware, report, run, view};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -27,6 +27,8 @@ enum Command {
     View(view::Arguments),
     /// Speed against error: tables, plots, one HTML page.
     Report(report::Arguments),
+    /// Make a figure of the thesis.
+    Figure(figure::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
     Firmware(firmware::Arguments),
 }
@@ -47,6 +49,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Figure(arguments) => figure::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
     };
     match done {

@@ -4,6 +4,7 @@ mod browser;
 mod check_and_derive;
 mod driven;
 mod eval;
+mod figure;
 mod hostile_text;
 mod new_user;
 mod nonsense;
