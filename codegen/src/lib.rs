@@ -75,5 +75,5 @@ pub use diagnostic::Diagnostics;
 pub use kinematics::ParameterChoice;
 pub use program::interpreter::Interpreted;
 pub use program::{Optimise, Program, Settings};
-pub use rust::{Answer, EmitOptions, ScalarType};
+pub use rust::{Answer, Core, EmitOptions, ScalarType};
 pub use value::Effort;

@@ -1,7 +1,7 @@
 //! An expression of a model: a tree over the model's own names, with the place of every node.
 
+use super::ids::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
 use super::unit::Unit;
-use super::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
 use crate::source::Span;
 
 /// A node of an expression and its place in the text.

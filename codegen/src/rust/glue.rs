@@ -1,6 +1,7 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
-use super::{Answer, layout, name};
+use super::answer::Answer;
+use super::{layout, name};
 use crate::escape;
 use crate::program::Program;
 

@@ -1,6 +1,7 @@
 //! The comment that an emitted file opens with: provenance and cost.
 
-use super::{Answer, Cost, EmitOptions, scalar_name};
+use super::answer::{Answer, Cost};
+use super::options::EmitOptions;
 use crate::escape;
 use crate::program::Program;
 use crate::words::count;
@@ -14,7 +15,7 @@ pub(super) fn text<'a>(
     answers: impl Iterator<Item = (&'a Answer, &'a Cost)>,
     prepare: &Cost,
 ) -> String {
-    let scalar = scalar_name(&options.scalar);
+    let scalar = options.scalar.path();
     let mut text = format!(
         "// Generated from {} by smartbed-codegen {}; do not edit, change the model instead.\n",
         escape::line(&program.path),

@@ -4,6 +4,23 @@
 /// Columns of a line.
 const WIDTH: usize = 89;
 
+/// Of a function that nobody reads line by line.
+pub(super) const STRAIGHT_LINE: &str = "\
+#[allow(
+    non_snake_case,
+    clippy::all,
+    clippy::pedantic,
+    reason = \"generated straight-line arithmetic\"
+)]
+#[must_use]
+";
+/// Of structs whose fields are the model's.
+pub(super) const PLAIN_STRUCT: &str = "\
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+#[allow(non_snake_case, reason = \"names are the model's\")]
+";
+
 /// `head[a, b];`
 pub(super) fn array(head: &str, elements: &[String]) -> String {
     list(head, ('[', ']'), elements, ";", "")

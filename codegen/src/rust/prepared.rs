@@ -1,8 +1,7 @@
-//! `Prepared`: what the answers need of the parameters, and `prepare`, which computes it.
+//! What the answers need of the parameters: the fields of `Prepared`.
 
+use super::answer::Cost;
 use super::name::Scope;
-use super::statement::{Body, Parameters};
-use super::{Cost, PLAIN_STRUCT, STRAIGHT_LINE, ScalarType, layout};
 use crate::expr::{Dependence, ExprId, NodeSet};
 use crate::program::Program;
 
@@ -32,38 +31,14 @@ impl Prepared {
         Self { fields, nodes }
     }
 
-    fn roots(&self) -> Vec<ExprId> {
+    /// The nodes of the fields, in order.
+    pub fn roots(&self) -> Vec<ExprId> {
         self.fields.iter().map(|(id, _)| *id).collect()
     }
 
     /// Operations of `prepare`, by kind.
     pub fn operations(&self, program: &Program) -> Cost {
         program.dag.operations_by_kind(&self.roots(), Dependence::Parameters)
-    }
-
-    /// The struct and the function; `names` are those of the fields of `Parameters`.
-    pub fn items(&self, program: &Program, names: &[String], scalar: &ScalarType, cost: &Cost) -> String {
-        let fields = self.fields.iter().map(|(id, field)| match program.dag.as_symbol(*id) {
-            Some(_) => format!("///The parameter `{field}`.\n    pub {field}: S"),
-            None => format!("///Of parameters alone.\n    pub {field}: S"),
-        });
-        let body = Body::new(program, &self.roots(), scalar, Parameters::Given(names));
-        let values: Vec<String> = (self.fields.iter().zip(&body.results))
-            .map(|((_, field), value)| match field == value {
-                true => field.clone(),
-                false => format!("{field}: {value}"),
-            })
-            .collect();
-        let operations: usize = cost.values().sum();
-        format!(
-            "/// What the functions below need of the parameters, from [`prepare`].\n{PLAIN_STRUCT}{}\
-             /// Computes what depends on parameters alone: once, and again when one of them changes.\n\
-             ///\n///{operations} operations.\n{STRAIGHT_LINE}{}{}    Prepared {{ {} }}\n}}\n",
-            layout::block("pub struct Prepared", fields, ""),
-            layout::signature("pub fn prepare", &body.arguments(), "Prepared", ""),
-            body.statements,
-            values.join(", ")
-        )
     }
 
     /// Name of the field that holds a node.

@@ -11,6 +11,7 @@
 //! longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
 
 use super::few::Few;
+use super::options::Core;
 use crate::expr::ExprId;
 use crate::id::Id;
 use std::cmp::Reverse;
@@ -18,15 +19,6 @@ use std::collections::BTreeSet;
 
 /// Registers of single precision on a Cortex-M4F.
 const REGISTERS: usize = 32;
-
-/// What the order is for.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Core {
-    /// One instruction after the other: a microcontroller.
-    InOrder,
-    /// Whatever is ready, within a window: a host.
-    OutOfOrder,
-}
 
 /// Values that a step makes: one, or sine and cosine of an angle or two.
 pub(super) type Makes<T> = Few<T, 4>;
@@ -47,7 +39,7 @@ pub(super) struct Step {
 /// An order of the steps, by position; `results` are needed to the end.
 pub(super) fn order(steps: &[Step], results: &[ExprId], core: Core) -> Vec<usize> {
     let graph = Graph::new(steps, results);
-    if core == Core::OutOfOrder {
+    if core == Core::Host {
         return graph.critical_path_first(steps);
     }
     let depth_first = graph.depth_first();
@@ -367,14 +359,14 @@ mod tests {
         let (steps, last) = products_first(50);
         let graph = Graph::new(&steps, &[last]);
         assert!(graph.overfull(&(0..steps.len()).collect::<Vec<_>>()) > 0);
-        assert_eq!(graph.overfull(&order(&steps, &[last], Core::InOrder)), 0);
+        assert_eq!(graph.overfull(&order(&steps, &[last], Core::CortexM4)), 0);
     }
 
     #[test]
     fn the_operand_that_needs_more_registers_is_made_first() {
         // 10 = a + b; 14 = ((a + b) (c + d)); 15 = e - 14: e alone needs one register.
         let steps = steps(&[(10, &[0, 1]), (11, &[4]), (12, &[2, 3]), (14, &[10, 12]), (15, &[11, 14])]);
-        let order = order(&steps, &[ExprId::from_index(15)], Core::InOrder);
+        let order = order(&steps, &[ExprId::from_index(15)], Core::CortexM4);
         assert_eq!(order, [0, 2, 3, 1, 4]);
     }
 
@@ -383,6 +375,6 @@ mod tests {
         // 12 = ((a + b) + c) + d and 20 = a c; the chain's steps come before the single product.
         let steps = steps(&[(20, &[0, 2]), (10, &[0, 1]), (11, &[10, 2]), (12, &[11, 3])]);
         let results = [20, 12].map(ExprId::from_index);
-        assert_eq!(order(&steps, &results, Core::OutOfOrder), [1, 2, 0, 3]);
+        assert_eq!(order(&steps, &results, Core::Host), [1, 2, 0, 3]);
     }
 }

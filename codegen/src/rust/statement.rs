@@ -4,15 +4,15 @@
 //! parser and a general formatter took twenty times as long as the derivation's last stage.
 //! A node gets a `let` if it is used more than once, has a name from the model, or would make its
 //! statement too long; other nodes are written inside their only user, where that leaves every operation at the
-//! place that [`schedule`] gives it: f64 is for hosts, every other scalar for the chip. Arguments are read before
+//! place that [`schedule`] gives it for the [`Core`](super::options::Core) that is meant. Arguments are read before
 //! their first use.
 
 mod steps;
 
-use super::ScalarType;
 use super::name::{ARGUMENTS, Scope};
+use super::options::EmitOptions;
 use super::prepared::Prepared;
-use super::schedule::{self, Core};
+use super::schedule;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
 use crate::id::Id;
@@ -35,7 +35,7 @@ pub(super) enum Parameters<'p> {
 /// Statements and results of a function.
 pub(super) struct Body<'p> {
     program: &'p Program,
-    scalar: &'p ScalarType,
+    options: &'p EmitOptions,
     parameters: Parameters<'p>,
     /// Statements in order, one a line.
     pub statements: String,
@@ -62,13 +62,13 @@ impl<'p> Body<'p> {
     pub fn new(
         program: &'p Program,
         roots: &[ExprId],
-        scalar: &'p ScalarType,
+        options: &'p EmitOptions,
         parameters: Parameters<'p>,
     ) -> Self {
         let n = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         let mut body = Self {
             program,
-            scalar,
+            options,
             parameters,
             statements: String::new(),
             n_statements: 0,
@@ -84,8 +84,7 @@ impl<'p> Body<'p> {
         };
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        let core = if *scalar == ScalarType::F64 { Core::OutOfOrder } else { Core::InOrder };
-        let order = schedule::order(&steps, &results, core);
+        let order = schedule::order(&steps, &results, options.core());
         body.count_uses(&steps, &results);
         body.break_up(order.iter().map(|&step| &steps[step]));
         for step in order {
@@ -273,7 +272,7 @@ impl<'p> Body<'p> {
     fn write_expression(&self, text: &mut String, id: ExprId) {
         let dag = self.dag();
         if dag.is_constant(id) {
-            text.push_str(&super::literal(dag.evaluate_constant(id), self.scalar));
+            text.push_str(&self.options.scalar.literal(dag.evaluate_constant(id)));
             return;
         }
         match dag.node(id) {

@@ -1,7 +1,10 @@
 //! What a program is optimised for changes its operations, never its answers.
 
 use crate::models::shipped;
-use smartbed_codegen::{Effort, Interpreted, Optimise, ParameterChoice, Program, Settings, program};
+use smartbed_codegen::{
+    Core, Effort, EmitOptions, Interpreted, Optimise, ParameterChoice, Program, ScalarType, Settings,
+    program, rust,
+};
 use smartbed_runtime::mechanism::Mechanism;
 
 /// States by model, and how far coordinates and speeds lie from nominal and from rest at most.
@@ -72,5 +75,27 @@ fn all_forms_of_every_model_agree() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn the_core_is_a_choice_and_the_scalar_only_its_default() {
+    let program = program::derive(&shipped("fourbar"), &ParameterChoice::default()).expect("derives");
+    let text = |scalar: ScalarType, core: Option<Core>| {
+        rust::emit(&program, &EmitOptions { scalar, core, ..EmitOptions::default() })
+    };
+    for (scalar, usual, other) in
+        [(ScalarType::F32, Core::CortexM4, Core::Host), (ScalarType::F64, Core::Host, Core::CortexM4)]
+    {
+        let [left_out, chosen, changed] =
+            [None, Some(usual), Some(other)].map(|core| text(scalar.clone(), core));
+        assert_eq!(left_out, chosen);
+        assert_ne!(left_out, changed);
+        // Only a host computes two sines at a time; what is computed stays the same.
+        let pairs = |text: &str| text.contains("sin_cos_of_two");
+        assert_eq!([pairs(&chosen), pairs(&changed)], [usual, other].map(|core| core == Core::Host));
+        let counts =
+            |text: &str| text.lines().filter(|l| l.starts_with("// Cost")).collect::<Vec<_>>().join("\n");
+        assert_eq!(counts(&chosen), counts(&changed));
     }
 }

@@ -6,7 +6,9 @@
 
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::program::{derive_kinematic, derive_with};
-use smartbed_codegen::{Answer, Effort, EmitOptions, ParameterChoice, Program, ScalarType, Settings, rust};
+use smartbed_codegen::{
+    Answer, Core, Effort, EmitOptions, ParameterChoice, Program, ScalarType, Settings, rust,
+};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -175,6 +177,7 @@ fn emitted(model: &Model, n: u64) -> Result<(Program, EmitOptions), String> {
     let scalar = [ScalarType::F32, ScalarType::F64, counting(), lanes()][(n % 4) as usize].clone();
     let form = n / 4 % 4;
     let effort = [Effort::Default, Effort::None][(n / 16 % 2) as usize];
+    let core = [None, Some(Core::Host), Some(Core::CortexM4)][(n % 3) as usize];
     let answers = match form {
         0 | 1 => Vec::new(),
         2 => vec![Answer::Augmented],
@@ -184,7 +187,7 @@ fn emitted(model: &Model, n: u64) -> Result<(Program, EmitOptions), String> {
         3 => derive_kinematic(model, &choice, effort),
         _ => derive_with(model, &choice, Settings::from(effort)),
     };
-    Ok((program.map_err(|e| e.to_string())?, EmitOptions { scalar, answers, ..EmitOptions::default() }))
+    Ok((program.map_err(|e| e.to_string())?, EmitOptions { scalar, answers, core, ..EmitOptions::default() }))
 }
 
 /// A model without anything hostile, at rest or moved by time.

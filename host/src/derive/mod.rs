@@ -7,7 +7,8 @@ use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{
-    Answer, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program, rust,
+    Answer, Core, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program,
+    rust,
 };
 use std::path::Path;
 
@@ -37,6 +38,9 @@ pub struct Arguments {
     /// What the choice between forms that give the same accelerations goes by.
     #[arg(long, value_enum, default_value_t)]
     pub optimise: OptimiseFor,
+    /// What runs the code, which decides the order of its statements; without it a host for f64, else the chip.
+    #[arg(long, value_enum)]
+    pub core: Option<CoreChoice>,
     /// Only these functions, without the struct that joins them to the runtime:
     /// rates, energy, speeds, outputs, projection, and drive where the mechanism is driven.
     #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
@@ -95,6 +99,24 @@ impl EffortChoice {
             Self::None => Effort::None,
             Self::Default => Effort::Default,
             Self::All => Effort::All,
+        }
+    }
+}
+
+/// What runs the emitted code.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum CoreChoice {
+    /// A microcontroller: few values wait at a time.
+    CortexM4,
+    /// A host: the longest chain of operations comes first, sines are computed two at a time.
+    Host,
+}
+
+impl CoreChoice {
+    fn core(self) -> Core {
+        match self {
+            Self::CortexM4 => Core::CortexM4,
+            Self::Host => Core::Host,
         }
     }
 }
@@ -158,7 +180,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             model.name
         )));
     }
-    let options = EmitOptions { scalar: arguments.scalar.scalar_type(), answers, ..Default::default() };
+    let options = EmitOptions {
+        scalar: arguments.scalar.scalar_type(),
+        answers,
+        core: arguments.core.map(CoreChoice::core),
+        ..Default::default()
+    };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;

@@ -85,7 +85,7 @@ counting = []
 [workspace]
 "
     );
-    let options = EmitOptions { scalar, runtime: "crate".to_owned(), answers: Vec::new() };
+    let options = EmitOptions { scalar, runtime: "crate".to_owned(), ..EmitOptions::default() };
     let drive = match program.drive {
         Some(_) => "6 => fill(results, [drive(*t, q, u, inputs, p)].iter()),",
         None => "// 6, the power of the drive: nothing drives this mechanism.",

@@ -5,10 +5,10 @@
 //! that happens to vanish counts, at the price of an unknown that nothing reads.
 
 use crate::id::IdVec;
-use crate::model::Role;
 use crate::model::data::*;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::ids::*;
+use crate::model::walk::Role;
 
 /// What is known of each definition.
 struct Definitions {

@@ -7,10 +7,10 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::Role;
 use crate::model::data::*;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::ids::*;
+use crate::model::walk::Role;
 use crate::source::Span;
 
 /// An entity or a coordinate with a closed form.

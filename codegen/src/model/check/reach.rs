@@ -7,11 +7,11 @@ use std::ops::BitOr;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::IdVec;
-use crate::model::Role;
 use crate::model::data::*;
 use crate::model::draft::Draft;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::ids::*;
+use crate::model::walk::Role;
 
 /// A set of things an expression depends on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

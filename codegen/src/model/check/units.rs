@@ -6,12 +6,12 @@
 use super::infer::{Checker, Type};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::id::Id;
-use crate::model::Role;
 use crate::model::data::*;
 use crate::model::draft::Draft;
 use crate::model::expression::Expr;
 use crate::model::ids::CoordinateId;
 use crate::model::unit::Unit;
+use crate::model::walk::Role;
 use crate::words::count;
 
 /// Checks every expression of the draft and fills in the units of outputs.

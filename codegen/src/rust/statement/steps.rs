@@ -1,6 +1,6 @@
 //! What a function's body computes, step by step, and which steps get a statement.
 
-use super::super::ScalarType;
+use super::super::options::Core;
 use super::super::pairs::pair_angles;
 use super::super::schedule::{Makes, Reads, Step};
 use super::{Body, LONGEST_STATEMENT};
@@ -32,7 +32,7 @@ impl<'p> Body<'p> {
     pub(super) fn steps(&mut self, roots: &[ExprId]) -> Vec<Step> {
         let dag = self.dag();
         let order = dag.reachable_above(roots, |id| self.field(id).is_some());
-        if *self.scalar == ScalarType::F64 {
+        if self.options.core() == Core::Host {
             self.pairs = pair_angles(dag, &order, |id| self.field(id).is_some());
         }
         let mut steps: Vec<Step> = Vec::new();
