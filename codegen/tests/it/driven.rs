@@ -5,7 +5,7 @@
 use crate::augmented;
 use crate::models::shipped;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
-use smartbed_runtime::integrator::rk4;
+use smartbed_runtime::integrator::Method;
 use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::{Driven, Mechanism};
 use smartbed_runtime::state::State;
@@ -139,6 +139,17 @@ fn check_power(program: &Program, t: f64, q: &[f64], u: &[f64], lost: f64) {
 
 /// The state after some steps of Kutta's method, as the runtime takes them.
 fn moved<S: Tabulated>(program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
+    moved_by::<S>(Method::Rk4, program, start, h, steps)
+}
+
+/// The same by any method of fixed step.
+fn moved_by<S: Tabulated>(
+    method: Method,
+    program: &Program,
+    start: &[f64],
+    h: f64,
+    steps: usize,
+) -> Vec<f64> {
     let mut x: Vec<S> = start.iter().map(|&x| S::from_f64(x)).collect();
     let mut low = vec![S::ZERO; x.len()];
     let mut scratch = vec![S::ZERO; 8 * x.len()];
@@ -148,7 +159,7 @@ fn moved<S: Tabulated>(program: &Program, start: &[f64], h: f64, steps: usize) -
     let mut state = State::new(&mut x, &mut low).expect("one length");
     for step in 0..steps {
         let t = S::from_f64(step as f64 * h);
-        rk4(&mut driven, t, S::from_f64(h), &mut state, &mut scratch).expect("a regular step");
+        method.step(&mut driven, t, S::from_f64(h), &mut state, &mut scratch).expect("a regular step");
     }
     state.x().iter().map(|x| x.to_f64()).collect()
 }
@@ -409,5 +420,23 @@ tip = { centre = "B", mass = "m" }
         assert!((q[1] - angle - turns).abs() < 1e-9, "{t}: {} {angle}", q[1]);
         let pivot = engine.rates(t, &q, &[], &[], &mut [0.0; 2], &mut []).expect("lengths fit");
         assert!(0.1 < pivot, "{t}: {pivot}");
+    }
+}
+
+/// Stages at t + c h, projections at t + h: halving the step divides the error by 2 to the order.
+#[test]
+fn methods_keep_their_orders_where_time_drives() {
+    let program = derived("shaking_table");
+    let start = [0.0, 0.17, 0.01, 0.0];
+    let exact = moved::<f64>(&program, &start, 2.5e-4, 4000);
+    for (method, order, h) in
+        [(Method::ExplicitEuler, 1, 1e-3), (Method::SemiImplicitEuler, 1, 1e-3), (Method::Rk4, 4, 8e-3)]
+    {
+        let error = |h: f64| {
+            let found = moved_by::<f64>(method, &program, &start, h, (1.0 / h).round() as usize);
+            found.iter().zip(&exact).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
+        };
+        let observed = (error(h) / error(0.5 * h)).log2();
+        assert!((observed - f64::from(order)).abs() < 0.3, "{method:?}: {observed}");
     }
 }
