@@ -10,7 +10,7 @@ mod merged_turn;
 mod product;
 
 use crate::expr::{Dag, ExprId};
-use crate::id::{Id, IdVec, ids};
+use crate::id::{IdVec, ids};
 use crate::model::{Axis, PointId};
 use merged_turn::MergedTurn;
 use rustc_hash::FxHashMap as HashMap;
@@ -21,6 +21,11 @@ pub use components::{along_axis, cross_components, dot_components, turn_componen
 ids! {
     /// A right-handed triad of unit vectors: a frame, or a step of its successive rotations.
     TriadId,
+}
+
+impl TriadId {
+    /// The inertial triad: the first that is pushed.
+    pub const INERTIAL: Self = Self(0);
 }
 
 /// Three components.
@@ -168,7 +173,7 @@ impl Triads {
         let parent = match turn {
             Turn::Inertial => None,
             Turn::Simple { parent, .. } => Some(parent),
-            Turn::Directions { .. } => Some(TriadId::from_index(0)),
+            Turn::Directions { .. } => Some(TriadId::INERTIAL),
         };
         let triad = self.turns.push(turn);
         let mut ancestors = vec![triad];

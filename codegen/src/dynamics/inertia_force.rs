@@ -9,7 +9,6 @@ use super::composite::{self, Contributions};
 use super::shared_axis::{self, Massive};
 use super::{Unprojected, tree};
 use crate::expr::{Dag, ExprId};
-use crate::id::Id;
 use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vector, value_of};
 use crate::model::{Body, Model};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
@@ -104,7 +103,7 @@ fn cheapest_products(k: &mut Kinematics, body: &Body, motion: &Motion) -> Produc
     }
     let own = body.frame.map(|f| k.frame_triad[f]);
     let deepest = motion.partials.values().flat_map(|v| v.terms.keys()).max().copied();
-    let candidates = [own.or(deepest), Some(TriadId::from_index(0))];
+    let candidates = [own.or(deepest), Some(TriadId::INERTIAL)];
     let mut best = (cost(k, &mixed), mixed);
     for triad in candidates.into_iter().flatten() {
         let resolved = resolve(k, motion, triad);

@@ -4,7 +4,6 @@
 //! that of its outer end less that of its inner end.
 
 use crate::expr::ExprId;
-use crate::id::Id;
 use crate::kinematics::{Kinematics, Motion, UnknownKind, lower_scalar, lower_vector};
 use crate::model::Model;
 use crate::vector::{TriadId, Vector};
@@ -126,6 +125,6 @@ impl Segment {
     /// The deepest triad that its partial velocities are written in: the one that turns with it.
     pub fn own_triad(&self) -> TriadId {
         let triads = self.motion.partials.values().flat_map(|v| v.terms.keys());
-        triads.max().copied().unwrap_or(TriadId::from_index(0))
+        triads.max().copied().unwrap_or(TriadId::INERTIAL)
     }
 }

@@ -8,7 +8,6 @@
 use super::Unprojected;
 use super::segment::Segment;
 use crate::expr::ExprId;
-use crate::id::Id;
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::vector::{TriadId, Vector};
 
@@ -67,7 +66,7 @@ fn masses_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<ExprId> {
 /// sum m (a_bias - g) at and beyond the outer end of every segment, resolved in the inertial triad: one set of
 /// components serves the sum outwards and the sum inwards.
 fn bias_forces_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<Vector> {
-    let inertial = TriadId::from_index(0);
+    let inertial = TriadId::INERTIAL;
     let mut bias: Vec<Vector> = Vec::with_capacity(segments.len());
     for segment in segments {
         let own = k.triads.express(&mut k.dag, &segment.motion.bias, inertial);

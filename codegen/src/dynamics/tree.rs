@@ -8,7 +8,6 @@
 use super::shared_axis::Massive;
 use super::spatial::Inertia;
 use crate::expr::{Dependence, ExprId};
-use crate::id::Id;
 use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
 use crate::vector::{Components, TriadId, Turn, Vector};
@@ -71,7 +70,7 @@ pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[Massive]) -> Fo
     for Massive { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
         let own = body.frame.map(|f| k.frame_triad[f]);
-        let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::from_index(0));
+        let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::INERTIAL);
         let zero = k.dag.zero();
         let (mut origin, mut centre) = without(k, &position, triad);
         if centre.iter().any(|&c| k.dag.dependence(c) == Dependence::State) {

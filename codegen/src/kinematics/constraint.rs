@@ -9,7 +9,6 @@
 use super::velocity::{self, Motion, Rate};
 use super::{Kinematics, Place, UnknownId, lower, orientation, position, rank};
 use crate::expr::ExprId;
-use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 use std::collections::{BTreeMap, BTreeSet};
@@ -136,7 +135,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
     let declared = &model.points[point];
     let velocity = k.velocities[point].clone();
     let home = velocity.partials.values().flat_map(|v| v.terms.keys()).next().copied();
-    let home = home.unwrap_or(TriadId::from_index(0));
+    let home = home.unwrap_or(TriadId::INERTIAL);
     let reference = k.flat_positions[&point].clone();
     let mut equations = Vec::new();
     for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
@@ -163,7 +162,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
             k.dag.negate(one)
         };
         motion.add(k, &rate, minus_one);
-        let triads = BTreeSet::from([TriadId::from_index(0), home, leg]);
+        let triads = BTreeSet::from([TriadId::INERTIAL, home, leg]);
         let name = format!("{} closure {}", declared.name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: None, triads });
     }
@@ -196,14 +195,14 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
                     let column: [ExprId; 3] = std::array::from_fn(|j| rows[j][i]);
                     dot_components(&mut k.dag, &components, &column)
                 });
-                let stated = Vector::new(&k.dag, TriadId::from_index(0), stated);
+                let stated = Vector::new(&k.dag, TriadId::INERTIAL, stated);
                 flat.minus(&mut k.dag, &stated)
             }
             None => flat.minus(&mut k.dag, &here),
         };
-        let triads = BTreeSet::from([TriadId::from_index(0), triad, along]);
+        let triads = BTreeSet::from([TriadId::INERTIAL, triad, along]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
-        let difference = k.triads.express(&mut k.dag, &residual, TriadId::from_index(0));
+        let difference = k.triads.express(&mut k.dag, &residual, TriadId::INERTIAL);
         k.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }
@@ -222,13 +221,13 @@ fn in_frame(k: &mut Kinematics, vector: &Vector, triad: TriadId, frame: TriadId)
 
 fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
     let mut triads: BTreeSet<_> = motion.partials.values().flat_map(|v| v.terms.keys().copied()).collect();
-    triads.insert(TriadId::from_index(0));
+    triads.insert(TriadId::INERTIAL);
     triads
 }
 
 /// The inertial components of a residual that are not identically zero.
 fn add_residuals(k: &mut Kinematics, residual: &Vector, place: &Place) {
-    for e in k.triads.express(&mut k.dag, residual, TriadId::from_index(0)) {
+    for e in k.triads.express(&mut k.dag, residual, TriadId::INERTIAL) {
         if !k.dag.is_zero(e) {
             k.residuals.push(e);
             k.residual_names.push(place.clone());

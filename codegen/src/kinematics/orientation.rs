@@ -3,7 +3,6 @@
 use super::{Kinematics, lower, position};
 use crate::expr::ExprId;
 use crate::expr::number::Number;
-use crate::id::Id;
 use crate::model::{Axis, FrameId, Model, Orientation};
 use crate::vector::{Components, TriadId, Turn, Vector, cross_components};
 
@@ -13,7 +12,7 @@ const WHOLE_DEGREE: f64 = 1e-12;
 /// Adds the triads of `frame`.
 pub(super) fn derive(model: &Model, k: &mut Kinematics, frame: FrameId) {
     k.frame_triad[frame] = match &model.frames[frame].orientation {
-        Orientation::Inertial => TriadId::from_index(0),
+        Orientation::Inertial => TriadId::INERTIAL,
         Orientation::Rotations { parent, rotations } => {
             let mut triad = k.frame_triad[*parent];
             for (axis, angle) in rotations {
@@ -27,7 +26,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics, frame: FrameId) {
                 axes[j].as_ref().map(|expr| {
                     let v = lower::vector(k, expr);
                     let v = position::flatten(k, &v);
-                    k.triads.express(&mut k.dag, &v, TriadId::from_index(0))
+                    k.triads.express(&mut k.dag, &v, TriadId::INERTIAL)
                 })
             });
             let rows = complete(k, given);
@@ -151,7 +150,7 @@ pub(super) fn flattened(k: &mut Kinematics, vector: &Vector, frame: TriadId) -> 
     });
     let mut rest = vector.clone();
     rest.terms.remove(&frame);
-    let stated = Vector::new(&k.dag, TriadId::from_index(0), stated);
+    let stated = Vector::new(&k.dag, TriadId::INERTIAL, stated);
     rest.plus(&mut k.dag, &stated)
 }
 

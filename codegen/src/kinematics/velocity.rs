@@ -131,7 +131,7 @@ fn lift(model: &Model, k: &mut Kinematics) {
 /// The triad whose axes resolve a lifted point's velocity: that of the body centred there, if any.
 fn home_of(model: &Model, k: &Kinematics, point: PointId) -> TriadId {
     let body = model.bodies.iter().find(|b| b.centre == point && b.frame.is_some());
-    body.and_then(|b| b.frame).map_or(TriadId::from_index(0), |f| k.frame_triad[f])
+    body.and_then(|b| b.frame).map_or(TriadId::INERTIAL, |f| k.frame_triad[f])
 }
 
 fn unknown_vector(k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
