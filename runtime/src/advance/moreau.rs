@@ -89,7 +89,7 @@ fn push<S: Scalar>(
         friction::apply(after, ground.normal, mass, S::ONE, allowed.min(ground.friction * impulse));
         let kept = vec3::tangential(*after, ground.normal);
         let work = vec3::dot(vec3::sub(kept, new), vec3::add(old, kept));
-        taken.friction = taken.friction - half * mass * work;
+        taken.friction = taken.friction + (-(half * mass * work)).max(S::ZERO);
     }
     impulse
 }

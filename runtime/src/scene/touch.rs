@@ -35,7 +35,7 @@ pub(super) fn mark_touching<S: Scalar>(
     any
 }
 
-/// Lifts touching points by the rounding that located them below the surface.
+/// Lifts touching points that were located below the surface, by rounding or by a method that let a rising point sink.
 pub(super) fn place_on_surface<S: Scalar>(
     ground: &Ground<S>,
     motion: &mut Motion<S>,
@@ -43,9 +43,10 @@ pub(super) fn place_on_surface<S: Scalar>(
 ) {
     for (i, _) in points.iter().enumerate().filter(|(_, p)| p.touching) {
         let x = vec3::at(motion.pos, i);
-        // Deeper ones returned within the tolerance: lifting them would feed a bounce.
+        // Those between returned within the tolerance: lifting them would feed a bounce.
         let rounding = S::from_f64(2.0) * S::EPSILON * (S::ONE + ground.offset.abs() + vec3::norm(x));
-        if ground.gap(x) >= -rounding {
+        let gap = ground.gap(x);
+        if gap >= -rounding || gap < -ground.tolerance {
             lift(ground, motion, i);
         }
     }
