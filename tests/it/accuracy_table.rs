@@ -58,6 +58,7 @@ fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scala
 /// The table of one folder.
 fn table(folder: &Path) -> String {
     let mut text = String::new();
+    let mut names: Vec<String> = Vec::new();
     for file in files(folder) {
         let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
         let subject =
@@ -67,11 +68,14 @@ fn table(folder: &Path) -> String {
         assert!(truth.reference.agreement <= LEAST, "{name}: {:?}", truth.reference);
         let methods = subject.methods();
         if text.is_empty() {
-            let names: Vec<&str> = methods.iter().map(|m| m.name.as_str()).collect();
+            names = methods.iter().map(|m| m.name.clone()).collect();
             let _ = writeln!(text, "| | s | {} |\n|{}", names.join(" | "), "---|".repeat(2 + names.len()));
         }
-        let cells = methods.iter().map(|method| {
-            let of = |scalar, least| bound(error(subject.as_ref(), &truth, method, scalar), least);
+        // A method that the subject refuses has no answer.
+        let cells = names.iter().map(|name| {
+            let method = methods.iter().find(|m| m.name == *name);
+            let error = |scalar| method.map_or(f64::NAN, |m| error(subject.as_ref(), &truth, m, scalar));
+            let of = |scalar, least| bound(error(scalar), least);
             format!("{} / {}", of(ScalarKind::F64, LEAST), of(ScalarKind::F32, LEAST_F32))
         });
         let _ = writeln!(text, "| {name} | {seconds:.3} | {} |", cells.collect::<Vec<_>>().join(" | "));
