@@ -34,6 +34,10 @@ pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
 /// All stages behind the reading: the formatted Rust, and the warnings of the model and of its derivation.
 fn emitted(model: &Model, options: &Options) -> Result<(String, [Diagnostics; 2]), Diagnostics> {
     let program = program::derive_with(model, &options.parameters, options.settings)?;
+    // What a scalar cannot hold would be emitted as an infinity.
+    if let Some(why) = program.beyond_single().filter(|_| options.emit.scalar.is_single()) {
+        return Err(failure(format!("{why}; derive for f64, or choose other units")));
+    }
     Ok((rust::emit(&program, &options.emit), [model.warnings(), program.warnings]))
 }
 

@@ -109,8 +109,7 @@ pub const FIGURES: [Figure; 37] = [
 /// [`Failure::Wrong`] for an unknown figure, one that cannot be made, or a wrong setting.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(number) = arguments.number.as_ref().filter(|_| !arguments.list) else {
-        output::print(&list());
-        return Ok(());
+        return output::print(&list());
     };
     let Some(figure) = FIGURES.iter().find(|f| f.number == number) else {
         return Err(Failure::Wrong(format!(
@@ -132,8 +131,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Recipe::WorkImpulse => plot::write(&file, &Rod::new(&arguments.set)?.draw())?,
     }
-    output::print(&format!("{file}: figure {number}, {}\n", figure.caption));
-    Ok(())
+    output::print(&format!("{file}: figure {number}, {}\n", figure.caption))
 }
 
 fn name_of(setting: &str) -> &str {
@@ -144,7 +142,7 @@ fn list() -> String {
     let mut text = String::new();
     for Figure { number, caption, recipe } in FIGURES {
         let how = match recipe {
-            Recipe::Run(model, settings) if settings.is_empty() => format!("run {model}"),
+            Recipe::Run(model, []) => format!("run {model}"),
             Recipe::Run(model, settings) => format!("run {model} --set {}", settings.join(" --set ")),
             Recipe::WorkImpulse => "a rod strikes the ground".to_owned(),
             Recipe::Missing(what) => format!("not made: {what}"),

@@ -14,7 +14,7 @@ use std::time::Duration;
 /// [`Failure::Lacking`] where there is no apt-get, no right to use it, or it fails.
 pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
     let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
-    eprintln!("{why}; installing {} by apt-get", packages.join(" "));
+    crate::output::say(&format!("{why}; installing {} by apt-get", packages.join(" ")));
     let apt = |arguments: &[&str]| apt(root, arguments);
     // Never at the cost of a package that is already there; see `unpack`.
     let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];

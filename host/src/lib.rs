@@ -4,9 +4,16 @@
 //! answer to standard output, progress to standard error, and returns a [`failure::Failure`] with
 //! the exit status.
 
-pub mod failure;
+// A closed standard error or a full standard output is no panic: everything goes through `output`.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod failure;
+pub mod grouped;
+
+pub mod input;
 pub mod install;
+pub mod interrupt;
+pub mod json;
 pub mod number;
 pub mod output;
 pub mod progress;
@@ -14,7 +21,9 @@ pub mod suggest;
 pub mod unpack;
 
 pub mod configuration;
+pub mod crate_folder;
 pub mod engine;
+pub mod limits;
 pub mod model_argument;
 
 pub mod plot;

@@ -38,8 +38,8 @@ fn main() -> ExitCode {
         Ok(command_line) => command_line,
         // A wrong command line is a wrong input (1); help and version are answers (0).
         Err(message) => {
-            let _ = message.print();
-            return ExitCode::from(u8::from(message.use_stderr()));
+            let is_heard = message.print().is_ok_and(|()| std::io::stdout().flush().is_ok());
+            return ExitCode::from(u8::from(message.use_stderr() || !is_heard));
         }
     };
     let done = match command_line.command {

@@ -4,6 +4,8 @@
 //! it, up to the root of the workspace (the first folder with a Cargo.lock).
 
 use crate::failure::Failure;
+use crate::grouped;
+use crate::output;
 use crate::suggest;
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
@@ -18,6 +20,12 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
         if given.is_file() {
             return Ok(given);
         }
+    }
+    // A folder may be called as a model is.
+    if Path::new(argument).exists() && !Path::new(argument).is_dir() {
+        return Err(Failure::Wrong(format!(
+            "{argument}: it is a pipe or a device; expected the file of a model"
+        )));
     }
     let mut known = Vec::new();
     for folder in model_folders() {
@@ -82,7 +90,7 @@ pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
 /// Warnings of the derivation on standard error: what was derived is not all that was written.
 pub fn print_warnings(program: &Program) {
     if !program.warnings.items.is_empty() {
-        eprintln!("{}", program.warnings.to_string().trim_end());
+        output::say(grouped::text(&program.warnings).trim_end());
     }
 }
 

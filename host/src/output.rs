@@ -1,10 +1,13 @@
-//! Where a result goes: a file, or standard output for `-`.
+//! Where a result goes: a file, or standard output for `-`; and what is said on standard error meanwhile.
+//!
+//! A reader that went away (`| head`) is no failure; a disk that is full is one. Nobody hears a complaint about
+//! standard error itself: what cannot be said there is left unsaid.
 
 use crate::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
 
-/// Something to write results to; a reader that went away is no failure.
+/// Something to write results to.
 pub struct Output {
     to: Box<dyn Write>,
     name: String,
@@ -27,7 +30,7 @@ impl Output {
         } else {
             Box::new(BufWriter::new(File::create(path).map_err(|e| cannot_write(path, &e))?))
         };
-        Ok(Self { to, name: path.to_owned() })
+        Ok(Self { to, name: if path == "-" { "standard output".to_owned() } else { path.to_owned() } })
     }
 
     /// Writes text.
@@ -71,9 +74,16 @@ pub fn write(path: &str, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Prints to standard output.
-pub fn print(text: &str) {
-    // A reader that went away is no failure.
-    let _ = write("-", text.as_bytes());
+///
+/// # Errors
+/// [`Failure::Wrong`] if that fails.
+pub fn print(text: &str) -> Result<(), Failure> {
+    write("-", text.as_bytes())
+}
+
+/// A line on standard error.
+pub fn say(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 fn cannot_write(path: &str, error: &io::Error) -> Failure {

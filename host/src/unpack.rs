@@ -34,10 +34,10 @@ pub fn unpack(program: &str, folder: &Path) -> Result<PathBuf, Failure> {
     let why = format!("{program} can neither be installed nor unpacked into {}", folder.display());
     let help = format!("apt-get install {program}");
     let Some(root) = root_on_debian() else { return Err(lacking(&why, &help)) };
-    eprintln!(
+    crate::output::say(&format!(
         "apt-get could not install {program} beside what is there: unpacking it into {}",
         folder.display()
-    );
+    ));
     // Renamed when complete: another process may be unpacking the same.
     let mine = folder.with_extension(std::process::id().to_string());
     let done = fetch(root, program, &mine).and_then(|()| finish(program, &mine, folder));

@@ -6,10 +6,11 @@
 
 use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::report::point::Control;
-use smartbed::report::subject::{self, Method, SAMPLES, Subject};
+use smartbed::report::subject::{self, Method, SAMPLES, Subject, Time};
 use smartbed::report::{measure, reference};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Below this (m or rad) an error is rounding, which is not pinned: it changes with the order of the operations.
 const LEAST: f64 = 1e-10;
@@ -17,6 +18,8 @@ const LEAST_F32: f64 = 1e-4;
 /// Springs times seconds; the first touches of a drop from 1 m are in 0.6 s.
 const WORK: f64 = 300.0;
 const MOST_SECONDS: f64 = 0.6;
+/// Computing time of a run; none comes near.
+const LIMIT: Duration = Duration::from_secs(600);
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name)
@@ -50,7 +53,7 @@ fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scala
         (true, ScalarKind::F64) => Control::Tolerance(1e-8),
         (true, ScalarKind::F32) => Control::Tolerance(1e-5),
     };
-    let run = subject.run(&method.name, control, scalar, seconds);
+    let run = subject.run((&method.name, control, scalar), Time { seconds, limit: LIMIT });
     let error = run.map_or(f64::NAN, |trace| trace.difference(&truth.trace));
     if error > measure::extent(truth) { f64::NAN } else { error }
 }
@@ -64,7 +67,8 @@ fn table(folder: &Path) -> String {
         let subject =
             subject::open(&file.display().to_string(), EngineKind::Interpreter).expect("it is read");
         let seconds = subject.seconds().min(MOST_SECONDS).min(WORK / subject.weight());
-        let truth = reference::make(subject.as_ref(), seconds, false).expect("a reference");
+        let truth =
+            reference::make(subject.as_ref(), seconds, false, Duration::from_secs(600)).expect("a reference");
         assert!(truth.reference.agreement <= LEAST, "{name}: {:?}", truth.reference);
         let methods = subject.methods();
         if text.is_empty() {

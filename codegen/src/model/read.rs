@@ -1,5 +1,6 @@
 //! Model text -> [`Model`]: the stages in order, each ending with all its errors at once.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -28,7 +29,7 @@ type Loader<'a> = &'a dyn Fn(&Path) -> Result<String, String>;
 /// # Errors
 /// All errors of the first stage that found any, with their places.
 pub fn parse(path: &str, text: &str) -> Result<Model, Diagnostics> {
-    parse_with(path, text, &|path| std::fs::read_to_string(path).map_err(|e| e.to_string()))
+    parse_with(path, text, &text_of)
 }
 
 /// Reads a model from a file.
@@ -37,13 +38,25 @@ pub fn parse(path: &str, text: &str) -> Result<Model, Diagnostics> {
 /// The file cannot be read, or what [`parse`] finds.
 pub fn read(path: &Path) -> Result<Model, Diagnostics> {
     let name = path.display().to_string();
-    match std::fs::read_to_string(path) {
+    match text_of(path) {
         Ok(text) => parse(&name, &text),
         Err(error) => {
             let message = format!("cannot read {name}: {error}");
             Err(Diagnostics::one(Source::new(&name, ""), Diagnostic::error(message)))
         }
     }
+}
+
+/// The text of a file, a little more than [`LARGEST_TEXT`] at most: a pipe or a device would never end.
+fn text_of(path: &Path) -> Result<String, String> {
+    let is_file = std::fs::metadata(path).map_err(|e| e.to_string())?.is_file();
+    if !is_file {
+        return Err("it is no file; expected the text of a model".to_owned());
+    }
+    let file = std::fs::File::open(path).map_err(|e| e.to_string())?;
+    let mut text = String::new();
+    file.take(LARGEST_TEXT as u64 + 1).read_to_string(&mut text).map_err(|e| e.to_string())?;
+    Ok(text)
 }
 
 /// As [`parse`], with the text of extended models given by `load` (path as in messages -> text).

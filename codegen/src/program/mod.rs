@@ -6,6 +6,7 @@
 pub mod arguments;
 pub mod interpreter;
 mod kinematic;
+pub mod limits;
 mod prepared;
 mod reciprocal;
 mod reorder;

@@ -14,6 +14,18 @@ pub enum ScalarType {
     Path(String),
 }
 
+impl ScalarType {
+    /// Single precision, or lanes of it?
+    #[must_use]
+    pub fn is_single(&self) -> bool {
+        match self {
+            Self::F32 => true,
+            Self::F64 => false,
+            Self::Path(path) => path.rsplit("::").next().is_some_and(|name| name.starts_with("f32")),
+        }
+    }
+}
+
 /// What is emitted and how.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct EmitOptions {

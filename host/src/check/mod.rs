@@ -71,11 +71,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             rounding::facts(&rounding::survey(&program, (&kinematics.samples, &kinematics.sample_times)));
     }
     if arguments.json {
-        output::print(&format!("{}\n", report.facts));
+        output::print(&format!("{}\n", report.facts))
     } else {
-        output::print(&text::render(&report));
+        output::print(&text::render(&report))
     }
-    Ok(())
 }
 
 fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Report {

@@ -2,7 +2,7 @@
 
 use crate::engine::crate_text;
 use crate::failure::Failure;
-use crate::{model_argument, output};
+use crate::{crate_folder, limits, model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
@@ -23,7 +23,8 @@ pub struct Arguments {
     /// Where the file goes; - is standard output.
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub output: String,
-    /// Write a crate without dependency on this project into this folder instead.
+    /// Write a crate without dependency on this project into this folder instead; files there that this command did
+    /// not write, or that were changed since, are left alone.
     #[arg(long = "crate", value_name = "DIR", conflicts_with = "output")]
     pub folder: Option<String>,
     /// The scalar of the emitted code.
@@ -180,37 +181,28 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             model.name
         )));
     }
-    let options = EmitOptions {
-        scalar: arguments.scalar.scalar_type(),
-        answers,
-        core: arguments.core.map(CoreChoice::core),
-        ..Default::default()
-    };
+    let scalar = arguments.scalar.scalar_type();
+    limits::check_program(&program, &scalar)?;
+    let options =
+        EmitOptions { scalar, answers, core: arguments.core.map(CoreChoice::core), ..Default::default() };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;
             arguments.output.clone()
         }
         Some(folder) => {
-            for (path, text) in crate_text::library(&program, &options.scalar, &options) {
-                let file = Path::new(folder).join(path);
-                if let Some(parent) = file.parent() {
-                    std::fs::create_dir_all(parent)
-                        .map_err(|e| Failure::Wrong(format!("cannot create {}: {e}", parent.display())))?;
-                }
-                output::write(&file.display().to_string(), text.as_bytes())?;
-            }
+            let files = crate_text::library(&program, &options.scalar, &options);
+            crate_folder::write(Path::new(folder), &files)?;
             folder.clone()
         }
     };
-    report(arguments, &program, &written);
-    Ok(())
+    report(arguments, &program, &written)
 }
 
 /// What was written, where the text itself does not go to standard output.
-fn report(arguments: &Arguments, program: &Program, written: &str) {
+fn report(arguments: &Arguments, program: &Program, written: &str) -> Result<(), Failure> {
     if written == "-" {
-        return;
+        return Ok(());
     }
     let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
     let kinematic = arguments.form == Form::Kinematic;
@@ -226,7 +218,7 @@ fn report(arguments: &Arguments, program: &Program, written: &str) {
         let operations = count(operations(counted), "operation");
         format!("{}: {operations} per evaluation{what}, in {written}\n", program.name)
     };
-    output::print(&text);
+    output::print(&text)
 }
 
 /// Parameters kept and changed, by names that exist.

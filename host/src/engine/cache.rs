@@ -70,9 +70,14 @@ fn folder() -> PathBuf {
     user.unwrap_or_else(std::env::temp_dir).join("smartbed")
 }
 
-/// Fowler-Noll-Vo (FNV-1a, 64 bits) of paths and texts.
+/// The hash of paths and texts.
 fn hash(files: &Files) -> u64 {
     let bytes = files.iter().flat_map(|(path, text)| path.bytes().chain([0]).chain(text.bytes()).chain([0]));
+    hash_of(bytes)
+}
+
+/// Fowler-Noll-Vo (FNV-1a, 64 bits).
+pub fn hash_of(bytes: impl Iterator<Item = u8>) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
 }
 
@@ -85,7 +90,7 @@ fn build(source: &Path, target: &Path) -> Result<PathBuf, Failure> {
                 .to_owned(),
         ));
     };
-    eprintln!("compiling the equations");
+    crate::output::say("compiling the equations");
     let offline = run(&cargo, source, target, true);
     if let Err(log) = offline.or_else(|_| run(&cargo, source, target, false)) {
         let unreachable = ["failed to get", "failed to download", "no matching package"];

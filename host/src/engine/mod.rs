@@ -5,6 +5,7 @@ pub mod compiled;
 pub mod crate_text;
 
 use crate::failure::Failure;
+use crate::limits;
 use clap::ValueEnum;
 use smartbed_codegen::{Interpreted, Program, ScalarType};
 use smartbed_runtime::integrator::tableau::Tabulated;
@@ -105,8 +106,10 @@ impl<S: EngineScalar> Engine<S> for Interpreted<S> {
 /// The engine of a kind, with the program's default parameters.
 ///
 /// # Errors
-/// [`Failure::Lacking`] without a compiler; [`Failure::Wrong`] if the emitted Rust does not compile.
+/// [`Failure::Lacking`] without a compiler; [`Failure::Wrong`] if the emitted Rust does not compile, or for a number
+/// beyond the scalar.
 pub fn new<S: EngineScalar>(kind: EngineKind, program: &Program) -> Result<Box<dyn Engine<S>>, Failure> {
+    limits::check_program(program, &S::scalar_type())?;
     Ok(match kind {
         EngineKind::Interpreter => Box::new(Interpreted::<S>::new(program)),
         EngineKind::Compiled => Box::new(compiled::Compiled::<S>::new(program)?),

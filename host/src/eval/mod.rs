@@ -9,6 +9,7 @@ mod write;
 use crate::configuration::Configurations;
 use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
+use crate::limits::{Angles, check_numbers, less_turns};
 use crate::progress::Progress;
 use crate::run::observers::Observers;
 use crate::{model_argument, output};
@@ -81,7 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let done = serde_json::json!({
             "model": program.name, "states": states.len(), "output": arguments.output,
         });
-        output::print(&format!("{done}\n"));
+        return output::print(&format!("{done}\n"));
     }
     Ok(())
 }
@@ -98,6 +99,7 @@ fn evaluate<S: EngineScalar>(
         given => given.to_vec(),
     };
     let mut engine = engine::new::<S>(arguments.engine, program)?;
+    let mut angles = Angles::new::<S>(program);
     let mut configurations = Configurations::new(model, program);
     let names = observers.map_or(&[][..], |o| o.closed.as_slice());
     let mut closed_forms = observers.map(|o| Interpreted::<S>::new(&o.closed_forms()));
@@ -118,12 +120,26 @@ fn evaluate<S: EngineScalar>(
         })?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
-        let mut evaluated = one(engine.as_mut(), state.t, &q, &given.u, &given.inputs)
+        // Shown as given, computed less whole turns.
+        let near = less_turns::<S>(program, &q);
+        for (list, values) in [
+            (&program.q, &near),
+            (&program.u, &given.u),
+            (&program.inputs, &given.inputs),
+            (&program.parameters, &given.parameters),
+        ] {
+            let named = list.iter().zip(values).map(|(quantity, x)| (quantity.name.as_str(), *x));
+            check_numbers::<S>(named).map_err(at)?;
+        }
+        angles.set_parameters(&given.parameters);
+        angles.check(state.t, &near, &given.u, &given.inputs).map_err(at)?;
+        let mut evaluated = one(engine.as_mut(), state.t, &near, &given.u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
+        evaluated.q.clone_from(&q);
         if let Some(closed_forms) = &mut closed_forms {
             closed_forms.set_parameters(&parameters);
             let values = closed_forms
-                .outputs(S::from_f64(state.t), &rounded(&q), &rounded(&given.u), &rounded(&given.inputs))
+                .outputs(S::from_f64(state.t), &rounded(&near), &rounded(&given.u), &rounded(&given.inputs))
                 .map_err(|fault| at(explain(fault).to_owned()))?;
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;

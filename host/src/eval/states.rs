@@ -5,12 +5,15 @@
 
 use crate::configuration::Configurations;
 use crate::failure::Failure;
+use crate::input;
+use crate::json::Unique;
 use crate::suggest;
+use serde_json::value::RawValue;
 use serde_json::{Map, Value};
 use smartbed_codegen::Program;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::Quantity;
-use std::io::Read;
+use std::collections::BTreeMap;
 
 /// The time of a state; 0 where it is left out.
 const TIME: &str = "t";
@@ -54,13 +57,7 @@ pub struct Given {
 /// # Errors
 /// [`Failure::Wrong`] with the place.
 pub fn read(path: &str) -> Result<Vec<State>, Failure> {
-    let text = if path == "-" {
-        let mut text = String::new();
-        std::io::stdin().read_to_string(&mut text).map(|_| text)
-    } else {
-        std::fs::read_to_string(path)
-    };
-    let text = text.map_err(|e| Failure::Wrong(format!("cannot read {path}: {e}")))?;
+    let text = input::text(path).map_err(|e| Failure::Wrong(format!("cannot read {path}: {e}")))?;
     parse(&text).map_err(|message| Failure::Wrong(format!("{path}: {message}")))
 }
 
@@ -69,14 +66,24 @@ pub fn read(path: &str) -> Result<Vec<State>, Failure> {
 /// # Errors
 /// What is wrong and where.
 pub fn parse(text: &str) -> Result<Vec<State>, String> {
-    let value: Value = serde_json::from_str(text).map_err(|e| format!("not JSON: {e}"))?;
     let expected = "expected {\"states\": [{\"q\": {...}, \"u\": {...}, ...}, ...]}";
-    let list = value.get("states").ok_or_else(|| format!("there is no \"states\"; {expected}"))?;
-    let list = list.as_array().ok_or_else(|| format!("\"states\" is no list; {expected}"))?;
+    // State by state: a tree of all of them would take 80 times the memory of the text.
+    let file: &RawValue = serde_json::from_str(text).map_err(|e| format!("not JSON: {e}"))?;
+    let keys: BTreeMap<String, &RawValue> = serde_json::from_str(file.get()).unwrap_or_default();
+    let list = keys.get("states").ok_or_else(|| format!("there is no \"states\"; {expected}"))?;
+    if let Some(other) = keys.keys().find(|key| *key != "states") {
+        return Err(format!("unknown key `{other}`; {expected}"));
+    }
+    let list: Vec<&RawValue> =
+        serde_json::from_str(list.get()).map_err(|_| format!("\"states\" is no list; {expected}"))?;
     if list.len() > MOST_STATES {
         return Err(format!("{} states; at most {MOST_STATES} are taken at once", list.len()));
     }
-    list.iter().enumerate().map(|(n, s)| state(s).map_err(|m| format!("states[{n}]{m}"))).collect()
+    let read = |text: &RawValue| {
+        let Unique(value) = serde_json::from_str(text.get()).map_err(|e| format!(": not JSON: {e}"))?;
+        state(&value)
+    };
+    list.iter().enumerate().map(|(n, s)| read(s).map_err(|m| format!("states[{n}]{m}"))).collect()
 }
 
 fn state(value: &Value) -> Result<State, String> {

@@ -11,6 +11,7 @@ use super::equations::{RATES, SIN_COS};
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
+use crate::limits::check_numbers;
 use crate::scene::{self, Simulation, tables};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -114,7 +115,7 @@ fn check_changes(set: &[String]) -> Result<(), Failure> {
 /// Reads a scene; returns its constant tables and its number of steps.
 fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
     let scene = scene::open(&path.display().to_string(), set).map_err(Failure::Wrong)?;
-    scene.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    scene.warnings.iter().for_each(|warning| crate::output::say(&format!("warning: {warning}")));
     if scene.method.control_order() > 0 {
         let why = format!("{}: the chip takes steps of fixed length", path.display());
         return Err(Failure::Wrong(format!("{why}: choose another method, for example --set method=verlet")));
@@ -129,6 +130,9 @@ fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
 fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
     let model = smartbed_codegen::model::read(path).map_err(|errors| Failure::Wrong(errors.to_string()))?;
     let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    let values = set.iter().filter_map(|change| change.split_once('='));
+    let values = values.filter_map(|(name, value)| Some((name, value.parse().ok()?)));
+    check_numbers::<f32>(values).map_err(|why| Failure::Wrong(format!("--set: {why}")))?;
     match set.iter().find(|change| !names.contains(&change.split('=').next().unwrap_or_default())) {
         Some(change) => Err(Failure::Wrong(format!(
             "--set {change}: {} has no such parameter; expected one of {}",

@@ -19,13 +19,13 @@ pub mod thumb;
 pub mod toolchain;
 
 use crate::failure::Failure;
+use crate::output;
 use chip::STM32F405;
 use compile::Settings;
 use image::{Image, rules};
 use report::Report;
 use smartbed_codegen::words::count;
 use std::fs::{self, File};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Generate, build for the microcontroller, check, and run in the emulator.
@@ -61,8 +61,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = measure(arguments)?;
     let text = if arguments.json { report.json() } else { report.text() };
-    // A reader that went away is no failure of the build.
-    let _ = std::io::stdout().write_all(text.as_bytes());
+    output::print(&text)?;
     match report.failures().as_slice() {
         [] => Ok(()),
         failures => Err(Failure::Wrong(failures.join("\nerror: "))),
@@ -93,7 +92,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let folder = workspace.join("target/image");
     let _lock = lock(&folder)?;
 
-    eprintln!("building for {} with {}", STM32F405.name, toolchain.describe());
+    output::say(&format!("building for {} with {}", STM32F405.name, toolchain.describe()));
     let elf = compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?;
     let image = read(&elf)?;
     let stack = image.stack().map_err(Failure::Wrong)?;
@@ -105,7 +104,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
             true => Some(compile::simulation(&toolchain, &workspace, &folder, &settings)?),
             false => None,
         };
-        eprintln!("running {} in the emulator", count(settings.steps, "step"));
+        output::say(&format!("running {} in the emulator", count(settings.steps, "step")));
         let run = emulator::run(&emulator, &plugin, &STM32F405, &elf, &image, settings.counted())?;
         report.add_run(&run, host.as_deref(), &image)?;
     }

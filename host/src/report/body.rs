@@ -1,18 +1,20 @@
 //! A scene of a flexible body under measurement.
 
+use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{Method, SAMPLES, Subject, Trace};
+use super::subject::{Method, SAMPLES, Subject, Time, Trace};
 use super::{clock, closed_form, sheet_body};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::plot::svg;
 use crate::scene::graph::Album;
 use crate::scene::method::{METHODS, Situation};
-use crate::scene::run::{describe, run};
+use crate::scene::run::{Row, describe, run_until};
 use crate::scene::{Scene, Simulation, read};
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
+use std::time::Duration;
 
 /// Part of the largest stable step with which a ladder begins.
 const STABLE: f64 = 0.9;
@@ -21,6 +23,8 @@ const STABLE: f64 = 0.9;
 const OUTER_STEP: f64 = 1e-2;
 /// The references' outer step (s): rounding is amplified less.
 const REFERENCE_STEP: f64 = 1e-3;
+/// Springs stepped between two looks at the clock.
+const LOOK: usize = 20_000;
 /// Rows of a graph.
 const ROWS: usize = 500;
 
@@ -78,12 +82,10 @@ impl Body {
 
     fn trace(
         &self,
-        method: &str,
-        control: Control,
-        scalar: ScalarKind,
-        seconds: f64,
+        (method, control, scalar): (&str, Control, ScalarKind),
+        Time { seconds, limit }: Time,
         outer: f64,
-    ) -> Result<Trace, String> {
+    ) -> Result<Trace, Stop> {
         let (tolerance, longest) = match control {
             Control::Step(h) => (1e-9, h),
             Control::Tolerance(e) => (e, outer),
@@ -91,14 +93,17 @@ impl Body {
         let steps = Self::divided(seconds, longest);
         let scene = self.with(method, tolerance, seconds / (SAMPLES * steps) as f64)?;
         match scalar {
-            ScalarKind::F32 => trace::<f32>(&scene, steps),
-            ScalarKind::F64 => trace::<f64>(&scene, steps),
+            ScalarKind::F32 => trace::<f32>(&scene, steps, limit),
+            ScalarKind::F64 => trace::<f64>(&scene, steps, limit),
         }
     }
 }
 
 /// Steps to the end, `steps` to a sample.
-fn trace<S: Scalar>(scene: &Scene, steps: usize) -> Result<Trace, String> {
+fn trace<S: Scalar>(scene: &Scene, steps: usize, limit: Duration) -> Result<Trace, Stop> {
+    // To look at the clock costs as much as a hundred springs: seldom is enough.
+    let looks = (LOOK / scene.lists.springs.len().max(1)).max(1);
+    let deadline = Deadline::within(limit);
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| describe(&e))?;
     let h = S::from_f64(scene.step);
@@ -106,12 +111,17 @@ fn trace<S: Scalar>(scene: &Scene, steps: usize) -> Result<Trace, String> {
     let begin = clock::now();
     simulation.begin(h, &mut ()).map_err(|e| describe(&e))?;
     for _ in 0..SAMPLES {
-        for _ in 0..steps {
+        for step in 0..steps {
             let report = simulation.step(h, &mut ()).map_err(|e| describe(&e))?;
             if report.cut_short {
-                return Err("too many events or substeps in a step, its end was not located".to_owned());
+                return Err("too many events or substeps in a step, its end was not located"
+                    .to_owned()
+                    .into());
             }
             evaluations += report.evaluations as u64;
+            if step % looks == 0 {
+                deadline.check(simulation.t().to_f64())?;
+            }
         }
         samples.push(simulation.pos().as_flattened().iter().map(|x| x.to_f64()).collect());
     }
@@ -152,30 +162,19 @@ impl Subject for Body {
         situation.methods().into_iter().map(method).collect()
     }
 
-    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String> {
-        let outer = if self.is_smooth() { seconds } else { OUTER_STEP.min(self.coarsest_step()) };
-        self.trace(method, control, scalar, seconds, outer)
+    fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {
+        let outer = if self.is_smooth() { time.seconds } else { OUTER_STEP.min(self.coarsest_step()) };
+        self.trace(how, time, outer)
     }
 
-    fn reference(&self, seconds: f64) -> Result<Trace, String> {
-        self.trace(
-            "dop853",
-            Control::Tolerance(1e-13),
-            ScalarKind::F64,
-            seconds,
-            REFERENCE_STEP.min(self.coarsest_step()),
-        )
+    fn reference(&self, time: Time) -> Result<Trace, Stop> {
+        let how = ("dop853", Control::Tolerance(1e-13), ScalarKind::F64);
+        self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step()))
     }
 
-    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String> {
-        let control = Control::Tolerance(1e-12);
-        let trace = self.trace(
-            "dormand_prince",
-            control,
-            ScalarKind::F64,
-            seconds,
-            REFERENCE_STEP.min(self.coarsest_step()),
-        )?;
+    fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop> {
+        let how = ("dormand_prince", Control::Tolerance(1e-12), ScalarKind::F64);
+        let trace = self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step()))?;
         Ok(("Dormand-Prince 5(4) at 1e-12", trace))
     }
 
@@ -191,11 +190,20 @@ impl Subject for Body {
         sheet_body::make(self)
     }
 
-    fn graph(&self) -> Result<String, String> {
+    fn graph(&self, limit: Duration) -> Result<String, String> {
+        let deadline = Deadline::within(limit);
         let mut scene = self.scene.clone();
         scene.every = scene.every.max(scene.steps() / ROWS).max(1);
         let mut album = Album::new(&scene, None, &scene.note()).map_err(|e| e.to_string())?;
-        let events = run::<f64>(&scene, |row| album.push(row))?;
+        let push = |row: &Row| {
+            album.push(row);
+            Ok(())
+        };
+        let events = match run_until::<f64, Stop>(&scene, push, |t| deadline.check(t)) {
+            Ok(events) => events,
+            Err(Stop::Late { .. }) => Vec::new(),
+            Err(Stop::Refused(why)) => return Err(why),
+        };
         Ok(svg::text(&album.draw(&scene, &events)))
     }
 }

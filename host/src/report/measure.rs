@@ -3,17 +3,19 @@
 //! In: a subject, its reference, a plan. Out: points. A ladder ends where rounding takes over, where a
 //! run would take longer than the plan allows, or where its share of the time is used up.
 
-use super::clock;
+use super::clock::{self, Stop};
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::Truth;
-use super::subject::{Method, SAMPLES, Subject, Trace};
+use super::subject::{Method, SAMPLES, Subject, Time, Trace};
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
 /// Shorter runs are repeated: the fastest of three counts.
 const SHORT: Duration = Duration::from_millis(5);
 const REPEATS: usize = 3;
+/// A run that takes so many times what is expected of the longest one is ended.
+const LONGEST: u32 = 8;
 /// An error above this share of the motion's size is no answer.
 const NONSENSE: f64 = 0.3;
 /// Two finer steps in a row that do not lower the least error to this share have met rounding.
@@ -64,11 +66,16 @@ fn ladder(
         if no_time || last_time.mul_f64(rung.work) > plan.run {
             break;
         }
-        let (error, trace) = match run(subject, truth, method, rung.control, scalar) {
+        let (error, trace) = match run(subject, truth, method, rung.control, scalar, LONGEST * plan.run) {
             Ok(found) => found,
-            Err(why) => {
+            Err(Stop::Refused(why)) => {
                 refusal = Some(why);
                 continue;
+            }
+            // A finer one would take longer.
+            Err(late @ Stop::Late { .. }) => {
+                refusal = Some(late.to_string());
+                break;
             }
         };
         last_time = trace.elapsed;
@@ -102,11 +109,13 @@ pub fn run(
     method: &Method,
     control: Control,
     scalar: ScalarKind,
-) -> Result<(f64, Trace), String> {
-    let mut best = subject.run(&method.name, control, scalar, truth.seconds)?;
+    limit: Duration,
+) -> Result<(f64, Trace), Stop> {
+    let (how, time) = ((method.name.as_str(), control, scalar), Time { seconds: truth.seconds, limit });
+    let mut best = subject.run(how, time)?;
     if best.elapsed < SHORT {
         for _ in 1..REPEATS {
-            let again = subject.run(&method.name, control, scalar, truth.seconds)?;
+            let again = subject.run(how, time)?;
             best = if again.elapsed < best.elapsed { again } else { best };
         }
     }

@@ -1,10 +1,11 @@
 //! A mechanism under measurement.
 
 use super::clock;
+use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism;
-use super::subject::{Method, SAMPLES, Subject, Trace};
+use super::subject::{Method, SAMPLES, Subject, Time, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -21,13 +22,14 @@ use smartbed_codegen::words::count;
 use smartbed_codegen::{Interpreted, Program, program};
 use smartbed_runtime::integrator::step_size::Tolerance;
 use smartbed_runtime::integrator::{DormandPrince, dormand_prince};
-use smartbed_runtime::mechanism::System;
+use smartbed_runtime::mechanism::{Fault, System};
 use smartbed_runtime::state::State;
+use std::time::Duration;
 
 /// A ladder of steps begins at this many steps of the model's own length.
 const COARSE: f64 = 32.0;
-/// Most steps of an adaptive method between two samples.
-const MOST_STEPS: u32 = 10_000_000;
+/// Steps between two looks at the clock, which cost as much as a short step.
+const LOOK: usize = 1024;
 /// Rows of a graph.
 const ROWS: f64 = 500.0;
 
@@ -113,8 +115,9 @@ impl Mechanism {
         &self,
         method: settings::Method,
         control: Control,
-        seconds: f64,
-    ) -> Result<Trace, String> {
+        Time { seconds, limit }: Time,
+    ) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(limit);
         let mut plant = self.plant::<S>(self.engine)?;
         let mut x: Vec<S> = self.start.iter().map(|x| S::from_f64(*x)).collect();
         let (n, n_q) = (x.len(), self.program.q.len());
@@ -134,6 +137,9 @@ impl Mechanism {
                 for i in 0..SAMPLES * steps {
                     let t = S::from_f64(i as f64 * h);
                     fixed.step(&mut plant, t, S::from_f64(h), &mut state, &mut scratch).map_err(refused)?;
+                    if i % LOOK == 0 {
+                        deadline.check(t.to_f64())?;
+                    }
                     if (i + 1) % steps == 0 {
                         keep(&state);
                     }
@@ -147,11 +153,19 @@ impl Mechanism {
                 let mut t = S::ZERO;
                 for i in 1..=SAMPLES {
                     let end = S::from_f64(i as f64 * interval);
-                    adaptive.advance_to(&mut plant, &mut t, end, MOST_STEPS, &mut state).map_err(refused)?;
+                    loop {
+                        let before = t;
+                        match adaptive.advance_to(&mut plant, &mut t, end, LOOK as u32, &mut state) {
+                            Ok(_) => break,
+                            // So many steps were not enough; but some were made.
+                            Err(Fault::StepSize) if t > before => deadline.check(t.to_f64())?,
+                            Err(fault) => return Err(refused(fault).into()),
+                        }
+                    }
                     keep(&state);
                 }
             }
-            _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned()),
+            _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned().into()),
         }
         Ok(Trace { samples, evaluations: plant.evaluations(), elapsed: clock::now() - begin })
     }
@@ -194,17 +208,18 @@ impl Subject for Mechanism {
         all.map(|m| Method { name: m.name(), order: order(*m), adaptive: m.fixed().is_none() }).collect()
     }
 
-    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String> {
+    fn run(&self, (method, control, scalar): (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {
         let method = settings::Method::from_str(method, false)
             .map_err(|_| format!("there is no method `{method}`"))?;
         match scalar {
-            ScalarKind::F32 => self.trace::<f32>(method, control, seconds),
-            ScalarKind::F64 => self.trace::<f64>(method, control, seconds),
+            ScalarKind::F32 => self.trace::<f32>(method, control, time),
+            ScalarKind::F64 => self.trace::<f64>(method, control, time),
         }
     }
 
     /// Without projections: at this tolerance the constraints stay met to the rounding of the coordinates.
-    fn reference(&self, seconds: f64) -> Result<Trace, String> {
+    fn reference(&self, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(limit);
         let mut plant: Plant64 = self.plant(EngineKind::Interpreter)?;
         let mut fault = None;
         let begin = clock::now();
@@ -220,6 +235,7 @@ impl Subject for Mechanism {
             let end = seconds * i as f64 / SAMPLES as f64;
             while solver.t < end {
                 solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
+                deadline.check(solver.t)?;
             }
             samples.push(solver.y[..self.program.q.len()].to_vec());
         }
@@ -227,8 +243,8 @@ impl Subject for Mechanism {
         Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
     }
 
-    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String> {
-        let trace = self.trace::<f64>(settings::Method::DormandPrince, Control::Tolerance(1e-12), seconds)?;
+    fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop> {
+        let trace = self.trace::<f64>(settings::Method::DormandPrince, Control::Tolerance(1e-12), time)?;
         Ok(("Dormand-Prince 5(4) at 1e-12", trace))
     }
 
@@ -244,7 +260,8 @@ impl Subject for Mechanism {
         sheet_mechanism::make(self)
     }
 
-    fn graph(&self) -> Result<String, String> {
+    fn graph(&self, limit: Duration) -> Result<String, String> {
+        let (deadline, mut is_late) = (Deadline::within(limit), false);
         let mut settings = self.settings.clone();
         settings.every = ((settings.seconds / settings.step / ROWS) as usize).max(settings.every);
         let setup = Setup {
@@ -256,11 +273,15 @@ impl Subject for Mechanism {
         let names = columns(&self.program, &self.observers);
         let mut recording = Recording::new(names.len());
         let engine = Box::new(Interpreted::<f64>::new(&self.program));
-        simulate::<f64>(setup, engine, |row: &Row| {
+        let done = simulate::<f64>(setup, engine, |row: &Row| {
             recording.push(&row.values);
-            Ok(())
-        })
-        .map_err(|e| e.to_string())?;
+            let looked = deadline.check(row.values[0]);
+            is_late = looked.is_err();
+            looked.map_err(|stop| Failure::Wrong(stop.to_string()))
+        });
+        if let (Err(why), false) = (done, is_late) {
+            return Err(why.to_string());
+        }
         let motion = Motion {
             model: &self.model,
             names: &names,

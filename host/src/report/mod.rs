@@ -31,6 +31,7 @@ pub mod work_precision;
 
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
+use crate::input;
 use crate::model_argument;
 use crate::output;
 use crate::plot::svg;
@@ -38,7 +39,7 @@ use crate::progress::Progress;
 use crate::suggest;
 use chip::Chip;
 use plan::Plan;
-use point::{Control, Extras, Report, Section};
+use point::{Control, Extras, Report, Section, Table};
 use smartbed_codegen::words::count;
 use std::path::Path;
 use std::time::Duration;
@@ -159,22 +160,22 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.results {
         write_results(&report, Path::new(folder))?;
     }
-    if arguments.json {
-        output::print(&json::text(&report));
+    let text = if arguments.json {
+        json::text(&report)
     } else if arguments.is_row() {
-        output::print(&markdown::text(&report));
+        markdown::text(&report)
     } else {
         let points: usize = report.sections.iter().map(|s| s.points.len()).sum();
         let (out, subjects) = (&arguments.out, report.sections.len());
-        output::print(&format!(
+        format!(
             "{}, {}, {:.0} s\nwritten to {out}: report.html, report.md, report.csv, report.json, {}\n",
             count(subjects, "subject"),
             count(points, "point"),
             report.elapsed,
             count(subjects, "plot")
-        ));
-    }
-    Ok(())
+        )
+    };
+    output::print(&text)
 }
 
 /// Measures everything that is asked for; progress on standard error.
@@ -194,8 +195,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     }
     let mut others = Vec::new();
     for file in &arguments.points {
-        let text = std::fs::read_to_string(file);
-        let text = text.map_err(|e| Failure::Wrong(format!("--points {file}: {e}")))?;
+        let text = input::text(file).map_err(|e| Failure::Wrong(format!("--points {file}: {e}")))?;
         others.push(Extras::read(file, &text)?);
     }
     let mut progress = Progress::new("report");
@@ -212,14 +212,39 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
         sections: Vec::new(),
         tables: Vec::new(),
     };
+    let mut failed = Vec::new();
     for (n, subject) in subjects.iter().enumerate() {
-        eprintln!("report: {} ({} of {}, {:.0} s)", subject.name(), n + 1, names.len(), progress.seconds());
+        output::say(&format!(
+            "report: {} ({} of {}, {:.0} s)",
+            subject.name(),
+            n + 1,
+            names.len(),
+            progress.seconds()
+        ));
         let plan = plan.hurried(progress.seconds(), clock::now() - begin, names.len() - n);
         // Beside others, as long as they run; what is in a hurry is not.
         let told = others.iter().find_map(|extras: &Extras| extras.seconds(subject.name()));
         let seconds = arguments.seconds.or(told.filter(|_| !arguments.quick));
-        report.sections.push(section(subject.as_ref(), &plan, seconds)?);
+        match section(subject.as_ref(), &plan, seconds) {
+            Ok(section) => report.sections.push(section),
+            // Of several subjects one that cannot be measured is told of, and the others are measured.
+            Err(why) if names.len() > 1 => {
+                output::say(&format!("warning: not measured: {why}"));
+                failed.push(vec![subject.name().to_owned(), why.to_string()]);
+            }
+            Err(why) => return Err(why),
+        }
         progress.at((n + 1) as f64 / names.len() as f64);
+    }
+    // What cannot be measured has no place beside what is.
+    subjects.retain(|s| report.sections.iter().any(|section| section.name == s.name()));
+    if subjects.is_empty() {
+        let why: Vec<String> = failed.iter().map(|row| row.join(": ")).collect();
+        return Err(Failure::Wrong(format!("nothing could be measured: {}", why.join("; "))));
+    }
+    if !failed.is_empty() {
+        let (title, columns) = ("Not measured".to_owned(), ["subject", "why"].map(str::to_owned).to_vec());
+        report.tables.push(Table { title, columns, rows: failed, command: report.command.clone() });
     }
     let kinds =
         [("mechanisms", false, true), ("smooth scenes", true, true), ("scenes with touches", true, false)];
@@ -255,7 +280,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     if let Some(table) = peers::table(&report) {
         report.tables.insert(0, table);
     }
-    peers::dominating(&report).iter().for_each(|line| eprintln!("a peer dominates: {line}"));
+    peers::dominating(&report).iter().for_each(|line| output::say(&format!("a peer dominates: {line}")));
     report.elapsed = progress.seconds();
     Ok(report)
 }
@@ -293,8 +318,8 @@ pub fn check_name(subject: &dyn Subject, name: &str) -> Result<Method, Failure> 
 /// [`Failure::Wrong`] if it cannot be run.
 pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Result<Section, Failure> {
     let wrong = |e: String| Failure::Wrong(format!("{}: {e}", subject.name()));
-    let truth = reference::make(subject, seconds.unwrap_or(plan.seconds(subject)), seconds.is_none())
-        .map_err(wrong)?;
+    let simulated = seconds.unwrap_or(plan.seconds(subject));
+    let truth = reference::make(subject, simulated, seconds.is_none(), plan.reference).map_err(wrong)?;
     let measured = measure::measure(subject, &truth, plan);
     if measured.points.is_empty() {
         let why = measured.notes.join("; ");
@@ -310,7 +335,7 @@ pub fn section(subject: &dyn Subject, plan: &Plan, seconds: Option<f64>) -> Resu
         points: measured.points,
         notes: measured.notes,
         chip: Vec::new(),
-        graph: subject.graph().map_err(wrong)?,
+        graph: subject.graph(plan.reference).map_err(wrong)?,
     })
 }
 
@@ -327,12 +352,32 @@ pub fn write(report: &Report, folder: &Path) -> Result<(), Failure> {
     put("report.csv", &csv::text(report))?;
     put("report.json", &json::text(report))?;
     put("report.html", &page::text(report))?;
-    for section in &report.sections {
+    let plots = plot_names(report.sections.iter().map(|s| s.name.as_str()));
+    for (n, section) in report.sections.iter().enumerate() {
         if let Some(drawing) = work_precision::draw(section, work_precision::COSTS[0]) {
-            put(&format!("plots/{}.svg", section.name), &svg::text(&drawing))?;
+            put(&format!("plots/{}.svg", plots[n]), &svg::text(&drawing))?;
         }
     }
     Ok(())
+}
+
+/// Names of the plots' files: a subject may be named by a path, and two of them end alike.
+fn plot_names<'a>(subjects: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for subject in subjects {
+        let stem = Path::new(subject).file_stem().map_or_else(|| "plot".into(), |s| s.to_string_lossy());
+        let plain = |c: char| if c.is_alphanumeric() || c == '_' || c == '-' { c } else { '_' };
+        let name: String = stem.chars().map(plain).collect();
+        let mut numbered = name.clone();
+        for n in 2.. {
+            if !names.contains(&numbered) {
+                break;
+            }
+            numbered = format!("{name}-{n}");
+        }
+        names.push(numbered);
+    }
+    names
 }
 
 /// Writes the summary, the points of our own fronts and all of other simulators, named after the processor.
@@ -380,7 +425,13 @@ pub fn machine() -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::file_name;
+    use super::{file_name, plot_names};
+
+    #[test]
+    fn plots_stay_in_their_folder() {
+        let subjects = ["tile", "../../tile.toml", "/tmp/a b.toml", "..", "sub/tile"];
+        assert_eq!(plot_names(subjects.into_iter()), ["tile", "tile-2", "a_b", "plot", "tile-3"]);
+    }
 
     #[test]
     fn a_processor_is_a_file_name() {

@@ -37,6 +37,8 @@ pub struct Pick {
 /// Longest calibration: of a run, of all runs.
 const RUN: Duration = Duration::from_millis(50);
 const ALL: Duration = Duration::from_millis(900);
+/// Longest computation of what errors are taken against.
+const REFERENCE: Duration = Duration::from_secs(6);
 /// Most work of a calibration: springs times seconds.
 const WORK: f64 = 50.0;
 
@@ -45,6 +47,7 @@ fn plan(method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
     Plan {
         run: RUN,
         subject: ALL,
+        reference: REFERENCE,
         work: WORK,
         method: method.map(str::to_owned),
         scalar: Some(scalar),
@@ -64,7 +67,7 @@ pub fn pick(
 ) -> Result<Pick, Failure> {
     let plan = plan(method, scalar, engine);
     let wrong = |e: String| Failure::Wrong(format!("calibration of {}: {e}", subject.name()));
-    let truth = reference::make(subject, plan.seconds(subject), true).map_err(wrong)?;
+    let truth = reference::make(subject, plan.seconds(subject), true, plan.reference).map_err(wrong)?;
     let points = measure(subject, &truth, &plan).points;
     let (fits, goal): (Vec<&Point>, String) = match aim {
         Aim::Error(e) => (points.iter().filter(|p| p.error <= e).collect(), format!("--error {e:e}")),

@@ -28,6 +28,8 @@ pub struct Plan {
     pub run: Duration,
     /// Computing time for all runs of a subject, its reference not counted.
     pub subject: Duration,
+    /// Computing time for the reference of a subject; for its graph as long.
+    pub reference: Duration,
     /// Time by the clock for all subjects, if it is limited.
     pub wall: Option<Duration>,
     /// Most spring-seconds (or seconds of a mechanism) simulated; more is cut.
@@ -52,6 +54,7 @@ impl Plan {
             tolerance_factor: 1e-1,
             run: Duration::from_secs(1),
             subject: Duration::from_secs(25),
+            reference: Duration::from_secs(120),
             wall: Some(Duration::from_secs(600)),
             work: f64::INFINITY,
             method: None,
@@ -70,6 +73,7 @@ impl Plan {
             tolerance_factor: 1e-2,
             run: Duration::from_millis(40),
             subject: Duration::from_millis(700),
+            reference: Duration::from_secs(12),
             wall: Some(Duration::from_secs(35)),
             work: 100.0,
             engine: EngineKind::Interpreter,

@@ -4,13 +4,17 @@
 //! with it. Where motion is chaotic, or touches hang on rounding, two exact methods part after a while:
 //! the time is then cut to the samples over which they still agree, and the report says so.
 
+use super::clock::{self, Stop};
 use super::point::Reference;
-use super::subject::{SAMPLES, Subject, Trace};
+use super::subject::{SAMPLES, Subject, Time, Trace};
+use std::time::Duration;
 
 /// Largest difference of the references (m or rad) for the time to be used.
 const AGREEMENT: f64 = 1e-8;
 /// Times the simulated time may be cut.
 const CUTS: usize = 6;
+/// A share of the time below which a reference says nothing about the whole.
+const LEAST: f64 = 1e-4;
 
 /// A subject's reference: how it was made, how long it holds, where the subject is at the samples.
 #[derive(Clone, PartialEq, Debug)]
@@ -23,33 +27,56 @@ pub struct Truth {
     pub trace: Trace,
 }
 
-/// The reference over at most `seconds`; `cut` allows less.
+/// The reference over at most `seconds`, in a limited time of computing; `cut` allows less of `seconds`.
 ///
 /// # Errors
-/// Why no reference agrees with another, in words.
-pub fn make(subject: &dyn Subject, seconds: f64, cut: bool) -> Result<Truth, String> {
-    let mut seconds = seconds;
-    let mut last = f64::NAN;
+/// Why no reference agrees with another, or is there in time, in words.
+pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> Result<Truth, String> {
+    let (mut seconds, asked) = (seconds, seconds);
+    let mut last = String::new();
+    let end = clock::now() + limit;
     for _ in 0..CUTS {
-        let (trace, text, differences) = pair(subject, seconds)?;
+        // A try that is not done in time leaves some for a shorter one.
+        let left = end.saturating_sub(clock::now());
+        let share = if cut { left / 3 } else { left };
+        let (trace, text, differences) = match pair(subject, Time { seconds, limit: share / 2 }) {
+            Ok(found) => found,
+            Err(Stop::Late { reached, .. }) if cut && reached > LEAST * asked => {
+                last =
+                    format!("{} of computing are not enough for the reference of {seconds} s", words(limit));
+                seconds = round_down(0.5 * reached);
+                continue;
+            }
+            Err(late @ Stop::Late { .. }) => {
+                let help =
+                    "shorter --seconds, or --method and --step of your own, need no reference of this kind";
+                return Err(format!("the reference is not there in time: {late}; {help}"));
+            }
+            Err(Stop::Refused(why)) => return Err(why),
+        };
         let agreeing = differences.iter().take_while(|d| **d <= AGREEMENT).count();
-        last = differences.iter().copied().fold(0.0, f64::max);
-        if agreeing == SAMPLES || (!cut && last.is_finite()) {
-            return Ok(Truth { reference: Reference { text, agreement: last }, seconds, trace });
+        let difference = differences.iter().copied().fold(0.0, f64::max);
+        if agreeing == SAMPLES || (!cut && difference.is_finite()) {
+            return Ok(Truth { reference: Reference { text, agreement: difference }, seconds, trace });
         }
         seconds = round_down(seconds * agreeing.max(1) as f64 / SAMPLES as f64);
+        last = format!("after {seconds} s the two references still differ by {difference:.1e}");
     }
-    Err(format!("after {seconds} s the two references still differ by {last:.1e}"))
+    Err(last)
+}
+
+fn words(time: Duration) -> String {
+    format!("{:.0} s", time.as_secs_f64())
 }
 
 /// Reference, how it was made, and how far a second one is from it at each sample.
-fn pair(subject: &dyn Subject, seconds: f64) -> Result<(Trace, String, Vec<f64>), String> {
-    let first = subject.reference(seconds)?;
-    if let Some((name, exact)) = subject.closed_form(seconds) {
+fn pair(subject: &dyn Subject, time: Time) -> Result<(Trace, String, Vec<f64>), Stop> {
+    let first = subject.reference(time)?;
+    if let Some((name, exact)) = subject.closed_form(time.seconds) {
         let differences = exact.differences(&first);
         return Ok((exact, format!("closed form ({name}), checked by DOP853 at 1e-13"), differences));
     }
-    let (name, second) = subject.second_reference(seconds)?;
+    let (name, second) = subject.second_reference(time)?;
     let differences = first.differences(&second);
     Ok((first, format!("DOP853 at 1e-13, checked by {name}"), differences))
 }

@@ -1,6 +1,7 @@
 //! What is measured: a scene of a flexible body or a mechanism, both behind one trait.
 
 use super::body::Body;
+use super::clock::Stop;
 use super::mechanism::Mechanism;
 use super::point::Control;
 use super::sheet::Sheet;
@@ -54,6 +55,15 @@ impl Trace {
     }
 }
 
+/// How long a run is, and how long it may take.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Time {
+    /// Simulated time (s).
+    pub seconds: f64,
+    /// Computing time.
+    pub limit: Duration,
+}
+
 /// A scene or a mechanism that can be run with any method.
 pub trait Subject {
     /// Its name.
@@ -70,21 +80,21 @@ pub trait Subject {
     fn weight(&self) -> f64;
     /// All methods.
     fn methods(&self) -> Vec<Method>;
-    /// A run of `seconds`.
+    /// A run with a method.
     ///
     /// # Errors
-    /// Why it stopped, in words.
-    fn run(&self, method: &str, control: Control, scalar: ScalarKind, seconds: f64) -> Result<Trace, String>;
+    /// Why it stopped.
+    fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop>;
     /// DOP853 at 1e-13.
     ///
     /// # Errors
-    /// Why it stopped, in words.
-    fn reference(&self, seconds: f64) -> Result<Trace, String>;
+    /// Why it stopped.
+    fn reference(&self, time: Time) -> Result<Trace, Stop>;
     /// A second, independent method for the same.
     ///
     /// # Errors
-    /// Why it stopped, in words.
-    fn second_reference(&self, seconds: f64) -> Result<(&'static str, Trace), String>;
+    /// Why it stopped.
+    fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop>;
     /// The exact motion, where it is known, and its name.
     fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)>;
     /// A scene of a flexible body, or a mechanism?
@@ -94,11 +104,11 @@ pub trait Subject {
     /// # Errors
     /// Why it could not be run, in words.
     fn sheet(&self) -> Result<Sheet, String>;
-    /// Motion and energies at its own settings, as SVG.
+    /// Motion and energies at its own settings, as SVG, as far as they come within a time of computing.
     ///
     /// # Errors
     /// Why the run stopped, in words.
-    fn graph(&self) -> Result<String, String>;
+    fn graph(&self, limit: Duration) -> Result<String, String>;
 }
 
 /// The subject of this name or path.

@@ -1,20 +1,25 @@
 //! `smartbed run` of a scene: a flexible body instead of a mechanism, with the same arguments.
 
-use super::{Arguments, noted};
+use super::health::{Energies, Health};
+use super::simulate::interrupted;
+use super::{Arguments, Outcome, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
+use crate::interrupt;
+use crate::limits::check_numbers;
 use crate::number::{json_number, json_string};
-use crate::output::Output;
+use crate::output::{self, Output};
 use crate::plot;
 use crate::progress::Progress;
 use crate::scene::graph::Album;
 use crate::scene::read::{self, Scene};
-use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run};
+use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run_until};
 use crate::view::film::Series;
 use crate::view::{Film, Stage};
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{MAX_EVENTS, MAX_SUBSTEPS};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 pub(super) use read::is_scene;
@@ -26,19 +31,23 @@ const HEIGHTS: usize = 7;
 ///
 /// # Errors
 /// Status 1 for a wrong scene or setting and for a motion that cannot go on.
-pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<(String, Option<String>), Failure> {
+pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Failure> {
     if arguments.engine == EngineKind::Compiled {
         return Err(Failure::Wrong("--engine compiled: a scene is stepped by the runtime itself".to_owned()));
     }
     let scene = read::open(&path.display().to_string(), &settings(arguments)).map_err(Failure::Wrong)?;
-    scene.warnings.iter().for_each(|warning| eprintln!("warning: {warning}"));
+    scene.warnings.iter().for_each(|warning| output::say(&format!("warning: {warning}")));
     let clock = Progress::new("running");
     let done = match arguments.scalar {
-        ScalarKind::F32 => record::<f32>(arguments, &scene)?,
+        ScalarKind::F32 => {
+            check_numbers::<f32>(scene.lists.numbers()).map_err(Failure::Wrong)?;
+            record::<f32>(arguments, &scene)?
+        }
         ScalarKind::F64 => record::<f64>(arguments, &scene)?,
     };
     let text = done.report(arguments, &scene, clock.seconds());
-    Ok((text, done.film))
+    let findings = done.health.findings();
+    Ok(Outcome { text, film: done.film, findings })
 }
 
 /// The command line as settings of the scene's own keys.
@@ -62,6 +71,7 @@ struct Done {
     imbalance: f64,
     total: [f64; 2],
     cut_short: usize,
+    health: Health,
 }
 
 impl Done {
@@ -70,7 +80,8 @@ impl Done {
         if arguments.json {
             return format!(
                 "{{\"scene\": {}, \"points\": {}, \"springs\": {}, \"seconds\": {}, \"rows\": {}, \"events\": {}, \
-                 \"touches\": {touches}, \"method\": {}, \"steps_cut_short\": {}, \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}}}\n",
+                 \"touches\": {touches}, \"method\": {}, \"steps_cut_short\": {}, \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}, \
+                 \"warnings\": {}}}\n",
                 json_string(&scene.title),
                 scene.lists.points.len(),
                 scene.lists.springs.len(),
@@ -83,6 +94,7 @@ impl Done {
                 json_number(self.total[1]),
                 json_number(self.imbalance),
                 json_number(elapsed),
+                serde_json::Value::from(self.health.findings()),
             );
         }
         format!(
@@ -134,38 +146,52 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
     let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_scene(scene), series(n)));
     let mut progress = Progress::new("running");
     let (mut rows, mut imbalance, mut total, mut cut_short) = (0, 0.0_f64, [f64::NAN; 2], 0);
-    let mut failure = None;
-    let events = run::<S>(scene, |row: &Row| {
-        if let Some(csv) = &mut csv
-            && failure.is_none()
-        {
-            failure = csv.write(&(csv_line(row) + "\n")).err();
-        }
-        if let Some(album) = &mut album {
-            album.push(row);
-        }
-        if let Some(film) = &mut film {
-            let [kinetic, gravity, spring, pressure] = row.energy.stored;
-            let energies = [kinetic, gravity, spring, pressure, row.energy.total, row.energy.imbalance];
-            let values = row.pos.iter().take(HEIGHTS).map(|x| x[2]).chain(energies);
-            film.push(row.t, row.pos.as_flattened(), values.chain(row.energy.accounts));
-        }
-        total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
-        imbalance = imbalance.max(row.energy.imbalance.abs());
-        cut_short = row.cut_short;
-        rows += 1;
-        progress.at(row.t / scene.seconds);
-    })
-    .map_err(Failure::Wrong)?;
-    match failure {
-        Some(failure) => return Err(failure),
-        None => csv.map_or(Ok(()), Output::finish)?,
+    let mut health = Health::new(BTreeMap::new(), S::EPSILON.to_f64());
+    if csv.is_some() {
+        interrupt::watch();
     }
+    let done = run_until::<S, Failure>(
+        scene,
+        |row: &Row| {
+            if let Some(csv) = &mut csv {
+                csv.write(&(csv_line(row) + "\n"))?;
+            }
+            if let Some(album) = &mut album {
+                album.push(row);
+            }
+            if let Some(film) = &mut film {
+                let [kinetic, gravity, spring, pressure] = row.energy.stored;
+                let energies = [kinetic, gravity, spring, pressure, row.energy.total, row.energy.imbalance];
+                let values = row.pos.iter().take(HEIGHTS).map(|x| x[2]).chain(energies);
+                film.push(row.t, row.pos.as_flattened(), values.chain(row.energy.accounts));
+            }
+            total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
+            let energy = &row.energy;
+            imbalance = imbalance.max(energy.imbalance.abs());
+            let moved: Vec<f64> = energy.accounts.iter().copied().chain([energy.total - total[0]]).collect();
+            health.energies(Energies { stored: &energy.stored, moved: &moved, imbalance: energy.imbalance });
+            cut_short = row.cut_short;
+            rows += 1;
+            Ok(())
+        },
+        |t| {
+            progress.at(t / scene.seconds);
+            interrupted(t)
+        },
+    );
+    let events = match done {
+        Ok(events) => events,
+        Err(failure) => {
+            let file = arguments.csv.as_deref().unwrap_or_default();
+            return Err(super::ended_early(failure, csv, rows, file));
+        }
+    };
+    csv.map_or(Ok(()), Output::finish)?;
     if let (Some(file), Some(album)) = (&arguments.plot, &album) {
         plot::write(file, &album.draw(scene, &events))?;
     }
     let film = film.map(|film| film.data(&scene.title, &note, &told(&events)));
-    Ok(Done { events, film, rows, imbalance, total, cut_short })
+    Ok(Done { events, film, rows, imbalance, total, cut_short, health })
 }
 
 /// Curves beside the motion, in the order of [`record`]'s values.

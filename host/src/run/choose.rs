@@ -4,6 +4,7 @@
 use super::Arguments;
 use crate::engine::EngineKind;
 use crate::failure::Failure;
+use crate::output;
 use crate::progress::Progress;
 use crate::report::body::Body;
 use crate::report::mechanism::Mechanism;
@@ -45,7 +46,7 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path, is_scene: bool) -> Res
         crate::report::check_name(subject.as_ref(), name)?;
     }
     let picked = pick(subject.as_ref(), aim, (method, arguments.scalar, engine))?;
-    eprintln!("{} [{:.1} s]", picked.text, clock.seconds());
+    output::say(&format!("{} [{:.1} s]", picked.text, clock.seconds()));
     plain.method = Some(picked.method);
     match picked.control {
         Control::Step(step) => {

@@ -2,6 +2,7 @@
 
 mod body;
 mod choose;
+pub mod health;
 pub mod ledger;
 pub mod observers;
 pub mod settings;
@@ -10,6 +11,7 @@ pub mod simulate;
 use crate::configuration::Configurations;
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::number::{digits, json_number, json_object};
 use crate::output::{self, Output};
 use crate::plot::Recording;
@@ -26,9 +28,6 @@ use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Program, program};
 use std::fmt::Write as _;
-
-/// A motion with a pivot below this share of nominal is worth a warning.
-const NEARLY_SINGULAR: f64 = 1e-3;
 
 /// Simulate a mechanism or a scene.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -86,6 +85,10 @@ pub struct Arguments {
     /// What evaluates.
     #[arg(long, value_enum, default_value_t)]
     pub engine: EngineKind,
+    /// What went wrong in the motion (energy that no account explains, ranges left, a nearly singular
+    /// configuration) is a failure, not a warning.
+    #[arg(long)]
+    pub strict: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -97,16 +100,21 @@ pub struct Arguments {
 /// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a
 /// compiler for `--engine compiled`.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let (text, film) = carry_out(arguments)?;
+    let Outcome { text, film, findings } = carry_out(arguments)?;
     if let (Some(file), Some(film)) = (&arguments.view, film) {
         output::write(file, view::page(&film).as_bytes())?;
     }
-    if arguments.csv.as_deref() == Some("-") {
-        eprint!("{text}");
-    } else {
-        output::print(&text);
-    }
-    Ok(())
+    tell(arguments, &text, &findings)
+}
+
+/// What a run leaves behind beside its files.
+struct Outcome {
+    /// The summary.
+    text: String,
+    /// The data of the page.
+    film: Option<String>,
+    /// What went wrong.
+    findings: Vec<String>,
 }
 
 /// Runs, and gives what the page of the motion reads; `--view` is not written.
@@ -115,11 +123,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// As [`run`].
 pub fn film(arguments: &Arguments) -> Result<String, Failure> {
     let arguments = Arguments { view: Some(String::new()), ..arguments.clone() };
-    Ok(carry_out(&arguments)?.1.unwrap_or_default())
+    Ok(carry_out(&arguments)?.film.unwrap_or_default())
 }
 
 /// Runs and writes what is asked for but the page; gives the summary, and the page's data if `--view` is given.
-fn carry_out(arguments: &Arguments) -> Result<(String, Option<String>), Failure> {
+fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = &arguments.plot {
         plot::format_of(file)?;
     }
@@ -142,7 +150,39 @@ fn carry_out(arguments: &Arguments) -> Result<(String, Option<String>), Failure>
         ScalarKind::F32 => record::<f32>(arguments, &model, setup)?,
         ScalarKind::F64 => record::<f64>(arguments, &model, setup)?,
     };
-    Ok((report(arguments, &model, setup, &summary, clock.seconds()), film))
+    let text = report(arguments, &model, setup, &summary, clock.seconds());
+    Ok(Outcome { text, film, findings: summary.health.findings() })
+}
+
+/// The summary, where rows do not go; then what went wrong, which `--strict` makes a failure.
+fn tell(arguments: &Arguments, text: &str, findings: &[String]) -> Result<(), Failure> {
+    if arguments.csv.as_deref() == Some("-") {
+        output::say(text.trim_end());
+    } else {
+        output::print(text)?;
+    }
+    match findings {
+        [] => Ok(()),
+        _ if arguments.strict => {
+            Err(Failure::Wrong(format!("--strict: {}", findings.join("\nerror: --strict: "))))
+        }
+        _ => {
+            findings.iter().for_each(|finding| output::say(&format!("warning: {finding}")));
+            Ok(())
+        }
+    }
+}
+
+/// What there is of a run that ended early: whole rows.
+fn ended_early(failure: Failure, csv: Option<Output>, rows: u64, file: &str) -> Failure {
+    let (Some(csv), Failure::Wrong(why)) = (csv, &failure) else { return failure };
+    match csv.finish() {
+        Ok(()) if file != "-" => {
+            Failure::Wrong(format!("{why}; {} up to there in {file}", count(rows, "row")))
+        }
+        Ok(()) => failure,
+        Err(full) => full,
+    }
 }
 
 /// Coordinates and independent speeds at the start.
@@ -176,7 +216,11 @@ fn record<S: EngineScalar>(
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
     let (series, shown) = series(model, &names);
     let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_model(model), series));
-    let summary = simulate::simulate(setup, engine, |row: &Row| {
+    if csv.is_some() {
+        interrupt::watch();
+    }
+    let mut rows = 0;
+    let done = simulate::simulate(setup, engine, |row: &Row| {
         if let Some(csv) = &mut csv {
             csv.write(&line(&row.values))?;
         }
@@ -186,8 +230,14 @@ fn record<S: EngineScalar>(
         if let Some(film) = &mut film {
             film.push(row.values[0], &row.places, shown.iter().map(|n| row.values[*n]));
         }
+        rows += 1;
         Ok(())
-    })?;
+    });
+    let file = arguments.csv.as_deref().unwrap_or_default();
+    let summary = match done {
+        Ok(summary) => summary,
+        Err(failure) => return Err(ended_early(failure, csv, rows, file)),
+    };
     if let Some(csv) = csv {
         csv.finish()?;
     }
@@ -246,7 +296,7 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
         return format!(
             "{{\"model\": {}, \"method\": \"{method}\", \"seconds\": {}, \"steps\": {}, \"evaluations\": {}, \
              \"rows\": {}, \"worst_pivot\": {}, \"residual_before_projection\": {}, \"imbalance\": {}, \
-             \"elapsed\": {}, \"last\": {last}}}\n",
+             \"elapsed\": {}, \"warnings\": {}, \"last\": {last}}}\n",
             crate::number::json_string(&setup.program.name),
             json_number(settings.seconds),
             summary.steps,
@@ -256,6 +306,7 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
             json_number(summary.residual),
             json_number(summary.imbalance),
             json_number(elapsed),
+            serde_json::Value::from(summary.health.findings()),
         );
     }
     let mut text = format!(
@@ -271,13 +322,6 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
             "constraints: worst pivot {:.3e} of nominal, largest residual before projection {:.1e}",
             summary.pivot, summary.residual
         );
-        if summary.pivot < NEARLY_SINGULAR {
-            let _ = writeln!(
-                text,
-                "warning: the motion passed a configuration that is nearly singular: which way it goes from there the \
-                 constraints hardly say; `smartbed check` finds such configurations"
-            );
-        }
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
     let width = names.iter().map(String::len).max().unwrap_or(0);

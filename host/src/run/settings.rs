@@ -1,6 +1,7 @@
 //! What a run is: the model's `[start]` and `[run]`, changed by the command line.
 
 use super::Arguments;
+use super::health::Range;
 use crate::failure::Failure;
 use crate::{model_argument, suggest};
 use clap::ValueEnum;
@@ -63,6 +64,8 @@ pub struct Settings {
     pub start: BTreeMap<String, f64>,
     /// Changed parameters.
     pub choice: ParameterChoice,
+    /// Ranges that the model declares, by coordinate.
+    pub ranges: BTreeMap<String, Range>,
 }
 
 impl Settings {
@@ -79,6 +82,7 @@ impl Settings {
             tolerance: arguments.tolerance.unwrap_or(TOLERANCE),
             start: BTreeMap::new(),
             choice: ParameterChoice::default(),
+            ranges: ranges(model),
         };
         settings.check(arguments.tolerance)?;
         for (owner, value) in &model.start {
@@ -167,11 +171,27 @@ impl Settings {
         }
     }
 
+    /// Intervals of this length in the run, the last one perhaps shorter; a rest below a thousandth of one is
+    /// rounding, but a run of any length has one.
+    #[must_use]
+    pub fn intervals(&self, length: f64) -> u64 {
+        const ROUNDING: f64 = 1e-3;
+        let whole = (self.seconds / length - ROUNDING).ceil().max(0.0) as u64;
+        if self.seconds > 0.0 { whole.max(1) } else { 0 }
+    }
+
     /// Time between rows (s).
     #[must_use]
     pub fn row_interval(&self) -> f64 {
         self.step * self.every as f64
     }
+}
+
+fn ranges(model: &Model) -> BTreeMap<String, Range> {
+    let declared = model.coordinates.iter().filter(|c| c.written[1].is_some());
+    declared
+        .map(|c| (c.name.clone(), Range { ends: c.range, unit: c.written_unit.clone(), is_angle: false }))
+        .collect()
 }
 
 /// The method of the command line; else the adaptive one if a tolerance is given; else the model's.

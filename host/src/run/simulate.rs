@@ -4,11 +4,14 @@
 //! numbers under [`columns`], and a [`Summary`]. Observers see states that are given; deleting them
 //! changes no bit of the motion.
 
+use super::health::{Energies, Health, Range};
 use super::ledger::{self, Ledger};
 use super::observers::Observers;
 use super::settings::Settings;
 use crate::engine::{Engine, EngineScalar, explain};
 use crate::failure::Failure;
+use crate::interrupt;
+use crate::limits::{Angles, check_numbers};
 use crate::progress::Progress;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::integrator::step_size::Tolerance;
@@ -16,6 +19,7 @@ use smartbed_runtime::integrator::{DormandPrince, Method, Report, dormand_prince
 use smartbed_runtime::mechanism::{Fault, System};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::state::State;
+use std::collections::BTreeMap;
 
 /// Most steps of the adaptive method.
 const MOST_STEPS: u64 = 100_000_000;
@@ -59,6 +63,8 @@ pub struct Summary {
     pub residual: f64,
     /// Largest absolute imbalance of the ledger at any row (J).
     pub imbalance: f64,
+    /// What went wrong.
+    pub health: Health,
     /// The last row.
     pub last: Vec<f64>,
 }
@@ -173,6 +179,8 @@ struct Recorder<'a, S, F> {
     program: &'a Program,
     closed_forms: Interpreted<S>,
     places: Interpreted<f64>,
+    /// Of the equations and of the laws.
+    angles: [Angles; 2],
     sink: F,
     summary: Summary,
     columns: Vec<String>,
@@ -190,6 +198,11 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         plant.engine.set_time(S::from_f64(t));
         let speeds = plant.engine.speeds(q, u).map_err(failure)?;
         let outputs = plant.engine.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
+        let beyond = |why| Failure::Wrong(format!("t = {t:.6} s: {why}"));
+        let inputs = widened(&plant.inputs);
+        for angles in &mut self.angles {
+            angles.check(t, &widened(q), &widened(u), &inputs).map_err(beyond)?;
+        }
         let accounts = ledger.accounts();
         let closed = self.closed_forms.outputs(S::from_f64(t), q, u, &plant.inputs).map_err(failure)?;
         let mut values = vec![t];
@@ -208,13 +221,29 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         let places = self.places.outputs(t, &wide_q, &wide_u, &no_inputs).map_err(failure)?;
         self.summary.rows += 1;
         self.summary.imbalance = self.summary.imbalance.max(accounts.imbalance().abs());
+        let stored = [accounts.kinetic, accounts.gravity, accounts.spring];
+        let change = accounts.total() - accounts.start;
+        let moved = [change, accounts.damping, accounts.actuator, accounts.external];
+        self.summary.health.energies(Energies {
+            stored: &stored,
+            moved: &moved,
+            imbalance: accounts.imbalance(),
+        });
+        let coordinates = 1..1 + q.len() + closed.len() / 2;
+        for (name, value) in self.columns[coordinates.clone()].iter().zip(&values[coordinates]) {
+            self.summary.health.place(name, *value, t);
+        }
         self.summary.last.clone_from(&values);
         (self.sink)(&Row { values, places })
     }
 
-    fn took(&mut self, report: Report<S>) {
+    fn took(&mut self, report: Report<S>, t: f64, x: &[S]) {
         self.summary.steps += 1;
         self.summary.pivot = self.summary.pivot.min(report.pivot.to_f64());
+        self.summary.health.pivot(report.pivot.to_f64());
+        for (quantity, value) in self.program.q.iter().zip(x) {
+            self.summary.health.place(&quantity.name, value.to_f64(), t);
+        }
         self.summary.residual = self.summary.residual.max(report.residual.to_f64());
     }
 }
@@ -229,12 +258,15 @@ pub fn simulate<S: EngineScalar>(
     sink: impl FnMut(&Row) -> Result<(), Failure>,
 ) -> Result<Summary, Failure> {
     let mut plant = Plant::new(engine, setup.program, setup.observers);
+    let state = setup.program.q.iter().chain(&setup.program.u).map(|quantity| quantity.name.as_str());
+    check_numbers::<S>(state.zip(setup.start.iter().copied())).map_err(Failure::Wrong)?;
     let mut x: Vec<S> = setup.start.iter().map(|&x| S::from_f64(x)).collect();
     let mut low = vec![S::ZERO; x.len()];
     let mut recorder = Recorder {
         program: setup.program,
         closed_forms: Interpreted::new(&setup.observers.closed_forms()),
         places: Interpreted::new(&setup.observers.places()),
+        angles: [setup.program, &setup.observers.laws()].map(Angles::new::<S>),
         sink,
         summary: Summary {
             steps: 0,
@@ -243,6 +275,7 @@ pub fn simulate<S: EngineScalar>(
             pivot: 1.0,
             residual: 0.0,
             imbalance: 0.0,
+            health: Health::new(ranges(setup), S::EPSILON.to_f64()),
             last: Vec::new(),
         },
         columns: columns(setup.program, setup.observers),
@@ -261,8 +294,25 @@ pub fn simulate<S: EngineScalar>(
     Ok(recorder.summary)
 }
 
+/// The declared ranges; of an angle that stands in nothing but sines, up to whole turns.
+fn ranges(setup: Setup<'_>) -> BTreeMap<String, Range> {
+    let mut ranges = setup.settings.ranges.clone();
+    for angle in setup.program.q.iter().filter(|q| q.is_angle) {
+        ranges.entry(angle.name.clone()).and_modify(|range| range.is_angle = true);
+    }
+    ranges
+}
+
 fn widened<S: Scalar>(x: &[S]) -> Vec<f64> {
     x.iter().map(|x| x.to_f64()).collect()
+}
+
+/// Ends the run behind a whole step, if somebody asked for that.
+pub(super) fn interrupted(t: f64) -> Result<(), Failure> {
+    match interrupt::is_asked() {
+        true => Err(Failure::Wrong(format!("interrupted at t = {t:.6} s"))),
+        false => Ok(()),
+    }
 }
 
 /// A refused step in words.
@@ -291,7 +341,7 @@ where
     F: FnMut(&Row) -> Result<(), Failure>,
 {
     let Settings { seconds, step, every, .. } = *setup.settings;
-    let steps = (seconds / step - ROUNDING).ceil().max(0.0) as u64;
+    let steps = setup.settings.intervals(step);
     let mut scratch = vec![S::ZERO; method.scratch(state.x().len())];
     let mut progress = Progress::new("running");
     for n in 1..=steps {
@@ -304,12 +354,13 @@ where
                 .step(plant, S::from_f64(t), S::from_f64(h), state, &mut scratch)
                 .map_err(|fault| refused(t, fault))?,
         };
-        recorder.took(report);
+        recorder.took(report, end, state.x());
         ledger.step(end, &widened(state.x())).map_err(|fault| refused(end, fault))?;
         if n % every as u64 == 0 || n == steps {
             recorder.row(plant, end, state.x(), &ledger)?;
         }
         progress.at(n as f64 / steps as f64);
+        interrupted(end)?;
     }
     Ok(())
 }
@@ -333,7 +384,7 @@ where
     let mut method = DormandPrince::new(n, tolerance, S::from_f64(step), &mut memory)
         .map_err(|fault| refused(0.0, fault))?;
     let interval = setup.settings.row_interval();
-    let rows = (seconds / interval - ROUNDING).ceil().max(0.0) as u64;
+    let rows = setup.settings.intervals(interval);
     let mut progress = Progress::new("running");
     let (mut t, mut next_row) = (0.0_f64, 1_u64);
     let mut inside = vec![S::ZERO; n];
@@ -351,9 +402,9 @@ where
         let left = seconds - t;
         let taken =
             method.step(plant, S::from_f64(t), S::from_f64(left), state).map_err(|f| refused(t, f))?;
-        recorder.took(taken.report);
         let h = taken.h.to_f64();
         let end = if h >= left * (1.0 - f64::from(f32::EPSILON)) { seconds } else { t + h };
+        recorder.took(taken.report, end, state.x());
         // The step is booked in two parts wherever a row lies inside it.
         let mut from = 0.0;
         while next_row <= rows {
@@ -379,6 +430,7 @@ where
         }
         t = end;
         progress.at(t / seconds);
+        interrupted(t)?;
     }
     Err(Failure::Wrong(format!(
         "t = {t:.6} s: {MOST_STEPS} steps were not enough; allow a larger --tolerance"

@@ -2,7 +2,7 @@
 //! each error names its file and line, or its setting.
 
 use super::keys::ALIASES;
-use serde::de::{Deserializer, MapAccess, Visitor};
+use crate::json::Unique;
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,9 +31,10 @@ impl Fields {
     /// What the parser says, with file and line.
     pub fn parse(path: &str, text: &str) -> Result<Fields, String> {
         let mut map = if path.ends_with(".json") {
-            let object: Object =
+            let Unique(value) =
                 serde_json::from_str(text).map_err(|e| format!("{path}:{}:{}: {e}", e.line(), e.column()))?;
-            object.0
+            let Value::Object(map) = value else { return Err(format!("{path}: expected an object")) };
+            map
         } else {
             let table: toml::Table = toml::from_str(text).map_err(|e: toml::de::Error| {
                 let line = e.span().map_or(1, |s| text[..s.start.min(text.len())].lines().count().max(1));
@@ -336,31 +337,5 @@ fn of_toml(value: toml::Value) -> Value {
         toml::Value::Datetime(date) => Value::String(date.to_string()),
         toml::Value::Array(items) => Value::Array(items.into_iter().map(of_toml).collect()),
         toml::Value::Table(table) => Value::Object(table.into_iter().map(|(k, v)| (k, of_toml(v))).collect()),
-    }
-}
-
-/// A JSON object in which no key stands twice: one of them would be ignored.
-struct Object(Map<String, Value>);
-
-impl<'de> serde::Deserialize<'de> for Object {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        struct Keys;
-        impl<'de> Visitor<'de> for Keys {
-            type Value = Object;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("an object")
-            }
-            fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Object, A::Error> {
-                let mut map = Map::new();
-                while let Some((key, value)) = entries.next_entry::<String, Value>()? {
-                    if map.contains_key(&key) {
-                        return Err(serde::de::Error::custom(format!("`{key}` is given twice")));
-                    }
-                    map.insert(key, value);
-                }
-                Ok(Object(map))
-            }
-        }
-        from.deserialize_map(Keys)
     }
 }

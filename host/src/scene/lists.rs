@@ -44,6 +44,20 @@ impl Lists {
         self.rest_lengths.push(length);
     }
 
+    /// All numbers with their names, for whoever must hold them.
+    pub fn numbers(&self) -> impl Iterator<Item = (&'static str, f64)> + '_ {
+        let list = |name: &'static str, list: &'_ [f64]| list.iter().map(|x| (name, *x)).collect::<Vec<_>>();
+        let vectors = [("points", &self.points), ("initial_velocity", &self.velocities)];
+        let vectors = vectors.map(|(name, vectors)| list(name, vectors.as_flattened()));
+        let scalars = [
+            ("mass", &self.masses),
+            ("rest_lengths", &self.rest_lengths),
+            ("K", &self.stiffness),
+            ("C", &self.damping),
+        ];
+        vectors.into_iter().chain(scalars.map(|(name, values)| list(name, values))).flatten()
+    }
+
     /// Joins every pair of the given points.
     pub fn join_all(&mut self, points: &[usize]) {
         for (n, a) in points.iter().enumerate() {

@@ -150,6 +150,22 @@ impl<S: Scalar> Observer<S> for Watch<S> {
 /// # Errors
 /// What stopped the run, in words, with the time.
 pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<EventRecord>, String> {
+    let emit = |row: &Row| {
+        emit(row);
+        Ok(())
+    };
+    run_until::<S, String>(scene, emit, |_| Ok(()))
+}
+
+/// As [`run()`]; `emit`, and `stepped` with the time behind each step, may end the run with a failure of their own.
+///
+/// # Errors
+/// As [`run()`], or theirs.
+pub fn run_until<S: Scalar, E: From<String>>(
+    scene: &Scene,
+    mut emit: impl FnMut(&Row) -> Result<(), E>,
+    mut stepped: impl FnMut(f64) -> Result<(), E>,
+) -> Result<Vec<EventRecord>, E> {
     let explain = |t: f64, e: BodyError<S>| format!("t = {t:.6} s: {}", describe(&e));
     let mut simulation =
         Simulation::<S>::new(&scene.lists, &scene.around, scene.method).map_err(|e| explain(0.0, e))?;
@@ -157,14 +173,16 @@ pub fn run<S: Scalar>(scene: &Scene, mut emit: impl FnMut(&Row)) -> Result<Vec<E
     let ledger = open_ledger(&simulation);
     let mut watch = Watch { ledger, events: Vec::new(), touches: 0, cut_short: 0 };
     simulation.begin(h, &mut watch).map_err(|e| explain(0.0, e))?;
-    emit(&row(&simulation, &watch));
+    emit(&row(&simulation, &watch))?;
     let steps = scene.steps();
     for n in 1..=steps {
+        let h = if n == steps { S::from_f64(scene.last_step()) } else { h };
         let report = simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
         watch.cut_short += usize::from(report.cut_short);
         if n % scene.every == 0 || n == steps {
-            emit(&row(&simulation, &watch));
+            emit(&row(&simulation, &watch))?;
         }
+        stepped(simulation.t().to_f64())?;
     }
     Ok(watch.events)
 }

@@ -50,7 +50,12 @@ mod tests {
 
     #[test]
     fn numbers_are_those_of_the_simulation() {
-        let scene = parse("x", "format = 1\nshape = \"chain\"\ndrop_height = 0.1\n", &[]).expect("a scene");
+        let scene = parse(
+            "x",
+            "format = 1\nshape = \"chain\"\ndrop_height = 0.1\nmethod = \"energy_momentum\"\n",
+            &[],
+        )
+        .expect("a scene");
         let simulation =
             Simulation::<f32>::new(&scene.lists, &scene.around, scene.method).expect("a simulation");
         let text = rust(&simulation, 1e-3);

@@ -81,6 +81,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let page = page(&run::film(&arguments.run(None))?);
     still::take(&page, time, file)?;
     let name = crate::number::json_string(file);
-    output::print(&if arguments.json { format!("{{\"still\": {name}}}\n") } else { format!("{file}\n") });
+    output::print(&if arguments.json { format!("{{\"still\": {name}}}\n") } else { format!("{file}\n") })?;
     Ok(())
 }

@@ -35,7 +35,7 @@ pub fn serve(arguments: &Arguments) -> Result<(), Failure> {
             "open http://{address}/ in a browser; edits of {} follow; end with Ctrl-C\n",
             subject.path.display()
         ),
-    });
+    })?;
     for stream in listener.incoming() {
         // A reader that went away is no failure.
         let _ = stream.and_then(|stream| answer(stream, &mut subject));

@@ -3,8 +3,11 @@
 mod browser;
 mod check_and_derive;
 mod driven;
+mod edges;
 mod eval;
 mod figure;
+mod files;
+mod health;
 mod hostile_text;
 mod new_user;
 mod nonsense;

@@ -1,4 +1,4 @@
-//! Random models, expressions, states files and command lines: no panic, no hang, no flood of memory.
+//! Random models, expressions, states files, scenes and command lines: no panic, no hang, no flood of memory.
 //!
 //! Every case ends with an answer or with a message that names a place. The cases run in a child process
 //! whose address space is limited to 1 GiB. The seed is fixed, so that case n is always the same:
@@ -8,12 +8,13 @@
 mod arguments;
 mod models;
 mod random;
+mod scenes;
 mod states;
 
 use clap::Parser;
 use random::Random;
 use smartbed::failure::Failure;
-use smartbed::{check, derive, eval, model_argument, run};
+use smartbed::{check, derive, eval, model_argument, run, scene};
 use smartbed_codegen::{EmitOptions, ParameterChoice, model, program, rust};
 use std::os::unix::fs::FileExt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -62,7 +63,7 @@ struct Case {
 /// What a case does.
 type Run = Box<dyn FnOnce() -> Result<Outcome, String>>;
 
-const KINDS: [&str; 3] = ["models", "states", "arguments"];
+const KINDS: [&str; 4] = ["models", "states", "arguments", "scenes"];
 
 fn number(name: &str) -> Option<u64> {
     std::env::var(name).ok().and_then(|n| n.parse().ok())
@@ -150,7 +151,12 @@ fn watch(started: &'static AtomicU64) {
 
 fn run_case(case: u64, shipped: &[String]) -> Case {
     let mut random = Random::new(case);
-    let (kind, text, run): (usize, String, Run) = match random.below(20) {
+    let (kind, text, run): (usize, String, Run) = match random.below(24) {
+        20..=23 => {
+            let (text, settings) = (scenes::text(&mut random), scenes::settings(&mut random));
+            let own = text.clone();
+            (3, format!("{settings:?}\n{text}"), Box::new(move || run_scene(&own, &settings)))
+        }
         0..=11 => {
             let text = models::text(&mut random, shipped);
             let own = text.clone();
@@ -212,6 +218,29 @@ fn run_model(text: &str, case: u64) -> Result<Outcome, String> {
         return Err("derived, but nothing is emitted".to_owned());
     }
     Ok(Outcome::Answered)
+}
+
+/// Springs times steps that a case may take.
+const SCENE_WORK: usize = 20_000;
+
+/// Read, and stepped for a while.
+fn run_scene(text: &str, settings: &[String]) -> Result<Outcome, String> {
+    let mut scene = match scene::parse("fuzz.toml", text, settings) {
+        Ok(scene) => scene,
+        Err(message) if message.contains("fuzz.toml") || message.contains("--set ") => {
+            return Ok(Outcome::Refused);
+        }
+        Err(message) => return Err(format!("no place in the message: {message}")),
+    };
+    let steps = SCENE_WORK / scene.lists.springs.len().max(100);
+    scene.seconds = scene.seconds.min(steps as f64 * scene.step);
+    let mut rows = 0;
+    match scene::run::run::<f64>(&scene, |_| rows += 1) {
+        Ok(_) if rows > 0 => Ok(Outcome::Answered),
+        Ok(_) => Err("no row".to_owned()),
+        Err(message) if message.starts_with("t = ") => Ok(Outcome::Read),
+        Err(message) => Err(format!("no time in the message: {message}")),
+    }
 }
 
 fn run_states(model: &str, text: &str) -> Result<Outcome, String> {

@@ -75,6 +75,8 @@ impl Real for f64 {
 
 impl Scalar for f64 {
     const EPSILON: f64 = f64::EPSILON;
+    /// 2^20 quarter turns: so far both products of the reduction are exact.
+    const LARGEST_ANGLE: f64 = 1.6e6;
     /// Exact multiples of the quarter turn's parts.
     const TURN: [f64; 3] = {
         let [a, b, c] = trig::QUARTER_TURN_F64;

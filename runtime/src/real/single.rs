@@ -93,6 +93,8 @@ impl Real for f32 {
 
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
+    /// 2^16 quarter turns: so far the first product of the reduction is exact.
+    const LARGEST_ANGLE: f32 = 1e5;
     #[inline(always)]
     fn constant(constant: Constant) -> f32 {
         constant.single

@@ -13,6 +13,7 @@ use super::lists::Lists;
 use super::method::{self, Chosen, Situation};
 use super::run::describe;
 use super::simulation::{Simulation, Surroundings};
+use crate::input;
 
 /// Everything that a run needs.
 #[derive(Clone, Debug)]
@@ -40,10 +41,19 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// Whole steps in the run; a rest below a thousandth of a step is rounding.
+    /// Steps in the run, the last one perhaps shorter; a rest below a thousandth of a step is rounding, but a run of
+    /// any length takes one.
     #[must_use]
     pub fn steps(&self) -> usize {
-        (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize
+        let whole = (self.seconds / self.step - ROUNDING).ceil().max(0.0) as usize;
+        if self.seconds > 0.0 { whole.max(1) } else { 0 }
+    }
+
+    /// Length of the last step (s).
+    #[must_use]
+    pub fn last_step(&self) -> f64 {
+        let left = self.seconds - self.steps().saturating_sub(1) as f64 * self.step;
+        if left < (1.0 - ROUNDING) * self.step { left } else { self.step }
     }
 
     /// Method and step in words.
@@ -57,6 +67,9 @@ impl Scene {
 /// measured on a bar of 50 masses and 20 bounces with Verlet, below 1 % at 0.1, 64 % at 0.5.
 const COMPENSATION_FINE: f64 = 0.1;
 
+/// A rest of the time below this share of a step is rounding.
+const ROUNDING: f64 = 1e-3;
+
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
@@ -66,7 +79,7 @@ pub fn is_scene(path: &std::path::Path) -> bool {
     if path.extension().is_some_and(|e| e == "json") {
         return true;
     }
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = input::text(&path.display().to_string()).unwrap_or_default();
     // A text that cannot be read is a mechanism's: its reader explains best.
     let table = text.parse::<toml::Table>().unwrap_or_default();
     table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
@@ -102,7 +115,7 @@ fn refuse_twice(settings: &[String]) -> Result<(), String> {
 pub fn open_varied(path_or_name: &str, settings: &[String], variation: &[String]) -> Result<Scene, String> {
     let named = format!("models/scenes/{path_or_name}.toml");
     let path = if std::path::Path::new(path_or_name).is_file() { path_or_name } else { named.as_str() };
-    let text = std::fs::read_to_string(path).map_err(|e| {
+    let text = input::text(path).map_err(|e| {
         format!(
             "no scene `{path_or_name}`: neither a file nor {named} ({e}); name a file or one of models/scenes"
         )

@@ -1,0 +1,39 @@
+//! Texts that a command line names, read with a bound: a device or a pipe would never end.
+
+use std::fs::File;
+use std::io::{Read, stdin};
+use std::path::Path;
+
+/// Largest states file, scene, or list of points (bytes).
+pub const LARGEST: u64 = 64 << 20;
+
+/// The text of a file of at most [`LARGEST`] bytes; `-` is standard input.
+///
+/// # Errors
+/// Why it cannot be read.
+pub fn text(path: &str) -> Result<String, String> {
+    if path == "-" {
+        return bounded(stdin().lock());
+    }
+    refuse_special(Path::new(path))?;
+    bounded(File::open(path).map_err(|e| e.to_string())?)
+}
+
+/// Only a file has an end; what a shell hands over as `/dev/fd/3` has one too.
+fn refuse_special(path: &Path) -> Result<(), String> {
+    let kind = std::fs::metadata(path).map_err(|e| e.to_string())?.file_type();
+    match kind.is_file() || path.starts_with("/dev/fd") || path.starts_with("/proc/self/fd") {
+        true => Ok(()),
+        false if kind.is_dir() => Err("it is a folder; expected a file".to_owned()),
+        false => Err("it is a pipe or a device; expected a file, or - for standard input".to_owned()),
+    }
+}
+
+fn bounded(from: impl Read) -> Result<String, String> {
+    let mut text = String::new();
+    from.take(LARGEST + 1).read_to_string(&mut text).map_err(|e| e.to_string())?;
+    match text.len() as u64 <= LARGEST {
+        true => Ok(text),
+        false => Err(format!("it has more than {} MiB; expected a smaller one", LARGEST >> 20)),
+    }
+}

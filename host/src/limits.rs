@@ -1,0 +1,88 @@
+//! Numbers that the chosen scalar cannot hold, and angles whose sine it cannot take: refused by name.
+//!
+//! Sine and cosine are exact to rounding up to [`Scalar::LARGEST_ANGLE`]. Beyond, an angle that stands in nothing
+//! but sines and cosines is taken less whole turns, which changes none of them; any other one is refused.
+
+use crate::engine::{EngineScalar, explain};
+use crate::failure::Failure;
+use smartbed_codegen::program::limits::fits_single;
+use smartbed_codegen::{Interpreted, Program, ScalarType};
+use smartbed_runtime::real::Scalar;
+
+/// Refuses a program whose parameters or constants single precision cannot hold, if it is to be computed with that.
+///
+/// # Errors
+/// [`Failure::Wrong`] names the number.
+pub fn check_program(program: &Program, scalar: &ScalarType) -> Result<(), Failure> {
+    match program.beyond_single().filter(|_| scalar.is_single()) {
+        Some(why) => Err(Failure::Wrong(format!("{why}; compute in f64, or choose other units"))),
+        None => Ok(()),
+    }
+}
+
+/// Refuses named numbers that the scalar cannot hold.
+///
+/// # Errors
+/// The first one, in words.
+pub fn check_numbers<'a, S: EngineScalar>(
+    numbers: impl IntoIterator<Item = (&'a str, f64)>,
+) -> Result<(), String> {
+    let is_single = S::scalar_type().is_single();
+    match numbers.into_iter().find(|(_, x)| is_single && !fits_single(*x)) {
+        Some((name, x)) => Err(format!("`{name}` = {x:e} is beyond single precision; compute in f64")),
+        None => Ok(()),
+    }
+}
+
+/// The arguments of a program's sines and cosines.
+#[derive(Debug)]
+pub struct Angles {
+    names: Vec<String>,
+    arguments: Interpreted<f64>,
+    largest: f64,
+}
+
+impl Angles {
+    /// Of a program that is computed with the scalar S.
+    #[must_use]
+    pub fn new<S: Scalar>(program: &Program) -> Self {
+        let angles = program.angles();
+        let names = angles.outputs.iter().map(|(name, _)| name.clone()).collect();
+        Self { names, arguments: Interpreted::new(&angles), largest: S::LARGEST_ANGLE.to_f64() }
+    }
+
+    /// Sets the tunable parameters.
+    pub fn set_parameters(&mut self, values: &[f64]) {
+        self.arguments.set_parameters(values);
+    }
+
+    /// Refuses a state with an angle beyond.
+    ///
+    /// # Errors
+    /// The angle, in words.
+    pub fn check(&mut self, t: f64, q: &[f64], u: &[f64], inputs: &[f64]) -> Result<(), String> {
+        if self.names.is_empty() {
+            return Ok(());
+        }
+        let values = self.arguments.outputs(t, q, u, inputs).map_err(|fault| explain(fault).to_owned())?;
+        let beyond = self.names.iter().zip(&values).find(|(_, x)| x.is_finite() && x.abs() > self.largest);
+        match beyond {
+            None => Ok(()),
+            Some((name, x)) => Err(format!(
+                "an angle of {x:.6e} rad (from {name}) is beyond the domain of sine and cosine, {:e} rad in this \
+                 precision; expected an angle less whole turns",
+                self.largest
+            )),
+        }
+    }
+}
+
+/// Takes whole turns off the coordinates that allow it and are too large for the scalar; the others stay every bit.
+#[must_use]
+pub fn less_turns<S: Scalar>(program: &Program, q: &[f64]) -> Vec<f64> {
+    let largest = S::LARGEST_ANGLE.to_f64();
+    let wrap = |(quantity, x): (&smartbed_codegen::program::Quantity, &f64)| {
+        if quantity.is_angle && x.abs() > largest { x.less_whole_turns() } else { *x }
+    };
+    program.q.iter().zip(q).map(wrap).collect()
+}

@@ -1,0 +1,194 @@
+//! What went wrong in a run although no step was refused: looked for all along, told once, at its end.
+//!
+//! In: coordinates and energies as they come. Out: a line for each kind of finding. It observes; no step is changed.
+
+use std::collections::BTreeMap;
+
+/// Part of the energy that moved (kinetic, stored, worked) which the ledger may miss.
+const IMBALANCE: f64 = 1e-3;
+/// Rounding units of the energies of a state that mean nothing.
+const ROUNDING: f64 = 1e3;
+/// Pivots below this share of nominal are next to a singular configuration.
+const NEARLY_SINGULAR: f64 = 1e-3;
+/// Parts of a range by which a coordinate may pass it: what rounding and a start at its end leave.
+const SLACK: f64 = 1e-6;
+/// An angle whose range is more of a turn than this may go round.
+const WHOLE_TURN: f64 = 0.95;
+/// Coordinates named; more are counted.
+const NAMED: usize = 4;
+
+/// A declared range of a coordinate.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Range {
+    /// Ends (SI).
+    pub ends: (f64, f64),
+    /// Unit that it was written in, and how many SI units make one of it.
+    pub unit: (String, f64),
+    /// Whole turns change nothing: a crank may go round.
+    pub is_angle: bool,
+}
+
+impl Range {
+    /// How far a value lies outside (SI).
+    fn excess(&self, value: f64) -> f64 {
+        let (low, high) = self.ends;
+        if self.is_angle && high - low > WHOLE_TURN * std::f64::consts::TAU {
+            return f64::NEG_INFINITY;
+        }
+        let middle = 0.5 * (low + high);
+        let turns = if self.is_angle { ((value - middle) / std::f64::consts::TAU).round() } else { 0.0 };
+        let value = value - turns * std::f64::consts::TAU;
+        (low - value).max(value - high) - SLACK * (high - low)
+    }
+}
+
+/// The farthest that a coordinate was outside its range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Outside {
+    t: f64,
+    value: f64,
+    excess: f64,
+}
+
+/// What was met so far.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Health {
+    ranges: BTreeMap<String, Range>,
+    outside: BTreeMap<String, Outside>,
+    /// Largest share of nominal that no pivot fell below.
+    pivot: f64,
+    imbalance: f64,
+    moved: f64,
+    size: f64,
+    epsilon: f64,
+}
+
+/// Energies at a row (J).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Energies<'a> {
+    /// Energies of the state.
+    pub stored: &'a [f64],
+    /// Work put in and taken out, and how much the total has changed.
+    pub moved: &'a [f64],
+    /// What no account explains.
+    pub imbalance: f64,
+}
+
+impl Health {
+    /// Nothing seen yet; `epsilon` is the scalar's.
+    #[must_use]
+    pub fn new(ranges: BTreeMap<String, Range>, epsilon: f64) -> Self {
+        let outside = BTreeMap::new();
+        Self { ranges, outside, pivot: 1.0, imbalance: 0.0, moved: 0.0, size: 0.0, epsilon }
+    }
+
+    /// A coordinate at a time.
+    pub fn place(&mut self, name: &str, value: f64, t: f64) {
+        let Some(range) = self.ranges.get(name) else { return };
+        let excess = range.excess(value);
+        if excess > 0.0 && self.outside.get(name).is_none_or(|known| excess > known.excess) {
+            self.outside.insert(name.to_owned(), Outside { t, value, excess });
+        }
+    }
+
+    /// The worst pivot of a step, relative to nominal.
+    pub fn pivot(&mut self, pivot: f64) {
+        self.pivot = self.pivot.min(pivot);
+    }
+
+    /// Energies at a row.
+    pub fn energies(&mut self, at: Energies<'_>) {
+        let largest = |list: &[f64]| list.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        // The first stored energy is the kinetic one: it moves in any case.
+        self.moved = self.moved.max(largest(at.moved)).max(at.stored.first().map_or(0.0, |x| x.abs()));
+        self.size = self.size.max(largest(at.stored));
+        // A number that is none stays: it is not below any.
+        let imbalance = at.imbalance.abs();
+        if self.imbalance < imbalance || imbalance.is_nan() {
+            self.imbalance = imbalance;
+        }
+    }
+
+    /// What a user should hear of.
+    #[must_use]
+    pub fn findings(&self) -> Vec<String> {
+        [self.unbalanced(), self.left_ranges(), self.singular()].into_iter().flatten().collect()
+    }
+
+    fn unbalanced(&self) -> Option<String> {
+        let allowed = IMBALANCE * self.moved + ROUNDING * self.epsilon * self.size;
+        // Not a number is more than allowed.
+        let is_balanced = self.imbalance <= allowed;
+        (!is_balanced).then(|| {
+            format!(
+                "energy: {:.1e} J of the {:.1e} J that moved are in no account (allowed: {IMBALANCE:e} of them); the \
+                 motion is not to be trusted: take a smaller --step or another --method",
+                self.imbalance, self.moved
+            )
+        })
+    }
+
+    fn left_ranges(&self) -> Option<String> {
+        let mut worst: Vec<(&String, &Outside)> = self.outside.iter().collect();
+        worst.sort_by(|a, b| b.1.excess.total_cmp(&a.1.excess));
+        let more = worst.len().saturating_sub(NAMED);
+        let named = worst.iter().take(NAMED).filter_map(|(name, found)| {
+            let range = self.ranges.get(*name)?;
+            let (unit, factor) = &range.unit;
+            let [value, low, high] = [found.value, range.ends.0, range.ends.1].map(|x| x / factor);
+            Some(format!("`{name}` = {value:.4} {unit} at t = {:.4} s (range {low} to {high})", found.t))
+        });
+        let named: Vec<String> = named.collect();
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        (!named.is_empty()).then(|| {
+            format!("the motion left the ranges that the model declares: {}{more}", named.join(", "))
+        })
+    }
+
+    fn singular(&self) -> Option<String> {
+        (self.pivot < NEARLY_SINGULAR).then(|| {
+            format!(
+                "the motion passed a configuration that is nearly singular (a pivot of {:.1e} of nominal): which way it \
+                 goes from there the equations hardly say; `smartbed check` finds such configurations",
+                self.pivot
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn health() -> Health {
+        let metre = Range { ends: (-0.1, 0.2), unit: ("mm".to_owned(), 1e-3), is_angle: false };
+        let crank = Range { ends: (-3.1, 3.1), unit: ("rad".to_owned(), 1.0), is_angle: true };
+        Health::new(BTreeMap::from([("h".to_owned(), metre), ("crank".to_owned(), crank)]), f64::EPSILON)
+    }
+
+    #[test]
+    fn a_run_in_order_has_no_findings() {
+        let mut health = health();
+        health.place("h", 0.2, 1.0);
+        health.place("unknown", 9.0, 1.0);
+        health.place("crank", -4.126, 1.0);
+        health.place("crank", 63.0, 1.0);
+        health.place("crank", 3.12, 1.0);
+        health.pivot(0.5);
+        health.energies(Energies { stored: &[2.0, -50.0], moved: &[2.0], imbalance: 1e-3 });
+        assert_eq!(health.findings(), [""; 0]);
+    }
+
+    #[test]
+    fn the_worst_of_each_kind_is_told() {
+        let mut health = health();
+        [(0.3, 1.0), (1.2, 2.0), (0.4, 3.0)].iter().for_each(|(x, t)| health.place("h", *x, *t));
+        health.pivot(1e-6);
+        health.energies(Energies { stored: &[2.0], moved: &[], imbalance: f64::NAN });
+        health.energies(Energies { stored: &[2.0], moved: &[], imbalance: 0.0 });
+        let found = health.findings();
+        assert!(found[0].contains("NaN J of the 2.0e0 J"), "{found:?}");
+        assert!(found[1].ends_with("`h` = 1200.0000 mm at t = 2.0000 s (range -100 to 200)"), "{found:?}");
+        assert!(found[2].contains("1.0e-6 of nominal"), "{found:?}");
+    }
+}

@@ -1,0 +1,217 @@
+//! Files and streams: nothing of anybody else's is overwritten, nothing is lost without a word, nothing is endless.
+
+use crate::support::{command, file, finish, smartbed, written};
+use std::fs;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// An empty folder of one test.
+fn fresh(name: &str) -> PathBuf {
+    let folder = file(name);
+    let _ = fs::remove_dir_all(&folder);
+    let _ = fs::remove_file(&folder);
+    folder
+}
+
+fn derive(folder: &Path) -> crate::support::Done {
+    smartbed(&["derive", "pendulum", "--crate", &folder.display().to_string()])
+}
+
+#[test]
+fn a_derived_crate_overwrites_only_itself() {
+    let folder = fresh("own_crate");
+    assert_eq!(derive(&folder).status, 0);
+    let root = folder.join("src/lib.rs");
+    let text = fs::read_to_string(&root).expect("a crate");
+    // The same again, and with other equations.
+    assert_eq!(derive(&folder).status, 0);
+    let other = smartbed(&["derive", "cart_pole", "--crate", &folder.display().to_string()]);
+    assert_eq!(other.status, 0, "{other:?}");
+    assert_eq!(derive(&folder).status, 0);
+    assert_eq!(fs::read_to_string(&root).expect("a crate"), text);
+
+    fs::write(&root, "// mine\n").expect("a file");
+    let refused = derive(&folder);
+    assert!(refused.message().contains("src/lib.rs: it was changed since it was derived"), "{refused:?}");
+    assert_eq!(fs::read_to_string(&root).expect("kept"), "// mine\n");
+
+    let folder = fresh("own_package");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(folder.join("Cargo.toml"), "[package]\nname = \"mine\"\n").expect("a file");
+    let refused = derive(&folder);
+    assert!(refused.message().contains("Cargo.toml: it was written by somebody else"), "{refused:?}");
+    assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "nothing is written");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_derived_crate_is_not_written_through_links() {
+    use std::os::unix::fs::symlink;
+    let (folder, elsewhere) = (fresh("linked_crate"), fresh("elsewhere"));
+    fs::create_dir_all(folder.join("src")).expect("a folder");
+    fs::create_dir_all(&elsewhere).expect("a folder");
+    fs::write(elsewhere.join("lib.rs"), "// mine\n").expect("a file");
+    symlink(elsewhere.join("lib.rs"), folder.join("src/lib.rs")).expect("a link");
+    assert!(derive(&folder).message().contains("src/lib.rs: it is a link"));
+    fs::remove_file(folder.join("src/lib.rs")).expect("the link");
+    fs::remove_dir(folder.join("src")).expect("the folder");
+    symlink(&elsewhere, folder.join("src")).expect("a link");
+    assert!(derive(&folder).message().contains("src: it is a link"));
+    fs::remove_file(folder.join("src")).expect("the link");
+    // A second name of a file that was derived keeps what it had.
+    assert_eq!(derive(&folder).status, 0);
+    let kept = elsewhere.join("kept.rs");
+    fs::hard_link(folder.join("src/equations.rs"), &kept).expect("a second name");
+    let before = fs::read(&kept).expect("a file");
+    let other = smartbed(&["derive", "cart_pole", "--crate", &folder.display().to_string()]);
+    assert_eq!(other.status, 0, "{other:?}");
+    assert_eq!(fs::read(&kept).expect("kept"), before);
+    assert_eq!(fs::read_to_string(elsewhere.join("lib.rs")).expect("kept"), "// mine\n");
+}
+
+#[test]
+fn a_report_of_a_path_stays_in_its_folder() {
+    let folder = fresh("subjects");
+    fs::create_dir_all(folder.join("sub")).expect("a folder");
+    let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/pendulum.toml"));
+    let model = folder.join("sub/swing.toml");
+    fs::write(&model, text.expect("a model")).expect("a file");
+    let out = folder.join("out");
+    let line =
+        ["report", &model.display().to_string(), "--seconds=0.1", "--method=rk4", "--step=1e-2", "--out"];
+    let done = smartbed(&[&line[..], &[&out.display().to_string()]].concat());
+    assert_eq!(done.status, 0, "{done:?}");
+    assert!(out.join("plots/swing.svg").is_file(), "{done:?}");
+    let beside: Vec<_> = fs::read_dir(folder.join("sub")).expect("a folder").collect();
+    assert_eq!(beside.len(), 1, "{beside:?}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_output_is_a_failure() {
+    let states = written("full.json", "{\"states\": [{\"q\": {\"q\": 0.1}}]}");
+    let lines: [&[&str]; 7] = [
+        &["check", "pendulum"],
+        &["derive", "pendulum"],
+        &["eval", "pendulum", "--states", &states],
+        &["run", "pendulum", "--seconds", "0.1"],
+        &["run", "pendulum", "--seconds", "0.1", "--csv", "-"],
+        &["run", "single_spring", "--seconds", "0.1", "--csv", "-"],
+        &["run", "--help"],
+    ];
+    for line in lines {
+        let full = || fs::OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+        let mut program = command(line);
+        program.stdout(full());
+        let done = finish_with(program, Stdio::piped());
+        assert_eq!(done.0, Some(1), "{line:?}: {done:?}");
+        assert!(
+            line == ["run", "--help"] || done.1.contains("cannot write standard output"),
+            "{line:?}: {done:?}"
+        );
+        // Standard error is full too: what cannot be said is left unsaid.
+        let mut program = command(line);
+        program.stdout(full()).stderr(full());
+        assert_eq!(program.status().expect("it runs").code(), Some(1), "{line:?}");
+        let mut program = command(line);
+        program.stdout(Stdio::null()).stderr(full());
+        assert_eq!(program.status().expect("it runs").code(), Some(0), "{line:?}");
+    }
+}
+
+/// Status and standard error.
+fn finish_with(mut program: Command, errors: Stdio) -> (Option<i32>, String) {
+    let mut child = program.stderr(errors).spawn().expect("the program runs");
+    let mut text = String::new();
+    if let Some(mut stream) = child.stderr.take() {
+        stream.read_to_string(&mut text).expect("text");
+    }
+    (child.wait().expect("it ends").code(), text)
+}
+
+#[test]
+fn readers_that_went_away_are_no_failure() {
+    for (out, err) in [(true, false), (false, true), (true, true)] {
+        let mut program = command(&["run", "pendulum", "--seconds", "10", "--every", "1", "--csv", "-"]);
+        program.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = program.spawn().expect("the program runs");
+        // The end of a pipe that is dropped is closed; the other one is read.
+        let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
+        let (stdout, stderr) = (stdout.filter(|_| !out), stderr.filter(|_| !err));
+        stdout.map(|mut rest| std::io::copy(&mut rest, &mut std::io::sink()).expect("read"));
+        stderr.map(|mut rest| std::io::copy(&mut rest, &mut std::io::sink()).expect("read"));
+        assert_eq!(child.wait().expect("it ends").code(), Some(0), "{out} {err}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_whole_rows_and_says_so() {
+    for (model, name) in [("pendulum", "mechanism.csv"), ("cube", "scene.csv")] {
+        let rows = fresh(name);
+        let path = rows.display().to_string();
+        let mut program = command(&["run", model, "--seconds", "5e4", "--every", "1", "--csv", &path]);
+        let mut child = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it runs");
+        let begin = Instant::now();
+        while fs::metadata(&rows).map_or(0, |m| m.len()) < 100_000
+            && begin.elapsed() < Duration::from_secs(60)
+        {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(killed.expect("kill").success());
+        let mut said = String::new();
+        child.stderr.take().expect("piped").read_to_string(&mut said).expect("text");
+        assert_eq!(child.wait().expect("it ends").code(), Some(1), "{said}");
+        assert!(said.contains("error: interrupted at t = "), "{said}");
+        let text = fs::read_to_string(&rows).expect("rows");
+        let columns = text.lines().next().expect("a header").split(',').count();
+        assert!(text.ends_with('\n') && text.lines().all(|line| line.split(',').count() == columns));
+        let count = format!("; {} rows up to there in {path}", text.lines().count() - 1);
+        assert!(said.contains(&count), "{count}: {said}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn special_files_are_refused_at_once() {
+    let pipe = fresh("pipe.toml");
+    assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo").success());
+    let pipe = pipe.display().to_string();
+    let folder = env!("CARGO_TARGET_TMPDIR");
+    let extends = |what: &str| {
+        let name = format!("extends{}.toml", what.replace('/', "_"));
+        written(&name, &format!("format = 1\nname = \"e\"\nextends = \"{what}\"\n"))
+    };
+    let (zero, piped) = (extends("/dev/zero"), extends(&pipe));
+    let lines: [&[&str]; 9] = [
+        &["eval", "pendulum", "--states", "/dev/zero"],
+        &["eval", "pendulum", "--states", &pipe],
+        &["eval", "pendulum", "--states", folder],
+        &["run", &pipe],
+        &["check", "/dev/zero"],
+        &["check", folder],
+        &["check", &zero],
+        &["check", &piped],
+        &["report", "pendulum", "--quick", "--points", "/dev/zero"],
+    ];
+    for line in lines {
+        let begin = Instant::now();
+        let mut program = Command::new("timeout");
+        program.arg("20").arg(env!("CARGO_BIN_EXE_smartbed")).args(line).stdin(Stdio::null());
+        program.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."));
+        let done = finish(program);
+        assert_eq!(done.status, 1, "{line:?}: {done:?}");
+        assert!(done.err.contains("expected"), "{line:?}: {done:?}");
+        assert!(begin.elapsed() < Duration::from_secs(15), "{line:?}");
+    }
+    // What a shell hands over is read to its end.
+    let mut program = command(&["eval", "pendulum", "--states", "-"]);
+    program.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = program.spawn().expect("it runs");
+    let states = b"{\"states\": [{\"q\": {\"q\": 0.1}}]}";
+    child.stdin.take().expect("piped").write_all(states).expect("written");
+    assert!(child.wait_with_output().expect("it ends").status.success());
+}

@@ -1,0 +1,100 @@
+//! Runs that went wrong end with a word about it; `--strict` makes it a failure. Calibrations end in time.
+
+use crate::support::{smartbed, written};
+use std::time::{Duration, Instant};
+
+fn warnings(line: &[&str]) -> Vec<String> {
+    let done = smartbed(&[line, &["--json"]].concat());
+    assert_eq!(done.status, 0, "{done:?}");
+    let warnings = done.json()["warnings"].clone();
+    let list: Vec<String> = serde_json::from_value(warnings).expect("a list");
+    // They stand on standard error too.
+    assert!(list.iter().all(|w| done.err.contains(&format!("warning: {w}"))), "{done:?}");
+    list
+}
+
+#[test]
+fn a_run_in_order_has_nothing_to_tell() {
+    let lines: [&[&str]; 5] = [
+        &["run", "pendulum"],
+        &["run", "fourbar", "--seconds", "2"],
+        &["run", "pendulum3", "--seconds", "1", "--scalar", "f32"],
+        &["run", "cube", "--seconds", "1"],
+        &["run", "single_spring", "--scalar", "f32", "--seconds", "1"],
+    ];
+    for line in lines {
+        assert_eq!(warnings(line), [""; 0], "{line:?}");
+        assert_eq!(smartbed(&[line, &["--strict"]].concat()).status, 0, "{line:?}");
+    }
+}
+
+#[test]
+fn energy_that_no_account_explains_is_told_of() {
+    // Explicit Euler multiplies the energy of a swing by 1 + (w h)^2 each step.
+    let swing = ["run", "pendulum", "--method", "euler", "--step", "1e-2", "--set", "c=0", "--seconds", "5"];
+    let scene = ["run", "single_spring", "--method", "symplectic_euler", "--step", "9e-3", "--seconds", "1"];
+    for line in [&swing[..], &scene[..]] {
+        let found = warnings(line);
+        assert!(found.iter().any(|w| w.starts_with("energy: ") && w.contains("in no account")), "{found:?}");
+        let strict = smartbed(&[line, &["--strict"]].concat());
+        assert_eq!(strict.status, 1, "{strict:?}");
+        assert!(strict.err.contains("error: --strict: energy: "), "{strict:?}");
+    }
+}
+
+#[test]
+fn a_range_that_is_left_is_told_of_once() {
+    let line = ["run", "tile", "--seconds", "1"];
+    let found = warnings(&line);
+    let ranges: Vec<&String> = found.iter().filter(|w| w.contains("left the ranges")).collect();
+    assert_eq!(ranges.len(), 1, "{found:?}");
+    // It falls g t^2/2 at most.
+    assert!(["`hA` = -", "`hB` = -", "`hC` = -"].iter().all(|name| ranges[0].contains(name)), "{found:?}");
+    assert_eq!(smartbed(&[&line[..], &["--strict"]].concat()).status, 1);
+}
+
+/// A heavy top on its tip; started next to the pole of its Euler angles or let fall without spin, hardly any step is
+/// small enough for an error of 1e-13.
+const TOP: &str = r#"
+format = 1
+name = "heavy_top"
+dof = 3
+gravity = "-g*N.z"
+[parameters]
+m = { value = 0.5, unit = "kg" }
+l = { value = 60, unit = "mm" }
+I = { value = 4e-4, unit = "kg m^2" }
+J = { value = 3e-4, unit = "kg m^2" }
+g = { value = 9.81, unit = "m/s^2" }
+[coordinates]
+psi = { unit = "rad" }
+theta = { unit = "rad", nominal = 0.5, range = [0.01, 1.5] }
+phi = { unit = "rad" }
+[frames]
+top = { rotations = [["z", "psi"], ["x", "theta"], ["z", "phi"]] }
+[points]
+G = "l*top.z"
+[bodies]
+top = { centre = "G", frame = "top", mass = "m", inertia = { Ixx = "I", Iyy = "I", Izz = "J" } }
+[start]
+theta = 0.3
+u_phi = 200
+[run]
+seconds = 10
+step = 1e-3
+"#;
+
+#[test]
+fn calibrations_end_in_time() {
+    let top = written("heavy_top.toml", TOP);
+    for start in [["theta=1e-6", "u_phi=300"], ["theta=0.3", "u_phi=0"], ["theta=0.3", "u_phi=200"]] {
+        let begin = Instant::now();
+        let line = ["run", &top, "--error=1e-6", "--set", start[0], "--set", start[1]];
+        let done = smartbed(&line);
+        // Some seconds of computing, on a machine that may be busy.
+        assert!(begin.elapsed() < Duration::from_secs(120), "{start:?}: {:?}", begin.elapsed());
+        let said =
+            ["picked --method", "the reference is not there in time", "not enough", "not met", "singular"];
+        assert!(said.iter().any(|words| done.err.contains(words)), "{start:?}: {done:?}");
+    }
+}
