@@ -2,7 +2,8 @@
 //! root less than two transcendental functions).
 
 use super::number::Number;
-use super::{Binary, Dag, Dependence, ExprId, Node, Unary};
+use super::{Binary, Dag, Dependence, ExprId, Node, Unary, evaluate};
+use smartbed_runtime::real::Real;
 
 /// Shorter form of -a.
 pub(super) fn negate(dag: &mut Dag, a: ExprId) -> Option<ExprId> {
@@ -49,25 +50,8 @@ pub(super) fn unary(dag: &mut Dag, function: Unary, a: ExprId) -> Option<ExprId>
     let c = dag.as_number(a)?;
     Some(match function {
         Sqrt => dag.number(c.sqrt()),
-        _ => dag.constant(fold(function, c.to_f64())),
+        _ => dag.constant(evaluate::unary(function, c.to_f64())),
     })
-}
-
-fn fold(function: Unary, x: f64) -> f64 {
-    match function {
-        Unary::Sqrt => x.sqrt(),
-        Unary::Sin => x.sin(),
-        Unary::Cos => x.cos(),
-        Unary::Tan => x.tan(),
-        Unary::Asin => x.asin(),
-        Unary::Acos => x.acos(),
-        Unary::Exp => x.exp(),
-        Unary::Ln => x.ln(),
-        Unary::Tanh => x.tanh(),
-        Unary::Abs => x.abs(),
-        Unary::Sign if x == 0.0 => 0.0,
-        Unary::Sign => x.signum(),
-    }
 }
 
 /// The angle in degrees, if `a` is a rational multiple of pi.
@@ -109,7 +93,7 @@ pub(super) fn binary(dag: &mut Dag, operator: Binary, a: ExprId, b: ExprId) -> O
         Binary::Sub => sub(dag, a, b),
         Binary::Mul => mul(dag, a, b),
         Binary::Div => div(dag, a, b),
-        Binary::Atan2 => fold_two(dag, a, b, f64::atan2),
+        Binary::Atan2 => fold_two(dag, a, b, Real::atan2),
         Binary::Min if a == b => Some(a), // min(x, x) = x
         Binary::Max if a == b => Some(a), // max(x, x) = x
         Binary::Min => fold_two(dag, a, b, f64::min),

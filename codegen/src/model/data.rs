@@ -133,7 +133,7 @@ pub struct Speed {
 pub enum SpeedMeaning {
     /// u = q_dot.
     RateOf(CoordinateId),
-    /// u = expression, linear in `Name::Rate`s.
+    /// u = expression, linear in [`Rate`](super::expression::ExprKind::Rate)s.
     Combination(Expr),
 }
 

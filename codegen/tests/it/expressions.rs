@@ -1,8 +1,10 @@
 //! The expression parser: what is printed is read back as the same tree; no text makes it panic.
 
 use proptest::prelude::*;
+use smartbed_codegen::expr::{Dag, Unary};
 use smartbed_codegen::model::expression::{ExprKind, Function};
 use smartbed_codegen::model::{self, Expr, Model};
+use smartbed_runtime::real::Real;
 
 /// A tree to be printed: leaves are the numbers and the names `a`, `q` of the model below.
 #[derive(Clone, Debug)]
@@ -204,4 +206,50 @@ fn places_of_the_callers_own_tokens_outlive_a_model() {
         .unwrap_or_else(|e| panic!("{e}"));
     let texts: Vec<Option<String>> = tokens.into_iter().map(|token| token.span().source_text()).collect();
     assert_eq!(texts, ["first", "+", "second"].map(|word| Some(word.to_owned())));
+}
+
+#[test]
+fn constants_are_computed_by_the_runtimes_own_functions() {
+    // Of many arguments some, for which the system's functions round otherwise than ours.
+    type Named = (&'static str, fn(f64) -> f64);
+    let functions: [Named; 8] = [
+        ("sin", |x| Real::sin_cos(x).0),
+        ("cos", |x| Real::sin_cos(x).1),
+        ("tan", Real::tan),
+        ("asin", Real::asin),
+        ("acos", Real::acos),
+        ("exp", Real::exp),
+        ("ln", Real::ln),
+        ("tanh", Real::tanh),
+    ];
+    let argument = |n: usize| (n as f64 + 0.5) / 300.0;
+    let mut text = "format = 1\nname = \"constants\"\n[parameters]\n".to_owned();
+    for (name, _) in functions {
+        (0..300).for_each(|n| text += &format!("{name}_{n} = \"{name}({:?})\"\n", argument(n)));
+    }
+    let model = model::parse("constants.toml", &text).unwrap_or_else(|found| panic!("{found}"));
+    let values = model.parameter_defaults();
+    let mut dag = Dag::default();
+    for (at, value) in values.iter().enumerate() {
+        let (name, function) = functions[at / 300];
+        let x = argument(at % 300);
+        assert_eq!(value.to_bits(), function(x).to_bits(), "the parameter {name}({x})");
+        let unary = [
+            Unary::Sin,
+            Unary::Cos,
+            Unary::Tan,
+            Unary::Asin,
+            Unary::Acos,
+            Unary::Exp,
+            Unary::Ln,
+            Unary::Tanh,
+        ][at / 300];
+        let constant = dag.constant(x);
+        let folded = dag.unary(unary, constant);
+        assert_eq!(
+            dag.evaluate_constant(folded).to_bits(),
+            function(x).to_bits(),
+            "the constant {name}({x})"
+        );
+    }
 }

@@ -11,6 +11,7 @@ use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::ids::*;
 use crate::model::unit::Unit;
 use crate::source::Span;
+use smartbed_runtime::real::Real;
 
 /// Values of everything constant.
 #[derive(Debug)]
@@ -101,20 +102,20 @@ fn finite(value: f64, span: Span, found: &mut Diagnostics) -> f64 {
     value
 }
 
-/// Value of a function.
+/// Value of a function, by the runtime's own: those of the system round differently from machine to machine.
 fn call(function: Function, arguments: &[f64]) -> f64 {
     let (x, y) = (arguments[0], arguments.get(1).copied().unwrap_or(f64::NAN));
     match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Atan2 => x.atan2(y),
-        Function::Sqrt => x.sqrt(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Tanh => x.tanh(),
+        Function::Sin => Real::sin_cos(x).0,
+        Function::Cos => Real::sin_cos(x).1,
+        Function::Tan => Real::tan(x),
+        Function::Asin => Real::asin(x),
+        Function::Acos => Real::acos(x),
+        Function::Atan2 => Real::atan2(x, y),
+        Function::Sqrt => Real::sqrt(x),
+        Function::Exp => Real::exp(x),
+        Function::Ln => Real::ln(x),
+        Function::Tanh => Real::tanh(x),
         Function::Abs => x.abs(),
         Function::Sign if x == 0.0 => 0.0,
         Function::Sign => x.signum(),
