@@ -34,6 +34,8 @@ pub mod derive;
 pub mod eval;
 pub mod figure;
 pub mod firmware;
+pub mod manual;
+pub mod new;
 pub mod report;
 pub mod run;
 pub mod scene;

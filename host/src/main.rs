@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
-use clap::{Parser, Subcommand};
-use smartbed::{check, derive, eval, figure, firmware, report, run, view};
+use clap::{CommandFactory, Parser, Subcommand};
+use smartbed::{check, derive, eval, figure, firmware, manual, new, report, run, view};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -15,6 +15,8 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
+    /// Write a commented starting file.
+    New(new::Arguments),
     /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
     Check(check::Arguments),
     /// Derive the equations of motion and write them as Rust.
@@ -31,6 +33,10 @@ enum Command {
     Figure(figure::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
     Firmware(firmware::Arguments),
+    /// Print the completions of a shell.
+    Completions(manual::Completions),
+    /// Write man pages.
+    Man(manual::Man),
 }
 
 fn main() -> ExitCode {
@@ -43,6 +49,7 @@ fn main() -> ExitCode {
         }
     };
     let done = match command_line.command {
+        Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
@@ -51,6 +58,8 @@ fn main() -> ExitCode {
         Command::Report(arguments) => report::run(&arguments),
         Command::Figure(arguments) => figure::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
+        Command::Completions(arguments) => manual::completions(&arguments, CommandLine::command()),
+        Command::Man(arguments) => manual::man(&arguments, CommandLine::command()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -33,7 +33,8 @@ impl Progress {
             self.last = Some(Instant::now());
             let end = if self.terminal { '\r' } else { '\n' };
             // Nobody reading is no reason to stop.
-            let _ = write!(std::io::stderr(), "{}: {:3.0} %{end}", self.what, 100.0 * done);
+            let left = left(self.start.elapsed().as_secs_f64(), done);
+            let _ = write!(std::io::stderr(), "{}: {:3.0} %{left}{end}", self.what, 100.0 * done);
         }
     }
 
@@ -44,10 +45,35 @@ impl Progress {
     }
 }
 
+/// The time left, if the rest goes as fast as the share that is done; nothing where that tells nothing.
+fn left(elapsed: f64, done: f64) -> String {
+    let seconds = elapsed * (1.0 - done) / done;
+    match seconds {
+        _ if !(done > 0.01 && done <= 1.0) => String::new(),
+        s if s < 90.0 => format!(", {s:.0} s left  "),
+        s if s < 5400.0 => format!(", {:.0} min left  ", s / 60.0),
+        s => format!(", {:.1} h left  ", s / 3600.0),
+    }
+}
+
 impl Drop for Progress {
     fn drop(&mut self) {
         if self.terminal && self.last.is_some() {
             let _ = write!(std::io::stderr(), "\x1b[2K");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::left;
+
+    #[test]
+    fn the_time_left_goes_by_what_is_done() {
+        assert_eq!(left(10.0, 0.5).trim_end(), ", 10 s left");
+        assert_eq!(left(60.0, 0.2).trim_end(), ", 4 min left");
+        assert_eq!(left(100.0, 0.02).trim_end(), ", 82 min left");
+        assert_eq!(left(1000.0, 0.02).trim_end(), ", 13.6 h left");
+        assert_eq!(left(5.0, 0.0), "");
     }
 }

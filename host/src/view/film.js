@@ -23,6 +23,13 @@ class Film {
       this.box.low[n % 3] = Math.min(this.box.low[n % 3], this.low[n]);
       this.box.high[n % 3] = Math.max(this.box.high[n % 3], this.high[n]);
     }
+    // With the solids on the points.
+    this.room = { low: [...this.box.low], high: [...this.box.high] };
+    for (const { centre, sizes } of this.bodies)
+      for (let axis = 0, reach = sizes ? Math.max(...sizes) : 0; axis < 3 && centre > 0; axis++) {
+        this.room.low[axis] = Math.min(this.room.low[axis], this.low[3 * centre - 3 + axis] - reach);
+        this.room.high[axis] = Math.max(this.room.high[axis], this.high[3 * centre - 3 + axis] + reach);
+      }
     this.size = Math.hypot(...[0, 1, 2].map((axis) => this.box.high[axis] - this.box.low[axis])) || 1;
   }
 

@@ -68,7 +68,9 @@ class Stage {
       for (let k = 0; k < 3; k++) color.toArray(colors, 3 * (n + k));
     }
     geometry.setAttribute("color", new THREE.BufferAttribute(colors, 3));
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true }));
+    // Seen through: the links of a mechanism stand inside its solids.
+    const clear = body.axes ? { transparent: true, opacity: 0.55, depthWrite: false } : {};
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ vertexColors: true, ...clear }));
     const least = 0.008 * this.film.size, ball = 0.016 * this.film.size;
     const sizes = body.axes ? body.sizes.map((x) => Math.max(x, least)) : [ball, ball, ball];
     const axes = body.axes || [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
@@ -111,14 +113,18 @@ class Stage {
     const { film } = this;
     if (!film.gravity || Math.hypot(...film.gravity) === 0) return;
     const down = new THREE.Vector3(...film.gravity).normalize();
-    const corner = new THREE.Vector3(...film.box.low.map((low, axis) => (down.getComponent(axis) < -0.5 ? film.box.high[axis] : low)));
-    this.fall = { at: corner, tip: corner.clone().addScaledVector(down, 0.14 * film.size) };
+    // At the corner of the room, a little outside.
+    const { low, high } = film.room;
+    const corner = new THREE.Vector3(...low.map((x, axis) => (down.getComponent(axis) < -0.5 ? high[axis] : x)));
+    const away = corner.clone().sub(new THREE.Vector3(...low.map((x, axis) => 0.5 * (x + high[axis]))));
+    corner.addScaledVector(away.addScaledVector(down, -away.dot(down)).normalize(), 0.06 * film.size);
+    this.fall = { tip: corner.clone().addScaledVector(down, 0.14 * film.size) };
     this.scene.add(new THREE.ArrowHelper(down, corner, 0.14 * film.size, JOINT, 0.035 * film.size, 0.02 * film.size));
   }
 
   // Plane motion is seen from the front, other motion from a little above; all of it fits.
   look() {
-    const { film } = this, box = film.box;
+    const { film } = this, box = film.room;
     const middle = new THREE.Vector3(...[0, 1, 2].map((axis) => 0.5 * (box.low[axis] + box.high[axis])));
     const front = { 2: [0, 0, 1], 1: [0, -1, 0], 0: [1, 0, 0] }[this.flat];
     let from = front ? new THREE.Vector3(...front) : null;
@@ -134,12 +140,14 @@ class Stage {
     // Half the extent across, upwards and towards the camera, of the box's corners.
     const half = new THREE.Vector3(1e-3 * film.size, 1e-3 * film.size, 0);
     const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
-    for (let n = 0; n < 8; n++) {
-      const corner = new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? box.high : box.low)[axis])).applyMatrix4(inverse);
-      half.set(Math.max(half.x, Math.abs(corner.x)), Math.max(half.y, Math.abs(corner.y)), Math.max(half.z, Math.abs(corner.z + 1)));
-    }
+    // The points' box with some air; a room's corners are empty.
+    for (const [{ low, high }, air] of [[film.box, 1.2], [film.room, 0.8]])
+      for (let n = 0; n < 8; n++) {
+        const corner = new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? high : low)[axis])).applyMatrix4(inverse);
+        half.set(Math.max(half.x, air * Math.abs(corner.x)), Math.max(half.y, air * Math.abs(corner.y)), Math.max(half.z, Math.abs(corner.z + 1)));
+      }
     const slope = Math.tan(this.camera.fov * Math.PI / 360);
-    const distance = 1.2 * Math.max(half.y / slope, half.x / (slope * this.camera.aspect)) + half.z;
+    const distance = Math.max(half.y / slope, half.x / (slope * this.camera.aspect)) + half.z;
     this.camera.position.copy(middle).addScaledVector(from, distance);
     [this.camera.near, this.camera.far] = [0.005 * distance, 40 * distance];
     this.camera.updateProjectionMatrix();

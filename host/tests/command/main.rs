@@ -8,6 +8,7 @@ mod eval;
 mod figure;
 mod files;
 mod health;
+mod guide;
 mod hostile_text;
 mod new_user;
 mod nonsense;

@@ -1,0 +1,64 @@
+//! `smartbed new`: a commented starting file that runs.
+
+use crate::failure::Failure;
+use crate::number::json_string;
+use crate::output;
+use std::path::Path;
+
+const MECHANISM: &str = include_str!("mechanism.toml");
+const SCENE: &str = include_str!("scene.toml");
+
+/// What is started.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Kind {
+    /// Rigid bodies, coordinates, loads.
+    Mechanism,
+    /// An elastic body that falls.
+    Scene,
+}
+
+/// Write a commented starting file.
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed new mechanism press
+  cargo smartbed new scene drop
+
+Writes NAME.toml into this folder; what exists is left alone.")]
+pub struct Arguments {
+    /// What is started.
+    #[arg(value_enum)]
+    pub kind: Kind,
+    /// Its name: letters, digits and _.
+    pub name: String,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a name that is none and for a file that exists.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { kind, name, json } = arguments;
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if !name.starts_with(|c: char| c.is_ascii_alphabetic()) || !name.chars().all(is_letter) {
+        let message = format!("`{name}`: expected a name of letters, digits and _, a letter first");
+        return Err(Failure::Wrong(message));
+    }
+    let file = format!("{name}.toml");
+    if Path::new(&file).exists() {
+        return Err(Failure::Wrong(format!("{file} exists; take another name, or move it away")));
+    }
+    let text = match kind {
+        Kind::Mechanism => MECHANISM,
+        Kind::Scene => SCENE,
+    };
+    output::write(&file, text.replace("NAME", name).as_bytes())?;
+    output::print(&if *json {
+        format!("{{\"file\": {}}}\n", json_string(&file))
+    } else {
+        format!("{file}; look at it with `cargo smartbed view {file}`\n")
+    });
+    Ok(())
+}
