@@ -59,6 +59,5 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         format!("{{\"file\": {}}}\n", json_string(&file))
     } else {
         format!("{file}; look at it with `cargo smartbed view {file}`\n")
-    });
-    Ok(())
+    })
 }
