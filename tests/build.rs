@@ -41,6 +41,10 @@ fn main() {
         let accurate = Settings { effort: Effort::Default, optimise: Optimise::Accuracy };
         derive("fourbar", &format!("fourbar_accurate_{suffix}"), scalar, &[], accurate);
     }
+    // Constraints that follow from the others only as long as parameters are what they are.
+    for (suffix, scalar) in [("f64", ScalarType::F64), ("f32", ScalarType::F32)] {
+        derive("parallelogram", &format!("parallelogram_{suffix}"), scalar, &[], Effort::Default);
+    }
     for model in TIMED {
         derive(model, &format!("{model}_f64"), ScalarType::F64, &[], Effort::All);
     }

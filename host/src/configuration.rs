@@ -71,7 +71,7 @@ impl Configurations {
             self.assembly.set_parameters(parameters);
             return Ok(self.nominal.clone());
         }
-        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut last = Unreachable::default();
         let mut steps = 1;
         while steps <= MAX_STEPS {
             match self.walk(parameters, steps) {
@@ -118,18 +118,30 @@ impl Configurations {
     /// # Errors
     /// As [`Configurations::solve`].
     pub fn complete(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
-        match given.iter().copied().collect() {
-            Some(q) => Ok(q),
+        match given.iter().copied().collect::<Option<Vec<f64>>>() {
+            Some(q) => self.unlocked(parameters, q),
             None => self.solve(parameters, given),
         }
+    }
+
+    /// The configuration, unless other parameters than the default ones leave it nowhere to move.
+    fn unlocked(&mut self, parameters: &[f64], q: Vec<f64>) -> Result<Vec<f64>, Unreachable> {
+        self.assembly.set_parameters(parameters);
+        let locked = if parameters == self.defaults { None } else { self.assembly.locked(&q) };
+        locked.map_or(Ok(q), Err)
     }
 
     /// Coordinates that meet the constraints: independent ones as given (left-out ones nominal),
     /// dependent ones solved for, from start values where given.
     ///
     /// # Errors
-    /// If no dependent coordinates were found.
+    /// If no dependent coordinates were found, or the mechanism is locked there.
     pub fn solve(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
+        let q = self.assembled(parameters, given)?;
+        self.unlocked(parameters, q)
+    }
+
+    fn assembled(&mut self, parameters: &[f64], given: &[Option<f64>]) -> Result<Vec<f64>, Unreachable> {
         let mut nominal = self.nominal_at(parameters)?;
         if self.time != 0.0 {
             nominal = self.assembly.continue_in_time(&nominal, self.time)?;

@@ -23,6 +23,7 @@ mod hard_cases;
 mod hard_mechanisms;
 mod hard_table;
 mod impact_property;
+mod implied_parameter;
 mod independent;
 mod law_table;
 mod newton_euler_oracle;

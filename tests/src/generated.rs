@@ -57,6 +57,8 @@ emitted!(tile_loaded_f64, f64, Tile, "tile_loaded_f64");
 emitted!(tile_loaded_f32, f32, Tile, "tile_loaded_f32");
 emitted!(tile_minimal_loaded_f64, f64, TileMinimal, "tile_minimal_loaded_f64");
 emitted!(tile_minimal_loaded_f32, f32, TileMinimal, "tile_minimal_loaded_f32");
+emitted!(parallelogram_f64, f64, Parallelogram, "parallelogram_f64");
+emitted!(parallelogram_f32, f32, Parallelogram, "parallelogram_f32");
 emitted!(arm6_f64, f64, Arm6, "arm6_f64");
 emitted!(bicycle_f64, f64, Bicycle, "bicycle_f64");
 emitted!(pendulum10_f64, f64, Pendulum10, "pendulum10_f64");

@@ -1,16 +1,18 @@
 //! Configurations that satisfy the constraints: Newton on the plain residuals, and continuation.
 //!
 //! In: independent coordinates and the time (given), dependent ones (guesses). Out: dependent coordinates with
-//! all residuals at round-off. Far targets are reached from the nominal configuration along a
-//! straight line of the independent coordinates, so the branch connected to nominal is found.
+//! all residuals at round-off, those of implied constraints included. Far targets are reached from the nominal
+//! configuration along a straight line of the independent coordinates, so the branch connected to nominal is found.
 
+use super::unreachable::Unreachable;
 use super::{Kinematics, linear, speed_map};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expr::SymbolId;
 use crate::expr::rounding::Rounded;
 use crate::expr::tape::Tape;
+use crate::expr::{ExprId, SymbolId};
 use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
+use crate::source::Span;
 
 /// Random configurations sampled besides the nominal and the stated ones.
 const RANDOM_SAMPLES: usize = 64;
@@ -26,6 +28,15 @@ const SATISFIED: f64 = 1e-12;
 const CONTRADICTION: f64 = 1e-9;
 /// Largest correction of one Newton step: farther means another branch or a singularity.
 const LARGEST_CORRECTION: f64 = 0.5;
+/// Guesses from which the nominal configuration is searched for.
+const STARTS: usize = 64;
+/// Fractional part of the golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Most steps of a descent, and the sum of squares at which it ends.
+const DESCENT: usize = 100;
+const DESCENDED: f64 = 1e-10;
+/// A direction of which less is left beside the others does not count against the freedom of a mechanism.
+const LOCKED: f64 = 1e-6;
 
 /// Solves for dependent coordinates.
 #[derive(Clone, Debug)]
@@ -33,18 +44,38 @@ pub struct Assembly {
     tape: Tape<f64>,
     /// By what every residual is divided: an equation says the same if all of it is multiplied.
     scales: Vec<f64>,
+    /// Names of the constraints that the residuals belong to.
+    names: Vec<String>,
+    /// How many of the residuals, the last ones, are implied by the others at the default parameters.
+    implied: usize,
     dependent: Vec<usize>,
     independent: Vec<usize>,
+    /// By coordinate: is it an angle, and its range.
+    kinds: Vec<(bool, (f64, f64))>,
     /// Values of the tape's inputs: coordinates, then parameters, then the time.
     arguments: Vec<f64>,
     n_q: usize,
 }
 
-/// The dependent coordinates could not be found.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Unreachable {
-    /// Smallest residual reached.
-    pub residual: f64,
+/// Equations at a configuration, each divided by its scale.
+struct Linearised {
+    /// Largest residual as it is, and the equation that has it.
+    absolute: (f64, usize),
+    residual: Vec<f64>,
+    /// One row an equation, one column a dependent coordinate.
+    jacobian: Vec<f64>,
+}
+
+impl Linearised {
+    fn largest(&self) -> f64 {
+        largest(&self.residual).0
+    }
+}
+
+/// The largest size and its place; not a number if one is none.
+fn largest(residual: &[f64]) -> (f64, usize) {
+    let sizes = residual.iter().map(|r| r.abs()).enumerate();
+    sizes.fold((0.0, 0), |m, (i, r)| if r > m.0 || r.is_nan() { (r, i) } else { m })
 }
 
 impl Assembly {
@@ -60,14 +91,17 @@ impl Assembly {
                 .collect()
         };
         let (independent, dependent) = (split(true), split(false));
-        let mut roots = k.residuals.clone();
-        for residual in k.residuals.clone() {
-            for &column in &dependent {
-                let slope = k.dag.derivative(residual, symbols[column]);
-                roots.push(slope);
-            }
+        let residuals = [&k.residuals[..], &k.implied].concat();
+        let mut roots = residuals.clone();
+        let slopes = |k: &mut Kinematics, columns: &[usize]| -> Vec<ExprId> {
+            let each = residuals.iter().flat_map(|&r| columns.iter().map(move |&c| (r, c)));
+            each.map(|(residual, column)| k.dag.derivative(residual, symbols[column])).collect()
+        };
+        roots.extend(slopes(k, &dependent));
+        if !k.implied.is_empty() {
+            roots.extend(slopes(k, &independent));
         }
-        let mut inputs = symbols;
+        let mut inputs = symbols.clone();
         let mut arguments: Vec<f64> = coordinates.iter().map(|&c| model.coordinates[c].nominal).collect();
         for (id, &expr) in k.parameters.enumerate() {
             if let Some(symbol) = k.dag.as_symbol(expr) {
@@ -81,15 +115,25 @@ impl Assembly {
             let known = inputs.iter().position(|s| *s == symbol);
             Rounded::new(known.map_or(f64::NAN, |i| arguments[i]), 0.0)
         };
-        let scales = k.dag.evaluate(&k.residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
+        let scales = k.dag.evaluate(&residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
+        let declared = coordinates.iter().map(|&c| &model.coordinates[c]);
         Self {
             tape: Tape::new(&k.dag, &roots, &inputs),
             scales,
+            names: k.residual_names.iter().chain(&k.implied_names).map(|p| p.name.clone()).collect(),
+            implied: k.implied.len(),
+            kinds: declared.map(|c| (c.unit == "rad", c.range)).collect(),
             dependent,
             independent,
             arguments,
             n_q: coordinates.len(),
         }
+    }
+
+    /// How large the terms of the largest equation are, to a factor of a thousand.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.scales.iter().fold(0.0_f64, |size, &scale| size.max(scale))
     }
 
     /// Sets the values of the tunable parameters, in the order of their declaration.
@@ -112,7 +156,7 @@ impl Assembly {
     /// If no number of steps gets there.
     pub fn continue_in_time(&mut self, from: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
         let start = self.arguments.last().copied().unwrap_or(0.0);
-        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut last = Unreachable::default();
         let mut steps = 1;
         while steps <= MAX_TIME_STEPS {
             let mut q = from.to_vec();
@@ -139,16 +183,22 @@ impl Assembly {
     /// # Errors
     /// If it does not converge.
     pub fn correct(&mut self, q: &mut [f64]) -> Result<(), Unreachable> {
-        let mut best = f64::INFINITY;
+        let mut best = (f64::INFINITY, 0);
         for _ in 0..MAX_CORRECTIONS {
-            let (residual, scaled, correction) = self.newton_step(q);
-            best = best.min(residual);
-            // The last correction has brought the error to the square of a small number.
-            for (&i, d) in self.dependent.iter().zip(correction.iter()) {
+            let mut equations = self.linearised(q);
+            best = if equations.absolute.0 < best.0 { equations.absolute } else { best };
+            let scaled = equations.largest();
+            equations.residual.iter_mut().for_each(|r| *r = -*r);
+            let (jacobian, residual) = (&equations.jacobian, &mut equations.residual);
+            let (correction, _) = linear::solve(jacobian, residual, self.dependent.len());
+            let mut size = 0.0_f64;
+            for (&i, &d) in self.dependent.iter().zip(&correction) {
+                // Relative to a length; an angle is what it is.
+                let part = if self.kinds[i].0 { d } else { d / q[i].abs().max(1.0) };
+                size = if part.is_nan() { f64::NAN } else { size.max(part.abs()) };
+                // The last correction has brought the error to the square of a small number.
                 q[i] += d;
             }
-            let size =
-                correction.iter().fold(0.0_f64, |m, d| if d.is_nan() { f64::NAN } else { m.max(d.abs()) });
             if scaled < SATISFIED && size < SATISFIED.sqrt() {
                 return Ok(());
             }
@@ -156,28 +206,126 @@ impl Assembly {
                 break;
             }
         }
-        Err(Unreachable { residual: best })
+        Err(Unreachable { residual: best.0, constraint: self.names.get(best.1).cloned(), locked: false })
     }
 
-    /// Largest residual, as it is and scaled, and Newton's correction of the dependent coordinates.
-    fn newton_step(&mut self, q: &[f64]) -> (f64, f64, Vec<f64>) {
-        let mut outputs = vec![0.0; self.tape.n_outputs()];
+    /// The equations and their derivatives by the dependent coordinates.
+    fn linearised(&mut self, q: &[f64]) -> Linearised {
+        let mut residual = vec![0.0; self.tape.n_outputs()];
         self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
-        self.tape.run(&self.arguments, &mut outputs);
-        let (residual, jacobian) = outputs.split_at_mut(self.scales.len());
-        let largest = |residual: &[f64]| {
-            residual.iter().fold(0.0, |m: f64, r| if r.is_nan() { f64::NAN } else { m.max(r.abs()) })
-        };
-        let absolute = largest(residual);
-        let n = self.dependent.len();
+        self.tape.run(&self.arguments, &mut residual);
+        let (m, n) = (self.scales.len(), self.dependent.len());
+        let mut jacobian = residual.split_off(m);
+        jacobian.truncate(m * n);
+        let absolute = largest(&residual);
         for (i, scale) in self.scales.iter().enumerate().filter(|(_, scale)| **scale != 1.0) {
             residual[i] /= scale;
             jacobian[i * n..(i + 1) * n].iter_mut().for_each(|slope| *slope /= scale);
         }
-        let scaled = largest(residual);
-        residual.iter_mut().for_each(|r| *r = -*r);
-        let (correction, _) = linear::solve(jacobian, residual, n);
-        (absolute, scaled, correction)
+        Linearised { absolute, residual, jacobian }
+    }
+
+    /// Of the configurations found from many guesses that with dependent coordinates nearest to those given.
+    ///
+    /// # Errors
+    /// If none is found.
+    pub fn search(&mut self, guess: &[f64]) -> Result<Vec<f64>, Unreachable> {
+        let mut q = guess.to_vec();
+        let mut found = self.correct(&mut q).map(|()| (0.0, q));
+        for start in 0..if found.is_ok() { 0 } else { STARTS } {
+            let mut q = guess.to_vec();
+            for (place, &i) in self.dependent.iter().enumerate() {
+                // Multiples of square roots, less whole numbers, cover a box evenly; the first start is the guess.
+                let part = (start as f64 * ((place + 2) as f64).sqrt() * GOLDEN).fract();
+                let (is_angle, (low, high)) = self.kinds[i];
+                let width = if is_angle { std::f64::consts::TAU } else { high - low };
+                q[i] += width * (part - part.round());
+            }
+            self.descend(&mut q);
+            for &i in self.dependent.iter().filter(|&&i| self.kinds[i].0) {
+                q[i] -= std::f64::consts::TAU * ((q[i] - guess[i]) / std::f64::consts::TAU).round();
+            }
+            match self.correct(&mut q) {
+                Ok(()) => {
+                    let way = |&i: &usize| (q[i] - guess[i]) / self.width(i);
+                    let distance = self.dependent.iter().map(way).map(|x| x * x).sum::<f64>();
+                    if found.as_ref().map_or(true, |(least, _)| distance < *least) {
+                        found = Ok((distance, q));
+                    }
+                }
+                Err(new) => match &mut found {
+                    Err(old) if new.residual < old.residual => *old = new,
+                    _ => {}
+                },
+            }
+        }
+        found.map(|(_, q)| q)
+    }
+
+    /// What counts as far for a coordinate.
+    fn width(&self, index: usize) -> f64 {
+        let (is_angle, (low, high)) = self.kinds[index];
+        if is_angle { 1.0 } else { (high - low).abs().max(f64::MIN_POSITIVE) }
+    }
+
+    /// Levenberg and Marquardt's steps down the sum of squares, until Newton's method can take over.
+    fn descend(&mut self, q: &mut Vec<f64>) {
+        let n = self.dependent.len();
+        let mut damping = 1e-2;
+        let squares = |equations: &Linearised| equations.residual.iter().map(|r| r * r).sum::<f64>();
+        let mut equations = self.linearised(q);
+        for _ in 0..DESCENT {
+            let size = squares(&equations);
+            if size < DESCENDED || size.is_nan() {
+                return;
+            }
+            let rows: Vec<&[f64]> = equations.jacobian.chunks_exact(n.max(1)).collect();
+            let product = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
+            // In units in which every unknown matters alike, be it a length of a million metres or an angle.
+            let length = |i: usize| product(i, i).sqrt();
+            let units: Vec<f64> =
+                (0..n).map(|i| if length(i) > 0.0 { 1.0 / length(i) } else { 1.0 }).collect();
+            let entry = |i: usize, j: usize| {
+                let damped = if i == j { damping } else { 0.0 };
+                product(i, j) * units[i] * units[j] + damped
+            };
+            let gram: Vec<f64> = (0..n * n).map(|ij| entry(ij / n, ij % n)).collect();
+            let slope =
+                |i: usize| rows.iter().zip(&equations.residual).map(|(row, r)| -row[i] * r).sum::<f64>();
+            let mut right: Vec<f64> = (0..n).map(|i| slope(i) * units[i]).collect();
+            let (step, _) = linear::solve(&gram, &mut right, n);
+            let mut there = q.clone();
+            let each = self.dependent.iter().zip(step).zip(&units);
+            each.for_each(|((&i, d), unit)| there[i] += d * unit);
+            let new = self.linearised(&there);
+            if squares(&new) < size {
+                (*q, equations, damping) = (there, new, damping * 0.2);
+            } else {
+                damping *= 5.0;
+            }
+        }
+    }
+
+    /// The implied constraint that no longer follows from the others, if the configuration, which satisfies all of
+    /// them, has fewer ways to move than independent coordinates.
+    pub fn locked(&mut self, q: &[f64]) -> Option<Unreachable> {
+        if self.implied == 0 {
+            return None;
+        }
+        let mut values = vec![0.0; self.tape.n_outputs()];
+        self.arguments[..self.n_q].copy_from_slice(&q[..self.n_q]);
+        self.tape.run(&self.arguments, &mut values);
+        let (m, n) = (self.scales.len(), self.dependent.len());
+        let (dependent, independent) = values[m..].split_at(m * n);
+        let free = self.independent.len();
+        let mut all: Vec<f64> = Vec::new();
+        for (i, scale) in self.scales.iter().enumerate() {
+            all.extend(dependent[i * n..(i + 1) * n].iter().map(|x| x / scale));
+            all.extend(independent[i * free..(i + 1) * free].iter().map(|x| x / scale));
+        }
+        let (_, rank) = linear::solve_to(&all, &mut vec![0.0; m], n + free, LOCKED);
+        let name = self.names.get(m - self.implied).cloned();
+        (rank > n).then_some(Unreachable { residual: 0.0, constraint: name, locked: true })
     }
 
     /// From the configuration `from` (satisfied) to the independent coordinates of `target`.
@@ -185,26 +333,43 @@ impl Assembly {
     /// # Errors
     /// If no number of steps up to 64 gets there.
     pub fn continue_to(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
-        let mut last = Unreachable { residual: f64::INFINITY };
+        let mut last = Unreachable::default();
         let mut steps = 1;
         while steps <= MAX_STEPS {
-            match self.walk(from, target, steps) {
+            match self.walk(from, target, steps, false) {
                 Ok(q) => return Ok(q),
                 Err(unreachable) => last = unreachable,
             }
             steps *= 4;
         }
-        Err(last)
+        // Straight on, through places where branches cross.
+        match self.walk(from, target, MAX_STEPS, true) {
+            Ok(q) => Ok(q),
+            Err(_) => Err(last),
+        }
     }
 
-    fn walk(&mut self, from: &[f64], target: &[f64], steps: usize) -> Result<Vec<f64>, Unreachable> {
+    /// In so many steps, each from the configuration before, or from where the last two lead.
+    fn walk(
+        &mut self,
+        from: &[f64],
+        target: &[f64],
+        steps: usize,
+        straight: bool,
+    ) -> Result<Vec<f64>, Unreachable> {
         let mut q = from.to_vec();
+        let mut before = q.clone();
         for step in 1..=steps {
             let part = step as f64 / steps as f64;
+            let here = q.clone();
+            if straight {
+                self.dependent.iter().for_each(|&i| q[i] += here[i] - before[i]);
+            }
             for &i in &self.independent {
                 q[i] = if step == steps { target[i] } else { from[i] + part * (target[i] - from[i]) };
             }
             self.correct(&mut q)?;
+            before = here;
         }
         Ok(q)
     }
@@ -224,8 +389,9 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
     let state: Vec<CoordinateId> =
         model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
     let mut nominal: Vec<f64> = state.iter().map(|&c| model.coordinates[c].nominal).collect();
-    if let Err(unreachable) = assembly.correct(&mut nominal) {
-        return Err(nominal_unreachable(model, unreachable));
+    match assembly.search(&nominal) {
+        Ok(found) => nominal = found,
+        Err(unreachable) => return Err(nominal_unreachable(model, &unreachable)),
     }
     let mut samples = vec![nominal.clone()];
     let mut times = vec![0.0];
@@ -319,16 +485,23 @@ fn in_range(model: &Model, state: &[CoordinateId], q: &[f64]) -> bool {
     })
 }
 
-fn nominal_unreachable(model: &Model, unreachable: Unreachable) -> Diagnostics {
+fn nominal_unreachable(model: &Model, unreachable: &Unreachable) -> Diagnostics {
+    let worst = unreachable.constraint.as_deref();
     let mut error = Diagnostic::error("the nominal configuration cannot be assembled").help(format!(
-        "give nominal values nearer to a configuration that satisfies every constraint (residual reached: {:.1e})",
-        unreachable.residual
+        "give nominal values nearer to a configuration that satisfies every constraint (nearest found: {unreachable})"
     ));
+    let mut places: Vec<(bool, Span, &str)> = Vec::new();
     for constraint in &model.configuration_constraints {
-        error = error.label(constraint.span, "this constraint, among others, must hold there");
+        let is_worst = worst == Some(constraint.name.as_str());
+        places.push((is_worst, constraint.span, "this constraint, among others, must hold there"));
     }
     for point in model.points.iter().filter(|p| !p.closures.is_empty()) {
-        error = error.label(point.span, "this loop must close there");
+        let is_worst = worst.is_some_and(|name| name.split(" closure").next() == Some(point.name.as_str()));
+        places.push((is_worst, point.span, "this loop must close there"));
+    }
+    places.sort_by_key(|(is_worst, ..)| !is_worst);
+    for (_, span, text) in places {
+        error = error.label(span, text);
     }
     Diagnostics { source: model.source.clone(), items: vec![error] }
 }

@@ -12,6 +12,12 @@ const LANES: usize = 4;
 /// A basic solution of A x = b and the rank of A; b is used up.
 #[must_use]
 pub fn solve(a: &[f64], b: &mut [f64], columns: usize) -> (Vec<f64>, usize) {
+    solve_to(a, b, columns, RANK)
+}
+
+/// The same with pivots below another part of the largest entry taken for zero.
+#[must_use]
+pub fn solve_to(a: &[f64], b: &mut [f64], columns: usize, zero: f64) -> (Vec<f64>, usize) {
     let (rows, width) = (b.len(), columns.div_ceil(LANES));
     let mut blocks = vec![[0.0; LANES]; rows * width];
     for (to, from) in blocks.chunks_exact_mut(width.max(1)).zip(a.chunks_exact(columns.max(1))) {
@@ -29,7 +35,7 @@ pub fn solve(a: &[f64], b: &mut [f64], columns: usize) -> (Vec<f64>, usize) {
         }
         let size = sizes[best];
         // Written so that a not-a-number ends the elimination too.
-        if size.is_nan() || size <= RANK * scale {
+        if size.is_nan() || size <= zero * scale {
             break;
         }
         sizes.swap(rank, best);

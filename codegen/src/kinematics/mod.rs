@@ -23,6 +23,7 @@ mod rank;
 mod regular;
 pub(crate) mod sparse;
 mod speed_map;
+mod unreachable;
 mod velocity;
 mod way;
 
@@ -36,11 +37,12 @@ use crate::vector::{TriadId, Triads, Vector};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
-pub use assemble::{Assembly, Unreachable, tunable_values};
+pub use assemble::{Assembly, tunable_values};
 pub use constraint::Row;
 pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub(crate) use position::flatten;
+pub use unreachable::Unreachable;
 pub use velocity::{Motion, Rate};
 pub(crate) use velocity::{
     derivative as derivative_of, is_lifted_triad, motion_value as value_of, rate_value as rate_of,

@@ -13,7 +13,7 @@ mod reorder;
 mod roots;
 mod shorten;
 
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::dynamics::{self, Augmented, Dynamics};
 pub use crate::expr::cost::Optimise;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
@@ -58,8 +58,10 @@ pub struct Program {
     pub outputs: Vec<(String, ExprId)>,
     /// Newton's correction of the dependent coordinates: (index into q, correction).
     pub correction: Vec<(usize, ExprId)>,
-    /// Largest constraint residual before the correction.
+    /// Largest constraint residual before the correction, implied constraints included.
     pub residual: ExprId,
+    /// Are there constraints that follow from the others at the default parameters, but perhaps not at others?
+    pub has_implied: bool,
     /// The equations before the elimination, with multipliers.
     pub augmented: Augmented,
     /// Pivots of all eliminations.
@@ -138,8 +140,9 @@ pub fn derive_with(
 ) -> Result<Program, Diagnostics> {
     let Settings { effort, optimise } = settings.into();
     let mut k = kinematics::derive(model, choice, optimise)?;
+    let mut warnings = implausible(model, &k)?;
     let mut table = eliminate::sample_table(model, &k);
-    let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
+    warnings.items.extend(kinematics::diagnose::check(model, &mut k, &mut table)?.items);
     let solution = eliminate::solve(model, &mut k, &mut table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
@@ -153,6 +156,34 @@ pub fn derive_with(
     }
     mark_angles(&mut program);
     Ok(program)
+}
+
+/// Warnings of what no mechanism has, and of bodies that nothing moves.
+///
+/// # Errors
+/// Numbers that make the equations meaningless.
+fn implausible(model: &Model, k: &Kinematics) -> Result<Diagnostics, Diagnostics> {
+    let mut found = Diagnostics::new(model.source.clone());
+    model.implausible(&k.parameter_values).into_iter().for_each(|item| found.push(item));
+    for body in model.bodies.iter() {
+        let turns = body.frame.is_some_and(|frame| !k.angular[k.frame_triad[frame]].partials.is_empty());
+        let moves = !k.velocities[body.centre].partials.is_empty();
+        if !moves && !turns {
+            found.push(
+                Diagnostic::warning(format!("`{}` is tied to nothing that moves", body.name))
+                    .label(body.span, "its centre and its frame stay where they are")
+                    .help("let its centre or frame depend on coordinates, or leave it out: it changes no equation"),
+            );
+        }
+        if moves && body.mass.is_none() {
+            found.push(
+                Diagnostic::warning(format!("`{}` has inertia but no mass, and its centre moves", body.name))
+                    .label(body.span, "no mass is given")
+                    .help("give its mass; for a body of pure inertia say so: mass = 0"),
+            );
+        }
+    }
+    if found.has_errors() { Err(found) } else { Ok(found) }
 }
 
 fn assemble(
@@ -185,7 +216,8 @@ fn assemble(
     let speed_values = k.dag.substitute(&speed_values, &dynamics.values);
     let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
     let worst_pivot = worst_pivot(&mut k.dag, &pivots);
-    let residual = largest(&mut k.dag, &k.residuals.clone());
+    let watched = [&k.residuals[..], &k.implied].concat();
+    let residual = largest(&mut k.dag, &watched);
     let correction = correction(model, &mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let closed_forms = k.closed_form_values();
@@ -205,6 +237,7 @@ fn assemble(
         outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
         correction,
         residual,
+        has_implied: !k.implied.is_empty(),
         augmented: dynamics.augmented,
         pivots,
         n_samples: k.samples.len(),

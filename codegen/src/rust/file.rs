@@ -38,7 +38,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
         text += &function::answer(program, answer, cost, &prepared, options);
     }
     if options.answers.is_empty() {
-        text += &glue::mechanism(program, &fields, runtime);
+        text += &glue::mechanism(program, &fields, runtime, &options.scalar);
     }
     text
 }

@@ -1,6 +1,7 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
 use super::answer::Answer;
+use super::options::ScalarType;
 use super::{layout, name};
 use crate::escape;
 use crate::program::Program;
@@ -50,16 +51,16 @@ $getters                _ => return None,
             },
         )
     }
-    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last.
+    /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last$refusal.
     pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
-        let place = match index {
+$before        let place = match index {
 $setters            _ => return false,
         };
         *place = value;
         self.prepared = prepare(&self.parameters);
-        true
+$assembled        true
     }
-}
+$can_be_assembled}
 impl $runtime::mechanism::Mechanism<S> for $name {
     fn n_q(&self) -> usize {
         NQ
@@ -142,6 +143,61 @@ const TIME: [(&str, &str, &str); 6] = [
     ("$time", "self.time", "<S as Real>::ZERO"),
 ];
 
+/// What stands for the placeholders of constraints that follow from the others at the default parameters: at other
+/// ones they may not, which comparing scalars find out.
+const IMPLIED: [(&str, &str); 4] = [
+    ("$refusal", ",\n    /// and where the constraints can no longer be met: all is then as it was"),
+    ("$before", "        let before = *self;\n"),
+    (
+        "$assembled",
+        "        if !self.can_be_assembled() {\n            *self = before;\n            return false;\n        }\n",
+    ),
+    (
+        "$can_be_assembled",
+        "\
+    /// Do Newton's corrections lead from the nominal configuration to one that satisfies every constraint, those
+    /// included that follow from the others at the default parameters?
+    #[must_use]
+    #[allow(
+        clippy::assign_op_pattern,
+        reason = \"scalars need not have assigning operators\"
+    )]
+    pub fn can_be_assembled(&self) -> bool {
+        let mut q = NOMINAL;
+        for _ in 0..25usize {
+            let (correction, residual) = projection(
+                $time,
+                &q,
+                &[<S as Real>::ZERO; NU],
+                &[<S as Real>::ZERO; N_INPUTS],
+                &self.prepared,
+            );
+            if residual <= $satisfied {
+                return true;
+            }
+            for (&index, &change) in CORRECTED.iter().zip(&correction) {
+                if let Some(coordinate) = q.get_mut(index) {
+                    *coordinate = *coordinate + change;
+                }
+            }
+        }
+        false
+    }
+",
+    ),
+];
+
+/// The residual that counts as none: half of the scalar's digits; none for scalars that do not compare, and without
+/// such constraints.
+fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
+    let epsilon = match scalar {
+        ScalarType::F32 => f64::from(f32::EPSILON),
+        ScalarType::F64 => f64::EPSILON,
+        ScalarType::Path(_) => return None,
+    };
+    program.has_implied.then(|| scalar.literal(epsilon.sqrt() * program.assembly.size()))
+}
+
 /// Do projection or energy read time?
 fn keeps_time(program: &Program) -> bool {
     let roots = [Answer::Projection, Answer::Energy].map(|answer| answer.roots(program)).concat();
@@ -149,7 +205,7 @@ fn keeps_time(program: &Program) -> bool {
 }
 
 /// `pub struct Tile` and its `impl Mechanism<S>`; `fields` are those of `Parameters`.
-pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str) -> String {
+pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, scalar: &ScalarType) -> String {
     let doc = match program.doc.trim().is_empty() {
         true => format!("The mechanism {}.", escape::markdown_code(&program.name)),
         false => program.doc.trim().lines().map(escape::markdown).collect::<Vec<_>>().join("\n"),
@@ -164,7 +220,12 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str) -> 
         layout::signature(head, &arguments, &output, "    ")
     };
     let keeps = keeps_time(program);
-    let timed = TIME.iter().fold(STRUCT.to_owned(), |text, (place, kept, not_kept)| {
+    let satisfied = satisfied(program, scalar);
+    let watched = IMPLIED.iter().fold(STRUCT.to_owned(), |text, (place, kept)| {
+        text.replace(place, if satisfied.is_some() { kept } else { "" })
+    });
+    let watched = watched.replace("$satisfied", &satisfied.unwrap_or_default());
+    let timed = TIME.iter().fold(watched, |text, (place, kept, not_kept)| {
         text.replace(place, if keeps { kept } else { not_kept })
     });
     let text = timed

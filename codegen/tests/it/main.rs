@@ -11,6 +11,7 @@ mod expressions;
 mod forms;
 mod geometry;
 mod hostile;
+mod implied;
 mod import_circles;
 mod layering;
 mod loops;

@@ -18,6 +18,9 @@ use smartbed_codegen::{Answer, Interpreted, ParameterChoice, Program, program};
 use states::State;
 use write::Evaluated;
 
+/// A residual of this part of the equations' terms is more than rounding in any scalar.
+const VIOLATED: f64 = 1e-4;
+
 /// Evaluate the equations of motion at given states.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Example:
@@ -112,10 +115,9 @@ fn evaluate<S: EngineScalar>(
         let given = state.resolve(program, names, &configurations).map_err(at)?;
         let q = configurations.complete_at(state.t, &given.parameters, &given.q).map_err(|unreachable| {
             at(format!(
-                "the dependent coordinates cannot be found: a constraint residual of {:.1e} is left; expected \
-                 independent coordinates within reach of the nominal configuration (its branch is followed), \
-                 or start values of the dependent ones nearer to a solution",
-                unreachable.residual
+                "the dependent coordinates cannot be found: {unreachable}; expected independent coordinates \
+                 within reach of the nominal configuration (its branch is followed), or start values of the \
+                 dependent ones nearer to a solution"
             ))
         })?;
         let parameters = rounded::<S>(&given.parameters);
@@ -143,6 +145,13 @@ fn evaluate<S: EngineScalar>(
                 .map_err(|fault| at(explain(fault).to_owned()))?;
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
+        }
+        if evaluated.residual > VIOLATED * program.assembly.size() {
+            eprintln!(
+                "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
+                 left, and its accelerations are those of no mechanism",
+                evaluated.residual
+            );
         }
         if let Some(what) = evaluated.not_finite() {
             return Err(at(format!(

@@ -24,10 +24,15 @@ use crate::{model_argument, plot, view};
 use observers::Observers;
 use settings::Settings;
 use simulate::{Row, Setup, Summary, columns};
-use smartbed_codegen::model::Model;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::kinematics::Unreachable;
+use smartbed_codegen::model::{Model, StartRef};
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Program, program};
 use std::fmt::Write as _;
+
+/// A dependent start value counts as replaced where the solution differs by more than this, relative to it.
+const REPLACED: f64 = 1e-6;
 
 /// Simulate a mechanism or a scene.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -190,15 +195,35 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     let mut configurations = Configurations::new(model, program);
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
     let given: Vec<Option<f64>> = program.q.iter().map(|q| settings.start.get(&q.name).copied()).collect();
-    let mut x = configurations.solve(&parameters, &given).map_err(|unreachable| {
-        Failure::Wrong(format!(
-            "the start cannot be assembled: a constraint residual of {:.1e} is left; expected independent \
-             coordinates within reach of the nominal configuration",
-            unreachable.residual
-        ))
-    })?;
+    let mut x = configurations
+        .solve(&parameters, &given)
+        .map_err(|unreachable| start_unreachable(model, settings, &unreachable))?;
+    for ((quantity, given), found) in program.q.iter().zip(&given).zip(&x) {
+        let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
+        if let Some(given) = replaced {
+            eprintln!(
+                "note: the start value {} = {given} is replaced by {found:.6}: it is dependent and follows from the \
+                 independent coordinates",
+                quantity.name
+            );
+        }
+    }
     x.extend(program.u.iter().map(|u| settings.start.get(&u.name).copied().unwrap_or(0.0)));
     Ok(x)
+}
+
+/// The start cannot be assembled: with the lines of `[start]` that say where it should be.
+fn start_unreachable(model: &Model, settings: &Settings, unreachable: &Unreachable) -> Failure {
+    let mut error = Diagnostic::error(format!("the start cannot be assembled: {unreachable}"))
+        .help("expected independent coordinates within reach of the nominal configuration");
+    for ((owner, value), (_, written)) in model.start.iter().zip(&model.start_written) {
+        if let StartRef::Coordinate(id) = owner
+            && settings.start.get(&model.coordinates[*id].name) == Some(value)
+        {
+            error = error.label(written.span, "this start value, among others");
+        }
+    }
+    model_argument::wrong(&Diagnostics::one(model.source.clone(), error))
 }
 
 /// Simulates and writes what is asked for; gives the data of `--view`.

@@ -43,6 +43,18 @@ impl Constants {
         constants
     }
 
+    /// Values at other parameters.
+    pub fn with(model: &Model, parameters: &IdVec<ParameterId, f64>) -> Self {
+        let definitions = model.definitions.iter().map(|_| f64::NAN).collect();
+        let mut constants = Self { parameters: parameters.clone(), definitions };
+        for entity in &model.order {
+            if let Entity::Definition(id) = *entity {
+                constants.definitions[id] = constants.value(&model.definitions[id].value);
+            }
+        }
+        constants
+    }
+
     /// Value of an expression, NaN if it is not constant or not a scalar.
     pub fn value(&self, expr: &Expr) -> f64 {
         match &expr.kind {

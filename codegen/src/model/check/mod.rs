@@ -7,6 +7,7 @@ mod driven;
 pub mod evaluate;
 mod infer;
 pub mod order;
+mod plausible;
 pub mod reach;
 pub mod units;
 mod unused;
