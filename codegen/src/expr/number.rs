@@ -117,7 +117,9 @@ impl Number {
                 return sum;
             }
         }
-        Self::float(self.to_f64() + other.to_f64())
+        // What cancels is zero for everyone who asks: a quotient by it would be infinite.
+        let sum = self.to_f64() + other.to_f64();
+        if sum == 0.0 { Self::ZERO } else { Self::float(sum) }
     }
 
     /// a b.
@@ -238,5 +240,11 @@ mod tests {
         let huge = Number::integer(1 << 51);
         assert_eq!(huge.multiply(huge).to_f64(), (1_i64 << 51) as f64 * (1_i64 << 51) as f64);
         assert!(Number::ZERO.reciprocal().to_f64().is_infinite());
+    }
+
+    #[test]
+    fn floats_that_cancel_are_zero() {
+        let tenth = Number::from_f64(0.1);
+        assert_eq!(tenth.plus(tenth.negate()), Number::ZERO);
     }
 }
