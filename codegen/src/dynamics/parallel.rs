@@ -47,11 +47,14 @@ pub(super) fn turning(k: &Kinematics, nodes: &[Node], moves: &[Option<Moves>]) -
     found
 }
 
-/// The unknown that is the rate of a node's hinge.
+/// The unknown that is the rate of a node's hinge and moves no other joint: M_bb is then the outer part's alone.
 fn rate(k: &Kinematics, moves: &[Option<Moves>], node: usize) -> Option<UnknownId> {
     let turn = &moves[node].as_ref()?.turn;
     let (&unknown, &partial) = turn.partials.first_key_value()?;
-    (turn.partials.len() == 1 && k.dag.is_one(partial)).then_some(unknown)
+    let rates =
+        |m: &Moves| std::iter::once(&m.turn).chain(&m.slide).any(|r| r.partials.contains_key(&unknown));
+    let joints = moves.iter().flatten().filter(|&m| rates(m)).count();
+    (joints == 1 && turn.partials.len() == 1 && k.dag.is_one(partial)).then_some(unknown)
 }
 
 impl Turning {
