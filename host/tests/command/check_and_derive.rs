@@ -1,6 +1,6 @@
 //! `check`, `derive` and the command line itself.
 
-use crate::support::{command, file, finish, smartbed, written};
+use crate::support::{children_seconds, command, file, finish, smartbed, written};
 use std::process::Command;
 
 #[test]
@@ -207,16 +207,6 @@ fn a_derived_crate_compiles_on_its_own() {
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}, {optimise}");
     }
-}
-
-/// Processor time of the children of a shell, as its `times` prints it last: `0m0.25s 0m0.08s`.
-fn children_seconds(times: &str) -> f64 {
-    let of = |time: &str| {
-        let (minutes, seconds) = time.strip_suffix('s')?.split_once('m')?;
-        Some(60.0 * minutes.parse::<f64>().ok()? + seconds.parse::<f64>().ok()?)
-    };
-    let line = times.lines().last().expect("two lines");
-    line.split_whitespace().map(|time| of(time).unwrap_or_else(|| panic!("no time in {times}"))).sum()
 }
 
 #[test]

@@ -53,6 +53,30 @@ pub fn finish(mut command: Command) -> Done {
     }
 }
 
+/// Runs a command to its end and tells its processor time (s): what others do meanwhile does not count.
+pub fn timed(command: &Command) -> (Done, f64) {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "\"$0\" \"$@\"; status=$?; times >&2; exit $status"]).arg(command.get_program());
+    shell.args(command.get_args()).stdin(Stdio::null());
+    shell.current_dir(command.get_current_dir().unwrap_or(Path::new(".")));
+    let mut done = finish(shell);
+    let seconds = children_seconds(&done.err);
+    // The shell's own two lines are no message of the command.
+    let lines = done.err.trim_end().rsplitn(3, '\n').nth(2).map_or(0, |message| message.len() + 1);
+    done.err.truncate(lines);
+    (done, seconds)
+}
+
+/// Processor time of the children of a shell, as its `times` prints it last: `0m0.25s 0m0.08s`.
+pub fn children_seconds(times: &str) -> f64 {
+    let of = |time: &str| {
+        let (minutes, seconds) = time.strip_suffix('s')?.split_once('m')?;
+        Some(60.0 * minutes.parse::<f64>().ok()? + seconds.parse::<f64>().ok()?)
+    };
+    let line = times.lines().last().expect("two lines");
+    line.split_whitespace().map(|time| of(time).unwrap_or_else(|| panic!("no time in {times}"))).sum()
+}
+
 /// A file of one test, in a folder that cargo keeps for tests.
 pub fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
