@@ -10,29 +10,33 @@ fn root() -> PathBuf {
 /// Rows that the table must have at least.
 const ROWS: usize = 30;
 
-/// Folder of a package's integration tests.
-fn folder(package: &str) -> Option<PathBuf> {
-    let folder = match package {
-        "smartbed-codegen" => "codegen/tests/it",
-        "smartbed-runtime" => "runtime/tests/it",
-        "smartbed-tests" => "tests/it",
+/// Folder of a package's test program.
+pub fn folder(package: &str, program: &str) -> Option<PathBuf> {
+    let folder = match (package, program) {
+        ("smartbed-codegen", "it") => "codegen/tests/it",
+        ("smartbed-runtime", "it") => "runtime/tests/it",
+        ("smartbed-tests", "it") => "tests/it",
+        ("smartbed", "command") => "host/tests/command",
+        ("smartbed", "fuzz") => "host/tests/fuzz",
         _ => return None,
     };
     Some(root().join(folder))
 }
 
-/// Names of the tests in a folder: functions right below `#[test]`.
-fn tests(folder: &Path) -> Vec<String> {
+/// Names of the tests in a file: functions right below `#[test]`.
+pub fn tests_of(file: &Path) -> Vec<String> {
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    let after = text.split("#[test]").skip(1);
+    after
+        .filter_map(|after| after.trim_start().strip_prefix("fn ").and_then(|rest| rest.split('(').next()))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Names of the tests in a folder.
+pub fn tests(folder: &Path) -> Vec<String> {
     let files = std::fs::read_dir(folder).expect("a folder of tests").map(|e| e.expect("an entry").path());
-    let mut names = Vec::new();
-    for file in files.filter(|f| f.extension().is_some_and(|e| e == "rs")) {
-        let text = std::fs::read_to_string(file).expect("readable");
-        for after in text.split("#[test]").skip(1) {
-            let name = after.trim_start().strip_prefix("fn ").and_then(|rest| rest.split('(').next());
-            names.extend(name.map(str::to_owned));
-        }
-    }
-    names
+    files.filter(|f| f.extension().is_some_and(|e| e == "rs")).flat_map(|file| tests_of(&file)).collect()
 }
 
 /// What is wrong with a row, if anything.
@@ -44,10 +48,12 @@ fn fault(cells: &[&str]) -> Option<String> {
         return Some("an empty cell".to_owned());
     }
     let words: Vec<&str> = command.trim_matches('`').split(' ').collect();
-    let ["-p", package, "--test", "it", "--", name] = words[..] else {
-        return Some(format!("`{command}`: expected `-p PACKAGE --test it -- NAME`"));
+    let ["-p", package, "--test", program, "--", name] = words[..] else {
+        return Some(format!("`{command}`: expected `-p PACKAGE --test PROGRAM -- NAME`"));
     };
-    let Some(folder) = folder(package) else { return Some(format!("no package `{package}`")) };
+    let Some(folder) = folder(package, program) else {
+        return Some(format!("no test program `{program}` of `{package}`"));
+    };
     let known = tests(&folder);
     (!known.iter().any(|test| test == name)).then(|| format!("no test `{name}` in {package}"))
 }

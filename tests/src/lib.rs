@@ -11,3 +11,4 @@ pub mod reference;
 pub mod stepping;
 pub mod subject;
 pub mod tolerance;
+pub mod trial;

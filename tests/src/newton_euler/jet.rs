@@ -49,7 +49,8 @@ impl Jet {
     }
 
     /// f(x) from f, f' and f'' at the value (chain rule).
-    fn chain(self, f: f64, df: f64, ddf: f64) -> Self {
+    #[must_use]
+    pub fn chain(self, f: f64, df: f64, ddf: f64) -> Self {
         Self::new(f, df * self.rate, df * self.second + ddf * self.rate * self.rate)
     }
 

@@ -1,0 +1,69 @@
+//! Random mechanisms of every kind, as texts, against Newton-Euler: accelerations, energies, speeds, outputs, residual,
+//! correction. `SMARTBED_MECHANISMS=1000000` asks for a million, `SMARTBED_FIRST` for seeds from there on.
+
+use smartbed_codegen::{Effort, Optimise, Settings};
+use smartbed_tests::random::Random;
+use smartbed_tests::trial::draw::{self, KINDS};
+use smartbed_tests::trial::{text, verdict};
+
+/// Mechanisms in all.
+const MECHANISMS: u64 = 10_000;
+/// States of each.
+const STATES: usize = 3;
+/// At most this share of the states may be singular to the oracle or out of reach.
+const SINGULAR: f64 = 0.05;
+/// At most this share of the models may be refused: the oracle, too, meets a singular state in their ranges.
+const REFUSED: f64 = 0.01;
+/// At most this share may be refused though the oracle finds them regular: rolling discs whose third, empty component
+/// counts as a row, and pivots that the program reports as too small.
+const UNEXPLAINED: f64 = 0.003;
+
+/// A number from the environment.
+fn asked(name: &str, default: u64) -> u64 {
+    std::env::var(name).map_or(default, |text| text.parse().unwrap_or_else(|_| panic!("{name}: a number")))
+}
+
+/// Most are derived as users do, some for accuracy, with no effort or with all.
+fn settings(seed: u64) -> Settings {
+    match seed % 500 {
+        3 => Effort::All.into(),
+        n if n % 10 == 5 => Effort::None.into(),
+        n if n % 10 == 7 => Settings { optimise: Optimise::Accuracy, ..Settings::default() },
+        _ => Settings::default(),
+    }
+}
+
+#[test]
+fn random_mechanisms_move_as_newton_and_euler_say() {
+    let count = asked("SMARTBED_MECHANISMS", MECHANISMS);
+    let first = asked("SMARTBED_FIRST", 0);
+    let n_kinds = KINDS.len() as u64;
+    let (mut compared, mut singular, mut refused, mut unexplained, mut worst) = (0, 0, 0, 0, 0.0_f64);
+    for seed in first..first + count.div_ceil(n_kinds) {
+        for kind in KINDS {
+            let d = draw::mechanism(kind, seed);
+            let found = verdict::of(&d, settings(seed), STATES, &mut Random::new(seed));
+            let show = || format!("{kind:?}, seed {seed}\n{}", text::model(&d));
+            assert!(found.worst <= verdict::AGREEMENT, "{:e}: {}\n{}", found.worst, found.place, show());
+            unexplained += found.refused.len();
+            if let Some(message) = &found.refusal {
+                let agreed = verdict::is_singular_somewhere(&d, &mut Random::new(seed));
+                *(if agreed { &mut refused } else { &mut unexplained }) += 1;
+                println!("{kind:?}, seed {seed}, {agreed}: {}", message.lines().next().unwrap_or_default());
+            }
+            compared += found.compared;
+            singular += found.singular;
+            worst = worst.max(found.worst);
+        }
+    }
+    println!(
+        "{count} mechanisms: {compared} states compared, worst {worst:.1e}; {singular} singular, {refused} refused, \
+         {unexplained} without reason"
+    );
+    assert!((singular as f64) < SINGULAR * compared as f64, "{singular} of {compared} states singular");
+    assert!((refused as f64) <= REFUSED * count as f64, "{refused} of {count} models refused");
+    assert!(
+        unexplained as f64 <= UNEXPLAINED * count as f64,
+        "{unexplained} of {count} refused without reason"
+    );
+}
