@@ -25,7 +25,7 @@ const KNOWN: [(&str, &[&str]); 16] = [
     ("runtime", &["rigid"]),
     ("runtime", &["scene"]),
     ("host", &["check"]),
-    ("host", &["engine"]),
+    ("host", &["engine", "limits"]),
     ("host", &["firmware"]),
     ("host", &["report", "run", "view"]),
     ("host", &["scene"]),
