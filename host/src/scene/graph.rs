@@ -96,7 +96,7 @@ impl Album {
             let panels = [Panel { label: "work [J]".to_owned(), curves: impacts }];
             let impulse = panels[0].curves.iter().flat_map(|c| c.across.clone().unwrap_or_default());
             let time: Vec<f64> = impulse.collect();
-            let title = "Work over impulse: the ground takes it, the springs give it back";
+            let title = "Work over impulse: less in compression, given back in restitution";
             let (note, across) = ("", "impulse [N s]");
             let lower = Chart { title, note, across, time: &time, panels: &panels, events: &[] };
             chart::below(&mut drawing, chart::draw(&lower));

@@ -31,58 +31,64 @@ pub struct EventRecord {
 
 /// Work over impulse of one impact (thesis Eqs. 4.14 to 4.26), all touching points together.
 ///
-/// Compression: the ground stops the points, dW = v dP with v = -v_b + P/m. Restitution: the springs give
-/// the energy back, W = -Q + b l + A l^2 with l from 0 to lambda (no receiver: b = 0, as in Eq. 4.26).
+/// The ground's impulse and those along the springs grow together, from 0 to what the law gives: velocities change in
+/// proportion to P, so W(P) = v_0 P + P^2/(2 M) (Eq. 4.25) with 1/M = sum m dv^2/J^2. P never falls; compression ends
+/// where W is least.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkImpulse {
-    /// P at the end of compression: sum of m v_b (N s).
-    pub stopping: f64,
-    /// Q: energy taken by then, sum of m v_b^2/2 (J).
-    pub taken: f64,
-    /// Energy given back at the end (J).
-    pub returned: f64,
-    /// A lambda^2, the quadratic part of it (J).
-    pub quadratic: f64,
-    /// P at the end: sum of J (N s).
+    /// J: P at the end, the sum of the ground's impulses (N s).
     pub impulse: f64,
+    /// Q: energy of the touching points along the normal before, sum of m v_b^2/2 (J).
+    pub taken: f64,
+    /// W at the end: less than 0 by what the law keeps (J).
+    pub net: f64,
+    /// J^2/(2 M) = sum of m dv^2/2 (J).
+    pub quadratic: f64,
 }
 
 impl WorkImpulse {
-    /// (P, W) along the impact, so many points in each phase: from (0, 0) over (P_c, -Q) to the end.
+    /// Share of the impulse at which compression ends.
     #[must_use]
-    pub fn curve(&self, points: usize) -> Vec<(f64, f64)> {
-        let shares = (0..=points).map(|n| n as f64 / points.max(1) as f64);
-        let compression = shares.clone().map(|s| (s * self.stopping, -(2.0 - s) * s * self.taken));
-        let linear = self.returned - self.quadratic;
-        let restitution = shares.skip(1).map(|s| {
-            let impulse = self.stopping + s * (self.impulse - self.stopping);
-            (impulse, -self.taken + s * linear + s * s * self.quadratic)
-        });
-        compression.chain(restitution).collect()
+    pub fn compression(&self) -> f64 {
+        let end = 0.5 * (1.0 - self.net / self.quadratic);
+        if end.is_finite() { end.min(1.0) } else { 1.0 }
+    }
+
+    /// (P, W) along the impact, so many pieces in each phase: compression, then restitution.
+    #[must_use]
+    pub fn curve(&self, pieces: usize) -> Vec<(f64, f64)> {
+        let middle = self.compression();
+        let parts = |n: usize| n as f64 / pieces.max(1) as f64;
+        let compression = (0..=pieces).map(|n| parts(n) * middle);
+        let restitution = (1..=pieces).map(|n| middle + parts(n) * (1.0 - middle));
+        let work = |s: f64| s * (self.net - self.quadratic) + s * s * self.quadratic;
+        compression.chain(restitution).map(|s| (s * self.impulse, work(s))).collect()
     }
 }
 
 /// From the field of the impact, which its points still hold.
 fn work_impulse<S: Scalar>(system: &System<S>, event: &Event<S>) -> Option<WorkImpulse> {
     let impact = event.impact?;
-    let mut work = WorkImpulse { stopping: 0.0, taken: 0.0, returned: 0.0, quadratic: 0.0, impulse: 0.0 };
+    let (mut impulse, mut taken, mut field) = (0.0, 0.0, 0.0);
     let lambda = impact.lambda.to_f64();
     for (point, mass) in event.points.iter().zip(system.body.mass) {
         let mass = mass.to_f64();
-        let field: f64 = point.field.iter().map(|c| c.to_f64() * c.to_f64()).sum();
-        work.quadratic += 0.5 * mass * field * lambda * lambda;
+        let square: f64 = point.field.iter().map(|c| c.to_f64() * c.to_f64()).sum();
+        field += 0.5 * mass * square * lambda * lambda;
         if point.touching {
             let approach = point.approach.to_f64();
-            work.stopping += mass * approach;
-            work.taken += 0.5 * mass * approach * approach;
-            work.impulse += point.impulse.to_f64();
+            taken += 0.5 * mass * approach * approach;
+            impulse += point.impulse.to_f64();
         }
     }
-    work.returned = work.taken - impact.lost.to_f64();
-    if lambda == 0.0 {
-        work.quadratic = work.returned;
-    }
-    Some(work)
+    let lost = impact.lost.to_f64();
+    // The field has no part along the normal at touching points: the two add. Without a field the points themselves
+    // rebound, by sqrt(2 (Q - lost)) beyond their stop.
+    let quadratic = match lambda == 0.0 {
+        true => (taken.sqrt() + (taken - lost).max(0.0).sqrt()).powi(2),
+        false => taken + field,
+    };
+    Some(WorkImpulse { impulse, taken, net: -lost, quadratic })
 }
 
 /// Energies and accounts at one time (J).
