@@ -147,11 +147,11 @@ fn evaluate<S: EngineScalar>(
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
         }
         if evaluated.residual > VIOLATED * program.assembly.size() {
-            eprintln!(
+            crate::output::say(&format!(
                 "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
                  left, and its accelerations are those of no mechanism",
                 evaluated.residual
-            );
+            ));
         }
         if let Some(what) = evaluated.not_finite() {
             return Err(at(format!(

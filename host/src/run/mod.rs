@@ -201,11 +201,11 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     for ((quantity, given), found) in program.q.iter().zip(&given).zip(&x) {
         let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
         if let Some(given) = replaced {
-            eprintln!(
+            output::say(&format!(
                 "note: the start value {} = {given} is replaced by {found:.6}: it is dependent and follows from the \
                  independent coordinates",
                 quantity.name
-            );
+            ));
         }
     }
     x.extend(program.u.iter().map(|u| settings.start.get(&u.name).copied().unwrap_or(0.0)));
