@@ -117,7 +117,11 @@ fn slips_of_a_new_user_are_explained() {
         ("\"T*N.z\"", "\"T\"", "multiply it by a unit vector such as N.z"),
         ("independent = true, ", "", "independent: none"),
         ("rotations = [[\"z\", \"q1\"]]", "rotation = [[\"z\", \"q1\"]]", "did you mean `rotations`?"),
-        ("nominal = 35", "nominal = 150", "give nominal values nearer"),
+        (
+            "300, unit = \"mm\", doc = \"coupler\"",
+            "3, unit = \"mm\", doc = \"coupler\"",
+            "give nominal values nearer",
+        ),
         ("[springs]", "[spring]", "did you mean `springs`?"),
     ];
     for (right, wrong, explained) in slips {
