@@ -236,6 +236,11 @@ fn a_change_of_any_field_is_seen_by_the_oracle() {
     for seed in 0..SEEDS {
         for kind in KINDS {
             let d = draw::mechanism(kind, seed);
+            // A field that is ignored makes its mechanisms disagree as they are: such a one cannot show that it is read.
+            let as_it_is = verdict::of(&d, Settings::default(), 3, &mut Random::new(seed));
+            if as_it_is.worst > verdict::AGREEMENT {
+                continue;
+            }
             for (field, change) in CHANGES {
                 let mut changed = d.clone();
                 if seen.contains(field) || !change(&mut changed) {
