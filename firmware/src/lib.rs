@@ -28,6 +28,7 @@ pub mod digest;
 pub mod link;
 #[cfg(not(feature = "scene"))]
 pub mod simulation;
+pub mod tile;
 
 /// Number of steps of the demonstration that the image runs.
 pub const STEPS: u32 = include!(concat!(env!("OUT_DIR"), "/steps.rs"));

@@ -1,0 +1,152 @@
+//! The bladder's pressure loop: two valves, each open or shut.
+//!
+//! In: measured and wanted pressure over ambient (Pa). Out: which valve is open, and whether the pressure does what the
+//! valves say. A valve opens at 40 Pa beside what is wanted and shuts at 10 Pa, so both are shut most of the
+//! time. Without a wish both stay shut: the bladder keeps its air.
+
+use super::fault::{Fault, Faults};
+
+/// A valve opens when the pressure is off by so much (Pa), and shuts when it is off by less than [`SHUT`].
+const OPEN: f32 = 40.0;
+/// See [`OPEN`].
+const SHUT: f32 = 10.0;
+/// Length of a look at the pressure (ticks).
+const LOOK: u32 = 500;
+/// A pressure that goes the same way by so much in each of [`LOOKS`] looks, valves shut, is a valve that is not (Pa).
+const LEAK: f32 = 60.0;
+/// See [`LEAK`].
+const LOOKS: i8 = 4;
+/// A valve open for so long (ticks) ...
+const PATIENCE: u32 = 2000;
+/// ... must have changed the pressure by so much (Pa).
+const EFFECT: f32 = 50.0;
+
+/// Which valves are open.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum Valves {
+    /// Neither.
+    #[default]
+    Shut,
+    /// That of the pump.
+    Supply,
+    /// The vent.
+    Vent,
+}
+
+/// State of the loop.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Bladder {
+    valves: Valves,
+    since: u32,
+    /// Pressure when the valves were last switched, or when the last look began.
+    began: f32,
+    /// Looks in a row in which the pressure rose (positive) or fell.
+    drift: i8,
+}
+
+impl Bladder {
+    /// Which valves are to be open now; pressures in Pa.
+    pub fn regulate(&mut self, wanted: Option<f32>, pressure: f32) -> Valves {
+        let next = match (wanted, self.valves) {
+            (None, _) => Valves::Shut,
+            (Some(wanted), Valves::Supply) if pressure < wanted - SHUT => Valves::Supply,
+            (Some(wanted), Valves::Vent) if pressure > wanted + SHUT => Valves::Vent,
+            (Some(wanted), _) if pressure < wanted - OPEN => Valves::Supply,
+            (Some(wanted), _) if pressure > wanted + OPEN => Valves::Vent,
+            _ => Valves::Shut,
+        };
+        self.switch(next, pressure);
+        next
+    }
+
+    /// Opens the vent, or shuts both valves, whatever is wanted.
+    pub fn force(&mut self, valves: Valves, pressure: f32) -> Valves {
+        self.switch(valves, pressure);
+        valves
+    }
+
+    fn switch(&mut self, next: Valves, pressure: f32) {
+        if next != self.valves {
+            *self = Self { valves: next, began: pressure, ..Self::default() };
+        }
+    }
+
+    /// Takes the pressure of this tick; what the valves' behaviour shows. `is_still`: the tile does not move, which would
+    /// change the pressure too.
+    pub fn watch(&mut self, pressure: f32, is_still: bool) -> Faults {
+        let mut faults = Faults::default();
+        self.since += 1;
+        let change = pressure - self.began;
+        match self.valves {
+            Valves::Shut if self.since >= LOOK => {
+                self.drift = match self.drift {
+                    up if change > LEAK && is_still => up.max(0) + 1,
+                    down if change < -LEAK && is_still => down.min(0) - 1,
+                    _ => 0,
+                };
+                faults.set(Fault::ValveOpen, self.drift.abs() >= LOOKS);
+                self.drift = self.drift.clamp(-LOOKS, LOOKS);
+                (self.since, self.began) = (0, pressure);
+            }
+            Valves::Shut => (),
+            // An empty bladder does not fall any further.
+            Valves::Vent if pressure < LEAK => self.restart(pressure),
+            Valves::Supply | Valves::Vent if self.since >= PATIENCE => {
+                let effect = if self.valves == Valves::Supply { change } else { -change };
+                faults.set(Fault::ValveShut, effect < EFFECT);
+                self.restart(pressure);
+            }
+            Valves::Supply | Valves::Vent => (),
+        }
+        faults
+    }
+
+    fn restart(&mut self, pressure: f32) {
+        (self.since, self.began) = (0, pressure);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bladder, Valves};
+    use crate::tile::fault::{Fault, Faults};
+
+    /// All faults of so many seconds in which the pressure rises at this rate (Pa/s) while this is wanted.
+    fn faults(seconds: u32, rate: f32, wanted: Option<f32>) -> Faults {
+        let mut bladder = Bladder::default();
+        (0..seconds * 1000).fold(Faults::default(), |faults, tick| {
+            let pressure = 3000.0 + rate * 1e-3 * tick as f32;
+            bladder.regulate(wanted, pressure);
+            faults.with(bladder.watch(pressure, true))
+        })
+    }
+
+    #[test]
+    fn a_valve_that_does_not_do_as_told_is_seen() {
+        assert!(faults(3, 200.0, None).has(Fault::ValveOpen), "it rises with shut valves");
+        assert!(faults(3, -200.0, None).has(Fault::ValveOpen), "it falls with shut valves");
+        assert!(faults(60, 0.0, None).is_empty() && faults(60, -5.0, None).is_empty(), "a leak of 5 Pa/s");
+        assert!(faults(3, 0.0, Some(4000.0)).has(Fault::ValveShut), "it does not rise");
+        assert!(faults(3, 0.0, Some(2000.0)).has(Fault::ValveShut), "it does not fall");
+        assert!(faults(10, 500.0, Some(8000.0)).is_empty(), "it rises as it should");
+    }
+
+    #[test]
+    fn it_switches_with_hysteresis() {
+        let mut bladder = Bladder::default();
+        let steps = [
+            (4030.0, Valves::Shut),
+            (4041.0, Valves::Vent),
+            (4011.0, Valves::Vent),
+            (4009.0, Valves::Shut),
+            (3961.0, Valves::Shut),
+            (3959.0, Valves::Supply),
+            (3989.0, Valves::Supply),
+            (3991.0, Valves::Shut),
+        ];
+        for (pressure, valves) in steps {
+            assert_eq!(bladder.regulate(Some(4000.0), pressure), valves, "{pressure}");
+        }
+        assert_eq!(bladder.regulate(None, 0.0), Valves::Shut);
+    }
+}

@@ -1,0 +1,237 @@
+//! What the controller sees and sets: the whole hardware, behind traits.
+//!
+//! In: raw numbers of converters, counters and lines, as a board reads them. Out: what a board sets.
+//! Everything here is an integer or a bit, so no sensor can hand in a value that is no number; conversion
+//! to SI units is [`Readings::measure`]'s. A board implements [`Sensors`] and [`Actuators`]; [`Lines`] does it for any
+//! board whose drives hang on the traits of embedded-hal.
+
+use embedded_hal::digital::OutputPin;
+use embedded_hal::pwm::SetDutyCycle;
+use smartbed_runtime::real::Real;
+
+/// Counts of the encoder per turn of the motor: 1,024 lines, each edge.
+pub const COUNTS: f32 = 4096.0;
+/// Height per count of the displacement sensor (m): 64 mm over 4096 counts; 2048 is the middle.
+pub const DISPLACEMENT: f32 = 64e-3 / 4096.0;
+/// Pressure per count (Pa); [`NO_PRESSURE`] counts are ambient.
+pub const PRESSURE: f32 = 5.0;
+/// Counts at ambient pressure.
+pub const NO_PRESSURE: i32 = 400;
+/// Current per count (A); 2048 is none.
+pub const CURRENT: f32 = 2e-3;
+/// Supply per count (V).
+pub const SUPPLY: f32 = 0.01;
+/// Counts of a converter next to its rails: nothing sound reads them.
+pub const RAILS: (u16, u16) = (8, 4087);
+
+/// Raw readings of one tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Readings {
+    /// Encoders of the motors: counts since start.
+    pub encoder: [i32; 3],
+    /// Displacement sensors (LVDT) of the legs.
+    pub displacement: [u16; 3],
+    /// Are the circuits of the lower end switches closed? Pressed switches and broken wires open them.
+    pub low_closed: [bool; 3],
+    /// Of the upper ones?
+    pub high_closed: [bool; 3],
+    /// Two sensors of the bladder's pressure.
+    pub pressure: [u16; 2],
+    /// Currents of the motors.
+    pub current: [u16; 3],
+    /// Supply of the drives.
+    pub supply: u16,
+    /// Do the drives report a fault?
+    pub drive_fault: [bool; 3],
+    /// Did the last tick take too long?
+    pub overrun: bool,
+}
+
+/// The same in SI units.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Measured {
+    /// Heights by encoder, from where it started (m).
+    pub turned: [f32; 3],
+    /// Heights by displacement sensor (m).
+    pub displaced: [f32; 3],
+    /// Pressures over ambient (Pa).
+    pub pressure: [f32; 2],
+    /// Currents (A).
+    pub current: [f32; 3],
+    /// Supply (V).
+    pub supply: f32,
+}
+
+impl Readings {
+    /// In SI units; `gear` is the angle of a motor per height (rad/m).
+    #[must_use]
+    pub fn measure(&self, gear: f32) -> Measured {
+        let per_count = core::f32::consts::TAU / (COUNTS * gear);
+        Measured {
+            turned: self.encoder.map(|n| n as f32 * per_count),
+            displaced: self.displacement.map(|n| (i32::from(n) - 2048) as f32 * DISPLACEMENT),
+            pressure: self.pressure.map(|n| (i32::from(n) - NO_PRESSURE) as f32 * PRESSURE),
+            current: self.current.map(|n| (i32::from(n) - 2048) as f32 * CURRENT),
+            supply: f32::from(self.supply) * SUPPLY,
+        }
+    }
+}
+
+/// What the tile sets each tick. The default is safe: nothing moves, the bladder keeps its air.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Outputs {
+    /// Are the drives enabled? The line cuts their power, whatever the duty.
+    pub enable: bool,
+    /// Duty of the drives (-1 to 1).
+    pub duty: [f32; 3],
+    /// Is the valve from the pump open?
+    pub supply: bool,
+    /// Is the vent open?
+    pub vent: bool,
+}
+
+/// Reads the hardware.
+pub trait Sensors {
+    /// All readings of this tick.
+    fn read(&mut self) -> Readings;
+}
+
+/// Sets the hardware.
+pub trait Actuators {
+    /// Sets all outputs; false if one could not be set.
+    fn set(&mut self, outputs: &Outputs) -> bool;
+}
+
+/// Outputs on pins: three pairs of PWM channels (up, down), ENABLE, and two valves.
+#[derive(Debug)]
+pub struct Lines<P, E> {
+    /// PWM of each leg that raises it, and that lowers it.
+    pub drives: [(P, P); 3],
+    /// High enables all drives.
+    pub enable: E,
+    /// High opens the valve from the pump.
+    pub supply: E,
+    /// High opens the vent.
+    pub vent: E,
+}
+
+impl<P: SetDutyCycle, E: OutputPin> Actuators for Lines<P, E> {
+    fn set(&mut self, outputs: &Outputs) -> bool {
+        // Power goes off before anything else is tried, and on after everything else is set.
+        let mut done = outputs.enable || self.enable.set_low().is_ok();
+        for ((up, down), duty) in self.drives.iter_mut().zip(outputs.duty) {
+            let wanted = if outputs.enable { duty } else { 0.0 };
+            done &= set_duty(up, wanted) && set_duty(down, -wanted);
+        }
+        done &= self.supply.set_state(outputs.supply.into()).is_ok();
+        done &= self.vent.set_state(outputs.vent.into()).is_ok();
+        if !done {
+            let _ = self.enable.set_low();
+            return false;
+        }
+        !outputs.enable || self.enable.set_high().is_ok()
+    }
+}
+
+/// Sets a channel to a duty; what is not positive is off.
+fn set_duty(channel: &mut impl SetDutyCycle, duty: f32) -> bool {
+    let most = channel.max_duty_cycle();
+    // The cast saturates, and takes what is no number for 0.
+    let counts = (Real::min(duty, 1.0) * f32::from(most)) as u16;
+    channel.set_duty_cycle(counts).is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Actuators, Lines, Outputs};
+    use embedded_hal::digital::{self, ErrorKind, OutputPin};
+    use embedded_hal::pwm::{self, SetDutyCycle};
+    use std::rc::Rc;
+    use std::vec::Vec;
+    use std::{cell::RefCell, string::String};
+
+    /// A pin or channel that writes down what is set, or fails.
+    #[derive(Clone, Debug)]
+    struct Pin {
+        name: String,
+        log: Rc<RefCell<Vec<(String, u16)>>>,
+        is_broken: bool,
+    }
+
+    #[derive(Debug)]
+    struct Broken;
+    impl digital::Error for Broken {
+        fn kind(&self) -> ErrorKind {
+            ErrorKind::Other
+        }
+    }
+    impl pwm::Error for Broken {
+        fn kind(&self) -> pwm::ErrorKind {
+            pwm::ErrorKind::Other
+        }
+    }
+    impl digital::ErrorType for Pin {
+        type Error = Broken;
+    }
+    impl pwm::ErrorType for Pin {
+        type Error = Broken;
+    }
+    impl Pin {
+        fn write(&self, value: u16) -> Result<(), Broken> {
+            self.log.borrow_mut().push((self.name.clone(), value));
+            if self.is_broken { Err(Broken) } else { Ok(()) }
+        }
+    }
+    impl OutputPin for Pin {
+        fn set_low(&mut self) -> Result<(), Broken> {
+            self.write(0)
+        }
+        fn set_high(&mut self) -> Result<(), Broken> {
+            self.write(1)
+        }
+    }
+    impl SetDutyCycle for Pin {
+        fn max_duty_cycle(&self) -> u16 {
+            1000
+        }
+        fn set_duty_cycle(&mut self, duty: u16) -> Result<(), Broken> {
+            self.write(duty)
+        }
+    }
+
+    /// What is set, in order; `broken` names a pin that fails.
+    fn set(outputs: &Outputs, broken: &str) -> (bool, Vec<(String, u16)>) {
+        let log = Rc::new(RefCell::new(Vec::new()));
+        let pin = |name: &str| Pin { name: name.into(), log: log.clone(), is_broken: name == broken };
+        let drives = [("A+", "A-"), ("B+", "B-"), ("C+", "C-")].map(|(up, down)| (pin(up), pin(down)));
+        let mut lines = Lines { drives, enable: pin("enable"), supply: pin("supply"), vent: pin("vent") };
+        let done = lines.set(outputs);
+        let log = log.borrow().clone();
+        (done, log)
+    }
+
+    #[test]
+    fn power_goes_off_first_and_on_last() {
+        let (done, log) = set(&Outputs { duty: [1.0; 3], ..Outputs::default() }, "");
+        assert!(done && log[0] == ("enable".into(), 0));
+        assert!(log.iter().all(|(_, value)| *value == 0), "disabled drives get no duty");
+        let (done, log) = set(&Outputs { enable: true, duty: [0.5, -0.25, 2.0], ..Outputs::default() }, "");
+        let expected = [("A+", 500), ("A-", 0), ("B+", 0), ("B-", 250), ("C+", 1000), ("C-", 0)];
+        assert!(done && log.last() == Some(&("enable".into(), 1)));
+        assert_eq!(log[..6].to_vec(), expected.map(|(n, v)| (n.into(), v)));
+    }
+
+    #[test]
+    fn what_cannot_be_set_disables() {
+        for broken in ["A+", "C-", "vent"] {
+            let (done, log) = set(&Outputs { enable: true, ..Outputs::default() }, broken);
+            assert!(!done && log.last() == Some(&("enable".into(), 0)), "{broken}");
+        }
+    }
+
+    #[test]
+    fn no_number_is_no_duty() {
+        let (_, log) = set(&Outputs { enable: true, duty: [f32::NAN; 3], ..Outputs::default() }, "");
+        assert!(log[..6].iter().all(|(_, value)| *value <= 1000));
+    }
+}

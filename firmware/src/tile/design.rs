@@ -1,0 +1,68 @@
+//! The tile that this controller is for: lengths, limits, rates. Another bed changes this file alone.
+//!
+//! SI units. Limits are of three kinds, each wider than the one before: what may be commanded, where the end
+//! switches are, and what is a fault.
+
+/// Radius of the circle of screws (m).
+pub const RADIUS: f32 = 0.09;
+/// Most height that may be commanded, up and down from the middle (m).
+pub const STROKE: f32 = 0.029;
+/// Where the end switches open, up and down from the middle (m).
+pub const SWITCH: f32 = 0.0295;
+/// Steepest slope that may be commanded (1): 15 degrees.
+pub const SLOPE: f32 = 0.268;
+/// Steepest slope before it is a fault (1): 17 degrees.
+pub const SLOPE_FAULT: f32 = 0.3057;
+/// Rate of the slope (1/s): half a degree a second. A slope's rate is never less than its angle's.
+pub const SLOPE_RATE: f32 = 8.726_646e-3;
+/// Rate of the slope that is a fault (1/s): three degrees a second.
+pub const SLOPE_RATE_FAULT: f32 = 5.235_988e-2;
+/// Speed of a leg (m/s).
+pub const LEG_SPEED: f32 = 3e-3;
+/// Legs and slopes go this much faster when the tile is flattened for resuscitation.
+pub const FLATTEN_FACTOR: f32 = 2.0;
+/// And this much slower until the switches have been found.
+pub const UNHOMED_FACTOR: f32 = 0.5;
+/// Speed at which the switches are sought (m/s).
+pub const SEEK_SPEED: f32 = 5e-4;
+/// Way back from an obstruction (m).
+pub const RETREAT: f32 = 5e-3;
+
+/// Encoder and displacement sensor may differ by so much (m).
+pub const DISAGREEMENT: f32 = 5e-4;
+/// A leg may stay behind its command, or be ahead of it, by so much (m).
+pub const FOLLOWING: f32 = 5e-4;
+/// A leg at rest may creep by so much (m).
+pub const CREEP: f32 = 3e-4;
+/// A leg has arrived at this distance (m).
+pub const ARRIVED: f32 = 1e-5;
+/// And stops with a fault at this one, if it gets no closer in [`SETTLING`].
+pub const NOT_ARRIVED: f32 = 4e-5;
+/// Time for it (ticks).
+pub const SETTLING: u32 = 400;
+
+/// Rise of a motor's current over what the motion took so far that is an obstruction (A): some 90 N.
+pub const CURRENT_RISE: f32 = 0.15;
+/// Most current of a motor (A).
+pub const CURRENT: f32 = 1.2;
+/// Current that may show while drives are disabled (A).
+pub const CURRENT_OFF: f32 = 0.05;
+/// Supply (V), least and most.
+pub const SUPPLY: (f32, f32) = (18.0, 30.0);
+
+/// Weight that the legs carry without a patient (N): platform and connectors.
+pub const OWN_WEIGHT: f32 = 6.3 * 9.81;
+/// Most weight with a patient (N): 30 kg more, and a third for what friction hides.
+pub const MOST_WEIGHT: f32 = (6.3 + 40.0) * 9.81;
+/// Area of the bladder (m^2): pitch 285.7 mm x 225 mm.
+pub const AREA: f32 = 0.0643;
+/// Standard gravity (m/s^2).
+pub const GRAVITY: f32 = 9.81;
+/// Highest pressure over ambient that may be commanded (Pa): 80 mmHg.
+pub const PRESSURE: f32 = 10_666.0;
+/// That is a fault (Pa).
+pub const OVERPRESSURE: f32 = 12e3;
+/// The two pressures may differ by so much (Pa), and this share of either.
+pub const PRESSURE_DISAGREEMENT: (f32, f32) = (150.0, 0.08);
+/// Largest offset of a sound sensor: height (m), pressure (Pa).
+pub const TRIM: (f32, f32) = (2e-3, 500.0);

@@ -1,0 +1,232 @@
+//! Faults: what each means, what the tile does about it, and whether it can be cleared.
+//!
+//! In: conditions, a bit each, found in this tick. Out: what is latched, and the strongest response to it.
+//! A fault stays latched until it is cleared by name, and it cannot be cleared while its cause is there.
+
+/// What the tile does about a fault, weakest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Response {
+    /// Drives off, the self-locking screws hold the pose; the bladder is kept at its pressure.
+    Hold,
+    /// Back by 5 mm the way it came, then [`Response::Hold`].
+    Retreat,
+    /// Drives off and valves closed within this tick.
+    Off,
+}
+
+/// Makes the list of faults, so that number, name and response stand in one place.
+macro_rules! faults {
+    ($($(#[doc = $doc:literal])+ $name:ident: $response:ident, $clear:literal;)+) => {
+        /// What can be wrong with a tile. Its number is its bit.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        #[repr(u8)]
+        pub enum Fault { $($(#[doc = $doc])+ $name,)+ }
+
+        impl Fault {
+            /// All, by number.
+            pub const ALL: [Self; [$($clear),+].len()] = [$(Self::$name),+];
+
+            /// What the tile does about it.
+            #[must_use]
+            pub const fn response(self) -> Response {
+                match self { $(Self::$name => Response::$response,)+ }
+            }
+
+            /// Can it be cleared without a new start?
+            #[must_use]
+            pub const fn can_be_cleared(self) -> bool {
+                match self { $(Self::$name => $clear,)+ }
+            }
+
+            /// Its name.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$name => stringify!($name),)+ }
+            }
+        }
+    };
+}
+
+faults! {
+    /// Encoder and displacement sensor of a leg disagree.
+    Height: Off, true;
+    /// A displacement sensor is at a rail: broken wire or short.
+    DisplacementRange: Off, true;
+    /// A leg ran into an end switch.
+    Switch: Off, true;
+    /// An end switch is pressed, or is not, where the height says otherwise; a broken wire counts as pressed.
+    SwitchPlace: Off, true;
+    /// A leg stays behind its command, or pushes harder than its load explains.
+    Obstruction: Retreat, true;
+    /// A leg moves without or ahead of its command.
+    Runaway: Off, true;
+    /// A drive reports a fault.
+    Drive: Off, true;
+    /// A current is out of range, or flows although drives are disabled.
+    Current: Off, true;
+    /// ENABLE did not cut the power at start.
+    EnableTest: Off, false;
+    /// The supply is too low or too high.
+    Supply: Off, true;
+    /// The platform is steeper, or turns faster, than any command allows.
+    Tilt: Off, true;
+    /// The two pressures disagree.
+    Pressure: Off, true;
+    /// A pressure is at a rail.
+    PressureRange: Off, true;
+    /// More pressure than the bladder may have: it is vented too.
+    Overpressure: Off, true;
+    /// The pressure changes although both valves are closed.
+    ValveOpen: Off, true;
+    /// The pressure does not follow its valve.
+    ValveShut: Hold, true;
+    /// The bladder carries more than the working load.
+    Overload: Hold, true;
+    /// Nobody who may move the tile has spoken for too long during a motion.
+    Silence: Hold, true;
+    /// The tile's clock and the supervisor's run apart.
+    Clock: Hold, true;
+    /// The legs did not come to rest at their command.
+    Settling: Hold, true;
+    /// A tick took too long, or a task did not report.
+    Overrun: Off, true;
+    /// A value that safety rests on differs from its copy, or the program from its checksum.
+    Memory: Off, false;
+    /// Calibration or boot counter could not be read or stored.
+    Storage: Off, false;
+    /// A computed value is not finite.
+    NonFinite: Off, true;
+}
+
+/// A set of faults.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Faults(u32);
+
+impl Faults {
+    /// The set of these bits; bits of no fault are left out.
+    #[must_use]
+    pub const fn from_bits(bits: u32) -> Self {
+        Self(bits & ((1 << Fault::ALL.len()) - 1))
+    }
+
+    /// Its bits.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        self.0
+    }
+
+    /// Adds a fault if `is_there`.
+    pub fn set(&mut self, fault: Fault, is_there: bool) {
+        self.0 |= u32::from(is_there) << fault as u8;
+    }
+
+    /// Is it in the set?
+    #[must_use]
+    pub const fn has(self, fault: Fault) -> bool {
+        self.0 >> fault as u8 & 1 == 1
+    }
+
+    /// Is nothing wrong?
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Those of either set.
+    #[must_use]
+    pub const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Those of this set that are not in the other.
+    #[must_use]
+    pub const fn without(self, other: Self) -> Self {
+        Self(self.0 & !other.0)
+    }
+
+    /// The strongest response that one of them asks for.
+    #[must_use]
+    pub fn response(self) -> Option<Response> {
+        Fault::ALL.into_iter().filter(|f| self.has(*f)).map(Fault::response).max()
+    }
+}
+
+/// Latched faults.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Latch {
+    latched: Faults,
+    active: Faults,
+}
+
+impl Latch {
+    /// Takes what is wrong in this tick; returns what is new.
+    pub fn take(&mut self, active: Faults) -> Faults {
+        let new = active.without(self.latched);
+        self.active = active;
+        self.latched = self.latched.with(active);
+        new
+    }
+
+    /// Clears these; false, and nothing is cleared, if the cause of one is there or one cannot be cleared.
+    pub fn clear(&mut self, faults: Faults) -> bool {
+        let stuck = |f: &Fault| faults.has(*f) && (self.active.has(*f) || !f.can_be_cleared());
+        if Fault::ALL.iter().any(stuck) {
+            return false;
+        }
+        self.latched = self.latched.without(faults);
+        true
+    }
+
+    /// What is latched.
+    #[must_use]
+    pub fn latched(&self) -> Faults {
+        self.latched
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fault, Faults, Latch, Response};
+
+    fn set(faults: &[Fault]) -> Faults {
+        let mut set = Faults::default();
+        faults.iter().for_each(|f| set.set(*f, true));
+        set
+    }
+
+    #[test]
+    fn the_strongest_response_counts() {
+        assert_eq!(set(&[]).response(), None);
+        assert_eq!(set(&[Fault::Silence]).response(), Some(Response::Hold));
+        assert_eq!(set(&[Fault::Silence, Fault::Obstruction]).response(), Some(Response::Retreat));
+        assert_eq!(set(&[Fault::Runaway, Fault::Obstruction]).response(), Some(Response::Off));
+    }
+
+    #[test]
+    fn a_fault_stays_until_its_cause_is_gone_and_it_is_cleared() {
+        let mut latch = Latch::default();
+        assert_eq!(latch.take(set(&[Fault::Supply])), set(&[Fault::Supply]));
+        assert!(!latch.clear(set(&[Fault::Supply])), "its cause is there");
+        assert_eq!(latch.take(Faults::default()), Faults::default());
+        assert!(latch.latched().has(Fault::Supply), "it is latched");
+        assert!(latch.clear(set(&[Fault::Supply])));
+        assert!(latch.latched().is_empty());
+    }
+
+    #[test]
+    fn some_faults_need_a_new_start() {
+        let mut latch = Latch::default();
+        latch.take(set(&[Fault::Memory, Fault::Supply]));
+        latch.take(Faults::default());
+        assert!(!latch.clear(set(&[Fault::Memory, Fault::Supply])));
+        assert_eq!(latch.latched(), set(&[Fault::Memory, Fault::Supply]), "nothing is cleared by half");
+    }
+
+    #[test]
+    fn every_fault_has_a_bit_and_a_name_of_its_own() {
+        for (number, fault) in Fault::ALL.into_iter().enumerate() {
+            assert_eq!(set(&[fault]).bits(), 1 << number, "{}", fault.name());
+        }
+        assert_eq!(Faults::from_bits(u32::MAX).bits().count_ones() as usize, Fault::ALL.len());
+    }
+}
