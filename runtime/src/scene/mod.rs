@@ -17,12 +17,14 @@ use crate::contact::compensation::{Impact, PointImpact};
 use crate::contact::{ContactLaw, Ground, Mode, System};
 use crate::guard::{self, Shortened};
 use crate::real::Scalar;
-use touch::{apply_law, hold_or_rebound, lift, mark_touching, place_on_surface, release, rub};
+use touch::{apply_law, hold_or_rebound, is_deep, lift, mark_touching, place_on_surface, release, rub};
 
 /// Events located in one step.
 pub const MAX_EVENTS: usize = 64;
 /// Substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
+/// Halvings of an implicit step that does not settle.
+const HALVINGS: usize = 10;
 
 /// What advances.
 #[derive(Debug)]
@@ -205,19 +207,12 @@ pub fn step<S: Scalar, O: Observer<S>>(
         }
         report.substeps += 1;
         let tau = try_length(state, remaining, h, method);
-        let start = Start { motion: &state.motion, modes: state.modes };
-        let error = advance(system, start, tau, method, work)?;
-        control_step(state, tau, error, remaining, method);
+        let Attempt { length, error, shortened } = attempt(system, state, tau, method, work)?;
+        control_step(state, length, error, remaining, method);
         if error > S::ONE {
             continue;
         }
-        let start = Start { motion: &state.motion, modes: state.modes };
-        let Shortened { tau, is_event, trials } = match &system.ground {
-            Some(ground) if ground.has_events() => {
-                guard::shorten_to_event(system, ground, start, tau, method, work)?
-            }
-            _ => Shortened { tau, is_event: false, trials: 0 },
-        };
+        let Shortened { tau, is_event, trials } = shortened;
         report.trials += trials;
         pressure::check_inflation(&system.body, work.end.pos)?;
         refuse_through_ground(system, work.end.pos)?;
@@ -232,6 +227,53 @@ pub fn step<S: Scalar, O: Observer<S>>(
     }
     report.evaluations = work.evaluations - before;
     Ok(report)
+}
+
+/// A step that was tried.
+struct Attempt<S> {
+    /// Its length (s).
+    length: S,
+    /// The method's error over the allowed one; above 1 it does not count.
+    error: S,
+    /// Where it ends.
+    shortened: Shortened<S>,
+}
+
+/// Tries a step and locates its first event; half as far as long as an implicit step does not settle: springs pressed
+/// through length 0 turn their force at once, and the iteration follows only a shorter way.
+fn attempt<S: Scalar>(
+    system: &System<S>,
+    state: &State<S>,
+    tau: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<Attempt<S>, BodyError<S>> {
+    let mut tau = tau;
+    for _ in 0..HALVINGS {
+        match attempt_once(system, state, tau, method, work) {
+            Err(BodyError::NotConverged { .. }) => tau = S::from_f64(0.5) * tau,
+            done => return done,
+        }
+    }
+    attempt_once(system, state, tau, method, work)
+}
+
+fn attempt_once<S: Scalar>(
+    system: &System<S>,
+    state: &State<S>,
+    length: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<Attempt<S>, BodyError<S>> {
+    let start = || Start { motion: &state.motion, modes: state.modes };
+    let error = advance(system, start(), length, method, work)?;
+    let shortened = match &system.ground {
+        Some(ground) if ground.has_events() && error <= S::ONE => {
+            guard::shorten_to_event(system, ground, start(), length, method, work)?
+        }
+        _ => Shortened { tau: length, is_event: false, trials: 0 },
+    };
+    Ok(Attempt { length, error, shortened })
 }
 
 /// Length of the next try (s).
@@ -320,7 +362,7 @@ fn lift_departing<S: Scalar>(
     let mut lifted = false;
     for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
-        if leaves && ground.gap(vec3::at(work.end.pos, i)) < -ground.tolerance {
+        if leaves && is_deep(&ground, vec3::at(work.end.pos, i)) {
             lift(&ground, &mut work.end, i);
             lifted = true;
         }
