@@ -15,7 +15,7 @@ pub fn line(text: &str) -> String {
     shown
 }
 
-/// Text of several lines, each made fit by [`line`].
+/// Text of several lines, each made fit by [`line()`].
 #[must_use]
 pub fn lines(text: &str) -> String {
     text.split('\n').map(line).collect::<Vec<_>>().join("\n")

@@ -2,7 +2,7 @@
 //!
 //! In: candidate rows. Out: for every unknown y one step y = sum c z, y' = sum c z' + b; T with y = T u; and
 //! Newton's correction delta of the configuration. The cheapest rows are taken that are independent at every sampled
-//! configuration and whose pivots vanish only where the constraints lose rank ([`Regularity`]).
+//! configuration and whose pivots vanish only where the constraints lose rank (`Regularity`).
 
 use super::basis::NumericRow;
 use super::choose;

@@ -28,6 +28,26 @@ error: a quantity in m and one without unit cannot be added
 }
 
 #[test]
+fn a_zero_fits_all_unless_it_carries_a_unit() {
+    let lengths = "[parameters]\nl = { value = 1, unit = \"m\" }\nk = { value = \"l + 0.0_m + 0 + 0*l*l\", unit = \"m\" }\n";
+    let motion = "[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x + 0.2_m*N.y + 0.0_m*N.z + 0*N.z\"\n\
+                  [bodies]\nb = { centre = \"P\", mass = \"1_kg\" }\n";
+    model::parse("m.toml", &format!("{HEAD}{lengths}{motion}")).unwrap_or_else(|found| panic!("{found}"));
+    check(
+        "[parameters]\nl = { value = 1, unit = \"m\" }\nk = { value = \"l + 0.0_s\", unit = \"m\" }\n",
+        r#"
+error: a quantity in m and one in s cannot be added
+ --> m.toml:5:20
+  |
+5 | k = { value = "l + 0.0_s", unit = "m" }
+  |                    ^^^^^ this is in s
+  |                - this is in m
+  = help: a factor in m/s is missing
+"#,
+    );
+}
+
+#[test]
 fn places_survive_repetition_and_several_lines() {
     check(
         "[repeat.r]\neach = [{ i = \"1\" }, { i = \"22\" }]\n[repeat.r.coordinates]\n\"q{i}\" = { unit = \"rad\" }\n[repeat.r.definitions]\n\"d{i}\" = '''\nsin(q{i}) + \n  coz(q{i})'''\n",

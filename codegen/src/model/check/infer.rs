@@ -1,7 +1,7 @@
 //! Type (scalar or vector) and unit of an expression, on the text as it is written.
 //!
 //! In: an expression with names resolved. Out: its type and unit, or errors at the offending
-//! sub-expression with both units. A literal 0 fits every unit.
+//! sub-expression with both units. A literal 0 fits every unit, unless it carries one.
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::draft::Draft;
@@ -106,7 +106,9 @@ impl Checker<'_> {
     pub fn infer(&mut self, expr: &Expr) -> Checked {
         let units = &self.draft.units;
         Ok(match &expr.kind {
-            ExprKind::Number(number) if *number == 0.0 => Type { vector: false, unit: None },
+            ExprKind::Number(number) if *number == 0.0 && expr.unit == Unit::NONE => {
+                Type { vector: false, unit: None }
+            }
             ExprKind::Number(_) => Type::scalar(expr.unit),
             ExprKind::Pi | ExprKind::Degree => Type::scalar(Unit::NONE),
             ExprKind::Time => Type::scalar(Unit::TIME),
@@ -237,8 +239,9 @@ impl Checker<'_> {
             return Err(Reported);
         }
         let unit = match (x.unit, y.unit) {
-            (None, None) => None,
-            _ => Some(self.bounded(expr, x.known().times(y.known()))?),
+            // 0 times anything is 0, which fits all.
+            (None, _) | (_, None) => None,
+            (Some(x), Some(y)) => Some(self.bounded(expr, x.times(y))?),
         };
         Ok(Type { vector: x.vector || y.vector, unit })
     }
