@@ -5,26 +5,26 @@
 //! ends by Moreau's law with e = 0 (`stepping`), and the report says so.
 //! Invariant: on an error the state is the last good one.
 
+mod attempt;
 mod slide;
 mod stepping;
 mod touch;
 
-use crate::advance::{Method, Motion, Start, Workspace, advance, check_finite};
+use crate::advance::{Method, Motion, Workspace, check_finite};
 use crate::body::energy::eval_energies;
 use crate::body::vec3;
 use crate::body::{BodyError, pressure};
 use crate::contact::compensation::{Impact, PointImpact};
 use crate::contact::{ContactLaw, Ground, Mode, System};
-use crate::guard::{self, Shortened};
+use crate::guard::Shortened;
 use crate::real::Scalar;
+use attempt::{Attempt, attempt, control_step, try_length};
 use touch::{apply_law, hold_or_rebound, is_deep, lift, mark_touching, place_on_surface, release, rub};
 
 /// Events located in one step.
 pub const MAX_EVENTS: usize = 64;
 /// Substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
-/// Halvings of an implicit step that does not settle.
-const HALVINGS: usize = 10;
 
 /// What advances.
 #[derive(Debug)]
@@ -227,82 +227,6 @@ pub fn step<S: Scalar, O: Observer<S>>(
     }
     report.evaluations = work.evaluations - before;
     Ok(report)
-}
-
-/// A step that was tried.
-struct Attempt<S> {
-    /// Its length (s).
-    length: S,
-    /// The method's error over the allowed one; above 1 it does not count.
-    error: S,
-    /// Where it ends.
-    shortened: Shortened<S>,
-}
-
-/// Tries a step and locates its first event; half as far as long as an implicit step does not settle: springs pressed
-/// through length 0 turn their force at once, and the iteration follows only a shorter way.
-fn attempt<S: Scalar>(
-    system: &System<S>,
-    state: &State<S>,
-    tau: S,
-    method: Method<S>,
-    work: &mut Workspace<S>,
-) -> Result<Attempt<S>, BodyError<S>> {
-    let mut tau = tau;
-    for _ in 0..HALVINGS {
-        match attempt_once(system, state, tau, method, work) {
-            Err(BodyError::NotConverged { .. }) => tau = S::from_f64(0.5) * tau,
-            done => return done,
-        }
-    }
-    attempt_once(system, state, tau, method, work)
-}
-
-fn attempt_once<S: Scalar>(
-    system: &System<S>,
-    state: &State<S>,
-    length: S,
-    method: Method<S>,
-    work: &mut Workspace<S>,
-) -> Result<Attempt<S>, BodyError<S>> {
-    let start = || Start { motion: &state.motion, modes: state.modes };
-    let error = advance(system, start(), length, method, work)?;
-    let shortened = match &system.ground {
-        Some(ground) if ground.has_events() && error <= S::ONE => {
-            guard::shorten_to_event(system, ground, start(), length, method, work)?
-        }
-        _ => Shortened { tau: length, is_event: false, trials: 0 },
-    };
-    Ok(Attempt { length, error, shortened })
-}
-
-/// Length of the next try (s).
-fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
-    let wanted = match method {
-        Method::DormandPrince { longest, .. } | Method::Dop853 { longest, .. } => {
-            let first = h * S::from_f64(0.01);
-            let planned = if state.next_step > S::ZERO { state.next_step } else { first };
-            planned.min(longest)
-        }
-        _ => h,
-    };
-    // A rest of less than one part in 1e3 of the try is not left for a step of its own.
-    if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
-}
-
-/// Standard controller: factor 0.9 error^(-1/order), kept within 1/5 and 5.
-fn control_step<S: Scalar>(state: &mut State<S>, tau: S, error: S, remaining: S, method: Method<S>) {
-    let order = method.control_order();
-    if order == 0 {
-        return;
-    }
-    let exponent = S::from_f64(-1.0 / f64::from(order));
-    let tiny = S::from_f64(1e-10);
-    let factor = S::from_f64(0.9) * (exponent * error.max(tiny).ln()).exp();
-    let wanted = tau * factor.max(S::from_f64(0.2)).min(S::from_f64(5.0));
-    // A try cut by the end of the step says nothing against the longer one planned before.
-    let cut = tau >= remaining && error <= S::ONE;
-    state.next_step = if cut { wanted.max(state.next_step) } else { wanted };
 }
 
 /// Takes over the state in `work.end`, after sliding friction.

@@ -1,0 +1,96 @@
+//! Tries of a step: how long it is to be, how far it came, and how long the next one is.
+//!
+//! In: the state and what is left of the caller's step. Out: the length taken, with its first event located. Methods of
+//! adaptive step plan by their error; an implicit step that does not settle is halved.
+
+use super::State;
+use crate::advance::{Method, Start, Workspace, advance};
+use crate::body::BodyError;
+use crate::contact::System;
+use crate::guard::{self, Shortened};
+use crate::real::Scalar;
+
+/// Halvings of an implicit step that does not settle.
+const HALVINGS: usize = 10;
+
+/// A step that was tried.
+pub(super) struct Attempt<S> {
+    /// Its length (s).
+    pub length: S,
+    /// The method's error over the allowed one; above 1 it does not count.
+    pub error: S,
+    /// Where it ends.
+    pub shortened: Shortened<S>,
+}
+
+/// Tries a step and locates its first event; half as far as long as an implicit step does not settle: springs pressed
+/// through length 0 turn their force at once, and the iteration follows only a shorter way.
+pub(super) fn attempt<S: Scalar>(
+    system: &System<S>,
+    state: &State<S>,
+    tau: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<Attempt<S>, BodyError<S>> {
+    let mut tau = tau;
+    for _ in 0..HALVINGS {
+        match attempt_once(system, state, tau, method, work) {
+            Err(BodyError::NotConverged { .. }) => tau = S::from_f64(0.5) * tau,
+            done => return done,
+        }
+    }
+    attempt_once(system, state, tau, method, work)
+}
+
+fn attempt_once<S: Scalar>(
+    system: &System<S>,
+    state: &State<S>,
+    length: S,
+    method: Method<S>,
+    work: &mut Workspace<S>,
+) -> Result<Attempt<S>, BodyError<S>> {
+    let start = || Start { motion: &state.motion, modes: state.modes };
+    let error = advance(system, start(), length, method, work)?;
+    let shortened = match &system.ground {
+        Some(ground) if ground.has_events() && error <= S::ONE => {
+            guard::shorten_to_event(system, ground, start(), length, method, work)?
+        }
+        _ => Shortened { tau: length, is_event: false, trials: 0 },
+    };
+    Ok(Attempt { length, error, shortened })
+}
+
+/// Length of the next try (s).
+pub(super) fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
+    let wanted = match method {
+        Method::DormandPrince { longest, .. } | Method::Dop853 { longest, .. } => {
+            let first = h * S::from_f64(0.01);
+            let planned = if state.next_step > S::ZERO { state.next_step } else { first };
+            planned.min(longest)
+        }
+        _ => h,
+    };
+    // A rest of less than one part in 1e3 of the try is not left for a step of its own.
+    if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
+}
+
+/// Standard controller: factor 0.9 error^(-1/order), kept within 1/5 and 5.
+pub(super) fn control_step<S: Scalar>(
+    state: &mut State<S>,
+    tau: S,
+    error: S,
+    remaining: S,
+    method: Method<S>,
+) {
+    let order = method.control_order();
+    if order == 0 {
+        return;
+    }
+    let exponent = S::from_f64(-1.0 / f64::from(order));
+    let tiny = S::from_f64(1e-10);
+    let factor = S::from_f64(0.9) * (exponent * error.max(tiny).ln()).exp();
+    let wanted = tau * factor.max(S::from_f64(0.2)).min(S::from_f64(5.0));
+    // A try cut by the end of the step says nothing against the longer one planned before.
+    let cut = tau >= remaining && error <= S::ONE;
+    state.next_step = if cut { wanted.max(state.next_step) } else { wanted };
+}
