@@ -1,5 +1,6 @@
 //! What the equations cost: operations of one evaluation, and the time to derive them.
 
+use smartbed::install::install;
 use smartbed_codegen::{Effort, Optimise, ScalarType, Settings};
 use smartbed_runtime::real::Real;
 use smartbed_runtime::real::counting::{Counting, Operations, count};
@@ -118,7 +119,7 @@ fn instructions_of_a_fresh_process(asked: &str) -> f64 {
     let mut command = Command::new("valgrind");
     command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(this);
     command.args(["--exact", test, "--test-threads=1"]).env(CHILD, asked);
-    let output = command.output().expect("valgrind counts the instructions: apt-get install valgrind");
+    let output = command.output().expect("valgrind runs");
     let text = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{text}");
     let count = text.lines().find_map(|line| line.split("Collected :").nth(1));
@@ -134,6 +135,10 @@ fn models_are_derived_with_few_instructions_in_a_fresh_process() {
             assert!(emitted_with(model, ScalarType::F32, effort).contains("fn rates"));
         }
         return;
+    }
+    if Command::new("valgrind").arg("--version").output().is_err() {
+        let why = "valgrind, which counts the instructions of a process, is not on PATH";
+        install(why, &["valgrind"], "apt-get install valgrind").unwrap_or_else(|e| panic!("{e}"));
     }
     let idle = instructions_of_a_fresh_process("nothing");
     for (model, effort, most) in DERIVATION {
