@@ -69,7 +69,7 @@ impl<S: Scalar> RigidBody<S> {
         S::from_f64(0.5) * (self.mass * vec3::dot(state.velocity, state.velocity) + turning)
     }
 
-    /// Change of velocity of the point at `seen` under a unit impulse along d at r: 1/m d + (J^-1 (r x d)) x seen.
+    /// Change of velocity of the point at r under a unit impulse along d there: d/m + (J^-1 (r x d)) x r.
     fn response(&self, attitude: &Attitude<S>, r: Vec3<S>, d: Vec3<S>) -> Vec3<S> {
         let turned = self.inverse_inertia(attitude, vec3::cross(r, d));
         vec3::axpy(vec3::cross(turned, r), S::ONE / self.mass, d)

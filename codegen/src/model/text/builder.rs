@@ -161,20 +161,23 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// A bare expression, or a table with `value` and perhaps `unit`; none where the table cannot be read.
+    fn stated_value(&mut self, key: &'a Key, value: &'a Value) -> Option<(Expr, Option<Unit>)> {
+        if !matches!(value, Value::Table(_)) {
+            return Some((self.expression(value), None));
+        }
+        let fields = Fields::new(key, value, self.found)?;
+        fields.doc(self.found);
+        let (_, scale) = self.unit(&fields);
+        let value = fields.need("value", "\"...\"", self.found);
+        let value = value.map_or_else(|| unreadable(key.span), |value| self.expression(value));
+        fields.finish(self.found);
+        Some((value, scale.map(|s| s.unit)))
+    }
+
     pub(super) fn definitions(&mut self) {
         for (key, value) in self.entries("definitions") {
-            let (value, unit) = match value {
-                Value::Table(_) => {
-                    let Some(fields) = Fields::new(key, value, self.found) else { continue };
-                    fields.doc(self.found);
-                    let (_, scale) = self.unit(&fields);
-                    let value = fields.need("value", "\"...\"", self.found);
-                    let value = value.map_or_else(|| unreadable(key.span), |value| self.expression(value));
-                    fields.finish(self.found);
-                    (value, scale.map(|s| s.unit))
-                }
-                bare => (self.expression(bare), None),
-            };
+            let Some((value, unit)) = self.stated_value(key, value) else { continue };
             self.draft.units.definitions.push(unit);
             self.draft.model.definitions.push(Definition { name: key.name.clone(), value, span: key.span });
         }
@@ -182,18 +185,7 @@ impl<'a> Builder<'a> {
 
     pub(super) fn outputs(&mut self) {
         for (key, value) in self.entries("outputs") {
-            let (value, unit) = match value {
-                Value::Table(_) => {
-                    let Some(fields) = Fields::new(key, value, self.found) else { continue };
-                    fields.doc(self.found);
-                    let (_, scale) = self.unit(&fields);
-                    let value = fields.need("value", "\"...\"", self.found);
-                    let value = value.map_or_else(|| unreadable(key.span), |value| self.expression(value));
-                    fields.finish(self.found);
-                    (value, scale.map(|s| s.unit))
-                }
-                bare => (self.expression(bare), None),
-            };
+            let Some((value, unit)) = self.stated_value(key, value) else { continue };
             self.draft.units.outputs.push(unit);
             let output = Output { name: key.name.clone(), value, unit: String::new(), span: key.span };
             self.draft.model.outputs.push(output);
