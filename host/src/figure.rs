@@ -256,12 +256,9 @@ fn work_curve(points: &[CurvePoint<f64>], stage: Stage) -> (Vec<f64>, Vec<f64>) 
     /// Pieces between two points.
     const PIECES: u32 = 24;
     let mut curve = (Vec::new(), Vec::new());
-    let end_of = |pair: &[CurvePoint<f64>]| pair[1].stage;
     // A stage is what a piece runs through; the point at the end of compression is already marked as restitution.
-    let inside = |pair: &&[CurvePoint<f64>]| match stage {
-        Stage::Restitution => pair[0].stage == stage,
-        _ => pair[0].stage != Stage::Restitution && end_of(pair) != Stage::Collision,
-    };
+    let inside =
+        |pair: &&[CurvePoint<f64>]| (pair[0].stage == Stage::Restitution) == (stage == Stage::Restitution);
     for pair in points.windows(2).filter(inside) {
         let (a, b) = (pair[0], pair[1]);
         let length = b.impulse - a.impulse;
