@@ -7,13 +7,14 @@
 //! 3. [`state`]: coordinates and speeds as compensated sums;
 //! 4. [`event`]: where a guard changes its sign;
 //! 5. [`integrator`]: one step, refused or taken as a whole;
-//! 6. [`body`]: point masses, springs, pressure: forces and energies;
-//! 7. [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
-//! 8. [`contact`]: the ground's laws, impact with energy compensation, friction;
-//! 9. [`advance`]: one step of a body while no point touches or leaves;
-//! 10. [`guard`]: the step shortened to the first touch or release;
-//! 11. [`scene`]: the whole step of a body on the ground;
-//! 12. [`ledger`]: the accounts of energy, an observer.
+//! 6. [`gas`]: gas in a volume: pressure, valves, accounts;
+//! 7. [`body`]: point masses, springs, pressure: forces and energies;
+//! 8. [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
+//! 9. [`contact`]: the ground's laws, impact with energy compensation, friction;
+//! 10. [`advance`]: one step of a body while no point touches or leaves;
+//! 11. [`guard`]: the step shortened to the first touch or release;
+//! 12. [`scene`]: the whole step of a body on the ground;
+//! 13. [`ledger`]: the accounts of energy, an observer.
 //!
 //! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
 //! one second in f32, as a microcontroller would compute it:
@@ -32,6 +33,8 @@ pub mod state;
 pub mod event;
 
 pub mod integrator;
+
+pub mod gas;
 
 pub mod body;
 

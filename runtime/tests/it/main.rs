@@ -2,6 +2,7 @@
 
 mod double_double;
 mod functions;
+mod gas;
 mod integrator;
 mod layering;
 mod state;

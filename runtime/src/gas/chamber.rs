@@ -1,0 +1,251 @@
+//! A chamber of gas: its state, its pressure at a volume, its lines, and what it does to energy.
+
+use super::{Gas, Nozzle, Source};
+use crate::real::Scalar;
+
+/// What does not change of a chamber.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chamber<S> {
+    /// The gas.
+    pub gas: Gas<S>,
+    /// n, from 1 (isothermal) to gamma (adiabatic).
+    pub exponent: S,
+    /// V_r (m^3), > 0: the volume at which the state is a pressure.
+    pub reference_volume: S,
+    /// Pressure outside (Pa), absolute.
+    pub ambient: S,
+}
+
+/// State of the gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GasState<S> {
+    /// s = p (V/V_r)^n (Pa), absolute.
+    pub reference_pressure: S,
+    /// m (kg).
+    pub mass: S,
+}
+
+/// A line to a reservoir that keeps its pressure: a supply, or the air outside. Gas flows where pressure is lower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line<S> {
+    /// The valve when open.
+    pub nozzle: Nozzle<S>,
+    /// How far it is open, 0 to 1: a share of the conductance.
+    pub opening: S,
+    /// What is behind it.
+    pub reservoir: Source<S>,
+}
+
+/// Energy by its ways (J), or the rates of these (W).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Account<S> {
+    /// Enthalpy that flowed in.
+    pub enthalpy_in: S,
+    /// Enthalpy that flowed out.
+    pub enthalpy_out: S,
+    /// Heat taken up through the walls.
+    pub heat: S,
+    /// Work on the walls, that against the outside included: integral of p dV, p absolute.
+    pub work: S,
+}
+
+/// Rates of a gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates<S> {
+    /// s' (Pa/s).
+    pub reference_pressure: S,
+    /// m' (kg/s).
+    pub mass: S,
+    /// Powers (W).
+    pub power: Account<S>,
+}
+
+/// What a gas cannot do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GasFault<S> {
+    /// The volume (m^3) is not positive: the walls have passed through one another.
+    Collapsed(S),
+    /// The mass (kg) is not positive: more flowed out in one step than was there; take a shorter one.
+    Empty(S),
+}
+
+impl<S: Scalar> Account<S> {
+    /// Nothing yet.
+    #[must_use]
+    pub fn empty() -> Account<S> {
+        Account { enthalpy_in: S::ZERO, enthalpy_out: S::ZERO, heat: S::ZERO, work: S::ZERO }
+    }
+
+    /// This and h times another.
+    #[must_use]
+    pub fn plus(&self, h: S, other: &Account<S>) -> Account<S> {
+        Account {
+            enthalpy_in: self.enthalpy_in + h * other.enthalpy_in,
+            enthalpy_out: self.enthalpy_out + h * other.enthalpy_out,
+            heat: self.heat + h * other.heat,
+            work: self.work + h * other.work,
+        }
+    }
+
+    /// What the internal energy gains by it: in - out + heat - work.
+    #[must_use]
+    pub fn gain(&self) -> S {
+        self.enthalpy_in - self.enthalpy_out + self.heat - self.work
+    }
+}
+
+impl<S: Scalar> Line<S> {
+    /// Mass flow (kg/s) into and out of a chamber at this state; one of them is 0.
+    fn flows(&self, inside: Source<S>) -> (S, S) {
+        let into = self.nozzle.mass_flow(self.reservoir, inside.pressure);
+        let out = self.nozzle.mass_flow(inside, self.reservoir.pressure);
+        (self.opening * into, self.opening * out)
+    }
+}
+
+impl<S: Scalar> Chamber<S> {
+    /// The state at an absolute pressure (Pa), temperature (K) and volume (m^3).
+    #[must_use]
+    pub fn filled(&self, with: Source<S>, volume: S) -> GasState<S> {
+        let mass = with.pressure * volume / (self.gas.gas_constant * with.temperature);
+        GasState { reference_pressure: with.pressure * self.expansion(volume), mass }
+    }
+
+    /// Absolute pressure (Pa) and temperature (K) at a volume (m^3).
+    ///
+    /// # Errors
+    /// [`GasFault`] without volume or mass.
+    pub fn inside(&self, state: &GasState<S>, volume: S) -> Result<Source<S>, GasFault<S>> {
+        let pressure = self.pressure(state, volume)?;
+        if state.mass > S::ZERO {
+            Ok(Source { pressure, temperature: pressure * volume / (state.mass * self.gas.gas_constant) })
+        } else {
+            Err(GasFault::Empty(state.mass))
+        }
+    }
+
+    /// Absolute pressure (Pa).
+    ///
+    /// # Errors
+    /// [`GasFault::Collapsed`] without volume.
+    pub fn pressure(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
+        if volume > S::ZERO {
+            Ok(state.reference_pressure / self.expansion(volume))
+        } else {
+            Err(GasFault::Collapsed(volume))
+        }
+    }
+
+    /// Pressure above that outside (Pa): what pushes the walls outwards.
+    ///
+    /// # Errors
+    /// As for [`Chamber::pressure`].
+    pub fn gauge_pressure(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
+        Ok(self.pressure(state, volume)? - self.ambient)
+    }
+
+    /// -dp/dV (Pa/m^3) with the lines shut: n p/V, the gas' stiffness.
+    ///
+    /// # Errors
+    /// As for [`Chamber::pressure`].
+    pub fn stiffness(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
+        Ok(self.exponent * self.pressure(state, volume)? / volume)
+    }
+
+    /// Internal energy (J): p V/(gamma - 1).
+    ///
+    /// # Errors
+    /// As for [`Chamber::pressure`].
+    pub fn internal_energy(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
+        Ok(self.pressure(state, volume)? * volume / (self.gas.heat_capacity_ratio - S::ONE))
+    }
+
+    /// Energy (J) that walls get back from the sealed gas and the air outside: minus the integral of the gauge
+    /// pressure from V_r. Heat through the walls is not in it.
+    ///
+    /// # Errors
+    /// As for [`Chamber::pressure`].
+    pub fn potential(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
+        self.pressure(state, volume)?;
+        let (power, log) = (self.exponent - S::ONE, (volume / self.reference_volume).ln());
+        // n = 1 is the limit, taken where the quotient loses its digits.
+        let length =
+            if power.abs() > S::from_f64(1e-6) { (S::ONE - (-(power * log)).exp()) / power } else { log };
+        let outside = self.ambient * (volume - self.reference_volume);
+        Ok(outside - state.reference_pressure * self.reference_volume * length)
+    }
+
+    /// Rates at a volume (m^3) that changes (m^3/s), through these lines.
+    ///
+    /// # Errors
+    /// [`GasFault`] without volume or mass.
+    pub fn rates(
+        &self,
+        state: &GasState<S>,
+        volume: S,
+        volume_rate: S,
+        lines: &[Line<S>],
+    ) -> Result<Rates<S>, GasFault<S>> {
+        let inside = self.inside(state, volume)?;
+        let (mut mass, mut hot_in, mut mass_out) = (S::ZERO, S::ZERO, S::ZERO);
+        for line in lines {
+            let (into, out) = line.flows(inside);
+            mass = mass + into - out;
+            hot_in = hot_in + into * line.reservoir.temperature;
+            mass_out = mass_out + out;
+        }
+        let (gas, ratio) = (self.gas.gas_constant, self.gas.heat_capacity_ratio);
+        let carried = gas * (hot_in - inside.temperature * mass_out);
+        let work = inside.pressure * volume_rate;
+        let over = S::ONE / (ratio - S::ONE);
+        let power = Account {
+            enthalpy_in: ratio * over * gas * hot_in,
+            enthalpy_out: ratio * over * gas * inside.temperature * mass_out,
+            heat: (self.exponent - ratio) * over * (carried - work),
+            work,
+        };
+        let reference_pressure = self.exponent * self.expansion(volume) * carried / volume;
+        Ok(Rates { reference_pressure, mass, power })
+    }
+
+    /// (V/V_r)^n.
+    fn expansion(&self, volume: S) -> S {
+        (self.exponent * (volume / self.reference_volume).ln()).exp()
+    }
+}
+
+/// A chamber whose regulator is faster than its walls: constant pressure, no state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Regulated<S> {
+    /// The gas.
+    pub gas: Gas<S>,
+    /// Pressure above that outside (Pa).
+    pub gauge: S,
+    /// Pressure outside (Pa), absolute.
+    pub ambient: S,
+}
+
+impl<S: Scalar> Regulated<S> {
+    /// Powers (W) at a rate of volume (m^3/s): the regulator moves gas of the chamber's own temperature,
+    /// p V' = R T m', so that c_p T m' = gamma/(gamma - 1) p V' of enthalpy enter and no heat does.
+    #[must_use]
+    pub fn power(&self, volume_rate: S) -> Account<S> {
+        let ratio = self.gas.heat_capacity_ratio;
+        let work = (self.gauge + self.ambient) * volume_rate;
+        let enthalpy = ratio / (ratio - S::ONE) * work;
+        let enthalpy_in = enthalpy.max(S::ZERO);
+        Account { enthalpy_in, enthalpy_out: enthalpy_in - enthalpy, heat: S::ZERO, work }
+    }
+
+    /// Internal energy (J): p V/(gamma - 1).
+    #[must_use]
+    pub fn internal_energy(&self, volume: S) -> S {
+        (self.gauge + self.ambient) * volume / (self.gas.heat_capacity_ratio - S::ONE)
+    }
+
+    /// Energy (J) that walls get back: -gauge V.
+    #[must_use]
+    pub fn potential(&self, volume: S) -> S {
+        -(self.gauge * volume)
+    }
+}
