@@ -9,12 +9,13 @@
 //! 5. [`integrator`]: one step, refused or taken as a whole;
 //! 6. [`gas`]: gas in a volume: pressure, valves, accounts;
 //! 7. [`body`]: point masses, springs, pressure: forces and energies;
-//! 8. [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
-//! 9. [`contact`]: the ground's laws, impact with energy compensation, friction;
-//! 10. [`advance`]: one step of a body while no point touches or leaves;
-//! 11. [`guard`]: the step shortened to the first touch or release;
-//! 12. [`scene`]: the whole step of a body on the ground;
-//! 13. [`ledger`]: the accounts of energy, an observer.
+//! 8. [`surface`]: what can be touched: shapes and facets, gaps and their rates;
+//! 9. [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
+//! 10. [`contact`]: the ground's laws, impact with energy compensation, friction;
+//! 11. [`advance`]: one step of a body while no point touches or leaves;
+//! 12. [`guard`]: the step shortened to the first touch or release;
+//! 13. [`scene`]: the whole step of a body on the ground;
+//! 14. [`ledger`]: the accounts of energy, an observer.
 //!
 //! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
 //! one second in f32, as a microcontroller would compute it:
@@ -37,6 +38,8 @@ pub mod integrator;
 pub mod gas;
 
 pub mod body;
+
+pub mod surface;
 
 pub mod rigid;
 

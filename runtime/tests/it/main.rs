@@ -5,5 +5,7 @@ mod functions;
 mod gas;
 mod integrator;
 mod layering;
+mod random;
 mod state;
+mod surface;
 mod systems;

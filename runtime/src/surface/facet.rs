@@ -1,0 +1,136 @@
+//! Facets of a flexible body as a surface: gap along normals that are interpolated from the corners.
+//!
+//! In: a facet's corners a, b, c, d (round the outside, c = d for a triangle), the normals there, a point x.
+//! Out: the place (u, v) whose own normal passes through x. With bilinear weights w_i,
+//! ```text
+//! X(u, v) = sum w_i x_i,  N(u, v) = sum w_i n_i,   x = X + t N,   g = t |N|
+//! ```
+//! is solved by Newton's method. N is the same on both sides of an edge, so that gap and normal pass from facet to
+//! facet without a jump; a facet's own plane would turn them there.
+
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// Newton's iterations: from the facet's middle the error squares each time.
+const ITERATIONS: usize = 16;
+
+/// A facet with the normals at its corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet<S> {
+    /// a, b, c, d in N (m).
+    pub corners: [Vec3<S>; 4],
+    /// Outward unit vectors there.
+    pub normals: [Vec3<S>; 4],
+}
+
+/// A point over a facet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FacetNearest<S> {
+    /// g (m), < 0 inside.
+    pub gap: S,
+    /// N/|N|, outwards: the direction of forces.
+    pub normal: Vec3<S>,
+    /// Gradient of the gap; along n only where the facet lies square to it.
+    pub gradient: Vec3<S>,
+    /// Share of each corner in the foot; the sum is 1.
+    pub weights: [S; 4],
+    /// The foot (m).
+    pub foot: Vec3<S>,
+}
+
+impl<S: Scalar> FacetNearest<S> {
+    /// g' (m/s) at g = 0, of a point with this velocity over corners with theirs.
+    #[must_use]
+    pub fn gap_rate(&self, velocity: Vec3<S>, corners: &[Vec3<S>; 4]) -> S {
+        vec3::dot(self.gradient, vec3::sub(velocity, blend(&self.weights, corners)))
+    }
+}
+
+/// Unit normals at the points of a body: the mean of the vector areas of the facets around each.
+///
+/// `normals` has one row per point; points of no facet get the zero vector.
+pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals: &mut [Vec3<S>]) {
+    normals.fill(vec3::zero());
+    for facet in facets {
+        let [a, b, c, d] = facet.map(|k| vec3::at(pos, k));
+        let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
+        for (number, corner) in facet.iter().enumerate() {
+            // A triangle's third corner stands twice.
+            if !facet.iter().take(number).any(|before| before == corner) {
+                vec3::add_at(normals, *corner, area);
+            }
+        }
+    }
+    for normal in normals {
+        (*normal, _) = vec3::direction(*normal);
+    }
+}
+
+impl<S: Scalar> Facet<S> {
+    /// The place of the facet whose normal passes through the point; None if it lies outside by more than `margin` (a
+    /// share of the facet) or there is no such place.
+    #[must_use]
+    pub fn nearest(&self, point: Vec3<S>, margin: S) -> Option<FacetNearest<S>> {
+        let half = S::from_f64(0.5);
+        let (mut u, mut v) = (half, half);
+        let mut t = vec3::dot(vec3::sub(point, blend(&weights(u, v), &self.corners)), self.normal(u, v));
+        for _ in 0..ITERATIONS {
+            let (rows, scale) = self.inverse(u, v, t)?;
+            let w = weights(u, v);
+            let off = vec3::sub(
+                vec3::sub(point, blend(&w, &self.corners)),
+                vec3::scale(blend(&w, &self.normals), t),
+            );
+            let [du, dv, dt] = vec3::apply(&rows, off);
+            (u, v, t) = (u + scale * du, v + scale * dv, t + scale * dt);
+        }
+        let (low, high) = (-margin, S::ONE + margin);
+        let inside = low <= u && u <= high && low <= v && v <= high;
+        if inside { self.result(u, v, t) } else { None }
+    }
+
+    fn normal(&self, u: S, v: S) -> Vec3<S> {
+        blend(&weights(u, v), &self.normals)
+    }
+
+    /// Rows of the inverse of [X_u + t N_u, X_v + t N_v, N], and 1 over the determinant they are yet to be multiplied by.
+    fn inverse(&self, u: S, v: S, t: S) -> Option<([Vec3<S>; 3], S)> {
+        let (wu, wv) = slopes(u, v);
+        let a = vec3::axpy(blend(&wu, &self.corners), t, blend(&wu, &self.normals));
+        let b = vec3::axpy(blend(&wv, &self.corners), t, blend(&wv, &self.normals));
+        let c = self.normal(u, v);
+        let rows = [vec3::cross(b, c), vec3::cross(c, a), vec3::cross(a, b)];
+        let determinant = vec3::dot(a, rows[0]);
+        (determinant.is_finite() && determinant != S::ZERO).then(|| (rows, S::ONE / determinant))
+    }
+
+    fn result(&self, u: S, v: S, t: S) -> Option<FacetNearest<S>> {
+        let (rows, scale) = self.inverse(u, v, t)?;
+        let w = weights(u, v);
+        let (normal, length) = vec3::direction(blend(&w, &self.normals));
+        let (wu, wv) = slopes(u, v);
+        // dg = |N| dt + t n . (N_u du + N_v dv).
+        let turn = |w: &[S; 4]| t * vec3::dot(normal, blend(w, &self.normals));
+        let [du, dv, dt] = rows.map(|row| vec3::scale(row, scale));
+        let gradient = vec3::axpy(vec3::axpy(vec3::scale(dt, length), turn(&wu), du), turn(&wv), dv);
+        let foot = blend(&w, &self.corners);
+        Some(FacetNearest { gap: t * length, normal, gradient, weights: w, foot })
+    }
+}
+
+/// Bilinear weights of a, b, c, d.
+fn weights<S: Scalar>(u: S, v: S) -> [S; 4] {
+    let (p, q) = (S::ONE - u, S::ONE - v);
+    [p * q, u * q, u * v, p * v]
+}
+
+/// Their derivatives by u and by v.
+fn slopes<S: Scalar>(u: S, v: S) -> ([S; 4], [S; 4]) {
+    let (p, q) = (S::ONE - u, S::ONE - v);
+    ([-q, q, v, -v], [-p, -u, u, p])
+}
+
+/// The sum of four vectors by weight.
+fn blend<S: Scalar>(weights: &[S; 4], vectors: &[Vec3<S>; 4]) -> Vec3<S> {
+    weights.iter().zip(vectors).fold(vec3::zero(), |sum, (w, x)| vec3::axpy(sum, *w, *x))
+}

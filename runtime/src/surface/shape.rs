@@ -1,0 +1,177 @@
+//! Convex shapes: the nearest point of each in closed form (Ericson 2005, chapter 5).
+//!
+//! Each is all points within a radius of a core: a point, a segment, or a box. The distance to the core's nearest
+//! vertex, edge or face bends accordingly: H = (P - n n')/rho, P taking out the directions along the core, rho the distance to it.
+
+use super::Surface;
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+
+/// All places with z <= 0; its surface is the plane z = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSpace;
+
+/// A ball about the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere<S> {
+    /// Radius (m), > 0.
+    pub radius: S,
+}
+
+/// All places within a radius of a segment along z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Capsule<S> {
+    /// Radius (m), > 0.
+    pub radius: S,
+    /// Half the segment's length (m), >= 0.
+    pub half_length: S,
+}
+
+/// A box about the origin, its edges along the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid<S> {
+    /// Half the edges (m), > 0.
+    pub half: Vec3<S>,
+}
+
+/// Any of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape<S> {
+    /// z <= 0.
+    HalfSpace,
+    /// A ball.
+    Sphere(Sphere<S>),
+    /// A rod with round ends.
+    Capsule(Capsule<S>),
+    /// A box.
+    Cuboid(Cuboid<S>),
+}
+
+/// What of the core is nearest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Feature<S> {
+    /// A point: the distance bends in every direction across n.
+    Vertex,
+    /// A line along this unit vector: it bends across the line.
+    Edge(Vec3<S>),
+    /// A plane: it does not bend.
+    Face,
+}
+
+/// The nearest point of a shape, in the shape's axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest<S> {
+    /// Distance to the surface (m), < 0 inside.
+    pub gap: S,
+    /// Outward unit normal, the gradient of the gap.
+    pub normal: Vec3<S>,
+    /// Nearest point of the surface.
+    pub foot: Vec3<S>,
+    /// What of the core it belongs to.
+    pub feature: Feature<S>,
+    /// rho (m), distance to the core.
+    pub distance: S,
+}
+
+impl<S: Scalar> Nearest<S> {
+    /// w' H w (m/s^2): what the gap's rate gains while a point passes by with velocity w.
+    #[must_use]
+    pub fn bend(&self, w: Vec3<S>) -> S {
+        let across = |along: S| {
+            let n = vec3::dot(w, self.normal);
+            let square = vec3::dot(w, w) - n * n - along * along;
+            if self.distance > S::ZERO { square / self.distance } else { S::ZERO }
+        };
+        match self.feature {
+            Feature::Face => S::ZERO,
+            Feature::Edge(direction) => across(vec3::dot(w, direction)),
+            Feature::Vertex => across(S::ZERO),
+        }
+    }
+
+    /// From the core's nearest point; at the core itself n is `fallback`.
+    fn from_core(
+        place: Vec3<S>,
+        core: Vec3<S>,
+        radius: S,
+        feature: Feature<S>,
+        fallback: Vec3<S>,
+    ) -> Nearest<S> {
+        let (direction, distance) = vec3::direction(vec3::sub(place, core));
+        let normal = if distance > S::ZERO { direction } else { fallback };
+        Nearest { gap: distance - radius, normal, foot: vec3::axpy(core, radius, normal), feature, distance }
+    }
+}
+
+/// The unit vector along an axis, 0 to 2.
+fn axis<S: Scalar>(number: usize) -> Vec3<S> {
+    core::array::from_fn(|i| if i == number { S::ONE } else { S::ZERO })
+}
+
+impl<S: Scalar> Surface<S> for HalfSpace {
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
+        let [x, y, gap] = place;
+        Nearest { gap, normal: axis(2), foot: [x, y, S::ZERO], feature: Feature::Face, distance: gap.abs() }
+    }
+}
+
+impl<S: Scalar> Surface<S> for Sphere<S> {
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
+        Nearest::from_core(place, vec3::zero(), self.radius, Feature::Vertex, axis(2))
+    }
+}
+
+impl<S: Scalar> Surface<S> for Capsule<S> {
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
+        let along = place[2].max(-self.half_length).min(self.half_length);
+        let inside = along == place[2];
+        let feature = if inside { Feature::Edge(axis(2)) } else { Feature::Vertex };
+        Nearest::from_core(place, [S::ZERO, S::ZERO, along], self.radius, feature, axis(0))
+    }
+}
+
+impl<S: Scalar> Surface<S> for Cuboid<S> {
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
+        let core: Vec3<S> = core::array::from_fn(|i| place[i].max(-self.half[i]).min(self.half[i]));
+        let out: [bool; 3] = core::array::from_fn(|i| core[i] != place[i]);
+        match out {
+            [false, false, false] => self.nearest_face(place),
+            [true, true, true] => Nearest::from_core(place, core, S::ZERO, Feature::Vertex, axis(2)),
+            _ => {
+                // One coordinate outside: a face; two: the edge along the third.
+                let outside = out.iter().filter(|o| **o).count();
+                let along = out.iter().position(|o| !*o).unwrap_or_default();
+                let feature = if outside == 1 { Feature::Face } else { Feature::Edge(axis(along)) };
+                Nearest::from_core(place, core, S::ZERO, feature, axis(2))
+            }
+        }
+    }
+}
+
+impl<S: Scalar> Cuboid<S> {
+    /// From inside: the face that is least deep; of faces alike the first in the order of the axes.
+    fn nearest_face(&self, place: Vec3<S>) -> Nearest<S> {
+        let depth = |i: usize| self.half[i] - place[i].abs();
+        let mut best = 0;
+        for i in 1..3 {
+            if depth(i) < depth(best) {
+                best = i;
+            }
+        }
+        let side = if place[best] < S::ZERO { -S::ONE } else { S::ONE };
+        let (normal, gap) = (vec3::scale(axis(best), side), -depth(best));
+        let foot = vec3::axpy(place, -gap, normal);
+        Nearest { gap, normal, foot, feature: Feature::Face, distance: S::ZERO }
+    }
+}
+
+impl<S: Scalar> Surface<S> for Shape<S> {
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
+        match self {
+            Shape::HalfSpace => HalfSpace.nearest(place),
+            Shape::Sphere(sphere) => sphere.nearest(place),
+            Shape::Capsule(capsule) => capsule.nearest(place),
+            Shape::Cuboid(cuboid) => cuboid.nearest(place),
+        }
+    }
+}
