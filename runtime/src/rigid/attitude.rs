@@ -37,6 +37,13 @@ impl<S: Scalar> Attitude<S> {
         [self.scalar, x, y, z]
     }
 
+    /// The body's axes in N.
+    #[must_use]
+    pub fn axes(&self) -> [Vec3<S>; 3] {
+        let (zero, one) = (S::ZERO, S::ONE);
+        [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| self.to_inertial(axis))
+    }
+
     /// Components in N of a vector given in body axes.
     #[must_use]
     pub fn to_inertial(&self, a: Vec3<S>) -> Vec3<S> {

@@ -5,12 +5,16 @@
 //! changes is never computed anew.
 
 pub mod attitude;
+pub mod contact;
 pub mod impact;
 pub mod motion;
+pub mod narrow;
+pub mod several;
 mod swerve;
 
 use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::surface::Frame;
 use attitude::Attitude;
 use impact::{Impact, InverseMass, Touch};
 
@@ -59,6 +63,17 @@ impl<S: Scalar> RigidBody<S> {
     #[must_use]
     pub fn point_velocity(&self, state: &RigidState<S>, r: Vec3<S>) -> Vec3<S> {
         vec3::add(state.velocity, vec3::cross(self.angular_velocity(state), r))
+    }
+
+    /// The body's axes with their motion.
+    #[must_use]
+    pub fn frame(&self, state: &RigidState<S>) -> Frame<S> {
+        Frame {
+            origin: state.position,
+            axes: state.attitude.axes(),
+            velocity: state.velocity,
+            angular_velocity: self.angular_velocity(state),
+        }
     }
 
     /// Kinetic energy (J).

@@ -74,19 +74,22 @@ pub struct Nearest<S> {
 }
 
 impl<S: Scalar> Nearest<S> {
+    /// H w: how the normal turns (1/s) while a point passes by with velocity w.
+    #[must_use]
+    pub fn bend_vector(&self, w: Vec3<S>) -> Vec3<S> {
+        let across = vec3::tangential(w, self.normal);
+        let part = match self.feature {
+            Feature::Face => return vec3::zero(),
+            Feature::Edge(direction) => vec3::tangential(across, direction),
+            Feature::Vertex => across,
+        };
+        if self.distance > S::ZERO { vec3::scale(part, S::ONE / self.distance) } else { vec3::zero() }
+    }
+
     /// w' H w (m/s^2): what the gap's rate gains while a point passes by with velocity w.
     #[must_use]
     pub fn bend(&self, w: Vec3<S>) -> S {
-        let across = |along: S| {
-            let n = vec3::dot(w, self.normal);
-            let square = vec3::dot(w, w) - n * n - along * along;
-            if self.distance > S::ZERO { square / self.distance } else { S::ZERO }
-        };
-        match self.feature {
-            Feature::Face => S::ZERO,
-            Feature::Edge(direction) => across(vec3::dot(w, direction)),
-            Feature::Vertex => across(S::ZERO),
-        }
+        vec3::dot(w, self.bend_vector(w))
     }
 
     /// From the core's nearest point; at the core itself n is `fallback`.

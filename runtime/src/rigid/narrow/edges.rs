@@ -1,0 +1,144 @@
+//! Two straight edges that cross at a distance: a capsule's axis or an edge of a box on either side.
+//!
+//! With directions a, b, nearest points x_1 and x_2, n along x_1 - x_2 and across both edges,
+//! ```text
+//! n' . a = -n . (omega_1 x a),   n' . b = -n . (omega_2 x b),   n' . n = 0
+//! v_1 - v_2 + a s' - b t' = d' n + d n'                          s', t': how fast the nearest points run along the edges
+//! ```
+
+use super::{Feature, Features, Placed};
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+use crate::surface::{Cuboid, Frame, Shape};
+
+/// A straight edge fixed in a frame, in N.
+#[derive(Clone, Copy)]
+pub(super) struct Edge<'a, S> {
+    pub(super) middle: Vec3<S>,
+    /// Unit vector.
+    pub(super) direction: Vec3<S>,
+    pub(super) half_length: S,
+    pub(super) frame: &'a Frame<S>,
+}
+
+/// Edges that cross at less than this sine of their angle count as parallel.
+const PARALLEL: f64 = 1e-4;
+
+/// Places along both edges where they are nearest to each other as straight lines; None if parallel.
+fn nearest_places<S: Scalar>(one: &Edge<S>, other: &Edge<S>) -> Option<(S, S)> {
+    let (a, b) = (one.direction, other.direction);
+    let cos = vec3::dot(a, b);
+    let across = vec3::cross(a, b);
+    let square = vec3::dot(across, across);
+    if square < S::from_f64(PARALLEL * PARALLEL) {
+        return None;
+    }
+    let from = vec3::sub(one.middle, other.middle);
+    let (p, q) = (vec3::dot(a, from), vec3::dot(b, from));
+    Some(((cos * q - p) / square, (q - cos * p) / square))
+}
+
+/// The feature of two edges that cross within their lengths. n points along `outward`; without it, from the other edge to the one.
+pub(super) fn crossing<S: Scalar>(
+    one: &Edge<S>,
+    other: &Edge<S>,
+    outward: Option<Vec3<S>>,
+    id: u32,
+) -> Option<Feature<S>> {
+    let (s, t) = nearest_places(one, other)?;
+    if s.abs() >= one.half_length || t.abs() >= other.half_length {
+        return None;
+    }
+    let x1 = vec3::axpy(one.middle, s, one.direction);
+    let x2 = vec3::axpy(other.middle, t, other.direction);
+    let (across, _) = vec3::direction(vec3::cross(one.direction, other.direction));
+    let apart = vec3::sub(x1, x2);
+    let sense = vec3::dot(across, outward.unwrap_or(apart));
+    let normal = if sense < S::ZERO { vec3::scale(across, -S::ONE) } else { across };
+    let gap = vec3::dot(normal, apart);
+    let (v1, v2) = (one.frame.velocity_at(x1), other.frame.velocity_at(x2));
+    let turn = |edge: &Edge<S>| -vec3::dot(normal, vec3::cross(edge.frame.angular_velocity, edge.direction));
+    // Components in the plane of a and b from the products with a and b.
+    let (a, b) = (one.direction, other.direction);
+    let cos = vec3::dot(a, b);
+    let square = S::ONE - cos * cos;
+    let from_products = |p: S, q: S| ((p - cos * q) / square, (q - cos * p) / square);
+    let (along_a, along_b) = from_products(turn(one), turn(other));
+    let normal_rate = vec3::axpy(vec3::scale(a, along_a), along_b, b);
+    let left = vec3::sub(vec3::scale(normal_rate, gap), vec3::sub(v1, v2));
+    let (run, _) = from_products(vec3::dot(a, left), vec3::dot(b, left));
+    let point_rate = vec3::axpy(v1, run, a);
+    Some(Feature { point: x1, normal, gap, point_rate, normal_rate, id })
+}
+
+/// The axis of a capsule.
+fn axis_of<'a, S: Scalar>(capsule: Placed<'a, S>) -> Option<(Edge<'a, S>, S)> {
+    let Shape::Capsule(shape) = capsule.shape else { return None };
+    let [_, _, direction] = capsule.frame.axes;
+    let edge = Edge {
+        middle: capsule.frame.origin,
+        direction,
+        half_length: shape.half_length,
+        frame: capsule.frame,
+    };
+    Some((edge, shape.radius))
+}
+
+/// Number of the feature where axes or edges cross; edges of a box count on from it.
+const CROSSING: u32 = 16;
+
+/// A feature of cores becomes one of surfaces: the contact lies on the one's surface, a radius inwards.
+fn between_surfaces<S: Scalar>(feature: Feature<S>, radius: S, both: S) -> Feature<S> {
+    Feature {
+        point: vec3::axpy(feature.point, -radius, feature.normal),
+        gap: feature.gap - both,
+        point_rate: vec3::axpy(feature.point_rate, -radius, feature.normal_rate),
+        ..feature
+    }
+}
+
+/// The sides of two capsules.
+pub(super) fn push_capsules<S: Scalar>(found: &mut Features<S>, one: Placed<S>, other: Placed<S>, margin: S) {
+    if let (Some((a, r1)), Some((b, r2))) = (axis_of(one), axis_of(other))
+        && let Some(feature) = crossing(&a, &b, None, CROSSING)
+    {
+        let feature = between_surfaces(feature, r1, r1 + r2);
+        if feature.gap <= margin {
+            found.push(feature);
+        }
+    }
+}
+
+/// The side of a capsule on the edges of a box.
+pub(super) fn push_capsule_on_box<S: Scalar>(
+    found: &mut Features<S>,
+    capsule: Placed<S>,
+    (cuboid, frame): (&Cuboid<S>, &Frame<S>),
+    margin: S,
+) {
+    let Some((axis, radius)) = axis_of(capsule) else { return };
+    for number in 0..12 {
+        let (edge, faces) = box_edge(cuboid, frame, number);
+        let Some(feature) = crossing(&axis, &edge, None, CROSSING + 1 + number) else { continue };
+        // Nearest only if the normal lies between those of the edge's faces.
+        let outside = faces.iter().all(|face| vec3::dot(*face, feature.normal) >= S::ZERO);
+        let feature = between_surfaces(feature, radius, radius);
+        if outside && feature.gap <= margin {
+            found.push(feature);
+        }
+    }
+}
+
+/// Edge 0 to 11 of a box with the outward normals of its two faces: four along each axis.
+pub(super) fn box_edge<'a, S: Scalar>(
+    cuboid: &Cuboid<S>,
+    frame: &'a Frame<S>,
+    number: u32,
+) -> (Edge<'a, S>, [Vec3<S>; 2]) {
+    let along = (number / 4) as usize % 3;
+    let (p, q) = ((along + 1) % 3, (along + 2) % 3);
+    let side = |bit: u32| if number & bit == 0 { -S::ONE } else { S::ONE };
+    let faces = [vec3::scale(frame.axes[p], side(1)), vec3::scale(frame.axes[q], side(2))];
+    let middle = vec3::axpy(vec3::axpy(frame.origin, cuboid.half[p], faces[0]), cuboid.half[q], faces[1]);
+    (Edge { middle, direction: frame.axes[along], half_length: cuboid.half[along], frame }, faces)
+}

@@ -1,0 +1,231 @@
+//! Where two shapes are near each other: points, normals, gaps, and how point and normal move along.
+//!
+//! In: two shapes with their frames, and how near is near. Out: up to [`CAPACITY`] features.
+//!
+//! A feature is either a point of one core (centre of a ball, end of a capsule, corner of a box) over the surface of the
+//! other shape, or two straight edges that cross. For the first, with distance d from the core's point to the surface,
+//! ```text
+//! n' = omega x n + H w,    c' = v - d' n - d n'         w: velocity of the core's point relative to the other frame
+//! ```
+//! c is the place of contact, not a point of either body: what rolls has c' although its point of contact rests.
+
+mod boxes;
+mod edges;
+
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+use crate::surface::{Cuboid, Feature as Core, Frame, Shape, Surface};
+
+/// Features of a pair at most; of more the nearest are kept.
+pub const CAPACITY: usize = 12;
+
+/// A place where two shapes are near each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feature<S> {
+    /// c (m), on the surface of one of the two.
+    pub point: Vec3<S>,
+    /// n, unit vector from the other shape to the one.
+    pub normal: Vec3<S>,
+    /// Distance (m), < 0 where they overlap.
+    pub gap: S,
+    /// c' (m/s).
+    pub point_rate: Vec3<S>,
+    /// n' (1/s).
+    pub normal_rate: Vec3<S>,
+    /// Which of the pair's features it is: the same from step to step.
+    pub id: u32,
+}
+
+/// The features of a pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Features<S> {
+    list: [Option<Feature<S>>; CAPACITY],
+}
+
+impl<S: Scalar> Features<S> {
+    fn none() -> Features<S> {
+        Features { list: [None; CAPACITY] }
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = Feature<S>> + '_ {
+        self.list.iter().filter_map(|f| *f)
+    }
+
+    /// Adds one; if there is no room the farthest gives way.
+    fn push(&mut self, feature: Feature<S>) {
+        let gap_of = |f: &Option<Feature<S>>| f.map(|f| f.gap);
+        if let Some(free) = self.list.iter_mut().find(|f| f.is_none()) {
+            *free = Some(feature);
+            return;
+        }
+        let mut farthest = 0;
+        for (i, f) in self.list.iter().enumerate() {
+            if gap_of(f) > self.list.get(farthest).and_then(gap_of) {
+                farthest = i;
+            }
+        }
+        if let Some(place) = self.list.get_mut(farthest)
+            && gap_of(place) > Some(feature.gap)
+        {
+            *place = Some(feature);
+        }
+    }
+
+    /// The same features seen from the other shape.
+    fn swapped(mut self) -> Features<S> {
+        for feature in self.list.iter_mut().flatten() {
+            feature.normal = vec3::scale(feature.normal, -S::ONE);
+            feature.normal_rate = vec3::scale(feature.normal_rate, -S::ONE);
+        }
+        self
+    }
+}
+
+/// A shape where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a, S> {
+    /// The shape.
+    pub shape: &'a Shape<S>,
+    /// Its frame.
+    pub frame: &'a Frame<S>,
+}
+
+/// The features of two shapes that are nearer than `margin` (m); the normal points from `other` to `one`.
+///
+/// Two half-spaces have none.
+pub fn features<S: Scalar>(one: Placed<S>, other: Placed<S>, margin: S) -> Features<S> {
+    if rank(one.shape) < rank(other.shape) {
+        features_in_order(other, one, margin).swapped()
+    } else {
+        features_in_order(one, other, margin)
+    }
+}
+
+/// The rounder shape comes first.
+fn rank<S>(shape: &Shape<S>) -> u8 {
+    match shape {
+        Shape::HalfSpace => 0,
+        Shape::Cuboid(_) => 1,
+        Shape::Capsule(_) => 2,
+        Shape::Sphere(_) => 3,
+    }
+}
+
+fn features_in_order<S: Scalar>(one: Placed<S>, other: Placed<S>, margin: S) -> Features<S> {
+    let mut found = Features::none();
+    let mut back = Features::none();
+    match (one.shape, other.shape) {
+        (Shape::HalfSpace, _) => {}
+        (Shape::Sphere(ball), _) => {
+            push_core(&mut found, one.frame, vec3::zero(), ball.radius, other, margin, 0);
+        }
+        (Shape::Cuboid(a), Shape::Cuboid(b)) => {
+            boxes::push_features(&mut found, (a, one.frame), (b, other.frame), margin);
+        }
+        (Shape::Cuboid(a), _) => {
+            for (id, corner) in (0..).zip(corners(a)) {
+                push_core(&mut found, one.frame, corner, S::ZERO, other, margin, id);
+            }
+        }
+        (Shape::Capsule(_), Shape::Cuboid(b)) => {
+            push_ends(&mut found, one, other, margin, 0, true);
+            for (id, corner) in (2..).zip(corners(b)) {
+                push_corner_over_side(&mut back, other.frame, corner, one, margin, id);
+            }
+            edges::push_capsule_on_box(&mut found, one, (b, other.frame), margin);
+        }
+        (Shape::Capsule(_), Shape::Capsule(_)) => {
+            push_ends(&mut found, one, other, margin, 0, true);
+            push_ends(&mut back, other, one, margin, 2, false);
+            edges::push_capsules(&mut found, one, other, margin);
+        }
+        (Shape::Capsule(_), _) => push_ends(&mut found, one, other, margin, 0, true),
+    }
+    back.swapped().iter().for_each(|feature| found.push(feature));
+    found
+}
+
+/// A point of a core over the other's surface.
+fn core_feature<S: Scalar>(
+    frame: &Frame<S>,
+    place: Vec3<S>,
+    radius: S,
+    other: Placed<S>,
+    id: u32,
+) -> (Feature<S>, Core<S>) {
+    let center = frame.point(place);
+    let velocity = frame.velocity_at(center);
+    let near = other.shape.nearest(other.frame.place(center));
+    let normal = other.frame.to_inertial(near.normal);
+    let relative = vec3::sub(velocity, other.frame.velocity_at(center));
+    let bend = other.frame.to_inertial(near.bend_vector(other.frame.to_local(relative)));
+    let normal_rate = vec3::add(vec3::cross(other.frame.angular_velocity, normal), bend);
+    let rate = vec3::dot(normal, relative);
+    let point_rate = vec3::axpy(vec3::axpy(velocity, -rate, normal), -near.gap, normal_rate);
+    let point = other.frame.point(near.foot);
+    (Feature { point, normal, gap: near.gap - radius, point_rate, normal_rate, id }, near.feature)
+}
+
+fn push_core<S: Scalar>(
+    found: &mut Features<S>,
+    frame: &Frame<S>,
+    place: Vec3<S>,
+    radius: S,
+    other: Placed<S>,
+    margin: S,
+    id: u32,
+) {
+    let (feature, _) = core_feature(frame, place, radius, other, id);
+    if feature.gap <= margin {
+        found.push(feature);
+    }
+}
+
+/// The ends of a capsule over the other shape; over another capsule's end only if `ends` says so, so that two ends
+/// that meet are one feature.
+fn push_ends<S: Scalar>(
+    found: &mut Features<S>,
+    capsule: Placed<S>,
+    other: Placed<S>,
+    margin: S,
+    id: u32,
+    ends: bool,
+) {
+    let Shape::Capsule(shape) = capsule.shape else { return };
+    for (number, z) in (0..).zip([-shape.half_length, shape.half_length]) {
+        let place = [S::ZERO, S::ZERO, z];
+        let (feature, core) = core_feature(capsule.frame, place, shape.radius, other, id + number);
+        if feature.gap <= margin && (ends || core != Core::Vertex) {
+            found.push(feature);
+        }
+        // A capsule without length is a ball.
+        if shape.half_length == S::ZERO {
+            break;
+        }
+    }
+}
+
+/// A box's corner over the side of a capsule; over its ends, the ends see the box.
+fn push_corner_over_side<S: Scalar>(
+    found: &mut Features<S>,
+    frame: &Frame<S>,
+    corner: Vec3<S>,
+    capsule: Placed<S>,
+    margin: S,
+    id: u32,
+) {
+    let (feature, core) = core_feature(frame, corner, S::ZERO, capsule, id);
+    if feature.gap <= margin && core != Core::Vertex {
+        found.push(feature);
+    }
+}
+
+/// The corners of a box; bit k of a corner's number is the side along axis k.
+fn corners<S: Scalar>(cuboid: &Cuboid<S>) -> [Vec3<S>; 8] {
+    core::array::from_fn(|number| {
+        let [x, y, z] = cuboid.half;
+        let side = |bit: usize, h: S| if number & (1 << bit) == 0 { -h } else { h };
+        [side(0, x), side(1, y), side(2, z)]
+    })
+}

@@ -1,0 +1,397 @@
+//! Impact at several points at once (Liu, Zhao and Brogliato 2008, contacts of equal stiffness; Stronge's restitution).
+//!
+//! In: bodies and their contacts at the instant of touch. Out: impulses and the twists after.
+//!
+//! Each contact is a spring of stiffness 1 in a time of its own, F = sqrt(2 E), E the energy stored in it; the longer
+//! the one presses, the larger its share of the impulse. Over a short piece of the impact, dP simultaneous at all,
+//! ```text
+//! dE_j = -(int of v_n < 0) dP_j - (int of v_n > 0) dP_j / e_j^2          restitution gives e^2 of what compression took
+//! ```
+//! v is linear in dP, so the books are exact for any length of the piece; the piece in which some E_j comes to 0 ends
+//! there. Every E >= 0 and friction works against slip: no impact creates energy, whatever e, mu and the shapes.
+
+use super::contact::{Contact, Mobility, Twist, onto_disc, solve_tangential};
+use super::impact::{InverseMass, Touch, resolve};
+use crate::body::vec3;
+use crate::event::locate;
+use crate::real::Scalar;
+
+/// Pieces of one impact at most; what is then left is taken out as by e = 0.
+const PIECES: usize = 4000;
+/// Length of a piece in units of 1/sqrt(sum of K_nn): sixty and more to a compression.
+const PIECE: f64 = 0.1;
+/// Sweeps of the friction of one piece at most: stopped early it still works against slip, within its cone.
+const RUBS: usize = 60;
+/// Sweeps of the normal impulses of e = 0 at most.
+const SWEEPS: usize = 2000;
+/// Restitution coefficients below this shorten no piece: the end of the contact is located anyway.
+const SOFTEST: f64 = 0.05;
+
+/// A contact during an impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Struck<S> {
+    /// The contact; its impulse is the result.
+    pub contact: Contact<S>,
+    /// K.
+    inverse_mass: InverseMass<S>,
+    /// E (J), stored.
+    stored: S,
+    /// E after the piece on trial, its impulse, the relative velocity before it.
+    trial: S,
+    piece: vec3::Vec3<S>,
+    before: vec3::Vec3<S>,
+}
+
+/// What an impact at several points did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// Pieces it took.
+    pub pieces: usize,
+    /// Were the pieces enough? If not, what was left ended as by e = 0.
+    pub complete: bool,
+}
+
+impl<S: Scalar> Struck<S> {
+    /// A contact that takes part.
+    #[must_use]
+    pub fn new(contact: Contact<S>, mobilities: &[Mobility<S>]) -> Struck<S> {
+        let inverse_mass = contact.inverse_mass(mobilities);
+        let zero = vec3::zero();
+        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece: zero, before: zero }
+    }
+
+    /// Does it press, or start to?
+    fn active(&self, closing: S) -> bool {
+        self.stored > S::ZERO || self.before[0] < -closing
+    }
+
+    /// The stiffness of the unloading spring, 1/e^2.
+    fn unloading(&self) -> S {
+        let e = self.contact.restitution;
+        S::ONE / (e * e)
+    }
+
+    /// The normal impulse of a piece of this length, by the force in its middle.
+    fn press(&self, length: S, closing: S) -> S {
+        if !self.active(closing) {
+            return S::ZERO;
+        }
+        let half = S::from_f64(0.5);
+        let force = (S::from_f64(2.0) * self.stored).sqrt();
+        let rate = self.before[0];
+        if rate < S::ZERO {
+            return length * (force - half * length * rate);
+        }
+        // At least half of the force: what is left ends at the place where E does.
+        let fallen = if self.contact.restitution > S::ZERO {
+            force - half * length * rate * self.unloading()
+        } else {
+            S::ZERO
+        };
+        length * fallen.max(half * force)
+    }
+
+    /// E after normal velocities from `before` to v over the impulse of the piece.
+    fn charge(&self, v: S) -> S {
+        let (u, impulse, half) = (self.before[0], self.piece[0], S::from_f64(0.5));
+        // Integrals over the piece of the parts of v_n below and above 0.
+        let (closing, parting) = if u <= S::ZERO && v <= S::ZERO {
+            (half * (u + v), S::ZERO)
+        } else if u >= S::ZERO && v >= S::ZERO {
+            (S::ZERO, half * (u + v))
+        } else {
+            let (low, high) = (u.min(v), u.max(v));
+            let over = half / (high - low);
+            (-(low * low * over), high * high * over)
+        };
+        let charged = self.stored - closing * impulse;
+        let returned = parting * impulse;
+        if returned <= S::ZERO {
+            charged
+        } else if self.contact.restitution > S::ZERO {
+            charged - returned * self.unloading()
+        } else {
+            // e = 0 gives nothing back: the contact ends where v_n turns.
+            -returned
+        }
+    }
+}
+
+/// Resolves the impact of all these contacts at once; contacts that part or rest take part if others press them.
+///
+/// One contact alone is resolved in closed form ([`resolve`]). `twists` and the contacts' impulses are changed;
+/// `spare` is working memory, one entry per body.
+pub fn strike_all<S: Scalar>(
+    struck: &mut [Struck<S>],
+    mobilities: &[Mobility<S>],
+    twists: &mut [Twist<S>],
+    spare: &mut [Twist<S>],
+) -> Outcome {
+    let mut fastest = S::ZERO;
+    for s in struck.iter_mut() {
+        s.before = s.contact.relative(twists);
+        (s.contact.impulse, s.stored) = (vec3::zero(), S::ZERO);
+        fastest = fastest.max(-s.before[0]);
+    }
+    if let [only] = struck {
+        strike_one(only, mobilities, twists);
+        return Outcome { pieces: 1, complete: true };
+    }
+    let closing = S::from_f64(64.0) * S::EPSILON * fastest;
+    for number in 0..PIECES {
+        let Some(length) = piece_length(struck, closing) else {
+            return Outcome { pieces: number, complete: true };
+        };
+        let length = shorten(struck, mobilities, twists, spare, length, closing);
+        try_piece(struck, mobilities, twists, spare, length, closing);
+        accept(struck, twists, spare);
+    }
+    // Whether or not the sweeps were enough: the impact was cut short.
+    let _ = stop(struck, mobilities, twists);
+    Outcome { pieces: PIECES, complete: false }
+}
+
+fn strike_one<S: Scalar>(only: &mut Struck<S>, mobilities: &[Mobility<S>], twists: &mut [Twist<S>]) {
+    let contact = &mut only.contact;
+    let impact = resolve(&Touch {
+        inverse_mass: only.inverse_mass,
+        velocity: only.before,
+        friction: contact.friction,
+        restitution: contact.restitution,
+    });
+    contact.impulse = impact.impulse;
+    contact.push(mobilities, twists, impact.impulse);
+}
+
+/// The length of the next piece; None when nothing presses any more.
+fn piece_length<S: Scalar>(struck: &[Struck<S>], closing: S) -> Option<S> {
+    let mut sum = S::ZERO;
+    for s in struck.iter().filter(|s| s.active(closing)) {
+        let unloads = s.before[0] > S::ZERO && s.contact.restitution > S::from_f64(SOFTEST);
+        sum = sum + s.inverse_mass[0][0] * if unloads { s.unloading() } else { S::ONE };
+    }
+    (sum > S::ZERO).then(|| S::from_f64(PIECE) / sum.sqrt())
+}
+
+/// The piece up to the place where the first contact has given back all it may.
+fn shorten<S: Scalar>(
+    struck: &mut [Struck<S>],
+    mobilities: &[Mobility<S>],
+    twists: &[Twist<S>],
+    spare: &mut [Twist<S>],
+    length: S,
+    closing: S,
+) -> S {
+    let mut least = |tau: S| {
+        try_piece(struck, mobilities, twists, spare, tau, closing);
+        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.trial))
+    };
+    if least(length) >= S::ZERO {
+        return length;
+    }
+    // At length 0 nothing has been given back.
+    let guard = |tau: S| if tau > S::ZERO { least(tau) } else { S::ZERO };
+    match locate(guard, S::ZERO, length, S::EPSILON * length) {
+        Ok((_, beyond)) => beyond,
+        Err(_) => length,
+    }
+}
+
+/// A piece of this length: impulses, velocities after it in `spare`, stored energies after it.
+fn try_piece<S: Scalar>(
+    struck: &mut [Struck<S>],
+    mobilities: &[Mobility<S>],
+    twists: &[Twist<S>],
+    spare: &mut [Twist<S>],
+    length: S,
+    closing: S,
+) {
+    spare.copy_from_slice(twists);
+    for s in struck.iter_mut() {
+        s.piece = [s.press(length, closing), S::ZERO, S::ZERO];
+        s.contact.push(mobilities, spare, s.piece);
+    }
+    rub(struck, mobilities, spare);
+    for s in struck.iter_mut() {
+        s.trial = s.charge(s.contact.relative(spare)[0]);
+    }
+}
+
+/// Takes the piece: contacts that have given back what they may are out of it.
+fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &[Twist<S>]) {
+    twists.copy_from_slice(spare);
+    // What rounding leaves of a contact that ended with another one, alike, is no energy.
+    let rounding = S::from_f64(256.0) * S::EPSILON;
+    for s in struck.iter_mut() {
+        let ended = s.trial <= rounding * s.stored;
+        s.stored = if ended { S::ZERO } else { s.trial };
+        s.contact.impulse = vec3::add(s.contact.impulse, s.piece);
+        s.before = s.contact.relative(twists);
+    }
+}
+
+/// Friction of a piece: against the slip at its end, in the cone of its normal impulse; by Gauss and Seidel's method.
+fn rub<S: Scalar>(struck: &mut [Struck<S>], mobilities: &[Mobility<S>], twists: &mut [Twist<S>]) {
+    let presses = |s: &Struck<S>| s.contact.friction > S::ZERO && s.piece[0] > S::ZERO;
+    if !struck.iter().any(presses) {
+        return;
+    }
+    for _ in 0..RUBS {
+        let mut moved = S::ZERO;
+        for s in struck.iter_mut().filter(|s| presses(s)) {
+            let radius = s.contact.friction * s.piece[0];
+            let [_, x, y] = s.contact.relative(twists);
+            let next = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
+            let change = [S::ZERO, next[0] - s.piece[1], next[1] - s.piece[2]];
+            (s.piece[1], s.piece[2]) = (next[0], next[1]);
+            s.contact.push(mobilities, twists, change);
+            moved = moved.max((change[1].abs() + change[2].abs()) / radius);
+        }
+        if moved <= S::from_f64(16.0) * S::EPSILON {
+            break;
+        }
+    }
+    // Should the sweeps have stopped short, no more is rubbed than takes energy out.
+    let work = |s: &Struck<S>| {
+        let [_, x, y] = s.contact.relative(twists);
+        let half = S::from_f64(0.5);
+        half * (s.piece[1] * (x + s.before[1]) + s.piece[2] * (y + s.before[2]))
+    };
+    if struck.iter().fold(S::ZERO, |sum, s| sum + work(s)) > S::ZERO {
+        for s in struck.iter_mut().filter(|s| presses(s)) {
+            let back = [S::ZERO, -s.piece[1], -s.piece[2]];
+            s.contact.push(mobilities, twists, back);
+            (s.piece[1], s.piece[2]) = (S::ZERO, S::ZERO);
+        }
+    }
+}
+
+/// One contact's friction for the slip that is left at the end: to rest, or on the rim of the disc towards it.
+pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
+    let [x, y] = solve_tangential(k, slip);
+    let rest = [at[0] - x, at[1] - y];
+    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
+        return rest;
+    }
+    // Projected gradient, its step the inverse of the larger eigenvalue's bound.
+    let step = S::ONE / (k[1][1] + k[2][2]).max(S::EPSILON);
+    onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
+}
+
+/// Takes out what approach is left, without friction: normal impulses J >= 0 with J v_n = 0.
+///
+/// Every turn lowers the kinetic energy, so that stopping early creates none. False: the sweeps were not enough.
+pub fn stop<S: Scalar>(
+    struck: &mut [Struck<S>],
+    mobilities: &[Mobility<S>],
+    twists: &mut [Twist<S>],
+) -> bool {
+    let mut settled = false;
+    for s in struck.iter_mut() {
+        s.piece = vec3::zero();
+    }
+    for _ in 0..SWEEPS {
+        let (mut moved, mut largest) = (S::ZERO, S::ZERO);
+        for s in struck.iter_mut() {
+            let yields = s.inverse_mass[0][0];
+            if yields > S::ZERO {
+                let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
+                let change = next - s.piece[0];
+                s.piece[0] = next;
+                s.contact.push(mobilities, twists, [change, S::ZERO, S::ZERO]);
+                (moved, largest) = (moved.max(change.abs()), largest.max(next));
+            }
+        }
+        settled = moved <= S::from_f64(4.0) * S::EPSILON * largest;
+        if settled {
+            break;
+        }
+    }
+    for s in struck.iter_mut() {
+        s.contact.impulse[0] = s.contact.impulse[0] + s.piece[0];
+    }
+    settled
+}
+
+/// Impact by energy compensation: e = 0 first, whose loss Q comes back along the same impulses, a share `eta` of it.
+///
+/// ```text
+/// J0: as `stop`;  u = M^-1 W' J0;  A = u.M u/2;  b = u.M v;  A lambda^2 + b lambda = eta Q;  J = (1 + lambda) J0 >= 0
+/// ```
+/// Friction acts afterwards within mu J and takes energy only.
+pub fn compensate_all<S: Scalar>(
+    struck: &mut [Struck<S>],
+    eta: S,
+    mobilities: &[Mobility<S>],
+    twists: &mut [Twist<S>],
+) -> Outcome {
+    for s in struck.iter_mut() {
+        s.contact.impulse = vec3::zero();
+        s.before = s.contact.relative(twists);
+    }
+    let settled = stop(struck, mobilities, twists);
+    let half = S::from_f64(0.5);
+    // u = change by J0: J0 . W u = 2 A, J0 . W v+ = b (0 but for rounding), Q = -(J0 . W v- + A) .
+    let (mut work, mut change) = (S::ZERO, S::ZERO);
+    for s in struck.iter() {
+        let (j, after) = (s.contact.impulse[0], s.contact.relative(twists)[0]);
+        (work, change) = (work + j * after, change + j * (after - s.before[0]));
+    }
+    let (a, b) = (half * change, work);
+    let loss = (a - b).max(S::ZERO);
+    if a > S::ZERO {
+        let share = eta * loss;
+        let root = b + (b * b + S::from_f64(4.0) * a * share).max(S::ZERO).sqrt();
+        let lambda = if root > S::ZERO { S::from_f64(2.0) * share / root } else { S::ZERO };
+        for s in struck.iter_mut() {
+            let more = lambda * s.contact.impulse[0];
+            s.contact.impulse[0] = s.contact.impulse[0] + more;
+            s.contact.push(mobilities, twists, [more, S::ZERO, S::ZERO]);
+        }
+    }
+    let complete = rub_within(struck, mobilities, twists) && settled;
+    Outcome { pieces: 1, complete }
+}
+
+/// Friction within mu J of impulses already known, with what it takes to keep the bodies apart: each turn lowers the
+/// kinetic energy. False: the sweeps were not enough.
+fn rub_within<S: Scalar>(
+    struck: &mut [Struck<S>],
+    mobilities: &[Mobility<S>],
+    twists: &mut [Twist<S>],
+) -> bool {
+    for s in struck.iter_mut() {
+        s.piece = vec3::zero();
+        s.trial = s.contact.impulse[0];
+    }
+    let mut settled = false;
+    for _ in 0..SWEEPS {
+        let (mut moved, mut largest) = (S::ZERO, S::ZERO);
+        for s in struck.iter_mut() {
+            let before = s.piece;
+            let yields = s.inverse_mass[0][0];
+            if yields > S::ZERO {
+                let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
+                s.contact.push(mobilities, twists, [next - s.piece[0], S::ZERO, S::ZERO]);
+                s.piece[0] = next;
+            }
+            let radius = s.contact.friction * s.trial;
+            if radius > S::ZERO {
+                let [_, x, y] = s.contact.relative(twists);
+                let [x, y] = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
+                s.contact.push(mobilities, twists, [S::ZERO, x - s.piece[1], y - s.piece[2]]);
+                (s.piece[1], s.piece[2]) = (x, y);
+            }
+            moved = moved.max(vec3::norm(vec3::sub(s.piece, before)));
+            largest = largest.max(vec3::norm(s.piece));
+        }
+        settled = moved <= S::from_f64(16.0) * S::EPSILON * largest;
+        if settled {
+            break;
+        }
+    }
+    for s in struck.iter_mut() {
+        s.contact.impulse = vec3::add(s.contact.impulse, s.piece);
+    }
+    settled
+}

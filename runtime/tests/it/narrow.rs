@@ -1,0 +1,255 @@
+//! Features of pairs of rigid shapes: distances against other ways to find them, rates against finite differences.
+
+use crate::random::Random;
+use smartbed_runtime::rigid::narrow::{Feature, Placed, features};
+use smartbed_runtime::surface::{Capsule, Cuboid, Frame, Shape, Sphere, Surface};
+
+type Vector = [f64; 3];
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn sub(a: Vector, b: Vector) -> Vector {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn along(a: Vector, s: f64, b: Vector) -> Vector {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn unit(a: Vector) -> Vector {
+    a.map(|x| x / dot(a, a).sqrt())
+}
+
+fn turned(axes: [Vector; 3], axis: Vector, angle: f64) -> [Vector; 3] {
+    let (sin, cos) = angle.sin_cos();
+    axes.map(|a| along(along(a.map(|x| x * cos), sin, cross(axis, a)), (1.0 - cos) * dot(axis, a), axis))
+}
+
+fn random_frame(random: &mut Random, reach: f64) -> Frame<f64> {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    Frame {
+        origin: random.vector(reach),
+        axes: turned(axes, unit(random.vector(1.0)), random.between(0.0, 3.0)),
+        velocity: random.vector(1.0),
+        angular_velocity: random.vector(2.0),
+    }
+}
+
+/// The frame a time later, turning at a constant rate.
+fn later(frame: &Frame<f64>, t: f64) -> Frame<f64> {
+    let rate = dot(frame.angular_velocity, frame.angular_velocity).sqrt();
+    Frame {
+        origin: along(frame.origin, t, frame.velocity),
+        axes: turned(frame.axes, frame.angular_velocity.map(|x| x / rate), rate * t),
+        ..*frame
+    }
+}
+
+fn shapes() -> [Shape<f64>; 4] {
+    [
+        Shape::Sphere(Sphere { radius: 0.3 }),
+        Shape::Capsule(Capsule { radius: 0.2, half_length: 0.5 }),
+        Shape::Cuboid(Cuboid { half: [0.4, 0.3, 0.2] }),
+        Shape::HalfSpace,
+    ]
+}
+
+fn found(
+    one: (&Shape<f64>, &Frame<f64>),
+    other: (&Shape<f64>, &Frame<f64>),
+    margin: f64,
+) -> Vec<Feature<f64>> {
+    let placed = |(shape, frame)| Placed { shape, frame };
+    features(placed(one), placed(other), margin).iter().collect()
+}
+
+/// Smallest value of a convex function over [-1, 1], by thirds.
+fn least(f: &dyn Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (-1.0, 1.0);
+    for _ in 0..200 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if f(a) < f(b) { high = b } else { low = a }
+    }
+    f(0.5 * (low + high))
+}
+
+/// Distance from a ball or capsule to a shape: the least over the axis, of convex functions.
+fn distance(round: (&Shape<f64>, &Frame<f64>), other: (&Shape<f64>, &Frame<f64>)) -> f64 {
+    let (radius, half) = match round.0 {
+        Shape::Sphere(s) => (s.radius, 0.0),
+        Shape::Capsule(c) => (c.radius, c.half_length),
+        _ => unreachable!("round shapes only"),
+    };
+    let over = |s: f64| other.0.nearest(other.1.place(round.1.point([0.0, 0.0, s * half]))).gap;
+    least(&over) - radius
+}
+
+#[test]
+fn the_nearest_feature_of_a_round_shape_lies_at_the_distance() {
+    let mut random = Random::new(5);
+    let mut near = 0;
+    for _ in 0..20_000 {
+        let (one, other) = (random_frame(&mut random, 0.7), random_frame(&mut random, 0.7));
+        for round in &shapes()[..2] {
+            for shape in &shapes() {
+                let exact = distance((round, &one), (shape, &other));
+                // Deep inside a box its faces compete; a rigid contact is never there.
+                if exact < -0.15 {
+                    continue;
+                }
+                let list = found((round, &one), (shape, &other), 0.3);
+                let gap = list.iter().map(|f| f.gap).fold(f64::INFINITY, f64::min);
+                if exact < 0.3 {
+                    near += 1;
+                    assert!((gap - exact).abs() <= 1e-9, "{round:?} {shape:?}: {gap} {exact}");
+                } else {
+                    assert!(list.is_empty());
+                }
+                // The other way round: the same features with the opposite normals.
+                let back = found((shape, &other), (round, &one), 0.3);
+                let least = back.iter().map(|f| f.gap).fold(f64::INFINITY, f64::min);
+                assert!(least == gap || (least - gap).abs() <= 1e-12);
+            }
+        }
+    }
+    assert!(near > 20_000, "{near}");
+}
+
+#[test]
+fn features_move_as_their_rates_say() {
+    let mut random = Random::new(6);
+    let (mut compared, d) = ([0; 10], 1e-6);
+    for _ in 0..10_000 {
+        let (one, other) = (random_frame(&mut random, 0.6), random_frame(&mut random, 0.6));
+        let second = shapes();
+        for (i, a) in shapes().iter().enumerate() {
+            for (j, b) in second.iter().enumerate().skip(i) {
+                if i == 3 || (i == 2 && j == 2) {
+                    continue;
+                }
+                let at = |t: f64| found((a, &later(&one, t)), (b, &later(&other, t)), 0.1);
+                let (before, now, after) = (at(-d), at(0.0), at(d));
+                for feature in now {
+                    let same = |list: &[Feature<f64>]| list.iter().find(|f| f.id == feature.id).copied();
+                    let (Some(p), Some(q)) = (same(&before), same(&after)) else { continue };
+                    let half = 0.5 / d;
+                    let turned = sub(q.normal, p.normal).map(|x| x * half);
+                    // Jumps where the nearest part changes, and close to a core, are left out.
+                    let calm = feature.gap > -0.05 && dot(turned, turned) < 400.0;
+                    if !calm {
+                        continue;
+                    }
+                    compared[3 * i + j] += 1;
+                    let close = |x: Vector, y: Vector, what: &str| {
+                        let off = sub(x, y).iter().fold(0.0_f64, |m, e| m.max(e.abs()));
+                        assert!(off <= 1e-6, "{a:?} on {b:?}, {what}: {x:?} {y:?} {feature:?}");
+                    };
+                    close(turned, feature.normal_rate, "normal");
+                    let c = feature.point;
+                    let relative = sub(one.velocity_at(c), other.velocity_at(c));
+                    let rate = dot(relative, feature.normal);
+                    assert!(((q.gap - p.gap) * half - rate).abs() <= 1e-6, "{a:?} on {b:?}: {rate}");
+                    // The point of contact itself, where the shapes touch: here near enough to compare as it stands.
+                    close(sub(q.point, p.point).map(|x| x * half), feature.point_rate, "point");
+                }
+            }
+        }
+    }
+    // Pairs ball, capsule, box, half-space in turn: each but box on box, which has its own test.
+    for pair in [0, 1, 2, 3, 4, 5, 6, 9] {
+        assert!(compared[pair] > 500, "{compared:?}");
+    }
+}
+
+/// The corner of a box that lies farthest along a direction, measured along it.
+fn reach(half: Vector, frame: &Frame<f64>, way: Vector) -> f64 {
+    let corners = (0..8).map(|n| std::array::from_fn(|i| if n & (1 << i) == 0 { -half[i] } else { half[i] }));
+    corners.map(|c| dot(frame.point(c), way)).fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[test]
+fn boxes_touch_when_their_distance_is_nothing() {
+    let mut random = Random::new(7);
+    let halves = [[0.4, 0.3, 0.2], [0.25, 0.25, 0.25]];
+    let shapes = halves.map(|half| Shape::Cuboid(Cuboid { half }));
+    let (mut faces, mut edges) = (0, 0);
+    for _ in 0..300 {
+        let (one, mut other) = (random_frame(&mut random, 0.1), random_frame(&mut random, 0.1));
+        let way = unit(random.vector(1.0));
+        let least = |other: &Frame<f64>| {
+            let list = found((&shapes[0], &one), (&shapes[1], other), 1e-3);
+            list.iter().map(|f| f.gap).fold(1e-3, f64::min)
+        };
+        // From far away to the touch.
+        let (mut far, mut close) = (2.0, 0.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (far + close);
+            other.origin = along(one.origin, middle, way);
+            if least(&other) > 0.0 { far = middle } else { close = middle }
+        }
+        other.origin = along(one.origin, far, way);
+        let list = found((&shapes[0], &one), (&shapes[1], &other), 1e-9);
+        assert!(!list.is_empty());
+        // A plane lies between them, and the features lie on both: nothing else is a touch.
+        let n = list[0].normal;
+        let between = -reach(halves[0], &one, n.map(|x| -x)) - reach(halves[1], &other, n);
+        assert!(between.abs() <= 1e-9, "{between}");
+        for f in &list {
+            assert!(dot(f.normal, sub(one.origin, other.origin)) > 0.0, "from the other to the one");
+            for (shape, frame) in [(&shapes[0], &one), (&shapes[1], &other)] {
+                assert!(shape.nearest(frame.place(f.point)).gap.abs() <= 1e-6, "on both: {f:?}");
+            }
+            if f.id >= 64 { edges += 1 } else { faces += 1 }
+        }
+    }
+    assert!(faces > 30 && edges > 30, "{faces} {edges}");
+}
+
+#[test]
+fn a_face_on_a_face_touches_in_the_corners_of_what_they_share() {
+    let level = Frame::inertial();
+    let cube = Shape::Cuboid(Cuboid { half: [0.5, 0.5, 0.5] });
+    let at = |origin: Vector, angle: f64| Frame {
+        origin,
+        axes: turned(level.axes, [0.0, 0.0, 1.0], angle),
+        ..level
+    };
+    let corners = |frame: &Frame<f64>, shape: &Shape<f64>| found((shape, frame), (&cube, &level), 1e-9);
+    // Flush: four. Shifted: four, at the corners of the overlap. Turned by 45 degrees: an octagon. Small on large: four.
+    for (origin, angle, wanted) in [
+        ([0.0, 0.0, 1.0], 0.0, 4),
+        ([0.3, 0.2, 1.0], 0.0, 4),
+        ([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_4, 8),
+        ([0.4, 0.0, 1.0], 0.3, 6),
+    ] {
+        let list = corners(&at(origin, angle), &cube);
+        assert_eq!(list.len(), wanted, "{origin:?}, {angle}: {list:?}");
+        for f in &list {
+            assert!(f.gap.abs() <= 1e-12 && sub(f.normal, [0.0, 0.0, 1.0]).iter().all(|x| x.abs() < 1e-12));
+            assert!(f.point[0].abs() <= 0.5 + 1e-12 && f.point[1].abs() <= 0.5 + 1e-12);
+        }
+    }
+    let small = Shape::Cuboid(Cuboid { half: [0.1, 0.1, 0.2] });
+    assert_eq!(corners(&at([0.2, 0.0, 0.7], 0.4), &small).len(), 4);
+    // A box on the ground, and a rod lying on it.
+    let ground = |shape: &Shape<f64>, z: f64, axes: [Vector; 3]| {
+        let frame = Frame { origin: [0.0, 0.0, z], axes, ..level };
+        found((shape, &frame), (&Shape::HalfSpace, &level), 1e-9).len()
+    };
+    assert_eq!(ground(&cube, 0.5, level.axes), 4);
+    let rod = Shape::Capsule(Capsule { radius: 0.1, half_length: 0.4 });
+    assert_eq!(ground(&rod, 0.1, turned(level.axes, [0.0, 1.0, 0.0], std::f64::consts::FRAC_PI_2)), 2);
+    assert_eq!(ground(&rod, 0.5, level.axes), 1);
+    // Two rods side by side: a line, two points; two ends that meet: one.
+    let beside = at([0.2, 0.0, 0.2], 0.0);
+    assert_eq!(found((&rod, &beside), (&rod, &level), 1e-9).len(), 2);
+    let above = at([0.0, 0.0, 1.0], 0.0);
+    assert_eq!(found((&rod, &above), (&rod, &level), 1e-9).len(), 1);
+    assert_eq!(found((&Shape::HalfSpace, &level), (&Shape::HalfSpace, &above), 1.0).len(), 0);
+}
