@@ -38,6 +38,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     } else {
         // A scene has no mechanism: deriving one would be most of the time that its image takes.
         derive(out)?;
+        if env::var_os("CARGO_FEATURE_PLANT").is_some() {
+            derive_plant();
+        }
     }
 
     let inject = option("SMARTBED_INJECT", "");
@@ -73,6 +76,27 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
     let mechanism = smartbed_codegen::build(model, &options);
     fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
     Ok(())
+}
+
+/// The tile that the controller is tried on: `tile` with the numbers of `tile_drive`, whose drives are the plant's own
+/// code. On the host in double precision too.
+fn derive_plant() {
+    let numbers =
+        [("R", 0.09), ("M", 3.0), ("Ix", 0.012), ("Iy", 0.016), ("Iz", 0.026), ("mc", 0.3), ("c", 0.0)];
+    let gear = std::f64::consts::TAU * 30.0 / 0.004;
+    let more = [("mr", 2e-6 * gear * gear), ("z_payload", 0.13)];
+    let host = env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os != "none");
+    for (file_name, scalar) in [("plant_f32", ScalarType::F32), ("plant_f64", ScalarType::F64)] {
+        if scalar == ScalarType::F64 && !host {
+            continue;
+        }
+        let mut options = Options { file_name: Some(file_name.to_owned()), ..Options::default() };
+        options.emit.scalar = scalar;
+        options.parameters.keep =
+            ["m_payload", "x_payload", "y_payload", "z_payload", "Fz"].map(str::to_owned).into();
+        options.parameters.values = numbers.into_iter().chain(more).map(|(n, v)| (n.to_owned(), v)).collect();
+        smartbed_codegen::build(MODEL, &options);
+    }
 }
 
 /// The same name for the equations of every model.

@@ -30,5 +30,11 @@ pub mod link;
 pub mod simulation;
 pub mod tile;
 
+pub mod node;
+pub mod supervisor;
+
+#[cfg(all(feature = "plant", not(feature = "scene")))]
+pub mod plant;
+
 /// Number of steps of the demonstration that the image runs.
 pub const STEPS: u32 = include!(concat!(env!("OUT_DIR"), "/steps.rs"));

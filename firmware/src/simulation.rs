@@ -47,7 +47,8 @@ const fn leg(height: &str, rate: &str, force: &str) -> Option<Leg> {
 }
 
 /// Where `name` stands among `names`.
-const fn position(names: &[&str], name: &str) -> Option<usize> {
+#[must_use]
+pub const fn position(names: &[&str], name: &str) -> Option<usize> {
     let mut i = 0;
     while i < names.len() {
         if equal(names[i].as_bytes(), name.as_bytes()) {

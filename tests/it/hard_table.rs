@@ -16,6 +16,7 @@ pub fn folder(package: &str, program: &str) -> Option<PathBuf> {
         ("smartbed-codegen", "it") => "codegen/tests/it",
         ("smartbed-runtime", "it") => "runtime/tests/it",
         ("smartbed-tests", "it") => "tests/it",
+        ("smartbed-firmware", "it") => "firmware/tests/it",
         ("smartbed", "command") => "host/tests/command",
         ("smartbed", "fuzz") => "host/tests/fuzz",
         _ => return None,

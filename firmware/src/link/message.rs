@@ -178,7 +178,7 @@ pub struct State {
     pub pressure: f32,
     /// What the bladder carries (kg).
     pub load: f32,
-    /// Bits: drives enabled, supply valve open, vent open, homed.
+    /// Bits: drives enabled, supply valve open, vent open, homed, motion allowed.
     pub flags: u8,
 }
 

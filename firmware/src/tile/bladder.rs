@@ -40,8 +40,9 @@ pub struct Bladder {
     since: u32,
     /// Pressure when the valves were last switched, or when the last look began.
     began: f32,
-    /// Looks in a row in which the pressure rose (positive) or fell.
+    /// Looks in a row in which the pressure rose (positive) or fell, or openings in a row soon after a valve was shut.
     drift: i8,
+    is_still: bool,
 }
 
 impl Bladder {
@@ -66,16 +67,27 @@ impl Bladder {
     }
 
     fn switch(&mut self, next: Valves, pressure: f32) {
-        if next != self.valves {
-            *self = Self { valves: next, began: pressure, ..Self::default() };
+        if next == self.valves {
+            return;
         }
+        // Opened the same way again and again, soon after it was shut: the other valve is open, or this one leaks.
+        let soon = self.valves == Valves::Shut && self.since < LOOK && self.is_still;
+        let drift = match next {
+            Valves::Shut => self.drift,
+            Valves::Vent if soon => self.drift.max(0) + 1,
+            Valves::Supply if soon => self.drift.min(0) - 1,
+            Valves::Vent | Valves::Supply => 0,
+        };
+        let drift = drift.clamp(-LOOKS, LOOKS);
+        *self = Self { valves: next, began: pressure, since: 0, drift, is_still: self.is_still };
     }
 
     /// Takes the pressure of this tick; what the valves' behaviour shows. `is_still`: the tile does not move, which would
     /// change the pressure too.
     pub fn watch(&mut self, pressure: f32, is_still: bool) -> Faults {
         let mut faults = Faults::default();
-        self.since += 1;
+        self.since = self.since.saturating_add(1);
+        self.is_still = is_still;
         let change = pressure - self.began;
         match self.valves {
             Valves::Shut if self.since >= LOOK => {
@@ -88,7 +100,7 @@ impl Bladder {
                 self.drift = self.drift.clamp(-LOOKS, LOOKS);
                 (self.since, self.began) = (0, pressure);
             }
-            Valves::Shut => (),
+            Valves::Shut => faults.set(Fault::ValveOpen, self.drift.abs() >= LOOKS),
             // An empty bladder does not fall any further.
             Valves::Vent if pressure < LEAK => self.restart(pressure),
             Valves::Supply | Valves::Vent if self.since >= PATIENCE => {
@@ -129,6 +141,18 @@ mod tests {
         assert!(faults(3, 0.0, Some(4000.0)).has(Fault::ValveShut), "it does not rise");
         assert!(faults(3, 0.0, Some(2000.0)).has(Fault::ValveShut), "it does not fall");
         assert!(faults(10, 500.0, Some(8000.0)).is_empty(), "it rises as it should");
+    }
+
+    #[test]
+    fn a_valve_that_works_against_an_open_one_is_seen() {
+        let (mut bladder, mut pressure, mut faults) = (Bladder::default(), 4000.0, Faults::default());
+        for _ in 0..3000 {
+            let valves = bladder.regulate(Some(4000.0), pressure);
+            faults = faults.with(bladder.watch(pressure, true));
+            // The supply stands open (0.3 kPa/s); the vent lets out far more.
+            pressure += if valves == Valves::Vent { -10.0 } else { 0.3 };
+        }
+        assert!(faults.has(Fault::ValveOpen));
     }
 
     #[test]

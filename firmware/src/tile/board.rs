@@ -50,8 +50,6 @@ pub struct Readings {
 /// The same in SI units.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Measured {
-    /// Heights by encoder, from where it started (m).
-    pub turned: [f32; 3],
     /// Heights by displacement sensor (m).
     pub displaced: [f32; 3],
     /// Pressures over ambient (Pa).
@@ -63,12 +61,26 @@ pub struct Measured {
 }
 
 impl Readings {
-    /// In SI units; `gear` is the angle of a motor per height (rad/m).
+    /// A tile at rest in the middle, nothing wrong, the bladder empty.
     #[must_use]
-    pub fn measure(&self, gear: f32) -> Measured {
-        let per_count = core::f32::consts::TAU / (COUNTS * gear);
+    pub const fn at_rest() -> Self {
+        Self {
+            encoder: [0; 3],
+            displacement: [2048; 3],
+            low_closed: [true; 3],
+            high_closed: [true; 3],
+            pressure: [NO_PRESSURE as u16; 2],
+            current: [2048; 3],
+            supply: 2400,
+            drive_fault: [false; 3],
+            overrun: false,
+        }
+    }
+
+    /// In SI units, but the encoders: what they have counted is [`super::sense`]'s.
+    #[must_use]
+    pub fn measure(&self) -> Measured {
         Measured {
-            turned: self.encoder.map(|n| n as f32 * per_count),
             displaced: self.displacement.map(|n| (i32::from(n) - 2048) as f32 * DISPLACEMENT),
             pressure: self.pressure.map(|n| (i32::from(n) - NO_PRESSURE) as f32 * PRESSURE),
             current: self.current.map(|n| (i32::from(n) - 2048) as f32 * CURRENT),
@@ -88,6 +100,8 @@ pub struct Outputs {
     pub supply: bool,
     /// Is the vent open?
     pub vent: bool,
+    /// Does the duty go out although the drives are disabled? Only the test of ENABLE at start asks for it.
+    pub test: bool,
 }
 
 /// Reads the hardware.
@@ -120,7 +134,7 @@ impl<P: SetDutyCycle, E: OutputPin> Actuators for Lines<P, E> {
         // Power goes off before anything else is tried, and on after everything else is set.
         let mut done = outputs.enable || self.enable.set_low().is_ok();
         for ((up, down), duty) in self.drives.iter_mut().zip(outputs.duty) {
-            let wanted = if outputs.enable { duty } else { 0.0 };
+            let wanted = if outputs.enable || outputs.test { duty } else { 0.0 };
             done &= set_duty(up, wanted) && set_duty(down, -wanted);
         }
         done &= self.supply.set_state(outputs.supply.into()).is_ok();

@@ -25,6 +25,10 @@ pub const FLATTEN_FACTOR: f32 = 2.0;
 pub const UNHOMED_FACTOR: f32 = 0.5;
 /// Speed at which the switches are sought (m/s).
 pub const SEEK_SPEED: f32 = 5e-4;
+/// Height below the middle from which they are sought (m).
+pub const SEEK_START: f32 = 0.0285;
+/// A switch may open so far from its place (m): play, and the error of the displacement sensor.
+pub const SWITCH_PLAY: f32 = 1e-3;
 /// Way back from an obstruction (m).
 pub const RETREAT: f32 = 5e-3;
 
@@ -34,6 +38,10 @@ pub const DISAGREEMENT: f32 = 5e-4;
 pub const FOLLOWING: f32 = 5e-4;
 /// A leg at rest may creep by so much (m).
 pub const CREEP: f32 = 3e-4;
+/// A leg may be so much faster or slower than its command (m/s).
+pub const RUNAWAY_SPEED: f32 = 3.5e-3;
+/// No leg can be faster (m/s): the encoder is wrong.
+pub const FASTEST: f32 = 2e-2;
 /// A leg has arrived at this distance (m).
 pub const ARRIVED: f32 = 1e-5;
 /// And stops with a fault at this one, if it gets no closer in [`SETTLING`].
@@ -43,6 +51,8 @@ pub const SETTLING: u32 = 400;
 
 /// Rise of a motor's current over what the motion took so far that is an obstruction (A): some 90 N.
 pub const CURRENT_RISE: f32 = 0.15;
+/// Fall of the current of a leg that goes down that is an obstruction too (A): what is in the way carries the load.
+pub const CURRENT_FALL: f32 = 0.04;
 /// Most current of a motor (A).
 pub const CURRENT: f32 = 1.2;
 /// Current that may show while drives are disabled (A).
@@ -52,8 +62,14 @@ pub const SUPPLY: (f32, f32) = (18.0, 30.0);
 
 /// Weight that the legs carry without a patient (N): platform and connectors.
 pub const OWN_WEIGHT: f32 = 6.3 * 9.81;
+/// Working load (kg).
+pub const PAYLOAD: f32 = 30.0;
 /// Most weight with a patient (N): 30 kg more, and a third for what friction hides.
 pub const MOST_WEIGHT: f32 = (6.3 + 40.0) * 9.81;
+/// Half the sides of a tile along x and y (m): four in a row of 0.9 m, seven in 2 m.
+pub const HALF_SIDES: (f32, f32) = (0.1125, 0.142_857);
+/// Largest step between the edges of neighbours (m).
+pub const STEP_LIMIT: f32 = 0.02;
 /// Area of the bladder (m^2): pitch 285.7 mm x 225 mm.
 pub const AREA: f32 = 0.0643;
 /// Standard gravity (m/s^2).
@@ -61,7 +77,7 @@ pub const GRAVITY: f32 = 9.81;
 /// Highest pressure over ambient that may be commanded (Pa): 80 mmHg.
 pub const PRESSURE: f32 = 10_666.0;
 /// That is a fault (Pa).
-pub const OVERPRESSURE: f32 = 12e3;
+pub const OVERPRESSURE: f32 = 11.5e3;
 /// The two pressures may differ by so much (Pa), and this share of either.
 pub const PRESSURE_DISAGREEMENT: (f32, f32) = (150.0, 0.08);
 /// Largest offset of a sound sensor: height (m), pressure (Pa).

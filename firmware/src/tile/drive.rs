@@ -50,6 +50,8 @@ pub const DRIVE: Drive<f32> = Drive {
     supply: 24.0,
 };
 
+/// A slower screw shows no thrust (m/s).
+pub const SLOWEST: f32 = 2e-4;
 /// Range of friction in the thread over wear, grease and temperature.
 pub const SCREW_FRICTION: (f32, f32) = (0.10, 0.20);
 /// Range of friction in the worm.
@@ -127,7 +129,6 @@ impl Drive<f32> {
     /// none at rest, where a locked screw shows nothing.
     #[must_use]
     pub fn thrust(self, current: f32, speed: f32) -> Option<(f32, f32)> {
-        const SLOWEST: f32 = 2e-4;
         if Real::abs(speed) < SLOWEST {
             return None;
         }

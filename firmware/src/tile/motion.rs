@@ -10,6 +10,9 @@ use crate::command::Pose;
 use crate::link::message::Refusal;
 use smartbed_runtime::real::Real;
 
+/// A leg that goes less far does not count as moving (m).
+const SHORT: f32 = 2e-6;
+
 /// Heights of the legs (m).
 pub type Heights = [f32; 3];
 
@@ -76,6 +79,22 @@ impl Motion {
             };
         }
         wanted
+    }
+
+    /// Direction of each leg: 1 up, -1 down, 0 if it hardly moves.
+    #[must_use]
+    pub fn sign(&self) -> [f32; 3] {
+        difference(self.to, self.from).map(|way| match () {
+            () if way > SHORT => 1.0,
+            () if way < -SHORT => -1.0,
+            () => 0.0,
+        })
+    }
+
+    /// Where it ends.
+    #[must_use]
+    pub fn end(&self) -> Heights {
+        self.to
     }
 
     /// Goes on by a tick; returns how many ticks ago the end was reached, if it was.

@@ -73,7 +73,7 @@ fn word(bytes: &[u8]) -> Option<(u32, &[u8])> {
 }
 
 /// Two pages of a flash.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Store<F> {
     flash: F,
     /// Where each copy's page begins.

@@ -206,7 +206,12 @@ fn build(
 ) -> Result<Command, Failure> {
     let mut cargo = toolchain.cargo();
     cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", settings.program()]);
-    cargo.args(["--profile", "firmware", "--target-dir"]).arg(folder).current_dir(workspace);
+    // Neither program simulates the controller's tile: it need not be derived.
+    cargo
+        .arg("--no-default-features")
+        .args(["--profile", "firmware", "--target-dir"])
+        .arg(folder)
+        .current_dir(workspace);
     settings.export(&mut cargo, folder)?;
     Ok(cargo)
 }

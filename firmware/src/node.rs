@@ -1,0 +1,244 @@
+//! A tile as its bus sees it: link, controller and store in one call a millisecond.
+//!
+//! In: bodies of frames, readings. Out: what the board is to set, and bodies of reports.
+//! Order of a tick: at most one body is taken; a command that is due, that one or one that waited, goes to the controller;
+//! what became of it is answered; then log and telemetry. Nothing is sent before a vouched command has come, but answers.
+
+use crate::link::clock::Clock;
+use crate::link::frame::Body;
+use crate::link::log::Log;
+use crate::link::message::{Command, Event, Outcome, Refusal, Report, Trim, VERSION, write};
+use crate::link::session::{Accepted, Session};
+use crate::link::tag::Key;
+use crate::tile::board::{Outputs, Readings};
+use crate::tile::controller::Controller;
+use crate::tile::fault::{Fault, Faults};
+use crate::tile::store::{Record, Store};
+use embedded_storage::nor_flash::NorFlash;
+use heapless::{Deque, Vec};
+
+/// Bodies that wait to be taken: a tick brings two at most.
+const INBOX: usize = 4;
+/// Commands that wait for their tick.
+const WAITING: usize = 8;
+/// Reports that wait to be sent.
+const OUTBOX: usize = 8;
+/// The state is reported so often while a supervisor is there (ticks).
+const TELEMETRY: u32 = 100;
+
+/// A tile on its bus.
+#[derive(Clone, Debug)]
+pub struct Node<F> {
+    session: Session,
+    controller: Controller,
+    store: Store<F>,
+    record: Option<Record>,
+    clock: Clock,
+    /// Did the clocks run apart in this tick?
+    is_apart: bool,
+    log: Log,
+    /// The next entry that was asked for.
+    asked: Option<u32>,
+    inbox: Deque<Body, INBOX>,
+    waiting: Vec<Accepted, WAITING>,
+    outbox: Deque<Body, OUTBOX>,
+    /// The tile's time (ms).
+    now: u32,
+    sequence: u32,
+    lost: u32,
+}
+
+impl<F: NorFlash> Node<F> {
+    /// A life of a tile of this number: the boot is counted and stored first. `reason` goes into the log.
+    #[must_use]
+    pub fn new(tile: u8, mut store: Store<F>, reason: u8) -> Self {
+        let record = store.start();
+        let key = Key::new(record.map_or([0; 16], |r| r.key));
+        let mut log = Log::default();
+        log.add(0, Event::Started(reason));
+        Self {
+            session: Session::new(tile, record.map(|r| r.boot), key),
+            controller: Controller::new(record.map(|r| r.trim)),
+            store,
+            record,
+            clock: Clock::default(),
+            is_apart: false,
+            log,
+            asked: None,
+            inbox: Deque::new(),
+            waiting: Vec::new(),
+            outbox: Deque::new(),
+            now: 0,
+            sequence: 0,
+            lost: 0,
+        }
+    }
+
+    /// Hands over a body that has come; false if too many wait.
+    pub fn deliver(&mut self, body: Body) -> bool {
+        self.inbox.push_back(body).is_ok()
+    }
+
+    /// A body to be sent.
+    pub fn collect(&mut self) -> Option<Body> {
+        self.outbox.pop_front()
+    }
+
+    /// Tells how many frames were lost so far, for who asks.
+    pub fn count_lost(&mut self, lost: u32) {
+        self.lost = lost;
+    }
+
+    /// The controller.
+    #[must_use]
+    pub fn controller(&self) -> &Controller {
+        &self.controller
+    }
+
+    /// The controller, to break something in it.
+    pub fn controller_mut(&mut self) -> &mut Controller {
+        &mut self.controller
+    }
+
+    /// The tile's time (ms).
+    #[must_use]
+    pub fn now(&self) -> u32 {
+        self.now
+    }
+
+    /// One millisecond; returns what the board is to set.
+    pub fn tick(&mut self, readings: &Readings) -> &Outputs {
+        self.now = self.now.wrapping_add(1);
+        let accepted = self.accept().or_else(|| self.due());
+        let outside = self.outside();
+        let before = self.controller.mode();
+        let command = accepted.as_ref().map(|a| &a.command);
+        let (new, outcome) = self.controller.tick(readings, outside, command);
+        if !new.is_empty() {
+            self.log.add(self.now, Event::Faults(new.bits()));
+        }
+        if let (Some(accepted), Some(outcome)) = (accepted, outcome) {
+            self.finish(&accepted, outcome);
+        }
+        let after = self.controller.mode();
+        if after != before {
+            self.log.add(self.now, Event::Mode(after as u8));
+        }
+        self.tell();
+        self.controller.outputs()
+    }
+
+    /// Takes a body; a command that is due now, if it holds one.
+    fn accept(&mut self) -> Option<Accepted> {
+        let body = self.inbox.pop_front()?;
+        let accepted = match self.session.accept(&body, self.now) {
+            Ok(accepted) => accepted?,
+            Err((sequence, why)) => {
+                self.refuse(sequence, why);
+                return None;
+            }
+        };
+        let Accepted { sequence, due, command } = accepted;
+        match command {
+            Command::Beat(theirs) => {
+                self.is_apart = !self.clock.take(theirs, self.now);
+                return None;
+            }
+            Command::Log(first) => self.asked = Some(first),
+            Command::Status => self.send(&Report::State(self.controller.state())),
+            Command::Identify => {
+                let entries = self.log.next();
+                self.send(&Report::Identity(VERSION, entries, self.lost, self.session.refused()));
+            }
+            // Whatever waits was ordered before the stop.
+            Command::Stop => {
+                self.waiting.clear();
+                return Some(accepted);
+            }
+            _ if is_later(due, self.now) => match self.waiting.push(accepted) {
+                Ok(()) => self.send(&Report::Answer(sequence, Outcome::Waits)),
+                Err(_) => self.refuse(sequence, Refusal::Full),
+            },
+            _ => return Some(accepted),
+        }
+        None
+    }
+
+    /// The first command that waited for this tick.
+    fn due(&mut self) -> Option<Accepted> {
+        let place = self.waiting.iter().position(|a| !is_later(a.due, self.now))?;
+        Some(self.waiting.remove(place))
+    }
+
+    /// What the link finds wrong.
+    fn outside(&mut self) -> Faults {
+        let mut outside = Faults::default();
+        let is_silent = self.session.is_silent(self.now);
+        if is_silent {
+            self.clock.forget();
+        }
+        outside.set(Fault::Silence, is_silent);
+        outside.set(Fault::Clock, core::mem::take(&mut self.is_apart));
+        outside.set(Fault::Storage, self.record.is_none());
+        outside
+    }
+
+    /// Stores what a command asked to be stored, answers it, and writes it down.
+    fn finish(&mut self, accepted: &Accepted, outcome: Outcome) {
+        let outcome = match (accepted.command, outcome) {
+            (Command::Calibrate(trim), Outcome::Done) if !self.keep(trim) => {
+                Outcome::Refused(Refusal::Storage)
+            }
+            (Command::Clear(bits), Outcome::Done) => {
+                self.log.add(self.now, Event::Cleared(Faults::from_bits(bits).bits()));
+                outcome
+            }
+            _ => outcome,
+        };
+        match outcome {
+            Outcome::Refused(why) => self.refuse(accepted.sequence, why),
+            _ => self.send(&Report::Answer(accepted.sequence, outcome)),
+        }
+    }
+
+    /// Stores a calibration; drives are off, the controller has seen to it.
+    fn keep(&mut self, trim: Trim) -> bool {
+        let Some(record) = self.record.map(|record| Record { trim, ..record }) else { return false };
+        let is_stored = self.store.save(&record).is_ok();
+        self.record = is_stored.then_some(record);
+        is_stored
+    }
+
+    /// Entries that were asked for, and the state from time to time.
+    fn tell(&mut self) {
+        let has_room = self.outbox.len() + 2 < OUTBOX;
+        if let Some(number) = self.asked.filter(|_| has_room) {
+            self.asked = self.log.from(number).map(|(number, tick, event)| {
+                self.send(&Report::Entry(number, tick, event));
+                number.wrapping_add(1)
+            });
+        }
+        if has_room && self.now.is_multiple_of(TELEMETRY) && !self.session.is_silent(self.now) {
+            self.send(&Report::State(self.controller.state()));
+        }
+    }
+
+    fn refuse(&mut self, sequence: u32, why: Refusal) {
+        self.log.add(self.now, Event::Refused(sequence, why));
+        self.send(&Report::Answer(sequence, Outcome::Refused(why)));
+    }
+
+    /// Sends a report; one for which there is no room is left out.
+    fn send(&mut self, report: &Report) {
+        let header = self.session.header(self.sequence, self.now);
+        if let Some(body) = write(&header, report) {
+            self.sequence = self.sequence.wrapping_add(1);
+            let _ = self.outbox.push_back(body);
+        }
+    }
+}
+
+/// Is `tick` still to come? Ticks go round.
+fn is_later(tick: u32, now: u32) -> bool {
+    tick.wrapping_sub(now).cast_signed() > 0
+}

@@ -1,0 +1,341 @@
+//! The tile that the controller is tried on: mechanism, drives, bladder, sensors, and what can break of them.
+//!
+//! In: [`Outputs`]. Out: [`Readings`], a millisecond later. The controller sees nothing else of it.
+//! The mechanism's equations are derived from `models/tile.toml`; [`leg`] puts motor, worm and screw with their stiction
+//! under each leg, [`air`] a bladder with two valves on top, [`sensors`] reads it all as a board would,
+//! [`flash`] keeps what outlives the power.
+//! A motor seen on its screw is four tonnes and a leg's load some kilograms: a drive's speed is found for the load of the
+//! step before, the equations then give the load anew.
+
+pub mod air;
+pub mod flash;
+pub mod leg;
+pub mod sensors;
+
+use crate::simulation::position;
+use crate::tile::board::{Actuators, Outputs, Readings, Sensors};
+use crate::tile::drive::Drive;
+use air::Air;
+use sensors::Converters;
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+use smartbed_runtime::real::{Real, Scalar};
+
+/// The tile's equations with the mass of its drives, in single precision.
+#[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
+pub mod single {
+    include!(concat!(env!("OUT_DIR"), "/plant_f32.rs"));
+}
+
+/// The same in double precision.
+#[cfg(not(target_os = "none"))]
+#[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
+pub mod double {
+    include!(concat!(env!("OUT_DIR"), "/plant_f64.rs"));
+}
+
+use single::{N_INPUTS, NQ, NU, Q_NAMES, U_NAMES};
+
+/// Where the heights stand in q, and their rates in u.
+const HEIGHTS: [usize; 3] = [place(&Q_NAMES, "hA"), place(&Q_NAMES, "hB"), place(&Q_NAMES, "hC")];
+const _: () = assert!(place(&U_NAMES, "u_hA") == 0 && place(&U_NAMES, "u_hC") == 2, "speeds in order");
+
+const fn place(names: &[&str], name: &str) -> usize {
+    match position(names, name) {
+        Some(place) => place,
+        None => panic!("the model has no such name"),
+    }
+}
+
+/// Steps of the plant in a tick.
+const STEPS: u32 = 2;
+/// Length of one (s).
+const STEP: f64 = 1e-3 / STEPS as f64;
+/// Newton corrections of a start.
+const START_CORRECTIONS: u32 = 8;
+
+/// The plant of the loop: single precision on host and chip.
+pub type Tile = Plant<f32, single::Tile>;
+
+/// What can break. Legs are numbered from 0.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Defect {
+    /// A drive gives this duty whatever it is told; ENABLE still cuts it.
+    Motor(u8, f32),
+    /// A drive gives nothing.
+    MotorDead(u8),
+    /// ENABLE does not cut.
+    Enable,
+    /// A valve stands open: of the pump, or the vent.
+    ValveOpen {
+        /// The vent?
+        vent: bool,
+    },
+    /// A valve stays shut.
+    ValveShut {
+        /// The vent?
+        vent: bool,
+    },
+    /// An encoder counts no further.
+    EncoderStuck(u8),
+    /// An encoder counts so much too much each millisecond.
+    EncoderDrift(u8, i32),
+    /// A displacement sensor stays where it is.
+    DisplacementStuck(u8),
+    /// The wire of a displacement sensor is broken.
+    DisplacementOpen(u8),
+    /// A switch's circuit is open: the lower one, or the upper.
+    SwitchOpen {
+        /// Its leg.
+        leg: u8,
+        /// The upper one?
+        high: bool,
+    },
+    /// A pressure sensor shows so many times the pressure.
+    PressureBias(u8, f32),
+    /// The supply falls to this (V).
+    Supply(f32),
+    /// Something stops this leg at this height (m), from above or, going down, from below.
+    Block {
+        /// Its leg.
+        leg: u8,
+        /// Where it begins (m).
+        height: f32,
+        /// Is it above?
+        above: bool,
+    },
+}
+
+/// What leads and what the legs hold, from one step to the next.
+#[derive(Clone, Debug)]
+pub struct Plant<S, M> {
+    mechanism: M,
+    q: [S; NQ],
+    /// What the sums of the heights have lost by rounding.
+    low: [S; 3],
+    u: [S; 3],
+    /// Force of the screw on its load (N).
+    load: [S; 3],
+    /// Forces of obstacles on the legs (N).
+    contact: [S; 3],
+    drive: Drive<S>,
+    /// The bladder.
+    pub air: Air<S>,
+    /// Do disabled drives brake? A contact that ENABLE lets go shorts the windings.
+    pub brakes: bool,
+    defect: Option<Defect>,
+    converters: Converters,
+    outputs: Outputs,
+}
+
+impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
+    /// At rest at these heights (m); `nominal` are the model's coordinates.
+    ///
+    /// # Errors
+    /// As [`Mechanism::project`].
+    pub fn new(mut mechanism: M, nominal: [S; NQ], heights: [S; 3], drive: Drive<S>) -> Result<Self, Fault> {
+        let mut q = nominal;
+        // In steps: dependent coordinates follow.
+        for part in 1..=START_CORRECTIONS {
+            let share = S::from_f64(f64::from(part) / f64::from(START_CORRECTIONS));
+            HEIGHTS.iter().zip(heights).for_each(|(place, height)| q[*place] = height * share);
+            mechanism.project(&mut q)?;
+            mechanism.project(&mut q)?;
+        }
+        let zero = [S::ZERO; 3];
+        let mut plant = Self {
+            mechanism,
+            q,
+            low: zero,
+            u: zero,
+            load: zero,
+            contact: zero,
+            drive,
+            air: Air::default(),
+            brakes: true,
+            defect: None,
+            converters: Converters::default(),
+            outputs: Outputs::default(),
+        };
+        for _ in 0..START_CORRECTIONS {
+            plant.hold(zero)?;
+        }
+        Ok(plant)
+    }
+
+    /// The equations, to change what they carry.
+    pub fn mechanism(&mut self) -> &mut M {
+        &mut self.mechanism
+    }
+
+    /// Heights of the legs (m).
+    #[must_use]
+    pub fn heights(&self) -> [S; 3] {
+        HEIGHTS.map(|place| self.q[place])
+    }
+
+    /// Speeds of the legs (m/s).
+    #[must_use]
+    pub fn speeds(&self) -> [S; 3] {
+        self.u
+    }
+
+    /// Forces of the screws on what they carry (N).
+    #[must_use]
+    pub fn loads(&self) -> [S; 3] {
+        self.load
+    }
+
+    /// Forces of obstacles (N).
+    #[must_use]
+    pub fn contacts(&self) -> [S; 3] {
+        self.contact
+    }
+
+    /// Breaks something, or mends it.
+    pub fn set_defect(&mut self, defect: Option<Defect>) {
+        self.defect = defect;
+    }
+
+    /// Goes on by a millisecond with these outputs.
+    ///
+    /// # Errors
+    /// As [`Mechanism::rates`].
+    pub fn advance(&mut self, outputs: &Outputs) -> Result<(), Fault> {
+        self.outputs = *outputs;
+        for _ in 0..STEPS {
+            self.step()?;
+        }
+        let supply = (outputs.supply || self.has(Defect::ValveOpen { vent: false }))
+            && !self.has(Defect::ValveShut { vent: false });
+        let vent = (outputs.vent || self.has(Defect::ValveOpen { vent: true }))
+            && !self.has(Defect::ValveShut { vent: true });
+        self.air.advance(supply, vent);
+        Ok(())
+    }
+
+    fn has(&self, defect: Defect) -> bool {
+        self.defect == Some(defect)
+    }
+
+    /// Voltage at a motor; none if its windings are open.
+    fn voltage(&self, leg: usize) -> Option<S> {
+        let Outputs { enable, duty, test, .. } = &self.outputs;
+        let live = *enable || self.has(Defect::Enable);
+        let duty = if *enable || *test { duty[leg] } else { 0.0 };
+        let duty = match self.defect {
+            Some(Defect::Motor(broken, stuck)) if usize::from(broken) == leg => stuck,
+            Some(Defect::MotorDead(broken)) if usize::from(broken) == leg => return None,
+            _ => duty,
+        };
+        let supply = match self.defect {
+            Some(Defect::Supply(volts)) => S::from(volts),
+            _ => self.drive.supply,
+        };
+        match (live, self.brakes) {
+            (true, _) => Some(supply * S::from(duty)),
+            (false, true) => Some(S::ZERO),
+            (false, false) => None,
+        }
+    }
+
+    fn step(&mut self) -> Result<(), Fault> {
+        let h = S::from_f64(STEP);
+        let mut rate = [S::ZERO; 3];
+        for (leg, rate) in rate.iter_mut().enumerate() {
+            let after = leg::speed_after(&self.drive, self.voltage(leg), self.u[leg], self.load[leg], h);
+            *rate = (after - self.u[leg]) / h;
+            self.u[leg] = after;
+        }
+        self.contact = self.touch();
+        let q_dot = self.hold(rate)?;
+        self.q.iter_mut().zip(q_dot).for_each(|(q, rate)| *q = *q + h * rate);
+        for (leg, place) in HEIGHTS.into_iter().enumerate() {
+            // The heights are summed with what rounding takes: a step is a few of their last digits.
+            let before = self.q[place] - h * q_dot[place];
+            let change = h * self.u[leg] + self.low[leg];
+            let after = before + change;
+            self.low[leg] = change - (after - before);
+            self.q[place] = after;
+        }
+        self.mechanism.project(&mut self.q)?;
+        Ok(())
+    }
+
+    /// Rates of the coordinates while the legs accelerate like this; what the screws carry is found anew.
+    fn hold(&mut self, rate: [S; 3]) -> Result<[S; NQ], Fault> {
+        let mass = leg::reflected(&self.drive);
+        let mut inputs = [S::ZERO; N_INPUTS];
+        for (leg, input) in inputs.iter_mut().enumerate() {
+            *input = mass * rate[leg] + self.load[leg] + self.contact[leg];
+        }
+        let (mut q_dot, mut u_dot) = ([S::ZERO; NQ], [S::ZERO; NU]);
+        self.mechanism.rates(S::ZERO, &self.q, &self.u, &inputs, &mut q_dot, &mut u_dot)?;
+        for (leg, load) in self.load.iter_mut().enumerate() {
+            *load = *load + mass * (rate[leg] - u_dot[leg]);
+        }
+        Ok(q_dot)
+    }
+
+    /// Forces of end stops and of what is in the way.
+    fn touch(&self) -> [S; 3] {
+        let (stop, block, end) = (S::from_f64(2e6), S::from_f64(5e4), S::from_f64(0.0305));
+        let mut forces = [S::ZERO; 3];
+        for (leg, force) in forces.iter_mut().enumerate() {
+            let height = self.q[HEIGHTS[leg]];
+            *force = stop * (Real::max(-end - height, S::ZERO) - Real::max(height - end, S::ZERO));
+            match self.defect {
+                Some(Defect::Block { leg: l, height: at, above }) if usize::from(l) == leg => {
+                    let into = if above { height - S::from(at) } else { S::from(at) - height };
+                    let push = block * Real::max(into, S::ZERO);
+                    *force = *force + if above { -push } else { push };
+                }
+                _ => (),
+            }
+        }
+        forces
+    }
+}
+
+impl Tile {
+    /// A tile with a patient: so many kilograms, so far off its centre (m), at these heights (m).
+    ///
+    /// # Errors
+    /// As [`Plant::new`].
+    pub fn loaded(mass: f32, offset: [f32; 2], heights: [f32; 3], drive: Drive<f32>) -> Result<Self, Fault> {
+        let [x_payload, y_payload] = offset;
+        let parameters = single::Parameters {
+            m_payload: mass,
+            x_payload,
+            y_payload,
+            mr: leg::reflected(&drive),
+            ..single::Parameters::default()
+        };
+        let mut plant = Self::new(single::Tile::new(parameters), single::NOMINAL, heights, drive)?;
+        plant.air = Air::under(mass);
+        Ok(plant)
+    }
+}
+
+impl Sensors for Tile {
+    fn read(&mut self) -> Readings {
+        let place = sensors::Place {
+            heights: self.heights(),
+            currents: core::array::from_fn(|leg| {
+                let volts = self.voltage(leg).filter(|_| self.outputs.enable || self.has(Defect::Enable));
+                volts.map_or(0.0, |volts| leg::current(&self.drive, volts, self.u[leg]))
+            }),
+            pressure: self.air.pressure(),
+            supply: match self.defect {
+                Some(Defect::Supply(volts)) => volts,
+                _ => self.drive.supply,
+            },
+        };
+        self.converters.read(&place, self.defect)
+    }
+}
+
+impl Actuators for Tile {
+    fn set(&mut self, outputs: &Outputs) -> bool {
+        self.advance(outputs).is_ok()
+    }
+}

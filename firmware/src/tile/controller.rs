@@ -1,0 +1,403 @@
+//! The controller: one call a millisecond, always in the same order, in bounded time.
+//!
+//! In: readings, conditions of the link, at most one command. Out: what the board is to set.
+//! Order of a tick: sense, find faults, respond to new ones, do the command, go on along the way, set drives and
+//! valves. What is set follows from the mode alone, so whatever switches the mode off in this tick is obeyed in it.
+
+use super::bladder::{Bladder, Valves};
+use super::board::{Outputs, Readings};
+use super::design::{
+    ARRIVED, FLATTEN_FACTOR, NOT_ARRIVED, PRESSURE, SETTLING, STROKE, SWITCH, TRIM, UNHOMED_FACTOR,
+};
+use super::drive::DRIVE;
+use super::fault::{Fault, Faults, Latch, Response};
+use super::guarded::Guarded;
+use super::home::{Homing, Step};
+use super::mode::Mode;
+use super::motion::{Heights, Motion, heights};
+use super::plausible::{Doing, Watch, load};
+use super::profile::Along;
+use super::sense::Sense;
+use super::servo::Servo;
+use crate::command::Pose;
+use crate::link::message::{Command, Outcome, Refusal, State, Trim};
+use smartbed_runtime::real::Real;
+
+/// Time for the sensors to settle after a start (ticks).
+const BOOT: u32 = 100;
+/// Time of the test of ENABLE (ticks).
+const SELF_TEST: u32 = 50;
+/// Duty of that test: enough current to be seen if ENABLE does not cut it.
+const TEST_DUTY: f32 = 0.04;
+/// Says that motion is allowed; one flipped bit of anything else does not.
+const ARMED: u32 = 0x5AFE_A11D;
+
+/// Where the legs are led.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Way {
+    None,
+    Motion(Motion),
+    Homing(Homing),
+}
+
+/// State of the controller.
+#[derive(Clone, Debug)]
+pub struct Controller {
+    mode: Mode,
+    /// Ticks in this mode.
+    since: u32,
+    /// [`ARMED`] once motion has been allowed.
+    permission: Guarded<1>,
+    trim: Guarded<4>,
+    is_homed: bool,
+    latch: Latch,
+    /// Found in this tick behind the checks: counts in the next.
+    found: Faults,
+    sense: Sense,
+    watch: Watch,
+    servo: Servo,
+    way: Way,
+    /// Heights at which the drives went off.
+    rest: Heights,
+    bladder: Bladder,
+    wanted_pressure: Option<f32>,
+    outputs: Outputs,
+}
+
+impl Controller {
+    /// A tile that has just started; without a calibration it stays off.
+    #[must_use]
+    pub fn new(trim: Option<Trim>) -> Self {
+        let mut found = Faults::default();
+        found.set(Fault::Storage, trim.is_none());
+        Self {
+            mode: Mode::Boot,
+            since: 0,
+            permission: Guarded::new([0]),
+            trim: guard(&trim.unwrap_or_default()),
+            is_homed: false,
+            latch: Latch::default(),
+            found,
+            sense: Sense::default(),
+            watch: Watch::default(),
+            servo: Servo::default(),
+            way: Way::None,
+            rest: [0.0; 3],
+            bladder: Bladder::default(),
+            wanted_pressure: None,
+            outputs: Outputs::default(),
+        }
+    }
+
+    /// One millisecond. `outside`: what the link found wrong; silence counts only while something moves.
+    /// Returns what is newly wrong, and what became of the command.
+    pub fn tick(
+        &mut self,
+        readings: &Readings,
+        outside: Faults,
+        command: Option<&Command>,
+    ) -> (Faults, Option<Outcome>) {
+        self.since = self.since.saturating_add(1);
+        let (new, active) = self.check(readings, outside);
+        self.respond(new);
+        if self.mode == Mode::Retreat && self.since > 0 && active.has(Fault::Obstruction) {
+            // Neither the way on nor the way back is free.
+            self.stop(Mode::Hold);
+        }
+        let outcome = command.map(|command| match self.execute(command) {
+            Ok(()) => Outcome::Done,
+            Err(why) => Outcome::Refused(why),
+        });
+        self.advance(readings);
+        self.outputs = self.act();
+        (new, outcome)
+    }
+
+    /// What the board is to set.
+    #[must_use]
+    pub fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// What the tile is doing.
+    #[must_use]
+    pub fn mode(&self) -> Mode {
+        self.mode
+    }
+
+    /// What is latched.
+    #[must_use]
+    pub fn latched(&self) -> Faults {
+        self.latch.latched()
+    }
+
+    /// What is known of the tile.
+    #[must_use]
+    pub fn sense(&self) -> &Sense {
+        &self.sense
+    }
+
+    /// State for the telemetry.
+    #[must_use]
+    pub fn state(&self) -> State {
+        let Outputs { enable, duty, supply, vent, .. } = self.outputs;
+        let bits = [enable, supply, vent, self.is_homed, self.is_armed()];
+        let flags = bits.into_iter().rev().fold(0, |flags, bit| flags << 1 | u8::from(bit));
+        let pressure = self.sense.pressure();
+        State {
+            mode: self.mode as u8,
+            faults: self.latched().bits(),
+            heights: self.sense.heights,
+            wanted: self.following().map_or(self.rest, |(wanted, _)| wanted.map(|w| w.position)),
+            duty,
+            pressure,
+            load: load(pressure),
+            flags,
+        }
+    }
+
+    /// Flips a bit of a guarded value, as radiation might: for campaigns of faults.
+    pub fn flip(&mut self, bit: usize) {
+        if bit < 64 { self.permission.flip(bit) } else { self.trim.flip(bit - 64) }
+    }
+
+    fn is_armed(&self) -> bool {
+        self.permission.get() == Some([ARMED])
+    }
+
+    /// Senses, and finds what is wrong; returns what is new, and all that is wrong now.
+    fn check(&mut self, readings: &Readings, outside: Faults) -> (Faults, Faults) {
+        let trim = self.trim.get_numbers();
+        let [a, b, c, pressure] = trim.unwrap_or_default();
+        self.sense.take(readings, &Trim { height: [a, b, c], pressure });
+        let doing = match self.following() {
+            Some((wanted, sign)) => {
+                let seeks = matches!(&self.way, Way::Homing(homing) if homing.seeks());
+                Doing::Follow { wanted, sign, seeks }
+            }
+            None => Doing::Rest(self.rest),
+        };
+        if self.mode == Mode::Boot {
+            // Nothing is known yet; where it stands is where it rests.
+            self.rest = self.sense.heights;
+        }
+        let mut active = self.watch.take(readings, &self.sense, &doing).with(self.found).with(outside);
+        self.found = Faults::default();
+        let is_moving = matches!(doing, Doing::Follow { .. });
+        active.set(Fault::Memory, trim.is_none() || self.permission.get().is_none());
+        let mut silence = Faults::default();
+        silence.set(Fault::Silence, !is_moving);
+        let testing = self.mode == Mode::SelfTest;
+        active.set(Fault::EnableTest, testing && active.has(Fault::Current));
+        let active = active.without(silence);
+        (self.latch.take(active), active)
+    }
+
+    /// Does what new faults ask for.
+    fn respond(&mut self, new: Faults) {
+        match new.response() {
+            None => (),
+            Some(Response::Off) => self.stop(Mode::Off),
+            Some(_) if matches!(self.mode, Mode::Off | Mode::Boot | Mode::SelfTest) => self.stop(Mode::Off),
+            Some(Response::Retreat) => match self.way {
+                Way::Motion(motion) if matches!(self.mode, Mode::Moving | Mode::Flatten) => {
+                    let back = motion.back(self.sense.heights, UNHOMED_FACTOR);
+                    self.start(Mode::Retreat, Way::Motion(back));
+                }
+                _ => self.stop(Mode::Hold),
+            },
+            Some(Response::Hold) => self.stop(Mode::Hold),
+        }
+    }
+
+    /// Does a command, or says why not; a refused command changes nothing.
+    fn execute(&mut self, command: &Command) -> Result<(), Refusal> {
+        self.mode.allows(command, self.is_armed(), self.latched())?;
+        let here = self.sense.heights;
+        match command {
+            Command::Status | Command::Log(_) | Command::Identify | Command::Beat(_) => (),
+            Command::Stop => {
+                let is_done = matches!(self.mode, Mode::Off | Mode::Boot | Mode::SelfTest);
+                self.stop(if is_done { self.mode } else { Mode::Hold });
+                self.wanted_pressure = None;
+            }
+            Command::Enable => {
+                self.permission = Guarded::new([ARMED]);
+                self.switch(self.resting());
+            }
+            Command::Clear(bits) => self.clear(Faults::from_bits(*bits))?,
+            Command::Home => self.start(Mode::Homing, Way::Homing(Homing::new(here))),
+            Command::Move(target) => {
+                let pose = Pose { zc: target.heave, tx: target.slope_x, ty: target.slope_y };
+                let factor = if self.is_homed { 1.0 } else { UNHOMED_FACTOR };
+                let motion = Motion::new(here, heights(pose)?, factor);
+                self.start(Mode::Moving, Way::Motion(motion));
+            }
+            Command::Pressure(wanted) if (0.0..=PRESSURE).contains(wanted) => {
+                self.wanted_pressure = Some(*wanted)
+            }
+            Command::Pressure(_) => return Err(Refusal::Pressure),
+            Command::Flatten => {
+                // A weak supply gives no full speed.
+                let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
+                self.wanted_pressure = None;
+                self.start(Mode::Flatten, Way::Motion(Motion::new(here, [-STROKE; 3], factor)));
+            }
+            Command::Calibrate(trim) => {
+                let (height, pressure) = TRIM;
+                let fits = trim.height.iter().all(|h| Real::abs(*h) <= height);
+                if !(fits && Real::abs(trim.pressure) <= pressure) {
+                    return Err(Refusal::Trim);
+                }
+                // Sensors settle anew.
+                let latch = self.latch;
+                *self = Self { latch, ..Self::new(Some(*trim)) };
+            }
+        }
+        Ok(())
+    }
+
+    /// Clears faults. Behind one that put the tile off nothing but the displacement sensors is believed.
+    fn clear(&mut self, faults: Faults) -> Result<(), Refusal> {
+        if !self.latch.clear(faults) {
+            return Err(Refusal::Cause);
+        }
+        if self.mode == Mode::Off {
+            self.is_homed = false;
+            self.sense.recover();
+            self.rest = self.sense.heights;
+        }
+        if self.latched().is_empty() {
+            self.switch(self.resting());
+        }
+        Ok(())
+    }
+
+    /// Goes on by a tick along the way, or in starting.
+    fn advance(&mut self, readings: &Readings) {
+        let here = self.sense.heights;
+        let ended = match &mut self.way {
+            Way::Motion(motion) => motion.advance().map(|ago| (ago, motion.end())),
+            Way::Homing(homing) => match homing.advance(here, readings.low_closed) {
+                Step::Found(found) => {
+                    let new = found.into_iter().enumerate().filter(|(_, is_new)| *is_new);
+                    new.for_each(|(leg, _)| self.sense.refer(leg, -SWITCH));
+                    None
+                }
+                Step::Lost => {
+                    self.found.set(Fault::SwitchPlace, true);
+                    self.stop(Mode::Off);
+                    None
+                }
+                Step::Done(ago) => Some((ago, [-STROKE; 3])),
+            },
+            Way::None => None,
+        };
+        match (self.mode, ended) {
+            (_, Some((ago, end))) => self.settle(ago, end),
+            (Mode::Boot, _) if self.since >= BOOT => {
+                self.sense.recover();
+                self.rest = self.sense.heights;
+                self.switch(Mode::SelfTest);
+            }
+            (Mode::SelfTest, _) if self.since >= SELF_TEST => self.switch(Mode::Unhomed),
+            _ => (),
+        }
+    }
+
+    /// The profile has ended so many ticks ago: drives go off once the legs are there.
+    fn settle(&mut self, ago: u32, end: Heights) {
+        let is_within = |distance: f32| {
+            self.sense.heights.iter().zip(end).all(|(height, end)| Real::abs(height - end) <= distance)
+        };
+        if !is_within(ARRIVED) && ago < SETTLING {
+            return;
+        }
+        let is_there = is_within(NOT_ARRIVED);
+        self.way = Way::None;
+        self.rest = self.sense.heights;
+        match self.mode {
+            _ if !is_there => {
+                self.found.set(Fault::Settling, true);
+                self.stop(Mode::Hold);
+            }
+            Mode::Retreat => self.stop(Mode::Hold),
+            // Down and level; the vent stays open.
+            Mode::Flatten => (),
+            Mode::Homing => {
+                self.is_homed = true;
+                self.switch(Mode::Ready);
+            }
+            _ => self.switch(self.resting()),
+        }
+    }
+
+    /// What is set in this mode.
+    fn act(&mut self) -> Outputs {
+        let mut outputs = Outputs::default();
+        if let Some((wanted, sign)) = self.following() {
+            (outputs.enable, outputs.duty) = (true, self.servo.duties(&self.sense, &wanted, &sign));
+        } else if self.mode == Mode::SelfTest {
+            (outputs.test, outputs.duty) = (true, [TEST_DUTY; 3]);
+        }
+        let pressure = self.sense.pressure();
+        let valves = match self.mode {
+            // Not more than may be commanded, even if a valve does not shut.
+            Mode::Off if self.latched().has(Fault::Overpressure) && pressure > PRESSURE => {
+                self.bladder.force(Valves::Vent, pressure)
+            }
+            Mode::Off | Mode::Boot | Mode::SelfTest => self.bladder.force(Valves::Shut, pressure),
+            Mode::Flatten => self.bladder.force(Valves::Vent, pressure),
+            _ => self.bladder.regulate(self.wanted_pressure, pressure),
+        };
+        let watched = self.bladder.watch(pressure, !outputs.enable);
+        self.found = self.found.with(watched);
+        (outputs.supply, outputs.vent) = (valves == Valves::Supply, valves == Valves::Vent);
+
+        let is_finite = outputs.duty.iter().chain(&self.sense.heights).all(|x| x.is_finite());
+        if !(is_finite && pressure.is_finite()) {
+            self.found.set(Fault::NonFinite, true);
+            self.stop(Mode::Off);
+            return Outputs::default();
+        }
+        outputs
+    }
+
+    /// What is wanted of each leg and its direction, while drives are on.
+    fn following(&self) -> Option<([Along; 3], [f32; 3])> {
+        match &self.way {
+            Way::None => None,
+            Way::Motion(motion) => Some((motion.wanted(), motion.sign())),
+            Way::Homing(homing) => Some(homing.wanted()),
+        }
+    }
+
+    fn resting(&self) -> Mode {
+        if self.is_homed { Mode::Ready } else { Mode::Unhomed }
+    }
+
+    fn start(&mut self, mode: Mode, way: Way) {
+        self.way = way;
+        self.servo = Servo::default();
+        self.switch(mode);
+    }
+
+    /// Drives off, and no motion without a new permission.
+    fn stop(&mut self, mode: Mode) {
+        self.way = Way::None;
+        self.permission = Guarded::new([0]);
+        self.rest = self.sense.heights;
+        self.switch(mode);
+    }
+
+    fn switch(&mut self, mode: Mode) {
+        if mode != self.mode {
+            (self.mode, self.since) = (mode, 0);
+        }
+    }
+}
+
+fn guard(trim: &Trim) -> Guarded<4> {
+    let [a, b, c] = trim.height;
+    Guarded::numbers([a, b, c, trim.pressure])
+}

@@ -1,0 +1,146 @@
+//! Modes of the tile and which commands each takes.
+//!
+//! In: a command's kind and the mode. Out: may it be done, and if not, why. The table stands here as a whole; what a
+//! command then does is `super::controller`'s.
+
+use super::fault::{Faults, Response};
+use crate::link::message::{Command, Refusal};
+
+/// What the tile is doing. Its number is that of the telemetry.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[repr(u8)]
+pub enum Mode {
+    /// Sensors settle.
+    #[default]
+    Boot,
+    /// ENABLE is tested.
+    SelfTest,
+    /// Heights are those of the displacement sensors: half speed.
+    Unhomed,
+    /// Switches are looked for.
+    Homing,
+    /// Heights are known; nothing moves.
+    Ready,
+    /// On the way to a target.
+    Moving,
+    /// Back from an obstruction.
+    Retreat,
+    /// Stopped; screws hold the pose, the bladder is kept.
+    Hold,
+    /// Stopped by a fault; valves shut.
+    Off,
+    /// Level, down, and the air out.
+    Flatten,
+}
+
+impl Mode {
+    /// All, by number.
+    pub const ALL: [Self; 10] = [
+        Self::Boot,
+        Self::SelfTest,
+        Self::Unhomed,
+        Self::Homing,
+        Self::Ready,
+        Self::Moving,
+        Self::Retreat,
+        Self::Hold,
+        Self::Off,
+        Self::Flatten,
+    ];
+
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Boot => "boot",
+            Self::SelfTest => "self-test",
+            Self::Unhomed => "unhomed",
+            Self::Homing => "homing",
+            Self::Ready => "ready",
+            Self::Moving => "moving",
+            Self::Retreat => "retreat",
+            Self::Hold => "hold",
+            Self::Off => "off",
+            Self::Flatten => "flatten",
+        }
+    }
+
+    /// Does it wait for a target?
+    #[must_use]
+    pub const fn rests(self) -> bool {
+        matches!(self, Self::Unhomed | Self::Ready)
+    }
+
+    /// May this command be done in this mode?
+    ///
+    /// # Errors
+    /// Why not.
+    pub fn allows(self, command: &Command, is_armed: bool, latched: Faults) -> Result<(), Refusal> {
+        let starts = matches!(self, Self::Boot | Self::SelfTest);
+        match command {
+            Command::Stop | Command::Status | Command::Log(_) | Command::Identify | Command::Beat(_) => {
+                Ok(())
+            }
+            _ if starts => Err(Refusal::Mode),
+            Command::Clear(_) if matches!(self, Self::Hold | Self::Off) => Ok(()),
+            Command::Clear(_) => Err(Refusal::Mode),
+            Command::Flatten => match latched.response() {
+                Some(Response::Off) => Err(Refusal::Faulted),
+                _ if matches!(self, Self::Off | Self::Retreat | Self::Flatten) => Err(Refusal::Mode),
+                _ => Ok(()),
+            },
+            Command::Calibrate(_) if is_armed => Err(Refusal::Busy),
+            Command::Calibrate(_) if self.rests() || matches!(self, Self::Hold | Self::Off) => Ok(()),
+            _ if !latched.is_empty() => Err(Refusal::Faulted),
+            Command::Enable if self.rests() || matches!(self, Self::Hold | Self::Flatten) => Ok(()),
+            Command::Home | Command::Move(_) | Command::Pressure(_) if !is_armed => Err(Refusal::Mode),
+            Command::Pressure(_) if self.rests() || self == Self::Moving => Ok(()),
+            Command::Home | Command::Move(_) if self.rests() => Ok(()),
+            _ if matches!(self, Self::Moving | Self::Homing | Self::Retreat | Self::Flatten) => {
+                Err(Refusal::Busy)
+            }
+            _ => Err(Refusal::Mode),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Mode;
+    use crate::link::message::{Command, Refusal, Target, Trim};
+    use crate::tile::fault::{Fault, Faults};
+
+    #[test]
+    fn numbers_are_those_of_the_list() {
+        for (number, mode) in Mode::ALL.into_iter().enumerate() {
+            assert_eq!(mode as usize, number, "{}", mode.name());
+        }
+    }
+
+    #[test]
+    fn nothing_moves_unless_it_is_allowed_and_nothing_is_wrong() {
+        let moves = [Command::Home, Command::Move(Target::default()), Command::Pressure(0.0)];
+        let mut faults = Faults::default();
+        faults.set(Fault::Silence, true);
+        for mode in Mode::ALL {
+            for command in moves {
+                assert!(mode.allows(&command, false, Faults::default()).is_err(), "{mode:?} {command:?}");
+                assert!(mode.allows(&command, true, faults).is_err(), "{mode:?} {command:?}");
+            }
+            assert_eq!(mode.allows(&Command::Stop, false, faults), Ok(()));
+            assert!(mode.allows(&Command::Calibrate(Trim::default()), true, Faults::default()).is_err());
+        }
+        assert_eq!(Mode::Ready.allows(&moves[1], true, Faults::default()), Ok(()));
+        assert_eq!(Mode::Moving.allows(&moves[1], true, Faults::default()), Err(Refusal::Busy));
+    }
+
+    #[test]
+    fn resuscitation_is_allowed_while_held_but_not_when_off() {
+        let mut faults = Faults::default();
+        faults.set(Fault::Obstruction, true);
+        assert_eq!(Mode::Hold.allows(&Command::Flatten, false, faults), Ok(()));
+        faults.set(Fault::Runaway, true);
+        assert_eq!(Mode::Off.allows(&Command::Flatten, false, faults), Err(Refusal::Faulted));
+        assert_eq!(Mode::Boot.allows(&Command::Flatten, true, Faults::default()), Err(Refusal::Mode));
+    }
+}

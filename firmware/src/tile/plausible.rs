@@ -1,0 +1,228 @@
+//! What is wrong with the tile in this tick, as its sensors show it.
+//!
+//! In: what was read and computed, what the legs are to do. Out: conditions, each of which has lasted long enough.
+//! Every sensor is checked against its range, against another sensor and against what is commanded; a value that is
+//! no number fails every check, because each is written as what must hold.
+
+use super::board::{RAILS, Readings};
+use super::design::{
+    CREEP, CURRENT, CURRENT_FALL, CURRENT_OFF, CURRENT_RISE, DISAGREEMENT, FASTEST, FOLLOWING, GRAVITY,
+    MOST_WEIGHT, OVERPRESSURE, PRESSURE_DISAGREEMENT, RUNAWAY_SPEED, SLOPE_FAULT, SLOPE_RATE_FAULT, SUPPLY,
+    SWITCH, SWITCH_PLAY,
+};
+use super::drive::{DRIVE, SLOWEST};
+use super::fault::{Fault, Faults};
+use super::motion::{Heights, pose};
+use super::profile::Along;
+use super::sense::Sense;
+use smartbed_runtime::real::Real;
+
+/// A leg's current is learnt for so long before a rise of it counts (ticks).
+const LEARN: u16 = 300;
+/// Share of a new reading in the smoothed current.
+const CURRENT_SHARE: f32 = 0.125;
+
+/// What the legs are doing.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Doing {
+    /// Drives are off and the legs stay at these heights.
+    Rest(Heights),
+    /// Drives are on and the legs follow this; `sign` is the direction of each.
+    Follow {
+        /// What is wanted of each leg.
+        wanted: [Along; 3],
+        /// 1 up, -1 down, 0 if the leg stays.
+        sign: [f32; 3],
+        /// Are the lower switches looked for?
+        seeks: bool,
+    },
+}
+
+/// How long conditions have lasted, and what the currents were.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Watch {
+    ages: [u8; Fault::ALL.len()],
+    push: [Push; 3],
+    off: u16,
+}
+
+/// What a leg's motor took so far in this motion.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+struct Push {
+    smooth: f32,
+    least: f32,
+    most: f32,
+    ticks: u16,
+    /// Ticks in a row in which the leg is to move quickly enough.
+    quick: u16,
+    sign: f32,
+}
+
+impl Watch {
+    /// Takes a tick; returns what has lasted long enough.
+    pub fn take(&mut self, readings: &Readings, sense: &Sense, doing: &Doing) -> Faults {
+        let mut raw = Faults::default();
+        position(&mut raw, readings, sense, doing);
+        electric(&mut raw, readings, sense);
+        pneumatic(&mut raw, readings, sense);
+        match doing {
+            Doing::Rest(at) => self.rest(&mut raw, sense, at),
+            Doing::Follow { wanted, sign, .. } => self.follow(&mut raw, sense, wanted, sign),
+        }
+        self.last(raw)
+    }
+
+    /// What of this has lasted long enough.
+    fn last(&mut self, raw: Faults) -> Faults {
+        let mut faults = Faults::default();
+        for (fault, age) in Fault::ALL.into_iter().zip(&mut self.ages) {
+            *age = if raw.has(fault) { age.saturating_add(1) } else { 0 };
+            faults.set(fault, *age >= patience(fault));
+        }
+        faults
+    }
+
+    /// Drives are off: nothing moves and no current flows.
+    fn rest(&mut self, raw: &mut Faults, sense: &Sense, at: &Heights) {
+        self.push = [Push::default(); 3];
+        self.off = self.off.saturating_add(1);
+        raw.set(Fault::Runaway, !near(sense.heights, *at, CREEP));
+        let flows = !sense.measured.current.iter().all(|i| Real::abs(*i) < CURRENT_OFF);
+        raw.set(Fault::Current, raw.has(Fault::Current) || (self.off > 20 && flows));
+    }
+
+    /// Drives are on: legs are where they should be, as fast as they should, and push no more than so far.
+    fn follow(&mut self, raw: &mut Faults, sense: &Sense, wanted: &[Along; 3], sign: &[f32; 3]) {
+        self.off = 0;
+        let legs = wanted.iter().zip(sign).zip(sense.heights.iter().zip(&sense.speeds));
+        let legs = legs.zip(sense.measured.current.iter().zip(&mut self.push));
+        for (((wanted, sign), (height, speed)), (current, push)) in legs {
+            let behind = wanted.position - height;
+            let lags = Real::abs(behind) < FOLLOWING;
+            // Behind and still going its way, or stopped: something is in the way. Anything else goes where it likes.
+            let blocked = behind * sign > 0.0 && speed * sign > -RUNAWAY_SPEED / 4.0;
+            let is_fast = !below(Real::abs(speed - wanted.speed), RUNAWAY_SPEED);
+            raw.set(Fault::Obstruction, raw.has(Fault::Obstruction) || (!lags && blocked));
+            raw.set(Fault::Runaway, raw.has(Fault::Runaway) || (!lags && !blocked) || is_fast);
+            let inertial = wanted.acceleration * DRIVE.inertia * DRIVE.gear() / DRIVE.constant;
+            let is_quick = Real::abs(wanted.speed) > SLOWEST;
+            let pushes = push.take((current - inertial) * sign, *sign, is_quick);
+            raw.set(Fault::Obstruction, raw.has(Fault::Obstruction) || pushes);
+        }
+        raw.set(Fault::Overload, self.weight(sense) > MOST_WEIGHT);
+    }
+
+    /// The least weight (N) that the currents show, if all legs move; 0 else.
+    fn weight(&self, sense: &Sense) -> f32 {
+        let mut weight = 0.0;
+        for (push, speed) in self.push.iter().zip(sense.speeds) {
+            match DRIVE.thrust(push.smooth * Real::sign(speed), speed) {
+                Some((least, _)) if push.ticks > LEARN && speed > 0.0 => weight += least,
+                _ => return 0.0,
+            }
+        }
+        weight
+    }
+}
+
+impl Push {
+    /// Takes the current that pushes a leg its way (A); does it push more than the motion took so far?
+    /// Going down it is also an obstacle if the motor has less to push: the obstacle carries the load. A screw that
+    /// hardly turns sticks and slips, so what it takes then is no measure.
+    fn take(&mut self, current: f32, sign: f32, is_quick: bool) -> bool {
+        if sign != self.sign {
+            *self = Self { sign, ..Self::default() };
+        }
+        self.smooth += CURRENT_SHARE * (current - self.smooth);
+        self.ticks = self.ticks.saturating_add(1);
+        if self.ticks <= LEARN {
+            (self.least, self.most) = (self.smooth, self.smooth);
+            return false;
+        }
+        self.quick = if is_quick { self.quick.saturating_add(1) } else { 0 };
+        if is_quick {
+            self.least = Real::min(self.least, self.smooth);
+            self.most = if self.quick > LEARN { Real::max(self.most, self.smooth) } else { self.smooth };
+        }
+        let falls = sign < 0.0 && is_quick && !below(self.most - self.smooth, CURRENT_FALL);
+        sign != 0.0 && (falls || !below(self.smooth - self.least, CURRENT_RISE))
+    }
+}
+
+/// Encoders, displacement sensors and switches against one another.
+fn position(raw: &mut Faults, readings: &Readings, sense: &Sense, doing: &Doing) {
+    let is_slow = sense.raw_speeds.iter().all(|v| Real::abs(*v) < FASTEST);
+    raw.set(Fault::Height, !(near(sense.heights, sense.displaced, DISAGREEMENT) && is_slow));
+    raw.set(Fault::DisplacementRange, !readings.displacement.iter().all(is_off_rails));
+    let slope = sense.pose();
+    let by_sensor = pose(sense.displaced);
+    let is_flat = [slope, by_sensor].iter().all(|s| s.tx * s.tx + s.ty * s.ty < SLOPE_FAULT * SLOPE_FAULT);
+    let [x, y] = sense.slope_rate;
+    raw.set(Fault::Tilt, !(is_flat && x * x + y * y < SLOPE_RATE_FAULT * SLOPE_RATE_FAULT));
+
+    let legs = readings.low_closed.iter().zip(readings.high_closed).zip(sense.displaced);
+    for (leg, ((low_closed, high_closed), height)) in legs.enumerate() {
+        let is_right = |is_pressed: bool, inside: f32| {
+            (!is_pressed || inside < SWITCH_PLAY) && (is_pressed || inside > -SWITCH_PLAY)
+        };
+        let places = is_right(!low_closed, height + SWITCH) && is_right(!high_closed, SWITCH - height);
+        raw.set(Fault::SwitchPlace, raw.has(Fault::SwitchPlace) || !places);
+        if let Doing::Follow { sign, seeks, .. } = doing {
+            let sign = sign.get(leg).copied().unwrap_or(0.0);
+            let runs_into = (!low_closed && sign < 0.0 && !seeks) || (!high_closed && sign > 0.0);
+            raw.set(Fault::Switch, raw.has(Fault::Switch) || runs_into);
+        }
+    }
+}
+
+fn electric(raw: &mut Faults, readings: &Readings, sense: &Sense) {
+    let (least, most) = SUPPLY;
+    raw.set(Fault::Supply, !(least < sense.measured.supply && sense.measured.supply < most));
+    raw.set(Fault::Current, !sense.measured.current.iter().all(|i| Real::abs(*i) < CURRENT));
+    raw.set(Fault::Drive, readings.drive_fault.contains(&true));
+    raw.set(Fault::Overrun, readings.overrun);
+}
+
+fn pneumatic(raw: &mut Faults, readings: &Readings, sense: &Sense) {
+    let [a, b] = sense.measured.pressure;
+    let (offset, share) = PRESSURE_DISAGREEMENT;
+    raw.set(Fault::PressureRange, !readings.pressure.iter().all(is_off_rails));
+    raw.set(
+        Fault::Pressure,
+        !below(Real::abs(a - b), offset + share * Real::max(Real::abs(a), Real::abs(b))),
+    );
+    raw.set(Fault::Overpressure, !(a < OVERPRESSURE && b < OVERPRESSURE));
+}
+
+/// What the bladder carries at most (kg): the pressure over its whole area.
+#[must_use]
+pub fn load(pressure: f32) -> f32 {
+    Real::max(pressure, 0.0) * super::design::AREA / GRAVITY
+}
+
+/// Ticks that a condition lasts before it is a fault.
+fn patience(fault: Fault) -> u8 {
+    match fault {
+        Fault::Height | Fault::DisplacementRange | Fault::PressureRange => 5,
+        Fault::Current | Fault::Overpressure => 3,
+        // A leg that turns round at once needs some ticks to take its new speed.
+        Fault::SwitchPlace | Fault::Supply | Fault::Tilt | Fault::Runaway => 12,
+        Fault::Pressure => 50,
+        Fault::Overload => 100,
+        _ => 1,
+    }
+}
+
+fn is_off_rails(count: &u16) -> bool {
+    let (low, high) = RAILS;
+    (low..=high).contains(count)
+}
+
+/// Is it a number, and less?
+fn below(x: f32, limit: f32) -> bool {
+    x < limit
+}
+
+fn near(a: Heights, b: Heights, distance: f32) -> bool {
+    a.iter().zip(b).all(|(a, b)| Real::abs(a - b) < distance)
+}
