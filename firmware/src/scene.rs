@@ -7,20 +7,20 @@
 
 use smartbed_firmware::{STEPS, digest::Digest};
 use smartbed_runtime::advance::{MOTION_ROWS, Motion, Workspace};
-use smartbed_runtime::body::{Body, BodyError, Massless};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{Mode, System};
+use smartbed_runtime::flexible::{Body, BodyError, Massless};
 use smartbed_runtime::scene::{State, step};
 
 /// The scene.
 #[allow(clippy::all, unused_imports, reason = "generated: which variants a scene names depends on it")]
 mod table {
     use smartbed_runtime::advance::Method::{self, *};
-    use smartbed_runtime::body::Gas::*;
-    use smartbed_runtime::body::PressureForm::*;
-    use smartbed_runtime::body::{Inflation, Spring};
     use smartbed_runtime::contact::ContactLaw::*;
     use smartbed_runtime::contact::Ground;
+    use smartbed_runtime::flexible::Gas::*;
+    use smartbed_runtime::flexible::PressureForm::*;
+    use smartbed_runtime::flexible::{Inflation, Spring};
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 use table::{

@@ -9,9 +9,10 @@ use crate::command::Profile;
 use crate::control;
 use crate::digest::Digest;
 use crate::mechanism::{INPUT_NAMES, Model, N_INPUTS, NOMINAL, NQ, NU, PARAMETER_NAMES, Q_NAMES, U_NAMES};
-use smartbed_runtime::integrator::{fixed, rk4};
-use smartbed_runtime::mechanism::{Fault, Mechanism, System};
-use smartbed_runtime::state::State;
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+use smartbed_runtime::ode::Ode;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::{rk4, runge_kutta};
 
 /// Length of the state x = [q, u].
 pub const NX: usize = NQ + NU;
@@ -81,7 +82,7 @@ pub struct Simulation {
     weight: f32,
     x: [f32; NX],
     low: [f32; NX],
-    scratch: [f32; fixed::rk4_scratch(NX)],
+    scratch: [f32; runge_kutta::rk4_scratch(NX)],
     steps: u32,
 }
 
@@ -106,7 +107,7 @@ impl Simulation {
         x.iter_mut().zip(q).for_each(|(x, q)| *x = q);
         let start = LEGS.map_or(0.0, |legs| legs.iter().map(|l| at(&x, l.height)).sum::<f32>() / 3.0);
         let profile = Profile::demonstration(start);
-        let (low, scratch) = ([0.0; NX], [0.0; fixed::rk4_scratch(NX)]);
+        let (low, scratch) = ([0.0; NX], [0.0; runge_kutta::rk4_scratch(NX)]);
         Ok(Self { model, profile, radius, weight, x, low, scratch, steps: 0 })
     }
 
@@ -241,7 +242,7 @@ struct Held<'a> {
     inputs: [f32; N_INPUTS],
 }
 
-impl System<f32> for Held<'_> {
+impl Ode<f32> for Held<'_> {
     fn n_x(&self) -> usize {
         NX
     }

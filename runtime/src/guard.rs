@@ -5,10 +5,11 @@
 //! located by trying steps of different lengths, so the state there is a state of the method itself.
 
 use crate::advance::{Method, Motion, Start, Workspace, advance};
-use crate::body::BodyError;
-use crate::body::vec3;
 use crate::contact::{Ground, Mode, System};
+use crate::flexible::BodyError;
+use crate::ode::root::Search;
 use crate::real::Scalar;
+use crate::vec3;
 
 /// Trials at most for one root (bisection alone halves a step 60 times to nothing).
 const TRIALS: usize = 64;
@@ -217,17 +218,7 @@ fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S
     time
 }
 
-/// Zero of the parabola tau(f) through three points (tau, f); not a number where two have the same f.
-fn inverse_parabola<S: Scalar>([(a, fa), (b, fb), (c, fc)]: [(S, S); 3]) -> S {
-    let at_a = a * (fb / (fa - fb)) * (fc / (fa - fc));
-    let at_b = b * (fa / (fb - fa)) * (fc / (fb - fc));
-    let at_c = c * (fa / (fc - fa)) * (fb / (fc - fb));
-    at_a + at_b + at_c
-}
-
-/// Root of the smallest guard by inverse parabolas through the last three trials; where these leave the
-/// bracket, by false position (Anderson & Bjorck 1973); every sixth trial is a bisection.
-/// Returns the time and the number of steps tried.
+/// Root of the smallest guard; returns the time and the number of steps tried.
 ///
 /// Ends where the guard is negative by no more than rounding, with that state in `work.end`.
 fn locate<S: Scalar>(
@@ -239,23 +230,18 @@ fn locate<S: Scalar>(
     method: Method<S>,
     work: &mut Workspace<S>,
 ) -> Result<(S, usize), BodyError<S>> {
-    let half = S::from_f64(0.5);
     let small = S::EPSILON * (S::ONE + ground.offset.abs());
     // Shifted by half of what is allowed: the root aimed at lies on the negative side.
-    let shift = half * small;
-    let (mut old, mut f_old) = (bracket.lo, bracket.guard_lo + shift);
-    let (mut new, mut f_new) = (bracket.hi, bracket.guard_hi + shift);
-    let mut points = [(old, f_old), (old, f_old), (new, f_new)];
-    let mut negative = new;
+    let shift = S::from_f64(0.5) * small;
+    let (low, high) = ((bracket.lo, bracket.guard_lo + shift), (bracket.hi, bracket.guard_hi + shift));
+    let mut search = Search::new(low, high, bracket.guess);
+    let mut negative = bracket.hi;
     for trial in 0..TRIALS {
+        let (old, new) = search.ends();
         if (new - old).abs() <= S::from_f64(2.0) * S::EPSILON * new.max(old) {
             break;
         }
-        let inside = |t: &S| *t > new.min(old) && *t < new.max(old);
-        let secant = (old * f_new - new * f_old) / (f_new - f_old);
-        let curved = if trial == 0 { bracket.guess } else { Some(inverse_parabola(points)) };
-        let guess = curved.filter(inside).or(Some(secant).filter(inside));
-        let tau = if trial % 6 == 5 { None } else { guess }.unwrap_or(half * (old + new));
+        let tau = search.propose();
         advance(system, start, tau, method, work)?;
         let guard = smallest_guard(system, ground, start.modes, &work.end, h, bracket.armed);
         if guard < S::ZERO {
@@ -264,15 +250,7 @@ fn locate<S: Scalar>(
                 return Ok((tau, trial + 1));
             }
         }
-        let f_tau = guard + shift;
-        if (f_tau < S::ZERO) == (f_new < S::ZERO) {
-            let ratio = S::ONE - f_tau / f_new;
-            f_old = f_old * if ratio > S::ZERO { ratio } else { half };
-        } else {
-            (old, f_old) = (new, f_new);
-        }
-        (new, f_new) = (tau, f_tau);
-        points = [points[1], points[2], (tau, f_tau)];
+        search.take(tau, guard + shift);
     }
     advance(system, start, negative, method, work)?;
     Ok((negative, TRIALS))

@@ -5,11 +5,11 @@
 //! that the method itself invents or loses.
 //! Sign: `damping, drag, impact, friction` are energy taken out so far; `actuator` is energy put in.
 
-use crate::body::energy::{Energies, eval_energies};
-use crate::body::vec3::{self, Vec3};
 use crate::contact::{ContactLaw, System, soft};
+use crate::flexible::energy::{Energies, eval_energies};
 use crate::real::Scalar;
 use crate::scene::{Event, Flow, Observer, State};
+use crate::vec3::{self, Vec3};
 
 /// Accounts of a run (J).
 #[derive(Clone, Copy, Debug, PartialEq)]

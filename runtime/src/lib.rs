@@ -2,20 +2,19 @@
 //!
 //! The layers, in reading order; a file imports only from layers above its own:
 //!
-//! 1. [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
-//! 2. [`mechanism`]: what generated equations implement, and the systems that integrators take;
-//! 3. [`state`]: coordinates and speeds as compensated sums;
-//! 4. [`event`]: where a guard changes its sign;
-//! 5. [`integrator`]: one step, refused or taken as a whole;
-//! 6. [`gas`]: gas in a volume: pressure, valves, accounts;
-//! 7. [`body`]: point masses, springs, pressure: forces and energies;
-//! 8. [`surface`]: what can be touched: shapes and facets, gaps and their rates;
-//! 9. [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
-//! 10. [`contact`]: the ground's laws, impact with energy compensation, friction;
-//! 11. [`advance`]: one step of a body while no point touches or leaves;
-//! 12. [`guard`]: the step shortened to the first touch or release;
-//! 13. [`scene`]: the whole step of a body on the ground;
-//! 14. [`ledger`]: the accounts of energy, an observer.
+//! - [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
+//! - [`vec3`]: three components;
+//! - [`mechanism`]: what generated equations implement;
+//! - [`ode`]: state, coefficients, one step of any equations of motion, refused or taken as a whole; root location;
+//! - [`gas`]: gas in a volume: pressure, valves, accounts;
+//! - [`flexible`]: point masses, springs, pressure: forces and energies;
+//! - [`surface`]: what can be touched: shapes and facets, gaps and their rates;
+//! - [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
+//! - [`contact`]: the ground's laws, impact with energy compensation, friction;
+//! - [`advance`]: one step of a body while no point touches or leaves;
+//! - [`guard`]: the step shortened to the first touch or release;
+//! - [`scene`]: the whole step of a body on the ground;
+//! - [`ledger`]: the accounts of energy, an observer.
 //!
 //! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
 //! one second in f32, as a microcontroller would compute it:
@@ -27,17 +26,15 @@
 
 pub mod real;
 
+pub mod vec3;
+
 pub mod mechanism;
 
-pub mod state;
-
-pub mod event;
-
-pub mod integrator;
+pub mod ode;
 
 pub mod gas;
 
-pub mod body;
+pub mod flexible;
 
 pub mod surface;
 

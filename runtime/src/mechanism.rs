@@ -1,7 +1,6 @@
-//! What generated equations implement, and what the interpreter of `smartbed-codegen` implements too;
-//! [`Driven`] adds the law that commands the inputs and so makes it a [`System`] for integrators.
+//! What generated equations implement, and what the interpreter of `smartbed-codegen` implements too.
 //!
-//! State of a system: x = [q, u], all coordinates and then the independent speeds, SI units.
+//! State of a mechanism: x = [q, u], all coordinates and then the independent speeds, SI units.
 
 use crate::real::Real;
 
@@ -64,112 +63,5 @@ pub trait Mechanism<S: Real> {
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;
         false
-    }
-}
-
-/// Ordinary differential equations x_dot = f(t, x), perhaps with constraints to be projected onto.
-pub trait System<S: Real> {
-    /// Length of x.
-    fn n_x(&self) -> usize;
-    /// How many leading entries of x are coordinates; the rest are speeds.
-    fn n_q(&self) -> usize;
-    /// Writes x_dot and returns the worst pivot (see [`Mechanism::rates`]; 1 if there is none).
-    ///
-    /// # Errors
-    /// [`Fault::Shape`] if a slice has not `n_x` entries.
-    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault>;
-    /// The time at which the next projections are asked for (see [`Mechanism::set_time`]).
-    fn set_time(&mut self, t: S) {
-        let _ = t;
-    }
-    /// One correction towards the constraints; returns the largest residual before it.
-    ///
-    /// # Errors
-    /// [`Fault::Shape`] if `x` has not `n_x` entries.
-    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
-        let _ = x;
-        Ok(S::ZERO)
-    }
-    /// Corrections after each step: 0 without constraints, else 1, at most 2.
-    fn projections(&self) -> u8 {
-        0
-    }
-    /// Whether whole turns may be taken off entry `index` of x.
-    fn is_angle(&self, index: usize) -> bool {
-        let _ = index;
-        false
-    }
-}
-
-/// A mechanism and the law that commands its inputs: `law(t, q, u, inputs)` writes all inputs.
-#[derive(Debug)]
-pub struct Driven<'a, S, M, L> {
-    /// The equations.
-    pub mechanism: M,
-    /// What commands the inputs.
-    pub law: L,
-    /// Corrections onto the configuration constraints after each step.
-    pub projections: u8,
-    /// Whether whole turns are taken off angles; outputs that show turns need `false`.
-    pub wrap: bool,
-    inputs: &'a mut [S],
-}
-
-impl<'a, S, M, L> Driven<'a, S, M, L>
-where
-    S: Real,
-    M: Mechanism<S>,
-    L: FnMut(S, &[S], &[S], &mut [S]),
-{
-    /// Joins them; `inputs` (`n_inputs` entries) is memory for the commanded inputs. One projection
-    /// after each step, no wrapping.
-    ///
-    /// # Errors
-    /// [`Fault::Shape`] if `inputs` has not `n_inputs` entries.
-    pub fn new(mechanism: M, law: L, inputs: &'a mut [S]) -> Result<Self, Fault> {
-        if inputs.len() == mechanism.n_inputs() {
-            Ok(Self { mechanism, law, projections: 1, wrap: false, inputs })
-        } else {
-            Err(Fault::Shape)
-        }
-    }
-    /// The inputs of the last evaluation.
-    pub fn inputs(&self) -> &[S] {
-        self.inputs
-    }
-}
-
-impl<S, M, L> System<S> for Driven<'_, S, M, L>
-where
-    S: Real,
-    M: Mechanism<S>,
-    L: FnMut(S, &[S], &[S], &mut [S]),
-{
-    fn n_x(&self) -> usize {
-        self.mechanism.n_q() + self.mechanism.n_u()
-    }
-    fn n_q(&self) -> usize {
-        self.mechanism.n_q()
-    }
-    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        let n_q = self.mechanism.n_q();
-        let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
-        let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        (self.law)(t, q, u, self.inputs);
-        self.mechanism.rates(t, q, u, self.inputs, q_dot, u_dot)
-    }
-    fn set_time(&mut self, t: S) {
-        self.mechanism.set_time(t);
-    }
-    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
-        let n_q = self.mechanism.n_q();
-        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        self.mechanism.project(q)
-    }
-    fn projections(&self) -> u8 {
-        self.projections
-    }
-    fn is_angle(&self, index: usize) -> bool {
-        self.wrap && index < self.mechanism.n_q() && self.mechanism.is_angle(index)
     }
 }

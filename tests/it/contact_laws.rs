@@ -2,8 +2,8 @@
 
 use smartbed::scene::parse;
 use smartbed::scene::run::{EventRecord, Row, run};
-use smartbed_runtime::body::{Body, Massless, Spring};
 use smartbed_runtime::contact::{ContactLaw, Ground, massless};
+use smartbed_runtime::flexible::{Body, Massless, Spring};
 
 const G: f64 = 9.81;
 

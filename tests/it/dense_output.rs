@@ -4,7 +4,7 @@
 //! an oracle for the references that shares nothing with bodies, contact and scenes.
 
 use smartbed::scene::dop853::Dop853;
-use smartbed_runtime::event;
+use smartbed_runtime::ode::root;
 
 /// x'' = -x from (1, 0): largest error of the dense output, and error at the end, for steps of length h.
 fn oscillator(h: f64) -> (f64, f64) {
@@ -81,7 +81,7 @@ fn drop_spring(tolerance: f64) -> (Vec<f64>, Vec<f64>, usize) {
             }
         }
         if let Some((low, high)) = bracket {
-            let (_, theta) = event::locate(guard, low, high, 0.0).expect("bracketed");
+            let (_, theta) = root::locate(guard, low, high, 0.0).expect("bracketed");
             let t = dense.t + theta * dense.h;
             events.push(t);
             let y = dense.at(theta);

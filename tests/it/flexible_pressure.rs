@@ -2,8 +2,8 @@
 
 use smartbed::scene::run::run;
 use smartbed::scene::{Scene, Simulation, parse, shape};
-use smartbed_runtime::body::PressureForm;
-use smartbed_runtime::body::pressure::{corner_shares, corners, enclosed_volume};
+use smartbed_runtime::flexible::PressureForm;
+use smartbed_runtime::flexible::pressure::{corner_shares, corners, enclosed_volume};
 
 type Vector = [f64; 3];
 
@@ -133,7 +133,7 @@ fn volume_of(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
 
 /// The program's own volume, which the gas law reads.
 fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
-    let body = smartbed_runtime::body::Body {
+    let body = smartbed_runtime::flexible::Body {
         mass: &lists.masses,
         fixed: &lists.fixed,
         springs: &[],
@@ -141,7 +141,7 @@ fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
         air_drag: 0.0,
         facets: &lists.facets,
         inflation: None,
-        massless: smartbed_runtime::body::Massless::default(),
+        massless: smartbed_runtime::flexible::Massless::default(),
     };
     enclosed_volume(&body, pos)
 }
@@ -206,5 +206,5 @@ fn collapsed_and_inverted_cells_have_stated_outcomes() {
     let mut simulation =
         Simulation::<f64>::new(&inside_out.lists, &inside_out.around, inside_out.method).expect("body");
     let error = simulation.begin(1e-3, &mut ()).expect_err("no volume");
-    assert!(matches!(error, smartbed_runtime::body::BodyError::Collapsed { volume } if volume < 0.0));
+    assert!(matches!(error, smartbed_runtime::flexible::BodyError::Collapsed { volume } if volume < 0.0));
 }

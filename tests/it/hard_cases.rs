@@ -227,9 +227,9 @@ fn denormals() {
 #[test]
 fn one_node_a_hundred_million_f32_steps() {
     use smartbed_runtime::advance::{Method, Motion, Start, Workspace, advance, workspace_len};
-    use smartbed_runtime::body::{Body, Massless};
     use smartbed_runtime::contact::System;
     use smartbed_runtime::contact::compensation::PointImpact;
+    use smartbed_runtime::flexible::{Body, Massless};
     const STEPS: usize = 100_000_000;
     let body = Body::new(Body {
         mass: &[1.0_f32],

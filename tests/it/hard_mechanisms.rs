@@ -2,7 +2,7 @@
 //! of bodies, is docs/hard-cases.md.
 
 use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::state::{advance, wrap};
+use smartbed_runtime::ode::state::{advance, wrap};
 use smartbed_tests::cases;
 use smartbed_tests::closed_form::{fourbar, tile};
 use smartbed_tests::loop_equations;

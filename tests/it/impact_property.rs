@@ -3,10 +3,11 @@
 //! The oracle rebuilds the change of every velocity from the reported lambda and ground impulses alone:
 //! +lambda w d on the receiver, -lambda w d on the touching point, J n from the ground.
 
-use smartbed_runtime::body::{Body, Massless, Spring, Vec3};
 use smartbed_runtime::contact::compensation::{Compensation, PointImpact, apply};
 use smartbed_runtime::contact::{ContactLaw, Ground, System, friction};
+use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::real::Scalar;
+use smartbed_runtime::vec3::Vec3;
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
 struct Random(u64);

@@ -1,8 +1,8 @@
 //! Impact between two flexible bodies on random pairs: energy, momentum and angular momentum of the whole, J >= 0,
 //! no approach left; and two springs head on, where symmetry makes each the other's ground.
 
-use smartbed_runtime::body::{Body, Massless, Spring};
 use smartbed_runtime::contact::pair::{Touch, apply};
+use smartbed_runtime::flexible::{Body, Massless, Spring};
 
 type Vector = [f64; 3];
 

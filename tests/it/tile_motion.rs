@@ -1,6 +1,6 @@
 //! The tile in motion: its servo trajectory, a million steps on the constraints, energy, slow commands.
 
-use smartbed_runtime::integrator::tableau::Tabulated;
+use smartbed_runtime::real::Scalar;
 use smartbed_tests::cases;
 use smartbed_tests::loop_equations;
 use smartbed_tests::newton_euler::tile::Parameters;
@@ -29,15 +29,13 @@ fn weight() -> f64 {
 }
 
 /// The three heights among the coordinates of either tile, and of speeds.
-fn heights<S: Tabulated>(x: &[S]) -> [f64; 3] {
+fn heights<S: Scalar>(x: &[S]) -> [f64; 3] {
     let stride = x.len() / 3;
     [0, 1, 2].map(|leg| x[leg * stride].to_f64())
 }
 
 /// A law from times, heights and their rates for either tile at any scalar, computed in f64.
-fn law<S: Tabulated>(
-    thrusts: impl Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3],
-) -> impl Fn(S, &[S], &[S], &mut [S]) {
+fn law<S: Scalar>(thrusts: impl Fn(f64, [f64; 3], [f64; 3]) -> [f64; 3]) -> impl Fn(S, &[S], &[S], &mut [S]) {
     move |t, q, u, inputs| {
         for (input, thrust) in inputs.iter_mut().zip(thrusts(t.to_f64(), heights(q), heights(u))) {
             *input = S::from_f64(thrust);

@@ -1,12 +1,13 @@
 //! Runs of a subject under a law, stepped by the product's integrators.
 
 use crate::subject::{State, Subject, arrange};
-use smartbed_runtime::integrator::dormand_prince::{self, DormandPrince};
-use smartbed_runtime::integrator::step_size::Tolerance;
-use smartbed_runtime::integrator::tableau::Tabulated;
-use smartbed_runtime::integrator::{fixed, rk4};
-use smartbed_runtime::mechanism::{Fault, System};
-use smartbed_runtime::state;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
+use smartbed_runtime::ode::dormand_prince::{self, DormandPrince};
+use smartbed_runtime::ode::state;
+use smartbed_runtime::ode::step_size::Tolerance;
+use smartbed_runtime::ode::{rk4, runge_kutta};
+use smartbed_runtime::real::Scalar;
 
 /// What commands the inputs: `law(t, q, u, inputs)` writes all of them.
 pub type Law<'a, S> = &'a dyn Fn(S, &[S], &[S], &mut [S]);
@@ -20,7 +21,7 @@ struct Steered<'a, S> {
     n_u: usize,
 }
 
-impl<S: Tabulated> System<S> for Steered<'_, S> {
+impl<S: Scalar> Ode<S> for Steered<'_, S> {
     fn n_x(&self) -> usize {
         self.n_q + self.n_u
     }
@@ -55,7 +56,7 @@ pub struct Run<'a, S> {
     pub before_projection: f64,
 }
 
-impl<'a, S: Tabulated> Run<'a, S> {
+impl<'a, S: Scalar> Run<'a, S> {
     /// Starts at t = 0 from a state given by names.
     pub fn new(subject: &'a mut dyn Subject<S>, start: &State, law: Law<'a, S>) -> Self {
         let names = subject.names();
@@ -64,7 +65,7 @@ impl<'a, S: Tabulated> Run<'a, S> {
         let (n_q, n_u) = (names.q.len(), names.u.len());
         let inputs = vec![S::ZERO; names.inputs.len()];
         let n_x = x.len();
-        let longest = fixed::rk4_scratch(n_x).max(dormand_prince::scratch(n_x));
+        let longest = runge_kutta::rk4_scratch(n_x).max(dormand_prince::scratch(n_x));
         let system = Steered { subject, law, inputs, n_q, n_u };
         let (low, scratch) = (vec![S::ZERO; n_x], vec![S::ZERO; longest]);
         Self { system, x, low, scratch, steps: 0, before_projection: 0.0 }

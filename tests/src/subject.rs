@@ -5,7 +5,6 @@
 use crate::cases::LOAD_PARAMETERS;
 use crate::generated;
 use crate::interpreted::InterpretedSubject;
-use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::real::{Real, Scalar};
 
@@ -134,7 +133,7 @@ pub fn outputs<S: Scalar>(subject: &mut dyn Subject<S>, state: &State) -> Named 
 }
 
 /// A scalar for which the tests' models are built.
-pub trait Built: Tabulated {
+pub trait Built: Scalar {
     /// A model under an engine.
     fn subject(engine: Engine, model: &str) -> Box<dyn Subject<Self>>;
     /// The same with every fixed parameter kept as one that may be set.

@@ -5,10 +5,11 @@
 use crate::augmented;
 use crate::models::shipped;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
-use smartbed_runtime::integrator::Method;
-use smartbed_runtime::integrator::tableau::Tabulated;
-use smartbed_runtime::mechanism::{Driven, Mechanism};
-use smartbed_runtime::state::State;
+use smartbed_runtime::mechanism::Mechanism;
+use smartbed_runtime::ode::Driven;
+use smartbed_runtime::ode::Method;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::real::Scalar;
 
 /// Against independent equations, relative to the largest acceleration.
 const EXACT: f64 = 1e-12;
@@ -138,18 +139,12 @@ fn check_power(program: &Program, t: f64, q: &[f64], u: &[f64], lost: f64) {
 }
 
 /// The state after some steps of Kutta's method, as the runtime takes them.
-fn moved<S: Tabulated>(program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
+fn moved<S: Scalar>(program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
     moved_by::<S>(Method::Rk4, program, start, h, steps)
 }
 
 /// The same by any method of fixed step.
-fn moved_by<S: Tabulated>(
-    method: Method,
-    program: &Program,
-    start: &[f64],
-    h: f64,
-    steps: usize,
-) -> Vec<f64> {
+fn moved_by<S: Scalar>(method: Method, program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
     let mut x: Vec<S> = start.iter().map(|&x| S::from_f64(x)).collect();
     let mut low = vec![S::ZERO; x.len()];
     let mut scratch = vec![S::ZERO; 8 * x.len()];

@@ -4,10 +4,11 @@
 
 use crate::models::shipped;
 use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
-use smartbed_runtime::integrator::rk4;
-use smartbed_runtime::integrator::tableau::Tabulated;
-use smartbed_runtime::mechanism::{Driven, Mechanism};
-use smartbed_runtime::state::State;
+use smartbed_runtime::mechanism::Mechanism;
+use smartbed_runtime::ode::Driven;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::rk4;
+use smartbed_runtime::real::Scalar;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Against independent equations at random states, relative to the largest acceleration.
@@ -57,7 +58,7 @@ fn error(found: &[f64], expected: &[f64]) -> f64 {
 }
 
 /// The state after some steps of Kutta's method, as the runtime takes them: no step is refused.
-fn moved<S: Tabulated>(program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
+fn moved<S: Scalar>(program: &Program, start: &[f64], h: f64, steps: usize) -> Vec<f64> {
     let mut x: Vec<S> = start.iter().map(|&x| S::from_f64(x)).collect();
     let mut low = vec![S::ZERO; x.len()];
     let mut scratch = vec![S::ZERO; 8 * x.len()];

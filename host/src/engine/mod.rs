@@ -8,8 +8,8 @@ use crate::failure::Failure;
 use crate::limits;
 use clap::ValueEnum;
 use smartbed_codegen::{Interpreted, Program, ScalarType};
-use smartbed_runtime::integrator::tableau::Tabulated;
 use smartbed_runtime::mechanism::{Fault, Mechanism};
+use smartbed_runtime::real::Scalar;
 
 /// Which engine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
@@ -43,7 +43,7 @@ impl ScalarKind {
 }
 
 /// A scalar that an engine computes with.
-pub trait EngineScalar: Tabulated {
+pub trait EngineScalar: Scalar {
     /// Its name in emitted files.
     fn scalar_type() -> ScalarType;
 }

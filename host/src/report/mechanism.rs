@@ -20,10 +20,11 @@ use clap::ValueEnum;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Interpreted, Program, program};
-use smartbed_runtime::integrator::step_size::Tolerance;
-use smartbed_runtime::integrator::{DormandPrince, dormand_prince};
-use smartbed_runtime::mechanism::{Fault, System};
-use smartbed_runtime::state::State;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::step_size::Tolerance;
+use smartbed_runtime::ode::{DormandPrince, dormand_prince};
 use std::time::Duration;
 
 /// A ladder of steps begins at this many steps of the model's own length.

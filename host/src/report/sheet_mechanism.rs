@@ -8,8 +8,8 @@ use crate::engine::explain;
 use smartbed_codegen::rust::Answer;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{ParameterChoice, Program, program};
-use smartbed_runtime::integrator::Method;
-use smartbed_runtime::state::State;
+use smartbed_runtime::ode::Method;
+use smartbed_runtime::ode::State;
 
 /// Steps that are timed; the fastest of so many runs counts.
 const STEPS: usize = 200;

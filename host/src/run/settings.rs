@@ -7,7 +7,7 @@ use crate::{model_argument, suggest};
 use clap::ValueEnum;
 use smartbed_codegen::ParameterChoice;
 use smartbed_codegen::model::{Model, StartRef};
-use smartbed_runtime::integrator::Method as FixedMethod;
+use smartbed_runtime::ode::Method as FixedMethod;
 use std::collections::BTreeMap;
 
 /// Most steps of a run.

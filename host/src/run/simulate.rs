@@ -14,11 +14,12 @@ use crate::interrupt;
 use crate::limits::{Angles, check_numbers};
 use crate::progress::Progress;
 use smartbed_codegen::{Interpreted, Program};
-use smartbed_runtime::integrator::step_size::Tolerance;
-use smartbed_runtime::integrator::{DormandPrince, Method, Report, dormand_prince};
-use smartbed_runtime::mechanism::{Fault, System};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::step_size::Tolerance;
+use smartbed_runtime::ode::{DormandPrince, Method, Report, dormand_prince};
 use smartbed_runtime::real::Scalar;
-use smartbed_runtime::state::State;
 use std::collections::BTreeMap;
 
 /// Most steps of the adaptive method.
@@ -100,7 +101,7 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names
 }
 
-impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> System<S> for Plant<E, S> {
+impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for Plant<E, S> {
     fn n_x(&self) -> usize {
         self.engine.n_q() + self.engine.n_u()
     }

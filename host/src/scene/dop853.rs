@@ -5,7 +5,7 @@
 //! the host's tool for reference trajectories; the runtime steps bodies with the same tableau.
 //! Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.5, II.6, II.10.
 
-use smartbed_runtime::advance::tableau::DOP853;
+use smartbed_runtime::ode::tableau::DOP853;
 
 const STAGES: usize = 12;
 /// Smallest and largest change of the step from one to the next, and the safety factor before it.

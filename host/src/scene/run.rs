@@ -3,8 +3,8 @@
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-use smartbed_runtime::body::BodyError;
 use smartbed_runtime::contact::System;
+use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Event, Flow, Observer};
@@ -248,7 +248,7 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
         BodyError::PressureTooHigh { pressure, spring } => format!(
             "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
             pressure.to_f64(),
-            smartbed_runtime::body::pressure::STRETCH_LIMIT
+            smartbed_runtime::flexible::pressure::STRETCH_LIMIT
         ),
         BodyError::Collapsed { volume } => {
             format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())

@@ -3,12 +3,13 @@
 //! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
 
 use smartbed_runtime::advance::{Method, Motion, Workspace, workspace_len};
-use smartbed_runtime::body::{Body, BodyError, Gas, Inflation, Massless, Spring, Vec3};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
+use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, Spring};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
+use smartbed_runtime::vec3::Vec3;
 
 use super::lists::Lists;
 

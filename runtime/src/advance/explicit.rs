@@ -3,12 +3,12 @@
 //! k_s = a(x + c_s h v + h^2 sum abar_sj k_j,  v + h sum a_sj k_j)
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
 
-use super::tableau::Tableau;
 use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::body::BodyError;
-use crate::body::vec3::{self, Vec3};
 use crate::contact::System;
+use crate::flexible::BodyError;
+use crate::ode::tableau::Tableau;
 use crate::real::{Constant, Scalar};
+use crate::vec3::{self, Vec3};
 
 /// One step; returns the error estimate in units of `tolerance`.
 pub(crate) fn step<S: Scalar, const N: usize>(
@@ -27,7 +27,7 @@ pub(crate) fn step<S: Scalar, const N: usize>(
             }
             continue;
         }
-        let c = tableau.c.get(s).map_or(S::ZERO, |c| S::constant(*c));
+        let c = tableau.drift.get(s).map_or(S::ZERO, |c| S::constant(*c));
         for i in 0..n {
             let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
             let drift = vec3::axpy(x, h * c, v);

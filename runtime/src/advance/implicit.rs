@@ -7,11 +7,11 @@
 //! for any step; momentum and angular momentum stay. Solved by fixed-point iteration (h w_max < 2).
 
 use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::body::pressure::{self, Gas};
-use crate::body::vec3::{self, Vec3};
-use crate::body::{Body, BodyError};
 use crate::contact::{ContactLaw, Ground, System, soft};
+use crate::flexible::pressure::{self, Gas};
+use crate::flexible::{Body, BodyError};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Iterations at most: at h w = 1 each gains a factor 4, so 30 reach the rounding of f64.
 const ITERATIONS: usize = 200;

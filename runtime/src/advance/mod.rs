@@ -7,15 +7,15 @@
 pub mod explicit;
 pub mod implicit;
 pub mod moreau;
-pub mod tableau;
 pub mod verlet;
 
-use crate::body::BodyError;
-use crate::body::force;
-use crate::body::vec3::{self, Vec3};
 use crate::contact::compensation::PointImpact;
 use crate::contact::{ContactLaw, Mode, System, massless, soft};
+use crate::flexible::BodyError;
+use crate::flexible::force;
+use crate::ode::tableau;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Method of integration between events.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,10 +6,10 @@
 //! around, so that neither gives energy.
 
 use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::body::BodyError;
-use crate::body::vec3::{self, Vec3};
 use crate::contact::{Ground, System, friction};
+use crate::flexible::BodyError;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// What the ground took in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]

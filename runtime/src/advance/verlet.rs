@@ -5,10 +5,10 @@
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
 use super::{Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities};
-use crate::body::BodyError;
-use crate::body::vec3::{self, Vec3};
 use crate::contact::System;
+use crate::flexible::BodyError;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring.
 const ITERATIONS: usize = 100;

@@ -14,8 +14,8 @@
 //! Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
 
 use super::System;
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Springs flatter than this against the ground carry nothing (cosine with the normal).
 pub const FLATTEST_RECEIVER: f64 = 1e-6;

@@ -3,8 +3,8 @@
 //! f = min(1, mu J/(m |v_t|)); v_t := (1 - f) v_t; loss = m |v_t|^2 (1 - (1-f)^2)/2.
 //! f = 1 leaves the point without tangential speed: it sticks.
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Slows v along the surface by the friction of a normal impulse J (N s); returns the energy lost (J).
 pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: S, impulse: S) -> S {

@@ -8,9 +8,9 @@
 //! Without inertia a point has no momentum that friction could take, so the law is one without friction.
 
 use super::Ground;
-use crate::body::vec3::{self, Vec3};
-use crate::body::{Body, Spring};
+use crate::flexible::{Body, Spring};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Corrections of one point in one sweep.
 const CORRECTIONS: usize = 30;

@@ -12,9 +12,9 @@ pub mod restitution;
 pub mod soft;
 pub mod stable_step;
 
-use crate::body::Body;
-use crate::body::vec3::{self, Vec3};
+use crate::flexible::Body;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// What happens between a point and the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]

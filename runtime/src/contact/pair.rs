@@ -15,9 +15,9 @@
 //! the same line, so momentum and angular momentum of the whole stay (where the point lies on the facet).
 
 use super::compensation::{FLATTEST_RECEIVER, Root};
-use crate::body::Body;
-use crate::body::vec3::{self, Vec3};
+use crate::flexible::Body;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Where a point touches a facet.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@
 
 use super::System;
 use super::compensation::{Impact, PointImpact, Root};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Applies the law to the points marked in `points`, which return the impulses.
 pub fn apply<S: Scalar>(

@@ -3,8 +3,8 @@
 //! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
 
 use super::{ContactLaw, Ground};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Normal force of the ground on one point (N) and the part of it that dissipates (N).
 #[must_use]

@@ -7,9 +7,9 @@
 //! each may touch.
 
 use super::{ContactLaw, Ground, System, soft};
-use crate::body::energy::eval_energies;
-use crate::body::vec3::{self, Vec3};
+use crate::flexible::energy::eval_energies;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// The formula of [`largest_stable_step`], for messages.
 pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, with 2 K and 2 C the largest eigenvalues of the sums \

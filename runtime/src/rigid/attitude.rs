@@ -1,7 +1,7 @@
 //! Attitude of a body as a unit quaternion e = (e0, e1, e2, e3) (Euler parameters): it turns body axes to N.
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Euler parameters of the turn from N to the body; unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]

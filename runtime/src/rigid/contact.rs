@@ -5,8 +5,8 @@
 
 use super::impact::InverseMass;
 use super::{RigidBody, RigidState, contact_axes};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// What a body yields to an impulse; nothing, if it is fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,8 +14,8 @@
 //! Friction's work is -mu |v_t| dp <= 0 and W_n <= 0 at the end, so no impact creates energy, whatever e and mu.
 
 use super::swerve;
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Phases of one direction of slip, at most: compression and restitution, before and after slip ends; a spare.
 const PHASES: usize = 8;

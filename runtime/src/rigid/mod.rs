@@ -12,9 +12,9 @@ pub mod narrow;
 pub mod several;
 mod swerve;
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::surface::Frame;
+use crate::vec3::{self, Vec3};
 use attitude::Attitude;
 use impact::{Impact, InverseMass, Touch};
 

@@ -9,8 +9,8 @@
 
 use super::attitude::Attitude;
 use super::{RigidBody, RigidState};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Largest angle (rad) of one application of the map.
 const LARGEST_TURN: f64 = 0.5;

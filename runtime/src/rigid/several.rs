@@ -12,9 +12,9 @@
 
 use super::contact::{Contact, Mobility, Twist, onto_disc, solve_tangential};
 use super::impact::{InverseMass, Touch, resolve};
-use crate::body::vec3;
-use crate::event::locate;
+use crate::ode::root::locate;
 use crate::real::Scalar;
+use crate::vec3;
 
 /// Pieces of one impact at most; what is then left is taken out as by e = 0.
 const PIECES: usize = 4000;

@@ -9,8 +9,8 @@
 //! once slip is lost in rounding, the straight phases of `impact` take over.
 
 use super::impact::{BISECTIONS, Progress, Touch, slip_of};
-use crate::body::vec3;
 use crate::real::Scalar;
+use crate::vec3;
 
 /// Terms of the series.
 const TERMS: usize = 24;

@@ -5,8 +5,8 @@
 
 use super::State;
 use crate::advance::{Method, Start, Workspace, advance};
-use crate::body::BodyError;
 use crate::contact::System;
+use crate::flexible::BodyError;
 use crate::guard::{self, Shortened};
 use crate::real::Scalar;
 

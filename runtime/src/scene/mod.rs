@@ -11,13 +11,13 @@ mod stepping;
 mod touch;
 
 use crate::advance::{Method, Motion, Workspace, check_finite};
-use crate::body::energy::eval_energies;
-use crate::body::vec3;
-use crate::body::{BodyError, pressure};
 use crate::contact::compensation::{Impact, PointImpact};
 use crate::contact::{ContactLaw, Ground, Mode, System};
+use crate::flexible::energy::eval_energies;
+use crate::flexible::{BodyError, pressure};
 use crate::guard::Shortened;
 use crate::real::Scalar;
+use crate::vec3;
 use attempt::{Attempt, attempt, control_step, try_length};
 use touch::{apply_law, hold_or_rebound, is_deep, lift, mark_touching, place_on_surface, release, rub};
 

@@ -6,10 +6,10 @@
 
 use super::State;
 use crate::advance::{Motion, Workspace, shift_positions};
-use crate::body::BodyError;
-use crate::body::vec3;
 use crate::contact::{Mode, System, friction, soft};
+use crate::flexible::BodyError;
 use crate::real::Scalar;
+use crate::vec3;
 
 /// Takes the sliding points in `work.end` back; returns the loss (J), >= 0.
 pub(super) fn slide<S: Scalar>(

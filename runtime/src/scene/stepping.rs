@@ -7,10 +7,10 @@
 use super::touch::{lift, release};
 use super::{Flow, Observer, State, StepReport, take_over};
 use crate::advance::{Start, Workspace, check_finite, finish as finish_motion, moreau};
-use crate::body::vec3::{self, Vec3};
-use crate::body::{BodyError, pressure};
 use crate::contact::{Ground, Mode, System, friction};
+use crate::flexible::{BodyError, pressure};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// One step of Moreau's law.
 pub(super) fn step<S: Scalar, O: Observer<S>>(

@@ -5,11 +5,11 @@
 
 use super::State;
 use crate::advance::{Method, Motion, Workspace, copy};
-use crate::body::energy::eval_energies;
-use crate::body::vec3::{self, Vec3};
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
 use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution};
+use crate::flexible::energy::eval_energies;
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// A rebound whose flight would last less than this part of a step, or stay within the tolerance, ends at rest (Zeno).
 const ZENO_FLIGHT: f64 = 1e-2;

@@ -8,8 +8,8 @@
 //! is solved by Newton's method. N is the same on both sides of an edge, so that gap and normal pass from facet to
 //! facet without a jump; a facet's own plane would turn them there.
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Newton's iterations: from the facet's middle the error squares each time.
 const ITERATIONS: usize = 16;

@@ -14,8 +14,8 @@ mod shape;
 
 pub use shape::{Capsule, Cuboid, Feature, HalfSpace, Nearest, Shape, Sphere};
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// A frame that may move: space, a rigid body, a port of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,8 @@
 //! vertex, edge or face bends accordingly: H = (P - n n')/rho, P taking out the directions along the core, rho the distance to it.
 
 use super::Surface;
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// All places with z <= 0; its surface is the plane z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,12 +1,13 @@
-use smartbed_runtime::integrator::{fixed, rk4};
-use smartbed_runtime::mechanism::{Fault, System};
+use smartbed_runtime::ode::{rk4, runge_kutta};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
 use smartbed_runtime::real::Real;
-use smartbed_runtime::state::State;
+use smartbed_runtime::ode::State;
 
 /// q'' = -(g / l) sin q with g / l = 9.81 / s^2.
 struct Pendulum;
 
-impl System<f32> for Pendulum {
+impl Ode<f32> for Pendulum {
     fn n_x(&self) -> usize {
         2
     }
@@ -23,7 +24,7 @@ impl System<f32> for Pendulum {
 }
 
 let (mut x, mut low) = ([0.1_f32, 0.0], [0.0; 2]);
-let mut scratch = [0.0; fixed::rk4_scratch(2)];
+let mut scratch = [0.0; runge_kutta::rk4_scratch(2)];
 let mut state = State::new(&mut x, &mut low)?;
 for step in 0..1000_u16 {
     rk4(&mut Pendulum, 1e-3 * f32::from(step), 1e-3, &mut state, &mut scratch)?;

@@ -2,11 +2,12 @@
 
 use crate::systems::{Bead, Flow, kepler, kepler_exact, oscillator, pendulum, pendulum_period};
 use proptest::prelude::*;
-use smartbed_runtime::integrator::step_size::Tolerance;
-use smartbed_runtime::integrator::tableau::Tabulated;
-use smartbed_runtime::integrator::{DormandPrince, Method, dormand_prince};
-use smartbed_runtime::mechanism::{Fault, System};
-use smartbed_runtime::state::State;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::step_size::Tolerance;
+use smartbed_runtime::ode::{DormandPrince, Method, dormand_prince};
+use smartbed_runtime::real::Scalar;
 
 const FIXED: [Method; 3] = [Method::ExplicitEuler, Method::SemiImplicitEuler, Method::Rk4];
 /// A tolerance that any step meets, which turns the adaptive method into one of fixed step.
@@ -17,13 +18,7 @@ const ORDER_MARGIN: f64 = 0.2;
 const ECCENTRICITY: f64 = 0.3;
 
 /// `steps` steps of `method` (None: Dormand-Prince without step control) over `seconds`.
-fn run<S: Tabulated>(
-    method: Option<Method>,
-    system: &mut impl System<S>,
-    x: &mut [S],
-    seconds: f64,
-    steps: u32,
-) {
+fn run<S: Scalar>(method: Option<Method>, system: &mut impl Ode<S>, x: &mut [S], seconds: f64, steps: u32) {
     let (h, mut low) = (S::from_f64(seconds / f64::from(steps)), vec![S::ZERO; x.len()]);
     let time = |step: u32| S::from_f64(f64::from(step)) * h;
     let mut memory = vec![S::ZERO; dormand_prince::scratch(x.len())];
@@ -153,7 +148,7 @@ fn creeping_motion_arrives_in_f32() {
 
 #[test]
 fn projections_hold_the_constraint() {
-    fn residual<S: Tabulated>(projections: u8) -> f64 {
+    fn residual<S: Scalar>(projections: u8) -> f64 {
         let mut x = [S::ONE, S::ZERO, S::ZERO];
         run(Some(Method::Rk4), &mut Bead { projections }, &mut x, 100.0, 10_000);
         let [x, y, _] = x.map(|v| v.to_f64());
@@ -248,7 +243,7 @@ fn a_stiff_decay_is_followed_at_the_stability_limit() {
 #[test]
 fn a_singular_mass_matrix_stops_the_motion_before_it() {
     // [1, c; c, 1] u_dot = [0, 1] with c = cos q: the pivot is sin^2 q, q runs towards 0.
-    fn singular<S: Tabulated>() -> (Fault, f64) {
+    fn singular<S: Scalar>() -> (Fault, f64) {
         let f = |_, x: &[S], x_dot: &mut [S]| {
             let (s, c) = x[0].sin_cos();
             let pivot = S::ONE - c * c;

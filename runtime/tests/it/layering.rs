@@ -86,13 +86,13 @@ fn no_file_imports_from_a_later_layer() {
 
 #[test]
 fn the_layering_test_sees_what_it_must() {
-    let layers = ["real", "mechanism", "state"].map(str::to_owned);
+    let layers = ["real", "mechanism", "ode"].map(str::to_owned);
     let check = |text| violations(&layers, "mechanism.rs", text).len();
     assert_eq!(check("use crate::real::Real;"), 0);
-    assert_eq!(check("use crate::state::State;"), 1);
-    assert_eq!(check("use crate::{real::{Real, Scalar}, state::State};"), 1);
-    assert_eq!(check("fn f() -> crate::state::State {}"), 1);
-    assert_eq!(check("// crate::state is below"), 0);
+    assert_eq!(check("use crate::ode::State;"), 1);
+    assert_eq!(check("use crate::{real::{Real, Scalar}, ode::State};"), 1);
+    assert_eq!(check("fn f() -> crate::ode::State {}"), 1);
+    assert_eq!(check("// crate::ode is below"), 0);
     assert_eq!(violations(&layers, "sensor/mod.rs", "").len(), 1);
 }
 

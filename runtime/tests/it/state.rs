@@ -1,8 +1,8 @@
 //! Compensated sums, wrapping, and root location.
 
 use proptest::prelude::*;
-use smartbed_runtime::event::{RootFault, locate};
-use smartbed_runtime::state::{State, advance, two_sum, wrap};
+use smartbed_runtime::ode::root::{RootFault, locate};
+use smartbed_runtime::ode::state::{State, advance, two_sum, wrap};
 
 #[test]
 fn ten_million_small_increments_arrive() {

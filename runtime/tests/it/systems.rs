@@ -1,6 +1,7 @@
 //! Small systems with known solutions.
 
-use smartbed_runtime::mechanism::{Fault, System};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
 use smartbed_runtime::real::{Real, Scalar};
 
 /// A system given by a function: (t, x, x_dot) -> pivot.
@@ -10,7 +11,7 @@ pub struct Flow<F> {
     pub f: F,
 }
 
-impl<S: Scalar, F: FnMut(S, &[S], &mut [S]) -> Result<S, Fault>> System<S> for Flow<F> {
+impl<S: Scalar, F: FnMut(S, &[S], &mut [S]) -> Result<S, Fault>> Ode<S> for Flow<F> {
     fn n_x(&self) -> usize {
         self.n
     }
@@ -26,7 +27,7 @@ impl<S: Scalar, F: FnMut(S, &[S], &mut [S]) -> Result<S, Fault>> System<S> for F
 }
 
 /// q'' = -sin q.
-pub fn pendulum() -> impl System<f64> {
+pub fn pendulum() -> impl Ode<f64> {
     let f = |_, x: &[f64], x_dot: &mut [f64]| {
         x_dot.copy_from_slice(&[x[1], -Real::sin_cos(x[0]).0]);
         Ok(1.0)
@@ -44,7 +45,7 @@ pub fn pendulum_period(angle: f64) -> f64 {
 }
 
 /// q'' = -q.
-pub fn oscillator() -> impl System<f64> {
+pub fn oscillator() -> impl Ode<f64> {
     let f = |_, x: &[f64], x_dot: &mut [f64]| {
         x_dot.copy_from_slice(&[x[1], -x[0]]);
         Ok(1.0)
@@ -53,7 +54,7 @@ pub fn oscillator() -> impl System<f64> {
 }
 
 /// The two-body problem, gravitational parameter 1: x = [position, velocity].
-pub fn kepler() -> impl System<f64> {
+pub fn kepler() -> impl Ode<f64> {
     let f = |_, x: &[f64], x_dot: &mut [f64]| {
         let r2 = x[0] * x[0] + x[1] * x[1];
         let r3 = r2 * r2.sqrt();
@@ -79,7 +80,7 @@ pub struct Bead {
     pub projections: u8,
 }
 
-impl<S: Scalar> System<S> for Bead {
+impl<S: Scalar> Ode<S> for Bead {
     fn n_x(&self) -> usize {
         3
     }

@@ -8,8 +8,8 @@ use smartbed_codegen::kinematics::ParameterChoice;
 use smartbed_codegen::program::interpreter::Interpreted;
 use smartbed_codegen::program::{self, Program};
 use smartbed_codegen::{Settings, model};
-use smartbed_runtime::integrator::pivot_limit;
 use smartbed_runtime::mechanism::Mechanism;
+use smartbed_runtime::ode::pivot_limit;
 
 /// Largest difference, relative to the terms that a number is made of.
 pub const AGREEMENT: f64 = 1e-9;

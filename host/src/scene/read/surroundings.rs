@@ -1,7 +1,7 @@
 //! What is around the body of a scene: gravity, air, ground with its law, gas.
 
-use smartbed_runtime::body::{Gas, Inflation, PressureForm};
 use smartbed_runtime::contact::{ContactLaw, Ground};
+use smartbed_runtime::flexible::{Gas, Inflation, PressureForm};
 
 use super::super::fields::{Fields, finite, row};
 use super::super::keys;

@@ -5,9 +5,9 @@
 
 use super::edges::{Edge, box_edge, crossing};
 use super::{Feature, Features, corners};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame};
+use crate::vec3::{self, Vec3};
 
 /// A box where it stands.
 type Standing<'a, S> = (&'a Cuboid<S>, &'a Frame<S>);

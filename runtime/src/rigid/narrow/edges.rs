@@ -7,9 +7,9 @@
 //! ```
 
 use super::{Feature, Features, Placed};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame, Shape};
+use crate::vec3::{self, Vec3};
 
 /// A straight edge fixed in a frame, in N.
 #[derive(Clone, Copy)]

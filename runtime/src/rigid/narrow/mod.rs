@@ -12,9 +12,9 @@
 mod boxes;
 mod edges;
 
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Feature as Core, Frame, Shape, Surface};
+use crate::vec3::{self, Vec3};
 
 /// Features of a pair at most; of more the nearest are kept.
 pub const CAPACITY: usize = 12;

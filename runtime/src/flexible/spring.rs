@@ -4,8 +4,8 @@
 //! Sign: f > 0 pulls the ends together; +f d acts on the tail, -f d on the head.
 //! A spring of length 0 has no direction and gives no force.
 
-use super::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// One spring-damper.
 #[derive(Clone, Copy, Debug, PartialEq)]

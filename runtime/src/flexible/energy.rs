@@ -2,9 +2,9 @@
 //!
 //! In: positions and velocities. Out: energies (J). Gravity is 0 at the origin.
 
-use super::vec3::{self, Vec3};
 use super::{Body, pressure};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// The energies that make up the total.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,9 +8,9 @@
 //!
 //! Gas: constant gauge pressure, or p_abs V^n constant. Sign: normals and forces point outwards.
 
-use super::vec3::{self, Vec3};
 use super::{Body, BodyError};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// A spring stretched to more than this many rest lengths counts as a runaway.
 ///

@@ -4,11 +4,15 @@
 //! stage is the first of the next step, unless a projection has moved the state.
 //! A refused attempt is repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
 
+use super::state::State;
 use super::step_size::{Controller, Tolerance};
-use super::tableau::Tabulated;
-use super::{Report, Trial, check_shape, evaluate, split};
-use crate::mechanism::{Fault, System};
-use crate::state::State;
+use super::tableau::{self, Tableau};
+use super::{Ode, Report, Trial, check_shape, evaluate, split};
+use crate::mechanism::Fault;
+use crate::real::{Constant, Scalar};
+
+const METHOD: Tableau<Constant, 7> = tableau::DORMAND_PRINCE.rounded();
+const DENSE: [Constant; 7] = tableau::row(tableau::DORMAND_PRINCE_DENSE);
 
 /// Refused attempts in one step: 0.2^20 of the first step is below any resolution.
 pub const MAX_REJECTIONS: u32 = 20;
@@ -51,7 +55,7 @@ pub struct DormandPrince<'a, S> {
     reusable: bool,
 }
 
-impl<'a, S: Tabulated> DormandPrince<'a, S> {
+impl<'a, S: Scalar> DormandPrince<'a, S> {
     /// For states of `n` entries, first trying the step `first`; `memory` holds [`scratch`]`(n)` numbers.
     ///
     /// # Errors
@@ -77,7 +81,7 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
     /// the last attempt if it was one (singular, not finite). The state is then unchanged, bit for bit.
     pub fn step(
         &mut self,
-        system: &mut impl System<S>,
+        system: &mut impl Ode<S>,
         t: S,
         h_max: S,
         state: &mut State<'_, S>,
@@ -120,7 +124,7 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
     /// then that of the last good step and `t` its time.
     pub fn advance_to(
         &mut self,
-        system: &mut impl System<S>,
+        system: &mut impl Ode<S>,
         t: &mut S,
         end: S,
         max_steps: u32,
@@ -155,7 +159,7 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
         let [first, .., last] = &self.k;
         let ends = self.x_old.iter().zip(&*self.x_new).zip(first.iter().zip(&**last));
         for (index, (x, ((old, new), (k1, k7)))) in x.iter_mut().zip(ends).enumerate() {
-            let bent = combine(&self.k, &S::DORMAND_PRINCE.d, index);
+            let bent = combine(&self.k, &DENSE, index);
             let difference = *new - *old;
             let start = self.h * *k1 - difference;
             let end = difference - self.h * *k7 - start;
@@ -167,14 +171,13 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
     /// The stages, the trial state and the norm of its error.
     fn attempt(
         &mut self,
-        system: &mut impl System<S>,
+        system: &mut impl Ode<S>,
         t: S,
         h: S,
         state: &State<'_, S>,
     ) -> Result<(S, Report<S>), Fault> {
         let mut pivot = S::ONE;
-        let tableau = S::DORMAND_PRINCE;
-        for (number, (row, c)) in tableau.a.iter().zip(tableau.c).enumerate() {
+        for (number, (row, c)) in METHOD.a.iter().zip(METHOD.c).enumerate() {
             if number == 0 && self.reuse_last_stage(state) {
                 continue;
             }
@@ -184,14 +187,13 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
                 *stage = *x + (*low + h * combine_some(&self.k, row, number, index));
             }
             let Some(k) = self.k.get_mut(number) else { return Err(Fault::Shape) };
-            evaluate(system, t + c * h, self.stage, k, &mut pivot)?;
+            evaluate(system, t + S::constant(c) * h, self.stage, k, &mut pivot)?;
         }
-        let [.., b] = &tableau.a;
         let mut trial = Trial { x: &mut *self.x_new, low: &mut *self.low_new };
         let k = &self.k;
-        trial.advance_from(state, (0..k[0].len()).map(|index| h * combine(k, b, index)));
+        trial.advance_from(state, (0..k[0].len()).map(|index| h * combine(k, &METHOD.b, index)));
         let residual = trial.settle(system, t + h, self.stage)?;
-        let errors = (0..k[0].len()).map(|index| h * combine(k, &tableau.e, index));
+        let errors = (0..k[0].len()).map(|index| h * combine(k, &METHOD.error.b, index));
         let values = state.x().iter().copied().zip(trial.x.iter().copied());
         let norm = self.tolerance.norm(errors, values);
         Ok((norm, Report { pivot, residual }))
@@ -208,7 +210,7 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
     }
 
     /// Makes the trial the state.
-    fn commit(&mut self, system: &mut impl System<S>, h: S, state: &mut State<'_, S>) {
+    fn commit(&mut self, system: &mut impl Ode<S>, h: S, state: &mut State<'_, S>) {
         self.x_old.iter_mut().zip(state.x()).for_each(|(old, x)| *old = *x);
         self.h = h;
         self.reusable = system.projections() == 0;
@@ -217,12 +219,13 @@ impl<'a, S: Tabulated> DormandPrince<'a, S> {
 }
 
 /// Entry `index` of sum over stages of weight * rates.
-fn combine<S: Tabulated>(k: &[&mut [S]; 7], weights: &[S; 7], index: usize) -> S {
+fn combine<S: Scalar>(k: &[&mut [S]; 7], weights: &[Constant; 7], index: usize) -> S {
     combine_some(k, weights, 7, index)
 }
 
 /// The same over the first `count` stages; stages of weight 0 are skipped.
-fn combine_some<S: Tabulated>(k: &[&mut [S]; 7], weights: &[S; 7], count: usize, index: usize) -> S {
-    let stages = k.iter().zip(weights).take(count).filter(|(_, weight)| **weight != S::ZERO);
-    stages.fold(S::ZERO, |sum, (k, weight)| sum + *weight * k.get(index).copied().unwrap_or(S::ZERO))
+fn combine_some<S: Scalar>(k: &[&mut [S]; 7], weights: &[Constant; 7], count: usize, index: usize) -> S {
+    let weights = weights.iter().map(|weight| S::constant(*weight));
+    let stages = k.iter().zip(weights).take(count).filter(|(_, weight)| *weight != S::ZERO);
+    stages.fold(S::ZERO, |sum, (k, weight)| sum + weight * k.get(index).copied().unwrap_or(S::ZERO))
 }

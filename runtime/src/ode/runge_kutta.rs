@@ -2,10 +2,13 @@
 //!
 //! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
 
-use super::tableau::Tabulated;
-use super::{Report, Trial, check_shape, evaluate, split};
-use crate::mechanism::{Fault, System};
-use crate::state::State;
+use super::state::State;
+use super::tableau::{self, Tableau};
+use super::{Ode, Report, Trial, check_shape, evaluate, split};
+use crate::mechanism::Fault;
+use crate::real::{Constant, Scalar};
+
+const KUTTA: Tableau<Constant, 4> = tableau::RK4.rounded();
 
 /// Scratch numbers of [`explicit_euler`] for a state of `n` entries.
 #[must_use]
@@ -29,8 +32,8 @@ pub const fn rk4_scratch(n: usize) -> usize {
 ///
 /// # Errors
 /// See [`rk4`].
-pub fn explicit_euler<S: Tabulated>(
-    system: &mut impl System<S>,
+pub fn explicit_euler<S: Scalar>(
+    system: &mut impl Ode<S>,
     t: S,
     h: S,
     state: &mut State<'_, S>,
@@ -52,8 +55,8 @@ pub fn explicit_euler<S: Tabulated>(
 ///
 /// # Errors
 /// See [`rk4`].
-pub fn semi_implicit_euler<S: Tabulated>(
-    system: &mut impl System<S>,
+pub fn semi_implicit_euler<S: Scalar>(
+    system: &mut impl Ode<S>,
     t: S,
     h: S,
     state: &mut State<'_, S>,
@@ -83,8 +86,8 @@ pub fn semi_implicit_euler<S: Tabulated>(
 /// # Errors
 /// [`Fault::Shape`] for wrong lengths; [`Fault::Singular`] or [`Fault::NonFinite`] if a stage or the
 /// new state is; the system's own faults. The state is then unchanged, bit for bit.
-pub fn rk4<S: Tabulated>(
-    system: &mut impl System<S>,
+pub fn rk4<S: Scalar>(
+    system: &mut impl Ode<S>,
     t: S,
     h: S,
     state: &mut State<'_, S>,
@@ -95,7 +98,9 @@ pub fn rk4<S: Tabulated>(
     let mut pivot = S::ONE;
     k.fill(S::ZERO);
     sum.fill(S::ZERO);
-    for (c, b) in S::KUTTA.c.into_iter().zip(S::KUTTA.b) {
+    // A stage reads the rates of the stage before it alone, with the weight c.
+    for (c, b) in KUTTA.c.into_iter().zip(KUTTA.b) {
+        let (c, b) = (S::constant(c), S::constant(b));
         let start = state.x().iter().zip(state.low());
         for ((stage, (x, low)), k) in stage.iter_mut().zip(start).zip(&*k) {
             *stage = *x + (*low + c * h * *k);

@@ -1,4 +1,8 @@
-//! Integrators of x_dot = f(t, x) over a compensated [`State`].
+//! Ordinary differential equations q_dot = N(q) u, u_dot = f(t, q, u), and one step of them, refused or taken as a whole.
+//!
+//! An [`Ode`] writes both rates of x = [q, u]; the state is a compensated sum ([`state`]). Methods of any ode:
+//! [`runge_kutta`] (fixed steps) and [`dormand_prince`] (steps by the error, [`step_size`]). All coefficients stand in
+//! [`tableau`]; an event within a step is found by [`root`]. [`Driven`] makes an ode of a mechanism and a law.
 //!
 //! One step: stages, trial state, a fixed number of projections onto the constraints, the check, and only
 //! then the commit. Whatever is refused leaves the state as it was, bit for bit: a pivot below
@@ -6,17 +10,55 @@
 //! Memory is the caller's: `scratch` holds as many numbers as the method's `scratch` function says.
 
 pub mod dormand_prince;
-pub mod fixed;
+pub mod driven;
+pub mod root;
+pub mod runge_kutta;
+pub mod state;
 pub mod step_size;
 pub mod tableau;
 
 pub use dormand_prince::DormandPrince;
-pub use fixed::{explicit_euler, rk4, semi_implicit_euler};
+pub use driven::Driven;
+pub use runge_kutta::{explicit_euler, rk4, semi_implicit_euler};
+pub use state::State;
 
-use crate::mechanism::{Fault, System};
-use crate::real::Scalar;
-use crate::state::{State, advance, wrap};
-use tableau::Tabulated;
+use crate::mechanism::Fault;
+use crate::real::{Real, Scalar};
+use state::{advance, wrap};
+
+/// Ordinary differential equations x_dot = f(t, x), perhaps with constraints to be projected onto.
+pub trait Ode<S: Real> {
+    /// Length of x.
+    fn n_x(&self) -> usize;
+    /// How many leading entries of x are coordinates; the rest are speeds.
+    fn n_q(&self) -> usize;
+    /// Writes x_dot and returns the worst pivot (see [`Mechanism::rates`](crate::mechanism::Mechanism::rates); 1 if there is none).
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not `n_x` entries.
+    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault>;
+    /// The time at which the next projections are asked for (see [`Mechanism::set_time`](crate::mechanism::Mechanism::set_time)).
+    fn set_time(&mut self, t: S) {
+        let _ = t;
+    }
+    /// One correction towards the constraints; returns the largest residual before it.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if `x` has not `n_x` entries.
+    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
+        let _ = x;
+        Ok(S::ZERO)
+    }
+    /// Corrections after each step: 0 without constraints, else 1, at most 2.
+    fn projections(&self) -> u8 {
+        0
+    }
+    /// Whether whole turns may be taken off entry `index` of x.
+    fn is_angle(&self, index: usize) -> bool {
+        let _ = index;
+        false
+    }
+}
 
 /// Methods of fixed step, for callers that choose at run time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -34,9 +76,9 @@ impl Method {
     #[must_use]
     pub const fn scratch(self, n: usize) -> usize {
         match self {
-            Self::ExplicitEuler => fixed::explicit_euler_scratch(n),
-            Self::SemiImplicitEuler => fixed::semi_implicit_euler_scratch(n),
-            Self::Rk4 => fixed::rk4_scratch(n),
+            Self::ExplicitEuler => runge_kutta::explicit_euler_scratch(n),
+            Self::SemiImplicitEuler => runge_kutta::semi_implicit_euler_scratch(n),
+            Self::Rk4 => runge_kutta::rk4_scratch(n),
         }
     }
 
@@ -44,9 +86,9 @@ impl Method {
     ///
     /// # Errors
     /// See [`rk4`]; the state is then unchanged.
-    pub fn step<S: Tabulated>(
+    pub fn step<S: Scalar>(
         self,
-        system: &mut impl System<S>,
+        system: &mut impl Ode<S>,
         t: S,
         h: S,
         state: &mut State<'_, S>,
@@ -78,7 +120,7 @@ pub fn pivot_limit<S: Scalar>() -> S {
 
 /// The rates at (t, x), refused if singular; lowers `worst` to the pivot met.
 fn evaluate<S: Scalar>(
-    system: &mut impl System<S>,
+    system: &mut impl Ode<S>,
     t: S,
     x: &[S],
     x_dot: &mut [S],
@@ -113,7 +155,7 @@ impl<S: Scalar> Trial<'_, S> {
 
     /// Projects at the end `t` of the step and checks; returns the residual before the first projection. `before`
     /// is memory.
-    fn settle(&mut self, system: &mut impl System<S>, t: S, before: &mut [S]) -> Result<S, Fault> {
+    fn settle(&mut self, system: &mut impl Ode<S>, t: S, before: &mut [S]) -> Result<S, Fault> {
         let mut residual = S::ZERO;
         system.set_time(t);
         for round in 0..system.projections().min(2) {
@@ -131,7 +173,7 @@ impl<S: Scalar> Trial<'_, S> {
     }
 
     /// Makes it the state; takes whole turns off angles.
-    fn commit(&self, system: &impl System<S>, state: &mut State<'_, S>) {
+    fn commit(&self, system: &impl Ode<S>, state: &mut State<'_, S>) {
         let new = self.x.iter().zip(&*self.low);
         for (index, (old, new)) in state.entries().zip(new).enumerate() {
             (*old.0, *old.1) = if system.is_angle(index) { wrap(*new.0, *new.1) } else { (*new.0, *new.1) };
@@ -149,7 +191,7 @@ fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&mut [S]; K]
 }
 
 /// Whether state and system have the same length.
-fn check_shape<S: Scalar>(system: &impl System<S>, state: &State<'_, S>) -> Result<usize, Fault> {
+fn check_shape<S: Scalar>(system: &impl Ode<S>, state: &State<'_, S>) -> Result<usize, Fault> {
     let n = system.n_x();
     if state.x().len() == n { Ok(n) } else { Err(Fault::Shape) }
 }

@@ -1,16 +1,19 @@
-//! Coefficients of explicit methods for x'' = a(x, v), each beside its source.
+//! Coefficients of the explicit methods, each beside its source: for x' = f(t, x) and for x'' = a(x, v).
 //!
-//! Written as fractions in f64 and rounded to every scalar at compile time ([`Tableau::rounded()`]).
+//! Written as fractions in f64 and rounded to every scalar at compile time ([`Tableau::rounded()`]): a machine
+//! without double precision never converts them.
 //! A Runge-Kutta method (a, b) of the first-order system becomes abar = a a, bbar = b a, which saves
 //! the stage velocities. `error` and `coarse` are weights of embedded error estimates (0: none).
 
 use crate::real::Constant;
 
-/// Nystrom form of an explicit method with N stages.
+/// An explicit method with N stages, as Runge and Kutta's and in Nystrom's form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tableau<T, const N: usize> {
     /// Times of the stages.
     pub c: [T; N],
+    /// Weights of the starting velocity in the stage positions: the rows' sums of `a`, as rounded.
+    pub drift: [T; N],
     /// Weights of the stage velocities.
     pub a: [[T; N]; N],
     /// Weights of the stage positions.
@@ -40,6 +43,7 @@ impl<const N: usize> Tableau<f64, N> {
     pub const fn rounded(self) -> Tableau<Constant, N> {
         Tableau {
             c: row(self.c),
+            drift: row(self.drift),
             a: rows(self.a),
             abar: rows(self.abar),
             b: row(self.b),
@@ -50,7 +54,8 @@ impl<const N: usize> Tableau<f64, N> {
     }
 }
 
-const fn row<const N: usize>(numbers: [f64; N]) -> [Constant; N] {
+/// Numbers rounded to every scalar.
+pub(crate) const fn row<const N: usize>(numbers: [f64; N]) -> [Constant; N] {
     let mut rounded = [Constant::new(0.0); N];
     let mut i = 0;
     while i < N {
@@ -92,20 +97,21 @@ const fn from_runge_kutta<const N: usize>(
     error: [f64; N],
     coarse: [f64; N],
 ) -> Tableau<f64, N> {
-    let mut c = [0.0; N];
+    let mut drift = [0.0; N];
     let mut abar = [[0.0; N]; N];
     let mut i = 0;
     while i < N {
         abar[i] = times(&a[i], &a);
         let mut j = 0;
         while j < i {
-            c[i] += a[i][j];
+            drift[i] += a[i][j];
             j += 1;
         }
         i += 1;
     }
     Tableau {
-        c,
+        c: drift,
+        drift,
         a,
         abar,
         b,
@@ -138,7 +144,7 @@ const fn from_splitting<const N: usize>(b: [f64; N], drift: [f64; N]) -> Tableau
         j += 1;
     }
     let none = Weights { b: [0.0; N], bbar: [0.0; N] };
-    Tableau { c, a, abar, b, bbar, error: none, coarse: none }
+    Tableau { c, drift: c, a, abar, b, bbar, error: none, coarse: none }
 }
 
 const BM_A1: f64 = 0.245298957184271;
@@ -158,6 +164,7 @@ pub const BLANES_MOAN_4: Tableau<f64, 7> = from_splitting(
 /// Nystrom (1925), order 4 for x'' = a(x); with speeds in the force the stage velocities are those of order 2.
 pub const NYSTROM_4: Tableau<f64, 3> = Tableau {
     c: [0.0, 0.5, 1.0],
+    drift: [0.0, 0.5, 1.0],
     a: [[0.0; 3], [0.5, 0.0, 0.0], [0.0, 1.0, 0.0]],
     abar: [[0.0; 3], [0.125, 0.0, 0.0], [0.0, 0.5, 0.0]],
     b: [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0],
@@ -175,20 +182,35 @@ pub const RK4: Tableau<f64, 4> = from_runge_kutta(
 );
 
 /// Dormand & Prince (1980), order 5 with embedded order 4.
-pub const DORMAND_PRINCE: Tableau<f64, 7> = from_runge_kutta(
-    [
-        [0.0; 7],
-        [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0, 0.0],
-        [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0, 0.0],
-        [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0, 0.0],
+pub const DORMAND_PRINCE: Tableau<f64, 7> = Tableau {
+    c: [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0],
+    ..from_runge_kutta(
+        [
+            [0.0; 7],
+            [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+            [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0, 0.0],
+            [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0, 0.0],
+            [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0, 0.0],
+            [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0],
+        ],
         [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0],
-    ],
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0, 0.0],
-    [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0],
-    [0.0; 7],
-);
+        [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0],
+        [0.0; 7],
+    )
+};
+
+/// Weights of the last term of its continuous extension of order 4: Hairer, Norsett & Wanner, Solving Ordinary
+/// Differential Equations I, 2nd ed. (1993), II.6 (code DOPRI5).
+pub const DORMAND_PRINCE_DENSE: [f64; 7] = [
+    -12_715_105_075.0 / 11_282_082_432.0,
+    0.0,
+    87_487_479_700.0 / 32_700_410_799.0,
+    -10_690_763_975.0 / 1_880_347_072.0,
+    701_980_252_875.0 / 199_316_789_632.0,
+    -1_453_857_185.0 / 822_651_844.0,
+    69_997_945.0 / 29_380_423.0,
+];
 
 /// Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed. (1993), II.5 and II.10:
 /// Dormand & Prince 8(5,3); `error` is theirs of order 5, `coarse` of order 3.

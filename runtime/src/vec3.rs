@@ -1,6 +1,6 @@
 //! Three components of a vector in the inertial frame N, and reads and sums by point that cannot fail.
 //!
-//! A point number out of range reads as the zero vector and adds nowhere: [`super::Body::new`] has
+//! A point number out of range reads as the zero vector and adds nowhere: `flexible::Body::new` has
 //! refused such numbers, so the fallback is never taken and no panic branch is compiled.
 
 use crate::real::Scalar;

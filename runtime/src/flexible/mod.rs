@@ -7,12 +7,11 @@ pub mod energy;
 pub mod force;
 pub mod pressure;
 pub mod spring;
-pub mod vec3;
 
 use crate::real::Scalar;
+use crate::vec3::Vec3;
 pub use pressure::{Gas, Inflation, PressureForm};
 pub use spring::Spring;
-pub use vec3::Vec3;
 
 /// What never changes in a run.
 #[derive(Clone, Copy, Debug)]

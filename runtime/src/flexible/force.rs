@@ -4,9 +4,9 @@
 //! treat dampers implicitly need both. Eq. 3.3 prints M^-1 (F_D - F_K); with the signs of Eqs. 3.1
 //! and 3.2 the sum is meant.
 
-use super::vec3::{self, Vec3};
 use super::{Body, BodyError, pressure};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Forces of positions: gravity, springs, pressure (N).
 ///
