@@ -6,9 +6,12 @@
 
 pub mod attitude;
 pub mod contact;
+pub mod hold;
 pub mod impact;
+pub mod law;
 pub mod motion;
 pub mod narrow;
+pub mod scene;
 pub mod several;
 mod swerve;
 

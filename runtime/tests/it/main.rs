@@ -7,6 +7,7 @@ mod integrator;
 mod layering;
 mod narrow;
 mod random;
+mod rigid_scene;
 mod several;
 mod state;
 mod surface;

@@ -1,0 +1,240 @@
+//! The way between events: forces at its start and in its middle, what is met at its end, and what drifted put back.
+
+use super::{Fault, Memory, Report, RigidScene, Rounding, Touching};
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+use crate::rigid::RigidState;
+use crate::rigid::contact::{Twist, solve_tangential};
+use crate::rigid::hold::{Held, hold};
+use crate::rigid::motion;
+
+/// Sweeps that put contacts back, at most.
+const SWEEPS: usize = 200;
+
+/// What is left until the first event; below 0 beyond it.
+pub(super) struct Clearance<S> {
+    /// Least gap of features that do not touch yet (m).
+    pub(super) gap: S,
+    /// Least speed of slip along the slip at the start (m/s).
+    pub(super) slip: S,
+}
+
+impl<S: Scalar> RigidScene<'_, S> {
+    /// The contacts that last at the start of the way, with their forces; returns how many.
+    pub(super) fn hold_at_start(
+        &self,
+        memory: &mut Memory<S>,
+        rounding: Rounding<S>,
+    ) -> Result<usize, Fault> {
+        let Memory { states: [now, ..], twists, mobilities, touching, .. } = memory;
+        let lasts = |t: &Touching<S>| t.velocity[0].abs() <= rounding.rate;
+        let count = self.detect(now, twists, mobilities, touching, rounding.gap, lasts)?;
+        for t in touching.iter_mut().take(count) {
+            let ([_, x, y], speed) = vec3::direction([S::ZERO, t.velocity[1], t.velocity[2]]);
+            let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
+            t.held.slip = slides.then_some([x, y]);
+        }
+        self.find_forces(memory, 0, count)?;
+        Ok(count)
+    }
+
+    /// Forces of the first contacts of `touching` (0) or `along` (1) at the start or in the middle.
+    fn find_forces(&self, memory: &mut Memory<S>, stage: usize, count: usize) -> Result<(), Fault> {
+        let Memory { states: [now, _, middle], twists, spare, mobilities, touching, along, .. } = memory;
+        let (states, list) = if stage == 0 { (now, touching) } else { (middle, along) };
+        // Accelerations without contacts: free fall, and m' = 0 with m = J omega: J omega' = -omega x m.
+        let rows = states.iter().zip(twists.iter()).zip(mobilities.iter());
+        for ((part, ((state, rates), mobility)), free) in self.parts.iter().zip(rows).zip(spare.iter_mut()) {
+            let turning = vec3::cross(state.angular_momentum, rates.angular);
+            let angular = vec3::apply(&mobility.inverse_inertia, turning);
+            *free = match part.body {
+                Some(_) => Twist { velocity: self.gravity, angular },
+                None => Twist::zero(),
+            };
+        }
+        let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
+        if hold(list, mobilities, spare) { Ok(()) } else { Err(Fault::Jammed) }
+    }
+
+    /// Goes this far from the states so far, into those on trial; returns how many contacts `along` has.
+    pub(super) fn advance(
+        &self,
+        memory: &mut Memory<S>,
+        length: S,
+        held: usize,
+        rounding: Rounding<S>,
+    ) -> Result<usize, Fault> {
+        let half = S::from_f64(0.5) * length;
+        self.move_by(memory, 0, held, half)?;
+        let count = self.meet_again(memory, held, rounding)?;
+        self.find_forces(memory, 1, count)?;
+        self.move_by(memory, 1, count, length)?;
+        Ok(count)
+    }
+
+    /// Contacts of the start in the middle of the way, with forces and slip to begin with.
+    fn meet_again(&self, memory: &mut Memory<S>, held: usize, rounding: Rounding<S>) -> Result<usize, Fault> {
+        let Memory { states: [_, _, middle], twists, mobilities, touching, along, .. } = memory;
+        let start = touching.get(..held).unwrap_or_default();
+        let same = |t: &Touching<S>| start.iter().find(|s| s.is(t.pair, t.id));
+        let count = self.detect(middle, twists, mobilities, along, rounding.drift, |t| same(t).is_some())?;
+        for t in along.iter_mut().take(count) {
+            let Some(before) = same(t) else { continue };
+            t.held.contact.impulse = before.held.contact.impulse;
+            if before.held.slip.is_some() {
+                // Slip of the middle; that of the start where it has turned back, so that its end is found.
+                let slip = t.held.contact.to_inertial([S::ZERO, t.velocity[1], t.velocity[2]]);
+                let first = before.slip();
+                let way = if vec3::dot(slip, first) > S::ZERO { slip } else { first };
+                let [_, x, y] = vec3::apply(&t.held.contact.axes, way);
+                let ([_, x, y], _) = vec3::direction([S::ZERO, x, y]);
+                t.held.slip = Some([x, y]);
+            }
+        }
+        Ok(count)
+    }
+
+    /// States a length from those so far, by the forces of a stage: 0 into the middle, 1 onto the trial.
+    fn move_by(&self, memory: &mut Memory<S>, stage: usize, count: usize, length: S) -> Result<(), Fault> {
+        let Memory { states: [now, trial, middle], touching, along, .. } = memory;
+        let (list, target) = if stage == 0 { (touching, middle) } else { (along, trial) };
+        let list = list.get(..count).unwrap_or_default();
+        for (k, ((part, state), to)) in self.parts.iter().zip(now.iter()).zip(target.iter_mut()).enumerate() {
+            *to = *state;
+            let Some(body) = &part.body else { continue };
+            let (mut force, mut moment) = (vec3::scale(self.gravity, body.mass), vec3::zero());
+            for contact in list.iter().map(|t| &t.held.contact) {
+                let own = contact.to_inertial(contact.impulse);
+                for (number, sense) in [S::ONE, -S::ONE].into_iter().enumerate() {
+                    if contact.bodies[number] == k {
+                        force = vec3::axpy(force, sense, own);
+                        moment = vec3::axpy(moment, sense, vec3::cross(contact.arms[number], own));
+                    }
+                }
+            }
+            motion::advance(body, to, force, moment, length).map_err(|_| Fault::TooFast)?;
+        }
+        Ok(())
+    }
+
+    /// What is left at the end of the way on trial.
+    pub(super) fn clearance(&self, memory: &Memory<S>, held: usize, rounding: Rounding<S>) -> Clearance<S> {
+        let [_, trial, _] = &memory.states;
+        let start = memory.touching.get(..held).unwrap_or_default();
+        let far = S::ONE / S::EPSILON;
+        let mut clear = Clearance { gap: rounding.drift, slip: far };
+        self.visit(trial, rounding.drift, |pair, feature| {
+            if !start.iter().any(|t| t.is(pair, feature.id)) {
+                clear.gap = clear.gap.min(feature.gap);
+            }
+        });
+        for t in start.iter().filter(|t| t.held.slip.is_some()) {
+            clear.slip = clear.slip.min(self.slip_along(trial, t));
+        }
+        clear
+    }
+
+    /// Speed along the slip at the start of the material points that touched then.
+    fn slip_along(&self, states: &[RigidState<S>], t: &Touching<S>) -> S {
+        let contact = &t.held.contact;
+        let [one, other] = [0, 1].map(|number| {
+            let (k, arm) = (contact.bodies[number], contact.arms[number]);
+            match (self.parts.get(k).and_then(|part| part.body), states.get(k)) {
+                (Some(body), Some(state)) => body.point_velocity(state, arm),
+                _ => vec3::zero(),
+            }
+        });
+        vec3::dot(t.slip(), vec3::sub(one, other))
+    }
+
+    /// Takes the way: the states on trial are those so far.
+    pub(super) fn commit(&self, memory: &mut Memory<S>, length: S, count: usize, report: &mut Report<S>) {
+        let [now, trial, _] = &mut memory.states;
+        now.copy_from_slice(trial);
+        (report.held, report.pressing) = (0, S::ZERO);
+        for t in memory.along.iter().take(count) {
+            let [normal, x, y] = t.held.contact.impulse;
+            if normal > S::ZERO {
+                report.held += 1;
+                report.pressing = report.pressing + normal;
+                let power = x * t.velocity[1] + y * t.velocity[2];
+                report.friction_loss = report.friction_loss - length * power;
+            }
+        }
+    }
+
+    /// Puts contacts that press back: gap and its rate to 0, and what sticks to rest.
+    pub(super) fn project(
+        &self,
+        memory: &mut Memory<S>,
+        pressing: usize,
+        rounding: Rounding<S>,
+    ) -> Result<(), Fault> {
+        if pressing == 0 {
+            return Ok(());
+        }
+        let Memory { states: [now, ..], twists, spare, mobilities, touching, along, .. } = memory;
+        let along = along.get(..pressing).unwrap_or_default();
+        let presses = |t: &Touching<S>| {
+            along.iter().find(|a| a.is(t.pair, t.id)).filter(|a| a.held.contact.impulse[0] > S::ZERO)
+        };
+        let wanted = |t: &Touching<S>| presses(t).is_some();
+        let count = self.detect(now, twists, mobilities, touching, rounding.drift, wanted)?;
+        // Displacements instead of velocities: W d = -gap.
+        spare.fill(Twist::zero());
+        for _ in 0..SWEEPS {
+            let mut moved = S::ZERO;
+            for t in touching.iter_mut().take(count) {
+                let contact = &t.held.contact;
+                let off = t.gap + contact.relative(spare)[0];
+                let push = -(off / t.held.inverse_mass[0][0]);
+                contact.push(mobilities, spare, [push, S::ZERO, S::ZERO]);
+                moved = moved.max(off.abs());
+            }
+            if moved <= S::EPSILON * rounding.drift {
+                break;
+            }
+        }
+        for ((part, state), shift) in self.parts.iter().zip(now.iter_mut()).zip(spare.iter()) {
+            if part.body.is_some() {
+                state.position = vec3::add(state.position, shift.velocity);
+                let turn = state.attitude.to_body(vec3::scale(shift.angular, S::from_f64(0.5)));
+                state.attitude = state.attitude.turned(turn);
+            }
+        }
+        let count = self.detect(now, twists, mobilities, touching, rounding.drift, wanted)?;
+        for _ in 0..SWEEPS {
+            let mut moved = S::ZERO;
+            for t in touching.iter_mut().take(count) {
+                let sticks = presses(t).is_some_and(|a| a.held.slip.is_none() && inside_cone(&a.held));
+                let k = t.held.inverse_mass;
+                let mut change: Vec3<S> = vec3::zero();
+                let contact = &mut t.held.contact;
+                change[0] = -(contact.relative(twists)[0] / k[0][0]);
+                contact.push(mobilities, twists, change);
+                if sticks {
+                    let [_, x, y] = contact.relative(twists);
+                    let [x, y] = solve_tangential(&k, [x, y]);
+                    contact.push(mobilities, twists, [S::ZERO, -x, -y]);
+                    (change[1], change[2]) = (-x, -y);
+                }
+                contact.impulse = vec3::add(contact.impulse, change);
+                moved = moved.max(vec3::norm(change) * k[0][0]);
+            }
+            if moved <= S::EPSILON * rounding.rate {
+                break;
+            }
+        }
+        for t in touching.iter().take(count) {
+            self.push(now, &t.held.contact, t.held.contact.impulse);
+        }
+        Ok(())
+    }
+}
+
+/// Does friction have more to give? On the rim it has let go.
+fn inside_cone<S: Scalar>(held: &Held<S>) -> bool {
+    let [n, x, y] = held.contact.impulse;
+    let rim = held.contact.friction * n;
+    x * x + y * y < rim * rim * (S::ONE - S::from_f64(16.0) * S::EPSILON)
+}

@@ -1,0 +1,134 @@
+//! Which features of the pairs touch, and what the solvers need to know of each.
+
+use super::{Fault, RigidScene};
+use crate::body::vec3::{self, Vec3};
+use crate::real::Scalar;
+use crate::rigid::RigidState;
+use crate::rigid::contact::{Contact, Mobility, Twist};
+use crate::rigid::hold::Held;
+use crate::rigid::narrow::{Feature, Placed, features};
+
+/// A feature that touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touching<S> {
+    /// Number of its pair.
+    pub pair: usize,
+    /// Number of the feature within the pair.
+    pub id: u32,
+    /// Gap (m).
+    pub gap: S,
+    /// Relative velocity n, t1, t2 (m/s).
+    pub velocity: Vec3<S>,
+    /// Contact and force.
+    pub held: Held<S>,
+}
+
+impl<S> AsMut<Held<S>> for Touching<S> {
+    fn as_mut(&mut self) -> &mut Held<S> {
+        &mut self.held
+    }
+}
+
+impl<S: Scalar> Touching<S> {
+    /// A place for one.
+    #[must_use]
+    pub fn empty() -> Touching<S> {
+        let zero = vec3::zero();
+        let contact = Contact::new([0, 0], zero, [S::ZERO, S::ZERO, S::ONE], [zero; 2]);
+        let held = Held { contact, inverse_mass: [zero; 3], bias: zero, slip: None };
+        Touching { pair: 0, id: 0, gap: S::ZERO, velocity: zero, held }
+    }
+
+    /// Is it the same feature?
+    pub(super) fn is(&self, pair: usize, id: u32) -> bool {
+        self.pair == pair && self.id == id
+    }
+
+    /// Direction of slip in N; zero at rest.
+    pub(super) fn slip(&self) -> Vec3<S> {
+        let [x, y] = self.held.slip.unwrap_or([S::ZERO; 2]);
+        self.held.contact.to_inertial([S::ZERO, x, y])
+    }
+}
+
+impl<S: Scalar> RigidScene<'_, S> {
+    /// Fills `touching` with the features nearer than `margin` that `wanted` keeps, and velocities and yields of the
+    /// parts; returns how many.
+    pub(super) fn detect(
+        &self,
+        states: &[RigidState<S>],
+        twists: &mut [Twist<S>],
+        mobilities: &mut [Mobility<S>],
+        touching: &mut [Touching<S>],
+        margin: S,
+        wanted: impl Fn(&Touching<S>) -> bool,
+    ) -> Result<usize, Fault> {
+        let rows = twists.iter_mut().zip(mobilities.iter_mut());
+        for ((part, state), (twist, mobility)) in self.parts.iter().zip(states).zip(rows) {
+            (*twist, *mobility) = match &part.body {
+                Some(body) => (
+                    Twist { velocity: state.velocity, angular: body.angular_velocity(state) },
+                    Mobility::of(body, state),
+                ),
+                None => (Twist::zero(), Mobility::fixed()),
+            };
+        }
+        let (mut count, mut full) = (0, false);
+        self.visit(states, margin, |pair, feature| {
+            let found = self.touching(pair, feature, states, twists, mobilities);
+            if wanted(&found) {
+                match touching.get_mut(count) {
+                    Some(place) => (*place, count) = (found, count + 1),
+                    None => full = true,
+                }
+            }
+        });
+        if full { Err(Fault::TooManyContacts) } else { Ok(count) }
+    }
+
+    /// Shows every feature of every pair nearer than `margin`.
+    pub(super) fn visit(
+        &self,
+        states: &[RigidState<S>],
+        margin: S,
+        mut show: impl FnMut(usize, &Feature<S>),
+    ) {
+        for (number, pair) in self.pairs.iter().enumerate() {
+            let [Some((a, x)), Some((b, y))] = pair.parts.map(|k| self.parts.get(k).zip(states.get(k)))
+            else {
+                continue;
+            };
+            let (one, other) = (a.frame(x), b.frame(y));
+            let found = features(
+                Placed { shape: &a.shape, frame: &one },
+                Placed { shape: &b.shape, frame: &other },
+                margin,
+            );
+            found.iter().for_each(|feature| show(number, &feature));
+        }
+    }
+
+    fn touching(
+        &self,
+        number: usize,
+        feature: &Feature<S>,
+        states: &[RigidState<S>],
+        twists: &[Twist<S>],
+        mobilities: &[Mobility<S>],
+    ) -> Touching<S> {
+        let Some(pair) = self.pairs.get(number) else { return Touching::empty() };
+        let center = |k: usize| states.get(k).map_or_else(vec3::zero, |s| s.position);
+        let mut contact = Contact::new(pair.parts, feature.point, feature.normal, pair.parts.map(center));
+        (contact.friction, contact.restitution) = (pair.law.friction(), pair.law.restitution());
+        let velocity = contact.relative(twists);
+        // omega x r' of both, r' how the point of contact moves as seen from each centre.
+        let [mine, others] = pair.parts.map(|k| {
+            let twist = twists.get(k).copied().unwrap_or_else(Twist::zero);
+            vec3::cross(twist.angular, vec3::sub(feature.point_rate, twist.velocity))
+        });
+        let mut bias = vec3::apply(&contact.axes, vec3::sub(mine, others));
+        bias[0] = bias[0] + vec3::dot(feature.normal_rate, contact.to_inertial(velocity));
+        let held = Held { inverse_mass: contact.inverse_mass(mobilities), contact, bias, slip: None };
+        Touching { pair: number, id: feature.id, gap: feature.gap, velocity, held }
+    }
+}

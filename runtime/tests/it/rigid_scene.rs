@@ -1,0 +1,337 @@
+//! Scenes of rigid bodies against closed forms: rest, bounce, slide, roll, leave, stack.
+
+use smartbed_runtime::rigid::attitude::Attitude;
+use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::law::{Law, LawFault};
+use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Report, RigidScene, Touching};
+use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::rigid::{RigidBody, RigidState};
+use smartbed_runtime::surface::{Capsule, Cuboid, Shape, Sphere};
+
+const G: f64 = 9.81;
+
+/// A scene that owns its memory.
+struct World {
+    parts: Vec<Part<f64>>,
+    pairs: Vec<Pair<f64>>,
+    states: Vec<RigidState<f64>>,
+    room: usize,
+}
+
+impl World {
+    /// The half-space z <= 0, turned by an angle about y, and these bodies on it and on each other.
+    fn new(incline: f64, law: Law<f64>, bodies: &[(Part<f64>, RigidState<f64>)]) -> World {
+        let ground = Part { shape: Shape::HalfSpace, body: None };
+        let attitude = Attitude::new([(0.5 * incline).cos(), 0.0, (0.5 * incline).sin(), 0.0]);
+        let mut world = World {
+            parts: vec![ground],
+            pairs: Vec::new(),
+            states: vec![RigidState { attitude, ..RigidState::at_rest([0.0; 3]) }],
+            room: 64,
+        };
+        for (part, state) in bodies {
+            let k = world.parts.len();
+            (0..k).for_each(|other| world.pairs.push(Pair { parts: [k, other], law }));
+            world.parts.push(*part);
+            world.states.push(*state);
+        }
+        world
+    }
+
+    fn scene(&self) -> RigidScene<'_, f64> {
+        RigidScene { parts: &self.parts, pairs: &self.pairs, gravity: [0.0, 0.0, -G] }
+    }
+
+    fn energy(&self) -> f64 {
+        self.scene().energy(&self.states)
+    }
+
+    fn try_step(&mut self, h: f64) -> Result<Report<f64>, Fault> {
+        let n = self.parts.len();
+        let mut states = self.states.clone();
+        let [mut a, mut b, mut c] = [0; 3].map(|_| states.clone());
+        let (mut twists, mut spare) = (vec![Twist::zero(); n], vec![Twist::zero(); n]);
+        let mut mobilities = vec![Mobility::fixed(); n];
+        let (mut touching, mut along) =
+            (vec![Touching::empty(); self.room], vec![Touching::empty(); self.room]);
+        let mut struck = vec![Struck::new(Touching::empty().held.contact, &mobilities); self.room];
+        let mut memory = Memory {
+            states: [&mut a, &mut b, &mut c],
+            twists: &mut twists,
+            spare: &mut spare,
+            mobilities: &mut mobilities,
+            touching: &mut touching,
+            along: &mut along,
+            struck: &mut struck,
+        };
+        let report = self.scene().step(&mut states, h, &mut memory);
+        assert!(report.is_ok() || states == self.states, "a refused step leaves the states");
+        self.states = states;
+        report
+    }
+
+    fn step(&mut self, h: f64) -> Report<f64> {
+        self.try_step(h).expect("a step")
+    }
+}
+
+fn stronge(e: f64, mu: f64) -> Law<f64> {
+    Law::stronge(e, mu).expect("a law")
+}
+
+fn ball(mass: f64, radius: f64) -> Part<f64> {
+    let inertia = [0.4 * mass * radius * radius; 3];
+    Part { shape: Shape::Sphere(Sphere { radius }), body: Some(RigidBody { mass, inertia }) }
+}
+
+fn cuboid(mass: f64, half: [f64; 3]) -> Part<f64> {
+    let [x, y, z] = half.map(|h| h * h);
+    let inertia = [y + z, x + z, x + y].map(|s| mass * s / 3.0);
+    Part { shape: Shape::Cuboid(Cuboid { half }), body: Some(RigidBody { mass, inertia }) }
+}
+
+fn close(a: f64, b: f64, within: f64) {
+    assert!((a - b).abs() <= within, "{a} is not {b}: {:e} apart", (a - b).abs());
+}
+
+#[test]
+fn a_ball_that_just_touches_rests_and_presses_with_its_weight() {
+    // Fig. 4.1: F = F_internal + F_gravity, the first 0.
+    let law = stronge(0.5, 0.3);
+    let mut world = World::new(0.0, law, &[(ball(2.0, 0.1), RigidState::at_rest([0.3, 0.2, 0.1]))]);
+    let start = world.states.clone();
+    for _ in 0..1000 {
+        let report = world.step(1e-2);
+        assert_eq!((report.impacts, report.splits, report.held), (0, 1, 1));
+        close(report.pressing, 2.0 * G, 1e-13);
+    }
+    assert_eq!(world.states, start, "not a bit moves in 10 s");
+}
+
+#[test]
+fn a_flat_box_bounces_by_the_closed_form_until_it_rests() {
+    for (e, law) in [(0.5, stronge(0.5, 0.4)), (0.6, Law::newton(0.6, 0.0).expect("a law"))] {
+        let mut world =
+            World::new(0.0, law, &[(cuboid(1.0, [0.2, 0.3, 0.1]), RigidState::at_rest([0.0, 0.0, 1.1]))]);
+        let (h, mut impacts, mut lost) = (1e-2, 0, 0.0);
+        let fall = (2.0 / G).sqrt();
+        let end = fall * (1.0 + 2.0 * e / (1.0 - e));
+        for step in 1..=((end / h) as usize + 20) {
+            let report = world.step(h);
+            impacts += report.impacts;
+            lost += report.impact_loss;
+            let (t, body) = (step as f64 * h, world.states[1]);
+            assert!(body.position[2] >= 0.1 - 1e-10, "{t} {report:?} {body:?}");
+            // Flight between the first impacts, each of speed e^k sqrt(2 g).
+            let mut since = t - fall;
+            let mut speed = e * G * fall;
+            for bounce in 0..6 {
+                let flight = 2.0 * speed / G;
+                if since > 0.0 && since < flight {
+                    let height = speed * since - 0.5 * G * since * since;
+                    close(body.position[2] - 0.1, height, 1e-9);
+                    assert_eq!(impacts, bounce + 1);
+                }
+                (since, speed) = (since - flight, speed * e);
+            }
+            assert!(body.angular_momentum.iter().all(|x| x.abs() <= 1e-12), "no spin");
+        }
+        let report = world.step(h);
+        assert_eq!((report.impacts, report.held), (0, 4), "it rests in the end");
+        close(report.pressing, G, 1e-9);
+        close(world.energy(), 0.1 * G, 1e-9);
+        close(lost, G, 1e-8);
+    }
+}
+
+#[test]
+fn three_boxes_stand_on_one_another() {
+    let law = stronge(0.3, 0.5);
+    let half = [0.2, 0.2, 0.2];
+    let boxes: Vec<_> = (0..3)
+        .map(|k| (cuboid(1.5, half), RigidState::at_rest([0.0, 0.0, 0.2 + 0.4 * f64::from(k)])))
+        .collect();
+    let mut world = World::new(0.0, law, &boxes);
+    let start = world.states.clone();
+    let mut events = 0;
+    for _ in 0..1000 {
+        let report = world.step(1e-2);
+        events += report.impacts;
+        // Three, two and one of them weigh on the faces from below.
+        assert_eq!(report.held, 12);
+        close(report.pressing, 6.0 * 1.5 * G, 1e-9 * 6.0 * 1.5 * G);
+    }
+    assert_eq!(events, 0, "no event in 10 s");
+    for (now, then) in world.states.iter().zip(&start) {
+        for i in 0..3 {
+            close(now.position[i], then.position[i], 1e-12);
+            close(now.velocity[i], 0.0, 1e-12);
+        }
+    }
+    // Dropped together from a little above each other, they come to stand too, and no energy appears.
+    let mut world = World::new(0.0, law, &boxes);
+    (1..4).for_each(|k| world.states[k].position[2] += 0.01 * k as f64);
+    let mut energy = world.energy();
+    for _ in 0..400 {
+        world.step(5e-3);
+        assert!(world.energy() <= energy + 1e-9);
+        energy = world.energy();
+    }
+    close(energy, 1.5 * G * (0.2 + 0.6 + 1.0), 1e-6);
+}
+
+/// Along the slope downwards, of a point.
+fn down(incline: f64, x: [f64; 3]) -> f64 {
+    x[0] * incline.cos() - x[2] * incline.sin()
+}
+
+#[test]
+fn a_ball_rolls_or_slips_down_an_incline_as_friction_says() {
+    let radius = 0.1;
+    for (incline, mu) in [(0.3_f64, 0.5), (0.3, 0.02), (0.8, 0.2), (0.6, 0.0), (1.0, 1.0)] {
+        let place = [radius * incline.sin(), 0.0, radius * incline.cos()];
+        let mut world =
+            World::new(incline, stronge(0.5, mu), &[(ball(0.7, radius), RigidState::at_rest(place))]);
+        let rolls = mu >= 2.0 / 7.0 * incline.tan();
+        let share = if rolls { 5.0 / 7.0 * incline.sin() } else { incline.sin() - mu * incline.cos() };
+        for step in 1..=200 {
+            world.step(1e-2);
+            let t = f64::from(step) * 1e-2;
+            let state = world.states[1];
+            let gone: [f64; 3] = std::array::from_fn(|i| state.position[i] - place[i]);
+            close(down(incline, gone), 0.5 * share * G * t * t, 1e-9 * t.max(1.0));
+            let spin = state.angular_momentum[1] / (0.4 * 0.7 * radius * radius);
+            let rate = if rolls { share * G * t / radius } else { 2.5 * mu * G * incline.cos() * t / radius };
+            close(spin * radius, rate * radius, 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_box_slides_to_rest_and_a_ball_comes_to_roll() {
+    let (mu, speed) = (0.3, 2.0);
+    let mut world = World::new(
+        0.0,
+        stronge(0.0, mu),
+        &[(cuboid(1.0, [0.3, 0.2, 0.1]), RigidState::at_rest([0.0, 0.0, 0.1]))],
+    );
+    world.states[1].velocity = [speed * 0.6, speed * 0.8, 0.0];
+    let stop = speed / (mu * G);
+    let (mut friction, before) = (0.0, world.energy());
+    for step in 1..=100 {
+        friction += world.step(1e-2).friction_loss;
+        let t = (f64::from(step) * 1e-2).min(stop);
+        let way = speed * t - 0.5 * mu * G * t * t;
+        close(world.states[1].position[0], 0.6 * way, 1e-11);
+        close(world.states[1].position[1], 0.8 * way, 1e-11);
+    }
+    assert!(world.states[1].velocity.iter().all(|v| v.abs() <= 1e-12), "{:?}", world.states[1]);
+    close(friction, before - world.energy(), 1e-10);
+    // A ball set down sliding: rolls from t = 2 v/(7 mu g) on, with 5/7 of its speed.
+    let mut world =
+        World::new(0.0, stronge(0.0, mu), &[(ball(1.0, 0.1), RigidState::at_rest([0.0, 0.0, 0.1]))]);
+    world.states[1].velocity = [speed, 0.0, 0.0];
+    let rolls = 2.0 * speed / (7.0 * mu * G);
+    for step in 1..=60 {
+        world.step(1e-2);
+        let t = f64::from(step) * 1e-2;
+        let slid = t.min(rolls);
+        let way = speed * slid - 0.5 * mu * G * slid * slid + 5.0 / 7.0 * speed * (t - slid);
+        close(world.states[1].position[0], way, 1e-11);
+    }
+    close(world.states[1].velocity[0], 5.0 / 7.0 * speed, 1e-11);
+}
+
+#[test]
+fn a_ball_leaves_a_dome_where_the_cosine_is_two_thirds() {
+    let off = |h: f64| {
+        let dome = Part { shape: Shape::Sphere(Sphere { radius: 1.0 }), body: None };
+        let start = 0.05_f64;
+        let reach = 1.1;
+        let state = RigidState::at_rest([reach * start.sin(), 0.0, reach * start.cos()]);
+        let mut world = World::new(0.0, stronge(0.0, 0.0), &[]);
+        world.parts = vec![dome, ball(0.3, 0.1)];
+        world.states = vec![RigidState::at_rest([0.0; 3]), state];
+        world.pairs = vec![Pair { parts: [1, 0], law: stronge(0.0, 0.0) }];
+        let energy = world.energy();
+        loop {
+            let before = world.states[1];
+            let report = world.step(h);
+            close(world.energy(), energy, 1e-2);
+            if report.held == 0 {
+                return (before.position[2] / reach - 2.0 / 3.0 * start.cos()).abs();
+            }
+            let radius = world.states[1].position.iter().map(|x| x * x).sum::<f64>().sqrt();
+            close(radius, reach, 1e-9);
+        }
+    };
+    // The end of contact is found to a step.
+    for h in [4e-3, 1e-3, 2.5e-4] {
+        let error = off(h);
+        assert!(error <= 5.0 * h, "{h}: {error}");
+    }
+}
+
+/// A rod that stands at an angle on a frictionless or rough ground and falls over.
+fn falling_rod(mu: f64, h: f64, seconds: f64) -> (World, f64) {
+    let (radius, half, mass) = (0.02, 0.5, 1.0);
+    let angle = 0.4_f64;
+    let across = mass * half * half / 3.0;
+    let body = RigidBody { mass, inertia: [across, across, 1e-3] };
+    let part = Part { shape: Shape::Capsule(Capsule { radius, half_length: half }), body: Some(body) };
+    let attitude = Attitude::new([(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
+    let state = RigidState { attitude, ..RigidState::at_rest([0.0, 0.0, radius + half * angle.cos()]) };
+    let mut world = World::new(0.0, stronge(0.0, mu), &[(part, state)]);
+    let steps = (seconds / h).round() as usize;
+    let mut friction = 0.0;
+    for _ in 0..steps {
+        let report = world.step(h);
+        assert_eq!(report.impacts, 0);
+        friction += report.friction_loss;
+    }
+    (world, friction)
+}
+
+#[test]
+fn a_falling_rod_is_followed_to_second_order_with_its_foot_on_the_ground() {
+    // Without friction: the mass centre falls straight, and energy stays.
+    for mu in [0.0, 5.0] {
+        let at = |h: f64| falling_rod(mu, h, 0.3).0.states[1].position[2];
+        let (a, b, c) = (at(1e-2), at(5e-3), at(2.5e-3));
+        let order = ((a - b) / (b - c)).abs().log2();
+        assert!(order > 1.7, "mu = {mu}: order {order}");
+        let (world, friction) = falling_rod(mu, 1e-3, 0.3);
+        let start = falling_rod(mu, 1e-3, 0.0).0.energy();
+        close(world.energy() + friction, start, 2e-5);
+        if mu == 0.0 {
+            close(world.states[1].position[0], 0.0, 1e-12);
+        }
+    }
+    // Energy by quadrature-free closed form: w^2 (J + m l^2 sin^2)/2 = m g l (cos - cos), l half the length.
+    let (world, _) = falling_rod(0.0, 2.5e-4, 0.3);
+    let state = world.states[1];
+    let cos = (state.position[2] - 0.02) / 0.5;
+    let (sin2, across) = (1.0 - cos * cos, 0.25 / 3.0);
+    let rate = state.angular_momentum[1] / across;
+    let exact = (2.0 * G * 0.5 * (0.4_f64.cos() - cos) / (across + 0.25 * sin2)).sqrt();
+    close(rate, exact, 1e-5);
+}
+
+#[test]
+fn laws_that_create_energy_and_numbers_out_of_range_are_refused() {
+    assert_eq!(Law::newton(0.5, 0.1), Err(LawFault::NewtonWithFriction));
+    assert_eq!(Law::stronge(1.5, 0.1), Err(LawFault::Restitution));
+    assert_eq!(Law::stronge(f64::NAN, 0.1), Err(LawFault::Restitution));
+    assert_eq!(Law::compensation(0.5, -0.1), Err(LawFault::Friction));
+    assert_eq!(Law::compensation(0.25, 0.1).map(|law| law.restitution()), Ok(0.5));
+    let mut world =
+        World::new(0.0, stronge(0.0, 0.0), &[(cuboid(1.0, [0.1; 3]), RigidState::at_rest([0.0, 0.0, 0.1]))]);
+    world.room = 3;
+    assert_eq!(world.try_step(1e-2), Err(Fault::TooManyContacts));
+    world.pairs[0].parts = [1, 7];
+    assert_eq!(world.try_step(1e-2), Err(Fault::WrongSizes));
+    world.room = 64;
+    world.pairs[0].parts = [1, 0];
+    world.states[1].velocity[2] = f64::NAN;
+    assert!(world.try_step(1e-2).is_err() || world.states[1].velocity[2].is_nan());
+}
