@@ -11,8 +11,8 @@
 use super::contact::{Contact, Mobility, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
 
 /// Sweeps at most.
 const SWEEPS: usize = 3000;

@@ -1,12 +1,12 @@
 //! The way between events: forces at its start and in its middle, what is met at its end, and what drifted put back.
 
 use super::{Fault, Memory, Report, RigidScene, Rounding, Touching};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};
 use crate::rigid::hold::{Held, hold};
 use crate::rigid::motion;
+use crate::vec3::{self, Vec3};
 
 /// Sweeps that put contacts back, at most.
 const SWEEPS: usize = 200;

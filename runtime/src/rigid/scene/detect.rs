@@ -1,12 +1,12 @@
 //! Which features of the pairs touch, and what the solvers need to know of each.
 
 use super::{Fault, RigidScene};
-use crate::body::vec3::{self, Vec3};
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Contact, Mobility, Twist};
 use crate::rigid::hold::Held;
 use crate::rigid::narrow::{Feature, Placed, features};
+use crate::vec3::{self, Vec3};
 
 /// A feature that touches.
 #[derive(Clone, Copy, Debug, PartialEq)]

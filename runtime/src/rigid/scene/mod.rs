@@ -21,10 +21,10 @@ use super::contact::{Mobility, Twist};
 use super::law::{Kind, Law};
 use super::several::{Struck, compensate_all, stop, strike_all};
 use super::{RigidBody, RigidState};
-use crate::body::vec3::{self, Vec3};
-use crate::event::locate;
+use crate::ode::root::locate;
 use crate::real::Scalar;
 use crate::surface::{Frame, Shape};
+use crate::vec3::{self, Vec3};
 
 /// Splits of one step at most.
 pub const SPLITS: usize = 64;
