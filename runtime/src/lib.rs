@@ -14,7 +14,8 @@
 //! - [`advance`]: one step of a body while no point touches or leaves;
 //! - [`guard`]: the step shortened to the first touch or release;
 //! - [`scene`]: the whole step of a body on the ground;
-//! - [`ledger`]: the accounts of energy, an observer.
+//! - [`ledger`]: the accounts of energy, an observer;
+//! - [`sensor`]: what a controller sees: sampled, late, noisy from a seed.
 //!
 //! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
 //! one second in f32, as a microcontroller would compute it:
@@ -49,6 +50,8 @@ pub mod guard;
 pub mod scene;
 
 pub mod ledger;
+
+pub mod sensor;
 
 /// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
 /// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.

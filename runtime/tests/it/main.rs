@@ -8,6 +8,7 @@ mod layering;
 mod narrow;
 mod random;
 mod rigid_scene;
+mod sensor;
 mod several;
 mod state;
 mod surface;

@@ -1,0 +1,95 @@
+//! Transducers: what a quantity becomes before it is sampled.
+//!
+//! Encoder: counts of a rotor behind gear and screw. LVDT: a place with a bend of its characteristic. Switch: a threshold
+//! with hysteresis, chattering when it changes. Pressure: a membrane that follows with a lag.
+
+use super::noise::Noise;
+use crate::real::Scalar;
+
+/// Step of the height (m) that one count of an encoder on the rotor means: lead / (4 lines gear).
+#[must_use]
+pub fn encoder_resolution<S: Scalar>(lines: S, gear: S, lead: S) -> S {
+    lead / (S::from_f64(4.0) * lines * gear)
+}
+
+/// A linear transformer (LVDT).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lvdt<S> {
+    /// Half its range (m).
+    pub reach: S,
+    /// Largest deviation from the straight line, as a share of the reach.
+    pub linearity: S,
+}
+
+impl<S: Scalar> Lvdt<S> {
+    /// The place (m) it reports for a place: x + c (x/r)(1 - (x/r)^2) r, exact in the middle and at both ends.
+    #[must_use]
+    pub fn report(&self, place: S) -> S {
+        // x (1 - x^2) is at most 2/(3 sqrt 3).
+        let scale = self.linearity * S::from_f64(2.598_076_211_353_316);
+        let share = (place / self.reach).max(-S::ONE).min(S::ONE);
+        place + self.reach * scale * share * (S::ONE - share * share)
+    }
+}
+
+/// A limit switch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch<S> {
+    /// Where it closes, coming from below.
+    pub closes: S,
+    /// How far below that it opens again, >= 0.
+    pub hysteresis: S,
+    /// Ticks for which its contact chatters after a change.
+    pub chatter: u32,
+    source: Noise,
+    closed: bool,
+    changed: Option<u64>,
+}
+
+impl<S: Scalar> Switch<S> {
+    /// An open switch.
+    #[must_use]
+    pub fn new(closes: S, hysteresis: S, chatter: u32, seed: u64) -> Switch<S> {
+        Switch { closes, hysteresis, chatter, source: Noise::new(seed), closed: false, changed: None }
+    }
+
+    /// Shows it the place at a tick; returns whether it reads closed.
+    pub fn observe(&mut self, tick: u64, place: S) -> bool {
+        let threshold = if self.closed { self.closes - self.hysteresis } else { self.closes };
+        let closed = place >= threshold;
+        if closed != self.closed {
+            (self.closed, self.changed) = (closed, Some(tick));
+        }
+        let chatters = self.changed.is_some_and(|at| tick.saturating_sub(at) < u64::from(self.chatter));
+        if chatters { self.source.bits(tick) & 1 == 1 } else { self.closed }
+    }
+}
+
+/// A pressure sensor's membrane: first order, from one call to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Membrane<S> {
+    /// Time constant in ticks, >= 0.
+    pub lag: S,
+    follows: Option<(u64, S)>,
+}
+
+impl<S: Scalar> Membrane<S> {
+    /// A membrane that takes the first pressure it sees.
+    #[must_use]
+    pub fn new(lag: S) -> Membrane<S> {
+        Membrane { lag, follows: None }
+    }
+
+    /// Shows it the pressure (Pa) at a tick; returns the one it feels: p' = (pressure - p)/lag, exact for constant pressure.
+    pub fn observe(&mut self, tick: u64, pressure: S) -> S {
+        let felt = match self.follows {
+            Some((before, felt)) if self.lag > S::ZERO => {
+                let passed = super::noise::whole::<S>(tick.saturating_sub(before));
+                pressure + (felt - pressure) * (-(passed / self.lag)).exp()
+            }
+            _ => pressure,
+        };
+        self.follows = Some((tick, felt));
+        felt
+    }
+}
