@@ -4,6 +4,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::escape;
 use crate::kinematics::ParameterChoice;
 use crate::model::{self, Model};
+use crate::program::answer::{Asked, Function};
 use crate::program::{self, Settings};
 use crate::rust::{self, EmitOptions};
 use crate::source::Source;
@@ -14,6 +15,9 @@ use std::path::{Path, PathBuf};
 pub struct Options {
     /// Parameters kept tunable besides the model's own, and changed values.
     pub parameters: ParameterChoice,
+    /// Answers besides those that every mechanism has, such as `port:platform`; what one entry asks for, with commas
+    /// between, is one function.
+    pub answers: Vec<String>,
     /// How the equations are derived.
     pub settings: Settings,
     /// Scalar, answers, path of the runtime.
@@ -33,12 +37,22 @@ pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
 
 /// All stages behind the reading: the formatted Rust, and the warnings of the model and of its derivation.
 fn emitted(model: &Model, options: &Options) -> Result<(String, [Diagnostics; 2]), Diagnostics> {
-    let program = program::derive_with(model, &options.parameters, options.settings)?;
+    let asked = asked(&options.answers).map_err(failure)?;
+    let program = program::derive_asked(model, &options.parameters, options.settings, &asked)?;
     // What a scalar cannot hold would be emitted as an infinity.
     if let Some(why) = program.beyond_single().filter(|_| options.emit.scalar.is_single()) {
         return Err(failure(format!("{why}; derive for f64, or choose other units")));
     }
     Ok((rust::emit(&program, &options.emit), [model.warnings(), program.warnings]))
+}
+
+/// Functions besides those of every mechanism: one an entry, `answers`, `answers_2` and so on where it asks for several.
+fn asked(entries: &[String]) -> Result<Asked, String> {
+    let mut functions = Vec::new();
+    for entry in entries {
+        functions.push(Function::parse(entry, functions.len())?);
+    }
+    Ok(Asked::besides(functions))
 }
 
 /// For build scripts: derives the model at `path` into `OUT_DIR` and returns the file written.

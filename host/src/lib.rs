@@ -20,6 +20,7 @@ pub mod progress;
 pub mod suggest;
 pub mod unpack;
 
+pub mod answers;
 pub mod configuration;
 pub mod crate_folder;
 pub mod engine;

@@ -12,6 +12,7 @@ mod chain;
 mod composite;
 mod energy;
 mod inertia_force;
+mod inverse;
 mod parallel;
 mod reduce;
 mod segment;
@@ -22,6 +23,7 @@ mod spatial;
 mod tree;
 
 pub use augmented::Augmented;
+pub(crate) use inverse::{forces_for, inputs_for, inverse_inertia};
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
@@ -54,7 +56,7 @@ pub struct Dynamics {
     pub values: HashMap<SymbolId, ExprId>,
     /// Pivots of the mass matrix.
     pub pivots: Vec<Pivot>,
-    /// The same equations before the elimination.
+    /// The same equations before the elimination, where they are asked for.
     pub augmented: Augmented,
 }
 
@@ -86,7 +88,7 @@ impl Unprojected {
     }
 }
 
-/// Derives the equations of motion.
+/// Derives the equations of motion; before the elimination too, where that is asked for.
 ///
 /// # Errors
 /// If the mass matrix is singular: a coordinate moves without moving any mass.
@@ -95,7 +97,7 @@ pub fn derive(
     k: &mut Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
-    optimise: Optimise,
+    (optimise, with_augmented): (Optimise, bool),
 ) -> Result<Dynamics, Diagnostics> {
     let mut parts = Unprojected::default();
     let segments = segment::sparse_tree(model, k);
@@ -109,7 +111,10 @@ pub fn derive(
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
     let values = unknown_values(k, solution);
-    let augmented = augmented::derive(k, solution, &parts, &values);
+    let augmented = match with_augmented {
+        true => augmented::derive(k, solution, &parts, &values),
+        false => Augmented::default(),
+    };
     let Reduced { mass: mass_matrix, forcing, drive } = reduce::reduce(k, solution, parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);

@@ -2,11 +2,60 @@
 
 use super::absolute::Absolute;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId};
 use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::model::Model;
+
+/// M = L D L', for right-hand sides that are known later.
+pub(super) struct Factors {
+    /// `lower[i][j]` = L_ij for j < i.
+    lower: Vec<Vec<ExprId>>,
+    diagonal: Vec<ExprId>,
+}
+
+impl Factors {
+    pub fn new(dag: &mut Dag, mass: &[Vec<ExprId>]) -> Self {
+        let n = mass.len();
+        let zero = dag.zero();
+        let (mut scaled, mut lower) = (vec![vec![zero; n]; n], vec![vec![zero; n]; n]);
+        let mut diagonal = Vec::with_capacity(n);
+        for i in 0..n {
+            for j in 0..=i {
+                let mut entry = mass[i][j];
+                for c in 0..j {
+                    let term = dag.mul(scaled[i][c], lower[j][c]);
+                    entry = dag.sub(entry, term);
+                }
+                if j == i {
+                    diagonal.push(entry);
+                } else {
+                    scaled[i][j] = entry;
+                    lower[i][j] = dag.div(entry, diagonal[j]);
+                }
+            }
+        }
+        Self { lower, diagonal }
+    }
+
+    /// L^-1 right.
+    pub fn forward(&self, dag: &mut Dag, right: &[ExprId]) -> Vec<ExprId> {
+        let mut x = right.to_vec();
+        for i in 0..x.len() {
+            for c in 0..i {
+                let term = dag.mul(self.lower[i][c], x[c]);
+                x[i] = dag.sub(x[i], term);
+            }
+        }
+        x
+    }
+
+    /// D^-1 x.
+    pub fn divide(&self, dag: &mut Dag, x: &[ExprId]) -> Vec<ExprId> {
+        x.iter().zip(&self.diagonal).map(|(&x, &d)| dag.div(x, d)).collect()
+    }
+}
 
 /// A pivot of the mass matrix this small against its diagonal entry means: no inertia.
 const NO_INERTIA: f64 = 1e-12;

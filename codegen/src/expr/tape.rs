@@ -209,6 +209,12 @@ impl SampleTable {
         self
     }
 
+    /// Gives symbols that are new their values; what has been computed is forgotten.
+    pub(crate) fn set_symbols(&mut self, symbols: HashMap<SymbolId, Vec<f64>>) {
+        self.clear();
+        self.symbols.extend(symbols);
+    }
+
     /// Bounds of the rounding errors of expressions at one sample: a value below its bound may as well be 0.
     #[must_use]
     pub fn rounding_errors(&self, dag: &Dag, exprs: &[ExprId], sample: usize) -> Vec<f64> {

@@ -17,7 +17,9 @@ pub mod eliminate;
 mod least_squares;
 pub mod linear;
 mod lower;
+mod marker;
 mod orientation;
+
 mod position;
 mod rank;
 mod regular;
@@ -41,6 +43,7 @@ pub use assemble::{Assembly, tunable_values};
 pub use constraint::Row;
 pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
+pub use marker::Marker;
 pub(crate) use position::flatten;
 pub use unreachable::Unreachable;
 pub use velocity::{Motion, Rate};

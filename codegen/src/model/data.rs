@@ -40,6 +40,8 @@ pub struct Model {
     pub gravity: Option<Expr>,
     /// Forces, torques and spring-dampers.
     pub loads: Vec<Load>,
+    /// Ports, where other parts attach.
+    pub ports: Vec<Port>,
     /// Requested outputs, in order.
     pub outputs: Vec<Output>,
     /// Configurations to be sampled besides the nominal one: (name, given coordinates).
@@ -307,6 +309,21 @@ pub enum LoadKind {
         /// Damping.
         damping: Option<Expr>,
     },
+}
+
+/// A frame with a point at which other parts attach: they follow its pose and push it with a wrench.
+#[derive(Clone, Debug)]
+pub struct Port {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub doc: String,
+    /// The frame that attached parts turn with.
+    pub frame: FrameId,
+    /// The point that they move with; moments are about it.
+    pub point: PointId,
+    /// Where it is declared.
+    pub span: Span,
 }
 
 /// A requested output.

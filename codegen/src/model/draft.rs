@@ -52,6 +52,7 @@ impl Draft {
             motion_constraints: Vec::new(),
             gravity: None,
             loads: Vec::new(),
+            ports: Vec::new(),
             outputs: Vec::new(),
             configurations: Vec::new(),
             order: Vec::new(),

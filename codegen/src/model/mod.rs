@@ -15,6 +15,7 @@ mod read;
 mod text;
 pub mod unit;
 mod walk;
+mod wrench;
 
 pub use data::*;
 pub use expression::{Axis, Expr};

@@ -82,7 +82,7 @@ impl Model {
         let Self {
             parameters, coordinates, speeds, definitions, frames, points, bodies, configuration_constraints,
             motion_constraints, gravity, loads, outputs, configurations, start_written, laws,
-            source: _, name: _, doc: _, dof: _, inputs: _, order: _, start: _, run: _,
+            source: _, name: _, doc: _, dof: _, inputs: _, ports: _, order: _, start: _, run: _,
         } = self;
         let mut all = Vec::new();
         for (id, Parameter { value, name: _, doc: _, unit: _, tunable: _, span: _ }) in parameters.enumerate()

@@ -1,4 +1,4 @@
-//! The arguments of a program's answers in their order: t, q, u, inputs, prepared values.
+//! The arguments of a program's answers in their order: t, q, u, inputs, given u', prepared values.
 //!
 //! In: slices of the state. Out: one list, or [`Fault::Shape`] where a slice has not the program's length.
 //! Interpreter and compiled code take them from here, so that they refuse the same calls.
@@ -7,21 +7,24 @@ use super::Program;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Real;
 
-/// Values of t, q, u, inputs, and of what depends on parameters alone.
+/// Values of t, q, u, inputs, of u' where answers take it as given, and of what depends on parameters alone.
 #[derive(Clone, Debug)]
 pub struct Arguments<S> {
     n_q: usize,
     n_u: usize,
     n_inputs: usize,
+    n_u_dot: usize,
     values: Vec<S>,
 }
 
 impl<S: Real> Arguments<S> {
-    /// Zeros; `n_prepared` values follow the inputs.
+    /// Zeros; `n_prepared` values come last.
     #[must_use]
     pub fn new(program: &Program, n_prepared: usize) -> Self {
         let (n_q, n_u, n_inputs) = (program.q.len(), program.u.len(), program.inputs.len());
-        Self { n_q, n_u, n_inputs, values: vec![S::ZERO; 1 + n_q + n_u + n_inputs + n_prepared] }
+        let n_u_dot = program.u_dot.len();
+        let n = 1 + n_q + n_u + n_inputs + n_u_dot + n_prepared;
+        Self { n_q, n_u, n_inputs, n_u_dot, values: vec![S::ZERO; n] }
     }
 
     /// Coordinates.
@@ -50,7 +53,7 @@ impl<S: Real> Arguments<S> {
 
     /// Where the prepared values go.
     pub fn prepared_mut(&mut self) -> &mut [S] {
-        let first = 1 + self.n_q + self.n_u + self.n_inputs;
+        let first = 1 + self.n_q + self.n_u + self.n_inputs + self.n_u_dot;
         &mut self.values[first..]
     }
 
@@ -66,6 +69,19 @@ impl<S: Real> Arguments<S> {
         self.set_time(t);
         let first = 1 + self.n_q + self.n_u;
         self.values[first..first + self.n_inputs].copy_from_slice(inputs);
+        Ok(())
+    }
+
+    /// Sets given derivatives of the speeds; none are taken where no answer reads them.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the slice has not the stated length.
+    pub fn set_u_dot(&mut self, u_dot: &[S]) -> Result<(), Fault> {
+        if u_dot.len() != self.n_u_dot {
+            return Err(Fault::Shape);
+        }
+        let first = 1 + self.n_q + self.n_u + self.n_inputs;
+        self.values[first..first + self.n_u_dot].copy_from_slice(u_dot);
         Ok(())
     }
 

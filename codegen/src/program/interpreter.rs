@@ -22,6 +22,8 @@ pub struct Interpreted<S> {
     speeds: Tape<S>,
     outputs: Tape<S>,
     drive: Tape<S>,
+    /// One a function on request.
+    functions: Vec<Tape<S>>,
 }
 
 impl<S: Real> Interpreted<S> {
@@ -36,12 +38,18 @@ impl<S: Real> Interpreted<S> {
         let (speeds, outputs) = (second(&program.speeds), second(&program.outputs));
         let drive = program.drive.into_iter().collect();
         let answers = [rates, projection, program.energy.to_vec(), speeds, outputs, drive];
+        let functions: Vec<Vec<ExprId>> =
+            program.functions.iter().map(|function| program.function_roots(function)).collect();
         let symbols = |list: &[Quantity]| -> Vec<SymbolId> { list.iter().map(|x| x.symbol).collect() };
-        let prepared = program.prepared(&answers.concat());
+        let prepared = program.prepared(&[answers.concat(), functions.concat()].concat());
         let prepare = Tape::new(&program.dag, &prepared, &symbols(&program.parameters));
         let mut inputs: Vec<ExprId> = vec![program.time]
             .into_iter()
-            .chain([&program.q, &program.u, &program.inputs].into_iter().flat_map(|list| symbols(list)))
+            .chain(
+                [&program.q, &program.u, &program.inputs, &program.u_dot]
+                    .into_iter()
+                    .flat_map(|list| symbols(list)),
+            )
             .filter_map(|symbol| program.dag.find(Node::Symbol(symbol)))
             .collect();
         let n_prepared = prepared.len();
@@ -49,6 +57,7 @@ impl<S: Real> Interpreted<S> {
         let longest = answers.iter().map(Vec::len).max().unwrap_or(0);
         let [rates, projection, energy, speeds, outputs, drive] =
             answers.map(|roots| Tape::above(&program.dag, &roots, &inputs));
+        let functions = functions.iter().map(|roots| Tape::above(&program.dag, roots, &inputs)).collect();
         let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
         let mut this = Self {
             arguments: Arguments::new(program, n_prepared),
@@ -62,6 +71,7 @@ impl<S: Real> Interpreted<S> {
             speeds,
             outputs,
             drive,
+            functions,
         };
         this.set_parameters(&parameters);
         this
@@ -103,6 +113,24 @@ impl<S: Real> Interpreted<S> {
         let mut power = [S::ZERO];
         self.drive.run(self.arguments.values(), &mut power);
         Ok(power[0])
+    }
+
+    /// The results of a function on request, by its place in [`Program::functions`]: all parts of all its answers, one
+    /// after the other. `u_dot` is empty where no answer of the program takes it.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length, or there is no such function.
+    pub fn function(
+        &mut self,
+        place: usize,
+        (t, q, u, inputs, u_dot): (S, &[S], &[S], &[S], &[S]),
+    ) -> Result<Vec<S>, Fault> {
+        self.arguments.set(t, q, u, inputs)?;
+        self.arguments.set_u_dot(u_dot)?;
+        let tape = self.functions.get_mut(place).ok_or(Fault::Shape)?;
+        let mut values = vec![S::ZERO; tape.n_outputs()];
+        tape.run(self.arguments.values(), &mut values);
+        Ok(values)
     }
 
     /// Largest constraint residual of a configuration, at the time last set.

@@ -1,8 +1,9 @@
-//! The kinematic form: speeds, outputs and projection of a model whose masses are unknown or missing.
+//! The kinematic form: speeds, outputs, projection, motions of places, of a model whose masses are unknown or missing.
 //!
-//! In: a model, with or without bodies. Out: a program of which only the answers
-//! [`Answer::KINEMATIC`](crate::Answer::KINEMATIC) mean anything.
+//! In: a model, with or without bodies. Out: a program of which only the answers that need no mass mean anything:
+//! those of [`KINEMATIC`](super::answer::KINEMATIC), and those on request whose [`Needs`](super::answer::Needs) say so.
 
+use super::answer::{self, Asked, Stages};
 use super::{Effort, Program, assemble, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
@@ -19,14 +20,29 @@ pub fn derive_kinematic(
     choice: &ParameterChoice,
     effort: Effort,
 ) -> Result<Program, Diagnostics> {
+    derive(model, choice, effort, &Asked::default())
+}
+
+/// The same with answers on request, none of which needs masses.
+pub(super) fn derive(
+    model: &Model,
+    choice: &ParameterChoice,
+    effort: Effort,
+    asked: &Asked,
+) -> Result<Program, Diagnostics> {
+    let requests = answer::resolve(model, asked)?;
     let mut k = kinematics::derive(model, choice, Optimise::default())?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = eliminate::solve(model, &mut k, &mut table)?;
     let dynamics = dynamics::without_mass(&mut k, &solution);
+    let given = (model.inputs.len(), false);
+    let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
+    let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
-    let mut program = assemble(model, k, &solution, dynamics, assembly);
+    let mut program = assemble(model, k, &solution, dynamics, (assembly, answered));
     program.warnings = warnings;
+    program.keep_only(asked);
     shorten::answers(&mut program, &mut table, effort);
     mark_angles(&mut program);
     Ok(program)

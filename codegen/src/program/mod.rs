@@ -3,6 +3,7 @@
 //! In: kinematics and dynamics. Out: for each answer a list of named results; inputs in a fixed
 //! order (t, q, u, inputs, parameters). Both the interpreter and the emitter run exactly these nodes.
 
+pub mod answer;
 pub mod arguments;
 pub mod interpreter;
 mod kinematic;
@@ -20,9 +21,11 @@ use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
-use crate::model::{CoordinateId, Model, SpeedMeaning};
+use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
 use crate::value::Effort;
 
+pub use answer::{Answer, Asked, Function, Request};
+use answer::{Answered, Stages};
 pub use kinematic::derive_kinematic;
 
 /// Everything derived from a model.
@@ -62,8 +65,14 @@ pub struct Program {
     pub residual: ExprId,
     /// Are there constraints that follow from the others at the default parameters, but perhaps not at others?
     pub has_implied: bool,
-    /// The equations before the elimination, with multipliers.
+    /// The equations before the elimination, with multipliers; empty unless they are asked for.
     pub augmented: Augmented,
+    /// Given derivatives of the speeds; empty unless an answer takes them.
+    pub u_dot: Vec<Quantity>,
+    /// Answers on request.
+    pub answers: Vec<Answer>,
+    /// Functions that give them, besides those that every program has.
+    pub functions: Vec<Function>,
     /// Pivots of all eliminations.
     pub pivots: Vec<Pivot>,
     /// Number of configurations at which they were screened.
@@ -138,7 +147,26 @@ pub fn derive_with(
     choice: &ParameterChoice,
     settings: impl Into<Settings>,
 ) -> Result<Program, Diagnostics> {
+    derive_asked(model, choice, settings, &Asked::default())
+}
+
+/// [`derive()`] with answers on request.
+///
+/// # Errors
+/// As for [`derive()`]; a request for what is not there.
+pub fn derive_asked(
+    model: &Model,
+    choice: &ParameterChoice,
+    settings: impl Into<Settings>,
+    asked: &Asked,
+) -> Result<Program, Diagnostics> {
     let Settings { effort, optimise } = settings.into();
+    let requests = answer::resolve(model, asked)?;
+    if asked.only && requests.iter().all(|request| request.kind.needs == answer::Needs::Motion) {
+        return kinematic::derive(model, choice, effort, asked);
+    }
+    let own_inputs = model.inputs.len();
+    let model = &*answer::with_wrenches(model, &requests)?;
     let mut k = kinematics::derive(model, choice, optimise)?;
     let mut warnings = implausible(model, &k)?;
     let mut table = eliminate::sample_table(model, &k);
@@ -146,10 +174,15 @@ pub fn derive_with(
     let solution = eliminate::solve(model, &mut k, &mut table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
-    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, optimise)?;
+    let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
+    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, (optimise, with_augmented))?;
+    let given = (own_inputs, answer::takes_u_dot(&requests));
+    let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
+    let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
-    let mut program = assemble(model, k, &solution, dynamics, assembly);
+    let mut program = assemble(model, k, &solution, dynamics, (assembly, answered));
     program.warnings = warnings;
+    program.keep_only(asked);
     shorten::answers(&mut program, &mut table, effort);
     if effort != Effort::None {
         reorder::sums(&mut program, &mut table);
@@ -191,7 +224,7 @@ fn assemble(
     mut k: Kinematics,
     solution: &Solution,
     dynamics: Dynamics,
-    assembly: Assembly,
+    (assembly, answered): (Assembly, Answered),
 ) -> Program {
     let state: Vec<CoordinateId> =
         model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
@@ -221,6 +254,7 @@ fn assemble(
     let correction = correction(model, &mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let closed_forms = k.closed_form_values();
+    let u_dot = given_accelerations(model, &k, &answered.u_dot);
     let mut program = Program {
         name: model.name.clone(),
         doc: model.doc.clone(),
@@ -239,6 +273,9 @@ fn assemble(
         residual,
         has_implied: !k.implied.is_empty(),
         augmented: dynamics.augmented,
+        u_dot,
+        answers: answered.answers,
+        functions: answered.functions,
         pivots,
         n_samples: k.samples.len(),
         assembly,
@@ -311,6 +348,24 @@ fn correction(
     }
     corrections.retain(|(_, e)| !k.dag.is_zero(*e));
     corrections
+}
+
+/// Given derivatives of the independent speeds, in their order.
+fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
+    let speeds = model.speeds.iter().filter(|s| s.independent).zip(symbols);
+    let quantity = |(speed, &expr): (&Speed, &ExprId)| {
+        let symbol = k.dag.as_symbol(expr)?;
+        Some(Quantity {
+            name: k.dag.symbol_name(symbol).to_owned(),
+            symbol,
+            unit: format!("{}/s", speed.unit),
+            doc: "derivative of the speed".to_owned(),
+            value: 0.0,
+            line: model.source.line_column(speed.span).0,
+            is_angle: false,
+        })
+    };
+    speeds.filter_map(quantity).collect()
 }
 
 fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Quantity>; 4] {

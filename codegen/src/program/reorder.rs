@@ -18,7 +18,7 @@ const WORTH: f64 = 0.9;
 
 /// Reorders the sums of all answers; nothing happens where that would take more operations.
 pub(super) fn sums(program: &mut Program, table: &mut SampleTable) {
-    let roots = program.answers().concat();
+    let roots = program.groups().concat();
     if program.dag.reachable(&roots).len() * table.points() > MOST_VALUES {
         return;
     }

@@ -1,6 +1,7 @@
 //! The results of a program as roots of its DAG, and what replaces them all.
 
 use super::Program;
+use super::answer::Answer;
 use crate::expr::{ExprId, SymbolId};
 use rustc_hash::FxHashMap as HashMap;
 
@@ -17,7 +18,13 @@ impl Program {
         roots.push(self.residual);
         roots.extend(self.augmented_roots());
         roots.extend(self.drive);
+        roots.extend(self.asked_roots());
         roots
+    }
+
+    /// The results of all answers on request.
+    fn asked_roots(&self) -> Vec<ExprId> {
+        self.answers.iter().flat_map(Answer::roots).collect()
     }
 
     /// q' and u'.
@@ -56,18 +63,22 @@ impl Program {
         }
     }
 
-    /// All results but those of the augmented form: forward dynamics with the worst pivot, then the others.
-    pub(super) fn answers(&self) -> [Vec<ExprId>; 2] {
+    /// All results but those of the augmented form: forward dynamics with the worst pivot, then the others, then those
+    /// on request.
+    pub(super) fn groups(&self) -> Vec<Vec<ExprId>> {
         let mut rates = self.forward_dynamics();
         rates.push(self.rates.worst_pivot);
         let named = self.speeds.iter().chain(&self.outputs).map(|(_, e)| *e);
         let mut others: Vec<ExprId> = self.correction.iter().map(|(_, e)| *e).collect();
         others.push(self.residual);
         others.extend(self.energy.into_iter().chain(named).chain(self.drive));
-        [rates, others]
+        let asked = self.asked_roots();
+        let mut groups = vec![rates, others];
+        groups.extend((!asked.is_empty()).then_some(asked));
+        groups
     }
 
-    /// Replaces the results that [`Program::answers()`] lists by their images.
+    /// Replaces the results that [`Program::groups()`] lists by their images.
     pub(super) fn map_answers(&mut self, mut image: impl FnMut(ExprId) -> ExprId) {
         let rates = &mut self.rates;
         for e in rates.q_dot.iter_mut().chain(&mut rates.u_dot) {
@@ -84,7 +95,10 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
-        self.drive = self.drive.map(image);
+        self.drive = self.drive.map(&mut image);
+        for part in self.answers.iter_mut().flat_map(|answer| &mut answer.parts) {
+            part.values.iter_mut().for_each(|e| *e = image(*e));
+        }
     }
 
     /// Mass matrix, Jacobian, forcing and bias of the augmented form, one after the other.

@@ -21,7 +21,7 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
     } else {
         guard.clone()
     };
-    let groups = program.answers();
+    let groups = program.groups();
     let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, effort);
     let image: HashMap<ExprId, ExprId> = groups.concat().into_iter().zip(shorter.concat()).collect();
     program.map_answers(|e| image[&e]);
@@ -46,7 +46,7 @@ fn watched(program: &Program, table: &mut SampleTable) -> Vec<usize> {
 /// The chosen samples of the table, with its random speeds and inputs.
 fn states(program: &Program, table: &mut SampleTable, chosen: &[usize]) -> States {
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
-    let groups = [&program.q, &program.u, &program.inputs, &program.parameters];
+    let groups = [&program.q, &program.u, &program.inputs, &program.u_dot, &program.parameters];
     let quantities = groups.into_iter().flatten().map(|quantity| quantity.symbol);
     for symbol in quantities.chain([program.time]) {
         if let Some(expr) = program.dag.find(Node::Symbol(symbol)) {

@@ -1,98 +1,188 @@
-//! The functions of an emitted file.
+//! Functions of the emitted file and what they return.
+//!
+//! In: functions as they are asked for. Out: their names, types and values in Rust. An answer that every program has is a
+//! tuple of its parts; one on request is a struct with a field for each part; several asked together are a struct with a
+//! field for each answer.
 
+use super::layout::{self, PLAIN_STRUCT};
+use super::name::{self, Scope};
+use super::options::EmitOptions;
 use crate::expr::ExprId;
 use crate::program::Program;
+use crate::program::answer::{Answer, Function, Part, Shape};
 use std::collections::BTreeMap;
 
 /// Operations by kind.
 pub(super) type Cost = BTreeMap<&'static str, usize>;
 
-/// A function of the emitted file.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum Answer {
-    /// q', u' and the worst pivot.
-    Rates,
-    /// Kinetic and potential energy.
-    Energy,
-    /// All speeds, dependent ones included.
-    Speeds,
-    /// Requested outputs.
-    Outputs,
-    /// Newton's correction of the dependent coordinates.
-    Projection,
-    /// Power of the drive; a program that is not driven has none.
-    Drive,
-    /// The equations before the elimination; emitted only on request.
-    Augmented,
+/// A function to be emitted.
+pub(super) struct Emitted {
+    /// Its name.
+    pub name: String,
+    /// What it gives.
+    pub doc: String,
+    answers: Vec<Field>,
+    /// The struct that several answers are fields of.
+    together: Option<String>,
 }
 
-impl Answer {
-    /// Answers that need no mass.
-    pub const KINEMATIC: [Self; 3] = [Self::Speeds, Self::Outputs, Self::Projection];
+/// An answer and what it is called.
+struct Field {
+    answer: Answer,
+    name: String,
+    /// Its struct, unless it is a tuple.
+    structure: Option<String>,
+}
 
-    /// Every answer of a complete file, in its order; [`Answer::Augmented`] is a form of its own.
-    pub const ALL: [Self; 6] =
-        [Self::Rates, Self::Energy, Self::Speeds, Self::Outputs, Self::Projection, Self::Drive];
+/// The functions of a file, in its order; an answer that the program does not have is left out.
+pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted> {
+    let mut asked = options.functions.clone();
+    if asked.is_empty() {
+        asked = Function::each(&program.standing());
+        asked.extend(program.functions.iter().cloned());
+    }
+    let (mut names, mut types) = (Scope::of_functions(), Scope::of_types(program));
+    let mut structures: BTreeMap<String, String> = BTreeMap::new();
+    let mut emitted = Vec::new();
+    for function in asked {
+        let mut fields = Scope::default();
+        let mut answers: Vec<Field> = Vec::new();
+        for answer in program.answers_of(&function) {
+            let structure = (!answer.is_tuple).then(|| {
+                let new = || types.unique_type(&name::type_name(&answer.name));
+                structures.entry(answer.name.clone()).or_insert_with(new).clone()
+            });
+            answers.push(Field { name: fields.unique(&answer.name), structure, answer });
+        }
+        if answers.is_empty() {
+            continue;
+        }
+        let together =
+            (function.requests.len() > 1).then(|| types.unique_type(&name::type_name(&function.name)));
+        let doc = match answers.as_slice() {
+            [only] => only.answer.doc.clone(),
+            all => {
+                let names: Vec<&str> = all.iter().map(|field| field.answer.name.as_str()).collect();
+                format!("Together, what they share computed once: {}.", names.join(", "))
+            }
+        };
+        emitted.push(Emitted { name: names.unique(&function.name), doc, answers, together });
+    }
+    emitted
+}
 
-    /// Those of [`Answer::ALL`] that a program has.
-    #[must_use]
-    pub fn of(program: &Program) -> Vec<Self> {
-        Self::ALL.into_iter().filter(|&answer| answer != Self::Drive || program.drive.is_some()).collect()
+impl Emitted {
+    /// All results in order.
+    pub fn roots(&self) -> Vec<ExprId> {
+        self.answers.iter().flat_map(|field| field.answer.roots()).collect()
     }
 
-    /// Name of the emitted function and of the answer on the command line.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rates => "rates",
-            Self::Energy => "energy",
-            Self::Speeds => "speeds",
-            Self::Outputs => "outputs",
-            Self::Projection => "projection",
-            Self::Drive => "drive",
-            Self::Augmented => "augmented",
+    /// Does it take derivatives of the speeds?
+    pub fn takes_u_dot(&self) -> bool {
+        self.answers.iter().any(|field| field.answer.takes_u_dot)
+    }
+
+    /// Does it answer this?
+    pub fn gives(&self, answer: &str) -> bool {
+        self.answers.iter().any(|field| field.answer.name == answer)
+    }
+
+    /// The structs of its answers that are not among `defined` yet, and its own.
+    pub fn structures(&self, defined: &mut Vec<String>) -> String {
+        let mut text = String::new();
+        for field in &self.answers {
+            let Some(name) = field.structure.as_ref().filter(|name| !defined.contains(name)) else {
+                continue;
+            };
+            defined.push(name.clone());
+            let parts = field.answer.parts.iter();
+            let members = parts.map(|p| format!("///{}.\n    pub {}: {}", sentence(p), p.name, type_of(p)));
+            text += &format!("///{}\n{PLAIN_STRUCT}", field.answer.doc);
+            text += &layout::block(&format!("pub struct {name}"), members, "");
+        }
+        if let Some(name) = &self.together {
+            let members = self
+                .answers
+                .iter()
+                .map(|field| format!("///{}\n    pub {}: {}", field.answer.doc, field.name, field.output()));
+            text += &format!("///{}\n{PLAIN_STRUCT}", self.doc);
+            text += &layout::block(&format!("pub struct {name}"), members, "");
+        }
+        text
+    }
+
+    /// The type that it returns.
+    pub fn output(&self) -> String {
+        match (&self.together, self.answers.as_slice()) {
+            (None, [only]) => only.output(),
+            (name, _) => name.clone().unwrap_or_default(),
         }
     }
 
-    /// The results of the answer in the emitted function's order.
-    #[must_use]
-    pub fn roots(self, program: &Program) -> Vec<ExprId> {
-        let second = |list: &[(String, ExprId)]| list.iter().map(|(_, e)| *e).collect();
-        match self {
-            Self::Rates => {
-                let mut roots = program.forward_dynamics();
-                roots.push(program.rates.worst_pivot);
-                roots
+    /// The expression of what it returns, from those of all results.
+    pub fn result(&self, results: &[String]) -> String {
+        let mut rest = results;
+        let mut values = self.answers.iter().map(|field| field.value(&mut rest)).collect::<Vec<_>>();
+        match &self.together {
+            None => values.pop().unwrap_or_default(),
+            Some(name) => {
+                let members = self.answers.iter().zip(values);
+                let members: Vec<String> = members.map(|(f, value)| format!("{}: {value}", f.name)).collect();
+                format!("{name} {{ {} }}", members.join(", "))
             }
-            Self::Energy => program.energy.to_vec(),
-            Self::Speeds => second(&program.speeds),
-            Self::Outputs => second(&program.outputs),
-            Self::Projection => {
-                let mut roots: Vec<_> = program.correction.iter().map(|(_, e)| *e).collect();
-                roots.push(program.residual);
-                roots
+        }
+    }
+}
+
+impl Field {
+    fn output(&self) -> String {
+        match (&self.structure, self.answer.parts.as_slice()) {
+            (Some(name), _) => name.clone(),
+            (None, [only]) => type_of(only),
+            (None, parts) => {
+                let types: Vec<String> = parts.iter().map(type_of).collect();
+                format!("({})", types.join(", "))
             }
-            Self::Drive => program.drive.into_iter().collect(),
-            Self::Augmented => program.augmented_roots(),
         }
     }
 
-    /// What it gives, in a sentence.
-    pub(super) fn doc(self) -> &'static str {
-        match self {
-            Self::Rates => {
-                "Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal."
-            }
-            Self::Energy => "Kinetic and potential energy (J).",
-            Self::Speeds => "All speeds in the order of `SPEED_NAMES`, dependent ones included.",
-            Self::Outputs => "Requested outputs in the order of `OUTPUT_NAMES`.",
-            Self::Projection => {
-                "Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them."
-            }
-            Self::Drive => "Power that what drives the mechanism puts in (W).",
-            Self::Augmented => {
-                "Mass matrix M, Jacobian J (row-major), forcing f and bias b of M y' - J' lambda = f, J y' = -b, y as in `UNKNOWN_NAMES`."
+    /// Takes its results off the list.
+    fn value(&self, results: &mut &[String]) -> String {
+        let mut values: Vec<String> = Vec::new();
+        for part in &self.answer.parts {
+            let (own, rest) = results.split_at(part.values.len());
+            *results = rest;
+            let list = |items: &[String]| format!("[{}]", items.join(", "));
+            values.push(match part.shape {
+                Shape::Number => own.concat(),
+                Shape::List(_) => list(own),
+                Shape::Matrix(_, columns) => list(&own.chunks(columns.max(1)).map(list).collect::<Vec<_>>()),
+            });
+        }
+        match &self.structure {
+            None if values.len() == 1 => values.concat(),
+            None => format!("({})", values.join(", ")),
+            Some(name) => {
+                let parts = self.answer.parts.iter().zip(values);
+                let members: Vec<String> = parts.map(|(p, value)| format!("{}: {value}", p.name)).collect();
+                format!("{name} {{ {} }}", members.join(", "))
             }
         }
+    }
+}
+
+fn type_of(part: &Part) -> String {
+    match part.shape {
+        Shape::Number => "S".to_owned(),
+        Shape::List(n) => format!("[S; {n}usize]"),
+        Shape::Matrix(rows, columns) => format!("[[S; {columns}usize]; {rows}usize]"),
+    }
+}
+
+/// What a part is, with what its entries belong to.
+fn sentence(part: &Part) -> String {
+    match part.labels.is_empty() {
+        true => name::sentence(&part.doc, part.name),
+        false => format!("{}: {}", name::sentence(&part.doc, part.name), part.labels.join(", ")),
     }
 }

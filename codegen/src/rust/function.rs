@@ -1,6 +1,6 @@
 //! Functions of the emitted file: one an answer, and the one that prepares what depends on parameters alone.
 
-use super::answer::{Answer, Cost};
+use super::answer::{Cost, Emitted};
 use super::layout::{self, PLAIN_STRUCT, STRAIGHT_LINE};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
@@ -39,68 +39,23 @@ pub(super) fn prepare(
     )
 }
 
-/// One answer as a function.
+/// One answer, or several together, as a function.
 pub(super) fn answer(
     program: &Program,
-    answer: Answer,
+    function: &Emitted,
     cost: &Cost,
     prepared: &Prepared,
     options: &EmitOptions,
 ) -> String {
-    let roots = answer.roots(program);
-    let n = roots.len();
-    let (nq, nu, corrections) = (program.q.len(), program.u.len(), n.wrapping_sub(1));
-    let output = match answer {
-        Answer::Rates => format!("([S; {nq}usize], [S; {nu}usize], S)"),
-        Answer::Energy => "(S, S)".to_owned(),
-        Answer::Speeds | Answer::Outputs => format!("[S; {n}usize]"),
-        Answer::Projection => format!("([S; {corrections}usize], S)"),
-        Answer::Drive => "S".to_owned(),
-        Answer::Augmented => {
-            let lengths = augmented_lengths(program).map(|n| format!("[S; {n}usize]"));
-            format!("({})", lengths.join(", "))
-        }
-    };
-    let body = Body::new(program, &roots, options, Parameters::Prepared(prepared));
+    let parameters = Parameters::Prepared { prepared, takes_u_dot: function.takes_u_dot() };
+    let body = Body::new(program, &function.roots(), options, parameters);
     let operations = count(cost.values().sum::<usize>(), "operation");
-    let signature = layout::signature(&format!("pub fn {}", answer.name()), &body.arguments(), &output, "");
+    let head = format!("pub fn {}", function.name);
+    let signature = layout::signature(&head, &body.arguments(), &function.output(), "");
     format!(
         "///{}\n///\n///{operations}.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
-        answer.doc(),
+        function.doc,
         body.statements,
-        result(program, answer, &body.results)
+        function.result(&body.results)
     )
-}
-
-/// The result expression of an answer's function.
-fn result(program: &Program, answer: Answer, results: &[String]) -> String {
-    let list = |items: &[String]| format!("[{}]", items.join(", "));
-    match answer {
-        Answer::Rates => {
-            let (q_dot, rest) = results.split_at(program.q.len());
-            let (u_dot, pivot) = rest.split_at(program.u.len());
-            format!("({}, {}, {})", list(q_dot), list(u_dot), pivot.concat())
-        }
-        Answer::Energy => format!("({})", results.join(", ")),
-        Answer::Speeds | Answer::Outputs => list(results),
-        Answer::Projection => {
-            let (corrections, residual) = results.split_at(results.len() - 1);
-            format!("({}, {})", list(corrections), residual.concat())
-        }
-        Answer::Drive => results.concat(),
-        Answer::Augmented => {
-            let mut rest = results;
-            let parts = augmented_lengths(program).map(|n| {
-                let (part, after) = rest.split_at(n);
-                rest = after;
-                list(part)
-            });
-            format!("({})", parts.join(", "))
-        }
-    }
-}
-
-fn augmented_lengths(program: &Program) -> [usize; 4] {
-    let parts = &program.augmented;
-    [parts.mass.len(), parts.jacobian.len(), parts.forcing.len(), parts.bias.len()]
 }

@@ -1,6 +1,5 @@
 //! The struct that joins an emitted file to the runtime's `Mechanism` trait.
 
-use super::answer::Answer;
 use super::options::ScalarType;
 use super::{layout, name};
 use crate::escape;
@@ -200,7 +199,7 @@ fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
 
 /// Do projection or energy read time?
 fn keeps_time(program: &Program) -> bool {
-    let roots = [Answer::Projection, Answer::Energy].map(|answer| answer.roots(program)).concat();
+    let roots = ["projection", "energy"].map(|answer| program.roots_of(answer)).concat();
     roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))
 }
 

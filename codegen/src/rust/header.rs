@@ -1,6 +1,6 @@
 //! The comment that an emitted file opens with: provenance and cost.
 
-use super::answer::{Answer, Cost};
+use super::answer::Cost;
 use super::options::EmitOptions;
 use crate::escape;
 use crate::program::Program;
@@ -12,7 +12,7 @@ use std::fmt::Write;
 pub(super) fn text<'a>(
     program: &Program,
     options: &'a EmitOptions,
-    answers: impl Iterator<Item = (&'a Answer, &'a Cost)>,
+    functions: impl Iterator<Item = (&'a str, &'a Cost)>,
     prepare: &Cost,
 ) -> String {
     let scalar = options.scalar.path();
@@ -39,8 +39,8 @@ pub(super) fn text<'a>(
             worst.worst
         );
     }
-    for (answer, kinds) in answers {
-        cost(&mut text, answer.name(), kinds);
+    for (name, kinds) in functions {
+        cost(&mut text, name, kinds);
     }
     cost(&mut text, "prepare", prepare);
     text

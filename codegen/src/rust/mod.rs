@@ -19,6 +19,5 @@ mod prepared;
 mod schedule;
 mod statement;
 
-pub use answer::Answer;
 pub use file::emit;
 pub use options::{Core, EmitOptions, ScalarType};

@@ -16,8 +16,9 @@ const KEYWORDS: [&str; 53] = [
     "unsized", "virtual", "yield", "_",
 ];
 
-/// Arguments of the emitted functions: time, coordinates, speeds, inputs, and what depends on parameters.
-pub(super) const ARGUMENTS: [&str; 5] = ["t", "q", "u", "inputs", "p"];
+/// Arguments of the emitted functions: time, coordinates, speeds, inputs, given derivatives of the speeds, and what
+/// depends on parameters.
+pub(super) const ARGUMENTS: [&str; 6] = ["t", "q", "u", "inputs", "u_dot", "p"];
 
 /// Constants of the emitted file. A `let` with such a name would compare with the constant.
 const CONSTANTS: [&str; 13] = [
@@ -140,6 +141,29 @@ impl Scope {
     /// A place that has these names already.
     fn of<'n>(names: impl Iterator<Item = &'n &'n str>) -> Self {
         Self { taken: names.map(|&name| name.to_owned()).collect(), temporaries: 0 }
+    }
+
+    /// The functions of the emitted file.
+    pub fn of_functions() -> Self {
+        Self::of(["prepare"].iter())
+    }
+
+    /// The types of the emitted file.
+    pub fn of_types(program: &Program) -> Self {
+        let mut scope = Self::of(TYPES.iter().chain(&PRELUDE).chain(&KEYWORDS));
+        scope.taken.insert(type_name(&program.name));
+        scope
+    }
+
+    /// The wished name of a type, or with the first free number behind it.
+    pub fn unique_type(&mut self, wished: &str) -> String {
+        let mut number = 2;
+        let mut name = wished.to_owned();
+        while !self.taken.insert(name.clone()) {
+            name = format!("{wished}{number}");
+            number += 1;
+        }
+        name
     }
 
     /// The values of a function of the emitted file.

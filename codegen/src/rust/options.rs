@@ -1,6 +1,6 @@
 //! What is emitted: the scalar, the functions, the processor that the order of statements is meant for.
 
-use super::answer::Answer;
+use crate::program::answer::Function;
 
 /// The scalar of an emitted file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
@@ -33,8 +33,8 @@ pub struct EmitOptions {
     pub scalar: ScalarType,
     /// Path of the runtime crate or of the module that carries its numbers.
     pub runtime: String,
-    /// Only these answers, and no glue; all with glue if empty.
-    pub answers: Vec<Answer>,
+    /// Only these functions, and no glue; all that the program has, with glue, if empty.
+    pub functions: Vec<Function>,
     /// What runs the code, if not what usually computes with the scalar: a host with f64, a microcontroller with
     /// any other.
     pub core: Option<Core>,
@@ -45,7 +45,7 @@ impl Default for EmitOptions {
         Self {
             scalar: ScalarType::F64,
             runtime: "smartbed_runtime".to_owned(),
-            answers: Vec::new(),
+            functions: Vec::new(),
             core: None,
         }
     }

@@ -27,7 +27,12 @@ const LONGEST_STATEMENT: usize = 8;
 #[derive(Clone, Copy)]
 pub(super) enum Parameters<'p> {
     /// An answer: in `p: &Prepared`.
-    Prepared(&'p Prepared),
+    Prepared {
+        /// Its fields.
+        prepared: &'p Prepared,
+        /// Are derivatives of the speeds an argument too?
+        takes_u_dot: bool,
+    },
     /// `prepare`: in `p: &Parameters`, whose fields have these names.
     Given(&'p [String]),
 }
@@ -52,7 +57,7 @@ pub(super) struct Body<'p> {
     named: Vec<u32>,
     idents: Vec<String>,
     scope: Scope,
-    read: [bool; 5],
+    read: [bool; 6],
     /// Scratch of [`Body::read_arguments`].
     stack: Vec<ExprId>,
 }
@@ -79,7 +84,7 @@ impl<'p> Body<'p> {
             named: vec![0; n],
             idents: Vec::new(),
             scope: Scope::of_function(),
-            read: [false; 5],
+            read: [false; 6],
             stack: Vec::new(),
         };
         let steps = body.steps(roots);
@@ -108,7 +113,7 @@ impl<'p> Body<'p> {
     /// Name of the field of `Prepared` that holds the node.
     fn field(&self, id: ExprId) -> Option<&'p str> {
         match self.parameters {
-            Parameters::Prepared(prepared) => prepared.field(id),
+            Parameters::Prepared { prepared, .. } => prepared.field(id),
             Parameters::Given(_) => None,
         }
     }
@@ -169,7 +174,7 @@ impl<'p> Body<'p> {
     /// `let hA = q[0];`
     fn load(&mut self, id: ExprId, symbol: SymbolId) {
         let program = self.program;
-        let lists = [&program.q, &program.u, &program.inputs];
+        let lists = [&program.q, &program.u, &program.inputs, &program.u_dot];
         if symbol == program.time {
             self.read[0] = true;
             self.name(id, "t".to_owned());
@@ -193,7 +198,7 @@ impl<'p> Body<'p> {
 
     /// `let m = p.m;`
     fn read_parameter(&mut self, id: ExprId, wished: &str, field: &str) {
-        self.read[4] = true;
+        self.read[5] = true;
         let ident = self.scope.unique(wished);
         self.push(&ident, format_args!("p.{field}"));
         self.name(id, ident);
@@ -336,14 +341,16 @@ impl<'p> Body<'p> {
     pub fn arguments(&self) -> Vec<String> {
         let program = self.program;
         let underscore = |read: bool| if read { "" } else { "_" };
-        if let Parameters::Given(_) = self.parameters {
-            return vec![format!("{}p: &Parameters", underscore(self.read[4]))];
-        }
+        let takes_u_dot = match self.parameters {
+            Parameters::Given(_) => return vec![format!("{}p: &Parameters", underscore(self.read[5]))],
+            Parameters::Prepared { takes_u_dot, .. } => takes_u_dot,
+        };
         let array = |n: usize| format!("&[S; {n}usize]");
         let (q, u, inputs) = (&program.q, &program.u, &program.inputs);
-        let types =
-            ["S".to_owned(), array(q.len()), array(u.len()), array(inputs.len()), "&Prepared".to_owned()];
+        let [q, u, inputs] = [q, u, inputs].map(|list| array(list.len()));
+        let types = ["S".to_owned(), q, u.clone(), inputs, u, "&Prepared".to_owned()];
         let named = ARGUMENTS.iter().zip(types).zip(self.read);
+        let named = named.filter(|((name, _), _)| takes_u_dot || **name != "u_dot");
         named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).collect()
     }
 }

@@ -2,13 +2,20 @@
 
 use smartbed_codegen::expr::SymbolId;
 use smartbed_codegen::kinematics::linear;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Settings, model, program};
 use smartbed_runtime::mechanism::Mechanism;
 use std::collections::HashMap;
 use std::path::Path;
 
 /// Rounding of a dense solve of at most 33 unknowns against the symbolic elimination.
 const ROUNDING: f64 = 1e-10;
+
+/// The program of a model with its equations before the elimination.
+pub(crate) fn with_augmented(model: &model::Model, settings: Settings) -> Program {
+    let asked = Asked::besides(Function::each(&["augmented"]));
+    let program = program::derive_asked(model, &ParameterChoice::default(), settings, &asked);
+    program.unwrap_or_else(|found| panic!("{found}"))
+}
 
 fn values(program: &Program, q: &[f64], u: &[f64], inputs: &[f64]) -> HashMap<SymbolId, f64> {
     let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
@@ -25,7 +32,7 @@ fn check(name: &str) {
     let model =
         model::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../models/{name}.toml")).as_path())
             .expect("a good model");
-    let program = program::derive(&model, &ParameterChoice::default()).expect("derives");
+    let program = with_augmented(&model, Settings::default());
     let mut q = program.nominal.clone();
     let independent =
         program.q.iter().position(|c| !program.correction.iter().any(|(i, _)| program.q[*i].name == c.name));

@@ -1,7 +1,7 @@
 //! Chains and trees: the forces between mass centres as unknowns against the mass matrix, and their operations.
 
-use crate::augmented::agree;
-use smartbed_codegen::{Effort, Interpreted, Optimise, ParameterChoice, Program, Settings, model, program};
+use crate::augmented::{agree, with_augmented};
+use smartbed_codegen::{Effort, Interpreted, Optimise, Program, Settings, model};
 use smartbed_runtime::mechanism::Mechanism;
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ fn derived(text: &str) -> Program {
 
 fn derived_with(text: &str, settings: Settings) -> Program {
     let model = model::parse("chain.toml", text).unwrap_or_else(|e| panic!("{e}"));
-    program::derive_with(&model, &ParameterChoice::default(), settings).unwrap_or_else(|e| panic!("{e}"))
+    with_augmented(&model, settings)
 }
 
 /// n point masses on massless rods, absolute angles from the downward vertical.

@@ -4,7 +4,7 @@
 
 use crate::augmented;
 use crate::models::shipped;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use smartbed_codegen::{Interpreted, Program, Settings, model};
 use smartbed_runtime::mechanism::Mechanism;
 use smartbed_runtime::ode::Driven;
 use smartbed_runtime::ode::Method;
@@ -33,7 +33,7 @@ fn derived(text: &str) -> Program {
         1 => shipped(text),
         _ => model::parse("driven.toml", text).unwrap_or_else(|found| panic!("{found}")),
     };
-    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|found| panic!("{found}"))
+    augmented::with_augmented(&model, Settings::default())
 }
 
 fn rates(engine: &mut Interpreted<f64>, t: f64, q: &[f64], u: &[f64]) -> (Vec<f64>, Vec<f64>) {

@@ -4,6 +4,7 @@
 //! Oracle: the augmented form of the mechanism as it is shipped, which knows of no drive, with one row more that says
 //! what the coordinate's acceleration is; its multiplier is the drive's force. Solved by dense elimination.
 
+use crate::augmented;
 use crate::models::shipped;
 use smartbed_codegen::expr::SymbolId;
 use smartbed_codegen::id::Id;
@@ -12,7 +13,7 @@ use smartbed_codegen::model::expression::{Expr, ExprKind, Function};
 use smartbed_codegen::model::unit::Unit;
 use smartbed_codegen::model::{Constraint, CoordinateId, Entity, Model, SpeedId, SpeedMeaning};
 use smartbed_codegen::source::Span;
-use smartbed_codegen::{Interpreted, ParameterChoice, Program, program};
+use smartbed_codegen::{Interpreted, ParameterChoice, Program, Settings, program};
 use smartbed_runtime::mechanism::Mechanism;
 use std::collections::HashMap;
 
@@ -138,7 +139,7 @@ fn check(name: &str, way: Way, index: usize) -> usize {
     let model = shipped(name);
     let speed = SpeedId::from_index(index);
     let Some((with_drive, coordinate)) = driven(&model, way, speed) else { return 0 };
-    let free = program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"));
+    let free = augmented::with_augmented(&model, Settings::default());
     let program = program::derive(&with_drive, &ParameterChoice::default())
         .unwrap_or_else(|e| panic!("{name} {way:?} {index}: {e}"));
     let (coordinate, speed) = (&model.coordinates[coordinate], &model.speeds[speed].name);

@@ -4,9 +4,10 @@
 //! `UPDATE_EMITTED=1 cargo test -p smartbed-codegen --test it -- emitted_bytes` renews the file.
 
 use crate::models::shipped;
-use smartbed_codegen::program::{derive_kinematic, derive_with};
+use smartbed_codegen::program::{answer, derive_asked, derive_kinematic};
 use smartbed_codegen::{
-    Answer, Diagnostics, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, rust,
+    Asked, Diagnostics, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, ScalarType,
+    Settings, rust,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -27,10 +28,10 @@ fn fingerprint(text: &str) -> u64 {
 }
 
 /// One line a scalar: model, settings, form, scalar, length, fingerprint.
-fn record(lines: &mut String, program: &Program, settings: &str, form: &str, answers: &[Answer]) {
+fn record(lines: &mut String, program: &Program, settings: &str, form: &str, functions: &[Function]) {
     let lanes = ScalarType::Path("wide::f32x8".to_owned());
     for (name, scalar) in [("f32", ScalarType::F32), ("f64", ScalarType::F64), ("f32x8", lanes)] {
-        let options = EmitOptions { scalar, answers: answers.to_vec(), ..EmitOptions::default() };
+        let options = EmitOptions { scalar, functions: functions.to_vec(), ..EmitOptions::default() };
         let text = rust::emit(program, &options);
         let (length, hash) = (text.len(), fingerprint(&text));
         let model = &program.name;
@@ -62,14 +63,17 @@ fn of_model(name: &str) -> String {
     let choice = ParameterChoice::default();
     let mut lines = String::new();
     for (settings, how) in SETTINGS {
-        let program = located(name, derive_with(&model, &choice, how));
+        let program = located(name, derive_asked(&model, &choice, how, &Asked::default()));
         record(&mut lines, &program, settings, "reduced", &[]);
         if how.effort == Effort::Default {
-            record(&mut lines, &program, settings, "augmented", &[Answer::Augmented]);
+            let augmented = Function::each(&["augmented"]);
+            let asked = Asked::besides(augmented.clone());
+            let program = located(name, derive_asked(&model, &choice, how, &asked));
+            record(&mut lines, &program, settings, "augmented", &augmented);
         }
     }
     let program = located(name, derive_kinematic(&model, &choice, Effort::Default));
-    record(&mut lines, &program, "default", "kinematic", &Answer::KINEMATIC);
+    record(&mut lines, &program, "default", "kinematic", &Function::each(&answer::KINEMATIC));
     lines
 }
 

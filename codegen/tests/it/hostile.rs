@@ -5,9 +5,9 @@
 //! `SMARTBED_HOSTILE=1000 cargo test -p smartbed-codegen --test it -- hostile`
 
 use smartbed_codegen::model::{self, Model};
-use smartbed_codegen::program::{derive_kinematic, derive_with};
+use smartbed_codegen::program::{answer, derive_asked, derive_kinematic};
 use smartbed_codegen::{
-    Answer, Core, Effort, EmitOptions, ParameterChoice, Program, ScalarType, Settings, rust,
+    Asked, Core, Effort, EmitOptions, Function, ParameterChoice, Program, ScalarType, rust,
 };
 use std::fmt::Write;
 use std::path::Path;
@@ -178,16 +178,19 @@ fn emitted(model: &Model, n: u64) -> Result<(Program, EmitOptions), String> {
     let form = n / 4 % 4;
     let effort = [Effort::Default, Effort::None][(n / 16 % 2) as usize];
     let core = [None, Some(Core::Host), Some(Core::CortexM4)][(n % 3) as usize];
-    let answers = match form {
+    let functions = match form {
         0 | 1 => Vec::new(),
-        2 => vec![Answer::Augmented],
-        _ => Answer::KINEMATIC.to_vec(),
+        2 => Function::each(&["augmented"]),
+        _ => Function::each(&answer::KINEMATIC),
     };
     let program = match form {
         3 => derive_kinematic(model, &choice, effort),
-        _ => derive_with(model, &choice, Settings::from(effort)),
+        _ => derive_asked(model, &choice, effort, &Asked::besides(functions.clone())),
     };
-    Ok((program.map_err(|e| e.to_string())?, EmitOptions { scalar, answers, core, ..EmitOptions::default() }))
+    Ok((
+        program.map_err(|e| e.to_string())?,
+        EmitOptions { scalar, functions, core, ..EmitOptions::default() },
+    ))
 }
 
 /// A model without anything hostile, at rest or moved by time.

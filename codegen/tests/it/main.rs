@@ -1,5 +1,6 @@
 //! Tests of the generator, one binary.
 
+mod answers;
 mod augmented;
 mod chain;
 mod driven;

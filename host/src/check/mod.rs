@@ -16,7 +16,8 @@ use rank::Rank;
 use serde_json::{Value, json};
 use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::{Answer, Effort, Optimise, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::program::answer::KINEMATIC;
+use smartbed_codegen::{Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
@@ -166,11 +167,11 @@ fn units(model: &Model, program: &Program) -> Value {
 }
 
 fn cost(model: &Model, program: &Program) -> Value {
-    let answers = if model.bodies.is_empty() { Answer::KINEMATIC.to_vec() } else { Answer::of(program) };
+    let answers = if model.bodies.is_empty() { KINEMATIC.to_vec() } else { program.standing() };
     let costs = answers.iter().map(|answer| {
-        let roots = answer.roots(program);
+        let roots = program.roots_of(answer);
         json!({
-            "answer": answer.name(), "operations": program.dag.state_cost(&roots),
+            "answer": answer, "operations": program.dag.state_cost(&roots),
             "by_kind": program.dag.operations_by_kind(&roots, Dependence::State),
         })
     });

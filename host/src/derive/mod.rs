@@ -2,13 +2,14 @@
 
 use crate::engine::crate_text;
 use crate::failure::Failure;
-use crate::{crate_folder, limits, model_argument, output};
+use crate::{answers, crate_folder, limits, model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
+use smartbed_codegen::program::answer::{CATALOGUE, KINEMATIC, Needs, find};
 use smartbed_codegen::words::count;
 use smartbed_codegen::{
-    Answer, Core, Effort, EmitOptions, Optimise, ParameterChoice, Program, ScalarType, Settings, program,
-    rust,
+    Asked, Core, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, Request, ScalarType,
+    Settings, program, rust,
 };
 use std::path::Path;
 
@@ -16,7 +17,12 @@ use std::path::Path;
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Example:
   cargo smartbed derive tile --scalar f32 -o tile.rs
-  cargo smartbed derive fourbar --crate ../fourbar")]
+  cargo smartbed derive fourbar --crate ../fourbar
+  cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
+
+Answers: rates, energy, speeds, outputs, projection, drive (where the mechanism is driven), mass_matrix, bias,
+inverse_dynamics; of a port, a point or a frame: pose:NAME, twist:NAME, bias_acceleration:NAME, jacobian:NAME,
+inverse_inertia:NAME; port:NAME is all of a port and takes its wrench as six inputs.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
@@ -42,10 +48,10 @@ pub struct Arguments {
     /// What runs the code, which decides the order of its statements; without it a host for f64, else the chip.
     #[arg(long, value_enum)]
     pub core: Option<CoreChoice>,
-    /// Only these functions, without the struct that joins them to the runtime:
-    /// rates, energy, speeds, outputs, projection, and drive where the mechanism is driven.
-    #[arg(long, value_delimiter = ',', value_parser = crate::eval::answer)]
-    pub answers: Vec<Answer>,
+    /// Only these answers, without the struct that joins them to the runtime; those listed together are one function that
+    /// shares what they have in common: [NAME=]ANSWER,ANSWER... May be repeated, for several functions.
+    #[arg(long, value_parser = crate::answers::entry, value_name = "LIST")]
+    pub answers: Vec<String>,
     /// Keep these fixed parameters as fields.
     #[arg(long, value_delimiter = ',', value_name = "NAME")]
     pub keep: Vec<String>,
@@ -167,14 +173,16 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = choice(arguments, &model)?;
     let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
-    let program = match arguments.form {
-        Form::Kinematic => program::derive_kinematic(&model, &choice, settings.effort),
-        _ => program::derive_with(&model, &choice, settings),
+    let functions = functions(arguments, &model)?;
+    let program = match (arguments.form, arguments.answers.is_empty()) {
+        (Form::Kinematic, true) => program::derive_kinematic(&model, &choice, settings.effort),
+        (_, true) if functions.is_empty() => program::derive_with(&model, &choice, settings),
+        _ => program::derive_asked(&model, &choice, settings, &Asked::only(functions.clone())),
     };
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
-    let answers = answers(arguments, &model)?;
-    if answers.contains(&Answer::Drive) && program.drive.is_none() {
+    let asks = |name: &str| functions.iter().flat_map(|f| &f.requests).any(|r| r.answer == name);
+    if asks("drive") && program.drive.is_none() {
         return Err(Failure::Wrong(format!(
             "--answers drive: nothing drives `{}`; expected a model in which time enters places or constraints, or a \
              motion constraint has a part without speeds",
@@ -184,7 +192,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let scalar = arguments.scalar.scalar_type();
     limits::check_program(&program, &scalar)?;
     let options =
-        EmitOptions { scalar, answers, core: arguments.core.map(CoreChoice::core), ..Default::default() };
+        EmitOptions { scalar, functions, core: arguments.core.map(CoreChoice::core), ..Default::default() };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;
@@ -196,26 +204,31 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             folder.clone()
         }
     };
-    report(arguments, &program, &written)
+    report(arguments, &program, &options.functions, &written)
 }
 
 /// What was written, where the text itself does not go to standard output.
-fn report(arguments: &Arguments, program: &Program, written: &str) -> Result<(), Failure> {
+fn report(
+    arguments: &Arguments,
+    program: &Program,
+    functions: &[Function],
+    written: &str,
+) -> Result<(), Failure> {
     if written == "-" {
         return Ok(());
     }
-    let operations = |answer: Answer| program.dag.state_cost(&answer.roots(program));
-    let kinematic = arguments.form == Form::Kinematic;
-    let answers = if kinematic { Answer::KINEMATIC.to_vec() } else { Answer::of(program) };
+    let functions =
+        if functions.is_empty() { Function::each(&program.standing()) } else { functions.to_vec() };
+    let operations = |function: &Function| program.dag.state_cost(&program.function_roots(function));
     let text = if arguments.json {
-        let costs = answers.iter().map(|&a| (a.name().to_owned(), serde_json::Value::from(operations(a))));
+        let costs = functions.iter().map(|f| (f.name.clone(), serde_json::Value::from(operations(f))));
         let costs = serde_json::Map::from_iter(costs);
         let done = serde_json::json!({"model": program.name, "output": written, "operations": costs});
         format!("{done}\n")
     } else {
-        let (what, counted) =
-            if kinematic { (" of the speeds", Answer::Speeds) } else { ("", Answer::Rates) };
-        let operations = count(operations(counted), "operation");
+        let first = &functions[0];
+        let what = if first.name == "rates" { String::new() } else { format!(" of {}", first.name) };
+        let operations = count(operations(first), "operation");
         format!("{}: {operations} per evaluation{what}, in {written}\n", program.name)
     };
     output::print(&text)
@@ -238,12 +251,12 @@ fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failu
     Ok(choice)
 }
 
-/// The functions of the form.
-fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure> {
+/// The functions of the form; none where all are wanted.
+fn functions(arguments: &Arguments, model: &Model) -> Result<Vec<Function>, Failure> {
+    let asked = answers::functions(&arguments.answers)?;
     match arguments.form {
-        Form::Reduced => Ok(arguments.answers.clone()),
-        Form::Augmented if arguments.answers.is_empty() => Ok(vec![Answer::Augmented]),
-        Form::Augmented => Ok([&[Answer::Augmented], arguments.answers.as_slice()].concat()),
+        Form::Reduced => Ok(asked),
+        Form::Augmented => Ok([Function::each(&["augmented"]), asked].concat()),
         Form::Minimal => {
             let dependent: Vec<&str> = model
                 .coordinates
@@ -252,7 +265,7 @@ fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure>
                 .map(|c| c.name.as_str())
                 .collect();
             if dependent.is_empty() {
-                return Ok(arguments.answers.clone());
+                return Ok(asked);
             }
             Err(Failure::Wrong(format!(
                 "--form minimal: `{}` has dependent coordinates as state ({}); expected a closed form for each of \
@@ -261,13 +274,20 @@ fn answers(arguments: &Arguments, model: &Model) -> Result<Vec<Answer>, Failure>
                 dependent.join(", ")
             )))
         }
-        Form::Kinematic => match arguments.answers.iter().find(|a| !Answer::KINEMATIC.contains(a)) {
-            Some(dynamic) => Err(Failure::Wrong(format!(
-                "--form kinematic: the answer `{}` needs masses; expected some of speeds, outputs, projection",
-                dynamic.name()
-            ))),
-            None if arguments.answers.is_empty() => Ok(Answer::KINEMATIC.to_vec()),
-            None => Ok(arguments.answers.clone()),
-        },
+        Form::Kinematic => {
+            let needs_masses = |r: &&Request| find(&r.answer).is_none_or(|kind| kind.needs != Needs::Motion);
+            match asked.iter().flat_map(|f| &f.requests).find(needs_masses) {
+                Some(dynamic) => {
+                    let free = CATALOGUE.iter().filter(|kind| kind.needs == Needs::Motion);
+                    let names: Vec<&str> = free.map(|kind| kind.name).collect();
+                    Err(Failure::Wrong(format!(
+                        "--form kinematic: the answer `{dynamic}` needs masses; expected some of {}",
+                        names.join(", ")
+                    )))
+                }
+                None if asked.is_empty() => Ok(Function::each(&KINEMATIC)),
+                None => Ok(asked),
+            }
+        }
     }
 }

@@ -4,11 +4,14 @@ use super::{Engine, EngineScalar, cache, crate_text};
 use crate::failure::Failure;
 use libloading::Library;
 use smartbed_codegen::program::arguments::Arguments;
-use smartbed_codegen::{Answer, Program};
+use smartbed_codegen::{Function, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 
 /// The C function: which answer, arguments, results; whether the lengths fit.
 type AnswerFunction<S> = unsafe extern "C" fn(u32, *const S, usize, *mut S, usize) -> bool;
+
+/// Number of the first function on request in the C function.
+const FIRST: u32 = 7;
 
 /// Numbers of the answers in the C function.
 #[derive(Clone, Copy)]
@@ -30,6 +33,8 @@ pub struct Compiled<S> {
     _library: Library,
     n_speeds: usize,
     n_outputs: usize,
+    /// By function on request.
+    n_results: Vec<usize>,
     is_driven: bool,
     corrected: Vec<usize>,
     angles: Vec<bool>,
@@ -47,7 +52,8 @@ impl<S: EngineScalar> Compiled<S> {
         let path = cache::library(&files)?;
         let (library, function) =
             load(&path).map_err(|e| Failure::Wrong(format!("cannot load {}: {e}", path.display())))?;
-        let roots: Vec<_> = Answer::of(program).iter().flat_map(|answer| answer.roots(program)).collect();
+        let functions = [Function::each(&program.standing()), program.functions.clone()].concat();
+        let roots: Vec<_> = functions.iter().flat_map(|f| program.function_roots(f)).collect();
         let n_prepared = program.prepared(&roots).len();
         let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
         let mut this = Self {
@@ -55,6 +61,7 @@ impl<S: EngineScalar> Compiled<S> {
             _library: library,
             n_speeds: program.speeds.len(),
             n_outputs: program.outputs.len(),
+            n_results: program.functions.iter().map(|f| program.function_roots(f).len()).collect(),
             is_driven: program.drive.is_some(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
@@ -68,11 +75,11 @@ impl<S: EngineScalar> Compiled<S> {
 
     /// What depends on the parameters alone.
     fn prepare(&mut self, parameters: &[S]) -> Result<(), Fault> {
-        call(self.function, Which::Prepare, parameters, self.arguments.prepared_mut())
+        call(self.function, Which::Prepare as u32, parameters, self.arguments.prepared_mut())
     }
 
     fn answer(&self, which: Which, results: &mut [S]) -> Result<(), Fault> {
-        call(self.function, which, self.arguments.values(), results)
+        call(self.function, which as u32, self.arguments.values(), results)
     }
 }
 
@@ -88,17 +95,11 @@ fn load<S>(path: &std::path::Path) -> Result<(Library, AnswerFunction<S>), liblo
 }
 
 #[expect(unsafe_code, reason = "the one call through the C interface of a compiled library")]
-fn call<S>(
-    function: AnswerFunction<S>,
-    which: Which,
-    arguments: &[S],
-    results: &mut [S],
-) -> Result<(), Fault> {
+fn call<S>(function: AnswerFunction<S>, which: u32, arguments: &[S], results: &mut [S]) -> Result<(), Fault> {
     let (n_arguments, n_results) = (arguments.len(), results.len());
     // SAFETY: pointers and lengths are those of two slices; the library is loaded as long as the
     // mechanism that holds `function`.
-    let fits =
-        unsafe { function(which as u32, arguments.as_ptr(), n_arguments, results.as_mut_ptr(), n_results) };
+    let fits = unsafe { function(which, arguments.as_ptr(), n_arguments, results.as_mut_ptr(), n_results) };
     if fits { Ok(()) } else { Err(Fault::Shape) }
 }
 
@@ -125,7 +126,7 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
         u_dot: &mut [S],
     ) -> Result<S, Fault> {
         self.arguments.set(t, q, u, inputs)?;
-        call(self.function, Which::Rates, self.arguments.values(), &mut self.rates)?;
+        call(self.function, Which::Rates as u32, self.arguments.values(), &mut self.rates)?;
         self.arguments.split_rates(&self.rates, q_dot, u_dot)
     }
     fn set_time(&mut self, t: S) {
@@ -171,5 +172,16 @@ impl<S: EngineScalar> Engine<S> for Compiled<S> {
             self.answer(Which::Drive, &mut power)?;
         }
         Ok(power[0])
+    }
+    fn function(
+        &mut self,
+        place: usize,
+        (t, q, u, inputs, u_dot): (S, &[S], &[S], &[S], &[S]),
+    ) -> Result<Vec<S>, Fault> {
+        self.arguments.set(t, q, u, inputs)?;
+        self.arguments.set_u_dot(u_dot)?;
+        let mut results = vec![S::ZERO; *self.n_results.get(place).ok_or(Fault::Shape)?];
+        call(self.function, FIRST + place as u32, self.arguments.values(), &mut results)?;
+        Ok(results)
     }
 }

@@ -90,7 +90,29 @@ counting = []
         Some(_) => "6 => fill(results, [drive(*t, q, u, inputs, p)].iter()),",
         None => "// 6, the power of the drive: nothing drives this mechanism.",
     };
-    let root = include_str!("dynamic.rs.txt").replace("// DRIVE", drive);
+    // Only functions of answers on request: structs of nothing but numbers.
+    let functions = program.functions.iter().enumerate().map(|(place, function)| {
+        let u_dot = match program.answers_of(function).iter().any(|answer| answer.takes_u_dot) {
+            true => ", u_dot",
+            false => "",
+        };
+        let (number, name) = (7 + place, &function.name);
+        format!(
+            "{number} => {{
+            let answer = {name}(*t, q, u, inputs{u_dot}, p);
+            // SAFETY: the structs of answers are `repr(C)` and hold nothing but numbers `S`.
+            fill(results, unsafe {{ numbers(&answer) }}.iter())
+        }}"
+        )
+    });
+    let u_dot = match program.u_dot.is_empty() {
+        true => "",
+        false => "let (u_dot, values) = values.split_first_chunk::<NU>()?;",
+    };
+    let root = include_str!("dynamic.rs.txt")
+        .replace("// DRIVE", drive)
+        .replace("// FUNCTIONS", &functions.collect::<Vec<_>>().join("\n        "))
+        .replace("// U_DOT", u_dot);
     let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];
     files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
     files.extend(sources());

@@ -79,6 +79,12 @@ pub trait Engine<S: EngineScalar>: Mechanism<S> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault>;
+    /// The results of a function on request, by its place in the program's functions; `u_dot` is empty where no answer
+    /// takes it.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length, or there is no such function.
+    fn function(&mut self, place: usize, at: (S, &[S], &[S], &[S], &[S])) -> Result<Vec<S>, Fault>;
     /// Largest constraint residual of a configuration, which stays as it is, at the time last set.
     ///
     /// # Errors
@@ -100,6 +106,9 @@ impl<S: EngineScalar> Engine<S> for Interpreted<S> {
     }
     fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault> {
         Interpreted::drive(self, t, q, u, inputs)
+    }
+    fn function(&mut self, place: usize, at: (S, &[S], &[S], &[S], &[S])) -> Result<Vec<S>, Fault> {
+        Interpreted::function(self, place, at)
     }
 }
 

@@ -12,9 +12,10 @@ use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers, less_turns};
 use crate::progress::Progress;
 use crate::run::observers::Observers;
-use crate::{model_argument, output};
+use crate::{answers, model_argument, output};
 use smartbed_codegen::model::Model;
-use smartbed_codegen::{Answer, Interpreted, ParameterChoice, Program, program};
+use smartbed_codegen::program::answer;
+use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
 use states::State;
 use write::Evaluated;
 
@@ -29,7 +30,7 @@ const VIOLATED: f64 = 1e-4;
                               \"inputs\": {\"FA\": 30}, \"parameters\": {\"M\": 8}}]}
 
 SI units. Beside \"q\" a state may have the time \"t\", else it is 0. Independent coordinates must be given; dependent ones are solved for where left out, and
-those in closed form follow from the others (given all the same, they must agree). Left-out speeds and inputs are 0, left-out parameters are the model's.")]
+those in closed form follow from the others (given all the same, they must agree). Left-out speeds and inputs are 0, left-out parameters are the model's. Answers that take accelerations read \"u_dot\", by the names of the speeds.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
@@ -45,21 +46,19 @@ pub struct Arguments {
     /// What it computes with.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
-    /// Only these: rates, energy, speeds, outputs, projection, drive [default: all but speeds].
-    #[arg(long, value_delimiter = ',', value_parser = answer)]
-    pub answers: Vec<Answer>,
+    /// Only these, with commas between; `derive --help` lists them [default: rates, energy, outputs, projection, drive].
+    #[arg(long, value_parser = answers::entry, value_name = "LIST")]
+    pub answers: Vec<String>,
     /// Print one JSON object about what was done (the answers are JSON in any case).
     #[arg(long)]
     pub json: bool,
 }
 
-/// The answer of a name.
-pub(crate) fn answer(name: &str) -> Result<Answer, String> {
-    let names = Answer::ALL.map(Answer::name);
-    Answer::ALL
-        .into_iter()
-        .find(|a| a.name() == name)
-        .ok_or_else(|| format!("no such answer{}", crate::suggest::help(name, names)))
+/// One function of what not every program has.
+fn on_request(requests: &[Request]) -> Vec<Function> {
+    let is_asked = |r: &&Request| answer::find(&r.answer).is_some_and(|kind| !kind.is_standing());
+    let requests: Vec<Request> = requests.iter().filter(is_asked).cloned().collect();
+    if requests.is_empty() { Vec::new() } else { vec![Function { name: "answers".to_owned(), requests }] }
 }
 
 /// Does what the command line asks for.
@@ -70,15 +69,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let states = states::read(&arguments.states)?;
     let choice = ParameterChoice { keep: states::parameters(&states, &model)?, ..Default::default() };
-    let program = program::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?;
+    let requests: Vec<Request> =
+        answers::functions(&arguments.answers)?.into_iter().flat_map(|f| f.requests).collect();
+    let asked = Asked::besides(on_request(&requests));
+    let program = program::derive_asked(&model, &choice, Settings::default(), &asked);
+    let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
     let closed = match model.coordinates.iter().any(|c| c.closed_form.is_some()) {
         true => Some(Observers::derive(&model, &choice).map_err(|e| model_argument::wrong(&e))?),
         false => None,
     };
     let text = match arguments.scalar {
-        ScalarKind::F32 => evaluate::<f32>(arguments, &model, &program, closed.as_ref(), &states)?,
-        ScalarKind::F64 => evaluate::<f64>(arguments, &model, &program, closed.as_ref(), &states)?,
+        ScalarKind::F32 => {
+            evaluate::<f32>(arguments, &model, &program, closed.as_ref(), (&states, &requests))?
+        }
+        ScalarKind::F64 => {
+            evaluate::<f64>(arguments, &model, &program, closed.as_ref(), (&states, &requests))?
+        }
     };
     output::write(&arguments.output, text.as_bytes())?;
     if arguments.json && arguments.output != "-" {
@@ -95,11 +102,11 @@ fn evaluate<S: EngineScalar>(
     model: &Model,
     program: &Program,
     observers: Option<&Observers>,
-    states: &[State],
+    (states, requests): (&[State], &[Request]),
 ) -> Result<String, Failure> {
-    let answers = match arguments.answers.as_slice() {
-        [] => Answer::of(program).into_iter().filter(|&answer| answer != Answer::Speeds).collect(),
-        given => given.to_vec(),
+    let answers: Vec<String> = match requests {
+        [] => program.standing().into_iter().filter(|&name| name != "speeds").map(str::to_owned).collect(),
+        given => given.iter().map(ToString::to_string).collect(),
     };
     let mut engine = engine::new::<S>(arguments.engine, program)?;
     let mut angles = Angles::new::<S>(program);
@@ -128,6 +135,7 @@ fn evaluate<S: EngineScalar>(
             (&program.q, &near),
             (&program.u, &given.u),
             (&program.inputs, &given.inputs),
+            (&program.u_dot, &given.u_dot),
             (&program.parameters, &given.parameters),
         ] {
             let named = list.iter().zip(values).map(|(quantity, x)| (quantity.name.as_str(), *x));
@@ -138,6 +146,13 @@ fn evaluate<S: EngineScalar>(
         let mut evaluated = one(engine.as_mut(), state.t, &near, &given.u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         evaluated.q.clone_from(&q);
+        if !program.functions.is_empty() {
+            let [q, u, inputs, u_dot] =
+                [&near, &given.u, &given.inputs, &given.u_dot].map(|x| rounded::<S>(x));
+            let values = engine.function(0, (S::from_f64(state.t), &q, &u, &inputs, &u_dot));
+            let values = values.map_err(|fault| at(explain(fault).to_owned()))?;
+            evaluated.asked = values.into_iter().map(S::to_f64).collect();
+        }
         if let Some(closed_forms) = &mut closed_forms {
             closed_forms.set_parameters(&parameters);
             let values = closed_forms
@@ -210,6 +225,7 @@ fn one<S: EngineScalar>(
         energy: [energy.0.to_f64(), energy.1.to_f64()],
         speeds: widened(engine.speeds(&state_q, &state_u)?),
         outputs: widened(engine.outputs(time, &state_q, &state_u, &state_inputs)?),
+        asked: Vec::new(),
         drive: engine.drive(time, &state_q, &state_u, &state_inputs)?.to_f64(),
         residual: engine.residual(&state_q)?.to_f64(),
     })

@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 /// The time of a state; 0 where it is left out.
 const TIME: &str = "t";
 /// Names of the groups of a state.
-const GROUPS: [&str; 4] = ["q", "u", "inputs", "parameters"];
+const GROUPS: [&str; 5] = ["q", "u", "inputs", "u_dot", "parameters"];
 /// Most states in one file.
 const MOST_STATES: usize = 1_000_000;
 
@@ -33,6 +33,8 @@ pub struct State {
     pub u: Vec<(String, f64)>,
     /// Inputs.
     pub inputs: Vec<(String, f64)>,
+    /// Derivatives of the independent speeds, by the speeds' names.
+    pub u_dot: Vec<(String, f64)>,
     /// Parameters.
     pub parameters: Vec<(String, f64)>,
 }
@@ -48,6 +50,8 @@ pub struct Given {
     pub u: Vec<f64>,
     /// Inputs.
     pub inputs: Vec<f64>,
+    /// Given derivatives of the speeds; none where no answer takes them.
+    pub u_dot: Vec<f64>,
     /// Tunable parameters.
     pub parameters: Vec<f64>,
 }
@@ -97,7 +101,7 @@ fn state(value: &Value) -> Result<State, String> {
         let seconds = time.as_f64().filter(|t| t.is_finite());
         state.t = seconds.ok_or_else(|| format!(".{TIME}: expected a number of seconds, found {time}"))?;
     }
-    let lists = [&mut state.q, &mut state.u, &mut state.inputs, &mut state.parameters];
+    let lists = [&mut state.q, &mut state.u, &mut state.inputs, &mut state.u_dot, &mut state.parameters];
     for (name, list) in GROUPS.into_iter().zip(lists) {
         *list = match groups.get(name) {
             None => Vec::new(),
@@ -168,6 +172,13 @@ impl State {
                 independent.join(", ")
             ));
         }
+        if program.u_dot.is_empty() && !self.u_dot.is_empty() {
+            return Err("u_dot: no answer that was asked for takes accelerations; expected `--answers inverse_dynamics`, \
+                        or no \"u_dot\""
+                .to_owned());
+        }
+        let mut u_dot = place(&self.u_dot, &names(&program.u), "u_dot", "independent speed")?;
+        u_dot.truncate(program.u_dot.len());
         let or_default = |values: Vec<Option<f64>>, list: &[Quantity]| -> Vec<f64> {
             values.iter().zip(list).map(|(v, quantity)| v.unwrap_or(quantity.value)).collect()
         };
@@ -179,6 +190,7 @@ impl State {
                 place(&self.inputs, &names(&program.inputs), "inputs", "input")?,
                 &program.inputs,
             ),
+            u_dot: or_default(u_dot, &program.u_dot),
             parameters: or_default(
                 place(&self.parameters, &names(&program.parameters), "parameters", "parameter")?,
                 &program.parameters,

@@ -1,8 +1,9 @@
 //! One evaluated state as JSON, with the names of the program and 17 significant digits.
 
 use crate::number::{json_number, json_object};
+use smartbed_codegen::Program;
 use smartbed_codegen::program::Quantity;
-use smartbed_codegen::{Answer, Program};
+use smartbed_codegen::program::answer::{Part, Shape};
 
 /// Everything known about one state.
 pub(super) struct Evaluated {
@@ -18,6 +19,8 @@ pub(super) struct Evaluated {
     pub speeds: Vec<f64>,
     pub outputs: Vec<f64>,
     pub residual: f64,
+    /// Answers on request, part by part.
+    pub asked: Vec<f64>,
     /// Power of the drive.
     pub drive: f64,
 }
@@ -25,7 +28,7 @@ pub(super) struct Evaluated {
 impl Evaluated {
     /// What is not a number, or infinite.
     pub fn not_finite(&self) -> Option<&'static str> {
-        let lists: [(&str, &[f64]); 8] = [
+        let lists: [(&str, &[f64]); 9] = [
             ("a coordinate in closed form", &self.closed),
             ("q_dot", &self.q_dot),
             ("u_dot", &self.u_dot),
@@ -33,6 +36,7 @@ impl Evaluated {
             ("a speed", &self.speeds),
             ("an output", &self.outputs),
             ("the constraint residual", std::slice::from_ref(&self.residual)),
+            ("an answer", &self.asked),
             ("the power of the drive", std::slice::from_ref(&self.drive)),
         ];
         lists.into_iter().find(|(_, list)| list.iter().any(|x| !x.is_finite())).map(|(name, _)| name)
@@ -43,7 +47,7 @@ impl Evaluated {
         &self,
         program: &Program,
         closed: &[(String, String)],
-        answers: &[Answer],
+        answers: &[String],
         text: &mut String,
     ) {
         let quantities = |list: &[Quantity], values: &[f64]| {
@@ -64,28 +68,62 @@ impl Evaluated {
         parts.push(format!("\"q\": {}", coordinates(&self.q, 0)));
         parts.push(format!("\"u\": {}", quantities(&program.u, &self.u)));
         for answer in answers {
-            match answer {
-                Answer::Rates => {
+            match answer.as_str() {
+                "rates" => {
                     parts.push(format!("\"q_dot\": {}", coordinates(&self.q_dot, 1)));
                     parts.push(format!("\"u_dot\": {}", quantities(&program.u, &self.u_dot)));
                     parts.push(format!("\"worst_pivot\": {}", json_number(self.pivot)));
                 }
-                Answer::Energy => {
+                "energy" => {
                     let energy = ["kinetic", "potential"].into_iter().zip(self.energy);
                     parts.push(format!("\"energy\": {}", json_object(energy)));
                 }
-                Answer::Speeds => parts.push(format!("\"speeds\": {}", named(&program.speeds, &self.speeds))),
-                Answer::Outputs => {
-                    parts.push(format!("\"outputs\": {}", named(&program.outputs, &self.outputs)));
-                }
-                Answer::Projection => {
+                "speeds" => parts.push(format!("\"speeds\": {}", named(&program.speeds, &self.speeds))),
+                "outputs" => parts.push(format!("\"outputs\": {}", named(&program.outputs, &self.outputs))),
+                "projection" => {
                     parts.push(format!("\"constraint_residual\": {}", json_number(self.residual)));
                 }
-                Answer::Drive => parts.push(format!("\"drive\": {}", json_number(self.drive))),
-                // A form of `derive`; the command line does not offer it here.
-                Answer::Augmented => {}
+                "drive" => parts.push(format!("\"drive\": {}", json_number(self.drive))),
+                name => parts.extend(self.on_request(program, name)),
             }
         }
         text.push_str(&format!("  {{{}}}", parts.join(", ")));
+    }
+
+    /// `"pose:tool": {"position": {"x": 1, ...}, "rotation": [[...], ...]}`.
+    fn on_request(&self, program: &Program, name: &str) -> Option<String> {
+        let mut first = 0;
+        for answer in program.answers_of(program.functions.first()?) {
+            let all: usize = answer.parts.iter().map(|part| part.values.len()).sum();
+            let mut values = self.asked.get(first..first + all)?;
+            first += all;
+            if answer.name != name {
+                continue;
+            }
+            let parts = answer.parts.iter().map(|part| {
+                let (own, rest) = values.split_at(part.values.len());
+                values = rest;
+                format!("\"{}\": {}", part.name, json_part(part, own))
+            });
+            return Some(format!("\"{name}\": {{{}}}", parts.collect::<Vec<_>>().join(", ")));
+        }
+        None
+    }
+}
+
+/// A number, a list by the names of its entries, or the rows of a matrix.
+fn json_part(part: &Part, values: &[f64]) -> String {
+    let list = |values: &[f64]| {
+        let numbers: Vec<String> = values.iter().map(|&x| json_number(x)).collect();
+        format!("[{}]", numbers.join(", "))
+    };
+    match part.shape {
+        Shape::Number => json_number(values[0]),
+        Shape::List(_) if part.labels.is_empty() => list(values),
+        Shape::List(_) => json_object(part.labels.iter().map(String::as_str).zip(values.iter().copied())),
+        Shape::Matrix(_, columns) => {
+            let rows: Vec<String> = values.chunks(columns.max(1)).map(list).collect();
+            format!("[{}]", rows.join(", "))
+        }
     }
 }

@@ -5,7 +5,6 @@ use super::clock;
 use super::mechanism::{Mechanism, Plant64};
 use super::sheet::{Cost, Sheet};
 use crate::engine::explain;
-use smartbed_codegen::rust::Answer;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{ParameterChoice, Program, program};
 use smartbed_runtime::ode::Method;
@@ -48,14 +47,13 @@ pub fn make(mechanism: &Mechanism) -> Result<Sheet, String> {
 }
 
 fn lean_operations(program: &Program) -> f64 {
-    let projection = program.dag.cone_cost(&Answer::Projection.roots(program));
+    let projection = program.dag.cone_cost(&program.roots_of("projection"));
     let projection = if program.correction.is_empty() { 0 } else { projection };
-    STAGES * program.dag.cone_cost(&Answer::Rates.roots(program)) as f64 + projection as f64
+    STAGES * program.dag.cone_cost(&program.roots_of("rates")) as f64 + projection as f64
 }
 
 fn full_operations(program: &Program) -> f64 {
-    let after =
-        [Answer::Energy, Answer::Speeds, Answer::Outputs].map(|a| program.dag.cone_cost(&a.roots(program)));
+    let after = ["energy", "speeds", "outputs"].map(|name| program.dag.cone_cost(&program.roots_of(name)));
     lean_operations(program) + after.iter().sum::<usize>() as f64
 }
 

@@ -147,6 +147,35 @@ fn answers_may_be_chosen() {
 }
 
 #[test]
+fn answers_on_request_are_those_of_both_engines() {
+    let states = "{\"states\": [{\"q\": {\"hA\": 0.01, \"hB\": 0, \"hC\": 0.02}, \"u\": {\"u_hA\": 0.1},\
+                  \"inputs\": {\"FA\": 30, \"platform_force_z\": -20}, \"u_dot\": {\"u_hB\": 0.5}}]}";
+    let path = written("on_request.json", states);
+    let ask = |engine: &str, scalar: &str| {
+        let answers =
+            ["--answers", "inverse_dynamics,port:platform,energy", "--engine", engine, "--scalar", scalar];
+        smartbed(&[&["eval", "tile", "--states", &path], &answers[..]].concat())
+    };
+    for scalar in ["f32", "f64"] {
+        let (interpreted, compiled) = (ask("interpreter", scalar), ask("compiled", scalar));
+        assert_eq!((interpreted.status, compiled.status), (0, 0), "{compiled:?}");
+        assert_eq!(interpreted.out, compiled.out, "{scalar}");
+    }
+    let state = state(&ask("interpreter", "f64"));
+    let port = &state["port:platform"];
+    assert_eq!(port["inverse_inertia"][5].as_array().expect("a row").len(), 6);
+    assert!((port["position"]["z"].as_f64().expect("a number") - 0.01).abs() < 1e-3, "{state}");
+    // The wrench is given: the motors carry it too.
+    let lift: f64 = ["u_hA", "u_hB", "u_hC"]
+        .map(|u| state["inverse_dynamics"]["generalised_force"][u].as_f64().expect("a number"))
+        .iter()
+        .sum();
+    assert!((lift - (9.81 * (6.0 + 3.0 * 0.95) + 20.0)).abs() < 5.0, "{lift}");
+    let refused = smartbed(&["eval", "tile", "--states", &path]);
+    assert!(refused.message().contains("platform_force_z"), "{refused:?}");
+}
+
+#[test]
 fn files_and_standard_output_hold_the_same() {
     let path = crate::support::file("out.json").display().to_string();
     let states = written("same.json", CRANK);

@@ -85,6 +85,10 @@ impl Mentioned {
             found.points.insert(body.centre);
             found.frames.extend(body.frame);
         }
+        for port in &model.ports {
+            found.frames.insert(port.frame);
+            found.points.insert(port.point);
+        }
         for load in &model.loads {
             match &load.kind {
                 LoadKind::Force { point, reaction, .. } => {

@@ -104,9 +104,15 @@ impl<'a> Builder<'a> {
         for (i, (key, _)) in self.entries("bodies").iter().enumerate() {
             self.scope.declare_body(&key.name, key.span, BodyId::from_index(i), self.found);
         }
-        for section in
-            ["forces", "torques", "springs", "outputs", "constraints.configuration", "constraints.motion"]
-        {
+        for section in [
+            "forces",
+            "torques",
+            "springs",
+            "ports",
+            "outputs",
+            "constraints.configuration",
+            "constraints.motion",
+        ] {
             for (i, (key, _)) in self.entries(section).iter().enumerate() {
                 match section {
                     // Columns of a table beside those of time and of the quantities.

@@ -1,4 +1,4 @@
-//! The sections of loads: forces, torques, springs.
+//! The sections of loads: forces, torques, springs; and of the ports, where other parts push.
 
 use super::builder::{Builder, si};
 use super::fields::Fields;
@@ -21,6 +21,20 @@ impl Builder<'_> {
                 let name = key.name.clone();
                 self.draft.model.loads.extend(kind.map(|kind| Load { name, kind, span: key.span }));
             }
+        }
+    }
+
+    pub(super) fn ports(&mut self) {
+        for (key, value) in self.entries("ports") {
+            let Some(fields) = Fields::new(key, value, self.found) else { continue };
+            let doc = fields.doc(self.found);
+            let frame = fields.need("frame", "\"platform\"", self.found);
+            let frame = self.frame_of(frame);
+            let point = fields.need("point", "\"G\"", self.found);
+            let point = self.point_of(point);
+            fields.finish(self.found);
+            let (Some(frame), Some(point)) = (frame, point) else { continue };
+            self.draft.model.ports.push(Port { name: key.name.clone(), doc, frame, point, span: key.span });
         }
     }
 

@@ -21,7 +21,7 @@ pub struct Sections {
 }
 
 /// Sections that are tables of named entries.
-pub const SECTIONS: [&str; 16] = [
+pub const SECTIONS: [&str; 17] = [
     "parameters",
     "coordinates",
     "speeds",
@@ -35,6 +35,7 @@ pub const SECTIONS: [&str; 16] = [
     "forces",
     "torques",
     "springs",
+    "ports",
     "outputs",
     "start",
     "law",

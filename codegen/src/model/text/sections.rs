@@ -32,6 +32,7 @@ pub fn read(source: &Source, sections: &Sections, found: &mut Diagnostics) -> Dr
     builder.bodies();
     builder.constraints();
     builder.loads();
+    builder.ports();
     builder.outputs();
     builder.values();
     builder.draft

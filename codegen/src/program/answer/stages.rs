@@ -1,0 +1,87 @@
+//! What an answer is derived from: the values of the stages before it.
+
+use crate::dynamics::Dynamics;
+use crate::expr::tape::SampleTable;
+use crate::expr::{ExprId, SymbolId};
+use crate::kinematics::eliminate::Solution;
+use crate::kinematics::{Kinematics, Marker};
+use crate::model::Model;
+use rustc_hash::FxHashMap as HashMap;
+
+/// Numbers in [-1, 1] that repeat nowhere: multiples of the golden section.
+fn scattered(i: usize, sample: usize) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    2.0 * ((1 + 101 * i + sample) as f64 * GOLDEN).fract() - 1.0
+}
+
+/// Kinematics, constraints and dynamics of a model, and the symbols of given accelerations.
+pub struct Stages<'s> {
+    /// The model, with the wrenches that were asked for.
+    pub model: &'s Model,
+    /// Its kinematics; expressions are made in its DAG.
+    pub k: &'s mut Kinematics,
+    /// The solution of the constraints.
+    pub solution: &'s Solution,
+    /// Mass matrix, forcing, values of the dependent unknowns.
+    pub dynamics: &'s Dynamics,
+    /// Values at the sampled configurations.
+    pub table: &'s mut SampleTable,
+    /// Given u', one symbol an independent speed.
+    pub u_dot: Vec<ExprId>,
+    /// Inputs of the model itself; those of wrenches stand behind them.
+    pub own_inputs: usize,
+}
+
+/// What an answer is about.
+#[derive(Clone, Debug)]
+pub struct Target {
+    /// The request as it is written, for messages.
+    pub request: String,
+    /// The frame and the point, where it is about one.
+    pub marker: Option<Marker>,
+}
+
+impl<'s> Stages<'s> {
+    /// The stages of a model; where an answer takes u' as given, with symbols for it and values of them at the samples.
+    pub fn new(
+        model: &'s Model,
+        k: &'s mut Kinematics,
+        (solution, dynamics): (&'s Solution, &'s Dynamics),
+        table: &'s mut SampleTable,
+        (own_inputs, takes_u_dot): (usize, bool),
+    ) -> Self {
+        let mut u_dot = Vec::new();
+        if takes_u_dot {
+            let names = k.independent_unknowns().into_iter().map(|u| format!("{}_dot", k.unknowns[u].name));
+            u_dot = names.collect::<Vec<_>>().iter().map(|name| k.dag.symbol(name)).collect();
+            let mut values = HashMap::default();
+            for (i, symbol) in u_dot.iter().filter_map(|&e| k.dag.as_symbol(e)).enumerate() {
+                values.insert(symbol, (0..table.points()).map(|sample| scattered(i, sample)).collect());
+            }
+            table.set_symbols(values);
+        }
+        Self { model, k, solution, dynamics, table, u_dot, own_inputs }
+    }
+
+    /// Number of independent speeds.
+    pub fn n_speeds(&self) -> usize {
+        self.k.independent_unknowns().len()
+    }
+
+    /// Names of the independent speeds.
+    pub fn speed_names(&self) -> Vec<String> {
+        let independent = self.k.independent_unknowns();
+        independent.into_iter().map(|u| self.k.unknowns[u].name.clone()).collect()
+    }
+
+    /// Expressions with the dependent unknowns in terms of the independent speeds.
+    pub fn solved(&mut self, values: &[ExprId]) -> Vec<ExprId> {
+        self.k.dag.substitute(values, &self.dynamics.values)
+    }
+
+    /// Symbols of the model's own inputs.
+    pub fn input_symbols(&self) -> Vec<SymbolId> {
+        let inputs = self.k.inputs.iter().take(self.own_inputs);
+        inputs.filter_map(|&input| self.k.dag.as_symbol(input)).collect()
+    }
+}
