@@ -6,6 +6,7 @@
 //! the accelerations at y' = 0, inwards the wrenches that they take. Walker, Orin 1982; Featherstone
 //! 2008, chapters 5 and 6. Everything in the triad of the node at hand.
 
+use super::given::Given;
 use super::parallel::{self, Turning};
 use super::spatial::{Acceleration, Inertia, Wrench, gradient};
 use super::tree::{self, Joint, Node};
@@ -51,19 +52,25 @@ struct Load {
 }
 
 /// Contributions of the nodes that hang on `cut`, itself included, its whole twist being its own.
-pub(super) fn contributions(model: &Model, k: &mut Kinematics, nodes: &[Node], cut: usize) -> Contributions {
+pub(super) fn contributions(
+    model: &Model,
+    k: &mut Kinematics,
+    given: &Given,
+    nodes: &[Node],
+    cut: usize,
+) -> Contributions {
     let mut nodes = nodes.to_vec();
     tree::move_inwards(k, &mut nodes, cut);
     let nodes = &nodes[..];
     let mut found = Contributions::default();
-    let base = Base::new(model, k, &nodes[cut]);
+    let base = Base::new(model, k, given, &nodes[cut]);
     let mut states: Vec<Option<State>> = vec![None; nodes.len()];
     states[cut] = Some(base.state.clone());
     let mut moves: Vec<Option<Moves>> = nodes.iter().map(|_| None).collect();
     for i in cut + 1..nodes.len() {
         let Some(joint) = &nodes[i].joint else { continue };
         let Some(inner) = states[joint.parent].clone() else { continue };
-        let motion = Moves::new(k, joint);
+        let motion = Moves::new(k, given, joint);
         states[i] = Some(outwards(k, joint, &motion, &inner));
         moves[i] = Some(motion);
     }
@@ -119,10 +126,15 @@ impl Load {
 }
 
 impl Moves {
-    fn new(k: &mut Kinematics, joint: &Joint) -> Self {
+    fn new(k: &mut Kinematics, given: &Given, joint: &Joint) -> Self {
         let turn = scalar_rate_of(k, joint.angle);
         let turn_rate = rate_of(k, &turn);
-        Self { turn, turn_rate, slide: joint.offset.map(|c| scalar_rate_of(k, c)) }
+        let turn = given.rate(k, turn);
+        let slide = joint.offset.map(|c| {
+            let rate = scalar_rate_of(k, c);
+            given.rate(k, rate)
+        });
+        Self { turn, turn_rate, slide }
     }
 }
 
@@ -319,9 +331,9 @@ impl Load {
 }
 
 impl Contributions {
-    /// Operations at every evaluation.
-    pub(super) fn cost(&self, dag: &Dag) -> usize {
-        let mass = self.mass.iter().map(|(_, _, e)| *e);
+    /// Operations at every evaluation: of the forces alone where accelerations are given.
+    pub(super) fn cost(&self, dag: &Dag, given: &Given) -> usize {
+        let mass = self.mass.iter().filter(|_| !given.is_given()).map(|(_, _, e)| *e);
         let roots: Vec<ExprId> = mass.chain(self.force.iter().map(|(_, e)| *e)).collect();
         dag.state_cost(&roots)
     }
@@ -354,13 +366,15 @@ struct Base {
 }
 
 impl Base {
-    fn new(model: &Model, k: &mut Kinematics, node: &Node) -> Self {
-        let mut velocity = derivative_of(k, &node.origin);
+    fn new(model: &Model, k: &mut Kinematics, given: &Given, node: &Node) -> Self {
+        let velocity = derivative_of(k, &node.origin);
+        let mut velocity = given.motion(k, velocity);
         if let Some(gravity) = &model.gravity {
             let gravity = lower_vector(k, gravity);
             velocity.bias = velocity.bias.minus(&mut k.dag, &gravity);
         }
         let angular = k.angular[node.triad].clone();
+        let angular = given.motion(k, angular);
         let here = |k: &mut Kinematics, v: &Vector| k.triads.express(&mut k.dag, v, node.triad);
         let w = value_of(k, &angular);
         let (w, alpha) = (here(k, &w), here(k, &angular.bias));

@@ -6,6 +6,7 @@
 //! takes fewer operations.
 
 use super::composite::{self, Contributions};
+use super::given::Given;
 use super::shared_axis::{self, Massive};
 use super::{Unprojected, tree};
 use crate::expr::{Dag, ExprId};
@@ -13,20 +14,20 @@ use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vecto
 use crate::model::{Body, Model};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 
-/// Adds every body's inertia.
-pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
+/// Adds every body's inertia; with given accelerations the forces are all of it, and masses have no meaning.
+pub(super) fn accumulate(model: &Model, k: &mut Kinematics, given: &Given, parts: &mut Unprojected) {
     // A tree weighs all that it carries: a body without weight stands alone.
     let bodies = shared_axis::bodies(model, k);
     let (hanging, alone): (Vec<Massive>, Vec<Massive>) = bodies.into_iter().partition(|m| m.body.weight);
-    let mut all = body_by_body(model, k, &alone);
+    let mut all = body_by_body(model, k, given, &alone);
     let forest = tree::build(model, k, &hanging);
     for (root, bodies) in forest.roots() {
         let bodies: Vec<Massive> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
-        let mut best = body_by_body(model, k, &bodies);
+        let mut best = body_by_body(model, k, given, &bodies);
         if forest.has_joints(root) {
             let cut = tree::cut(k, &forest.nodes, root);
-            let candidate = composite::contributions(model, k, &forest.nodes, cut);
-            if candidate.cost(&k.dag) < best.cost(&k.dag) {
+            let candidate = composite::contributions(model, k, given, &forest.nodes, cut);
+            if candidate.cost(&k.dag, given) < best.cost(&k.dag, given) {
                 best = candidate;
             }
         }
@@ -51,33 +52,34 @@ impl Contributions {
 pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     let mut found = Contributions::default();
     for massive in shared_axis::bodies(model, k) {
-        rotation(k, &massive, &mut found);
+        rotation(k, &Given::default(), &massive, &mut found);
     }
     found.join(&mut k.dag, parts);
 }
 
 /// Every body for itself.
-fn body_by_body(model: &Model, k: &mut Kinematics, bodies: &[Massive]) -> Contributions {
+fn body_by_body(model: &Model, k: &mut Kinematics, given: &Given, bodies: &[Massive]) -> Contributions {
     let mut found = Contributions::default();
     for massive in bodies {
-        translation(model, k, massive.body, &mut found);
-        rotation(k, massive, &mut found);
+        translation(model, k, given, massive.body, &mut found);
+        rotation(k, given, massive, &mut found);
     }
     found
 }
 
 /// Weight enters as an acceleration of the inertial frame: m v_k . (a_bias - g).
-fn translation(model: &Model, k: &mut Kinematics, body: &Body, found: &mut Contributions) {
+fn translation(model: &Model, k: &mut Kinematics, given: &Given, body: &Body, found: &mut Contributions) {
     let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { return };
     if k.dag.is_zero(mass) {
         return;
     }
-    let mut motion = k.velocities[body.centre].clone();
+    let motion = k.velocities[body.centre].clone();
+    let mut motion = given.motion(k, motion);
     if let (true, Some(gravity)) = (body.weight, &model.gravity) {
         let gravity = lower_vector(k, gravity);
         motion.bias = motion.bias.minus(&mut k.dag, &gravity);
     }
-    let products = cheapest_products(k, body, &motion);
+    let products = cheapest_products(k, given, body, &motion);
     for (a, b, product) in products.mass {
         found.mass.push((a, b, k.dag.mul(mass, product)));
     }
@@ -95,7 +97,7 @@ struct Products {
 
 /// The products of a motion with every vector kept in the triads where it is short, or all of them
 /// resolved in the body's triad, or in the inertial one: whichever takes fewest operations.
-fn cheapest_products(k: &mut Kinematics, body: &Body, motion: &Motion) -> Products {
+fn cheapest_products(k: &mut Kinematics, given: &Given, body: &Body, motion: &Motion) -> Products {
     let mixed = products(k, motion);
     let terms = motion.partials.values().chain([&motion.bias]).map(|v| v.terms.len());
     if terms.max().unwrap_or(0) <= 1 {
@@ -104,11 +106,11 @@ fn cheapest_products(k: &mut Kinematics, body: &Body, motion: &Motion) -> Produc
     let own = body.frame.map(|f| k.frame_triad[f]);
     let deepest = motion.partials.values().flat_map(|v| v.terms.keys()).max().copied();
     let candidates = [own.or(deepest), Some(TriadId::INERTIAL)];
-    let mut best = (cost(k, &mixed), mixed);
+    let mut best = (cost(k, given, &mixed), mixed);
     for triad in candidates.into_iter().flatten() {
         let resolved = resolve(k, motion, triad);
         let products = products(k, &resolved);
-        let cost = cost(k, &products);
+        let cost = cost(k, given, &products);
         if cost < best.0 {
             best = (cost, products);
         }
@@ -145,13 +147,14 @@ fn resolve(k: &mut Kinematics, motion: &Motion, triad: TriadId) -> Motion {
     }
 }
 
-fn cost(k: &Kinematics, products: &Products) -> usize {
-    let mass = products.mass.iter().map(|(_, _, e)| *e);
+/// Operations of the products that count: of the forces alone where accelerations are given.
+fn cost(k: &Kinematics, given: &Given, products: &Products) -> usize {
+    let mass = products.mass.iter().filter(|_| !given.is_given()).map(|(_, _, e)| *e);
     let roots: Vec<_> = mass.chain(products.force.iter().map(|(_, e)| *e)).collect();
     k.dag.cone_cost(&roots)
 }
 
-pub(super) fn rotation(k: &mut Kinematics, massive: &Massive, found: &mut Contributions) {
+pub(super) fn rotation(k: &mut Kinematics, given: &Given, massive: &Massive, found: &mut Contributions) {
     let Some(frame) = massive.body.frame else { return };
     let [xx, yy, zz, xy, xz, yz] = massive.inertia;
     if massive.inertia.iter().all(|&e| k.dag.is_zero(e)) {
@@ -160,6 +163,7 @@ pub(super) fn rotation(k: &mut Kinematics, massive: &Massive, found: &mut Contri
     let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let triad = k.frame_triad[frame];
     let angular = k.angular[triad].clone();
+    let angular = given.motion(k, angular);
     let partials: Vec<(UnknownId, Components)> =
         angular.partials.iter().map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad))).collect();
     let moment = bias_moment(k, triad, &angular, &inertia);

@@ -1,13 +1,92 @@
 //! Inverse problems: forces of given accelerations, inputs of given forces, and the inertia felt at a place.
 //!
-//! In: M u' = forcing. Out: expressions. Featherstone 2008, chapters 5 (inverse dynamics) and 6.
+//! In: M u' = forcing, or bodies with given accelerations. Out: expressions. Featherstone 2008, chapters 5 (inverse
+//! dynamics) and 6.
 
+use super::given::Given;
 use super::solve::Factors;
+use super::{Unprojected, active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::Id;
+use crate::kinematics::eliminate::Solution;
 use crate::kinematics::sparse::{self, Equation};
 use crate::kinematics::{Kinematics, UnknownId, linear};
+use crate::model::Model;
+use std::collections::BTreeMap;
+
+/// Inertia forces at given accelerations less active forces, by unknown: what is missing for them to happen.
+pub(crate) fn missing_forces(
+    model: &Model,
+    k: &mut Kinematics,
+    solution: &Solution,
+    u_dot: &[ExprId],
+) -> BTreeMap<UnknownId, ExprId> {
+    let given = Given::new(k, solution, u_dot);
+    let mut parts = Unprojected::default();
+    inertia_force::accumulate(model, k, &given, &mut parts);
+    active_force::accumulate(model, k, &mut parts);
+    parts.force.into_iter().map(|(unknown, force)| (unknown, k.dag.negate(force))).collect()
+}
+
+/// The missing forces on the independent speeds, those of the others carried over by their partial velocities: T' f.
+pub(crate) fn on_independent(
+    k: &mut Kinematics,
+    solution: &Solution,
+    mut forces: BTreeMap<UnknownId, ExprId>,
+) -> Vec<ExprId> {
+    for step in &solution.steps {
+        let Some(force) = forces.remove(&step.unknown) else { continue };
+        for (&z, &c) in &step.coefficients {
+            let term = k.dag.mul(c, force);
+            let sum = match forces.get(&z) {
+                Some(&mine) => k.dag.add(mine, term),
+                None => term,
+            };
+            forces.insert(z, sum);
+        }
+    }
+    let zero = k.dag.zero();
+    let independent = k.independent_unknowns();
+    independent.into_iter().map(|unknown| forces.get(&unknown).copied().unwrap_or(zero)).collect()
+}
+
+/// Multipliers lambda of the rows in `J' lambda = M y' - f`, from the equations of the dependent unknowns; none where
+/// there are more rows than those, so that they are not determined one by one.
+pub(crate) fn multipliers(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    solution: &Solution,
+    missing: &BTreeMap<UnknownId, ExprId>,
+) -> Option<Vec<ExprId>> {
+    let dependent = k.dependent_unknowns();
+    if dependent.len() != solution.rows.len() {
+        return None;
+    }
+    let zero = k.dag.zero();
+    let mut equations = Vec::new();
+    for unknown in dependent {
+        let entries = solution.rows.iter().enumerate();
+        let coefficients = entries
+            .filter_map(|(r, row)| Some((UnknownId::from_index(r), *row.coefficients.get(&unknown)?)))
+            .collect();
+        equations
+            .push(Equation { coefficients, right: vec![missing.get(&unknown).copied().unwrap_or(zero)] });
+    }
+    let (values, _) = sparse::solve(&mut k.dag, table, equations)?;
+    (0..solution.rows.len()).map(|r| values.get(&UnknownId::from_index(r)).map(|v| v[0])).collect()
+}
+
+/// -M^-1 columns: how u' answers to a change of M u' - forcing at held u'.
+pub(crate) fn response(dag: &mut Dag, mass: &[Vec<ExprId>], columns: &[Vec<ExprId>]) -> Vec<Vec<ExprId>> {
+    let factors = Factors::new(dag, mass);
+    let mut solved = Vec::new();
+    for column in columns {
+        let x = factors.solve(dag, column);
+        solved.push(x.into_iter().map(|x| dag.negate(x)).collect());
+    }
+    solved
+}
 
 /// M u' - forcing.
 pub(crate) fn forces_for(

@@ -11,6 +11,7 @@ mod augmented;
 mod chain;
 mod composite;
 mod energy;
+mod given;
 mod inertia_force;
 mod inverse;
 mod parallel;
@@ -23,7 +24,9 @@ mod spatial;
 mod tree;
 
 pub use augmented::Augmented;
-pub(crate) use inverse::{forces_for, inputs_for, inverse_inertia};
+pub(crate) use inverse::{
+    forces_for, inputs_for, inverse_inertia, missing_forces, multipliers, on_independent, response,
+};
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
@@ -32,6 +35,7 @@ use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
+use given::Given;
 use reduce::Reduced;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
@@ -106,7 +110,7 @@ pub fn derive(
             segment_inertia::accumulate(k, segments, &mut parts);
             inertia_force::rotations(model, k, &mut parts);
         }
-        None => inertia_force::accumulate(model, k, &mut parts),
+        None => inertia_force::accumulate(model, k, &Given::default(), &mut parts),
     }
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));

@@ -6,6 +6,7 @@
 //! frame, where it is constant and adds to that body's own. What turns about e stays.
 
 use super::composite::Contributions;
+use super::given::Given;
 use super::inertia_force;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
@@ -70,8 +71,8 @@ fn without<'m>(k: &mut Kinematics, massive: &Massive<'m>, axis: usize, part: Exp
 /// Every entry goes through all eliminations: that one is saved counts before what it takes to form it.
 fn cost(k: &mut Kinematics, massive: &Massive) -> (usize, usize) {
     let mut found = Contributions::default();
-    inertia_force::rotation(k, massive, &mut found);
-    (found.mass.len(), found.cost(&k.dag))
+    inertia_force::rotation(k, &Given::default(), massive, &mut found);
+    (found.mass.len(), found.cost(&k.dag, &Given::default()))
 }
 
 /// Adds part (1 - e e').

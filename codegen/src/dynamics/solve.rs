@@ -55,6 +55,19 @@ impl Factors {
     pub fn divide(&self, dag: &mut Dag, x: &[ExprId]) -> Vec<ExprId> {
         x.iter().zip(&self.diagonal).map(|(&x, &d)| dag.div(x, d)).collect()
     }
+
+    /// M^-1 right.
+    pub fn solve(&self, dag: &mut Dag, right: &[ExprId]) -> Vec<ExprId> {
+        let x = self.forward(dag, right);
+        let mut x = self.divide(dag, &x);
+        for i in (0..x.len()).rev() {
+            for c in i + 1..x.len() {
+                let term = dag.mul(self.lower[c][i], x[c]);
+                x[i] = dag.sub(x[i], term);
+            }
+        }
+        x
+    }
 }
 
 /// A pivot of the mass matrix this small against its diagonal entry means: no inertia.

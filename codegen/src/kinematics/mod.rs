@@ -23,6 +23,7 @@ mod orientation;
 mod position;
 mod rank;
 mod regular;
+mod slopes;
 pub(crate) mod sparse;
 mod speed_map;
 mod unreachable;
@@ -45,6 +46,7 @@ pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub use marker::Marker;
 pub(crate) use position::flatten;
+pub(crate) use slopes::dependent_slopes;
 pub use unreachable::Unreachable;
 pub use velocity::{Motion, Rate};
 pub(crate) use velocity::{

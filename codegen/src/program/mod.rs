@@ -176,7 +176,7 @@ pub fn derive_asked(
     table.clear();
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
     let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, (optimise, with_augmented))?;
-    let given = (own_inputs, answer::takes_u_dot(&requests));
+    let given = (own_inputs, answer::holds_u_dot(&requests));
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);

@@ -1,6 +1,7 @@
 //! Answers on request against what they follow from by other means: the energy, forward dynamics, differences.
 
 use crate::models::shipped;
+use smartbed_codegen::kinematics::linear;
 use smartbed_codegen::program::answer::Shape;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
 use smartbed_runtime::mechanism::Mechanism;
@@ -197,7 +198,10 @@ fn inverse_dynamics_undoes_forward_dynamics() {
             }
         }
     }
-    assert_eq!(with_inputs, ["arm6", "tile", "tile_minimal", "tile_drive"]);
+    assert_eq!(
+        with_inputs,
+        ["arm6", "bicycle", "fourbar", "tile", "tile_minimal", "tile_drive", "slider_crank_closed"]
+    );
 }
 
 #[test]
@@ -349,4 +353,151 @@ fn requests_that_mean_nothing_are_refused() {
     let found =
         program::derive_asked(&bicycle, &ParameterChoice::default(), program::Settings::default(), &asked);
     assert!(found.expect_err("no position").to_string().contains("the model states its velocity"));
+}
+
+#[test]
+fn multipliers_are_those_of_the_equations_before_the_elimination() {
+    for name in ["fourbar", "tile", "tile_minimal", "slider_crank", "bicycle"] {
+        let mut asking = Asking::new(name, &["augmented", "multipliers"]);
+        let state = asking.state.clone();
+        let part = |asking: &mut Asking, part: &str| asking.part(&state, "augmented", part);
+        let (mass, forcing) = (part(&mut asking, "mass"), part(&mut asking, "forcing"));
+        let (jacobian, bias) = (part(&mut asking, "jacobian"), part(&mut asking, "bias"));
+        let (n, m) = (forcing.len(), bias.len());
+        let size = n + m;
+        let mut matrix = vec![0.0; size * size];
+        for i in 0..n {
+            matrix[i * size..][..n].copy_from_slice(&mass[i * n..][..n]);
+            for r in 0..m {
+                matrix[i * size + n + r] = -jacobian[r * n + i];
+                matrix[(n + r) * size + i] = jacobian[r * n + i];
+            }
+        }
+        let mut right: Vec<f64> = forcing.iter().copied().chain(bias.iter().map(|b| -b)).collect();
+        let (solution, rank) = linear::solve(&matrix, &mut right, size);
+        assert_eq!(rank, size, "{name}");
+        close(&asking.part(&state, "multipliers", "multipliers"), &solution[n..], 1e-10, name);
+    }
+}
+
+/// Central differences of fourth order.
+fn difference(mut of: impl FnMut(f64) -> Vec<f64>, step: f64) -> Vec<f64> {
+    let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| of(n * step));
+    (0..a.len()).map(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * step)).collect()
+}
+
+#[test]
+fn linearisation_is_the_slope_of_rates_and_outputs() {
+    const STEP: f64 = 1e-3;
+    for name in [
+        "arm6",
+        "bicycle",
+        "cart_pole",
+        "fourbar",
+        "pendulum3",
+        "tile",
+        "tile_minimal",
+        "rolling_disc",
+        "shaking_table",
+    ] {
+        let mut asking = Asking::new(name, &["linearisation", "outputs"]);
+        let model = shipped(name);
+        let state = asking.state.clone();
+        let is_independent: Vec<bool> = (asking.program.q.iter())
+            .map(|q| model.coordinates.iter().any(|c| c.name == q.name && c.independent))
+            .collect();
+        let independent: Vec<usize> = (0..state.q.len()).filter(|&i| is_independent[i]).collect();
+        let n = independent.len() + state.u.len();
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(|part| asking.part(&state, "linearisation", part));
+        let mut assembly = asking.program.assembly.clone();
+        assembly.set_time(state.t);
+        let mut rates = |state: &State| {
+            let (q_dot, u_dot) = asking.rates(state);
+            let outputs = asking.part(state, "outputs", "outputs");
+            let q_dot = independent.iter().map(|&i| q_dot[i]);
+            q_dot.chain(u_dot).chain(outputs).collect::<Vec<f64>>()
+        };
+        let n_inputs = state.inputs.len();
+        for column in 0..n + n_inputs {
+            let slopes = difference(
+                |change| {
+                    let mut moved = state.clone();
+                    if column < independent.len() {
+                        moved.q[independent[column]] += change;
+                        assembly.correct(&mut moved.q).expect("near");
+                    } else if column < n {
+                        moved.u[column - independent.len()] += change;
+                    } else {
+                        moved.inputs[column - n] += change;
+                    }
+                    rates(&moved)
+                },
+                STEP,
+            );
+            let (matrix, width, at) = if column < n { (&a, n, column) } else { (&b, n_inputs, column - n) };
+            let below = if column < n { &c } else { &d };
+            let found: Vec<f64> =
+                matrix.chunks(width).chain(below.chunks(width)).map(|row| row[at]).collect();
+            // Relative to what the row is made of.
+            for (i, (found, slope)) in found.iter().zip(&slopes).enumerate() {
+                let row = a.chunks(n).chain(c.chunks(n)).nth(i).expect("a row");
+                let size = row.iter().fold(slope.abs().max(1e-3), |m, x| m.max(x.abs()));
+                assert!(
+                    (found - slope).abs() <= 2e-8 * size,
+                    "{name} ({i}, {column}): {found:e} against {slope:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn parameter_derivatives_are_slopes_of_the_accelerations() {
+    for name in ["pendulum3", "fourbar", "tile", "bicycle"] {
+        let mut asking = Asking::new(name, &["parameter_derivatives"]);
+        let state = asking.state.clone();
+        let found = asking.part(&state, "parameter_derivatives", "u_dot");
+        let values: Vec<f64> = asking.program.parameters.iter().map(|p| p.value).collect();
+        for (column, &value) in values.iter().enumerate() {
+            let slopes = difference(
+                |change| {
+                    let mut changed = values.clone();
+                    changed[column] += change;
+                    asking.engine.set_parameters(&changed);
+                    asking.rates(&state).1
+                },
+                1e-3 * value.abs().max(1e-2),
+            );
+            let own: Vec<f64> = found.chunks(values.len()).map(|row| row[column]).collect();
+            let size = slopes.iter().fold(1e-2_f64, |m, x| m.max(x.abs()));
+            for (a, b) in own.iter().zip(&slopes) {
+                assert!(
+                    (a - b).abs() <= 1e-7 * size,
+                    "{name}, {}: {a:e} {b:e}",
+                    asking.program.parameters[column].name
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn inverse_dynamics_takes_fewer_operations_than_the_mass_matrix() {
+    let cost = |name: &str, request: &str| {
+        let asked = Asked::only(vec![Function::single(request.parse().expect("a request"))]);
+        let program = program::derive_asked(
+            &shipped(name),
+            &ParameterChoice::default(),
+            program::Settings::default(),
+            &asked,
+        )
+        .expect("derives");
+        program.dag.state_cost(&program.all_roots())
+    };
+    for (name, most) in [("arm6", 640), ("tile", 450)] {
+        let (inverse, matrix) = (cost(name, "inverse_dynamics"), cost(name, "mass_matrix"));
+        let linear = cost(name, "linearisation");
+        println!("{name}: inverse dynamics {inverse}, mass matrix {matrix}, linearisation {linear}");
+        assert!(inverse <= most, "{name}: {inverse}");
+    }
 }

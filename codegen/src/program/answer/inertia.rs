@@ -24,16 +24,54 @@ pub(super) fn bias(stages: &mut Stages, _: &Target) -> Parts {
 
 /// The forcing with the model's own inputs at 0.
 fn without_inputs(stages: &mut Stages) -> Vec<ExprId> {
-    let zero = stages.k.dag.zero();
-    let off: HashMap<SymbolId, ExprId> = stages.input_symbols().into_iter().map(|s| (s, zero)).collect();
+    let off = inputs_off(stages);
     let forcing = stages.dynamics.forcing.clone();
     stages.k.dag.substitute(&forcing, &off)
 }
 
-pub(super) fn inverse_dynamics(stages: &mut Stages, _: &Target) -> Parts {
+/// 0 for each of the model's own inputs.
+fn inputs_off(stages: &mut Stages) -> HashMap<SymbolId, ExprId> {
+    let zero = stages.k.dag.zero();
+    stages.input_symbols().into_iter().map(|s| (s, zero)).collect()
+}
+
+/// Generalised forces that the given accelerations take with the inputs at 0: through the mass matrix or by the
+/// recursion over the bodies, whichever takes fewer operations.
+fn needed(stages: &mut Stages) -> Vec<ExprId> {
     let forcing = without_inputs(stages);
     let u_dot = stages.u_dot.clone();
-    let force = dynamics::forces_for(&mut stages.k.dag, &stages.dynamics.mass_matrix, &forcing, &u_dot);
+    let by_matrix = dynamics::forces_for(&mut stages.k.dag, &stages.dynamics.mass_matrix, &forcing, &u_dot);
+    let recursive = recursive(stages);
+    let off = inputs_off(stages);
+    let recursive = stages.k.dag.substitute(&recursive, &off);
+    let cost = |forces: &[ExprId]| stages.k.dag.state_cost(forces);
+    if cost(&recursive) < cost(&by_matrix) { recursive } else { by_matrix }
+}
+
+/// M u' - forcing at the given accelerations, by the recursion over the bodies.
+pub(super) fn recursive(stages: &mut Stages) -> Vec<ExprId> {
+    let u_dot = stages.u_dot.clone();
+    let missing = dynamics::missing_forces(stages.model, stages.k, stages.solution, &u_dot);
+    let forces = dynamics::on_independent(stages.k, stages.solution, missing);
+    stages.solved(&forces)
+}
+
+pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
+    let u_dot = stages.dynamics.u_dot.clone();
+    let missing = dynamics::missing_forces(stages.model, stages.k, stages.solution, &u_dot);
+    let Some(lambda) = dynamics::multipliers(stages.k, stages.table, stages.solution, &missing) else {
+        return Err(Diagnostic::error(format!("`{}`: there are more constraint rows than dependent speeds", target.request))
+            .help("the multipliers of such rows are not determined one by one; ask for `augmented` and solve in the least squares"));
+    };
+    let lambda = stages.solved(&lambda);
+    let names = stages.solution.rows.iter().map(|row| row.name.clone()).collect();
+    let doc =
+        "of J' lambda = M y' - f over all speeds and lifted twists, one a row of J as `augmented` has them";
+    Ok(vec![Part::list("multipliers", doc, names, lambda)])
+}
+
+pub(super) fn inverse_dynamics(stages: &mut Stages, _: &Target) -> Parts {
+    let force = needed(stages);
     let doc =
         "what the inputs have to supply on each independent speed for u' to be as given (power over speed)";
     let mut parts = vec![Part::list("generalised_force", doc, stages.speed_names(), force.clone())];

@@ -5,6 +5,8 @@
 //! a function that returns its parts, and an entry of [`CATALOGUE`]. What is not asked for is not derived.
 
 mod inertia;
+mod law;
+mod linear;
 mod motion;
 mod part;
 mod request;
@@ -64,6 +66,8 @@ enum Derive {
     Standing(fn(&Program) -> Vec<Part>),
     /// On request; emitted as a struct.
     Asked(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
+    /// The same, with symbols for u' in between: no argument.
+    Held(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
     /// The same, with u' as an argument.
     Given(fn(&mut Stages, &Target) -> Result<Vec<Part>, Diagnostic>),
 }
@@ -98,6 +102,14 @@ pub const CATALOGUE: &[Kind] = &[
         "Bias of M u' + bias = forces of the inputs."),
     kind("inverse_dynamics", Mechanism, Masses, Derive::Given(inertia::inverse_dynamics),
         "Forces that give the independent speeds the accelerations `u_dot`, and the inputs that supply them where there are as many and their map is regular."),
+    kind("law", Mechanism, Motion, Derive::Asked(law::law),
+        "Inputs as the model's law commands them."),
+    kind("multipliers", Mechanism, Accelerations, Derive::Asked(inertia::multipliers),
+        "Lagrange's multipliers of the constraint rows (thesis Eq. 2.4); they depend on how the rows are written and are no joint reactions."),
+    kind("linearisation", Mechanism, Accelerations, Derive::Held(linear::linearisation),
+        "A, B, C and D at the state: x' = A dx + B dinputs, outputs = C dx + D dinputs, dependent coordinates following the constraints."),
+    kind("parameter_derivatives", Mechanism, Accelerations, Derive::Held(linear::parameter_derivatives),
+        "Derivatives of the accelerations by the tunable parameters."),
     kind("pose", OfPlace, Motion, Derive::Asked(motion::pose),
         "Position of the point from O, and the frame's axes, along N's axes."),
     kind("twist", OfPlace, Motion, Derive::Asked(motion::twist),
@@ -245,9 +257,9 @@ pub(super) fn with_wrenches<'m>(
     Ok(pushed)
 }
 
-/// Does an answer take u' as given?
-pub(super) fn takes_u_dot(resolved: &[Resolved]) -> bool {
-    resolved.iter().any(|one| matches!(one.kind.derive, Derive::Given(_)))
+/// Does an answer need symbols for u'?
+pub(super) fn holds_u_dot(resolved: &[Resolved]) -> bool {
+    resolved.iter().any(|one| matches!(one.kind.derive, Derive::Given(_) | Derive::Held(_)))
 }
 
 /// The answers that are derived on request.
@@ -261,7 +273,7 @@ pub(super) fn derive(
     for Resolved { request, kind, marker, .. } in resolved {
         let (derive, takes_u_dot) = match kind.derive {
             Derive::Standing(_) => continue,
-            Derive::Asked(derive) => (derive, false),
+            Derive::Asked(derive) | Derive::Held(derive) => (derive, false),
             Derive::Given(derive) => (derive, true),
         };
         let target = Target { request: request.to_string(), marker: *marker };
@@ -279,7 +291,10 @@ pub(super) fn derive(
     if found.has_errors() {
         return Err(found);
     }
-    Ok(Answered { answers, functions: asked.functions.clone(), u_dot: stages.u_dot.clone() })
+    // An argument only where a function takes it.
+    let is_argument = answers.iter().any(|answer| answer.takes_u_dot);
+    let u_dot = if is_argument { stages.u_dot.clone() } else { Vec::new() };
+    Ok(Answered { answers, functions: asked.functions.clone(), u_dot })
 }
 
 impl Program {
@@ -330,7 +345,7 @@ impl Program {
                     takes_u_dot: false,
                 })
             }
-            Derive::Asked(_) | Derive::Given(_) => None,
+            Derive::Asked(_) | Derive::Held(_) | Derive::Given(_) => None,
         }
     }
 

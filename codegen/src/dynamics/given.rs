@@ -1,0 +1,65 @@
+//! Given accelerations: y' = T u' + beta with u' known, so that every body's acceleration is a number, not a linear form.
+//!
+//! In: motions and rates with biases at y' = 0, and u'. Out: the same with the bias at the y' that u' means. What is derived
+//! from such motions as bias forces is then all of the inertia force: Newton and Euler's recursion (Luh, Walker, Paul
+//! 1980) instead of M u' with a matrix that nobody asked for.
+
+use crate::expr::ExprId;
+use crate::kinematics::eliminate::Solution;
+use crate::kinematics::{Kinematics, Motion, Rate, UnknownId};
+use std::collections::BTreeMap;
+
+/// y' of every unknown; of none, where accelerations are left open.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Given(BTreeMap<UnknownId, ExprId>);
+
+impl Given {
+    /// What the derivatives of the independent speeds mean for all unknowns.
+    pub fn new(k: &mut Kinematics, solution: &Solution, u_dot: &[ExprId]) -> Self {
+        let mut y_dot: BTreeMap<UnknownId, ExprId> =
+            k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
+        for step in solution.steps.iter().rev() {
+            let mut sum = step.bias;
+            for (z, &c) in &step.coefficients {
+                if let Some(&z_dot) = y_dot.get(z) {
+                    let term = k.dag.mul(c, z_dot);
+                    sum = k.dag.add(sum, term);
+                }
+            }
+            y_dot.insert(step.unknown, sum);
+        }
+        Self(y_dot)
+    }
+
+    /// Are accelerations given?
+    pub fn is_given(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// The derivative of an unknown.
+    pub fn of(&self, unknown: UnknownId) -> Option<ExprId> {
+        self.0.get(&unknown).copied()
+    }
+
+    /// The motion with its acceleration as bias.
+    pub fn motion(&self, k: &mut Kinematics, mut motion: Motion) -> Motion {
+        for (unknown, partial) in &motion.partials {
+            if let Some(y_dot) = self.of(*unknown) {
+                let term = partial.scaled(&mut k.dag, y_dot);
+                motion.bias = motion.bias.plus(&mut k.dag, &term);
+            }
+        }
+        motion
+    }
+
+    /// The rate with its derivative as bias.
+    pub fn rate(&self, k: &mut Kinematics, mut rate: Rate) -> Rate {
+        for (unknown, &partial) in &rate.partials {
+            if let Some(y_dot) = self.of(*unknown) {
+                let term = k.dag.mul(partial, y_dot);
+                rate.bias = k.dag.add(rate.bias, term);
+            }
+        }
+        rate
+    }
+}

@@ -1,0 +1,23 @@
+//! The model's law: what commands the inputs.
+
+use super::part::Part;
+use super::stages::{Stages, Target};
+use crate::diagnostic::Diagnostic;
+use crate::kinematics;
+
+/// One number an input; an input without a law stays as it is given.
+pub(super) fn law(stages: &mut Stages, _: &Target) -> Result<Vec<Part>, Diagnostic> {
+    let mut values = stages.k.inputs.clone();
+    for (input, law) in &stages.model.laws {
+        values[*input] = kinematics::lower_scalar(stages.k, law);
+    }
+    let values: Vec<_> = values.iter().copied().collect();
+    let values = stages.solved(&values);
+    let names = stages.model.inputs.iter().map(|input| input.name.clone()).collect();
+    Ok(vec![Part::list(
+        "inputs",
+        "as the law commands them; one without a law as it is given",
+        names,
+        values,
+    )])
+}
