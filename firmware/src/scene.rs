@@ -6,26 +6,31 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use smartbed_firmware::{STEPS, digest::Digest};
-use smartbed_runtime::advance::{MOTION_ROWS, Motion, Workspace};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{Mode, System};
 use smartbed_runtime::flexible::{Body, BodyError, Massless};
+use smartbed_runtime::ode::nodes::{MOTION_ROWS, Motion, Workspace};
 use smartbed_runtime::scene::{State, step};
 
 /// The scene.
 #[allow(clippy::all, unused_imports, reason = "generated: which variants a scene names depends on it")]
 mod table {
-    use smartbed_runtime::advance::Method::{self, *};
     use smartbed_runtime::contact::ContactLaw::*;
-    use smartbed_runtime::contact::Ground;
+    use smartbed_runtime::contact::{Ground, Repertoire};
     use smartbed_runtime::flexible::Gas::*;
     use smartbed_runtime::flexible::PressureForm::*;
     use smartbed_runtime::flexible::{Inflation, Spring};
+    use smartbed_runtime::ode::nodes::method::*;
+
+    /// The methods, elements and laws of this scene.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Here;
+
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 use table::{
-    AIR_DRAG, FACETS, FIXED, GRAVITY, GROUND, INFLATION, LINKS, LINKS_FROM, MASS, MASSLESS, METHOD, POINTS,
-    POS, SCRATCH, SPRINGS, STEP, VEL,
+    AIR_DRAG, FACETS, FIXED, GRAVITY, GROUND, Here, INFLATION, LINKS, LINKS_FROM, MASS, MASSLESS, METHOD,
+    POINTS, POS, SCRATCH, SPRINGS, STAGES, STEP, VEL,
 };
 
 /// Takes all steps.
@@ -40,7 +45,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
         inflation: INFLATION,
         massless: Massless { points: &MASSLESS, first: &LINKS_FROM, springs: &LINKS },
     };
-    let system = System { body: Body::new(body)?, ground: GROUND };
+    let system = System::restricted(Body::new(body)?, GROUND);
     let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];
     let mut scratch = [[0.0; 3]; SCRATCH];
     let mut impacts = [PointImpact::none(); POINTS];
@@ -48,8 +53,15 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     let (motion, _) = Motion::cut(&mut memory, POINTS)?;
     motion.pos.iter_mut().zip(&POS).for_each(|(x, start)| *x = *start);
     motion.vel.iter_mut().zip(&VEL).for_each(|(v, start)| *v = *start);
-    let mut work = Workspace::new(&mut scratch, &mut impacts, POINTS, METHOD)?;
-    let mut state = State { motion, modes: &mut modes, time: [0.0; 2], next_step: 0.0, anchor: 0.0 };
+    let mut work = Workspace::new(&mut scratch, POINTS, STAGES)?;
+    let mut state = State {
+        motion,
+        modes: &mut modes,
+        impacts: &mut impacts,
+        time: [0.0; 2],
+        next_step: 0.0,
+        anchor: 0.0,
+    };
     state.begin(&system, STEP, METHOD, &mut work, &mut ())?;
     let mut digest = Digest::default();
     for _ in 0..STEPS {
@@ -68,7 +80,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
 #[unsafe(no_mangle)]
 #[inline(never)]
 pub fn scene_step(
-    system: &System<f32>,
+    system: &System<f32, Here>,
     state: &mut State<f32>,
     work: &mut Workspace<f32>,
 ) -> Result<(), BodyError<f32>> {

@@ -4,9 +4,9 @@
 //! way its normal force would move it in a step h. The smallest guard of all points decides; its root is
 //! located by trying steps of different lengths, so the state there is a state of the method itself.
 
-use crate::advance::{Method, Motion, Start, Workspace, advance};
-use crate::contact::{Ground, Mode, System};
+use crate::contact::{Ground, Mode, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
+use crate::ode::nodes::{Motion, Workspace};
 use crate::ode::root::Search;
 use crate::real::Scalar;
 use crate::vec3;
@@ -39,8 +39,8 @@ pub struct Shortened<S> {
 }
 
 /// Smallest guard (m) of a state; `h` scales normal forces.
-fn smallest_guard<S: Scalar>(
-    system: &System<S>,
+fn smallest_guard<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     modes: &[Mode],
     motion: &Motion<S>,
@@ -76,12 +76,12 @@ fn smallest_guard<S: Scalar>(
 ///
 /// # Errors
 /// From the trial steps.
-pub fn shorten_to_event<S: Scalar>(
-    system: &System<S>,
+pub fn shorten_to_event<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     start: Start<S>,
     h: S,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<Shortened<S>, BodyError<S>> {
     let (bracket, trials) = find_bracket(system, ground, start, h, method, work)?;
@@ -95,12 +95,12 @@ pub fn shorten_to_event<S: Scalar>(
 }
 
 /// The bracket of the first event, if there is one, and the number of steps tried for it.
-fn find_bracket<S: Scalar>(
-    system: &System<S>,
+fn find_bracket<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     start: Start<S>,
     h: S,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<(Option<Bracket<S>>, usize), BodyError<S>> {
     let guard = |motion: &Motion<S>, armed| smallest_guard(system, ground, start.modes, motion, h, armed);
@@ -221,13 +221,13 @@ fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S
 /// Root of the smallest guard; returns the time and the number of steps tried.
 ///
 /// Ends where the guard is negative by no more than rounding, with that state in `work.end`.
-fn locate<S: Scalar>(
-    system: &System<S>,
+fn locate<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     start: Start<S>,
     h: S,
     bracket: Bracket<S>,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<(S, usize), BodyError<S>> {
     let small = S::EPSILON * (S::ONE + ground.offset.abs());

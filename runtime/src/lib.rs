@@ -10,8 +10,7 @@
 //! - [`flexible`]: point masses, springs, pressure: forces and energies;
 //! - [`surface`]: what can be touched: shapes and facets, gaps and their rates;
 //! - [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
-//! - [`contact`]: the ground's laws, impact with energy compensation, friction;
-//! - [`advance`]: one step of a body while no point touches or leaves;
+//! - [`contact`]: the ground's laws, impact with energy compensation, friction; a body with its contacts frozen;
 //! - [`guard`]: the step shortened to the first touch or release;
 //! - [`scene`]: the whole step of a body on the ground;
 //! - [`ledger`]: the accounts of energy, an observer;
@@ -42,8 +41,6 @@ pub mod surface;
 pub mod rigid;
 
 pub mod contact;
-
-pub mod advance;
 
 pub mod guard;
 

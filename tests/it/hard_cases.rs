@@ -226,10 +226,9 @@ fn denormals() {
 /// 10 m is 0.5 um, a step is 0.1 um), travels 1e8 steps of 0.1 ms: 10 m, to one part in 1e5.
 #[test]
 fn one_node_a_hundred_million_f32_steps() {
-    use smartbed_runtime::advance::{Method, Motion, Start, Workspace, advance, workspace_len};
-    use smartbed_runtime::contact::System;
-    use smartbed_runtime::contact::compensation::PointImpact;
+    use smartbed_runtime::contact::{Start, System, advance};
     use smartbed_runtime::flexible::{Body, Massless};
+    use smartbed_runtime::ode::nodes::{Method, Motion, Workspace, workspace_len};
     const STEPS: usize = 100_000_000;
     let body = Body::new(Body {
         mass: &[1.0_f32],
@@ -242,14 +241,13 @@ fn one_node_a_hundred_million_f32_steps() {
         massless: Massless::default(),
     })
     .expect("body");
-    let system = System { body, ground: None };
+    let system = System::new(body, None);
     let mut memory = [[0.0_f32; 3]; 6];
     memory[0] = [10.0, 0.0, 0.0];
     memory[2] = [1e-3, 0.0, 0.0];
     let (mut motion, _) = Motion::cut(&mut memory, 1).expect("memory");
-    let mut scratch = vec![[0.0_f32; 3]; workspace_len(1, Method::<f32>::Verlet)];
-    let mut impacts = [PointImpact::none()];
-    let mut work = Workspace::new(&mut scratch, &mut impacts, 1, Method::Verlet).expect("workspace");
+    let mut scratch = vec![[0.0_f32; 3]; workspace_len(1, 1)];
+    let mut work = Workspace::new(&mut scratch, 1, 1).expect("workspace");
     for _ in 0..STEPS {
         let start = Start { motion: &motion, modes: &[Mode::Free] };
         advance(&system, start, 1e-4, Method::Verlet, &mut work).expect("step");

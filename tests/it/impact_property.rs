@@ -123,7 +123,7 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
     let law = ContactLaw::Compensation { eta: real(eta), anchor: false, plastic_alone: false };
     let normal = case.normal.map(real);
     let ground = Ground { normal, offset: S::ZERO, law, friction: real(mu), tolerance: real(1e-6) };
-    let system = System { body, ground: Some(ground) };
+    let system = System::new(body, Some(ground));
     let mut points = vec![PointImpact::none(); n];
     points.iter_mut().take(case.touching).for_each(|p| p.touching = true);
     let widen = |rows: &[Vec3<S>]| -> Vec<[f64; 3]> { rows.iter().map(|x| x.map(Scalar::to_f64)).collect() };
@@ -252,7 +252,7 @@ fn two_stacked_unit_masses_give_the_thesis_formula() {
     };
     let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false };
     let ground = Ground { normal: [0.0, 0.0, 1.0], offset: 0.0, law, friction: 0.0, tolerance: 1e-11 };
-    let system = System { body: Body::new(body).expect("body"), ground: Some(ground) };
+    let system = System::new(Body::new(body).expect("body"), Some(ground));
     let pos = [[0.0; 3], [0.0, 0.0, 1.0]];
     let mut vel = [[0.0, 0.0, -3.0], [0.0, 0.0, -4.0]];
     let mut points = [PointImpact::none(); 2];

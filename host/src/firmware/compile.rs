@@ -13,6 +13,7 @@ use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use crate::limits::check_numbers;
 use crate::scene::{self, Simulation, tables};
+use smartbed_runtime::ode::nodes::Step;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};

@@ -6,8 +6,9 @@
 
 use super::simulation::Surroundings;
 use crate::suggest;
-use smartbed_runtime::advance::Method;
 use smartbed_runtime::contact::ContactLaw;
+use smartbed_runtime::ode::nodes::Method;
+use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 
 /// Methods of scenes: name, order of the error of smooth motion, whether it chooses its own steps.
 pub const METHODS: [(&str, u32, bool); 10] = [
@@ -205,8 +206,8 @@ fn method_of(name: &str, tolerance: f64) -> Method<f64> {
         "rk4" => Method::Rk4,
         "implicit_midpoint" => Method::ImplicitMidpoint,
         "energy_momentum" => Method::EnergyMomentum,
-        "dormand_prince" => Method::DormandPrince { tolerance, longest },
-        "dop853" => Method::Dop853 { tolerance, longest },
+        "dormand_prince" => Method::DormandPrince(DormandPrince { tolerance, longest }),
+        "dop853" => Method::Dop853(Dop853 { tolerance, longest }),
         // Moreau's law steps by itself; the method's memory is what it needs, and it is stepped by no method.
         _ => Method::SymplecticEuler,
     }

@@ -2,11 +2,12 @@
 //!
 //! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
 
-use smartbed_runtime::advance::{Method, Motion, Workspace, workspace_len};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, Spring};
+use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
+use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
 use smartbed_runtime::vec3::Vec3;
@@ -80,8 +81,6 @@ impl Links {
     }
 }
 
-const MOTION_ROWS: usize = smartbed_runtime::advance::MOTION_ROWS;
-
 impl<S: Scalar> Simulation<S> {
     /// Rounds the lists to S and places the points; call [`Simulation::begin`] before the first step.
     ///
@@ -118,7 +117,7 @@ impl<S: Scalar> Simulation<S> {
             inflation: around.inflation.map(round_inflation),
             method,
             motion,
-            scratch: vec![[S::ZERO; 3]; workspace_len(n, method)],
+            scratch: vec![[S::ZERO; 3]; workspace_len(n, method.stages())],
             impacts: vec![PointImpact::none(); n],
             modes: vec![Mode::Free; n],
             time: [S::ZERO; 2],
@@ -150,7 +149,7 @@ impl<S: Scalar> Simulation<S> {
     /// Body and ground.
     #[must_use]
     pub fn system(&self) -> System<'_, S> {
-        System { body: self.body(), ground: self.ground }
+        System::new(self.body(), self.ground)
     }
 
     /// Method of integration.
@@ -175,16 +174,17 @@ impl<S: Scalar> Simulation<S> {
             inflation: self.inflation,
             massless: self.massless.view(),
         };
-        let system = System { body, ground: self.ground };
+        let system = System::new(body, self.ground);
         let (motion, _) = Motion::cut(&mut self.motion, n)?;
         let mut state = State {
             motion,
             modes: &mut self.modes,
+            impacts: &mut self.impacts,
             time: self.time,
             next_step: self.next_step,
             anchor: self.anchor,
         };
-        let mut workspace = Workspace::new(&mut self.scratch, &mut self.impacts, n, self.method)?;
+        let mut workspace = Workspace::new(&mut self.scratch, n, self.method.stages())?;
         let done = work(&system, &mut state, &mut workspace);
         (self.time, self.next_step, self.anchor) = (state.time, state.next_step, state.anchor);
         done
@@ -255,11 +255,12 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
         Method::Rk4 => Method::Rk4,
         Method::ImplicitMidpoint => Method::ImplicitMidpoint,
         Method::EnergyMomentum => Method::EnergyMomentum,
-        Method::DormandPrince { tolerance, longest } => {
-            Method::DormandPrince { tolerance: S::from_f64(tolerance), longest: S::from_f64(longest) }
-        }
-        Method::Dop853 { tolerance, longest } => {
-            Method::Dop853 { tolerance: S::from_f64(tolerance), longest: S::from_f64(longest) }
+        Method::DormandPrince(DormandPrince { tolerance, longest }) => Method::DormandPrince(DormandPrince {
+            tolerance: S::from_f64(tolerance),
+            longest: S::from_f64(longest),
+        }),
+        Method::Dop853(Dop853 { tolerance, longest }) => {
+            Method::Dop853(Dop853 { tolerance: S::from_f64(tolerance), longest: S::from_f64(longest) })
         }
     }
 }
@@ -268,10 +269,12 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
 /// would amplify rounding, and points that ought to touch together would touch one after the other.
 fn limit_step<S: Scalar>(method: Method<S>, stable: S) -> Method<S> {
     match method {
-        Method::DormandPrince { tolerance, longest } => {
-            Method::DormandPrince { tolerance, longest: longest.min(stable) }
+        Method::DormandPrince(DormandPrince { tolerance, longest }) => {
+            Method::DormandPrince(DormandPrince { tolerance, longest: longest.min(stable) })
         }
-        Method::Dop853 { tolerance, longest } => Method::Dop853 { tolerance, longest: longest.min(stable) },
+        Method::Dop853(Dop853 { tolerance, longest }) => {
+            Method::Dop853(Dop853 { tolerance, longest: longest.min(stable) })
+        }
         fixed => fixed,
     }
 }

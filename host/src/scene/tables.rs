@@ -5,7 +5,8 @@
 //! that reads back to the same bits; so the tables hold exactly the host's numbers.
 
 use super::Simulation;
-use smartbed_runtime::advance::workspace_len;
+use smartbed_runtime::contact::{ContactLaw, System};
+use smartbed_runtime::ode::nodes::{Step, workspace_len};
 use std::fmt::Debug;
 use std::fmt::Write as _;
 
@@ -21,9 +22,9 @@ pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
         let _ = writeln!(text, "pub const {name}: {kind} = {value:?};");
     };
     constant("POINTS", "usize", &n);
-    constant("SCRATCH", "usize", &workspace_len(n, method));
+    constant("STAGES", "usize", &method.stages());
+    constant("SCRATCH", "usize", &workspace_len(n, method.stages()));
     constant("STEP", "f32", &step);
-    constant("METHOD", "Method<f32>", &method);
     constant("GRAVITY", "[f32; 3]", &body.gravity);
     constant("AIR_DRAG", "f32", &body.air_drag);
     constant("GROUND", "Option<Ground<f32>>", &system.ground);
@@ -40,7 +41,33 @@ pub fn rust(simulation: &Simulation<f32>, step: f32) -> String {
     table("LINKS", "usize", body.massless.springs.len(), &body.massless.springs);
     table("POS", "[f32; 3]", n, &simulation.pos());
     table("VEL", "[f32; 3]", n, &simulation.vel());
-    text
+    text + &repertoire(&system, &format!("{method:?}"), method.control_order() > 0)
+}
+
+/// The type of the method and all that this scene can meet, so that the image links nothing else.
+fn repertoire(system: &System<f32>, method: &str, is_adaptive: bool) -> String {
+    // `Name`, or of a method with numbers `Name(Name { .. })`.
+    let (name, value) =
+        method.split_once('(').map_or((method, method), |(name, rest)| (name, rest.trim_end_matches(')')));
+    let of = if is_adaptive { "<f32>" } else { "" };
+    let law = system.ground.map(|ground| ground.law);
+    let met = [
+        ("DAMPING", system.is_damped()),
+        ("GAS", system.body.inflation.is_some()),
+        ("COMPENSATION", matches!(law, Some(ContactLaw::Compensation { .. }))),
+        ("ANCHOR", matches!(law, Some(ContactLaw::Compensation { anchor: true, .. }))),
+        ("NEWTON", matches!(law, Some(ContactLaw::Newton { .. }))),
+        ("MOREAU", matches!(law, Some(ContactLaw::Moreau { .. }))),
+        ("MASSLESS", matches!(law, Some(ContactLaw::MasslessPoint))),
+        ("SOFT", system.soft_ground().is_some()),
+        ("FRICTION", system.rough_ground().is_some()),
+    ];
+    let mut text = format!("pub const METHOD: {name}{of} = {value};\n");
+    let _ = writeln!(text, "impl Repertoire<f32> for Here {{\n    type Method = {name}{of};");
+    for (name, is_met) in met {
+        let _ = writeln!(text, "    const {name}: bool = {is_met};");
+    }
+    text + "}\n"
 }
 
 #[cfg(test)]
@@ -62,6 +89,8 @@ mod tests {
         assert!(text.contains("static POS: [[f32; 3]; 2] = [[0.0, 0.0, 0.1], [0.0, 0.0, 1.1]];"), "{text}");
         assert!(text.contains("Spring { tail: 0, head: 1, stiffness: 5000.0,"), "{text}");
         assert!(text.contains("law: Compensation { eta: 1.0,"), "{text}");
-        assert!(text.contains("METHOD: Method<f32> = EnergyMomentum;"), "{text}");
+        assert!(text.contains("METHOD: EnergyMomentum = EnergyMomentum;"), "{text}");
+        assert!(text.contains("const COMPENSATION: bool = true;"), "{text}");
+        assert!(text.contains("const GAS: bool = false;"), "{text}");
     }
 }

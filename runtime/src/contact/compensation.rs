@@ -13,7 +13,7 @@
 //! momentum and angular momentum change by those of the J_i alone.
 //! Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
 
-use super::System;
+use super::{Repertoire, System};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -77,8 +77,8 @@ pub struct Impact<S> {
 ///
 /// `receiver(k)` tells whether point k may take energy (not fixed, not touching, not resting).
 /// `anchor` (J) is added to the compensated energy where the result keeps Q >= 0 (0 leaves the law alone).
-pub fn apply<S: Scalar>(
-    system: &System<S>,
+pub fn apply<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     law: Compensation<S>,
     pos: &[Vec3<S>],
     vel: &mut [Vec3<S>],
@@ -116,12 +116,16 @@ pub struct Compensation<S> {
     pub plastic_alone: bool,
 }
 
-fn mass<S: Scalar>(system: &System<S>, i: usize) -> S {
+fn mass<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, i: usize) -> S {
     system.body.mass.get(i).copied().unwrap_or(S::ZERO)
 }
 
 /// v_i.n := 0 on B; returns the kinetic energy that this takes (J).
-fn stop_touching<S: Scalar>(system: &System<S>, vel: &mut [Vec3<S>], points: &mut [PointImpact<S>]) -> S {
+fn stop_touching<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    vel: &mut [Vec3<S>],
+    points: &mut [PointImpact<S>],
+) -> S {
     let Some(ground) = system.ground else { return S::ZERO };
     let mut taken = S::ZERO;
     for (i, (v, point)) in vel.iter_mut().zip(points.iter_mut()).enumerate() {
@@ -138,8 +142,8 @@ fn stop_touching<S: Scalar>(system: &System<S>, vel: &mut [Vec3<S>], points: &mu
 }
 
 /// D and u: unit impulses along the springs between B and the receivers.
-fn build_field<S: Scalar>(
-    system: &System<S>,
+fn build_field<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     pos: &[Vec3<S>],
     points: &mut [PointImpact<S>],
     receiver: impl Fn(usize) -> bool,
@@ -170,7 +174,11 @@ fn build_field<S: Scalar>(
 }
 
 /// A = sum m |D|^2/2 and b = sum m v.D.
-fn quadratic<S: Scalar>(system: &System<S>, vel: &[Vec3<S>], points: &[PointImpact<S>]) -> (S, S) {
+fn quadratic<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    vel: &[Vec3<S>],
+    points: &[PointImpact<S>],
+) -> (S, S) {
     let (mut a, mut b) = (S::ZERO, S::ZERO);
     for (i, (v, point)) in vel.iter().zip(points).enumerate() {
         a = a + S::from_f64(0.5) * mass(system, i) * vec3::dot(point.field, point.field);
@@ -180,7 +188,13 @@ fn quadratic<S: Scalar>(system: &System<S>, vel: &[Vec3<S>], points: &[PointImpa
 }
 
 /// The root of A lambda^2 + b lambda = Q that the ground can give.
-fn choose_root<S: Scalar>(system: &System<S>, points: &[PointImpact<S>], a: S, b: S, energy: S) -> (Root, S) {
+fn choose_root<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    points: &[PointImpact<S>],
+    a: S,
+    b: S,
+    energy: S,
+) -> (Root, S) {
     let two = S::from_f64(2.0);
     let s = (b * b + S::from_f64(4.0) * a * energy).sqrt();
     if b <= S::ZERO {
@@ -198,8 +212,8 @@ fn choose_root<S: Scalar>(system: &System<S>, points: &[PointImpact<S>], a: S, b
 }
 
 /// No receiver: each point keeps eta of its own energy; returns the energy kept (J).
-fn rebound<S: Scalar>(
-    system: &System<S>,
+fn rebound<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     law: Compensation<S>,
     vel: &mut [Vec3<S>],
     points: &mut [PointImpact<S>],

@@ -6,8 +6,10 @@
 
 pub mod compensation;
 pub mod friction;
+pub mod frozen;
 pub mod massless;
 pub mod pair;
+pub mod repertoire;
 pub mod restitution;
 pub mod soft;
 pub mod stable_step;
@@ -15,6 +17,9 @@ pub mod stable_step;
 use crate::flexible::Body;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
+use core::marker::PhantomData;
+pub use frozen::{Frozen, Start, advance};
+pub use repertoire::{Full, Repertoire};
 
 /// What happens between a point and the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,14 +131,53 @@ impl<S: Scalar> Ground<S> {
 
 /// Body and ground: everything that stays the same in a run.
 #[derive(Clone, Copy, Debug)]
-pub struct System<'a, S> {
+pub struct System<'a, S, R = Full> {
     /// The body.
     pub body: Body<'a, S>,
     /// The ground, if any.
     pub ground: Option<Ground<S>>,
+    repertoire: PhantomData<R>,
 }
 
-impl<S: Scalar> System<'_, S> {
+impl<'a, S> System<'a, S> {
+    /// A body and its ground, with every method, element and law at hand.
+    #[must_use]
+    pub fn new(body: Body<'a, S>, ground: Option<Ground<S>>) -> Self {
+        System { body, ground, repertoire: PhantomData }
+    }
+}
+
+impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
+    /// The same for a program that has no more than `R`.
+    #[must_use]
+    pub fn restricted(body: Body<'a, S>, ground: Option<Ground<S>>) -> Self {
+        System { body, ground, repertoire: PhantomData }
+    }
+
+    /// The ground, if touch and release are located in time.
+    #[must_use]
+    pub fn event_ground(&self) -> Option<Ground<S>> {
+        self.ground.filter(|ground| (R::COMPENSATION || R::NEWTON) && ground.has_events())
+    }
+
+    /// The ground, if it gives way.
+    #[must_use]
+    pub fn soft_ground(&self) -> Option<Ground<S>> {
+        self.ground.filter(|ground| R::SOFT && !ground.is_rigid())
+    }
+
+    /// The ground, if massless points touch it.
+    #[must_use]
+    pub fn massless_ground(&self) -> Option<Ground<S>> {
+        self.ground.filter(|ground| R::MASSLESS && ground.law == ContactLaw::MasslessPoint)
+    }
+
+    /// The ground, if points are rubbed on it.
+    #[must_use]
+    pub fn rough_ground(&self) -> Option<Ground<S>> {
+        self.ground.filter(|ground| R::FRICTION && ground.friction > S::ZERO)
+    }
+
     /// Acceleration of point i (m/s^2) under a force, after what holds it has taken its part.
     #[must_use]
     pub fn acceleration(&self, i: usize, mode: Mode, force: Vec3<S>) -> Vec3<S> {
@@ -153,7 +197,7 @@ impl<S: Scalar> System<'_, S> {
     /// True where some force depends on speeds: dampers, air, or the ground.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        self.body.is_damped() || self.ground.is_some_and(|ground| ground.is_damped())
+        R::DAMPING && (self.body.is_damped() || self.ground.is_some_and(|ground| ground.is_damped()))
     }
 
     /// Normal force of the ground on a held point (N), thesis Eq. 4.1: what holds it against `force`.

@@ -1,15 +1,15 @@
 //! Newton's law of impact point by point: v+ = -e v-, J = (1 + e) m v_b, loss (1 - e^2) m v_b^2/2.
 //!
-//! Moreau's time stepping uses the same law over a whole step (see `advance::moreau`).
+//! Moreau's time stepping uses the same law over a whole step (see `scene::moreau`).
 
-use super::System;
 use super::compensation::{Impact, PointImpact, Root};
+use super::{Repertoire, System};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// Applies the law to the points marked in `points`, which return the impulses.
-pub fn apply<S: Scalar>(
-    system: &System<S>,
+pub fn apply<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     restitution: S,
     vel: &mut [Vec3<S>],
     points: &mut [PointImpact<S>],

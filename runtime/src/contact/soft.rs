@@ -3,6 +3,7 @@
 //! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
 
 use super::{ContactLaw, Ground};
+use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -60,5 +61,28 @@ pub fn accumulate_viscous<S: Scalar>(
             let (_, viscous) = normal_force(ground, *x, *v);
             *f = vec3::axpy(*f, viscous, ground.normal);
         }
+    }
+}
+
+/// Adds a soft ground's mean force: minus the quotient of its energy and the gap, and its dissipation at the mean rate.
+pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
+    let [before, _, after] = way.pos;
+    let dissipation = match ground.law {
+        ContactLaw::Penalty { .. } => S::ZERO,
+        ContactLaw::HuntCrossley { dissipation, .. } => dissipation,
+        _ => return,
+    };
+    for ((x0, x1), f) in before.iter().zip(after).zip(force) {
+        let sink = ground.gap(*x0) - ground.gap(*x1);
+        let gained = energy(ground, *x1) - energy(ground, *x0);
+        let elastic = if sink.abs() > S::EPSILON.sqrt() * (S::ONE + ground.gap(*x0).abs()) {
+            gained / sink
+        } else {
+            let middle = vec3::scale(vec3::add(*x0, *x1), S::from_f64(0.5));
+            normal_force(ground, middle, vec3::zero()).0
+        };
+        // Never pulling, so that against a rising point too the force takes energy out.
+        let push = (elastic * (S::ONE + dissipation * (sink / way.h))).max(S::ZERO);
+        *f = vec3::axpy(*f, push, ground.normal);
     }
 }

@@ -6,7 +6,7 @@
 //! A ground that gives way is one more spring along its normal, fixed at its other end, for every point:
 //! each may touch.
 
-use super::{ContactLaw, Ground, System, soft};
+use super::{ContactLaw, Ground, Repertoire, System, soft};
 use crate::flexible::energy::eval_energies;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -54,8 +54,8 @@ impl<S: Scalar> Sums<S> {
 ///
 /// `sums` is memory, one entry per point.
 #[must_use]
-pub fn largest_stable_step<S: Scalar>(
-    system: &System<S>,
+pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     pos: &[Vec3<S>],
     vel: &[Vec3<S>],
     sums: &mut [Sums<S>],
@@ -82,7 +82,7 @@ pub fn largest_stable_step<S: Scalar>(
     smallest
 }
 
-fn add_springs<S: Scalar>(system: &System<S>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
+fn add_springs<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
     for spring in system.body.springs {
         let (d, length) = spring.direction(pos);
         let d = (length > S::ZERO).then_some(d);
@@ -98,7 +98,12 @@ fn add_springs<S: Scalar>(system: &System<S>, pos: &[Vec3<S>], sums: &mut [Sums<
 
 /// Stiffness (N/m) and damping (N s/m) of the ground where the body, as one point with all the energy that it can
 /// spend on the way to the surface, has pressed it deepest.
-fn slopes<S: Scalar>(system: &System<S>, ground: &Ground<S>, pos: &[Vec3<S>], vel: &[Vec3<S>]) -> (S, S) {
+fn slopes<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    pos: &[Vec3<S>],
+    vel: &[Vec3<S>],
+) -> (S, S) {
     match ground.law {
         ContactLaw::Penalty { stiffness } => (stiffness, S::ZERO),
         ContactLaw::HuntCrossley { stiffness, dissipation } if stiffness > S::ZERO => {

@@ -17,6 +17,12 @@ pub fn eval_elastic<S: Scalar>(
     pos: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
+    eval_springs(body, pos, force);
+    pressure::accumulate_force(body, pos, force)
+}
+
+/// Those of gravity and springs (N).
+pub fn eval_springs<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>], force: &mut [Vec3<S>]) {
     for (f, m) in force.iter_mut().zip(body.mass) {
         *f = vec3::scale(body.gravity, *m);
     }
@@ -26,7 +32,6 @@ pub fn eval_elastic<S: Scalar>(
         vec3::add_at(force, spring.tail, pull);
         vec3::add_at(force, spring.head, vec3::scale(pull, -S::ONE));
     }
-    pressure::accumulate_force(body, pos, force)
 }
 
 /// Forces of speeds: dampers along the springs and air (N).

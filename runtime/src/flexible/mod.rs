@@ -5,9 +5,11 @@
 
 pub mod energy;
 pub mod force;
+pub mod mean;
 pub mod pressure;
 pub mod spring;
 
+use crate::ode::nodes::NodeFault;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 pub use pressure::{Gas, Inflation, PressureForm};
@@ -180,5 +182,15 @@ impl<'a, S: Scalar> Body<'a, S> {
     #[must_use]
     pub fn is_damped(&self) -> bool {
         self.air_drag > S::ZERO || self.springs.iter().any(|s| s.damping > S::ZERO)
+    }
+}
+
+impl<S> From<NodeFault<S>> for BodyError<S> {
+    fn from(fault: NodeFault<S>) -> Self {
+        match fault {
+            NodeFault::Memory { needed, given } => BodyError::Scratch { needed, given },
+            NodeFault::NotFinite { node } => BodyError::NotFinite { point: node },
+            NodeFault::NotConverged { step } => BodyError::NotConverged { step },
+        }
     }
 }

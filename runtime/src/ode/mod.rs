@@ -11,6 +11,7 @@
 
 pub mod dormand_prince;
 pub mod driven;
+pub mod nodes;
 pub mod root;
 pub mod runge_kutta;
 pub mod state;

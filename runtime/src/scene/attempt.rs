@@ -4,10 +4,10 @@
 //! adaptive step plan by their error; an implicit step that does not settle is halved.
 
 use super::State;
-use crate::advance::{Method, Start, Workspace, advance};
-use crate::contact::System;
+use crate::contact::{Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
 use crate::guard::{self, Shortened};
+use crate::ode::nodes::{Step, Workspace};
 use crate::real::Scalar;
 
 /// Halvings of an implicit step that does not settle.
@@ -25,11 +25,11 @@ pub(super) struct Attempt<S> {
 
 /// Tries a step and locates its first event; half as far as long as an implicit step does not settle: springs pressed
 /// through length 0 turn their force at once, and the iteration follows only a shorter way.
-pub(super) fn attempt<S: Scalar>(
-    system: &System<S>,
+pub(super) fn attempt<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     state: &State<S>,
     tau: S,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<Attempt<S>, BodyError<S>> {
     let mut tau = tau;
@@ -42,17 +42,17 @@ pub(super) fn attempt<S: Scalar>(
     attempt_once(system, state, tau, method, work)
 }
 
-fn attempt_once<S: Scalar>(
-    system: &System<S>,
+fn attempt_once<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     state: &State<S>,
     length: S,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<Attempt<S>, BodyError<S>> {
     let start = || Start { motion: &state.motion, modes: state.modes };
     let error = advance(system, start(), length, method, work)?;
-    let shortened = match &system.ground {
-        Some(ground) if ground.has_events() && error <= S::ONE => {
+    let shortened = match &system.event_ground() {
+        Some(ground) if error <= S::ONE => {
             guard::shorten_to_event(system, ground, start(), length, method, work)?
         }
         _ => Shortened { tau: length, is_event: false, trials: 0 },
@@ -61,14 +61,14 @@ fn attempt_once<S: Scalar>(
 }
 
 /// Length of the next try (s).
-pub(super) fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: Method<S>) -> S {
-    let wanted = match method {
-        Method::DormandPrince { longest, .. } | Method::Dop853 { longest, .. } => {
+pub(super) fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: impl Step<S>) -> S {
+    let wanted = match method.longest() {
+        Some(longest) => {
             let first = h * S::from_f64(0.01);
             let planned = if state.next_step > S::ZERO { state.next_step } else { first };
             planned.min(longest)
         }
-        _ => h,
+        None => h,
     };
     // A rest of less than one part in 1e3 of the try is not left for a step of its own.
     if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
@@ -80,7 +80,7 @@ pub(super) fn control_step<S: Scalar>(
     tau: S,
     error: S,
     remaining: S,
-    method: Method<S>,
+    method: impl Step<S>,
 ) {
     let order = method.control_order();
     if order == 0 {

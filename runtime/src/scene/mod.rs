@@ -6,16 +6,17 @@
 //! Invariant: on an error the state is the last good one.
 
 mod attempt;
+mod moreau;
 mod slide;
 mod stepping;
 mod touch;
 
-use crate::advance::{Method, Motion, Workspace, check_finite};
 use crate::contact::compensation::{Impact, PointImpact};
-use crate::contact::{ContactLaw, Ground, Mode, System};
+use crate::contact::{ContactLaw, Frozen, Full, Ground, Mode, Repertoire, System};
 use crate::flexible::energy::eval_energies;
 use crate::flexible::{BodyError, pressure};
 use crate::guard::Shortened;
+use crate::ode::nodes::{Motion, Step, Workspace};
 use crate::real::Scalar;
 use crate::vec3;
 use attempt::{Attempt, attempt, control_step, try_length};
@@ -33,6 +34,8 @@ pub struct State<'a, S> {
     pub motion: Motion<'a, S>,
     /// Each point against the ground.
     pub modes: &'a mut [Mode],
+    /// Impulses of the last impact.
+    pub impacts: &'a mut [PointImpact<S>],
     /// Time (s) and what rounding dropped from it.
     pub time: [S; 2],
     /// Length with which an adaptive method goes on (s); 0 before the first step.
@@ -76,16 +79,16 @@ pub struct Flow<'a, 'm, S> {
 }
 
 /// Sees a run. The unit type looks away.
-pub trait Observer<S> {
+pub trait Observer<S, R = Full> {
     /// Motion without events.
-    fn flow(&mut self, system: &System<S>, flow: Flow<S>);
+    fn flow(&mut self, system: &System<S, R>, flow: Flow<S>);
     /// A touch or release.
-    fn event(&mut self, system: &System<S>, event: Event<S>);
+    fn event(&mut self, system: &System<S, R>, event: Event<S>);
 }
 
-impl<S> Observer<S> for () {
-    fn flow(&mut self, _: &System<S>, _: Flow<S>) {}
-    fn event(&mut self, _: &System<S>, _: Event<S>) {}
+impl<S, R> Observer<S, R> for () {
+    fn flow(&mut self, _: &System<S, R>, _: Flow<S>) {}
+    fn event(&mut self, _: &System<S, R>, _: Event<S>) {}
 }
 
 /// Counts of one step.
@@ -115,8 +118,14 @@ impl<S: Scalar> State<'_, S> {
     /// Verlet keeps m v^2/2 + V + h^2 (alpha v.V''v - (1/8 - alpha) m |a|^2) of a linear body, for every alpha;
     /// alpha = 1/16 has the total energy as its mean. A touch takes a point's acceleration away and so would
     /// lift that mean, if it left the total energy of the instant as it is.
-    fn energy_swing(&self, system: &System<S>, h: S, method: Method<S>, mode: impl Fn(usize) -> Mode) -> S {
-        if method != Method::Verlet {
+    fn energy_swing<R: Repertoire<S>>(
+        &self,
+        system: &System<S, R>,
+        h: S,
+        method: R::Method,
+        mode: impl Fn(usize) -> Mode,
+    ) -> S {
+        if !method.is_verlet() {
             return S::ZERO;
         }
         let mut sum = S::ZERO;
@@ -142,22 +151,22 @@ impl<S: Scalar> State<'_, S> {
     ///
     /// # Errors
     /// A point below a ground that does not give way, an energy that is no number, or from the gas law.
-    pub fn begin<O: Observer<S>>(
+    pub fn begin<R: Repertoire<S>, O: Observer<S, R>>(
         &mut self,
-        system: &System<S>,
+        system: &System<S, R>,
         h: S,
-        method: Method<S>,
+        method: R::Method,
         work: &mut Workspace<S>,
         observer: &mut O,
     ) -> Result<(), BodyError<S>> {
         self.refuse_below_ground(system)?;
-        check_finite(&self.motion)?;
-        self.motion.refresh(system)?;
-        self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total()
-            - self.energy_swing(system, h, method, |i| self.modes.get(i).copied().unwrap_or_default());
-        if let Some(ground) = &system.ground
-            && ground.has_events()
-        {
+        self.motion.check_finite()?;
+        self.motion.refresh(&Frozen { system, modes: self.modes })?;
+        if R::ANCHOR {
+            self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total()
+                - self.energy_swing(system, h, method, |i| self.modes.get(i).copied().unwrap_or_default());
+        }
+        if let Some(ground) = &system.event_ground() {
             // A point lying still on the ground takes part as one that touches with speed 0.
             for (i, mode) in self.modes.iter_mut().enumerate() {
                 let on_ground = ground.gap(vec3::at(self.motion.pos, i)) <= ground.tolerance;
@@ -170,7 +179,7 @@ impl<S: Scalar> State<'_, S> {
     }
 
     /// A law of touches says nothing about a point that is through the surface already.
-    fn refuse_below_ground(&self, system: &System<S>) -> Result<(), BodyError<S>> {
+    fn refuse_below_ground<R: Repertoire<S>>(&self, system: &System<S, R>) -> Result<(), BodyError<S>> {
         let Some(ground) = system.ground.filter(Ground::is_rigid) else { return Ok(()) };
         for (point, (x, fixed)) in self.motion.pos.iter().zip(system.body.fixed).enumerate() {
             let depth = -ground.gap(*x);
@@ -186,15 +195,17 @@ impl<S: Scalar> State<'_, S> {
 ///
 /// # Errors
 /// The state is then the last good one.
-pub fn step<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     state: &mut State<S>,
     h: S,
-    method: Method<S>,
+    method: R::Method,
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
-    if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law) {
+    if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law)
+        && R::MOREAU
+    {
         return stepping::step(system, state, h, restitution, work, observer);
     }
     let (mut report, before) = (StepReport::default(), work.evaluations);
@@ -214,7 +225,9 @@ pub fn step<S: Scalar, O: Observer<S>>(
         }
         let Shortened { tau, is_event, trials } = shortened;
         report.trials += trials;
-        pressure::check_inflation(&system.body, work.end.pos)?;
+        if R::GAS {
+            pressure::check_inflation(&system.body, work.end.pos)?;
+        }
         refuse_through_ground(system, work.end.pos)?;
         accept(system, state, tau, work, observer)?;
         remaining = remaining - tau;
@@ -230,8 +243,8 @@ pub fn step<S: Scalar, O: Observer<S>>(
 }
 
 /// Takes over the state in `work.end`, after sliding friction.
-fn accept<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+fn accept<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     state: &mut State<S>,
     tau: S,
     work: &mut Workspace<S>,
@@ -255,18 +268,25 @@ fn accept<S: Scalar, O: Observer<S>>(
 }
 
 /// The state in `work.end` is the state, tau later.
-fn take_over<S: Scalar>(system: &System<S>, state: &mut State<S>, tau: S, work: &Workspace<S>) {
+fn take_over<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    state: &mut State<S>,
+    tau: S,
+    work: &Workspace<S>,
+) {
     state.motion.copy_from(&work.end);
     state.pass(tau);
-    if let Some(ground) = system.ground.filter(Ground::has_events) {
+    if let Some(ground) = system.event_ground() {
         settle_modes(system, &ground, state);
     }
 }
 
 /// Massless points are put on the surface by statics; nothing keeps a point with mass off it.
-fn refuse_through_ground<S: Scalar>(system: &System<S>, pos: &[vec3::Vec3<S>]) -> Result<(), BodyError<S>> {
-    let massless = |ground: &Ground<S>| ground.law == ContactLaw::MasslessPoint;
-    let Some(ground) = system.ground.filter(massless) else { return Ok(()) };
+fn refuse_through_ground<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    pos: &[vec3::Vec3<S>],
+) -> Result<(), BodyError<S>> {
+    let Some(ground) = system.massless_ground() else { return Ok(()) };
     let through = |(i, x): (usize, &vec3::Vec3<S>)| {
         system.body.inverse_mass(i) > S::ZERO && ground.gap(*x) < -ground.tolerance
     };
@@ -277,12 +297,12 @@ fn refuse_through_ground<S: Scalar>(system: &System<S>, pos: &[vec3::Vec3<S>]) -
 }
 
 /// Departing points that go away, yet lie below the surface by the method's error, are put on it; true if any was.
-fn lift_departing<S: Scalar>(
-    system: &System<S>,
+fn lift_departing<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     modes: &[Mode],
     work: &mut Workspace<S>,
 ) -> Result<bool, BodyError<S>> {
-    let Some(ground) = system.ground.filter(Ground::has_events) else { return Ok(false) };
+    let Some(ground) = system.event_ground() else { return Ok(false) };
     let mut lifted = false;
     for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
@@ -292,19 +312,23 @@ fn lift_departing<S: Scalar>(
         }
     }
     if lifted {
-        work.refresh_end(system)?;
+        work.refresh_end(&Frozen { system, modes })?;
     }
     Ok(lifted)
 }
 
 /// Arms guards of points that are clear of the ground; sticks and unsticks the held ones.
-fn settle_modes<S: Scalar>(system: &System<S>, ground: &Ground<S>, state: &mut State<S>) {
+fn settle_modes<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+) {
     for (i, mode) in state.modes.iter_mut().enumerate() {
         match mode {
             Mode::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
                 *mode = Mode::Free;
             }
-            Mode::Held | Mode::Stuck if ground.friction > S::ZERO => {
+            Mode::Held | Mode::Stuck if R::FRICTION && ground.friction > S::ZERO => {
                 let force = state.motion.force(i);
                 let side = vec3::norm(vec3::tangential(force, ground.normal));
                 let still = vec3::at(state.motion.vel, i) == vec3::zero();
@@ -317,30 +341,30 @@ fn settle_modes<S: Scalar>(system: &System<S>, ground: &Ground<S>, state: &mut S
 }
 
 /// Applies the touch of all points at the surface and closing, then lets go of those that would be pulled.
-fn resolve<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     state: &mut State<S>,
-    (h, method): (S, Method<S>),
+    (h, method): (S, R::Method),
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
-    let touching = mark_touching(system, ground, state, work.impacts);
+    let touching = mark_touching(system, ground, state);
     let mut impact = None;
     if touching {
-        place_on_surface(ground, &mut state.motion, work.impacts);
+        place_on_surface(ground, &mut state.motion, state.impacts);
         let mut hit = apply_law(system, ground, state, (h, method), work);
-        hit.friction = rub(system, ground, state.motion.vel, work.impacts);
+        hit.friction = rub(system, ground, state.motion.vel, state.impacts);
         state.motion.vel_rest.iter_mut().for_each(|v| *v = vec3::zero());
         work.evaluations += 1;
-        state.motion.refresh(system)?;
-        hit.lost = hit.lost + hold_or_rebound(system, ground, state, h, work.impacts);
+        state.motion.refresh(&Frozen { system, modes: state.modes })?;
+        hit.lost = hit.lost + hold_or_rebound(system, ground, state, h);
         state.anchor = state.anchor - hit.lost - hit.friction;
         impact = Some(hit);
     }
     let released = release(system, state);
     settle_modes(system, ground, state);
-    let event = Event { time: state.t(), impact, points: work.impacts, modes: state.modes, released };
+    let event = Event { time: state.t(), impact, points: state.impacts, modes: state.modes, released };
     observer.event(system, event);
     Ok(())
 }

@@ -5,24 +5,25 @@
 //! Invariant: friction takes energy out or does nothing.
 
 use super::State;
-use crate::advance::{Motion, Workspace, shift_positions};
-use crate::contact::{Mode, System, friction, soft};
+use crate::contact::{Frozen, Mode, Repertoire, System, friction, soft};
 use crate::flexible::BodyError;
+use crate::ode::nodes::{Motion, Workspace};
 use crate::real::Scalar;
 use crate::vec3;
 
 /// Takes the sliding points in `work.end` back; returns the loss (J), >= 0.
-pub(super) fn slide<S: Scalar>(
-    system: &System<S>,
+pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     state: &State<S>,
     tau: S,
     work: &mut Workspace<S>,
 ) -> Result<S, BodyError<S>> {
-    let Some(ground) = system.ground.filter(|g| g.friction > S::ZERO) else { return Ok(S::ZERO) };
+    let Some(ground) = system.rough_ground() else { return Ok(S::ZERO) };
     let half = S::from_f64(0.5);
     let push = |motion: &Motion<S>, i: usize, mode: Mode| match mode {
         Mode::Held => system.normal_force(motion.force(i)).max(S::ZERO),
         Mode::Stuck => S::ZERO,
+        _ if !R::SOFT => S::ZERO,
         _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
     };
     let (mut lost, mut braked, mut slid) = (S::ZERO, S::ZERO, false);
@@ -48,16 +49,16 @@ pub(super) fn slide<S: Scalar>(
         }
     }
     if slid {
-        shift_positions(work);
-        work.refresh_end(system)?;
+        work.shift_positions();
+        work.refresh_end(&Frozen { system, modes: state.modes })?;
         for (way, force) in work.dx.iter().zip(work.end.elastic.iter()) {
             lost = lost + half * vec3::dot(*force, *way);
         }
         if lost < S::ZERO {
             // What stiff springs took together on the way is more than friction had: the places stay, speeds lose.
             work.dx.iter_mut().for_each(|way| *way = vec3::scale(*way, -S::ONE));
-            shift_positions(work);
-            work.refresh_end(system)?;
+            work.shift_positions();
+            work.refresh_end(&Frozen { system, modes: state.modes })?;
             lost = braked;
         }
     }

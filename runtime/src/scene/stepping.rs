@@ -4,17 +4,18 @@
 //! only as far as that, v'.n >= -gap/tau; x' = x + tau v'; there it is held. Order 1, never below the surface,
 //! and the law takes energy out or does nothing.
 
+use super::moreau;
 use super::touch::{lift, release};
 use super::{Flow, Observer, State, StepReport, take_over};
-use crate::advance::{Start, Workspace, check_finite, finish as finish_motion, moreau};
-use crate::contact::{Ground, Mode, System, friction};
+use crate::contact::{Frozen, Ground, Mode, Repertoire, System, friction};
 use crate::flexible::{BodyError, pressure};
+use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
 /// One step of Moreau's law.
-pub(super) fn step<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+pub(super) fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     state: &mut State<S>,
     h: S,
     restitution: S,
@@ -22,21 +23,20 @@ pub(super) fn step<S: Scalar, O: Observer<S>>(
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
     let before = work.evaluations;
-    let start = Start { motion: &state.motion, modes: state.modes };
-    let taken = moreau::step(system, start, h, restitution, work)?;
+    let taken = moreau::step(system, state, h, restitution, work)?;
     close(system, state, h, taken, work, observer)?;
     Ok(StepReport { substeps: 1, evaluations: work.evaluations - before, ..StepReport::default() })
 }
 
 /// Ends a step: `tau` is left of it.
-pub(super) fn finish<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+pub(super) fn finish<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     state: &mut State<S>,
     tau: S,
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
-    let ground = system.ground.filter(Ground::has_events);
+    let ground = system.event_ground();
     let mut taken = moreau::Taken { impact: S::ZERO, friction: S::ZERO };
     for i in 0..system.body.points() {
         let (v, mode) = (vec3::at(state.motion.vel, i), state.modes.get(i).copied().unwrap_or_default());
@@ -58,7 +58,7 @@ pub(super) fn finish<S: Scalar, O: Observer<S>>(
             *dv = vec3::sub(after, v);
         }
     }
-    finish_motion(system, Start { motion: &state.motion, modes: state.modes }, work)?;
+    work.finish(&Frozen { system, modes: state.modes }, &state.motion)?;
     if let Some(ground) = &ground {
         (0..system.body.points()).filter(|i| state.modes.get(*i).is_some_and(|m| m.is_held())).for_each(
             |i| {
@@ -75,8 +75,8 @@ pub(super) fn finish<S: Scalar, O: Observer<S>>(
 }
 
 /// Velocity on the way to the surface, `approach` of it left along the normal, and the one at rest there.
-fn stop<S: Scalar>(
-    system: &System<S>,
+fn stop<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     i: usize,
     (free, approach): (Vec3<S>, S),
@@ -86,22 +86,27 @@ fn stop<S: Scalar>(
     let rate = ground.gap_rate(free);
     let mut after = vec3::tangential(free, ground.normal);
     taken.impact = taken.impact + S::from_f64(0.5) * mass * rate * rate;
+    if !R::FRICTION {
+        return (vec3::axpy(after, -approach, ground.normal), after);
+    }
     let lost = friction::apply(&mut after, ground.normal, mass, ground.friction, -(mass * rate));
     taken.friction = taken.friction + lost;
     (vec3::axpy(after, -approach, ground.normal), after)
 }
 
 /// The state is that in `work.end`.
-fn close<S: Scalar, O: Observer<S>>(
-    system: &System<S>,
+fn close<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+    system: &System<S, R>,
     state: &mut State<S>,
     tau: S,
     taken: moreau::Taken<S>,
     work: &mut Workspace<S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
-    check_finite(&work.end)?;
-    pressure::check_inflation(&system.body, work.end.pos)?;
+    work.end.check_finite()?;
+    if R::GAS {
+        pressure::check_inflation(&system.body, work.end.pos)?;
+    }
     observer.flow(
         system,
         Flow {

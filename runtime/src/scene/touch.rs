@@ -4,10 +4,10 @@
 //! Invariant: positions change by the rounding that located the event, nothing else.
 
 use super::State;
-use crate::advance::{Method, Motion, Workspace, copy};
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
-use crate::contact::{ContactLaw, Ground, Mode, System, friction, restitution};
+use crate::contact::{ContactLaw, Ground, Mode, Repertoire, System, friction, restitution};
 use crate::flexible::energy::eval_energies;
+use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -17,14 +17,13 @@ const ZENO_FLIGHT: f64 = 1e-2;
 const ANCHOR_PASSES: usize = 3;
 
 /// Marks the set B; true if it has a member.
-pub(super) fn mark_touching<S: Scalar>(
-    system: &System<S>,
+pub(super) fn mark_touching<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
-    state: &State<S>,
-    points: &mut [PointImpact<S>],
+    state: &mut State<S>,
 ) -> bool {
     let mut any = false;
-    for (i, (point, mode)) in points.iter_mut().zip(state.modes.iter()).enumerate() {
+    for (i, (point, mode)) in state.impacts.iter_mut().zip(state.modes.iter()).enumerate() {
         let near = ground.gap(vec3::at(state.motion.pos, i)) <= ground.tolerance;
         let closing = ground.gap_rate(vec3::at(state.motion.vel, i)) < S::ZERO;
         let moves = system.body.inverse_mass(i) > S::ZERO;
@@ -68,74 +67,76 @@ pub(super) fn lift<S: Scalar>(ground: &Ground<S>, motion: &mut Motion<S>, i: usi
     }
 }
 
-pub(super) fn apply_law<S: Scalar>(
-    system: &System<S>,
+pub(super) fn apply_law<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     state: &mut State<S>,
-    (h, method): (S, Method<S>),
+    (h, method): (S, R::Method),
     work: &mut Workspace<S>,
 ) -> Impact<S> {
     match ground.law {
-        ContactLaw::Newton { restitution } => {
-            restitution::apply(system, restitution, state.motion.vel, work.impacts)
+        ContactLaw::Newton { restitution } if R::NEWTON => {
+            restitution::apply(system, restitution, state.motion.vel, state.impacts)
         }
-        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
+        ContactLaw::Compensation { eta, anchor, plastic_alone } if R::COMPENSATION => {
             let law = Compensation { eta, anchor: S::ZERO, plastic_alone };
-            if anchor {
+            if R::ANCHOR && anchor {
                 anchored(system, law, state, (h, method), work)
             } else {
-                compensate(system, law, state, work.impacts)
+                compensate(system, law, state)
             }
         }
         _ => Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO },
     }
 }
 
-fn compensate<S: Scalar>(
-    system: &System<S>,
+fn compensate<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     law: Compensation<S>,
     state: &mut State<S>,
-    points: &mut [PointImpact<S>],
 ) -> Impact<S> {
     let modes = &*state.modes;
     let receiver =
         |k: usize| system.body.inverse_mass(k) > S::ZERO && !modes.get(k).is_some_and(|m| m.is_held());
-    compensation::apply(system, law, state.motion.pos, state.motion.vel, points, receiver)
+    compensation::apply(system, law, state.motion.pos, state.motion.vel, state.impacts, receiver)
 }
 
 /// Compensation that ends at the ledger's energy. The swing after it depends on the speeds it gives: the
 /// first pass takes those before.
-fn anchored<S: Scalar>(
-    system: &System<S>,
+fn anchored<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     law: Compensation<S>,
     state: &mut State<S>,
-    (h, method): (S, Method<S>),
+    (h, method): (S, R::Method),
     work: &mut Workspace<S>,
 ) -> Impact<S> {
     let now = eval_energies(&system.body, state.motion.pos, state.motion.vel).total();
     copy(work.stage_vel, state.motion.vel);
     let mut hit = Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO };
     for _ in 0..ANCHOR_PASSES {
-        let held = |i: usize| match work.impacts.get(i) {
+        let held = |i: usize| match state.impacts.get(i) {
             Some(point) if point.touching => Mode::Held,
             _ => state.modes.get(i).copied().unwrap_or_default(),
         };
         let swing = state.energy_swing(system, h, method, held);
         let law = Compensation { anchor: state.anchor + swing - now, ..law };
         copy(state.motion.vel, work.stage_vel);
-        hit = compensate(system, law, state, work.impacts);
+        hit = compensate(system, law, state);
     }
     hit
 }
 
 /// Friction of the impulses; returns the loss (J).
-pub(super) fn rub<S: Scalar>(
-    system: &System<S>,
+pub(super) fn rub<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     vel: &mut [Vec3<S>],
     points: &[PointImpact<S>],
 ) -> S {
     let mut lost = S::ZERO;
+    if !R::FRICTION {
+        return lost;
+    }
     for ((v, point), mass) in vel.iter_mut().zip(points).zip(system.body.mass) {
         if point.touching {
             lost = lost + friction::apply(v, ground.normal, *mass, ground.friction, point.impulse);
@@ -145,15 +146,14 @@ pub(super) fn rub<S: Scalar>(
 }
 
 /// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs (J).
-pub(super) fn hold_or_rebound<S: Scalar>(
-    system: &System<S>,
+pub(super) fn hold_or_rebound<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
     ground: &Ground<S>,
     state: &mut State<S>,
     h: S,
-    points: &[PointImpact<S>],
 ) -> S {
     let mut lost = S::ZERO;
-    for (i, (mode, point)) in state.modes.iter_mut().zip(points).enumerate() {
+    for (i, (mode, point)) in state.modes.iter_mut().zip(state.impacts.iter()).enumerate() {
         if !point.touching {
             continue;
         }
@@ -179,7 +179,7 @@ pub(super) fn hold_or_rebound<S: Scalar>(
 }
 
 /// Lets go of held points that the ground would have to pull; returns how many.
-pub(super) fn release<S: Scalar>(system: &System<S>, state: &mut State<S>) -> usize {
+pub(super) fn release<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, state: &mut State<S>) -> usize {
     let mut released = 0;
     for (i, mode) in state.modes.iter_mut().enumerate() {
         if mode.is_held() && system.normal_force(state.motion.force(i)) < S::ZERO {

@@ -3,9 +3,9 @@
 mod body;
 mod surroundings;
 
-use smartbed_runtime::advance::Method;
 use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
+use smartbed_runtime::ode::nodes::{Method, Step};
 
 use super::fields::Fields;
 use super::keys::{self, Choice};

@@ -4,9 +4,7 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
-use super::{Start, Workspace, copy, eval_elastic, eval_viscous, finish, place_positions, place_velocities};
-use crate::contact::System;
-use crate::flexible::BodyError;
+use super::{Motion, Newton, NodeFault, Workspace, copy, movable};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -23,83 +21,82 @@ enum Place {
 }
 
 /// v' = v + h a(x, v), x' = x + h v'.
-pub(crate) fn symplectic_euler<S: Scalar>(
-    system: &System<S>,
-    start: Start<S>,
+pub(super) fn symplectic_euler<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    start: &Motion<S>,
     h: S,
     work: &mut Workspace<S>,
-) -> Result<S, BodyError<S>> {
+) -> Result<(), N::Fault> {
     for (i, (dx, dv)) in work.dx.iter_mut().zip(work.dv.iter_mut()).enumerate() {
-        *dv = vec3::scale(system.acceleration(i, start.mode(i), start.motion.force(i)), h);
-        *dx = drift(system, i, vec3::add(vec3::at(start.motion.vel, i), *dv), h);
+        *dv = vec3::scale(newton.acceleration(i, start.force(i)), h);
+        *dx = drift(newton, i, vec3::add(vec3::at(start.vel, i), *dv), h);
     }
-    finish(system, start, work)?;
-    Ok(S::ZERO)
+    work.finish(newton, start)
 }
 
-/// h v; a point that no force moves stays.
-fn drift<S: Scalar>(system: &System<S>, i: usize, v: Vec3<S>, h: S) -> Vec3<S> {
-    if system.body.inverse_mass(i) > S::ZERO { vec3::scale(v, h) } else { vec3::zero() }
+/// h v; a node that no force moves stays.
+fn drift<S: Scalar>(newton: &impl Newton<S>, i: usize, v: Vec3<S>, h: S) -> Vec3<S> {
+    movable(newton, i, vec3::scale(v, h))
 }
 
 /// Velocity Verlet, its two halves of damping around it.
-pub(crate) fn verlet<S: Scalar>(
-    system: &System<S>,
-    start: Start<S>,
+pub(super) fn verlet<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    start: &Motion<S>,
     h: S,
     work: &mut Workspace<S>,
-) -> Result<S, BodyError<S>> {
+) -> Result<(), N::Fault> {
     let half = S::from_f64(0.5) * h;
-    let damped = system.is_damped();
-    copy(work.stage_vel, start.motion.vel);
+    let damped = newton.is_damped();
+    copy(work.stage_vel, start.vel);
     if damped {
-        relax(system, start, Place::Start, half, work)?;
+        relax(newton, start, Place::Start, half, work)?;
     }
     for (i, (dx, v)) in work.dx.iter_mut().zip(work.stage_vel.iter_mut()).enumerate() {
-        let a = system.acceleration(i, start.mode(i), vec3::at(start.motion.elastic, i));
+        let a = newton.acceleration(i, vec3::at(start.elastic, i));
         *v = vec3::axpy(*v, half, a);
-        *dx = drift(system, i, *v, h);
+        *dx = drift(newton, i, *v, h);
     }
-    place_positions(start, work);
+    work.place_positions(start);
     work.evaluations += 1;
-    eval_elastic(system, work.end.pos, work.end.elastic)?;
+    newton.elastic(work.end.pos, work.end.elastic)?;
     for (i, v) in work.stage_vel.iter_mut().enumerate() {
-        let a = system.acceleration(i, start.mode(i), vec3::at(work.end.elastic, i));
+        let a = newton.acceleration(i, vec3::at(work.end.elastic, i));
         *v = vec3::axpy(*v, half, a);
     }
     if damped {
-        relax(system, start, Place::End, half, work)?;
+        relax(newton, start, Place::End, half, work)?;
     }
     for (i, dv) in work.dv.iter_mut().enumerate() {
-        *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.motion.vel, i));
+        *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.vel, i));
     }
-    place_velocities(system, start, work);
-    eval_viscous(system, work.end.pos, work.end.vel, work.end.viscous);
-    Ok(S::ZERO)
+    work.place_velocities(newton, start);
+    newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
+    Ok(())
 }
 
 /// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
 ///
 /// Fixed-point iteration on the middle: all springs at once, so a symmetric body stays symmetric.
-fn relax<S: Scalar>(
-    system: &System<S>,
-    start: Start<S>,
+fn relax<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    start: &Motion<S>,
     place: Place,
     h: S,
     work: &mut Workspace<S>,
-) -> Result<(), BodyError<S>> {
+) -> Result<(), N::Fault> {
     let pos: &[Vec3<S>] = match place {
-        Place::Start => start.motion.pos,
+        Place::Start => start.pos,
         Place::End => work.end.pos,
     };
     let (vel, middle) = (&mut *work.stage_vel, &mut *work.stages);
     copy(middle, vel);
     let half = S::from_f64(0.5) * h;
     for _ in 0..ITERATIONS {
-        eval_viscous(system, pos, middle, work.stage_viscous);
+        newton.viscous(pos, middle, work.stage_viscous);
         let (mut change, mut size) = (S::ZERO, S::ZERO);
         for (i, (m, v)) in middle.iter_mut().zip(vel.iter()).enumerate() {
-            let a = system.acceleration(i, start.mode(i), vec3::at(work.stage_viscous, i));
+            let a = newton.acceleration(i, vec3::at(work.stage_viscous, i));
             let next = vec3::axpy(*v, half, a);
             change = change.max(vec3::norm(vec3::sub(next, *m)));
             size = size.max(vec3::norm(next));
@@ -112,5 +109,5 @@ fn relax<S: Scalar>(
             return Ok(());
         }
     }
-    Err(BodyError::NotConverged { step: h })
+    Err(NodeFault::NotConverged { step: h }.into())
 }

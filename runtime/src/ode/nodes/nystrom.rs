@@ -3,33 +3,31 @@
 //! k_s = a(x + c_s h v + h^2 sum abar_sj k_j,  v + h sum a_sj k_j)
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
 
-use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::contact::System;
-use crate::flexible::BodyError;
+use super::{Motion, Newton, Workspace, movable, set};
 use crate::ode::tableau::Tableau;
 use crate::real::{Constant, Scalar};
 use crate::vec3::{self, Vec3};
 
 /// One step; returns the error estimate in units of `tolerance`.
-pub(crate) fn step<S: Scalar, const N: usize>(
-    tableau: &Tableau<Constant, N>,
-    system: &System<S>,
-    start: Start<S>,
+pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
+    tableau: &Tableau<Constant, K>,
+    newton: &N,
+    start: &Motion<S>,
     h: S,
     tolerance: S,
     work: &mut Workspace<S>,
-) -> Result<S, BodyError<S>> {
-    let n = system.body.points();
+) -> Result<S, N::Fault> {
+    let n = newton.nodes();
     for (s, (abar, a)) in tableau.abar.iter().zip(&tableau.a).enumerate() {
         if s == 0 {
             for (i, k) in work.stages.iter_mut().take(n).enumerate() {
-                *k = system.acceleration(i, start.mode(i), start.motion.force(i));
+                *k = newton.acceleration(i, start.force(i));
             }
             continue;
         }
         let c = tableau.drift.get(s).map_or(S::ZERO, |c| S::constant(*c));
         for i in 0..n {
-            let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
+            let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
             let drift = vec3::axpy(x, h * c, v);
             let bend = weighted(work.stages, n, i, abar, s);
             let kick = weighted(work.stages, n, i, a, s);
@@ -37,37 +35,26 @@ pub(crate) fn step<S: Scalar, const N: usize>(
             set(work.stage_vel, i, vec3::axpy(v, h, kick));
         }
         work.evaluations += 1;
-        eval_elastic(system, work.stage_pos, work.stage_elastic)?;
-        eval_viscous(system, work.stage_pos, work.stage_vel, work.stage_viscous);
+        newton.elastic(work.stage_pos, work.stage_elastic)?;
+        newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
         for (i, k) in work.stages.iter_mut().skip(s * n).take(n).enumerate() {
             let force = vec3::add(vec3::at(work.stage_elastic, i), vec3::at(work.stage_viscous, i));
-            *k = system.acceleration(i, start.mode(i), force);
+            *k = newton.acceleration(i, force);
         }
     }
     for i in 0..n {
-        let v = vec3::at(start.motion.vel, i);
-        let bend = weighted(work.stages, n, i, &tableau.bbar, N);
-        let kick = weighted(work.stages, n, i, &tableau.b, N);
-        set(work.dx, i, vec3::axpy(vec3::scale(moving(system, i, v), h), h * h, bend));
+        let v = vec3::at(start.vel, i);
+        let bend = weighted(work.stages, n, i, &tableau.bbar, K);
+        let kick = weighted(work.stages, n, i, &tableau.b, K);
+        set(work.dx, i, vec3::axpy(vec3::scale(movable(newton, i, v), h), h * h, bend));
         set(work.dv, i, vec3::scale(kick, h));
     }
     let error = error_estimate(tableau, start, h, tolerance, work, n);
-    finish(system, start, work)?;
+    work.finish(newton, start)?;
     Ok(error)
 }
 
-/// The velocity with which a point drifts: a fixed one goes nowhere.
-fn moving<S: Scalar>(system: &System<S>, i: usize, v: Vec3<S>) -> Vec3<S> {
-    if system.body.inverse_mass(i) > S::ZERO { v } else { vec3::zero() }
-}
-
-fn set<S: Scalar>(rows: &mut [Vec3<S>], i: usize, value: Vec3<S>) {
-    if let Some(row) = rows.get_mut(i) {
-        *row = value;
-    }
-}
-
-/// Sum over the first `count` stages of weight_j k_j of point i.
+/// Sum over the first `count` stages of weight_j k_j of node i.
 fn weighted<S: Scalar>(
     stages: &[Vec3<S>],
     n: usize,
@@ -86,9 +73,9 @@ fn weighted<S: Scalar>(
 }
 
 /// Largest component of the estimated error over (tolerance (1 + |y|)); Hairer's combination where two estimates exist.
-fn error_estimate<S: Scalar, const N: usize>(
-    tableau: &Tableau<Constant, N>,
-    start: Start<S>,
+fn error_estimate<S: Scalar, const K: usize>(
+    tableau: &Tableau<Constant, K>,
+    start: &Motion<S>,
     h: S,
     tolerance: S,
     work: &Workspace<S>,
@@ -99,12 +86,12 @@ fn error_estimate<S: Scalar, const N: usize>(
     }
     let (mut fine, mut coarse) = (S::ZERO, S::ZERO);
     for i in 0..n {
-        let (x, v) = (vec3::at(start.motion.pos, i), vec3::at(start.motion.vel, i));
+        let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
         let x_size = tolerance * (S::ONE + vec3::norm(x));
         let v_size = tolerance * (S::ONE + vec3::norm(v));
-        let scaled = |bbar: &[Constant; N], b: &[Constant; N]| {
-            let in_x = vec3::norm(weighted(work.stages, n, i, bbar, N)) * h * h / x_size;
-            let in_v = vec3::norm(weighted(work.stages, n, i, b, N)) * h.abs() / v_size;
+        let scaled = |bbar: &[Constant; K], b: &[Constant; K]| {
+            let in_x = vec3::norm(weighted(work.stages, n, i, bbar, K)) * h * h / x_size;
+            let in_v = vec3::norm(weighted(work.stages, n, i, b, K)) * h.abs() / v_size;
             in_x.max(in_v)
         };
         fine = fine.max(scaled(&tableau.error.bbar, &tableau.error.b));

@@ -5,9 +5,10 @@
 //! negative for a point that comes; one that rises is let turn around, v'.n >= -v.n, and friction turns no slip
 //! around, so that neither gives energy.
 
-use super::{Start, Workspace, eval_elastic, eval_viscous, finish};
-use crate::contact::{Ground, System, friction};
+use super::State;
+use crate::contact::{Frozen, Ground, Repertoire, System, friction};
 use crate::flexible::BodyError;
+use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -20,28 +21,28 @@ pub struct Taken<S> {
     pub friction: S,
 }
 
-/// One step into `work.end`; the impulses are left in `work.impacts`.
+/// One step into `work.end`; the impulses are left in the state.
 ///
 /// # Errors
 /// From the gas law.
-pub fn step<S: Scalar>(
-    system: &System<S>,
-    start: Start<S>,
+pub fn step<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    state: &mut State<S>,
     h: S,
     restitution: S,
     work: &mut Workspace<S>,
 ) -> Result<Taken<S>, BodyError<S>> {
     let half = S::from_f64(0.5);
     for (i, x) in work.stage_pos.iter_mut().enumerate() {
-        *x = vec3::axpy(vec3::at(start.motion.pos, i), half * h, vec3::at(start.motion.vel, i));
+        *x = vec3::axpy(vec3::at(state.motion.pos, i), half * h, vec3::at(state.motion.vel, i));
     }
     work.evaluations += 1;
-    eval_elastic(system, work.stage_pos, work.stage_elastic)?;
-    eval_viscous(system, work.stage_pos, start.motion.vel, work.stage_viscous);
+    system.elastic(work.stage_pos, work.stage_elastic)?;
+    system.viscous(work.stage_pos, state.motion.vel, work.stage_viscous);
     let mut taken = Taken { impact: S::ZERO, friction: S::ZERO };
     for i in 0..system.body.points() {
         let force = vec3::add(vec3::at(work.stage_elastic, i), vec3::at(work.stage_viscous, i));
-        let before = vec3::at(start.motion.vel, i);
+        let before = vec3::at(state.motion.vel, i);
         let mut after = vec3::axpy(before, h, vec3::scale(force, system.body.inverse_mass(i)));
         let mut impulse = S::ZERO;
         if let Some(ground) = &system.ground
@@ -51,14 +52,14 @@ pub fn step<S: Scalar>(
             impulse = push(ground, mass, restitution, before, &mut after, &mut taken);
         }
         if let (Some(dx), Some(dv), Some(point)) =
-            (work.dx.get_mut(i), work.dv.get_mut(i), work.impacts.get_mut(i))
+            (work.dx.get_mut(i), work.dv.get_mut(i), state.impacts.get_mut(i))
         {
             *dv = vec3::sub(after, before);
             *dx = vec3::scale(vec3::add(before, after), half * h);
             point.impulse = impulse;
         }
     }
-    finish(system, start, work)?;
+    work.finish(&Frozen { system, modes: state.modes }, &state.motion)?;
     Ok(taken)
 }
 

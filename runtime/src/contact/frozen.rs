@@ -1,0 +1,134 @@
+//! A body whose contacts are frozen over a step, as equations of motion of its nodes.
+//!
+//! Held nodes keep to the surface, stuck ones stay; the ground that gives way pushes, massless nodes are settled.
+
+use super::repertoire::Repertoire;
+use super::{Mode, System, massless, soft};
+use crate::flexible::{BodyError, force, mean};
+use crate::ode::nodes::{Motion, Newton, Way, Workspace, method};
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// A system and what its nodes do at the ground over a step.
+#[derive(Debug)]
+pub struct Frozen<'a, 'b, S, R> {
+    /// Body and ground.
+    pub system: &'a System<'b, S, R>,
+    /// Each node against the ground.
+    pub modes: &'a [Mode],
+}
+
+impl<S: Scalar, R: Repertoire<S>> Frozen<'_, '_, S, R> {
+    fn mode(&self, node: usize) -> Mode {
+        self.modes.get(node).copied().unwrap_or_default()
+    }
+}
+
+impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
+    type Fault = BodyError<S>;
+
+    fn nodes(&self) -> usize {
+        self.system.body.points()
+    }
+
+    fn elastic(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        self.system.elastic(pos, out)
+    }
+
+    fn viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], out: &mut [Vec3<S>]) {
+        self.system.viscous(pos, vel, out);
+    }
+
+    fn mean_force(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        let body = &self.system.body;
+        mean::add_weight_and_air(body, way, force);
+        mean::add_springs(body, way, force);
+        if R::GAS {
+            mean::add_pressure(body, way, force)?;
+        }
+        if let Some(ground) = self.system.soft_ground() {
+            soft::add_mean(&ground, way, force);
+        }
+        Ok(())
+    }
+
+    fn is_damped(&self) -> bool {
+        self.system.is_damped()
+    }
+
+    fn is_movable(&self, node: usize) -> bool {
+        self.system.body.inverse_mass(node) > S::ZERO
+    }
+
+    fn acceleration(&self, node: usize, force: Vec3<S>) -> Vec3<S> {
+        self.system.acceleration(node, self.mode(node), force)
+    }
+
+    fn admissible(&self, node: usize, velocity: Vec3<S>) -> Vec3<S> {
+        self.system.admissible(self.mode(node), velocity)
+    }
+
+    fn acceleration_of_unit_strain(&self) -> S {
+        let body = &self.system.body;
+        body.springs.iter().fold(S::ZERO, |largest, s| {
+            let inverse = body.inverse_mass(s.tail).max(body.inverse_mass(s.head));
+            largest.max(s.stiffness * s.rest_length * inverse)
+        })
+    }
+}
+
+impl<S: Scalar, R: Repertoire<S>> System<'_, S, R> {
+    /// Forces of positions, with massless points settled and a soft ground's push (N).
+    ///
+    /// # Errors
+    /// From the gas law.
+    pub fn elastic(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        if let Some(ground) = self.massless_ground() {
+            massless::settle(&self.body, &ground, pos);
+        }
+        force::eval_springs(&self.body, pos, out);
+        if R::GAS {
+            crate::flexible::pressure::accumulate_force(&self.body, pos, out)?;
+        }
+        if let Some(ground) = self.soft_ground() {
+            soft::accumulate_elastic(&ground, pos, out);
+        }
+        Ok(())
+    }
+
+    /// Forces of speeds (N).
+    pub fn viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], out: &mut [Vec3<S>]) {
+        if R::DAMPING && self.body.is_damped() {
+            force::eval_viscous(&self.body, pos, vel, out);
+        } else {
+            out.iter_mut().for_each(|f| *f = vec3::zero());
+        }
+        if let Some(ground) = self.soft_ground() {
+            soft::accumulate_viscous(&ground, pos, vel, out);
+        }
+    }
+}
+
+/// Where a step starts.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a, 'm, S> {
+    /// State.
+    pub motion: &'a Motion<'m, S>,
+    /// Each node against the ground, frozen over the step.
+    pub modes: &'a [Mode],
+}
+
+/// Advances by tau into `work.end`; returns the error estimate in units of the tolerance (0 for fixed steps).
+///
+/// # Errors
+/// Not finite, not converged, or from the gas law; the start is untouched.
+pub fn advance<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    start: Start<S>,
+    tau: S,
+    method: R::Method,
+    work: &mut Workspace<S>,
+) -> Result<S, BodyError<S>> {
+    let frozen = Frozen { system, modes: start.modes };
+    method::advance(&frozen, start.motion, tau, method, work)
+}

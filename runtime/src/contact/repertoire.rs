@@ -1,0 +1,40 @@
+//! What a program can meet: methods, elements and laws.
+//!
+//! A host reads any scene and so takes [`Full`]; a microcontroller's image names what its one scene has, and the
+//! compiler leaves out the rest. What is left out must not occur: the constants are printed from the scene itself.
+
+use crate::ode::nodes::{Method, Step};
+use crate::real::Scalar;
+use core::fmt::Debug;
+
+/// The choice, at compile time; by default everything.
+pub trait Repertoire<S: Scalar>: Copy + Debug {
+    /// Method of integration between events.
+    type Method: Step<S> + Debug;
+    /// Dampers, air, or a ground that dissipates.
+    const DAMPING: bool = true;
+    /// Gas inside facets.
+    const GAS: bool = true;
+    /// Impact with energy compensation.
+    const COMPENSATION: bool = true;
+    /// Its correction of the drift of energy.
+    const ANCHOR: bool = true;
+    /// Newton's law of impact.
+    const NEWTON: bool = true;
+    /// Moreau's time stepping.
+    const MOREAU: bool = true;
+    /// Massless points.
+    const MASSLESS: bool = true;
+    /// A ground that gives way.
+    const SOFT: bool = true;
+    /// Coulomb's friction.
+    const FRICTION: bool = true;
+}
+
+/// Everything, the method chosen when the program runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Full;
+
+impl<S: Scalar> Repertoire<S> for Full {
+    type Method = Method<S>;
+}
