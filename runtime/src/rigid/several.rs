@@ -40,6 +40,8 @@ pub struct Struck<S> {
     trial: S,
     piece: vec3::Vec3<S>,
     before: vec3::Vec3<S>,
+    /// Friction per normal impulse in the last piece: the next one starts from it.
+    ratio: [S; 2],
 }
 
 /// What an impact at several points did.
@@ -57,7 +59,8 @@ impl<S: Scalar> Struck<S> {
     pub fn new(contact: Contact<S>, mobilities: &[Mobility<S>]) -> Struck<S> {
         let inverse_mass = contact.inverse_mass(mobilities);
         let zero = vec3::zero();
-        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece: zero, before: zero }
+        let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
+        Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece, before, ratio }
     }
 
     /// Does it press, or start to?
@@ -130,7 +133,7 @@ pub fn strike_all<S: Scalar>(
     let mut fastest = S::ZERO;
     for s in struck.iter_mut() {
         s.before = s.contact.relative(twists);
-        (s.contact.impulse, s.stored) = (vec3::zero(), S::ZERO);
+        (s.contact.impulse, s.stored, s.ratio) = (vec3::zero(), S::ZERO, [S::ZERO; 2]);
         fastest = fastest.max(-s.before[0]);
     }
     if let [only] = struck {
@@ -208,7 +211,8 @@ fn try_piece<S: Scalar>(
 ) {
     spare.copy_from_slice(twists);
     for s in struck.iter_mut() {
-        s.piece = [s.press(length, closing), S::ZERO, S::ZERO];
+        let (normal, [x, y]) = (s.press(length, closing), s.ratio);
+        s.piece = [normal, x * normal, y * normal];
         s.contact.push(mobilities, spare, s.piece);
     }
     rub(struck, mobilities, spare);
@@ -226,6 +230,8 @@ fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &
         let ended = s.trial <= rounding * s.stored;
         s.stored = if ended { S::ZERO } else { s.trial };
         s.contact.impulse = vec3::add(s.contact.impulse, s.piece);
+        let [normal, x, y] = s.piece;
+        s.ratio = if normal > S::ZERO { [x / normal, y / normal] } else { [S::ZERO; 2] };
         s.before = s.contact.relative(twists);
     }
 }
@@ -247,7 +253,8 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], mobilities: &[Mobility<S>], twists: 
             s.contact.push(mobilities, twists, change);
             moved = moved.max((change[1].abs() + change[2].abs()) / radius);
         }
-        if moved <= S::from_f64(16.0) * S::EPSILON {
+        // Finer than the piece itself is.
+        if moved <= S::EPSILON.sqrt() {
             break;
         }
     }
@@ -278,6 +285,11 @@ pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], ra
     onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
 }
 
+/// The largest relative speed at a contact (m/s).
+fn fastest<S: Scalar>(struck: &[Struck<S>], twists: &[Twist<S>]) -> S {
+    struck.iter().fold(S::ZERO, |most, s| most.max(vec3::norm(s.contact.relative(twists))))
+}
+
 /// Takes out what approach is left, without friction: normal impulses J >= 0 with J v_n = 0.
 ///
 /// Every turn lowers the kinetic energy, so that stopping early creates none. False: the sweeps were not enough.
@@ -286,12 +298,12 @@ pub fn stop<S: Scalar>(
     mobilities: &[Mobility<S>],
     twists: &mut [Twist<S>],
 ) -> bool {
-    let mut settled = false;
+    let (mut settled, fastest) = (false, fastest(struck, twists));
     for s in struck.iter_mut() {
         s.piece = vec3::zero();
     }
     for _ in 0..SWEEPS {
-        let (mut moved, mut largest) = (S::ZERO, S::ZERO);
+        let mut moved = S::ZERO;
         for s in struck.iter_mut() {
             let yields = s.inverse_mass[0][0];
             if yields > S::ZERO {
@@ -299,10 +311,10 @@ pub fn stop<S: Scalar>(
                 let change = next - s.piece[0];
                 s.piece[0] = next;
                 s.contact.push(mobilities, twists, [change, S::ZERO, S::ZERO]);
-                (moved, largest) = (moved.max(change.abs()), largest.max(next));
+                moved = moved.max(change.abs() * yields);
             }
         }
-        settled = moved <= S::from_f64(4.0) * S::EPSILON * largest;
+        settled = moved <= S::from_f64(4.0) * S::EPSILON * fastest;
         if settled {
             break;
         }
@@ -364,9 +376,9 @@ fn rub_within<S: Scalar>(
         s.piece = vec3::zero();
         s.trial = s.contact.impulse[0];
     }
-    let mut settled = false;
+    let (mut settled, fastest) = (false, fastest(struck, twists));
     for _ in 0..SWEEPS {
-        let (mut moved, mut largest) = (S::ZERO, S::ZERO);
+        let mut moved = S::ZERO;
         for s in struck.iter_mut() {
             let before = s.piece;
             let yields = s.inverse_mass[0][0];
@@ -382,10 +394,10 @@ fn rub_within<S: Scalar>(
                 s.contact.push(mobilities, twists, [S::ZERO, x - s.piece[1], y - s.piece[2]]);
                 (s.piece[1], s.piece[2]) = (x, y);
             }
-            moved = moved.max(vec3::norm(vec3::sub(s.piece, before)));
-            largest = largest.max(vec3::norm(s.piece));
+            let size = yields.max(s.inverse_mass[1][1]).max(s.inverse_mass[2][2]);
+            moved = moved.max(vec3::norm(vec3::sub(s.piece, before)) * size);
         }
-        settled = moved <= S::from_f64(16.0) * S::EPSILON * largest;
+        settled = moved <= S::from_f64(4.0) * S::EPSILON * fastest;
         if settled {
             break;
         }
