@@ -1,8 +1,10 @@
 //! Scenes of rigid bodies against closed forms: rest, bounce, slide, roll, leave, stack.
 
+use crate::random::Random;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
 use smartbed_runtime::rigid::law::{Law, LawFault};
+use smartbed_runtime::rigid::narrow::{Placed, features};
 use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Report, RigidScene, Touching};
 use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
@@ -334,4 +336,75 @@ fn laws_that_create_energy_and_numbers_out_of_range_are_refused() {
     world.pairs[0].parts = [1, 0];
     world.states[1].velocity[2] = f64::NAN;
     assert!(world.try_step(1e-2).is_err() || world.states[1].velocity[2].is_nan());
+}
+
+/// Heaps of balls, boxes and rods thrown on the ground; `SMARTBED_HEAPS` for another number of them.
+#[test]
+fn heaps_thrown_together_gain_no_energy_and_do_not_pass_through_one_another() {
+    let wanted = std::env::var("SMARTBED_HEAPS").ok().and_then(|n| n.parse().ok());
+    let mut random = Random::new(77);
+    let (mut jammed, mut forced, mut steps, mut deepest, mut gained) = (0, 0, 0, 0.0_f64, 0.0_f64);
+    for heap in 0..wanted.unwrap_or(20) {
+        let law = stronge(random.between(-0.2, 0.9).max(0.0), random.between(-0.1, 1.0).max(0.0));
+        let mut bodies = Vec::new();
+        for k in 0..3 {
+            let size = random.between(0.1, 0.3);
+            let mass = random.between(0.5, 3.0);
+            let part = match (random.between(0.0, 3.0) as usize).min(2) {
+                0 => ball(mass, size),
+                1 => cuboid(mass, [size, 0.7 * size, 0.5 * size]),
+                _ => {
+                    let (radius, half_length) = (0.4 * size, size);
+                    let across = mass * (half_length * half_length / 3.0 + 0.25 * radius * radius);
+                    let body = RigidBody { mass, inertia: [across, across, 0.5 * mass * radius * radius] };
+                    Part { shape: Shape::Capsule(Capsule { radius, half_length }), body: Some(body) }
+                }
+            };
+            let [a, b, c] = random.vector(1.0);
+            let attitude = Attitude::new([1.1 - a, a, b, c]);
+            let [x, y, _] = random.vector(0.15);
+            let position = [x, y, 0.6 + 0.8 * f64::from(k)];
+            let velocity = random.vector(1.0);
+            let angular_momentum = random.vector(0.02 * mass);
+            bodies.push((part, RigidState { position, velocity, attitude, angular_momentum }));
+        }
+        let mut world = World::new(0.0, law, &bodies);
+        let start = world.energy();
+        for _ in 0..300 {
+            let before = world.energy();
+            match world.try_step(5e-3) {
+                Ok(report) => {
+                    steps += 1;
+                    forced += u32::from(report.forced);
+                    gained = gained.max((world.energy() - before) / start);
+                    assert!(
+                        world.energy() <= before + 1e-3 * start,
+                        "{heap}: {before} {} {report:?}",
+                        world.energy()
+                    );
+                }
+                Err(fault) => {
+                    assert_eq!(fault, Fault::Jammed, "{heap}");
+                    jammed += 1;
+                    break;
+                }
+            }
+            deepest = deepest.max(depth(&world));
+        }
+    }
+    println!(
+        "{steps} steps: energy gained {gained:.1e} of all in one, depth {deepest:.1e} m, forced {forced}, jammed {jammed}"
+    );
+    assert!(deepest <= 1e-3 && forced * 100 <= steps);
+}
+
+/// How deep the deepest overlap is.
+fn depth(world: &World) -> f64 {
+    let frames: Vec<_> = world.parts.iter().zip(&world.states).map(|(p, s)| p.frame(s)).collect();
+    let placed = |k: usize| Placed { shape: &world.parts[k].shape, frame: &frames[k] };
+    let gaps = world.pairs.iter().flat_map(|pair| {
+        let found = features(placed(pair.parts[0]), placed(pair.parts[1]), 0.0);
+        found.iter().map(|f| f.gap).collect::<Vec<_>>()
+    });
+    -gaps.fold(0.0, f64::min)
 }

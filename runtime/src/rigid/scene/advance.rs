@@ -11,6 +11,13 @@ use crate::vec3::{self, Vec3};
 /// Sweeps that put contacts back, at most.
 const SWEEPS: usize = 200;
 
+/// How many contacts last at the start of a way, and how many features touch there in all.
+#[derive(Clone, Copy)]
+pub(super) struct Start {
+    pub(super) held: usize,
+    pub(super) known: usize,
+}
+
 /// What is left until the first event; below 0 beyond it.
 pub(super) struct Clearance<S> {
     /// Least gap of features that do not touch yet (m).
@@ -20,22 +27,30 @@ pub(super) struct Clearance<S> {
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
-    /// The contacts that last at the start of the way, with their forces; returns how many.
+    /// What touches at the start of the way: first the contacts that last, with their forces, then those that part.
     pub(super) fn hold_at_start(
         &self,
         memory: &mut Memory<S>,
         rounding: Rounding<S>,
-    ) -> Result<usize, Fault> {
+    ) -> Result<Start, Fault> {
         let Memory { states: [now, ..], twists, mobilities, touching, .. } = memory;
-        let lasts = |t: &Touching<S>| t.velocity[0].abs() <= rounding.rate;
-        let count = self.detect(now, twists, mobilities, touching, rounding.gap, lasts)?;
-        for t in touching.iter_mut().take(count) {
+        let known = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
+        let touching = touching.get_mut(..known).unwrap_or_default();
+        let mut held = 0;
+        for k in 0..known {
+            let lasts = touching.get(k).is_some_and(|t| t.velocity[0].abs() <= rounding.rate);
+            if lasts {
+                touching.swap(held, k);
+                held += 1;
+            }
+        }
+        for t in touching.iter_mut().take(held) {
             let ([_, x, y], speed) = vec3::direction([S::ZERO, t.velocity[1], t.velocity[2]]);
             let slides = speed > rounding.rate && t.held.contact.friction > S::ZERO;
             t.held.slip = slides.then_some([x, y]);
         }
-        self.find_forces(memory, 0, count)?;
-        Ok(count)
+        self.find_forces(memory, 0, held)?;
+        Ok(Start { held, known })
     }
 
     /// Forces of the first contacts of `touching` (0) or `along` (1) at the start or in the middle.
@@ -118,17 +133,21 @@ impl<S: Scalar> RigidScene<'_, S> {
     }
 
     /// What is left at the end of the way on trial.
-    pub(super) fn clearance(&self, memory: &Memory<S>, held: usize, rounding: Rounding<S>) -> Clearance<S> {
+    pub(super) fn clearance(&self, memory: &Memory<S>, start: Start, rounding: Rounding<S>) -> Clearance<S> {
         let [_, trial, _] = &memory.states;
-        let start = memory.touching.get(..held).unwrap_or_default();
+        let held = memory.touching.get(..start.held).unwrap_or_default();
+        let parting = memory.touching.get(start.held..start.known).unwrap_or_default();
         let far = S::ONE / S::EPSILON;
         let mut clear = Clearance { gap: rounding.drift, slip: far };
         self.visit(trial, rounding.drift, |pair, feature| {
-            if !start.iter().any(|t| t.is(pair, feature.id)) {
-                clear.gap = clear.gap.min(feature.gap);
+            if !held.iter().any(|t| t.is(pair, feature.id)) {
+                // What overlaps already and parts is met anew only where it goes deeper.
+                let known = parting.iter().find(|t| t.is(pair, feature.id));
+                let depth = known.map_or(S::ZERO, |t| t.gap.min(S::ZERO));
+                clear.gap = clear.gap.min(feature.gap - depth);
             }
         });
-        for t in start.iter().filter(|t| t.held.slip.is_some()) {
+        for t in held.iter().filter(|t| t.held.slip.is_some()) {
             clear.slip = clear.slip.min(self.slip_along(trial, t));
         }
         clear

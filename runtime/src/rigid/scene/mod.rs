@@ -16,6 +16,8 @@ mod detect;
 
 pub use detect::Touching;
 
+use advance::Start;
+
 use super::attitude::Attitude;
 use super::contact::{Mobility, Twist};
 use super::law::{Kind, Law};
@@ -199,9 +201,9 @@ impl<S: Scalar> RigidScene<'_, S> {
             let last = split == SPLITS;
             let rounding = self.rounding(memory.states[0]);
             self.strike(memory, rounding, last, report)?;
-            let held = self.hold_at_start(memory, rounding)?;
-            let length = if last { left } else { self.shorten(memory, left, held, rounding)? };
-            let pressing = self.advance(memory, length, held, rounding)?;
+            let start = self.hold_at_start(memory, rounding)?;
+            let length = if last { left } else { self.shorten(memory, left, start, rounding)? };
+            let pressing = self.advance(memory, length, start.held, rounding)?;
             self.commit(memory, length, pressing, report);
             self.project(memory, pressing, rounding)?;
             (report.splits, report.forced) = (split + 1, last);
@@ -300,11 +302,11 @@ impl<S: Scalar> RigidScene<'_, S> {
         &self,
         memory: &mut Memory<S>,
         left: S,
-        held: usize,
+        start: Start,
         rounding: Rounding<S>,
     ) -> Result<S, Fault> {
-        self.advance(memory, left, held, rounding)?;
-        let clear = self.clearance(memory, held, rounding);
+        self.advance(memory, left, start.held, rounding)?;
+        let clear = self.clearance(memory, start, rounding);
         if clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
             return Ok(left);
         }
@@ -314,9 +316,9 @@ impl<S: Scalar> RigidScene<'_, S> {
             if length <= S::ZERO {
                 return S::ZERO;
             }
-            match self.advance(memory, length, held, rounding) {
+            match self.advance(memory, length, start.held, rounding) {
                 Ok(_) => {
-                    let clear = self.clearance(memory, held, rounding);
+                    let clear = self.clearance(memory, start, rounding);
                     clear.gap.min(clear.slip)
                 }
                 Err(why) => {
