@@ -72,7 +72,7 @@ impl Diagnostic {
 const MOST_ITEMS: usize = 100;
 
 /// Everything a stage found, with the text it is about.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Diagnostics {
     /// The text that the places refer to.
     pub source: Source,

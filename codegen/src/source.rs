@@ -23,7 +23,7 @@ pub struct File {
 }
 
 /// The model file and the files it extends. Cheap to clone.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Source {
     /// Files; the first is the model itself.
     pub files: Arc<Vec<File>>,

@@ -56,6 +56,8 @@ pub struct Model {
     pub laws: Vec<(InputId, Expr)>,
     /// `[run]`.
     pub run: Run,
+    /// `[view]`.
+    pub view: View,
 }
 
 /// What an entry of [`Model::order`] stands for.
@@ -376,4 +378,52 @@ impl Default for Run {
     fn default() -> Self {
         Self { seconds: 1.0, step: 1e-3, method: "rk4".to_owned(), every: 1 }
     }
+}
+
+/// `[view]`: what pictures show. No equation reads it.
+#[derive(Clone, Default, Debug)]
+pub struct View {
+    /// Shapes in place of inertia ellipsoids.
+    pub shapes: Vec<(BodyId, Shape)>,
+    /// Colours (red, green, blue).
+    pub colours: Vec<(Shown, [u8; 3])>,
+    /// What is left out.
+    pub hidden: Vec<Shown>,
+    /// Rods between points, in place of those that the points' expressions suggest.
+    pub links: Option<Vec<[PointId; 2]>>,
+}
+
+/// Something that pictures show.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Shown {
+    /// A body.
+    Body(BodyId),
+    /// A point.
+    Point(PointId),
+    /// A spring, by its place among the loads.
+    Spring(usize),
+}
+
+/// The shape of a body, along the axes of its frame.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// Which.
+    pub kind: ShapeKind,
+    /// Its lengths (m), in the order of [`ShapeKind`].
+    pub sizes: Vec<Expr>,
+    /// Axis of a cylinder.
+    pub axis: Axis,
+    /// Its middle, if that is not the mass centre.
+    pub at: Option<PointId>,
+}
+
+/// Kinds of shapes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ShapeKind {
+    /// Edges along x, y, z.
+    Box,
+    /// Radius, length.
+    Cylinder,
+    /// Radius.
+    Ball,
 }

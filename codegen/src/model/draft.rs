@@ -60,6 +60,7 @@ impl Draft {
             start_written: Vec::new(),
             laws: Vec::new(),
             run: Run::default(),
+            view: View::default(),
         };
         Self { model, units: Units::default() }
     }

@@ -7,6 +7,7 @@
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
 
 mod check;
+pub mod colour;
 mod data;
 mod draft;
 pub mod expression;

@@ -69,6 +69,8 @@ pub enum Role {
     CoordinateDamping(CoordinateId),
     /// An output, by its place among them.
     Output(usize),
+    /// A length of a shape that pictures show.
+    Size,
 }
 
 /// The list as it grows.
@@ -82,7 +84,7 @@ impl Model {
         let Self {
             parameters, coordinates, speeds, definitions, frames, points, bodies, configuration_constraints,
             motion_constraints, gravity, loads, outputs, configurations, start_written, laws,
-            source: _, name: _, doc: _, dof: _, inputs: _, ports: _, order: _, start: _, run: _,
+            source: _, name: _, doc: _, dof: _, inputs: _, ports: _, order: _, start: _, run: _, view,
         } = self;
         let mut all = Vec::new();
         for (id, Parameter { value, name: _, doc: _, unit: _, tunable: _, span: _ }) in parameters.enumerate()
@@ -125,6 +127,10 @@ impl Model {
         loads.iter().for_each(|Load { kind, name: _, span: _ }| of_load(kind, &mut all));
         for (n, Output { value, name: _, unit: _, span: _ }) in outputs.iter().enumerate() {
             all.push((Role::Output(n), value));
+        }
+        let View { shapes, colours: _, hidden: _, links: _ } = view;
+        for (_, Shape { sizes, kind: _, axis: _, at: _ }) in shapes {
+            all.extend(sizes.iter().map(|e| (Role::Size, e)));
         }
         all
     }

@@ -163,7 +163,8 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
                 let [kinetic, gravity, spring, pressure] = row.energy.stored;
                 let energies = [kinetic, gravity, spring, pressure, row.energy.total, row.energy.imbalance];
                 let values = row.pos.iter().take(HEIGHTS).map(|x| x[2]).chain(energies);
-                film.push(row.t, row.pos.as_flattened(), values.chain(row.energy.accounts));
+                let places: Vec<f64> = row.pos.as_flattened().iter().chain(&row.ground).copied().collect();
+                film.push(row.t, &places, values.chain(row.energy.accounts));
             }
             total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
             let energy = &row.energy;
@@ -210,8 +211,13 @@ fn series(n: usize) -> Vec<Series> {
 fn told(events: &[EventRecord]) -> Vec<(f64, String)> {
     let words = |event: &EventRecord| match event.touches.as_slice() {
         [] => format!("{} let go", count(event.released, "point")),
-        [(point, approach, _)] => format!("point {point} touches at {approach:.3} m/s"),
-        touches => format!("{} touch", count(touches.len(), "point")),
+        [(point, approach, impulse)] => {
+            format!("point {point} touches at {approach:.3} m/s, impulse {impulse:.3} N s")
+        }
+        touches => {
+            let impulse: f64 = touches.iter().map(|(_, _, impulse)| impulse).sum();
+            format!("{} touch, impulse {impulse:.3} N s", count(touches.len(), "point"))
+        }
     };
     events.iter().map(|event| (event.time, words(event))).collect()
 }

@@ -30,7 +30,8 @@ pub struct Range {
 
 impl Range {
     /// How far a value lies outside (SI).
-    fn excess(&self, value: f64) -> f64 {
+    #[must_use]
+    pub fn excess(&self, value: f64) -> f64 {
         let (low, high) = self.ends;
         if self.is_angle && high - low > WHOLE_TURN * std::f64::consts::TAU {
             return f64::NEG_INFINITY;

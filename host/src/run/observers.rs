@@ -63,7 +63,8 @@ impl Observers {
     }
 
     /// A program whose outputs are what a picture of the mechanism needs: x, y, z of every point; of every body
-    /// with a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity.
+    /// with a frame the frame's x and y axes; mass, Ixx, Iyy, Izz, Ixy, Ixz, Iyz of every body; gravity; the lengths
+    /// of the shapes of `[view]`.
     #[must_use]
     pub fn places(&self) -> Program {
         let first = self.law_inputs.len() + LEDGER.len() + 2 * self.closed.len();
@@ -143,7 +144,8 @@ fn places(model: &Model) -> impl Iterator<Item = Expr> + '_ {
         std::iter::once(&body.mass).chain(&body.inertia).map(known).collect::<Vec<_>>()
     });
     let gravity = model.gravity.clone().map_or_else(|| std::array::from_fn(|_| number(0.0)), components);
-    points.chain(axes).chain(inertia).chain(gravity)
+    let sizes = model.view.shapes.iter().flat_map(|(_, shape)| shape.sizes.iter().cloned());
+    points.chain(axes).chain(inertia).chain(gravity).chain(sizes)
 }
 
 /// A vector's components in N.

@@ -296,7 +296,7 @@ pub fn simulate<S: EngineScalar>(
 }
 
 /// The declared ranges; of an angle that stands in nothing but sines, up to whole turns.
-fn ranges(setup: Setup<'_>) -> BTreeMap<String, Range> {
+pub(super) fn ranges(setup: Setup<'_>) -> BTreeMap<String, Range> {
     let mut ranges = setup.settings.ranges.clone();
     for angle in setup.program.q.iter().filter(|q| q.is_angle) {
         ranges.entry(angle.name.clone()).and_modify(|range| range.is_angle = true);

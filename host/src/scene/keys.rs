@@ -62,7 +62,7 @@ const fn reader(choice: Choice, keys: &'static str) -> Reader {
 pub const READERS: [Reader; 24] = [
     reader(
         Choice::Always,
-        "format title shape fixed C stretch tilt initial_velocity g air_drag law step T every",
+        "format title view shape fixed C stretch tilt initial_velocity g air_drag law step T every",
     ),
     reader(Choice::Lists, "points springs rest_lengths facets mass K pressure"),
     reader(Choice::Shape("chain"), "links length mass K drop_height"),

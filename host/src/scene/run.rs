@@ -113,6 +113,8 @@ pub struct Row {
     pub pos: Vec<[f64; 3]>,
     /// Velocities (m/s).
     pub vel: Vec<[f64; 3]>,
+    /// Normal forces of the ground (N).
+    pub ground: Vec<f64>,
     /// Energies.
     pub energy: EnergyRow,
     /// Touches so far.
@@ -207,6 +209,7 @@ fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
         t: simulation.t().to_f64(),
         pos: widen(simulation.pos()),
         vel: widen(simulation.vel()),
+        ground: simulation.ground_forces().into_iter().map(Scalar::to_f64).collect(),
         energy: EnergyRow {
             stored: [energies.kinetic, energies.gravity, energies.spring, energies.pressure]
                 .map(Scalar::to_f64),

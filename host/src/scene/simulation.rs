@@ -3,6 +3,7 @@
 //! In: [`Lists`], ground, gas, method, rounded once to the scalar. Out: states step by step.
 
 use smartbed_runtime::contact::compensation::PointImpact;
+use smartbed_runtime::contact::soft;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, Spring};
@@ -10,7 +11,7 @@ use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
-use smartbed_runtime::vec3::Vec3;
+use smartbed_runtime::vec3::{self, Vec3};
 
 use super::lists::Lists;
 
@@ -231,6 +232,21 @@ impl<S: Scalar> Simulation<S> {
     #[must_use]
     pub fn modes(&self) -> &[Mode] {
         &self.modes
+    }
+
+    /// Normal force of the ground on every point (N): what holds it, or what a ground that gives way exerts.
+    #[must_use]
+    pub fn ground_forces(&self) -> Vec<S> {
+        let (n, system) = (self.mass.len(), self.system());
+        let of = |i: usize| {
+            let ground = self.ground.as_ref()?;
+            let soft = soft::normal_force(ground, self.motion[i], self.motion[2 * n + i]).0;
+            let held = self.modes[i].is_held() && !self.fixed.get(i).is_some_and(|f| *f);
+            let [elastic, viscous] = [4, 5].map(|row| self.motion[row * n + i]);
+            let force = system.normal_force(vec3::add(elastic, viscous)).max(S::ZERO);
+            Some(if held { force } else { soft })
+        };
+        (0..n).map(|i| of(i).unwrap_or(S::ZERO)).collect()
     }
 
     /// Time (s).

@@ -25,11 +25,13 @@ class Film {
     }
     // With the solids on the points.
     this.room = { low: [...this.box.low], high: [...this.box.high] };
-    for (const { centre, sizes } of this.bodies)
-      for (let axis = 0, reach = sizes ? Math.max(...sizes) : 0; axis < 3 && centre > 0; axis++) {
+    const half = { box: (a, b, c) => 0.5 * Math.hypot(a, b, c), cylinder: (r, l) => Math.hypot(r, 0.5 * l), ball: (r) => r };
+    for (const { centre, sizes, shape, hidden } of this.bodies)
+      for (let axis = 0, reach = shape ? half[shape.kind](...shape.sizes) : sizes ? Math.max(...sizes) : 0; axis < 3 && centre > 0 && !hidden; axis++) {
         this.room.low[axis] = Math.min(this.room.low[axis], this.low[3 * centre - 3 + axis] - reach);
         this.room.high[axis] = Math.max(this.room.high[axis], this.high[3 * centre - 3 + axis] + reach);
       }
+    this.usual = this.forces === null ? 0 : this.usual_force();
     this.size = Math.hypot(...[0, 1, 2].map((axis) => this.box.high[axis] - this.box.low[axis])) || 1;
   }
 
@@ -53,6 +55,21 @@ class Film {
   path(n) {
     return this.times.map((_, f) => new THREE.Vector3(this.value(f, 3 * n - 3), this.value(f, 3 * n - 2), this.value(f, 3 * n - 1)));
   }
+
+  // Three times the median of the ground's forces (N): a blow is many times what carries the weight, and its arrow is cut.
+  usual_force() {
+    const found = [], every = Math.ceil(this.times.length / 200);
+    for (let frame = 0; frame < this.times.length; frame += every)
+      for (let n = 0; n < this.points.length - 1; n++) {
+        const force = this.value(frame, this.forces + n);
+        if (force > 1e-4 * this.high[this.forces + n]) found.push(force);
+      }
+    found.sort((a, b) => a - b);
+    return found.length ? 3 * found[found.length >> 1] : 0;
+  }
+
+  // The ground's force on a point of a scene (N).
+  force(n) { return n > 0 && this.forces !== null ? this.now[this.forces + n - 1] : 0; }
 
   // The turn of a body: its frame's x and y axes stand behind the points; null for a particle.
   turn(turn) {

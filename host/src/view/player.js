@@ -1,7 +1,10 @@
 // Time, its slider and speed; plots with a cursor, ledger, events; following the file where it is served.
 const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
 const ENERGY = { kinetic: "#e69f00", gravity: "#cc79a7", spring: "#d55e00", pressure: "#6e6e6e", potential: "#009e73", total: "#0072b2" };
-const stage = new Stage(element("stage"));
+// Without WebGL nothing can be drawn: say so, and stop.
+const stage = (() => {
+  try { return new Stage(element("stage")); } catch (error) { element("fault").textContent = "this browser draws nothing in 3-D (no WebGL)"; throw error; }
+})();
 let film, time = 0, playing = true, last = null, frames = 0, since = 0;
 
 function load(data, keep) {
@@ -52,8 +55,9 @@ function pen(canvas) {
 function labels() {
   const [ink, , height] = pen(element("words"));
   const write = (text, [x, y]) => { ink.lineWidth = 3; ink.strokeStyle = "#fff"; ink.strokeText(text, x, y); ink.fillStyle = "#282828"; ink.fillText(text, x, y); };
-  if (element("names").checked && film.edges.length < 200) film.points.forEach((name, n) => { const [x, y] = stage.screen(stage.at[n]); write(name, [x + 8, y - 7]); });
+  if (element("names").checked && film.edges.length < 200) film.points.forEach((name, n) => { if (stage.covered.has(n)) return; const [x, y] = stage.screen(stage.at[n]); write(name, [x + 8, y - 7]); });
   if (stage.fall) { const [x, y] = stage.screen(stage.fall.tip); write("g", [x + 8, y]); }
+  if (stage.strongest) { const [x, y] = stage.screen(stage.strongest.tail); write(Number(stage.strongest.force.toPrecision(3)) + " N", [x + 8, y + 4]); }
   const middle = stage.control.target, right = new THREE.Vector3().setFromMatrixColumn(stage.camera.matrixWorld, 0);
   const [a, b] = [stage.screen(middle), stage.screen(middle.clone().addScaledVector(right, 0.01 * film.size))];
   const metre = Math.hypot(b[0] - a[0], b[1] - a[1]) / (0.01 * film.size), wanted = 160 / metre, power = 10 ** Math.floor(Math.log10(wanted));

@@ -1,5 +1,5 @@
 // The motion in space: links, springs, solids, surfaces, ground, gravity; seen by a camera that circles and nears.
-const LINK = 0x0072b2, SPRING = 0x009e73, BODY = 0xd55e00, JOINT = 0x282828, TRACE = 0xe8c8a8, TOUCH = 0xe69f00, REST = 0x828282;
+const LINK = 0x0072b2, SPRING = 0x009e73, BODY = 0xd55e00, JOINT = 0x282828, TRACE = 0xe8c8a8, TOUCH = 0xe69f00, REST = 0x828282, FORCE = 0xcc79a7;
 // Strain that gets the full colour.
 const FULL = 0.1;
 
@@ -26,10 +26,14 @@ class Stage {
     this.rods = this.many(new THREE.CylinderGeometry(1, 1, 1, 8, 1, true), this.links.length, LINK);
     this.edges = this.many(new THREE.CylinderGeometry(1, 1, 1, 6, 1, true), film.edges.length, REST);
     this.joints = this.many(new THREE.SphereGeometry(1, 10, 8), film.points.length, JOINT);
-    this.touches = this.many(new THREE.SphereGeometry(1, 10, 8), film.ground && film.edges.length ? film.points.length : 0, TOUCH);
-    this.coils = film.springs.map(() => this.line(SPRING, 2 * 14 * 12 + 2));
-    this.solids = film.bodies.map((body) => this.solid(body));
-    this.paths = film.bodies.filter((body) => !film.rests(body.centre)).map((body) => this.line(TRACE, film.times.length, film.path(body.centre)));
+    this.touches = this.many(new THREE.SphereGeometry(1, 10, 8), film.ground ? film.points.length : 0, TOUCH);
+    this.shafts = this.many(new THREE.CylinderGeometry(1, 1, 1, 8), film.usual > 0 ? film.points.length : 0, FORCE);
+    this.heads = this.many(new THREE.CylinderGeometry(0, 1, 1, 12), film.usual > 0 ? film.points.length : 0, FORCE);
+    this.coils = film.springs.map(([, , colour]) => this.line(tinted(colour, SPRING), 2 * 14 * 12 + 2));
+    const bodies = film.bodies.filter((body) => !body.hidden);
+    this.solids = bodies.map((body) => (body.shape ? this.shaped(body) : this.solid(body)));
+    this.paths = bodies.filter((body) => !film.rests(body.centre)).map((body) => this.line(TRACE, film.times.length, film.path(body.centre)));
+    this.covered = new Set(film.hidden);
     this.surface = film.facets.length ? this.skin() : null;
     this.up = film.gravity && Math.hypot(...film.gravity) > 0 ? new THREE.Vector3(...film.gravity).normalize().negate() : null;
     this.flat = [2, 1, 0].find((axis) => film.box.high[axis] - film.box.low[axis] < 1e-6 * film.size);
@@ -61,7 +65,7 @@ class Stage {
   // The inertia ellipsoid, its octants in two colours so that a turn is seen; a ball for what has none.
   solid(body) {
     const geometry = new THREE.SphereGeometry(1, 32, 24).toNonIndexed(), place = geometry.attributes.position;
-    const colors = new Float32Array(3 * place.count), two = [new THREE.Color(BODY), new THREE.Color(0xf6d7c3)];
+    const colors = new Float32Array(3 * place.count), two = [new THREE.Color(tinted(body.colour, BODY)), new THREE.Color(tinted(body.colour, BODY)).lerp(new THREE.Color(0xffffff), 0.7)];
     for (let n = 0; n < place.count; n += 3) {
       const middle = [0, 1, 2].map((c) => place.array[3 * n + c] + place.array[3 * n + 3 + c] + place.array[3 * n + 6 + c]);
       const color = body.axes ? two[middle.filter((x) => x < 0).length % 2] : two[0];
@@ -82,6 +86,23 @@ class Stage {
     return mesh;
   }
 
+  // The shape that the model gives a body, along its axes, edges drawn so that a turn is seen.
+  shaped(body) {
+    const { kind, sizes, axis } = body.shape;
+    const geometry = kind === "box" ? new THREE.BoxGeometry(...sizes) : kind === "ball" ? new THREE.SphereGeometry(sizes[0], 32, 24)
+      : new THREE.CylinderGeometry(sizes[0], sizes[0], sizes[1], 32);
+    // three.js' cylinders stand along y.
+    if (kind === "cylinder" && axis === 0) geometry.rotateZ(-0.5 * Math.PI);
+    if (kind === "cylinder" && axis === 2) geometry.rotateX(0.5 * Math.PI);
+    const color = tinted(body.colour, BODY), group = new THREE.Group();
+    group.add(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color, transparent: true, opacity: 0.8 })));
+    if (kind !== "ball") group.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 30), new THREE.LineBasicMaterial({ color: JOINT })));
+    group.userData = { body, shape: new THREE.Matrix4() };
+    group.matrixAutoUpdate = false;
+    this.scene.add(group);
+    return group;
+  }
+
   // Facets with four corners are two triangles; colours by the triangle's area against its first one.
   skin() {
     const corners = [];
@@ -99,7 +120,7 @@ class Stage {
   // The ground's plane under the motion, as a grid.
   floor() {
     const { film } = this;
-    if (!film.ground) return;
+    if (!film.ground || !film.ground.shown) return;
     const normal = new THREE.Vector3(...film.ground.normal), width = 2.2 * film.size;
     const grid = new THREE.GridHelper(width, 22, 0x999999, 0xcccccc);
     grid.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), normal);
@@ -141,7 +162,7 @@ class Stage {
     const half = new THREE.Vector3(1e-3 * film.size, 1e-3 * film.size, 0);
     const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
     // The points' box with some air; a room's corners are empty.
-    for (const [{ low, high }, air] of [[film.box, 1.2], [film.room, 0.8]])
+    for (const [{ low, high }, air] of [[film.box, 1.2], [film.room, film.bodies.some((body) => body.shape && !body.hidden) ? 1.05 : 0.8]])
       for (let n = 0; n < 8; n++) {
         const corner = new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? high : low)[axis])).applyMatrix4(inverse);
         half.set(Math.max(half.x, air * Math.abs(corner.x)), Math.max(half.y, air * Math.abs(corner.y)), Math.max(half.z, Math.abs(corner.z + 1)));
@@ -181,31 +202,52 @@ class Stage {
     const thin = (film.facets.length ? 0.25 : 0.7) * this.thick;
     film.edges.forEach(([a, b, rest], n) => {
       this.span(this.edges, n, at[a], at[b], thin);
-      this.edges.setColorAt(n, strained(rest > 0 ? at[a].distanceTo(at[b]) / rest - 1 : 0));
+      this.edges.setColorAt(n, film.colours.springs ? new THREE.Color(tinted(film.colours.springs)) : strained(rest > 0 ? at[a].distanceTo(at[b]) / rest - 1 : 0));
     });
     const ball = film.edges.length ? 1.4 * thin : 1.5 * this.thick, still = new THREE.Quaternion();
     let touching = 0;
     at.forEach((p, n) => {
-      const shown = film.edges.length === 0 || n > 0 ? ball : 1e-9;
+      const shown = this.covered.has(n) ? 1e-9 : ball;
       this.joints.setMatrixAt(n, new THREE.Matrix4().compose(p, still, new THREE.Vector3(shown, shown, shown)));
       if (this.touches.instanceMatrix.count > 1 && n > 0 && p.dot(new THREE.Vector3(...film.ground.normal)) - film.ground.offset < 2e-4 * film.size)
         this.touches.setMatrixAt(touching++, new THREE.Matrix4().compose(p, still, new THREE.Vector3(2.2 * ball, 2.2 * ball, 2.2 * ball)));
     });
     this.touches.count = touching;
-    [this.rods, this.edges, this.joints, this.touches].forEach((mesh) => {
+    this.push(at);
+    [this.rods, this.edges, this.joints, this.touches, this.shafts, this.heads].forEach((mesh) => {
       mesh.instanceMatrix.needsUpdate = true;
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     });
     film.springs.forEach(([a, b], n) => this.coil(this.coils[n], at[a], at[b]));
     this.solids.forEach((mesh) => {
       const { body, shape } = mesh.userData;
-      mesh.matrix.copy(film.turn(body.turn)).setPosition(at[body.centre]).multiply(shape);
+      mesh.matrix.copy(film.turn(body.turn)).setPosition(at[body.shape && body.shape.at !== null ? body.shape.at : body.centre]).multiply(shape);
+      mesh.matrixWorldNeedsUpdate = true;
     });
     this.paths.forEach((path) => { path.visible = paths; });
     if (this.surface) this.stretch(at);
     this.control.update();
     this.sun.position.copy(this.camera.position);
     this.renderer.render(this.scene, this.camera);
+  }
+
+  // The ground's forces as arrows whose tips are the points, none longer than a fifth of the picture.
+  push(at) {
+    const { film } = this;
+    let count = 0;
+    this.strongest = null;
+    if (!(film.usual > 0)) return;
+    const normal = new THREE.Vector3(...film.ground.normal);
+    for (let n = 1; n < at.length; n++) {
+      const force = film.force(n);
+      if (force <= 1e-2 * film.usual) continue;
+      const length = 0.2 * film.size * Math.min(force / film.usual, 1), head = Math.min(0.4 * length, 0.03 * film.size);
+      const tail = at[n].clone().addScaledVector(normal, -length), neck = at[n].clone().addScaledVector(normal, -head);
+      this.span(this.shafts, count, tail, neck, 0.5 * this.thick);
+      this.span(this.heads, count++, neck, at[n], 0.4 * head);
+      if (!this.strongest || force > this.strongest.force) this.strongest = { force, tail };
+    }
+    this.shafts.count = this.heads.count = count;
   }
 
   coil(line, a, b) {
@@ -227,9 +269,10 @@ class Stage {
     const { geometry, userData } = this.surface, place = geometry.attributes.position, color = geometry.attributes.color;
     const areas = userData.corners.map(([a, b, c]) => new THREE.Vector3().subVectors(at[b], at[a]).cross(new THREE.Vector3().subVectors(at[c], at[a])).length());
     userData.first = userData.first || areas;
+    const chosen = this.film.colours.surface ? new THREE.Color(tinted(this.film.colours.surface)) : null;
     userData.corners.forEach((corners, n) => {
       // A triangle stretched by e in both directions has (1 + e)^2 times its area.
-      const tint = strained(userData.first[n] > 0 ? Math.sqrt(areas[n] / userData.first[n]) - 1 : 0);
+      const tint = chosen || strained(userData.first[n] > 0 ? Math.sqrt(areas[n] / userData.first[n]) - 1 : 0);
       corners.forEach((corner, k) => {
         place.setXYZ(3 * n + k, at[corner].x, at[corner].y, at[corner].z);
         color.setXYZ(3 * n + k, tint.r, tint.g, tint.b);
@@ -245,6 +288,9 @@ class Stage {
     return [0.5 * (seen.x + 1) * this.host.clientWidth, 0.5 * (1 - seen.y) * this.host.clientHeight];
   }
 }
+
+// A colour of the model's [view] as three.js takes it, or the usual one.
+function tinted(colour, usual) { return colour ? colour[0] << 16 | colour[1] << 8 | colour[2] : usual; }
 
 // Grey at rest, vermilion stretched, blue compressed.
 function strained(strain) {

@@ -5,18 +5,30 @@ use crate::scene::read::Scene;
 use serde_json::{Value, json};
 use smartbed_codegen::id::Id;
 use smartbed_codegen::model::expression::ExprKind;
-use smartbed_codegen::model::{LoadKind, Model};
+use smartbed_codegen::model::{Axis, LoadKind, Model, Shape, ShapeKind, Shown};
 
 /// Numbers of a body's mass and inertia among the places of a row.
 const INERTIA: usize = 7;
+
+/// A body as the page is told of it.
+#[derive(Clone, Debug)]
+struct Solid {
+    name: String,
+    /// Number of the centre's point.
+    centre: usize,
+    has_frame: bool,
+    colour: Option<[u8; 3]>,
+    is_hidden: bool,
+}
 
 /// The stage of a model or scene.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// What the page reads, but for solids.
     fixed: Value,
-    /// Bodies: name, number of the centre's point, has it a frame?
-    bodies: Vec<(String, usize, bool)>,
+    bodies: Vec<Solid>,
+    /// Bodies with a shape of their own: which, what, how many of the first row's numbers are its lengths.
+    shapes: Vec<(usize, Value, usize)>,
     /// Gravity stands in the first row, too.
     gravity: Option<[f64; 3]>,
     /// Numbers of a row that move: places of points, then x and y of every body's frame.
@@ -27,44 +39,83 @@ impl Stage {
     /// For a model; a row's places are those of [`crate::run::observers::Observers::places`].
     #[must_use]
     pub fn of_model(model: &Model) -> Self {
-        let springs = model.loads.iter().filter_map(|load| match &load.kind {
-            LoadKind::Spring { ends: [a, b], .. } => Some([a.index(), b.index()]),
+        let view = &model.view;
+        let colour = |of: Shown| view.colours.iter().find(|(shown, _)| *shown == of).map(|(_, rgb)| *rgb);
+        let hidden = |of: Shown| view.hidden.contains(&of);
+        let springs = model.loads.iter().enumerate().filter_map(|(n, load)| match &load.kind {
+            LoadKind::Spring { ends: [a, b], .. } if !hidden(Shown::Spring(n)) => {
+                Some(json!([a.index(), b.index(), colour(Shown::Spring(n))]))
+            }
             _ => None,
         });
-        let body = |b: &smartbed_codegen::model::Body| (b.name.clone(), b.centre.index(), b.frame.is_some());
-        let bodies: Vec<_> = model.bodies.iter().map(body).collect();
-        let frames = bodies.iter().filter(|b| b.2).count();
+        let solids = model.bodies.enumerate().map(|(id, body)| Solid {
+            name: body.name.clone(),
+            centre: body.centre.index(),
+            has_frame: body.frame.is_some(),
+            colour: colour(Shown::Body(id)),
+            is_hidden: hidden(Shown::Body(id)),
+        });
+        let bodies: Vec<Solid> = solids.collect();
+        let hidden_points: Vec<usize> = model
+            .points
+            .enumerate()
+            .filter(|(id, _)| hidden(Shown::Point(*id)))
+            .map(|(id, _)| id.index())
+            .collect();
+        let links = match &view.links {
+            Some(links) => links.iter().map(|ends| ends.map(Id::index)).collect(),
+            None => links(model)
+                .into_iter()
+                .filter(|ends| !ends.iter().any(|p| hidden_points.contains(p)))
+                .collect(),
+        };
+        let links: Vec<[usize; 2]> = links;
+        let shapes = view.shapes.iter().map(|(body, shape)| (body.index(), told(shape), shape.sizes.len()));
+        let frames = bodies.iter().filter(|b| b.has_frame).count();
         Self {
             fixed: json!({
                 "points": model.points.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(),
-                "links": links(model),
+                "hidden": hidden_points,
+                "links": links,
                 "springs": springs.collect::<Vec<_>>(),
-                "edges": [], "facets": [], "ground": null,
+                "edges": [], "facets": [], "ground": null, "forces": null, "colours": {},
             }),
             bodies,
+            shapes: shapes.collect(),
             gravity: None,
             moving: 3 * (model.points.len() - 1) + 6 * frames,
         }
     }
 
-    /// For a scene; a row's places are those of its points.
+    /// For a scene; a row's places are those of its points, then the ground's force on each.
     #[must_use]
     pub fn of_scene(scene: &Scene) -> Self {
         let n = scene.lists.points.len();
         // Point 0 of a film is the origin.
-        let springs = scene.lists.springs.iter().zip(&scene.lists.rest_lengths);
+        let shown = |part: &str| !scene.view.hidden.contains(&part);
+        let springs = scene.lists.springs.iter().zip(&scene.lists.rest_lengths).filter(|_| shown("springs"));
         let edges: Vec<Value> = springs.map(|([a, b], rest)| json!([a + 1, b + 1, rest])).collect();
-        let facets: Vec<[usize; 4]> = scene.lists.facets.iter().map(|f| f.map(|p| p + 1)).collect();
-        let ground = scene.around.ground.map(|g| json!({"normal": g.normal, "offset": g.offset}));
+        let facets = scene.lists.facets.iter().filter(|_| shown("surface"));
+        let facets: Vec<[usize; 4]> = facets.map(|f| f.map(|p| p + 1)).collect();
+        let ground = scene
+            .around
+            .ground
+            .map(|g| json!({"normal": g.normal, "offset": g.offset, "shown": shown("ground")}));
+        let forces = (ground.is_some() && shown("forces")).then_some(3 * n);
+        let hidden: Vec<usize> = (0..=n).filter(|i| *i == 0 || !shown("points")).collect();
+        let colours: serde_json::Map<String, Value> =
+            scene.view.colours.iter().map(|(part, rgb)| ((*part).to_owned(), json!(rgb))).collect();
         let names = std::iter::once("O".to_owned()).chain((0..n).map(|i| i.to_string()));
         Self {
             fixed: json!({
                 "points": names.collect::<Vec<_>>(),
                 "links": [], "springs": [], "edges": edges, "facets": facets, "ground": ground,
+                "hidden": hidden, "forces": forces, "colours": colours,
             }),
             bodies: Vec::new(),
+            shapes: Vec::new(),
             gravity: Some(scene.around.gravity),
-            moving: 3 * n,
+            moving: 4 * n,
         }
     }
 
@@ -72,7 +123,7 @@ impl Stage {
     #[must_use]
     pub fn data(&self, first: &[f64]) -> Value {
         let (mut turns, mut bodies) = (0, Vec::new());
-        for (n, (name, centre, has_frame)) in self.bodies.iter().enumerate() {
+        for (n, Solid { name, centre, has_frame, colour, is_hidden }) in self.bodies.iter().enumerate() {
             let turn = has_frame.then(|| turns);
             turns += usize::from(*has_frame);
             let at = self.moving + INERTIA * n;
@@ -81,15 +132,41 @@ impl Stage {
                 ellipsoid::of(mass, [xx, yy, zz, xy, xz, yz]).filter(|_| *has_frame)
             });
             let (sizes, axes) = solid.map_or((Value::Null, Value::Null), |(s, a)| (json!(s), json!(a)));
-            bodies.push(json!({"name": name, "centre": centre, "turn": turn, "sizes": sizes, "axes": axes}));
+            bodies.push(json!({
+                "name": name, "centre": centre, "turn": turn, "sizes": sizes, "axes": axes, "shape": null,
+                "colour": colour, "hidden": is_hidden,
+            }));
         }
-        let tail = first.get(self.moving + INERTIA * self.bodies.len()..);
-        let gravity = self.gravity.or_else(|| tail.and_then(|t| t.try_into().ok()));
+        let tail = first.get(self.moving + INERTIA * self.bodies.len()..).unwrap_or_default();
+        let gravity = self.gravity.or_else(|| tail.get(..3)?.try_into().ok());
+        let mut lengths = tail.get(3..).unwrap_or_default();
+        for (body, shape, count) in &self.shapes {
+            let (own, rest) = lengths.split_at_checked(*count).unwrap_or_default();
+            lengths = rest;
+            let mut shape = shape.clone();
+            shape["sizes"] = json!(own);
+            bodies[*body]["shape"] = shape;
+        }
         let mut data = self.fixed.clone();
         data["bodies"] = Value::Array(bodies);
         data["gravity"] = json!(gravity);
         data
     }
+}
+
+/// A shape but for its lengths.
+fn told(shape: &Shape) -> Value {
+    let kind = match shape.kind {
+        ShapeKind::Box => "box",
+        ShapeKind::Cylinder => "cylinder",
+        ShapeKind::Ball => "ball",
+    };
+    let axis = match shape.axis {
+        Axis::X => 0,
+        Axis::Y => 1,
+        Axis::Z => 2,
+    };
+    json!({"kind": kind, "axis": axis, "at": shape.at.map(Id::index)})
 }
 
 /// Pairs of points: each with those that its expressions name, the origin where they name none.

@@ -45,8 +45,14 @@ pub fn take(page: &str, time: f64, file: &str) -> Result<(), Failure> {
     let (html, png) = (folder.join("page.html"), folder.join("still.png"));
     std::fs::write(&html, page).map_err(wrong)?;
     let status = Command::new(browser)
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars"])
-        .args(["--disable-background-networking", "--virtual-time-budget=4000"])
+        .args([
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--enable-unsafe-swiftshader",
+            "--hide-scrollbars",
+        ])
+        .args(["--no-first-run", "--disable-background-networking", "--virtual-time-budget=4000"])
         .arg(format!("--window-size={},{}", SIZE[0], SIZE[1]))
         .arg(format!("--user-data-dir={}", folder.join("profile").display()))
         .arg(format!("--screenshot={}", png.display()))

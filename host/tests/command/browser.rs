@@ -66,7 +66,14 @@ fn chromium(page: &Path, fragment: &str, more: &[&str]) -> String {
     let printed = profile.join("printed");
     let page = fs::canonicalize(page).expect("the page exists");
     let mut command = Command::new(browser());
-    command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]);
+    command.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--enable-unsafe-swiftshader",
+        "--no-first-run",
+    ]);
+    command.arg("--disable-quic");
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
     command.args(["--hide-scrollbars", "--force-device-scale-factor=1"]);
     command.arg(format!("--window-size={},{}", WINDOW[0], WINDOW[1]));

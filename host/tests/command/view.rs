@@ -191,6 +191,72 @@ fn a_still_is_a_picture() {
     assert!(wrong.message().contains("ends in .png"), "{wrong:?}");
 }
 
+/// A wheel with a bob, as the guide's page on pictures shows it; `hide` says what it leaves out.
+fn wheel(name: &str, hide: &str) -> String {
+    let guide = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/guide/pictures.md"));
+    let guide = guide.expect("the guide");
+    let model =
+        guide.split_once("file=press.toml\n").expect("the model").1.split_once("```").expect("its end").0;
+    written(name, &model.replace("hide = [\"rim\"]", hide))
+}
+
+/// The colour sky, in light and shade.
+fn is_sky([r, g, b]: [u8; 3]) -> bool {
+    i32::from(b) > i32::from(r) + 60 && i32::from(g) > i32::from(r) + 35 && r > 60
+}
+
+#[test]
+fn shapes_colours_and_what_to_leave_out_are_the_model_s() {
+    let shown = seen(&page(&wheel("view_wheel.toml", "hide = []"), "0.5"), "0.4");
+    let hidden = seen(&page(&wheel("view_no_wheel.toml", "hide = [\"wheel\", \"back\"]"), "0.5"), "0.4");
+    let count = |picture: &Picture, kind: fn([u8; 3]) -> bool| middle(picture, kind).2;
+    let (disc, none) = (count(&shown, is_sky), count(&hidden, is_sky));
+    assert!(disc > 20_000 && none < disc / 100, "{disc} {none}");
+    let (spring, none) = (count(&shown, is_spring), count(&hidden, is_spring));
+    assert!(spring > 300 && none == 0, "{spring} {none}");
+    // The rod from the origin to the bob stays.
+    assert!(count(&hidden, is_link) > 1000);
+}
+
+/// Goes to the end, adds up the ground's forces, and jumps to the second event.
+const LOOK: &str = r#"<p id="look"></p><script>
+play(false); wind(film.end);
+let sum = 0;
+film.points.forEach((_, n) => { sum += film.force(n); });
+const arrows = stage.shafts.count, buttons = element("events").querySelectorAll("button");
+if (buttons.length > 1) buttons[1].click();
+element("look").textContent = [sum, arrows, buttons.length, buttons.length > 1 ? time - film.events[1][0] : 0].join(" ");
+</script></body>"#;
+
+/// What [`LOOK`] saw on a page.
+fn looked(path: &Path, name: &str) -> Vec<f64> {
+    let text = std::fs::read_to_string(path).expect("a page").replace("</body>", LOOK);
+    let dom = open(Path::new(&written(name, &text)), "");
+    dom.text("look").split(' ').map(|x| x.parse().expect("a number")).collect()
+}
+
+#[test]
+fn arrows_at_rest_carry_the_weight_and_events_jump() {
+    // Damped well, the truss lies after 4 s: what holds its five masses of 1 kg are arrows at its three feet.
+    let path = file("view_truss_rest.html");
+    let page_of = path.display().to_string();
+    let done = smartbed(&["run", "truss", "--set", "C=20", "--seconds", "4", "--view", &page_of]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let found = looked(&path, "view_truss_looked.html");
+    let &[weight, arrows, events, late] = found.as_slice() else { panic!("{found:?}") };
+    assert!((weight - 5.0 * 9.81).abs() < 0.02 && arrows == 3.0, "{found:?}");
+    assert!(events > 2.0 && late.abs() < 1e-6, "{found:?}");
+}
+
+#[test]
+fn a_mechanism_s_page_lists_its_turns() {
+    // Without losses the wheel swings between its start at 20 degrees and 160: the bob hangs below the rim.
+    let path = page(&wheel("view_turns.toml", "hide = []"), "3");
+    let html = open(&path, "").html;
+    assert!(html.contains("angle turns at 160.0000 deg") && html.contains("angle turns at 20.0000 deg"));
+    assert!(looked(&path, "view_turns_looked.html")[2..] == [3.0, 0.0]);
+}
+
 /// A server that ends with its test.
 struct Server(Child);
 

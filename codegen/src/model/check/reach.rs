@@ -115,6 +115,7 @@ fn rule(role: Role) -> (&'static str, Reach) {
             ("a number of a spring", Reach::CONSTANT)
         }
         Role::Output(_) => ("an output", ANYTHING),
+        Role::Size => ("a length of a shape", Reach::CONSTANT),
     }
 }
 

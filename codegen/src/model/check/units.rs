@@ -115,6 +115,7 @@ impl Checker<'_> {
             Role::Force => plain(Type::vector(Unit::FORCE), "a force"),
             Role::Torque => plain(Type::vector(Unit::TORQUE), "a torque"),
             Role::Stiffness => plain(Type::scalar(over(Unit::FORCE, Unit::LENGTH)), "a stiffness"),
+            Role::Size => plain(Type::scalar(Unit::LENGTH), "a length of a shape"),
             Role::RestLength => plain(Type::scalar(Unit::LENGTH), "a rest length"),
             Role::Damping => plain(Type::scalar(over(Unit::FORCE, Unit::VELOCITY)), "a damping"),
             Role::CoordinateStiffness(id) => plain(Type::scalar(stiff(id)), "a stiffness"),

@@ -103,6 +103,9 @@ impl Mentioned {
                 LoadKind::CoordinateSpring { .. } => {}
             }
         }
+        // A point may be there for the picture alone.
+        found.points.extend(model.view.links.iter().flatten().flatten());
+        found.points.extend(model.view.shapes.iter().filter_map(|(_, shape)| shape.at));
         found
     }
 }

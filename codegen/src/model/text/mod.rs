@@ -17,3 +17,4 @@ pub mod repeat;
 mod scope;
 pub mod sections;
 mod values;
+mod view;

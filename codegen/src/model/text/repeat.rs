@@ -21,7 +21,7 @@ pub struct Sections {
 }
 
 /// Sections that are tables of named entries.
-pub const SECTIONS: [&str; 17] = [
+pub const SECTIONS: [&str; 19] = [
     "parameters",
     "coordinates",
     "speeds",
@@ -39,6 +39,8 @@ pub const SECTIONS: [&str; 17] = [
     "outputs",
     "start",
     "law",
+    "view.shapes",
+    "view.colours",
 ];
 
 /// At most this many entries in all sections together.
@@ -88,6 +90,17 @@ fn add(key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics
                 add_section(&name, &sub, value, sections, found);
             }
         }
+        // Of `[view]` the sub-tables are sections, what else it says are fields.
+        ("view", Value::Table(table)) => {
+            for (sub, value) in table.entries {
+                match value {
+                    Value::Table(_) => {
+                        add_section(&format!("view.{}", sub.name), &sub, value, sections, found);
+                    }
+                    value => sections.tables.entry("view".to_owned()).or_default().push((sub, value)),
+                }
+            }
+        }
         ("configurations", Value::Array(items, _)) => {
             for item in items {
                 match item {
@@ -104,8 +117,13 @@ fn add(key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics
 fn add_section(name: &str, key: &Key, value: Value, sections: &mut Sections, found: &mut Diagnostics) {
     if !SECTIONS.contains(&name) && name != "run" {
         let last = |s: &'static str| s.rsplit('.').next().unwrap_or(s);
-        let known =
-            SECTIONS.iter().map(|s| last(s)).chain(["run", "repeat", "configurations", "constraints"]);
+        let known = SECTIONS.iter().map(|s| last(s)).chain([
+            "run",
+            "view",
+            "repeat",
+            "configurations",
+            "constraints",
+        ]);
         found.push(
             Diagnostic::error(format!("unknown section `{name}`"))
                 .label(key.span, "no section of a model has this name")

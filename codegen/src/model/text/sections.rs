@@ -35,5 +35,6 @@ pub fn read(source: &Source, sections: &Sections, found: &mut Diagnostics) -> Dr
     builder.ports();
     builder.outputs();
     builder.values();
+    builder.view();
     builder.draft
 }

@@ -2,6 +2,7 @@
 
 mod body;
 mod surroundings;
+mod view;
 
 use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
@@ -36,6 +37,8 @@ pub struct Scene {
     pub every: usize,
     /// Largest stable step (s), if the springs set one.
     pub largest_step: Option<f64>,
+    /// What pictures show.
+    pub view: view::View,
     /// What is allowed but should be known; for standard error.
     pub warnings: Vec<String>,
 }
@@ -159,6 +162,7 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
         seconds: fields.not_negative("T", 3.0)?,
         every: fields.count("every", 1, 1)?,
         largest_step,
+        view: view::read(&fields)?,
         warnings: Vec::new(),
         lists,
     };
