@@ -1,10 +1,13 @@
 //! Why a command did not do what it was asked to, and the exit status that says so.
 
+use smartbed_codegen::Diagnostics;
 use std::fmt;
 
 /// A failure with the exit status of the command.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Failure {
+    /// A model is wrong, with the places: exit status 1.
+    Found(Box<Diagnostics>),
     /// The input, or what was made of it, is wrong: exit status 1.
     Wrong(String),
     /// The machine lacks something; the text names the command that installs it: exit status 2.
@@ -16,7 +19,7 @@ impl Failure {
     #[must_use]
     pub fn status(&self) -> u8 {
         match self {
-            Self::Wrong(_) => 1,
+            Self::Found(_) | Self::Wrong(_) => 1,
             Self::Lacking(_) => 2,
         }
     }
@@ -24,8 +27,15 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Wrong(text) | Self::Lacking(text)) = self;
-        f.write_str(text)
+        match self {
+            // Whoever prints a failure puts `error: ` in front of it.
+            Self::Found(found) => {
+                let text = found.to_string();
+                let text = text.trim_end();
+                f.write_str(text.strip_prefix("error: ").unwrap_or(text))
+            }
+            Self::Wrong(text) | Self::Lacking(text) => f.write_str(text),
+        }
     }
 }
 

@@ -15,6 +15,7 @@ use std::time::Duration;
 pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> {
     let Some(root) = root_on_debian() else { return Err(lacking(why, help)) };
     crate::output::say(&format!("{why}; installing {} by apt-get", packages.join(" ")));
+    let _waiting = crate::progress::Waiting::new("apt-get");
     let apt = |arguments: &[&str]| apt(root, arguments);
     // Never at the cost of a package that is already there; see `unpack`.
     let mut install = vec!["install", "--yes", "--no-install-recommends", "--no-remove"];
@@ -26,6 +27,25 @@ pub fn install(why: &str, packages: &[&str], help: &str) -> Result<(), Failure> 
     done.map_err(|log| {
         Failure::Lacking(format!("{why}, and apt-get could not install it: run `{help}`\n{log}"))
     })
+}
+
+/// How much installing packages takes, in words of apt-get's behind a comma, as far as it knows; `None` where it cannot
+/// be used.
+#[must_use]
+pub fn size_of(packages: &[&str]) -> Option<String> {
+    root_on_debian()?;
+    let mut command = Command::new("apt-get");
+    command.args(["install", "--assume-no", "--no-install-recommends", "--no-remove"]).args(packages);
+    // It ends without success, having been told no.
+    let printed = command.env("LC_ALL", "C").stdin(std::process::Stdio::null()).output().ok()?.stdout;
+    Some(size_in(&String::from_utf8_lossy(&printed)))
+}
+
+/// The lines that tell how much is fetched and how much it takes.
+fn size_in(printed: &str) -> String {
+    let told = |line: &&str| line.starts_with("Need to get ") || line.starts_with("After this operation, ");
+    let lines: Vec<&str> = printed.lines().filter(told).map(|line| line.trim_end_matches('.')).collect();
+    if lines.is_empty() { String::new() } else { format!(" ({})", lines.join("; ")) }
 }
 
 /// Has apt-get read anew which versions there are.
@@ -109,6 +129,18 @@ mod tests {
             "E: Could not open lock file /var/lib/dpkg/lock-frontend - open (13: Permission denied)"
         ));
         assert!(!is_locked_out("E: Unable to locate package x"));
+    }
+
+    #[test]
+    fn the_size_is_apt_s_own() {
+        let printed = "Reading package lists...\nThe following NEW packages will be installed:\n  lld\n\
+                       Need to get 1,417 kB of archives.\nAfter this operation, 4,913 kB of additional disk space will be used.\n\
+                       Do you want to continue? [Y/n] N\nAbort.\n";
+        assert_eq!(
+            size_in(printed),
+            " (Need to get 1,417 kB of archives; After this operation, 4,913 kB of additional disk space will be used)"
+        );
+        assert_eq!(size_in("E: Unable to locate package x\n"), "");
     }
 
     #[test]

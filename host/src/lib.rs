@@ -7,6 +7,7 @@
 // A closed standard error or a full standard output is no panic: everything goes through `output`.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod diagnostics;
 pub mod failure;
 pub mod grouped;
 

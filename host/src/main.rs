@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use smartbed::{check, derive, eval, figure, firmware, manual, new, report, run, view};
+use smartbed::{check, derive, eval, figure, firmware, manual, new, output, report, run, view};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -9,6 +9,9 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(name = "smartbed", bin_name = "cargo smartbed", version, max_term_width = 100)]
 struct CommandLine {
+    /// When text has colours.
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
+    color: output::Colour,
     #[command(subcommand)]
     command: Command,
 }
@@ -48,6 +51,7 @@ fn main() -> ExitCode {
             return ExitCode::from(u8::from(message.use_stderr() || !is_heard));
         }
     };
+    output::choose_colour(command_line.color);
     let done = match command_line.command {
         Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -64,7 +68,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            let _ = writeln!(std::io::stderr(), "error: {failure}");
+            output::fail(&failure);
             ExitCode::from(failure.status())
         }
     }

@@ -5,7 +5,7 @@
 
 use crate::failure::Failure;
 use crate::grouped;
-use crate::output;
+use crate::output::{self, Stream};
 use crate::suggest;
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
@@ -71,12 +71,10 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
     model::read(&path).map_err(|errors| wrong(&errors))
 }
 
-/// A rendered list of findings as a failure; the command prints `error: ` in front of it.
+/// A list of findings as a failure.
 #[must_use]
 pub fn wrong(errors: &Diagnostics) -> Failure {
-    let text = errors.to_string();
-    let text = text.trim_end();
-    Failure::Wrong(text.strip_prefix("error: ").unwrap_or(text).to_owned())
+    Failure::Found(Box::new(errors.clone()))
 }
 
 /// What is suspicious in a model: names that nothing uses, constraints that were dropped.
@@ -90,7 +88,7 @@ pub fn warnings(model: &Model, program: &Program) -> Diagnostics {
 /// Warnings of the derivation on standard error: what was derived is not all that was written.
 pub fn print_warnings(program: &Program) {
     if !program.warnings.items.is_empty() {
-        output::say(grouped::text(&program.warnings).trim_end());
+        output::say(grouped::text(&program.warnings, Stream::Error, false).trim_end());
     }
 }
 

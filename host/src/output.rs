@@ -3,9 +3,11 @@
 //! A reader that went away (`| head`) is no failure; a disk that is full is one. Nobody hears a complaint about
 //! standard error itself: what cannot be said there is left unsaid.
 
+use crate::diagnostics;
 use crate::failure::Failure;
 use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::sync::atomic::{AtomicU8, Ordering};
 
 /// Something to write results to.
 pub struct Output {
@@ -81,11 +83,115 @@ pub fn print(text: &str) -> Result<(), Failure> {
     write("-", text.as_bytes())
 }
 
-/// A line on standard error.
+/// A line on standard error; `error`, `warning` and `note` in front of it have their colour.
 pub fn say(line: &str) {
-    let _ = writeln!(io::stderr(), "{line}");
+    let _ = writeln!(io::stderr(), "{}", tinted(line, has_colour(Stream::Error)));
+}
+
+/// Says why a command did not do what it was asked to.
+pub fn fail(failure: &Failure) {
+    match failure {
+        Failure::Found(found) => say(diagnostics::text(found, Stream::Error).trim_end()),
+        other => say(&format!("error: {other}")),
+    }
+}
+
+/// Standard output or standard error.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Stream {
+    /// Results.
+    Out,
+    /// What is said meanwhile.
+    Error,
+}
+
+/// When text has colours.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug, clap::ValueEnum)]
+#[repr(u8)]
+pub enum Colour {
+    /// On a terminal, unless `NO_COLOR` is set.
+    #[default]
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// What `--color` says.
+static COLOUR: AtomicU8 = AtomicU8::new(Colour::Auto as u8);
+
+/// Chooses when text has colours, for the whole program.
+pub fn choose_colour(colour: Colour) {
+    COLOUR.store(colour as u8, Ordering::Relaxed);
+}
+
+/// Is text to this stream to have colours?
+#[must_use]
+pub fn has_colour(to: Stream) -> bool {
+    let chosen = COLOUR.load(Ordering::Relaxed);
+    let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    let auto = || is_terminal(to) && !is_set("NO_COLOR") && !dumb;
+    chosen == Colour::Always as u8 || (chosen == Colour::Auto as u8 && auto())
+}
+
+fn is_terminal(stream: Stream) -> bool {
+    match stream {
+        Stream::Out => io::stdout().is_terminal(),
+        Stream::Error => io::stderr().is_terminal(),
+    }
+}
+
+/// Width of the terminal behind a stream, if there is one.
+#[must_use]
+pub fn columns(stream: Stream) -> Option<usize> {
+    if !is_terminal(stream) {
+        return None;
+    }
+    #[cfg(unix)]
+    {
+        let size = match stream {
+            Stream::Out => rustix::termios::tcgetwinsize(io::stdout()),
+            Stream::Error => rustix::termios::tcgetwinsize(io::stderr()),
+        };
+        size.ok().map(|size| usize::from(size.ws_col)).filter(|columns| *columns >= LEAST_COLUMNS)
+    }
+    #[cfg(not(unix))]
+    None
+}
+
+/// A narrower terminal is taken for one that does not know its width.
+const LEAST_COLUMNS: usize = 40;
+
+/// The first word in its colour (ECMA-48), where it is one that has one.
+pub(crate) fn tinted(line: &str, has_colour: bool) -> String {
+    let words = [("error", "1;91"), ("warning", "1;33"), ("note", "1;32")];
+    let first = words.iter().find_map(|(word, code)| Some((word, code, line.strip_prefix(word)?)));
+    match first.filter(|(.., rest)| has_colour && rest.starts_with(": ")) {
+        Some((word, code, rest)) => format!("\x1b[{code}m{word}\x1b[0m{rest}"),
+        None => line.to_owned(),
+    }
 }
 
 fn cannot_write(path: &str, error: &io::Error) -> Failure {
     Failure::Wrong(format!("cannot write {path}: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_word_alone_is_coloured() {
+        assert_eq!(tinted("warning: error: x", true), "\x1b[1;33mwarning\x1b[0m: error: x");
+        assert_eq!(tinted("errors: x", true), "errors: x");
+        assert_eq!(tinted("error: x", false), "error: x");
+    }
+
+    #[test]
+    fn a_choice_holds_for_both_streams() {
+        // Tests write to no terminal.
+        assert_eq!((has_colour(Stream::Out), columns(Stream::Error)), (false, None));
+    }
 }

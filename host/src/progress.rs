@@ -1,12 +1,20 @@
-//! A line on standard error for whatever takes longer than a second.
+//! What is said on standard error while something takes longer than a second: a bar with the time left where the share
+//! that is done is known, else what is waited for and for how long.
+//!
+//! On a terminal `indicatif` draws it, and nothing of it stays; elsewhere a line now and then.
 
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
+use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 /// Nothing is said before.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Between two lines: on a terminal, where the line is overwritten, and elsewhere.
 const INTERVALS: [Duration; 2] = [Duration::from_millis(200), Duration::from_secs(5)];
+/// Parts of a bar.
+const PARTS: u64 = 1000;
 
 /// How far a piece of work has come.
 #[derive(Debug)]
@@ -15,6 +23,7 @@ pub struct Progress {
     start: Instant,
     last: Option<Instant>,
     terminal: bool,
+    bar: Option<ProgressBar>,
 }
 
 impl Progress {
@@ -22,19 +31,26 @@ impl Progress {
     #[must_use]
     pub fn new(what: &str) -> Self {
         let terminal = std::io::stderr().is_terminal();
-        Self { what: what.to_owned(), start: Instant::now(), last: None, terminal }
+        Self { what: what.to_owned(), start: Instant::now(), last: None, terminal, bar: None }
     }
 
     /// Says that the share `done` (0 to 1) is done, if it is time to.
     pub fn at(&mut self, done: f64) {
         let interval = if self.terminal { INTERVALS[0] } else { INTERVALS[1] };
         let since = self.last.map_or(self.start.elapsed() >= PATIENCE, |last| last.elapsed() >= interval);
-        if since {
-            self.last = Some(Instant::now());
-            let end = if self.terminal { '\r' } else { '\n' };
+        if !since {
+            return;
+        }
+        self.last = Some(Instant::now());
+        let left = left(self.start.elapsed().as_secs_f64(), done);
+        if self.terminal {
+            let bar =
+                self.bar.get_or_insert_with(|| bar(&self.what, "{prefix} {bar:32} {percent:>3} %{msg}"));
+            bar.set_message(left);
+            bar.set_position((done.clamp(0.0, 1.0) * PARTS as f64) as u64);
+        } else {
             // Nobody reading is no reason to stop.
-            let left = left(self.start.elapsed().as_secs_f64(), done);
-            let _ = write!(std::io::stderr(), "{}: {:3.0} %{left}{end}", self.what, 100.0 * done);
+            let _ = writeln!(std::io::stderr(), "{}: {:3.0} %{left}", self.what, 100.0 * done);
         }
     }
 
@@ -45,22 +61,68 @@ impl Progress {
     }
 }
 
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn bar(what: &str, template: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::stderr());
+    // A template that does not parse would be a mistake of ours: the usual one does.
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    bar.set_style(style);
+    bar.set_prefix(what.to_owned());
+    bar
+}
+
+/// Work of which nobody knows how far it is: on a terminal, what it is and for how long, from its second on.
+#[derive(Debug)]
+pub struct Waiting {
+    done: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Waiting {
+    /// Begins to wait, until it is dropped.
+    #[must_use]
+    pub fn new(what: &str) -> Self {
+        if !std::io::stderr().is_terminal() {
+            return Self { done: None, thread: None };
+        }
+        let (done, ended) = mpsc::channel::<()>();
+        let what = what.to_owned();
+        let show = move || {
+            if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                let bar = bar(&what, "{spinner} {prefix} {elapsed}");
+                bar.enable_steady_tick(INTERVALS[0]);
+                let _ = ended.recv();
+                bar.finish_and_clear();
+            }
+        };
+        Self { done: Some(done), thread: std::thread::Builder::new().spawn(show).ok() }
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        drop(self.done.take());
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
 /// The time left, if the rest goes as fast as the share that is done; nothing where that tells nothing.
 fn left(elapsed: f64, done: f64) -> String {
     let seconds = elapsed * (1.0 - done) / done;
     match seconds {
         _ if !(done > 0.01 && done <= 1.0) => String::new(),
-        s if s < 90.0 => format!(", {s:.0} s left  "),
-        s if s < 5400.0 => format!(", {:.0} min left  ", s / 60.0),
-        s => format!(", {:.1} h left  ", s / 3600.0),
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        if self.terminal && self.last.is_some() {
-            let _ = write!(std::io::stderr(), "\x1b[2K");
-        }
+        s if s < 90.0 => format!(", {s:.0} s left"),
+        s if s < 5400.0 => format!(", {:.0} min left", s / 60.0),
+        s => format!(", {:.1} h left", s / 3600.0),
     }
 }
 
@@ -70,10 +132,10 @@ mod tests {
 
     #[test]
     fn the_time_left_goes_by_what_is_done() {
-        assert_eq!(left(10.0, 0.5).trim_end(), ", 10 s left");
-        assert_eq!(left(60.0, 0.2).trim_end(), ", 4 min left");
-        assert_eq!(left(100.0, 0.02).trim_end(), ", 82 min left");
-        assert_eq!(left(1000.0, 0.02).trim_end(), ", 13.6 h left");
+        assert_eq!(left(10.0, 0.5), ", 10 s left");
+        assert_eq!(left(60.0, 0.2), ", 4 min left");
+        assert_eq!(left(100.0, 0.02), ", 82 min left");
+        assert_eq!(left(1000.0, 0.02), ", 13.6 h left");
         assert_eq!(left(5.0, 0.0), "");
     }
 }

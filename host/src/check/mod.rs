@@ -10,6 +10,7 @@ mod rounding;
 mod text;
 
 use crate::failure::Failure;
+use crate::progress::Waiting;
 use crate::{model_argument, output};
 use near_singular::Nearest;
 use rank::Rank;
@@ -17,7 +18,7 @@ use serde_json::{Value, json};
 use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::program::answer::KINEMATIC;
-use smartbed_codegen::{Effort, Optimise, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::{Diagnostics, Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
 /// Pivots of which less than this share of nominal is left somewhere are worth a warning.
 const SMALL_PIVOT: f64 = 0.02;
@@ -35,6 +36,9 @@ pub struct Arguments {
     /// Also say what f32 costs each output, and which operation costs most.
     #[arg(long)]
     pub rounding: bool,
+    /// Show every warning and every row; without it what is alike is told once, and of long lists the worst.
+    #[arg(long)]
+    pub all: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -43,10 +47,12 @@ pub struct Arguments {
 /// Everything that is said about a model.
 #[derive(Debug)]
 pub(crate) struct Report {
-    /// The report as JSON; the text is made from it and from `warnings`.
+    /// The report as JSON; the text is made from it and from the warnings.
     pub facts: Value,
-    /// Rendered warnings with their places.
-    pub warnings: String,
+    /// Warnings with their places.
+    pub found: Diagnostics,
+    /// Warnings that only numbers gave.
+    pub numeric: Vec<String>,
 }
 
 /// Does what the command line asks for.
@@ -56,6 +62,7 @@ pub(crate) struct Report {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
+    let waiting = Waiting::new("deriving, and searching for singular configurations");
     // Without bodies there are no forces to ask for: what is checked is the kinematics.
     let program = match model.bodies.is_empty() {
         true => program::derive_kinematic(&model, &choice, Effort::default()),
@@ -71,10 +78,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         report.facts["rounding"] =
             rounding::facts(&rounding::survey(&program, (&kinematics.samples, &kinematics.sample_times)));
     }
+    drop(waiting);
     if arguments.json {
         output::print(&format!("{}\n", report.facts))
     } else {
-        output::print(&text::render(&report))
+        output::print(&text::render(&report, arguments.all))
     }
 }
 
@@ -82,8 +90,7 @@ fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Neares
     let found = model_argument::warnings(model, program);
     let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
     let numeric = numeric_warnings(model, program, rank, nearest);
-    let rendered = found.to_string() + &numeric.iter().map(|w| format!("warning: {w}\n")).collect::<String>();
-    warnings.extend(numeric);
+    warnings.extend(numeric.iter().cloned());
     let at = |q: &[f64]| json!(place(model, program, q));
     let facts = json!({
         "model": model.name,
@@ -102,7 +109,7 @@ fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Neares
         "cost": cost(model, program),
         "warnings": warnings,
     });
-    Report { facts, warnings: rendered }
+    Report { facts, found, numeric }
 }
 
 fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
@@ -213,9 +220,11 @@ fn numeric_warnings(model: &Model, program: &Program, rank: &Rank, nearest: Opti
             place(model, program, &nearest.q).join(", ")
         ));
     }
-    for pivot in program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT) {
+    let mut small: Vec<_> = program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT).collect();
+    small.sort_by(|a, b| a.worst.total_cmp(&b.worst));
+    for pivot in small {
         warnings.push(format!(
-            "the pivot {} falls to {:.1e} of its nominal value within the sampled range",
+            "the pivot `{}` falls to {:.1e} of its nominal value within the sampled range",
             program.dag.print(pivot.value, 48),
             pivot.worst
         ));

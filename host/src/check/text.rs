@@ -1,12 +1,18 @@
 //! The report of `check` for people.
 
 use super::Report;
+use crate::grouped;
+use crate::output::Stream;
 use serde_json::Value;
 use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
-/// Tables and sentences.
-pub(super) fn render(report: &Report) -> String {
+/// Rows of a list that are shown without `--all`; a table of units with no more than so many is shown whole.
+const SHOWN: usize = 12;
+const UNITS: usize = 60;
+
+/// Tables and sentences; with `all` nothing is left out.
+pub(super) fn render(report: &Report, all: bool) -> String {
     let facts = &report.facts;
     let mut text = String::new();
     let _ = writeln!(text, "{} ({})", word(&facts["model"]), word(&facts["path"]));
@@ -14,17 +20,27 @@ pub(super) fn render(report: &Report) -> String {
         let _ = writeln!(text, "{}", word(&facts["doc"]));
     }
     counts(&facts["counts"], &mut text);
-    freedom(facts, &mut text);
-    pivots(&facts["pivots"], &mut text);
+    freedom(facts, all, &mut text);
+    pivots(&facts["pivots"], all, &mut text);
     cost(&facts["cost"], &mut text);
     rounding(&facts["rounding"], &mut text);
-    units(&facts["units"], &mut text);
-    if report.warnings.is_empty() {
+    units(&facts["units"], all, &mut text);
+    let warnings =
+        grouped::text(&report.found, Stream::Out, all) + &grouped::lines(&report.numeric, Stream::Out, all);
+    if warnings.is_empty() {
         text.push_str("\nno warnings\n");
     } else {
-        let _ = write!(text, "\n{}", report.warnings);
+        let _ = write!(text, "\n{warnings}");
     }
     text
+}
+
+/// How many rows are shown, and the line that says what is left out.
+fn shown(count: usize, all: bool) -> (usize, String) {
+    match count.saturating_sub(SHOWN) {
+        more if more > 0 && !all => (SHOWN, format!("and {more} more: --all\n")),
+        _ => (count, String::new()),
+    }
 }
 
 fn word(value: &Value) -> String {
@@ -51,7 +67,7 @@ fn counts(counts: &Value, text: &mut String) {
     }
 }
 
-fn freedom(facts: &Value, text: &mut String) {
+fn freedom(facts: &Value, all: bool, text: &mut String) {
     let (dof, rank) = (&facts["dof"], &facts["constraints"]);
     let stated = if dof["stated"].is_null() { "none".to_owned() } else { dof["stated"].to_string() };
     let _ = writeln!(text, "\ndegrees of freedom: {} found, {stated} stated", dof["found"]);
@@ -78,7 +94,9 @@ fn freedom(facts: &Value, text: &mut String) {
             place(&nearest["at"])
         );
     }
-    for speed in list(&facts["independent_speeds"]) {
+    let speeds = list(&facts["independent_speeds"]);
+    let (count, more) = shown(speeds.len(), all);
+    for speed in &speeds[..count] {
         let _ = writeln!(
             text,
             "independent: {} = {} ({})",
@@ -87,18 +105,25 @@ fn freedom(facts: &Value, text: &mut String) {
             word(&speed["why"])
         );
     }
+    text.push_str(&more);
 }
 
-fn pivots(pivots: &Value, text: &mut String) {
+fn pivots(pivots: &Value, all: bool, text: &mut String) {
     if list(pivots).is_empty() {
         return;
     }
+    let mut worst_first: Vec<&Value> = list(pivots).iter().collect();
+    let number = |pivot: &Value, key: &str| pivot[key].as_f64().unwrap_or(f64::NAN);
+    let (count, more) = shown(worst_first.len(), all);
+    if !more.is_empty() {
+        worst_first.sort_by(|a, b| number(a, "worst").total_cmp(&number(b, "worst")));
+    }
     text.push_str("\npivots         nominal  worst/nominal\n");
-    for pivot in list(pivots) {
-        let number = |key: &str| pivot[key].as_f64().unwrap_or(f64::NAN);
-        let (nominal, worst) = (number("nominal"), number("worst"));
+    for pivot in &worst_first[..count] {
+        let (nominal, worst) = (number(pivot, "nominal"), number(pivot, "worst"));
         let _ = writeln!(text, "{nominal:>22.4e} {worst:>14.4}  {}", word(&pivot["expression"]));
     }
+    text.push_str(&more);
 }
 
 fn cost(cost: &Value, text: &mut String) {
@@ -129,11 +154,19 @@ fn rounding(rounding: &Value, text: &mut String) {
     }
 }
 
-fn units(units: &Value, text: &mut String) {
+fn units(units: &Value, all: bool, text: &mut String) {
     let widest = |key: &str| list(units).iter().map(|row| word(&row[key]).chars().count()).max().unwrap_or(0);
     let (kind, name, unit) = (widest("kind"), widest("name"), widest("unit"));
     text.push_str("\nunits (SI, as in tables, plots and states files)\n");
+    let is_long = list(units).len() > UNITS && !all;
+    let (mut last, mut of_kind) = (String::new(), 0);
     for row in list(units) {
+        let this = word(&row["kind"]);
+        of_kind = if this == last { of_kind + 1 } else { 1 };
+        last = this;
+        if is_long && of_kind > SHOWN {
+            continue;
+        }
         let line = format!(
             "  {:<kind$}  {:<name$}  {:<unit$}  {}",
             word(&row["kind"]),
@@ -142,5 +175,8 @@ fn units(units: &Value, text: &mut String) {
             word(&row["doc"])
         );
         let _ = writeln!(text, "{}", line.trim_end());
+    }
+    if is_long {
+        text.push_str("  of more than 12 of a kind the first: --all shows the rest\n");
     }
 }

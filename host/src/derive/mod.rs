@@ -2,6 +2,7 @@
 
 use crate::engine::crate_text;
 use crate::failure::Failure;
+use crate::progress::Waiting;
 use crate::{answers, crate_folder, limits, model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
@@ -174,11 +175,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let choice = choice(arguments, &model)?;
     let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
     let functions = functions(arguments, &model)?;
+    let waiting = Waiting::new("deriving the equations");
     let program = match (arguments.form, arguments.answers.is_empty()) {
         (Form::Kinematic, true) => program::derive_kinematic(&model, &choice, settings.effort),
         (_, true) if functions.is_empty() => program::derive_with(&model, &choice, settings),
         _ => program::derive_asked(&model, &choice, settings, &Asked::only(functions.clone())),
     };
+    drop(waiting);
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
     let asks = |name: &str| functions.iter().flat_map(|f| &f.requests).any(|r| r.answer == name);

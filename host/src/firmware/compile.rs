@@ -129,7 +129,8 @@ fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
 
 /// Reads the model, so that its errors come first, and looks up the names of the changes.
 fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
-    let model = smartbed_codegen::model::read(path).map_err(|errors| Failure::Wrong(errors.to_string()))?;
+    let model =
+        smartbed_codegen::model::read(path).map_err(|errors| crate::model_argument::wrong(&errors))?;
     let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
     let values = set.iter().filter_map(|change| change.split_once('='));
     let values = values.filter_map(|(name, value)| Some((name, value.parse().ok()?)));

@@ -20,6 +20,7 @@ pub mod toolchain;
 
 use crate::failure::Failure;
 use crate::output;
+use crate::progress::Waiting;
 use chip::STM32F405;
 use compile::Settings;
 use image::{Image, rules};
@@ -87,13 +88,16 @@ pub fn cost(arguments: &Arguments) -> Result<Report, Failure> {
 fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let workspace = workspace()?;
     let settings = Settings::new(&workspace, arguments)?;
+    toolchain::announce(STM32F405.target);
     let toolchain = toolchain::toolchain(STM32F405.target)?;
     let emulator = toolchain::emulator()?;
     let folder = workspace.join("target/image");
     let _lock = lock(&folder)?;
 
     output::say(&format!("building for {} with {}", STM32F405.name, toolchain.describe()));
+    let waiting = Waiting::new("building the image");
     let elf = compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?;
+    drop(waiting);
     let image = read(&elf)?;
     let stack = image.stack().map_err(Failure::Wrong)?;
     let findings = rules::findings(&image, &stack, &STM32F405);

@@ -8,6 +8,7 @@
 use super::process::{self, output, which};
 use crate::failure::Failure;
 use crate::install::{install, lacking, update_lists};
+use crate::output::say;
 use crate::unpack::unpack;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -54,6 +55,32 @@ impl Toolchain {
     }
 }
 
+/// Says once, before anything is done, what the machine lacks and which packages will be installed; nothing where all
+/// is there.
+pub fn announce(target: &str) {
+    let mut packages = Vec::new();
+    let mut lacking = Vec::new();
+    if find(target).is_none() {
+        packages.extend(TOOLCHAIN_PACKAGES);
+        lacking.push(format!("a Rust toolchain that builds for {target}"));
+    }
+    if found_emulator().is_none() && !super::workspace().is_ok_and(|w| w.join("target/emulator").is_dir()) {
+        packages.push(EMULATOR);
+        lacking.push(format!("{EMULATOR} with plug-ins"));
+    }
+    if lacking.is_empty() {
+        return;
+    }
+    say(&format!("note: this machine lacks {}", lacking.join(" and ")));
+    match crate::install::size_of(&packages) {
+        Some(size) => say(&format!(
+            "note: apt-get will install {}{size}; nothing else is changed, and rustup is not called; Ctrl-C now to stop",
+            packages.join(" ")
+        )),
+        None => say("note: nothing can be installed here; what to run is said below"),
+    }
+}
+
 /// A toolchain for `target`; installs one where none is found.
 ///
 /// # Errors
@@ -79,11 +106,7 @@ pub fn toolchain(target: &str) -> Result<Toolchain, Failure> {
 /// # Errors
 /// [`Failure::Lacking`] with the command that helps.
 pub fn emulator() -> Result<PathBuf, Failure> {
-    let find = || {
-        which(EMULATOR)
-            .filter(|p| output(Command::new(p).arg("--help")).is_some_and(|h| h.contains("-plugin")))
-    };
-    if let Some(found) = find() {
+    if let Some(found) = found_emulator() {
         return Ok(found);
     }
     let unpacked = super::workspace()?.join("target/emulator");
@@ -95,7 +118,13 @@ pub fn emulator() -> Result<PathBuf, Failure> {
     if install(&why, &[EMULATOR], &help).is_err() {
         return unpack(EMULATOR, &unpacked);
     }
-    find().ok_or_else(|| lacking(&why, &help))
+    found_emulator().ok_or_else(|| lacking(&why, &help))
+}
+
+fn found_emulator() -> Option<PathBuf> {
+    let has_plugins =
+        |p: &PathBuf| output(Command::new(p).arg("--help")).is_some_and(|h| h.contains("-plugin"));
+    which(EMULATOR).filter(has_plugins)
 }
 
 /// Toolchains with the target first, then those that can build core.

@@ -2,12 +2,14 @@
 
 mod body;
 mod choose;
+pub mod events;
 pub mod health;
 pub mod ledger;
 pub mod observers;
 pub mod settings;
 pub mod simulate;
 
+use self::events::Events;
 use crate::configuration::Configurations;
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
 use crate::failure::Failure;
@@ -17,7 +19,7 @@ use crate::output::{self, Output};
 use crate::plot::Recording;
 use crate::plot::motion::{self, Motion};
 use crate::plot::panels;
-use crate::progress::Progress;
+use crate::progress::{Progress, Waiting};
 use crate::view::film::Series;
 use crate::view::{Film, Stage};
 use crate::{model_argument, plot, view};
@@ -146,7 +148,9 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     let model = model_argument::read(&arguments.model)?;
     let settings = Settings::new(&model, arguments)?;
     let wrong = |e| model_argument::wrong(&e);
+    let waiting = Waiting::new("deriving the equations");
     let program = program::derive(&model, &settings.choice).map_err(wrong)?;
+    drop(waiting);
     model_argument::print_warnings(&program);
     let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
     let start = start(&model, &program, &settings)?;
@@ -241,6 +245,7 @@ fn record<S: EngineScalar>(
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
     let (series, shown) = series(model, &names);
     let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_model(model), series));
+    let mut events = Events::new(model, &names, &simulate::ranges(setup));
     if csv.is_some() {
         interrupt::watch();
     }
@@ -253,6 +258,7 @@ fn record<S: EngineScalar>(
             recording.push(&row.values);
         }
         if let Some(film) = &mut film {
+            events.row(&row.values);
             film.push(row.values[0], &row.places, shown.iter().map(|n| row.values[*n]));
         }
         rows += 1;
@@ -279,7 +285,7 @@ fn record<S: EngineScalar>(
     }
     let title = if model.doc.is_empty() { &model.name } else { &model.doc };
     let note = noted(setup.settings.note(), arguments);
-    Ok((summary, film.map(|film| film.data(title, &note, &[]))))
+    Ok((summary, film.map(|film| film.data(title, &note, &events.finish()))))
 }
 
 /// Curves beside the motion, and their places in a row.
@@ -287,8 +293,9 @@ fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
     let columns = motion::columns(model, 1.0).into_iter();
     let curves = columns.map(|c| (c.name.to_owned(), panels::label(&c.unit), c.factor));
     let energies = motion::ENERGIES.into_iter().map(|(name, _)| (name.to_owned(), panels::label("J"), 1.0));
-    let imbalance = std::iter::once(("imbalance".to_owned(), "ledger".to_owned(), 1.0));
-    let all = curves.chain(energies).chain(imbalance);
+    let accounts = ["imbalance", "damping", "actuator", "external", "drive"];
+    let accounts = accounts.map(|name| (name.to_owned(), "ledger".to_owned(), 1.0));
+    let all = curves.chain(energies).chain(accounts);
     let shown = all.filter_map(|(name, group, factor)| {
         let index = names.iter().position(|n| *n == name)?;
         Some((Series { name, group, factor }, index))

@@ -15,6 +15,7 @@ mod nonsense;
 mod reference;
 mod report;
 mod run;
+mod schema;
 mod settings;
 mod support;
 mod view;

@@ -47,6 +47,7 @@ fn text(name: &str) -> String {
 
 fn points() -> Vec<Value> {
     let report: Value = serde_json::from_str(&text("report.json")).expect("JSON");
+    super::schema::holds("report", &report);
     report["points"].as_array().expect("points").clone()
 }
 

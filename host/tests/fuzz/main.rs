@@ -14,7 +14,8 @@ mod states;
 use clap::Parser;
 use random::Random;
 use smartbed::failure::Failure;
-use smartbed::{check, derive, eval, model_argument, run, scene};
+use smartbed::output::Stream;
+use smartbed::{check, derive, diagnostics, eval, model_argument, run, scene};
 use smartbed_codegen::{EmitOptions, ParameterChoice, model, program, rust};
 use std::os::unix::fs::FileExt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -180,6 +181,13 @@ fn run_case(case: u64, shipped: &[String]) -> Case {
 fn refused(failure: &Failure, places: &[&str]) -> Result<(), String> {
     let text = failure.to_string();
     let placed = places.iter().any(|place| text.contains(place));
+    if let Failure::Found(found) = failure {
+        // As a terminal shows it: whatever the text and its places, nothing panics or moves the cursor.
+        let shown = diagnostics::text(found, Stream::Error);
+        if shown.chars().any(|c| c.is_control() && c != '\n') {
+            return Err(format!("a control character is shown: {shown:?}"));
+        }
+    }
     if (1..=2).contains(&failure.status()) && placed {
         Ok(())
     } else {
@@ -210,6 +218,7 @@ fn run_model(text: &str, case: u64) -> Result<Outcome, String> {
         let arguments = check::Arguments {
             model: path.display().to_string(),
             rounding: case.is_multiple_of(64),
+            all: false,
             json: case.is_multiple_of(32),
         };
         check::run(&arguments).map_err(|e| format!("derived, but not checked: {e}"))?;

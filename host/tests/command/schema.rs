@@ -1,0 +1,99 @@
+//! docs/json.schema.json: what the commands print with `--json` is what it says, no key more or less.
+//!
+//! The check knows those words of JSON Schema (2020-12) that the file uses, and stops at any other.
+
+use crate::support::{file, smartbed, written};
+use serde_json::Value;
+
+fn schema() -> Value {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/json.schema.json");
+    serde_json::from_str(&std::fs::read_to_string(path).expect("the schema")).expect("JSON")
+}
+
+/// Fails where a value is not what the schema's definition of that name says.
+pub fn holds(name: &str, value: &Value) {
+    let schema = schema();
+    let mut faults = Vec::new();
+    judge(&schema["$defs"][name], value, name, &mut faults);
+    assert!(!schema["$defs"][name].is_null() && faults.is_empty(), "{faults:?}\n{value}");
+}
+
+fn judge(rule: &Value, value: &Value, at: &str, faults: &mut Vec<String>) {
+    const KNOWN: [&str; 6] =
+        ["type", "properties", "required", "additionalProperties", "items", "description"];
+    let Some(words) = rule.as_object() else { return faults.push(format!("{at}: no rule")) };
+    for word in words.keys().filter(|word| !KNOWN.contains(&word.as_str())) {
+        faults.push(format!("{at}: the check does not know `{word}`"));
+    }
+    let is = |kind: &Value| match kind.as_str() {
+        Some("object") => value.is_object(),
+        Some("array") => value.is_array(),
+        Some("string") => value.is_string(),
+        Some("boolean") => value.is_boolean(),
+        Some("null") => value.is_null(),
+        Some("integer") => value.is_i64() || value.is_u64(),
+        Some("number") => value.is_number(),
+        _ => false,
+    };
+    let fits = rule["type"].as_array().map_or_else(|| is(&rule["type"]), |kinds| kinds.iter().any(is));
+    if !fits {
+        faults.push(format!("{at}: {value} is not {}", rule["type"]));
+    }
+    for (n, item) in value.as_array().into_iter().flatten().enumerate() {
+        if !rule["items"].is_null() {
+            judge(&rule["items"], item, &format!("{at}[{n}]"), faults);
+        }
+    }
+    let Some(object) = value.as_object() else { return };
+    for key in rule["required"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+        if !object.contains_key(key) {
+            faults.push(format!("{at}: `{key}` is missing"));
+        }
+    }
+    for (key, value) in object {
+        let at = format!("{at}.{key}");
+        match (&rule["properties"][key], &rule["additionalProperties"]) {
+            (Value::Null, Value::Bool(false)) => faults.push(format!("{at}: the schema does not know it")),
+            (Value::Null, Value::Object(_)) => judge(&rule["additionalProperties"], value, &at, faults),
+            (Value::Null, _) => {}
+            (rule, _) => judge(rule, value, &at, faults),
+        }
+    }
+}
+
+#[test]
+fn what_commands_print_is_what_the_schema_says() {
+    let states = written("schema_states.json", r#"{"states": [{"q": {"q1": 1}, "u": {"u1": 2}}]}"#);
+    let out = file("schema_fourbar.rs").display().to_string();
+    let commands: [(&str, &[&str]); 8] = [
+        ("check", &["check", "fourbar", "--json", "--rounding"]),
+        ("check", &["check", "free_body", "--json"]),
+        ("derive", &["derive", "fourbar", "-o", &out, "--json"]),
+        ("eval", &["eval", "fourbar", "--states", &states]),
+        ("run", &["run", "fourbar", "--seconds", "0.01", "--json"]),
+        // The book of a drive has one column more.
+        ("run", &["run", "shaking_table", "--seconds", "0.01", "--scalar", "f32", "--json"]),
+        ("scene", &["run", "truss", "--seconds", "0.5", "--json"]),
+        ("scene", &["run", "bladder", "--seconds", "0.002", "--json"]),
+    ];
+    for (name, arguments) in commands {
+        let done = smartbed(arguments);
+        assert_eq!(done.status, 0, "{done:?}");
+        holds(name, &done.json());
+    }
+}
+
+#[test]
+fn the_check_finds_what_is_missing_wrong_or_unknown() {
+    let rule = serde_json::json!({"type": "object", "properties": {"a": {"type": "integer"}}, "required": ["a"],
+        "additionalProperties": false});
+    let faults = |value: Value| {
+        let mut faults = Vec::new();
+        judge(&rule, &value, "x", &mut faults);
+        faults.join("; ")
+    };
+    assert_eq!(faults(serde_json::json!({"a": 1})), "");
+    assert_eq!(faults(serde_json::json!({})), "x: `a` is missing");
+    assert_eq!(faults(serde_json::json!({"a": 1.5})), "x.a: 1.5 is not \"integer\"");
+    assert_eq!(faults(serde_json::json!({"a": 1, "b": 1})), "x.b: the schema does not know it");
+}
