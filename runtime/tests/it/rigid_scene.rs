@@ -3,6 +3,7 @@
 use crate::random::Random;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::impact::{Touch, resolve};
 use smartbed_runtime::rigid::law::{Law, LawFault};
 use smartbed_runtime::rigid::narrow::{Placed, features};
 use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, Report, RigidScene, Touching};
@@ -408,4 +409,51 @@ fn depth(world: &World) -> f64 {
         found.iter().map(|f| f.gap).collect::<Vec<_>>()
     });
     -gaps.fold(0.0, f64::min)
+}
+
+#[test]
+fn a_rod_falls_on_rough_ground_and_sticks_or_turns_back() {
+    let mut random = Random::new(9);
+    let (mut stuck, mut reversed) = (0, 0);
+    for _ in 0..200 {
+        let (radius, half, mass) = (0.01, random.between(0.1, 0.6), random.between(0.2, 3.0));
+        let angle = random.between(-1.4, 1.4);
+        let (mu, e) = (random.between(0.05, 1.5), random.between(0.0, 1.0));
+        let (along, drop) = (random.between(-2.0, 2.0), random.between(0.05, 0.5));
+        let across = mass * half * half / 3.0;
+        let body = RigidBody { mass, inertia: [across, across, 1e-2 * across] };
+        let part = Part { shape: Shape::Capsule(Capsule { radius, half_length: half }), body: Some(body) };
+        let attitude = Attitude::new([(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0]);
+        let position = [0.0, 0.0, drop + radius + half * angle.cos()];
+        let state = RigidState { attitude, velocity: [along, 0.0, 0.0], ..RigidState::at_rest(position) };
+        let mut world = World::new(0.0, stronge(e, mu), &[(part, state)]);
+        let fall = (2.0 * drop / G).sqrt();
+        // The lower end's point from the centre; the plane of the fall is x, z.
+        let (x, y) = (-half * angle.sin(), -half * angle.cos() - radius);
+        // K of the plane with normal z and tangent x: the test of `resolve` holds this impact to the planar solution.
+        let touch = Touch {
+            inverse_mass: [
+                [1.0 / mass + x * x / across, -x * y / across, 0.0],
+                [-x * y / across, 1.0 / mass + y * y / across, 0.0],
+                [0.0, 0.0, 1.0 / mass],
+            ],
+            velocity: [-G * fall, along, 0.0],
+            friction: mu,
+            restitution: e,
+        };
+        let [normal, tangent, _] = resolve(&touch).impulse;
+        // One step over the impact, and so little beyond it that nothing touches again.
+        let beyond = 1e-4 * (normal / mass) / G;
+        let report = world.step(fall + beyond);
+        assert_eq!(report.impacts, 1);
+        let after = world.states[1];
+        close(after.velocity[0], along + tangent / mass, 1e-12 * 10.0);
+        close(after.velocity[2], -G * (fall + beyond) + normal / mass, 1e-12 * 10.0);
+        // The moment about y of the impulse at (x, y): z x_arm - x z_arm.
+        close(after.angular_momentum[1], y * tangent - x * normal, 1e-12 * 10.0);
+        let slip = along + touch.inverse_mass[1][0] * normal + touch.inverse_mass[1][1] * tangent;
+        stuck += usize::from(slip.abs() <= 1e-12);
+        reversed += usize::from(slip * along < -1e-12);
+    }
+    assert!(stuck > 20 && reversed > 5, "{stuck} stuck, {reversed} reversed");
 }
