@@ -7,7 +7,7 @@
 
 use smartbed_firmware::{STEPS, digest::Digest};
 use smartbed_runtime::contact::compensation::PointImpact;
-use smartbed_runtime::contact::{Mode, System};
+use smartbed_runtime::contact::{ContactState, System};
 use smartbed_runtime::flexible::{Body, BodyError, Massless};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Motion, Workspace};
 use smartbed_runtime::scene::{State, step};
@@ -49,7 +49,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];
     let mut scratch = [[0.0; 3]; SCRATCH];
     let mut impacts = [PointImpact::none(); POINTS];
-    let mut modes = [Mode::Free; POINTS];
+    let mut modes = [ContactState::Free; POINTS];
     let (motion, _) = Motion::cut(&mut memory, POINTS)?;
     motion.pos.iter_mut().zip(&POS).for_each(|(x, start)| *x = *start);
     motion.vel.iter_mut().zip(&VEL).for_each(|(v, start)| *v = *start);

@@ -4,7 +4,7 @@
 //! way its normal force would move it in a step h. The smallest guard of all points decides; its root is
 //! located by trying steps of different lengths, so the state there is a state of the method itself.
 
-use crate::contact::{Ground, Mode, Repertoire, Start, System, advance};
+use crate::contact::{ContactState, Ground, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
 use crate::ode::nodes::{Motion, Workspace};
 use crate::ode::root::Search;
@@ -42,7 +42,7 @@ pub struct Shortened<S> {
 fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
-    modes: &[Mode],
+    modes: &[ContactState],
     motion: &Motion<S>,
     h: S,
     armed: Option<usize>,
@@ -54,14 +54,14 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
         }
         let gap = ground.gap(vec3::at(motion.pos, i));
         let guard = match mode {
-            Mode::Free => gap,
-            Mode::Departing if armed == Some(i) => gap,
+            ContactState::Free => gap,
+            ContactState::Departing if armed == Some(i) => gap,
             // Going away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
-            Mode::Departing if ground.gap_rate(vec3::at(motion.vel, i)) >= S::ZERO => {
+            ContactState::Departing if ground.gap_rate(vec3::at(motion.vel, i)) >= S::ZERO => {
                 gap.max(S::ZERO) + ground.tolerance
             }
-            Mode::Departing => gap + ground.tolerance,
-            Mode::Held | Mode::Stuck => {
+            ContactState::Departing => gap + ground.tolerance,
+            ContactState::Held | ContactState::Stuck => {
                 system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h
             }
         };
@@ -139,7 +139,7 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
 /// below the surface: exact for Verlet, whose positions are parabolas of the step.
 fn first_crossing<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let mut first: Option<S> = None;
-    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Free) {
+    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
         let g0 = ground.gap(vec3::at(start.motion.pos, i));
         let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
         let g1 = ground.gap(vec3::at(end.pos, i));
@@ -192,7 +192,7 @@ impl<S: Scalar> Cubic<S> {
 
 /// A departing point that ends below the surface after rising first: the point and the time of its top.
 fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<(usize, S)> {
-    let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing);
+    let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Departing);
     for (i, _) in departing {
         let gap = Cubic::new(ground, start, end, h, i);
         if gap.at(S::ONE) < -ground.tolerance
@@ -207,7 +207,7 @@ fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motio
 /// A free point that is above the surface at both ends and below in between: the time of the deepest bottom.
 fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let (mut deepest, mut time) = (-ground.tolerance, None);
-    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == Mode::Free) {
+    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
         let gap = Cubic::new(ground, start, end, h, i);
         if gap.r0 < S::ZERO
             && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)

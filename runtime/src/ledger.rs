@@ -6,6 +6,7 @@
 //! Sign: `damping, drag, impact, friction` are energy taken out so far; `actuator` is energy put in.
 
 use crate::contact::{ContactLaw, System, soft};
+use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
 use crate::real::Scalar;
 use crate::scene::{Event, Flow, Observer, State};
@@ -77,11 +78,7 @@ fn eval_power<S: Scalar>(
     v: impl Fn(usize) -> Vec3<S>,
 ) -> Power<S> {
     let mut power = Power { damping: S::ZERO, drag: S::ZERO, ground: S::ZERO };
-    for spring in system.body.springs.iter().filter(|s| s.damping > S::ZERO) {
-        let (d, _) = vec3::direction(vec3::sub(x(spring.head), x(spring.tail)));
-        let rate = vec3::dot(vec3::sub(v(spring.head), v(spring.tail)), d);
-        power.damping = power.damping + spring.damping * rate * rate;
-    }
+    power.damping = system.elements().power(&x, &v);
     for i in 0..system.body.points() {
         power.drag = power.drag + system.body.air_drag * vec3::dot(v(i), v(i));
         if let Some(ground) = system.ground.filter(|g| matches!(g.law, ContactLaw::HuntCrossley { .. })) {

@@ -11,6 +11,7 @@
 //! - [`surface`]: what can be touched: shapes and facets, gaps and their rates;
 //! - [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
 //! - [`contact`]: the ground's laws, impact with energy compensation, friction; a body with its contacts frozen;
+//! - [`world`]: parts that move together: a flexible body attached to what carries it;
 //! - [`guard`]: the step shortened to the first touch or release;
 //! - [`scene`]: the whole step of a body on the ground;
 //! - [`ledger`]: the accounts of energy, an observer;
@@ -41,6 +42,8 @@ pub mod surface;
 pub mod rigid;
 
 pub mod contact;
+
+pub mod world;
 
 pub mod guard;
 

@@ -143,7 +143,7 @@ fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
         inflation: None,
         massless: smartbed_runtime::flexible::Massless::default(),
     };
-    enclosed_volume(&body, pos)
+    enclosed_volume(body.facets, pos)
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use smartbed::scene::run::{EventRecord, Row, run};
 use smartbed::scene::{Scene, Simulation, parse};
-use smartbed_runtime::contact::Mode;
+use smartbed_runtime::contact::ContactState;
 use smartbed_runtime::real::Scalar;
 
 fn scene(text: &str) -> Scene {
@@ -171,7 +171,7 @@ fn zeno_ends_at_rest() {
             core::any::type_name::<S>(),
             simulation.pos()[0][2].to_f64()
         );
-        assert_eq!(simulation.modes()[0], Mode::Held);
+        assert_eq!(simulation.modes()[0], ContactState::Held);
         assert_eq!(simulation.vel()[0][2], S::ZERO);
         assert!(events < 60);
     }
@@ -249,7 +249,7 @@ fn one_node_a_hundred_million_f32_steps() {
     let mut scratch = vec![[0.0_f32; 3]; workspace_len(1, 1)];
     let mut work = Workspace::new(&mut scratch, 1, 1).expect("workspace");
     for _ in 0..STEPS {
-        let start = Start { motion: &motion, modes: &[Mode::Free] };
+        let start = Start { motion: &motion, modes: &[ContactState::Free] };
         advance(&system, start, 1e-4, Method::Verlet, &mut work).expect("step");
         motion.copy_from(&work.end);
     }

@@ -5,7 +5,7 @@
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::soft;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
-use smartbed_runtime::contact::{ContactLaw, Ground, Mode, System};
+use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, Spring};
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
@@ -44,7 +44,7 @@ pub struct Simulation<S: Scalar> {
     motion: Vec<Vec3<S>>,
     scratch: Vec<Vec3<S>>,
     impacts: Vec<PointImpact<S>>,
-    modes: Vec<Mode>,
+    modes: Vec<ContactState>,
     time: [S; 2],
     next_step: S,
     anchor: S,
@@ -120,7 +120,7 @@ impl<S: Scalar> Simulation<S> {
             motion,
             scratch: vec![[S::ZERO; 3]; workspace_len(n, method.stages())],
             impacts: vec![PointImpact::none(); n],
-            modes: vec![Mode::Free; n],
+            modes: vec![ContactState::Free; n],
             time: [S::ZERO; 2],
             next_step: S::ZERO,
             anchor: S::ZERO,
@@ -230,7 +230,7 @@ impl<S: Scalar> Simulation<S> {
 
     /// Each point against the ground.
     #[must_use]
-    pub fn modes(&self) -> &[Mode] {
+    pub fn modes(&self) -> &[ContactState] {
         &self.modes
     }
 

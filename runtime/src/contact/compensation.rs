@@ -14,6 +14,7 @@
 //! Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
 
 use super::{Repertoire, System};
+use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -150,9 +151,8 @@ fn build_field<S: Scalar, R: Repertoire<S>>(
 ) {
     let Some(ground) = system.ground else { return };
     let touches = |points: &[PointImpact<S>], i: usize| points.get(i).is_some_and(|p| p.touching);
-    for spring in system.body.springs {
-        let ends = [(spring.tail, spring.head), (spring.head, spring.tail)];
-        for (i, k) in ends {
+    system.elements().each_link(&mut |[tail, head]| {
+        for (i, k) in [(tail, head), (head, tail)] {
             if !touches(points, i) || touches(points, k) || !receiver(k) {
                 continue;
             }
@@ -170,7 +170,7 @@ fn build_field<S: Scalar, R: Repertoire<S>>(
                 }
             }
         }
-    }
+    });
 }
 
 /// A = sum m |D|^2/2 and b = sum m v.D.

@@ -3,8 +3,9 @@
 //! Held nodes keep to the surface, stuck ones stay; the ground that gives way pushes, massless nodes are settled.
 
 use super::repertoire::Repertoire;
-use super::{Mode, System, massless, soft};
-use crate::flexible::{BodyError, force, mean};
+use super::{ContactState, System, massless, soft};
+use crate::flexible::element::Elements;
+use crate::flexible::{BodyError, force};
 use crate::ode::nodes::{Motion, Newton, Way, Workspace, method};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -15,11 +16,11 @@ pub struct Frozen<'a, 'b, S, R> {
     /// Body and ground.
     pub system: &'a System<'b, S, R>,
     /// Each node against the ground.
-    pub modes: &'a [Mode],
+    pub modes: &'a [ContactState],
 }
 
 impl<S: Scalar, R: Repertoire<S>> Frozen<'_, '_, S, R> {
-    fn mode(&self, node: usize) -> Mode {
+    fn mode(&self, node: usize) -> ContactState {
         self.modes.get(node).copied().unwrap_or_default()
     }
 }
@@ -40,12 +41,7 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
     }
 
     fn mean_force(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        let body = &self.system.body;
-        mean::add_weight_and_air(body, way, force);
-        mean::add_springs(body, way, force);
-        if R::GAS {
-            mean::add_pressure(body, way, force)?;
-        }
+        force::eval_mean(&self.system.body, &self.system.elements(), way, force)?;
         if let Some(ground) = self.system.soft_ground() {
             soft::add_mean(&ground, way, force);
         }
@@ -77,7 +73,14 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
     }
 }
 
-impl<S: Scalar, R: Repertoire<S>> System<'_, S, R> {
+impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
+    /// The body's elements, of those that the program can meet.
+    #[must_use]
+    pub fn elements(&self) -> Elements<'a, S> {
+        let Elements { springs, filled } = self.body.elements();
+        Elements { springs, filled: if R::GAS { filled } else { None } }
+    }
+
     /// Forces of positions, with massless points settled and a soft ground's push (N).
     ///
     /// # Errors
@@ -86,10 +89,7 @@ impl<S: Scalar, R: Repertoire<S>> System<'_, S, R> {
         if let Some(ground) = self.massless_ground() {
             massless::settle(&self.body, &ground, pos);
         }
-        force::eval_springs(&self.body, pos, out);
-        if R::GAS {
-            crate::flexible::pressure::accumulate_force(&self.body, pos, out)?;
-        }
+        force::eval_elastic(&self.body, &self.elements(), pos, out)?;
         if let Some(ground) = self.soft_ground() {
             soft::accumulate_elastic(&ground, pos, out);
         }
@@ -99,7 +99,7 @@ impl<S: Scalar, R: Repertoire<S>> System<'_, S, R> {
     /// Forces of speeds (N).
     pub fn viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], out: &mut [Vec3<S>]) {
         if R::DAMPING && self.body.is_damped() {
-            force::eval_viscous(&self.body, pos, vel, out);
+            force::eval_viscous(&self.body, &self.elements(), pos, vel, out);
         } else {
             out.iter_mut().for_each(|f| *f = vec3::zero());
         }
@@ -115,7 +115,7 @@ pub struct Start<'a, 'm, S> {
     /// State.
     pub motion: &'a Motion<'m, S>,
     /// Each node against the ground, frozen over the step.
-    pub modes: &'a [Mode],
+    pub modes: &'a [ContactState],
 }
 
 /// Advances by tau into `work.end`; returns the error estimate in units of the tolerance (0 for fixed steps).

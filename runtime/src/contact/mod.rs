@@ -77,7 +77,7 @@ pub struct Ground<S> {
 
 /// State of one point against the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Mode {
+pub enum ContactState {
     /// Apart, guard armed.
     #[default]
     Free,
@@ -89,11 +89,11 @@ pub enum Mode {
     Stuck,
 }
 
-impl Mode {
+impl ContactState {
     /// On the surface.
     #[must_use]
     pub fn is_held(self) -> bool {
-        matches!(self, Mode::Held | Mode::Stuck)
+        matches!(self, ContactState::Held | ContactState::Stuck)
     }
 }
 
@@ -180,17 +180,17 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
 
     /// Acceleration of point i (m/s^2) under a force, after what holds it has taken its part.
     #[must_use]
-    pub fn acceleration(&self, i: usize, mode: Mode, force: Vec3<S>) -> Vec3<S> {
+    pub fn acceleration(&self, i: usize, mode: ContactState, force: Vec3<S>) -> Vec3<S> {
         self.admissible(mode, vec3::scale(force, self.body.inverse_mass(i)))
     }
 
     /// The part of a velocity or acceleration that the contact leaves.
     #[must_use]
-    pub fn admissible(&self, mode: Mode, a: Vec3<S>) -> Vec3<S> {
+    pub fn admissible(&self, mode: ContactState, a: Vec3<S>) -> Vec3<S> {
         match (mode, &self.ground) {
-            (Mode::Free | Mode::Departing, _) | (_, None) => a,
-            (Mode::Held, Some(ground)) => vec3::tangential(a, ground.normal),
-            (Mode::Stuck, _) => vec3::zero(),
+            (ContactState::Free | ContactState::Departing, _) | (_, None) => a,
+            (ContactState::Held, Some(ground)) => vec3::tangential(a, ground.normal),
+            (ContactState::Stuck, _) => vec3::zero(),
         }
     }
 

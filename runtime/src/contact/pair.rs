@@ -16,6 +16,7 @@
 
 use super::compensation::{FLATTEST_RECEIVER, Root};
 use crate::flexible::Body;
+use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -144,8 +145,8 @@ impl<S: Scalar> Touch<S> {
 /// D: unit impulses along the springs that lead from the touching points into their own bodies.
 fn build_field<S: Scalar>(body: &Body<S>, touch: &Touch<S>, pos: &[Vec3<S>], field: &mut [Vec3<S>]) {
     let takes_part = |k: usize| k == touch.point || touch.corners.contains(&k);
-    for spring in body.springs {
-        for (i, k) in [(spring.tail, spring.head), (spring.head, spring.tail)] {
+    body.elements().each_link(&mut |[tail, head]| {
+        for (i, k) in [(tail, head), (head, tail)] {
             if !takes_part(i) || takes_part(k) || body.inverse_mass(k) == S::ZERO {
                 continue;
             }
@@ -157,5 +158,5 @@ fn build_field<S: Scalar>(body: &Body<S>, touch: &Touch<S>, pos: &[Vec3<S>], fie
                 vec3::add_at(field, i, vec3::scale(d, -(w * body.inverse_mass(i))));
             }
         }
-    }
+    });
 }

@@ -7,6 +7,7 @@
 //! each may touch.
 
 use super::{ContactLaw, Ground, Repertoire, System, soft};
+use crate::flexible::element::{Bond, Element};
 use crate::flexible::energy::eval_energies;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -62,7 +63,7 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
 ) -> Option<S> {
     let half = S::from_f64(0.5);
     sums.iter_mut().for_each(|sum| *sum = Sums::none());
-    add_springs(system, pos, sums);
+    add_bonds(system, pos, sums);
     if let Some(ground) = &system.ground {
         let (stiffness, damping) = slopes(system, ground, pos, vel);
         sums.iter_mut().for_each(|sum| sum.add(Some(ground.normal), half, stiffness, damping));
@@ -82,18 +83,16 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
     smallest
 }
 
-fn add_springs<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
-    for spring in system.body.springs {
-        let (d, length) = spring.direction(pos);
-        let d = (length > S::ZERO).then_some(d);
-        for (i, other) in [(spring.tail, spring.head), (spring.head, spring.tail)] {
+fn add_bonds<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
+    system.elements().each_bond(pos, &mut |Bond { ends: [tail, head], direction, stiffness, damping }| {
+        for (i, other) in [(tail, head), (head, tail)] {
             // The bound's factor 2 is shared between two ends that move; one end alone takes half of it.
             let share = S::from_f64(if system.body.inverse_mass(other) == S::ZERO { 0.5 } else { 1.0 });
             if let Some(sum) = sums.get_mut(i) {
-                sum.add(d, share, spring.stiffness, spring.damping);
+                sum.add(direction, share, stiffness, damping);
             }
         }
-    }
+    });
 }
 
 /// Stiffness (N/m) and damping (N s/m) of the ground where the body, as one point with all the energy that it can

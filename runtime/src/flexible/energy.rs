@@ -2,7 +2,8 @@
 //!
 //! In: positions and velocities. Out: energies (J). Gravity is 0 at the origin.
 
-use super::{Body, pressure};
+use super::Body;
+use super::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -31,13 +32,12 @@ impl<S: Scalar> Energies<S> {
 #[must_use]
 pub fn eval_energies<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>], vel: &[Vec3<S>]) -> Energies<S> {
     let half = S::from_f64(0.5);
-    let (mut kinetic, mut gravity, mut spring) = (S::ZERO, S::ZERO, S::ZERO);
+    let (mut kinetic, mut gravity) = (S::ZERO, S::ZERO);
     for ((m, x), v) in body.mass.iter().zip(pos).zip(vel) {
         kinetic = kinetic + half * *m * vec3::dot(*v, *v);
         gravity = gravity - *m * vec3::dot(body.gravity, *x);
     }
-    for s in body.springs {
-        spring = spring + s.energy(pos);
-    }
-    Energies { kinetic, gravity, spring, pressure: pressure::energy(body, pos) }
+    let elements = body.elements();
+    let pressure = elements.filled.map_or(S::ZERO, |filled| filled.energy(pos));
+    Energies { kinetic, gravity, spring: elements.springs.energy(pos), pressure }
 }

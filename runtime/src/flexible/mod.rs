@@ -3,6 +3,7 @@
 //! In: numbers of points and springs. Out: forces and energies. Invariant: after [`Body::new`] every
 //! spring and facet names points that exist, so kernels need no checks. Nothing here allocates.
 
+pub mod element;
 pub mod energy;
 pub mod force;
 pub mod mean;
@@ -12,6 +13,7 @@ pub mod spring;
 use crate::ode::nodes::NodeFault;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
+use element::Element;
 pub use pressure::{Gas, Inflation, PressureForm};
 pub use spring::Spring;
 
@@ -32,7 +34,7 @@ pub struct Body<'a, S> {
     pub facets: &'a [[usize; 4]],
     /// Gas inside the facets.
     pub inflation: Option<Inflation<S>>,
-    /// The points of mass 0.
+    /// The points of mass 0 that are not fixed.
     pub massless: Massless<'a>,
 }
 
@@ -156,8 +158,9 @@ impl<'a, S: Scalar> Body<'a, S> {
         if let Some(point) = candidate.facets.iter().flatten().chain(listed).find(|p| **p >= points) {
             return Err(BodyError::UnknownPoint { point: *point, points });
         }
-        let expected = candidate.mass.iter().filter(|m| **m == S::ZERO).count();
-        if candidate.massless.iter().count() != expected {
+        let points = candidate.mass.iter().zip(candidate.fixed);
+        let expected = points.filter(|(m, fixed)| **m == S::ZERO && !**fixed).count();
+        if candidate.massless.iter().count() < expected {
             return Err(BodyError::Length { expected, found: listed.len() });
         }
         Ok(candidate)
@@ -181,7 +184,7 @@ impl<'a, S: Scalar> Body<'a, S> {
     /// True where some force depends on speeds.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        self.air_drag > S::ZERO || self.springs.iter().any(|s| s.damping > S::ZERO)
+        self.air_drag > S::ZERO || self.elements().is_damped()
     }
 }
 

@@ -8,6 +8,7 @@
 //!
 //! Gas: constant gauge pressure, or p_abs V^n constant. Sign: normals and forces point outwards.
 
+use super::element::Filled;
 use super::{Body, BodyError};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -104,9 +105,9 @@ pub fn corners<S: Scalar>(pos: &[Vec3<S>], facet: &[usize; 4]) -> [Vec3<S>; 4] {
 /// Volume between the facets and the origin (m^3): the enclosed volume of a closed surface.
 //   Euler's theorem for the cubic V: V = sum x . dV/dx / 3
 #[must_use]
-pub fn enclosed_volume<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
+pub fn enclosed_volume<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>]) -> S {
     let mut triple = S::ZERO;
-    for facet in body.facets {
+    for facet in facets {
         let corners = corners(pos, facet);
         for (corner, share) in corners.iter().zip(corner_shares(PressureForm::Exact, corners)) {
             triple = triple + vec3::dot(*corner, share);
@@ -135,10 +136,9 @@ pub fn gauge_pressure<S: Scalar>(gas: &Gas<S>, facet_volume: S) -> Result<S, Bod
 
 /// Energy (J) that the gas can still give: -p V, or the work of the gas law against the air outside.
 #[must_use]
-pub fn energy<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
-    let Some(inflation) = body.inflation else { return S::ZERO };
-    let facet_volume = enclosed_volume(body, pos);
-    match inflation.gas {
+pub fn energy<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> S {
+    let facet_volume = enclosed_volume(filled.facets, pos);
+    match filled.inflation.gas {
         Gas::Constant(pressure) => -(pressure * facet_volume),
         Gas::Polytropic { pressure, ambient, volume, exponent, dead_volume } => {
             let now = facet_volume + dead_volume;
@@ -159,18 +159,18 @@ pub fn energy<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> S {
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] where a gas law has no volume left.
-pub fn accumulate_force<S: Scalar>(
-    body: &Body<S>,
+pub fn add_force<S: Scalar>(
+    filled: &Filled<S>,
     pos: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
-    let Some(inflation) = body.inflation else { return Ok(()) };
+    let Filled { facets, inflation } = filled;
     let volume = match inflation.gas {
         Gas::Constant(_) => S::ZERO,
-        Gas::Polytropic { .. } => enclosed_volume(body, pos),
+        Gas::Polytropic { .. } => enclosed_volume(facets, pos),
     };
     let pressure = gauge_pressure(&inflation.gas, volume)?;
-    for facet in body.facets {
+    for facet in *facets {
         let shares = corner_shares(inflation.form, corners(pos, facet));
         for (point, share) in facet.iter().zip(shares) {
             vec3::add_at(force, *point, vec3::scale(share, pressure));
@@ -191,7 +191,7 @@ pub fn check_inflation<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> Result<(),
     match body.springs.iter().position(runaway) {
         None => Ok(()),
         Some(spring) => {
-            let pressure = gauge_pressure(&inflation.gas, enclosed_volume(body, pos))?;
+            let pressure = gauge_pressure(&inflation.gas, enclosed_volume(body.facets, pos))?;
             Err(BodyError::PressureTooHigh { pressure, spring })
         }
     }

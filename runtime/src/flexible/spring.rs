@@ -54,6 +54,12 @@ impl<S: Scalar> Spring<S> {
         self.stiffness * (length - self.rest_length)
     }
 
+    /// Adds a force on the tail, towards the head, and its reaction on the head.
+    pub fn pull(&self, pull: Vec3<S>, force: &mut [Vec3<S>]) {
+        vec3::add_at(force, self.tail, pull);
+        vec3::add_at(force, self.head, vec3::scale(pull, -S::ONE));
+    }
+
     /// Stored energy K (l - L)^2 / 2 (J), Eq. 4.9.
     #[must_use]
     pub fn energy(&self, pos: &[Vec3<S>]) -> S {

@@ -12,7 +12,7 @@ mod stepping;
 mod touch;
 
 use crate::contact::compensation::{Impact, PointImpact};
-use crate::contact::{ContactLaw, Frozen, Full, Ground, Mode, Repertoire, System};
+use crate::contact::{ContactLaw, ContactState, Frozen, Full, Ground, Repertoire, System};
 use crate::flexible::energy::eval_energies;
 use crate::flexible::{BodyError, pressure};
 use crate::guard::Shortened;
@@ -33,7 +33,7 @@ pub struct State<'a, S> {
     /// Positions, velocities, forces.
     pub motion: Motion<'a, S>,
     /// Each point against the ground.
-    pub modes: &'a mut [Mode],
+    pub modes: &'a mut [ContactState],
     /// Impulses of the last impact.
     pub impacts: &'a mut [PointImpact<S>],
     /// Time (s) and what rounding dropped from it.
@@ -54,7 +54,7 @@ pub struct Event<'a, S> {
     /// Impulses by point (of the touching ones).
     pub points: &'a [PointImpact<S>],
     /// Modes after the event.
-    pub modes: &'a [Mode],
+    pub modes: &'a [ContactState],
     /// Number of points let go.
     pub released: usize,
 }
@@ -67,7 +67,7 @@ pub struct Flow<'a, 'm, S> {
     /// State at its end.
     pub after: &'a Motion<'m, S>,
     /// Each point against the ground, all the way.
-    pub modes: &'a [Mode],
+    pub modes: &'a [ContactState],
     /// Its length (s).
     pub tau: S,
     /// True where the speeds follow from the forces alone: no friction, no impulse within.
@@ -123,7 +123,7 @@ impl<S: Scalar> State<'_, S> {
         system: &System<S, R>,
         h: S,
         method: R::Method,
-        mode: impl Fn(usize) -> Mode,
+        mode: impl Fn(usize) -> ContactState,
     ) -> S {
         if !method.is_verlet() {
             return S::ZERO;
@@ -171,7 +171,7 @@ impl<S: Scalar> State<'_, S> {
             for (i, mode) in self.modes.iter_mut().enumerate() {
                 let on_ground = ground.gap(vec3::at(self.motion.pos, i)) <= ground.tolerance;
                 let still = ground.gap_rate(vec3::at(self.motion.vel, i)) == S::ZERO;
-                *mode = if on_ground && still { Mode::Held } else { Mode::Free };
+                *mode = if on_ground && still { ContactState::Held } else { ContactState::Free };
             }
             resolve(system, ground, self, (h, method), work, observer)?;
         }
@@ -299,12 +299,12 @@ fn refuse_through_ground<S: Scalar, R: Repertoire<S>>(
 /// Departing points that go away, yet lie below the surface by the method's error, are put on it; true if any was.
 fn lift_departing<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
-    modes: &[Mode],
+    modes: &[ContactState],
     work: &mut Workspace<S>,
 ) -> Result<bool, BodyError<S>> {
     let Some(ground) = system.event_ground() else { return Ok(false) };
     let mut lifted = false;
-    for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == Mode::Departing) {
+    for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
         if leaves && is_deep(&ground, vec3::at(work.end.pos, i)) {
             lift(&ground, &mut work.end, i);
@@ -325,15 +325,15 @@ fn settle_modes<S: Scalar, R: Repertoire<S>>(
 ) {
     for (i, mode) in state.modes.iter_mut().enumerate() {
         match mode {
-            Mode::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
-                *mode = Mode::Free;
+            ContactState::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
+                *mode = ContactState::Free;
             }
-            Mode::Held | Mode::Stuck if R::FRICTION && ground.friction > S::ZERO => {
+            ContactState::Held | ContactState::Stuck if R::FRICTION && ground.friction > S::ZERO => {
                 let force = state.motion.force(i);
                 let side = vec3::norm(vec3::tangential(force, ground.normal));
                 let still = vec3::at(state.motion.vel, i) == vec3::zero();
                 let sticks = still && side <= ground.friction * system.normal_force(force);
-                *mode = if sticks { Mode::Stuck } else { Mode::Held };
+                *mode = if sticks { ContactState::Stuck } else { ContactState::Held };
             }
             _ => {}
         }

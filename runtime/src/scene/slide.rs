@@ -5,7 +5,7 @@
 //! Invariant: friction takes energy out or does nothing.
 
 use super::State;
-use crate::contact::{Frozen, Mode, Repertoire, System, friction, soft};
+use crate::contact::{ContactState, Frozen, Repertoire, System, friction, soft};
 use crate::flexible::BodyError;
 use crate::ode::nodes::{Motion, Workspace};
 use crate::real::Scalar;
@@ -20,9 +20,9 @@ pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
 ) -> Result<S, BodyError<S>> {
     let Some(ground) = system.rough_ground() else { return Ok(S::ZERO) };
     let half = S::from_f64(0.5);
-    let push = |motion: &Motion<S>, i: usize, mode: Mode| match mode {
-        Mode::Held => system.normal_force(motion.force(i)).max(S::ZERO),
-        Mode::Stuck => S::ZERO,
+    let push = |motion: &Motion<S>, i: usize, mode: ContactState| match mode {
+        ContactState::Held => system.normal_force(motion.force(i)).max(S::ZERO),
+        ContactState::Stuck => S::ZERO,
         _ if !R::SOFT => S::ZERO,
         _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
     };

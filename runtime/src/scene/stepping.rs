@@ -7,7 +7,7 @@
 use super::moreau;
 use super::touch::{lift, release};
 use super::{Flow, Observer, State, StepReport, take_over};
-use crate::contact::{Frozen, Ground, Mode, Repertoire, System, friction};
+use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction};
 use crate::flexible::{BodyError, pressure};
 use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
@@ -49,7 +49,7 @@ pub(super) fn finish<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
             if rate * tau < -gap {
                 (way, after) = stop(system, &ground, i, (free, gap / tau), &mut taken);
                 if let Some(mode) = state.modes.get_mut(i) {
-                    *mode = Mode::Held;
+                    *mode = ContactState::Held;
                 }
             }
         }

@@ -5,7 +5,7 @@
 
 use super::State;
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
-use crate::contact::{ContactLaw, Ground, Mode, Repertoire, System, friction, restitution};
+use crate::contact::{ContactLaw, ContactState, Ground, Repertoire, System, friction, restitution};
 use crate::flexible::energy::eval_energies;
 use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
@@ -115,7 +115,7 @@ fn anchored<S: Scalar, R: Repertoire<S>>(
     let mut hit = Impact { root: Root::Alone, lambda: S::ZERO, lost: S::ZERO, friction: S::ZERO };
     for _ in 0..ANCHOR_PASSES {
         let held = |i: usize| match state.impacts.get(i) {
-            Some(point) if point.touching => Mode::Held,
+            Some(point) if point.touching => ContactState::Held,
             _ => state.modes.get(i).copied().unwrap_or_default(),
         };
         let swing = state.energy_swing(system, h, method, held);
@@ -163,10 +163,10 @@ pub(super) fn hold_or_rebound<S: Scalar, R: Repertoire<S>>(
         let is_low = rate * rate < S::from_f64(2.0) * ground.tolerance * pressing;
         let flight_ends = is_short || is_low;
         if rate > S::ZERO && !flight_ends {
-            *mode = Mode::Departing;
+            *mode = ContactState::Departing;
             continue;
         }
-        *mode = Mode::Held;
+        *mode = ContactState::Held;
         if rate > S::ZERO {
             let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
             lost = lost + S::from_f64(0.5) * mass * rate * rate;
@@ -183,7 +183,7 @@ pub(super) fn release<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, state:
     let mut released = 0;
     for (i, mode) in state.modes.iter_mut().enumerate() {
         if mode.is_held() && system.normal_force(state.motion.force(i)) < S::ZERO {
-            *mode = Mode::Departing;
+            *mode = ContactState::Departing;
             released += 1;
         }
     }

@@ -4,6 +4,7 @@ mod double_double;
 mod functions;
 mod gas;
 mod integrator;
+mod island;
 mod layering;
 mod narrow;
 mod random;

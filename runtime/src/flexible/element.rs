@@ -1,0 +1,193 @@
+//! What puts forces between nodes: one interface, and the walks over all elements of a body.
+//!
+//! Springs with their dampers and the gas inside facets are elements; (A, B) and `Option` make one of several. A new
+//! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
+
+use super::{Body, BodyError, Inflation, Spring, mean, pressure};
+use crate::ode::nodes::Way;
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// A stiffness between two nodes, for bounds of the stable step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bond<S> {
+    /// Its ends.
+    pub ends: [usize; 2],
+    /// The direction in which it acts; none where it may act in any.
+    pub direction: Option<Vec3<S>>,
+    /// Stiffness (N/m).
+    pub stiffness: S,
+    /// Damping (N s/m).
+    pub damping: S,
+}
+
+/// Forces between nodes.
+pub trait Element<S: Scalar> {
+    /// Adds the forces of positions (N).
+    ///
+    /// # Errors
+    /// Where there is no force.
+    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
+    /// Adds the forces of speeds (N).
+    fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]);
+    /// Adds forces whose work over a step is the change of [`Element::energy`], and mean forces of speeds (N).
+    ///
+    /// # Errors
+    /// Where there is no force.
+    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
+    /// Stored energy (J).
+    fn energy(&self, pos: &[Vec3<S>]) -> S;
+    /// Power that the forces of speeds take out (W), places and velocities by node.
+    fn power(&self, pos: &impl Fn(usize) -> Vec3<S>, vel: &impl Fn(usize) -> Vec3<S>) -> S;
+    /// Whether some force depends on speeds.
+    fn is_damped(&self) -> bool;
+    /// Visits all stiffnesses between pairs of nodes.
+    fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>));
+    /// Visits all pairs of nodes along whose line an impulse can be handed on.
+    fn each_link(&self, visit: &mut impl FnMut([usize; 2]));
+}
+
+impl<S: Scalar> Element<S> for [Spring<S>] {
+    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        for spring in self {
+            let (direction, length) = spring.direction(pos);
+            spring.pull(vec3::scale(direction, spring.tension(length)), force);
+        }
+        Ok(())
+    }
+
+    fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
+        for spring in self.iter().filter(|spring| spring.damping > S::ZERO) {
+            let stretch = spring.stretch(pos, vel);
+            spring.pull(vec3::scale(stretch.direction, spring.damping * stretch.rate), force);
+        }
+    }
+
+    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        self.iter().for_each(|spring| mean::add_spring(spring, way, force));
+        Ok(())
+    }
+
+    fn energy(&self, pos: &[Vec3<S>]) -> S {
+        self.iter().fold(S::ZERO, |sum, spring| sum + spring.energy(pos))
+    }
+
+    fn power(&self, pos: &impl Fn(usize) -> Vec3<S>, vel: &impl Fn(usize) -> Vec3<S>) -> S {
+        self.iter().filter(|spring| spring.damping > S::ZERO).fold(S::ZERO, |sum, spring| {
+            let (d, _) = vec3::direction(vec3::sub(pos(spring.head), pos(spring.tail)));
+            let rate = vec3::dot(vec3::sub(vel(spring.head), vel(spring.tail)), d);
+            sum + spring.damping * rate * rate
+        })
+    }
+
+    fn is_damped(&self) -> bool {
+        self.iter().any(|spring| spring.damping > S::ZERO)
+    }
+
+    fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {
+        for spring in self {
+            let (d, length) = spring.direction(pos);
+            let direction = (length > S::ZERO).then_some(d);
+            let (stiffness, damping) = (spring.stiffness, spring.damping);
+            visit(Bond { ends: [spring.tail, spring.head], direction, stiffness, damping });
+        }
+    }
+
+    fn each_link(&self, visit: &mut impl FnMut([usize; 2])) {
+        self.iter().for_each(|spring| visit([spring.tail, spring.head]));
+    }
+}
+
+/// Facets and the gas inside. It bounds no step: where its stiffness counts, a scene's own step is what limits it.
+#[derive(Clone, Copy, Debug)]
+pub struct Filled<'a, S> {
+    /// Corners of each facet.
+    pub facets: &'a [[usize; 4]],
+    /// The gas.
+    pub inflation: Inflation<S>,
+}
+
+impl<S: Scalar> Element<S> for Filled<'_, S> {
+    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        pressure::add_force(self, pos, force)
+    }
+
+    fn add_viscous(&self, _: &[Vec3<S>], _: &[Vec3<S>], _: &mut [Vec3<S>]) {}
+
+    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        mean::add_pressure(self, way, force)
+    }
+
+    fn energy(&self, pos: &[Vec3<S>]) -> S {
+        pressure::energy(self, pos)
+    }
+
+    fn power(&self, _: &impl Fn(usize) -> Vec3<S>, _: &impl Fn(usize) -> Vec3<S>) -> S {
+        S::ZERO
+    }
+
+    fn is_damped(&self) -> bool {
+        false
+    }
+
+    fn each_bond(&self, _: &[Vec3<S>], _: &mut impl FnMut(Bond<S>)) {}
+
+    fn each_link(&self, _: &mut impl FnMut([usize; 2])) {}
+}
+
+/// All elements of a body, in the order in which their forces are summed.
+#[derive(Clone, Copy, Debug)]
+pub struct Elements<'a, S> {
+    /// Springs and dampers.
+    pub springs: &'a [Spring<S>],
+    /// Gas.
+    pub filled: Option<Filled<'a, S>>,
+}
+
+impl<'a, S: Scalar> Body<'a, S> {
+    /// Its elements.
+    #[must_use]
+    pub fn elements(&self) -> Elements<'a, S> {
+        let facets = self.facets;
+        Elements {
+            springs: self.springs,
+            filled: self.inflation.map(|inflation| Filled { facets, inflation }),
+        }
+    }
+}
+
+impl<S: Scalar> Element<S> for Elements<'_, S> {
+    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        self.springs.add_elastic(pos, force)?;
+        self.filled.map_or(Ok(()), |filled| filled.add_elastic(pos, force))
+    }
+
+    fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
+        self.springs.add_viscous(pos, vel, force);
+    }
+
+    fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
+        self.springs.add_mean(way, force)?;
+        self.filled.map_or(Ok(()), |filled| filled.add_mean(way, force))
+    }
+
+    fn energy(&self, pos: &[Vec3<S>]) -> S {
+        self.springs.energy(pos) + self.filled.map_or(S::ZERO, |filled| filled.energy(pos))
+    }
+
+    fn power(&self, pos: &impl Fn(usize) -> Vec3<S>, vel: &impl Fn(usize) -> Vec3<S>) -> S {
+        self.springs.power(pos, vel)
+    }
+
+    fn is_damped(&self) -> bool {
+        self.springs.is_damped()
+    }
+
+    fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {
+        self.springs.each_bond(pos, visit);
+    }
+
+    fn each_link(&self, visit: &mut impl FnMut([usize; 2])) {
+        self.springs.each_link(visit);
+    }
+}

@@ -1,0 +1,194 @@
+//! What carries other parts: the frames of its ports follow from its state, wrenches at them enter its equations.
+
+use crate::mechanism::Fault;
+use crate::real::Scalar;
+use crate::rigid::attitude::Attitude;
+use crate::rigid::{RigidBody, RigidState};
+use crate::surface::Frame;
+use crate::vec3::{self, Vec3};
+
+/// Force and moment about the origin of a port's frame, components in N (N, N m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wrench<S> {
+    /// Force.
+    pub force: Vec3<S>,
+    /// Moment.
+    pub moment: Vec3<S>,
+}
+
+impl<S: Scalar> Wrench<S> {
+    /// Nothing.
+    #[must_use]
+    pub fn zero() -> Self {
+        Wrench { force: vec3::zero(), moment: vec3::zero() }
+    }
+
+    /// Adds a force at a point (N, m, both in N) about the origin of a frame.
+    pub fn add_force(&mut self, frame: &Frame<S>, point: Vec3<S>, force: Vec3<S>) {
+        self.force = vec3::add(self.force, force);
+        self.moment = vec3::add(self.moment, vec3::cross(vec3::sub(point, frame.origin), force));
+    }
+
+    /// Power at a frame that moves (W).
+    #[must_use]
+    pub fn power(&self, frame: &Frame<S>) -> S {
+        vec3::dot(self.force, frame.velocity) + vec3::dot(self.moment, frame.angular_velocity)
+    }
+}
+
+/// Equations of motion with ports.
+pub trait Carrier<S: Scalar> {
+    /// Number of coordinates q.
+    fn n_q(&self) -> usize;
+    /// Number of speeds u.
+    fn n_u(&self) -> usize;
+    /// Writes the frames of the ports, with their motion.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn frames(&mut self, t: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault>;
+    /// Writes q_dot and u_dot under a wrench at each port; returns the worst pivot (1 if there is none).
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn rates(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault>;
+    /// Kinetic and potential energy (J).
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn energy(&mut self, t: S, q: &[S], u: &[S]) -> Result<(S, S), Fault>;
+    /// One correction of q towards the constraints; returns the largest residual before it.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if `q` has not the stated length.
+    fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
+        let _ = q;
+        Ok(S::ZERO)
+    }
+    /// The time (s) at which the next corrections are asked for.
+    fn set_time(&mut self, t: S) {
+        let _ = t;
+    }
+    /// Corrections after each step: 0 without constraints, else 1, at most 2.
+    fn projections(&self) -> u8 {
+        0
+    }
+}
+
+/// Frames that move as commanded, whatever pulls at them: `law(t, port)`. What the drive gives is the power of the
+/// wrenches, with the opposite sign.
+#[derive(Clone, Copy, Debug)]
+pub struct Commanded<F> {
+    /// The commanded motion.
+    pub law: F,
+}
+
+impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
+    fn n_q(&self) -> usize {
+        0
+    }
+    fn n_u(&self) -> usize {
+        0
+    }
+    fn frames(&mut self, t: S, _: &[S], _: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
+        frames.iter_mut().enumerate().for_each(|(port, frame)| *frame = (self.law)(t, port));
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        _: S,
+        _: &[S],
+        _: &[S],
+        _: &[Wrench<S>],
+        _: &mut [S],
+        _: &mut [S],
+    ) -> Result<S, Fault> {
+        Ok(S::ONE)
+    }
+    fn energy(&mut self, _: S, _: &[S], _: &[S]) -> Result<(S, S), Fault> {
+        Ok((S::ZERO, S::ZERO))
+    }
+}
+
+/// A rigid body that floats, its axes and centre of mass the one port.
+///
+/// q = [position, Euler parameters], u = [velocity, angular momentum in N]; e_dot = (e, W)/2 with W in body axes.
+#[derive(Clone, Copy, Debug)]
+pub struct Floating<S> {
+    /// Mass and inertia.
+    pub body: RigidBody<S>,
+    /// Acceleration of gravity (m/s^2).
+    pub gravity: Vec3<S>,
+}
+
+impl<S: Scalar> Floating<S> {
+    /// The state that x = [q, u] stands for.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not its length.
+    pub fn state(&self, q: &[S], u: &[S]) -> Result<RigidState<S>, Fault> {
+        let ([x, y, z, e0, e1, e2, e3], [vx, vy, vz, hx, hy, hz]) = (q, u) else { return Err(Fault::Shape) };
+        Ok(RigidState {
+            position: [*x, *y, *z],
+            velocity: [*vx, *vy, *vz],
+            attitude: Attitude::new([*e0, *e1, *e2, *e3]),
+            angular_momentum: [*hx, *hy, *hz],
+        })
+    }
+}
+
+impl<S: Scalar> Carrier<S> for Floating<S> {
+    fn n_q(&self) -> usize {
+        7
+    }
+    fn n_u(&self) -> usize {
+        6
+    }
+    fn frames(&mut self, _: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
+        let own = self.body.frame(&self.state(q, u)?);
+        frames.iter_mut().for_each(|frame| *frame = own);
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        _: S,
+        q: &[S],
+        u: &[S],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        let state = self.state(q, u)?;
+        let half = S::from_f64(0.5);
+        let [a, b, c] = vec3::scale(state.attitude.to_body(self.body.angular_velocity(&state)), half);
+        let [e0, e1, e2, e3] = state.attitude.parameters();
+        let turn = [
+            -(e1 * a) - e2 * b - e3 * c,
+            e0 * a + e2 * c - e3 * b,
+            e0 * b + e3 * a - e1 * c,
+            e0 * c + e1 * b - e2 * a,
+        ];
+        let (mut force, mut moment) = (vec3::scale(self.gravity, self.body.mass), vec3::zero());
+        for wrench in wrenches {
+            force = vec3::add(force, wrench.force);
+            moment = vec3::add(moment, wrench.moment);
+        }
+        let acceleration = vec3::scale(force, S::ONE / self.body.mass);
+        q_dot.iter_mut().zip(state.velocity.iter().chain(&turn)).for_each(|(to, from)| *to = *from);
+        u_dot.iter_mut().zip(acceleration.iter().chain(&moment)).for_each(|(to, from)| *to = *from);
+        Ok(S::ONE)
+    }
+    fn energy(&mut self, _: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
+        let state = self.state(q, u)?;
+        let height = vec3::dot(self.gravity, state.position);
+        Ok((self.body.kinetic(&state), -(self.body.mass * height)))
+    }
+}

@@ -1,0 +1,253 @@
+//! One flexible body attached to a carrier, as one ordinary differential equation.
+//!
+//! x = [q of the carrier, positions of the free nodes; u of the carrier, their velocities]. Fixed nodes stay where they
+//! were placed; attached ones have no mass of their own: it belongs to the carrier.
+
+use super::carrier::{Carrier, Wrench};
+use crate::flexible::energy::{Energies, eval_energies};
+use crate::flexible::{Body, force};
+use crate::mechanism::Fault;
+use crate::ode::Ode;
+use crate::real::Scalar;
+use crate::surface::Frame;
+use crate::vec3::{self, Vec3};
+
+/// A node that is held in the frame of a port.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attachment<S> {
+    /// The node; the body says it is fixed and has no mass.
+    pub node: usize,
+    /// The port.
+    pub port: usize,
+    /// Its place in the frame (m).
+    pub place: Vec3<S>,
+}
+
+/// Memory of an island, lent by the caller: one entry per node, and one per port.
+#[derive(Debug)]
+pub struct Memory<'a, S> {
+    /// Positions; those of fixed nodes are read, the others are written.
+    pub pos: &'a mut [Vec3<S>],
+    /// Velocities.
+    pub vel: &'a mut [Vec3<S>],
+    /// Forces of positions.
+    pub elastic: &'a mut [Vec3<S>],
+    /// Forces of speeds.
+    pub viscous: &'a mut [Vec3<S>],
+    /// Frames of the ports.
+    pub frames: &'a mut [Frame<S>],
+    /// Wrenches at the ports.
+    pub wrenches: &'a mut [Wrench<S>],
+}
+
+/// Kinetic and potential energy of the carrier and energies of the body (J).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IslandEnergy<S> {
+    /// Of the carrier.
+    pub carrier: (S, S),
+    /// Of the body.
+    pub body: Energies<S>,
+}
+
+impl<S: Scalar> IslandEnergy<S> {
+    /// The sum of all.
+    #[must_use]
+    pub fn total(&self) -> S {
+        self.carrier.0 + self.carrier.1 + self.body.total()
+    }
+}
+
+/// A carrier and the flexible body on it.
+#[derive(Debug)]
+pub struct Island<'a, S, C> {
+    /// The carrier.
+    pub carrier: C,
+    body: Body<'a, S>,
+    attachments: &'a [Attachment<S>],
+    memory: Memory<'a, S>,
+}
+
+impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
+    /// Joins them.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if the memory has not one entry per node, an attachment names a node or port that does not
+    /// exist, or an attached node has a mass of its own or is not marked as fixed.
+    pub fn new(
+        carrier: C,
+        body: Body<'a, S>,
+        attachments: &'a [Attachment<S>],
+        memory: Memory<'a, S>,
+    ) -> Result<Self, Fault> {
+        let n = body.points();
+        let rows = [&memory.pos, &memory.vel, &memory.elastic, &memory.viscous];
+        let fits = rows.iter().all(|rows| rows.len() == n) && memory.frames.len() == memory.wrenches.len();
+        let is_held = |a: &Attachment<S>| {
+            body.fixed.get(a.node) == Some(&true) && body.mass.get(a.node) == Some(&S::ZERO)
+        };
+        let known = attachments.iter().all(|a| a.port < memory.frames.len() && is_held(a));
+        if fits && known { Ok(Island { carrier, body, attachments, memory }) } else { Err(Fault::Shape) }
+    }
+
+    /// Nodes that move by forces: neither fixed nor attached.
+    fn free(&self) -> usize {
+        self.body.fixed.iter().filter(|fixed| !**fixed).count()
+    }
+
+    /// Positions and velocities of all nodes at the state placed last.
+    #[must_use]
+    pub fn nodes(&self) -> (&[Vec3<S>], &[Vec3<S>]) {
+        (self.memory.pos, self.memory.vel)
+    }
+
+    /// Frames of the ports and the wrenches of the body on them, at the state evaluated last.
+    #[must_use]
+    pub fn seams(&self) -> (&[Frame<S>], &[Wrench<S>]) {
+        (self.memory.frames, self.memory.wrenches)
+    }
+
+    /// Power that the carrier takes from the body at all seams, at the state evaluated last (W).
+    #[must_use]
+    pub fn seam_power(&self) -> S {
+        let seams = self.memory.frames.iter().zip(self.memory.wrenches.iter());
+        seams.fold(S::ZERO, |sum, (frame, wrench)| sum + wrench.power(frame))
+    }
+
+    /// Writes the state of nodes at rest in N, or with the velocities in memory, into x = [q, u].
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if x has another length.
+    pub fn load(&self, q: &[S], u: &[S], x: &mut [S]) -> Result<(), Fault> {
+        let parts = self.parts_mut(x)?;
+        parts.q.iter_mut().zip(q).for_each(|(to, from)| *to = *from);
+        parts.u.iter_mut().zip(u).for_each(|(to, from)| *to = *from);
+        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
+        let rows = parts.pos.chunks_exact_mut(3).zip(parts.vel.chunks_exact_mut(3));
+        for ((node, _), (x, v)) in free.zip(rows) {
+            write(x, vec3::at(self.memory.pos, node));
+            write(v, vec3::at(self.memory.vel, node));
+        }
+        Ok(())
+    }
+
+    /// Puts all nodes where the state says.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if x has another length; the carrier's faults.
+    pub fn place(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
+        let (q, pos) = coordinates.split_at_checked(self.carrier.n_q()).ok_or(Fault::Shape)?;
+        let (u, vel) = speeds.split_at_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        self.carrier.frames(t, q, u, self.memory.frames)?;
+        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
+        for ((node, _), (x, v)) in free.zip(pos.chunks_exact(3).zip(vel.chunks_exact(3))) {
+            if let (Some(own_x), Some(own_v), [x, y, z], [a, b, c]) =
+                (self.memory.pos.get_mut(node), self.memory.vel.get_mut(node), x, v)
+            {
+                (*own_x, *own_v) = ([*x, *y, *z], [*a, *b, *c]);
+            }
+        }
+        for attachment in self.attachments {
+            let Some(frame) = self.memory.frames.get(attachment.port) else { continue };
+            let point = frame.point(attachment.place);
+            let velocity = frame.velocity_at(point);
+            if let (Some(own_x), Some(own_v)) =
+                (self.memory.pos.get_mut(attachment.node), self.memory.vel.get_mut(attachment.node))
+            {
+                (*own_x, *own_v) = (point, velocity);
+            }
+        }
+        Ok(())
+    }
+
+    /// Forces on the nodes placed last, and the wrenches on the ports.
+    fn load_seams(&mut self) -> Result<(), Fault> {
+        let (elements, memory) = (self.body.elements(), &mut self.memory);
+        let forces = force::eval_elastic(&self.body, &elements, memory.pos, memory.elastic);
+        forces.map_err(|_| Fault::NonFinite)?;
+        force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
+        memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
+        for Attachment { node, port, .. } in self.attachments {
+            let force = vec3::add(vec3::at(memory.elastic, *node), vec3::at(memory.viscous, *node));
+            if let (Some(frame), Some(wrench)) = (memory.frames.get(*port), memory.wrenches.get_mut(*port)) {
+                wrench.add_force(frame, vec3::at(memory.pos, *node), force);
+            }
+        }
+        Ok(())
+    }
+
+    /// Energies at a state.
+    ///
+    /// # Errors
+    /// As [`Island::place`].
+    pub fn energy(&mut self, t: S, x: &[S]) -> Result<IslandEnergy<S>, Fault> {
+        self.place(t, x)?;
+        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
+        let q = coordinates.get(..self.carrier.n_q()).ok_or(Fault::Shape)?;
+        let u = speeds.get(..self.carrier.n_u()).ok_or(Fault::Shape)?;
+        let carrier = self.carrier.energy(t, q, u)?;
+        Ok(IslandEnergy { carrier, body: eval_energies(&self.body, self.memory.pos, self.memory.vel) })
+    }
+
+    fn parts_mut<'x>(&self, x: &'x mut [S]) -> Result<Parts<'x, S>, Fault> {
+        if x.len() != self.n_x() {
+            return Err(Fault::Shape);
+        }
+        let (coordinates, speeds) = x.split_at_mut_checked(self.n_q()).ok_or(Fault::Shape)?;
+        let (q, pos) = coordinates.split_at_mut_checked(self.carrier.n_q()).ok_or(Fault::Shape)?;
+        let (u, vel) = speeds.split_at_mut_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        Ok(Parts { q, pos, u, vel })
+    }
+}
+
+fn write<S: Scalar>(to: &mut [S], from: Vec3<S>) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to = from);
+}
+
+/// A state or its rates, cut by part.
+struct Parts<'x, S> {
+    q: &'x mut [S],
+    pos: &'x mut [S],
+    u: &'x mut [S],
+    vel: &'x mut [S],
+}
+
+impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
+    fn n_x(&self) -> usize {
+        self.carrier.n_q() + self.carrier.n_u() + 6 * self.free()
+    }
+
+    fn n_q(&self) -> usize {
+        self.carrier.n_q() + 3 * self.free()
+    }
+
+    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        self.place(t, x)?;
+        self.load_seams()?;
+        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
+        let q = coordinates.get(..self.carrier.n_q()).ok_or(Fault::Shape)?;
+        let (u, vel) = speeds.split_at_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        let dot = self.parts_mut(x_dot)?;
+        let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
+        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
+        for ((node, _), rate) in free.zip(dot.vel.chunks_exact_mut(3)) {
+            let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
+            write(rate, vec3::scale(force, self.body.inverse_mass(node)));
+        }
+        Ok(pivot)
+    }
+
+    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
+        let n = self.carrier.n_q();
+        self.carrier.project(x.get_mut(..n).ok_or(Fault::Shape)?)
+    }
+
+    fn set_time(&mut self, t: S) {
+        self.carrier.set_time(t);
+    }
+
+    fn projections(&self) -> u8 {
+        self.carrier.projections()
+    }
+}

@@ -1,0 +1,15 @@
+//! Parts that move together as one set of equations: a flexible body whose nodes are attached to what carries it.
+//!
+//! In: a [`Carrier`] (a mechanism with ports, a rigid body, a commanded frame), a flexible body, [`Attachment`]s. Out: an
+//! [`Island`], one [`Ode`](crate::ode::Ode) of both that every method of `ode` steps. In each evaluation attached nodes
+//! follow their frames and the forces on them enter the carrier's equations as wrenches: at the seam action and
+//! reaction cancel to rounding, and a method keeps its order.
+//! ```text
+//! x_k = O + A r_k,  v_k = v_O + omega x (x_k - O);   force = sum f_k,  moment about O = sum (x_k - O) x f_k
+//! ```
+
+mod carrier;
+mod island;
+
+pub use carrier::{Carrier, Commanded, Floating, Wrench};
+pub use island::{Attachment, Island, IslandEnergy, Memory};

@@ -1,0 +1,357 @@
+//! A flexible body on a carrier: momenta and energy of a floating pair, a platform against its own equations written
+//! by hand, a commanded frame against a closed form and with its account of work.
+
+use smartbed_runtime::flexible::{Body, Gas, Inflation, Massless, PressureForm, Spring};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::{Ode, State, rk4, runge_kutta};
+use smartbed_runtime::rigid::RigidBody;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::vec3::{self, Vec3};
+use smartbed_runtime::world::{Attachment, Carrier, Commanded, Floating, Island, Memory, Wrench};
+
+/// What a body borrows.
+struct Lists {
+    mass: Vec<f64>,
+    fixed: Vec<bool>,
+    springs: Vec<Spring<f64>>,
+    facets: Vec<[usize; 4]>,
+    inflation: Option<Inflation<f64>>,
+    gravity: Vec3<f64>,
+    attachments: Vec<Attachment<f64>>,
+    pos: Vec<Vec3<f64>>,
+    vel: Vec<Vec3<f64>>,
+}
+
+/// Memory of an island.
+struct Rows([Vec<Vec3<f64>>; 2], [Frame<f64>; 1], [Wrench<f64>; 1]);
+
+impl Lists {
+    fn rows(&self) -> Rows {
+        let zero = vec![[0.0; 3]; self.mass.len()];
+        Rows([zero.clone(), zero], [Frame::inertial()], [Wrench::zero()])
+    }
+
+    fn island<'a, C: Carrier<f64>>(
+        &'a mut self,
+        carrier: C,
+        Rows([elastic, viscous], frames, wrenches): &'a mut Rows,
+    ) -> Island<'a, f64, C> {
+        let body = Body::new(Body {
+            mass: &self.mass,
+            fixed: &self.fixed,
+            springs: &self.springs,
+            gravity: self.gravity,
+            air_drag: 0.0,
+            facets: &self.facets,
+            inflation: self.inflation,
+            massless: Massless::default(),
+        });
+        let memory = Memory { pos: &mut self.pos, vel: &mut self.vel, elastic, viscous, frames, wrenches };
+        Island::new(carrier, body.expect("a body"), &self.attachments, memory).expect("an island")
+    }
+}
+
+fn spring(tail: usize, head: usize, stiffness: f64, damping: f64, rest_length: f64) -> Spring<f64> {
+    Spring { tail, head, stiffness, damping, rest_length }
+}
+
+fn held(node: usize, place: Vec3<f64>) -> Attachment<f64> {
+    Attachment { node, port: 0, place }
+}
+
+/// Steps of Kutta's method; what is seen after each.
+fn run(system: &mut impl Ode<f64>, x: &mut [f64], h: f64, steps: u32) {
+    let (mut low, mut scratch) = (vec![0.0; x.len()], vec![0.0; runge_kutta::rk4_scratch(x.len())]);
+    let mut state = State::new(x, &mut low).expect("a state");
+    for step in 0..steps {
+        rk4(system, f64::from(step) * h, h, &mut state, &mut scratch).expect("a step");
+    }
+}
+
+/// A closed cell: a 3 x 3 sheet whose rim and base (node 9) are attached, its middle (node 4) free, and a tail of two
+/// free nodes; gas inside.
+fn cell(damping: f64) -> Lists {
+    let place = |i: usize| [0.1 * (i % 3) as f64 - 0.1, 0.1 * (i / 3) as f64 - 0.1, 0.05];
+    let mut lists = Lists {
+        mass: vec![0.0; 12],
+        fixed: vec![true; 12],
+        springs: Vec::new(),
+        facets: Vec::new(),
+        inflation: None,
+        gravity: [0.0; 3],
+        attachments: Vec::new(),
+        pos: vec![[0.0; 3]; 12],
+        vel: vec![[0.0; 3]; 12],
+    };
+    for node in (0..9).filter(|node| *node != 4) {
+        lists.attachments.push(held(node, place(node)));
+    }
+    lists.attachments.push(held(9, [0.0, 0.0, 0.05]));
+    for (node, x, v) in [
+        (4, [0.31, -0.2, 0.62], [0.4, 0.1, -0.3]),
+        (10, [0.3, -0.2, 0.72], [0.2, 0.3, 0.1]),
+        (11, [0.32, -0.1, 0.8], [0.0, -0.2, 0.5]),
+    ] {
+        (lists.mass[node], lists.fixed[node], lists.pos[node], lists.vel[node]) = (0.05, false, x, v);
+    }
+    for rim in [1, 3, 5, 7] {
+        lists.springs.push(spring(rim, 4, 400.0, damping, 0.1));
+    }
+    lists.springs.extend([spring(4, 10, 300.0, damping, 0.1), spring(10, 11, 300.0, damping, 0.1)]);
+    for corner in [0, 1, 3, 4] {
+        let quad = [corner, corner + 1, corner + 4, corner + 3];
+        lists.facets.push(quad);
+        lists.facets.push([quad[0], quad[3], quad[2], quad[1]].map(|node| if node == 4 { 9 } else { node }));
+    }
+    let gas = Gas::Polytropic {
+        pressure: 2000.0,
+        ambient: 101_325.0,
+        volume: 2e-3,
+        exponent: 1.4,
+        dead_volume: 1.5e-3,
+    };
+    lists.inflation = Some(Inflation { gas, form: PressureForm::Exact });
+    lists
+}
+
+const FLOATING: Floating<f64> =
+    Floating { body: RigidBody { mass: 2.0, inertia: [0.02, 0.03, 0.04] }, gravity: [0.0; 3] };
+const POSE: [f64; 7] = [0.3, -0.2, 0.5, 1.0, 0.0, 0.0, 0.0];
+const MOMENTA: [f64; 6] = [0.2, -0.1, 0.3, 0.01, 0.05, -0.02];
+
+/// Linear and angular momentum, sum of all |m v| and |x x m v|, energy, after a second in so many steps.
+fn floating_pair(damping: f64, steps: u32) -> (Vec3<f64>, Vec3<f64>, f64, f64, f64) {
+    let mut lists = cell(damping);
+    let (mass, mut rows) = (lists.mass.clone(), lists.rows());
+    let mut island = lists.island(FLOATING, &mut rows);
+    let mut x = vec![0.0; island.n_x()];
+    island.load(&POSE, &MOMENTA, &mut x).expect("lengths");
+    if steps > 0 {
+        run(&mut island, &mut x, 1.0 / f64::from(steps), steps);
+    }
+    let energy = island.energy(0.0, &x).expect("energy").total();
+    let (q, u) = (&x[..7], &x[island.n_q()..island.n_q() + 6]);
+    let state = island.carrier.state(q, u).expect("a state");
+    let (pos, vel) = island.nodes();
+    let mut linear = vec3::scale(state.velocity, 2.0);
+    let mut angular = vec3::add(state.angular_momentum, vec3::cross(state.position, linear));
+    let (mut size, mut turning) = (vec3::norm(linear), vec3::norm(angular));
+    for ((m, x), v) in mass.iter().zip(pos).zip(vel) {
+        let p = vec3::scale(*v, *m);
+        let l = vec3::cross(*x, p);
+        (linear, angular) = (vec3::add(linear, p), vec3::add(angular, l));
+        (size, turning) = (size + vec3::norm(p), turning + vec3::norm(l));
+    }
+    (linear, angular, size, turning, energy)
+}
+
+#[test]
+fn a_floating_pair_keeps_momentum_and_its_energy_to_the_order_of_the_method() {
+    let (linear, angular, size, turning, energy) = floating_pair(0.0, 0);
+    let after = [8000, 16_000].map(|steps| floating_pair(0.0, steps));
+    for (p, l, ..) in after {
+        let moved = vec3::norm(vec3::sub(p, linear)) / size;
+        println!("linear momentum moves by {moved:e}");
+        assert!(moved < 1e-12);
+        assert!(vec3::norm(vec3::sub(l, angular)) / turning < 1e-6);
+    }
+    let errors = after.map(|after| (after.4 - energy).abs());
+    let turned = after.map(|after| vec3::norm(vec3::sub(after.1, angular)));
+    let orders = [(errors[0] / errors[1]).log2(), (turned[0] / turned[1]).log2()];
+    println!("energy {errors:?}, angular momentum {turned:?}: orders {orders:?}");
+    // One-sided: at particular times a coefficient of the error passes zero.
+    assert!(orders.iter().all(|order| *order > 3.7), "{orders:?}");
+    assert!(errors[1] < 1e-6 * energy.abs().max(1.0));
+    // With dampers the energy falls, the momentum stays.
+    let (p, .., left) = floating_pair(0.5, 8000);
+    assert!(left < energy - 1e-3 && vec3::norm(vec3::sub(p, linear)) / size < 1e-12);
+}
+
+/// A platform that a spring holds above the ground and that moves along n3 alone.
+struct Platform {
+    mass: f64,
+    stiffness: f64,
+    gravity: f64,
+}
+
+impl Carrier<f64> for Platform {
+    fn n_q(&self) -> usize {
+        1
+    }
+    fn n_u(&self) -> usize {
+        1
+    }
+    fn frames(&mut self, _: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+        frames[0] = Frame { origin: [0.0, 0.0, q[0]], velocity: [0.0, 0.0, u[0]], ..Frame::inertial() };
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        _: f64,
+        q: &[f64],
+        u: &[f64],
+        wrenches: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        q_dot[0] = u[0];
+        u_dot[0] = (wrenches[0].force[2] - self.stiffness * q[0]) / self.mass - self.gravity;
+        Ok(1.0)
+    }
+    fn energy(&mut self, _: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+        let potential = 0.5 * self.stiffness * q[0] * q[0] + self.mass * self.gravity * q[0];
+        Ok((0.5 * self.mass * u[0] * u[0], potential))
+    }
+}
+
+const ARM: f64 = 0.3;
+const MASS: f64 = 0.4;
+const K: f64 = 900.0;
+const C: f64 = 2.0;
+const REST: f64 = 0.35;
+const GRAVITY: f64 = 9.81;
+
+/// A mass over the platform, on two slanted spring-dampers attached to it.
+fn slanted(height: f64, damping: f64) -> Lists {
+    Lists {
+        mass: vec![0.0, 0.0, MASS],
+        fixed: vec![true, true, false],
+        springs: vec![spring(0, 2, K, damping, REST), spring(1, 2, K, damping, REST)],
+        facets: Vec::new(),
+        inflation: None,
+        gravity: [0.0, 0.0, -GRAVITY],
+        attachments: vec![held(0, [-ARM, 0.0, 0.0]), held(1, [ARM, 0.0, 0.0])],
+        pos: vec![[0.0; 3], [0.0; 3], [0.0, 0.0, height]],
+        vel: vec![[0.0; 3]; 3],
+    }
+}
+
+/// The same two heights as one system written by hand.
+struct ByHand;
+
+impl Ode<f64> for ByHand {
+    fn n_x(&self) -> usize {
+        4
+    }
+    fn n_q(&self) -> usize {
+        2
+    }
+    fn rates(&mut self, _: f64, x: &[f64], x_dot: &mut [f64]) -> Result<f64, Fault> {
+        let [platform, mass, u, v] = [x[0], x[1], x[2], x[3]];
+        let rise = mass - platform;
+        let length = (ARM * ARM + rise * rise).sqrt();
+        let pull = 2.0 * (K * (length - REST) + C * (v - u) * rise / length) * rise / length;
+        x_dot.copy_from_slice(&[u, v, (pull - 2e4 * platform) / 3.0 - GRAVITY, -pull / MASS - GRAVITY]);
+        Ok(1.0)
+    }
+}
+
+#[test]
+fn a_mass_on_a_platform_moves_as_the_single_system_does() {
+    const STEPS: u32 = 2000;
+    let mut lists = slanted(0.25, C);
+    let mut rows = lists.rows();
+    let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY };
+    let mut island = lists.island(platform, &mut rows);
+    let mut x = vec![0.0; island.n_x()];
+    island.load(&[0.01], &[0.2], &mut x).expect("lengths");
+    run(&mut island, &mut x, 1e-3, STEPS);
+    let mut other = [0.01, 0.25, 0.2, 0.0];
+    run(&mut ByHand, &mut other, 1e-3, STEPS);
+    let [platform, mass] = [x[0] - other[0], x[3] - other[1]];
+    println!("platform off by {platform:e} m, mass by {mass:e} m after {STEPS} steps");
+    assert!(platform.abs() < 1e-12 && mass.abs() < 1e-12, "{platform:e} {mass:e}");
+    assert!(x[0].abs() > 1e-4 && (x[1], x[2]) == (0.0, 0.0), "{x:?}");
+}
+
+const LIFT: f64 = 0.02;
+const TURN: f64 = 11.0;
+
+/// The frame is lifted by a cosine; on it stands a mass on one upright spring. Error against the closed form, and
+/// energy less the drive's work.
+fn commanded(steps: u32) -> (f64, f64) {
+    let seconds = 1.5;
+    let law = |t: f64, _: usize| Frame {
+        origin: [0.0, 0.0, LIFT * (1.0 - (TURN * t).cos())],
+        velocity: [0.0, 0.0, LIFT * TURN * (TURN * t).sin()],
+        ..Frame::inertial()
+    };
+    let mut lists = Lists {
+        mass: vec![0.0, MASS],
+        fixed: vec![true, false],
+        springs: vec![spring(0, 1, K, 0.0, REST)],
+        attachments: vec![held(0, [0.0; 3])],
+        pos: vec![[0.0; 3], [0.0, 0.0, REST]],
+        vel: vec![[0.0; 3]; 2],
+        gravity: [0.0; 3],
+        ..slanted(0.0, 0.0)
+    };
+    let mut rows = lists.rows();
+    let mut island = lists.island(Commanded { law }, &mut rows);
+    let mut x = vec![0.0; island.n_x()];
+    island.load(&[], &[], &mut x).expect("lengths");
+    let start = island.energy(0.0, &x).expect("energy").total();
+    let (mut low, mut scratch) = (vec![0.0; 6], vec![0.0; runge_kutta::rk4_scratch(6)]);
+    let mut rates = [0.0; 6];
+    let (h, mut work) = (seconds / f64::from(steps), 0.0);
+    let mut state = State::new(&mut x, &mut low).expect("a state");
+    for step in 0..steps {
+        // Simpson's rule over pairs of steps.
+        let weight = if step == 0 { 1.0 } else { [2.0, 4.0][(step % 2) as usize] };
+        island.rates(f64::from(step) * h, state.x(), &mut rates).expect("rates");
+        work -= weight * h / 3.0 * island.seam_power();
+        rk4(&mut island, f64::from(step) * h, h, &mut state, &mut scratch).expect("a step");
+    }
+    island.rates(seconds, state.x(), &mut rates).expect("rates");
+    work -= h / 3.0 * island.seam_power();
+    let end = island.energy(seconds, state.x()).expect("energy").total();
+    // m z'' = K (y - z) with y the lift, z(0) = z'(0) = 0.
+    let own = (K / MASS).sqrt();
+    let gain = own * own / (own * own - TURN * TURN);
+    let exact = LIFT * (1.0 - gain * (TURN * seconds).cos() + (gain - 1.0) * (own * seconds).cos());
+    (state.x()[2] - REST - exact, end - start - work)
+}
+
+#[test]
+fn a_commanded_frame_drives_the_mass_as_the_closed_form_says_and_pays_for_it() {
+    let [(coarse, _), (fine, imbalance)] = [600, 1200].map(commanded);
+    let order = (coarse / fine).abs().log2();
+    println!("error {fine:e} m, order {order:.2}; energy less the drive's work {imbalance:e} J");
+    assert!((order - 4.0).abs() < 0.3, "{order}");
+    assert!(fine.abs() < 1e-7 && imbalance.abs() < 1e-7, "{fine:e} {imbalance:e}");
+}
+
+#[test]
+fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
+    let refused = |change: fn(&mut Lists)| {
+        let mut lists = slanted(0.25, C);
+        change(&mut lists);
+        let Rows([mut elastic, mut viscous], mut frames, mut wrenches) = lists.rows();
+        let body = Body {
+            mass: &lists.mass,
+            fixed: &lists.fixed,
+            springs: &lists.springs,
+            gravity: lists.gravity,
+            air_drag: 0.0,
+            facets: &[],
+            inflation: None,
+            massless: Massless::default(),
+        };
+        let memory = Memory {
+            pos: &mut lists.pos,
+            vel: &mut lists.vel,
+            elastic: &mut elastic,
+            viscous: &mut viscous,
+            frames: &mut frames,
+            wrenches: &mut wrenches,
+        };
+        let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY };
+        Island::new(platform, body, &lists.attachments, memory).is_err()
+    };
+    assert!(!refused(|_| {}));
+    assert!(refused(|lists| lists.attachments[0].port = 1));
+    assert!(refused(|lists| lists.attachments[0].node = 3));
+    assert!(refused(|lists| lists.attachments[0].node = 2));
+    assert!(refused(|lists| lists.mass[0] = 0.1));
+    assert!(refused(|lists| lists.pos.truncate(2)));
+}
