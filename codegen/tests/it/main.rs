@@ -2,6 +2,7 @@
 
 mod answers;
 mod augmented;
+mod carried;
 mod chain;
 mod driven;
 mod driven_models;
