@@ -3,6 +3,7 @@
 //! In: what a stage found. Out: text in the layout of compilers, by `annotate-snippets`, which knows how wide letters
 //! are. What a model's author wrote is shown with nothing in it that moves the cursor.
 
+use crate::failure::Failure;
 use crate::output::{self, Stream};
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics, Label, Severity};
@@ -17,6 +18,14 @@ const WIDTH: usize = 120;
 pub fn text(found: &Diagnostics, to: Stream) -> String {
     let one = |item: &Diagnostic| render(&found.source, item, to);
     found.items.iter().map(one).collect::<Vec<String>>().join("\n")
+}
+
+/// Says why a command did not do what it was asked to.
+pub fn fail(failure: &Failure) {
+    match failure {
+        Failure::Found(found) => output::say(text(found, Stream::Error).trim_end()),
+        other => output::say(&format!("error: {other}")),
+    }
 }
 
 fn render(source: &Source, item: &Diagnostic, to: Stream) -> String {

@@ -1,7 +1,7 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use smartbed::{check, derive, eval, figure, firmware, manual, new, output, report, run, view};
+use smartbed::{check, derive, diagnostics, eval, figure, firmware, manual, new, output, report, run, view};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -68,7 +68,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            output::fail(&failure);
+            diagnostics::fail(&failure);
             ExitCode::from(failure.status())
         }
     }

@@ -3,7 +3,6 @@
 //! A reader that went away (`| head`) is no failure; a disk that is full is one. Nobody hears a complaint about
 //! standard error itself: what cannot be said there is left unsaid.
 
-use crate::diagnostics;
 use crate::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
@@ -86,14 +85,6 @@ pub fn print(text: &str) -> Result<(), Failure> {
 /// A line on standard error; `error`, `warning` and `note` in front of it have their colour.
 pub fn say(line: &str) {
     let _ = writeln!(io::stderr(), "{}", tinted(line, has_colour(Stream::Error)));
-}
-
-/// Says why a command did not do what it was asked to.
-pub fn fail(failure: &Failure) {
-    match failure {
-        Failure::Found(found) => say(diagnostics::text(found, Stream::Error).trim_end()),
-        other => say(&format!("error: {other}")),
-    }
 }
 
 /// Standard output or standard error.
