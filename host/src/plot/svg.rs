@@ -14,10 +14,18 @@ pub fn text(drawing: &Drawing) -> String {
          <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
         font::FAMILY
     );
+    svg += &items(&drawing.items);
+    svg + "</svg>\n"
+}
+
+/// Items of a drawing as elements.
+#[must_use]
+pub fn items(items: &[Item]) -> String {
+    let mut svg = String::new();
     let list = |points: &[(f64, f64)]| {
         points.iter().map(|(x, y)| format!("{x:.2},{y:.2}")).collect::<Vec<_>>().join(" ")
     };
-    for item in &drawing.items {
+    for item in items {
         match item {
             Item::Line { points, color, width } => {
                 let _ = writeln!(
@@ -56,7 +64,7 @@ pub fn text(drawing: &Drawing) -> String {
             }
         }
     }
-    svg + "</svg>\n"
+    svg
 }
 
 fn hex([r, g, b]: Color) -> String {

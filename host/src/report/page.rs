@@ -1,8 +1,8 @@
 //! The report as one HTML page without anything from outside: every plot, every graph, every table.
 
 use super::markdown;
-use super::point::{Report, Section, Table};
-use super::work_precision::{COSTS, draw};
+use super::point::{Point, Report, Section, Table};
+use super::work_precision::{COSTS, Layer, Plot, plot};
 use crate::plot::svg::{self, escaped};
 use std::fmt::Write as _;
 
@@ -45,8 +45,9 @@ fn section_text(section: &Section) -> String {
         escaped(&section.reference.text),
         section.reference.agreement
     );
-    for drawing in COSTS.into_iter().filter_map(|cost| draw(section, cost)) {
-        let _ = writeln!(text, "<div class=\"plot\">{}</div>", svg::text(&drawing));
+    text += "<p class=\"filter\"></p>\n";
+    for plot in COSTS.into_iter().filter_map(|cost| plot(section, cost)) {
+        let _ = writeln!(text, "<div class=\"plot\">{}</div>", drawn(&plot));
     }
     if !section.graph.is_empty() {
         let _ = writeln!(text, "<h3>Motion and energies at its own settings</h3>");
@@ -60,6 +61,46 @@ fn section_text(section: &Section) -> String {
         let _ = writeln!(text, "<p class=\"note\">{}</p>", escaped(note));
     }
     text + "</section>\n"
+}
+
+/// A plot in which every method can be hidden, and every point says what it is and how it is made again.
+fn drawn(plot: &Plot<'_>) -> String {
+    let base = svg::text(&plot.base);
+    let mut text = base.trim_end().strip_suffix("</svg>").unwrap_or(&base).to_owned();
+    for Layer { method, scalar, items, places } in &plot.layers {
+        let is_peer = places.iter().any(|(_, point)| point.is_peer);
+        let _ = writeln!(
+            text,
+            "<g data-method=\"{}\" data-scalar=\"{}\" data-peer=\"{is_peer}\">",
+            escaped(method),
+            escaped(scalar)
+        );
+        text += &svg::items(items);
+        for ((x, y), point) in places {
+            let _ = writeln!(
+                text,
+                "<circle class=\"at\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"7\" data-tip=\"{}\" data-command=\"{}\"/>",
+                escaped(&tip(point)),
+                escaped(&point.command)
+            );
+        }
+        text += "</g>\n";
+    }
+    text + "</svg>\n"
+}
+
+/// What a point says of itself.
+fn tip(point: &Point) -> String {
+    let control = point.control.map_or_else(String::new, |control| format!(", {}", control.text()));
+    let evaluations = point.evaluations.map_or_else(String::new, |e| format!(", {e:.0} evaluations/s"));
+    let front = if point.front { "; on the front" } else { "" };
+    format!(
+        "{} {}{control}: error {:.2e}, {} per simulated second{evaluations}{front}",
+        point.method,
+        point.scalar,
+        point.error,
+        markdown::duration(point.nanoseconds)
+    )
 }
 
 fn table(table: &Table) -> String {

@@ -163,7 +163,7 @@ pub struct Extras {
 impl Extras {
     /// Reads a JSON text: `{"points": [{"subject", "seconds", "method", "scalar", "step", "error", "nanoseconds",
     /// "evaluations", "command"}], "tables": [{"title", "columns", "rows", "command"}]}`; seconds, scalar, step and
-    /// evaluations may be left out.
+    /// evaluations may be left out, and points that say `"peer": false` are.
     ///
     /// # Errors
     /// [`Failure::Wrong`] with the place of the first entry that lacks something.
@@ -172,7 +172,9 @@ impl Extras {
         let value: Value = serde_json::from_str(text).map_err(|e| wrong(format!("not JSON: {e}")))?;
         let list = |key: &str| value[key].as_array().cloned().unwrap_or_default();
         let mut extras = Self::default();
-        for (n, entry) in list("points").iter().enumerate() {
+        // What a report of ours says of itself is measured here, and no peer's.
+        let points = list("points").into_iter().filter(|entry| entry["peer"] != Value::Bool(false));
+        for (n, entry) in points.collect::<Vec<Value>>().iter().enumerate() {
             let expected =
                 "expected subject, method, command as text and error, nanoseconds as numbers above 0";
             extras.points.push(read_point(entry).ok_or_else(|| wrong(format!("points[{n}]: {expected}")))?);

@@ -8,7 +8,7 @@ use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 /// Behind the points that no other one beats.
 pub const FRONT: Color = [255, 196, 0];
 /// Colours told apart by most eyes (Okabe & Ito 2008, then Tol), the yellow left out.
-const COLORS: [Color; 12] = [
+const COLORS: [Color; 14] = [
     [0, 114, 178],
     [213, 94, 0],
     [0, 158, 115],
@@ -21,6 +21,8 @@ const COLORS: [Color; 12] = [
     [17, 119, 51],
     [136, 34, 85],
     [68, 170, 153],
+    [153, 153, 51],
+    [0, 0, 0],
 ];
 const WIDTH: f64 = 760.0;
 const HEIGHT: f64 = 470.0;
@@ -71,9 +73,39 @@ impl LogAxis {
     }
 }
 
+/// A plot whose points can be told apart: what stands still, and the points by method and scalar.
+#[derive(Clone, Debug)]
+pub struct Plot<'p> {
+    /// Title, axes, front, legend.
+    pub base: Drawing,
+    /// Lines with their points.
+    pub layers: Vec<Layer<'p>>,
+}
+
+/// The points of a method in one scalar.
+#[derive(Clone, Debug)]
+pub struct Layer<'p> {
+    /// The method.
+    pub method: &'p str,
+    /// The scalar.
+    pub scalar: &'p str,
+    /// Lines and marks.
+    pub items: Vec<Item>,
+    /// Where each point stands.
+    pub places: Vec<((f64, f64), &'p Point)>,
+}
+
+/// The plot of a section over a cost as one drawing; `None` without points that tell it.
+#[must_use]
+pub fn draw(section: &Section, cost: Cost) -> Option<Drawing> {
+    let Plot { mut base, layers } = plot(section, cost)?;
+    base.items.extend(layers.into_iter().flat_map(|layer| layer.items));
+    Some(base)
+}
+
 /// The plot of a section over a cost; `None` without points that tell it.
 #[must_use]
-pub fn draw(section: &Section, (label, cost): Cost) -> Option<Drawing> {
+pub fn plot(section: &Section, (label, cost): Cost) -> Option<Plot<'_>> {
     let points: Vec<(&Point, f64)> = section.points.iter().filter_map(|p| Some((p, cost(p)?))).collect();
     if points.is_empty() {
         return None;
@@ -84,28 +116,33 @@ pub fn draw(section: &Section, (label, cost): Cost) -> Option<Drawing> {
     let mut items = vec![text((LEFT, TOP / 2.0), &title, LARGE, Anchor::Start)];
     grid(&x, &y, label, &mut items);
     front(&points, &x, &y, &mut items);
-    let mut methods: Vec<&str> = Vec::new();
+    let (mut methods, mut layers): (Vec<&str>, Vec<Layer<'_>>) = (Vec::new(), Vec::new());
     for (point, _) in &points {
         if !methods.contains(&point.method.as_str()) {
             methods.push(&point.method);
         }
     }
-    for (n, method) in methods.iter().enumerate() {
+    for (n, method) in methods.iter().copied().enumerate() {
         let color = COLORS[n % COLORS.len()];
         for scalar in ["f64", "f32"] {
-            let of_line = |p: &&(&Point, f64)| p.0.method == *method && p.0.scalar == scalar;
-            let places: Vec<(f64, f64)> =
-                points.iter().filter(of_line).map(|(p, c)| (x.place(*c), y.place(p.error))).collect();
-            items.push(line(places.clone(), color, if scalar == "f64" { 1.6 } else { 0.8 }));
+            let of_line = |p: &&(&Point, f64)| p.0.method == method && p.0.scalar == scalar;
+            let places: Vec<((f64, f64), &Point)> =
+                points.iter().filter(of_line).map(|(p, c)| ((x.place(*c), y.place(p.error)), *p)).collect();
+            if places.is_empty() {
+                continue;
+            }
+            let way = places.iter().map(|(at, _)| *at).collect();
+            let mut items = vec![line(way, color, if scalar == "f64" { 1.6 } else { 0.8 })];
             let mark = if is_peer(&points, method) { Mark::Cross } else { Mark::of_scalar(scalar) };
-            places.iter().for_each(|at| items.extend(marker(*at, color, mark)));
+            places.iter().for_each(|(at, _)| items.extend(marker(*at, color, mark)));
+            layers.push(Layer { method, scalar, items, places });
         }
         let at = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * n as f64);
         items.extend(marker(at, color, if is_peer(&points, method) { Mark::Cross } else { Mark::Full }));
         items.push(text((at.0 + 12.0, at.1), method, SMALL, Anchor::Start));
     }
     legend(methods.len(), points.iter().any(|p| p.0.is_peer), &mut items);
-    Some(Drawing { width: WIDTH as usize, height: HEIGHT as usize, items })
+    Some(Plot { base: Drawing { width: WIDTH as usize, height: HEIGHT as usize, items }, layers })
 }
 
 fn grid(x: &LogAxis, y: &LogAxis, label: &str, items: &mut Vec<Item>) {

@@ -20,6 +20,8 @@ const PEERS: &str = r#"{
                  "nanoseconds": 1, "command": "python3 another.py" },
                { "subject": "sleigh", "method": "exact by luck", "error": 1e-300,
                  "nanoseconds": 5e12, "command": "python3 another.py" },
+               { "subject": "sleigh", "method": "one of ours, read back", "peer": false, "error": 1e-9,
+                 "nanoseconds": 1, "command": "x" },
                { "subject": "somewhere else", "method": "x", "error": 1, "nanoseconds": 1, "command": "x" }],
     "tables": [{ "title": "Another table", "columns": ["a", "b"], "rows": [["1", "2"]], "command": "make it" }]
 }"#;
@@ -162,8 +164,10 @@ fn tables_are_written() {
 #[test]
 fn the_page_is_opened_and_exercised_in_a_browser() {
     let dom = browser::open(&report().join("report.html"), "self-test");
-    // Summary and two subjects; two plots and a graph each.
-    assert_eq!(dom.text("self-test"), "passed: 3 links, 6 plots");
+    // Summary and two subjects; two plots and a graph each; every point by its time, and those that tell evaluations.
+    let points = points();
+    let told = points.len() + points.iter().filter(|p| !p["evaluations"].is_null()).count();
+    assert_eq!(dom.text("self-test"), format!("passed: 3 links, 6 plots, {told} points"));
     // The one address is the name of SVG, which nothing is fetched from.
     let outside = dom.html.replace("http://www.w3.org/2000/svg", "");
     assert!(!outside.contains("http://") && !outside.contains("https://"), "nothing comes from outside");
