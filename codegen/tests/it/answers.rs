@@ -501,3 +501,49 @@ fn inverse_dynamics_takes_fewer_operations_than_the_mass_matrix() {
         assert!(inverse <= most, "{name}: {inverse}");
     }
 }
+
+/// Matrices of the bicycle about upright straight running, Meijaard, Papadopoulos, Ruina and Schwab 2007:
+/// M q'' + v C1 q' + (g K0 + v^2 K2) q = f, q = (roll, steer).
+const PUBLISHED: [[f64; 4]; 4] = [
+    [80.81722, 2.31941332208709, 2.31941332208709, 0.29784188199686],
+    [0.0, 33.86641391492494, -0.85035641456978, 1.68540397397560],
+    [-80.95, -2.59951685249872, -2.59951685249872, -0.80329488458618],
+    [0.0, 76.59734589573222, 0.0, 2.65431523794604],
+];
+
+#[test]
+fn the_linearised_bicycle_is_the_published_one() {
+    let mut asking = Asking::new("bicycle", &["linearisation"]);
+    let place =
+        |list: &[program::Quantity], name: &str| list.iter().position(|x| x.name == name).expect(name);
+    let value = |program: &Program, name: &str| program.parameters[place(&program.parameters, name)].value;
+    let (g, radius) = (value(&asking.program, "g"), value(&asking.program, "rR"));
+    let [mass, damping, weight, centrifugal] = PUBLISHED;
+    for v in [0.0, 5.0] {
+        let mut state = asking.state.clone();
+        state.q.clone_from(&asking.program.nominal);
+        state.inputs.iter_mut().for_each(|x| *x = 0.0);
+        state.u.iter_mut().for_each(|x| *x = 0.0);
+        state.u[place(&asking.program.u, "u_thR")] = -v / radius;
+        let a = asking.part(&state, "linearisation", "a");
+        // Pitch alone is dependent: the state is without it.
+        let mut coordinates = asking.program.q.clone();
+        coordinates.retain(|q| q.name != "pitch");
+        let (n_q, n) = (coordinates.len(), coordinates.len() + state.u.len());
+        let rows = ["u_roll", "u_steer"].map(|name| n_q + place(&asking.program.u, name));
+        let columns = ["roll", "steer"].map(|name| place(&coordinates, name));
+        // -M A: stiffness by the coordinates, damping by the speeds.
+        let times = |columns: [usize; 2]| -> Vec<f64> {
+            let entry = |i: usize, j: usize| -> f64 {
+                -(0..2).map(|k| mass[2 * i + k] * a[rows[k] * n + columns[j]]).sum::<f64>()
+            };
+            vec![entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1)]
+        };
+        let stiffness: Vec<f64> = (0..4).map(|i| g * weight[i] + v * v * centrifugal[i]).collect();
+        close(&times(columns), &stiffness, 1e-13, &format!("stiffness at {v} m/s"));
+        let damping: Vec<f64> = damping.iter().map(|c| v * c).collect();
+        if v > 0.0 {
+            close(&times(rows), &damping, 1e-13, &format!("damping at {v} m/s"));
+        }
+    }
+}
