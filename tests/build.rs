@@ -64,6 +64,7 @@ fn derive(model: &str, file_name: &str, scalar: ScalarType, keep: &[&str], setti
         emit: EmitOptions { scalar, ..EmitOptions::default() },
         settings: settings.into(),
         file_name: Some(file_name.to_owned()),
+        ..Options::default()
     };
     smartbed_codegen::build(format!("../models/{model}.toml"), &options);
 }
