@@ -14,6 +14,10 @@ use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vecto
 use crate::model::{Body, Model};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 
+/// A tree whose bodies, each for itself, take more scalar products than this is taken as composite bodies at once:
+/// that of a chain of fifteen hinges.
+const LONG: usize = 680;
+
 /// Adds every body's inertia; with given accelerations the forces are all of it, and masses have no meaning.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, given: &Given, parts: &mut Unprojected) {
     // A tree weighs all that it carries: a body without weight stands alone.
@@ -23,18 +27,27 @@ pub(super) fn accumulate(model: &Model, k: &mut Kinematics, given: &Given, parts
     let forest = tree::build(model, k, &hanging);
     for (root, bodies) in forest.roots() {
         let bodies: Vec<Massive> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
-        let mut best = body_by_body(model, k, given, &bodies);
+        // Of a long tree every body for itself takes products of all pairs of joints below it: never the cheaper way.
+        let is_long = forest.has_joints(root) && n_products(k, &bodies) > LONG;
+        let mut best = (!is_long).then(|| body_by_body(model, k, given, &bodies));
         if forest.has_joints(root) {
             let cut = tree::cut(k, &forest.nodes, root);
             let candidate = composite::contributions(model, k, given, &forest.nodes, cut);
-            if candidate.cost(&k.dag, given) < best.cost(&k.dag, given) {
-                best = candidate;
+            if best.as_ref().is_none_or(|best| candidate.cost(&k.dag, given) < best.cost(&k.dag, given)) {
+                best = Some(candidate);
             }
         }
+        let best = best.unwrap_or_default();
         all.mass.extend(best.mass);
         all.force.extend(best.force);
     }
     all.join(&mut k.dag, parts);
+}
+
+/// How many scalar products the translations of the bodies, each for itself, take.
+fn n_products(k: &Kinematics, bodies: &[Massive]) -> usize {
+    let moving = bodies.iter().map(|massive| k.velocities[massive.body.centre].partials.len());
+    moving.map(|n| n * (n + 1) / 2).sum()
 }
 
 impl Contributions {
