@@ -14,9 +14,6 @@ const STATES: usize = 3;
 const SINGULAR: f64 = 0.05;
 /// At most this share of the models may be refused: the oracle, too, meets a singular state in their ranges.
 const REFUSED: f64 = 0.01;
-/// At most this share may be refused though the oracle finds them regular: rolling discs whose third, empty component
-/// counts as a row, and pivots that the program reports as too small.
-const UNEXPLAINED: f64 = 0.003;
 
 /// A number from the environment.
 fn asked(name: &str, default: u64) -> u64 {
@@ -62,8 +59,5 @@ fn random_mechanisms_move_as_newton_and_euler_say() {
     );
     assert!((singular as f64) < SINGULAR * compared as f64, "{singular} of {compared} states singular");
     assert!((refused as f64) <= REFUSED * count as f64, "{refused} of {count} models refused");
-    assert!(
-        unexplained as f64 <= UNEXPLAINED * count as f64,
-        "{unexplained} of {count} refused without reason"
-    );
+    assert_eq!(unexplained, 0, "refused though the oracle finds them regular");
 }

@@ -23,6 +23,9 @@ pub enum Number {
 /// Largest integer taken over exactly from an f64.
 const EXACT_LIMIT: f64 = 1e9;
 
+/// What is left of two constants that cancel to this share is their rounding: some are results of several operations.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl Number {
     /// 0.
     pub const ZERO: Self = Self::integer(0);
@@ -117,9 +120,10 @@ impl Number {
                 return sum;
             }
         }
-        // What cancels is zero for everyone who asks: a quotient by it would be infinite.
-        let sum = self.to_f64() + other.to_f64();
-        if sum == 0.0 { Self::ZERO } else { Self::float(sum) }
+        // What cancels is zero for everyone who asks: a quotient by it would be infinite, a row of it no equation.
+        let (a, b) = (self.to_f64(), other.to_f64());
+        let sum = a + b;
+        if sum.abs() <= ROUNDING * a.abs().max(b.abs()) { Self::ZERO } else { Self::float(sum) }
     }
 
     /// a b.
@@ -141,7 +145,8 @@ impl Number {
                 return product;
             }
         }
-        Self::float(self.to_f64() * other.to_f64())
+        let product = self.to_f64() * other.to_f64();
+        if product == 0.0 { Self::ZERO } else { Self::float(product) }
     }
 
     /// 1/a; infinite for 0.
@@ -246,5 +251,10 @@ mod tests {
     fn floats_that_cancel_are_zero() {
         let tenth = Number::from_f64(0.1);
         assert_eq!(tenth.plus(tenth.negate()), Number::ZERO);
+        // 0.1 + 0.2 is not the float 0.3, but what is left is rounding; a part in 10^12 is not.
+        let sum = tenth.plus(Number::from_f64(0.2));
+        assert_eq!(sum.plus(Number::from_f64(-0.3)), Number::ZERO);
+        assert!(sum.plus(Number::from_f64(-0.3 + 3e-13)).to_f64() > 2e-13);
+        assert_eq!(tenth.multiply(Number::ZERO), Number::ZERO);
     }
 }

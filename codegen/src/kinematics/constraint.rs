@@ -62,6 +62,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 let triads = triads_of(&motion);
                 let name = constraint.name.clone();
                 add_residuals(k, &residual, &Place { name: name.clone(), span: constraint.span });
+                let residual = rigid(model, k, residual);
                 rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
             }
             lower::Value::Scalar(e) => {
@@ -155,6 +156,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
         let flat = in_frame(k, &flat, leg, home);
         let flat = orientation::flattened(k, &flat, home);
         let residual = reference.minus(&mut k.dag, &flat);
+        let residual = rigid(model, k, residual);
         let rate = velocity::derivative(k, &place);
         let mut motion = velocity.clone();
         let minus_one = {
@@ -217,6 +219,13 @@ fn in_frame(k: &mut Kinematics, vector: &Vector, triad: TriadId, frame: TriadId)
     let part = k.triads.express(&mut k.dag, &part, frame);
     let part = Vector::new(&k.dag, frame, part);
     rest.plus(&mut k.dag, &part)
+}
+
+/// The vector with what stands in frames of fixed vectors taken as rigid, as its rate takes it: Newton's residual.
+fn rigid(model: &Model, k: &mut Kinematics, vector: Vector) -> Vector {
+    let lifted = model.frames.ids().filter(|&f| orientation::is_lifted(model, f));
+    let triads: Vec<TriadId> = lifted.map(|f| k.frame_triad[f]).collect();
+    triads.into_iter().fold(vector, |vector, triad| orientation::flattened(k, &vector, triad))
 }
 
 fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {

@@ -234,15 +234,27 @@ fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) ->
     let (_, suspects) = basis_of(&rows);
     let mut kept: Vec<usize> = (0..rows.len()).collect();
     let mut errors = Diagnostics::new(model.source.clone());
-    for suspect in suspects {
-        let others: Vec<usize> = kept.iter().copied().filter(|&i| i != suspect).collect();
-        let residual = after_moves(&mut equations, &nominal, &others, suspect);
-        if residual < STAYS {
-            kept = others;
-            warnings.push(redundant(k, &kept, suspect, residual));
-        } else {
-            let residual = residual * equations.sizes[suspect];
-            errors.push(singular(k, &mut equations, suspect, residual));
+    for &suspect in &suspects {
+        let mut without = |row: usize| {
+            let others: Vec<usize> = kept.iter().copied().filter(|&i| i != row).collect();
+            (after_moves(&mut equations, &nominal, &others, row), others, row)
+        };
+        // Where the others leave two branches, close together, another one of those involved follows from the rest.
+        let first = without(suspect);
+        let residual = first.0;
+        let found = (residual < STAYS).then_some(first).or_else(|| {
+            let involved = involved(&rows, &suspects, suspect);
+            involved.into_iter().map(without).find(|(residual, ..)| *residual < STAYS)
+        });
+        match found {
+            Some((residual, others, row)) => {
+                kept = others;
+                warnings.push(redundant(k, &kept, row, residual));
+            }
+            None => {
+                let residual = residual * equations.sizes[suspect];
+                errors.push(singular(k, &mut equations, suspect, residual));
+            }
         }
     }
     errors.finish(())?;

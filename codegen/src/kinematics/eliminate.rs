@@ -7,6 +7,7 @@
 use super::basis::NumericRow;
 use super::choose;
 use super::least_squares;
+use super::projection;
 use super::regular::{self, Regularity};
 use super::sparse::{self, Equation};
 use super::{Kinematics, Row, Sample, UnknownId, rank};
@@ -71,9 +72,11 @@ pub struct Step {
 pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
     let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
     let unknown = k.dependent_unknowns();
-    let Some(Form { rows, eliminations, values }) = form(model, k, table, [&unknown, &known]) else {
+    let system = System { rows: k.rows.clone(), spare: k.spare_rows.clone(), unknown, known };
+    let Some(Form { rows, eliminations, values }) = form(model, k, table, &system) else {
         return Err(rank::explain(model, k, table, None));
     };
+    let known = system.known;
     let mut solution = Solution::default();
     for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
         record(&k.dag, table, pivot, &mut solution.pivots);
@@ -92,42 +95,60 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         solution.partials.insert(id, values);
     }
     check_consequences(model, k, table, &solution)?;
+    if let Some(correction) = projection::beside_motion(model, k, table, (&rows, &solution.correction)) {
+        solution.correction = correction;
+    }
     solution.rows = rows;
     Ok(solution)
 }
 
+/// What is to be solved.
+pub(super) struct System {
+    /// Candidate rows.
+    pub rows: Vec<Row>,
+    /// Rows that follow from these, for where these are not enough.
+    pub spare: Vec<Row>,
+    /// Columns: the unknowns to be solved for.
+    pub unknown: Vec<UnknownId>,
+    /// The other unknowns: their values are given.
+    pub known: Vec<UnknownId>,
+}
+
 /// Rows, and the unknowns from them.
-struct Form {
-    rows: Vec<Row>,
+pub(super) struct Form {
+    /// The rows that are solved.
+    pub rows: Vec<Row>,
     eliminations: Vec<sparse::Elimination>,
-    values: sparse::Values,
+    /// By unknown: its coefficients of what is known, its bias, Newton's correction.
+    pub values: sparse::Values,
 }
 
 impl Form {
-    fn pivots(&self) -> Vec<ExprId> {
+    /// What is divided by.
+    pub fn pivots(&self) -> Vec<ExprId> {
         self.eliminations.iter().map(|e| e.pivot).collect()
     }
 }
 
 /// The cheapest form that is regular wherever the constraints are: the cheapest rows; rows chosen with the
 /// configurations in view at which those fail; at last the normal equations, which fail nowhere else.
-fn form(
+pub(super) fn form(
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
-    [unknown, known]: [&[UnknownId]; 2],
+    System { rows, spare, unknown, known }: &System,
 ) -> Option<Form> {
-    let choice = choose::Choice { rows: &k.rows, unknown, independent: choose::INDEPENDENT };
+    let choice = choose::Choice { rows, unknown, independent: choose::INDEPENDENT };
     let cheapest = choose::rows(k, table, &choice);
     let first = match cheapest {
         Some(rows) => Some(eliminated(k, table, rows, known)?),
-        None if rank::determined(model, k) => None,
+        None if rank::determine(k, &mut sample_table(model, k), rows, unknown) => None,
         None => return None,
     };
     if unknown.is_empty() {
         return first;
     }
-    let all: Vec<Row> = k.rows.iter().chain(&k.spare_rows).cloned().collect();
+    let all: Vec<Row> = rows.iter().chain(spare).cloned().collect();
     let mut samples = k.sampled();
     let mut rows = Vec::new();
     let mut found = first;
@@ -138,7 +159,7 @@ fn form(
                 let screened = wider.as_mut().unwrap_or(table);
                 let mut lost = regular::suspects(model, k, screened, &samples, &form.pivots());
                 if !lost.is_empty() {
-                    lost = Regularity::new(model, k, unknown, table).regular(lost);
+                    lost = Regularity::new(model, k, &all, unknown, table).regular(lost);
                 }
                 if lost.is_empty() {
                     return Some(form);
@@ -158,7 +179,7 @@ fn form(
         }
     }
     let mut wider = table_at(model, k, &samples);
-    let rows = Regularity::new(model, k, unknown, table).complete(&mut wider, rows);
+    let rows = Regularity::new(model, k, &all, unknown, table).complete(&mut wider, rows);
     let equations: Vec<Equation> = rows.iter().map(|row| equation(&mut k.dag, row, known)).collect();
     let normal = least_squares::normal_equations(&mut k.dag, &equations);
     let eliminations = sparse::eliminate_definite(&mut k.dag, table, normal);
@@ -220,7 +241,7 @@ fn check_consequences(
                 continue;
             }
             let is_clock = k.clock.is_some() && j + 1 == n;
-            match is_small(k, table, row, &off, &sum) {
+            match is_small(k, table, (row, &solution.partials, j), &off, &sum) {
                 Small::Sum => {}
                 _ if is_clock => return Err(rank::contradiction(model, &row.name)),
                 Small::Row => break,
@@ -240,20 +261,40 @@ enum Small {
     Neither,
 }
 
-fn is_small(k: &Kinematics, table: &mut SampleTable, row: &Row, samples: &[usize], sum: &[f64]) -> Small {
+/// Looks into a row whose sum with column j of the partial velocities is not 0.
+fn is_small(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    (row, partials, j): (&Row, &BTreeMap<UnknownId, Vec<ExprId>>, usize),
+    samples: &[usize],
+    sum: &[f64],
+) -> Small {
     let column = row.coefficients.keys().enumerate().map(|(i, &unknown)| (unknown, i)).collect();
     let points = table.points();
-    let row = NumericRow::new(&k.dag, table, row, &column);
-    let lengths = (0..points).map(|sample| (sample, row.length(sample)));
+    let numeric = NumericRow::new(&k.dag, table, row, &column);
+    let lengths = (0..points).map(|sample| (sample, numeric.length(sample)));
     let Some((longest, length)) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Small::Row };
-    let is_off = |&s: &usize| {
-        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && row.length(s) > row.rounding(&k.dag, s)
+    if length <= numeric.rounding(&k.dag, longest) {
+        return Small::Row;
+    }
+    let is_long = |s: usize| {
+        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && numeric.length(s) > numeric.rounding(&k.dag, s)
     };
-    match length <= row.rounding(&k.dag, longest) {
-        true => Small::Row,
-        false if samples.iter().any(is_off) => Small::Neither,
+    let long: Vec<usize> = samples.iter().copied().filter(|&s| is_long(s)).collect();
+    let terms: Vec<[ExprId; 2]> = row.coefficients.iter().map(|(y, &c)| [c, partials[y][j]]).collect();
+    match long.iter().any(|&s| sum[s].abs() > rounding_of_products(&k.dag, table, &terms, s)) {
+        true => Small::Neither,
         false => Small::Sum,
     }
+}
+
+/// Bound of the rounding error of a sum of products at a sample: where pivots are small that of the partial velocities
+/// is large.
+fn rounding_of_products(dag: &Dag, table: &mut SampleTable, terms: &[[ExprId; 2]], sample: usize) -> f64 {
+    let values: Vec<f64> = terms.as_flattened().iter().map(|&e| table.values(dag, e)[sample].abs()).collect();
+    let errors = table.rounding_errors(dag, terms.as_flattened(), sample);
+    let pairs = values.chunks_exact(2).zip(errors.chunks_exact(2));
+    pairs.map(|(value, error)| value[0] * error[1] + error[0] * value[1]).sum()
 }
 
 fn equation(dag: &mut Dag, row: &Row, known: &[UnknownId]) -> Equation {

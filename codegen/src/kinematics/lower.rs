@@ -236,11 +236,23 @@ fn operator(k: &mut Kinematics, kind: &ExprKind) -> Value {
         }
         ExprKind::Norm(a) => {
             let a = flat_vector(k, a);
-            let square = k.triads.dot(&mut k.dag, &a, &a);
+            let mut square = k.triads.dot(&mut k.dag, &a, &a);
+            // Products of parts in several triads cancel where a point does not move: rounding may leave less than 0.
+            if a.terms.len() > 1 && reads_speeds(k, square) {
+                let zero = k.dag.zero();
+                square = k.dag.binary(Binary::Max, zero, square);
+            }
             Value::Scalar(k.dag.sqrt(square))
         }
         _ => Value::Pending,
     }
+}
+
+fn reads_speeds(k: &Kinematics, e: ExprId) -> bool {
+    let read = k.dag.symbols_of(e);
+    k.unknowns
+        .iter()
+        .any(|unknown| k.dag.as_symbol(unknown.value).is_some_and(|symbol| read.contains(&symbol)))
 }
 
 /// A literal 0 may stand for the zero vector.

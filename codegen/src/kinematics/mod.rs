@@ -21,6 +21,7 @@ mod marker;
 mod orientation;
 
 mod position;
+mod projection;
 mod rank;
 mod regular;
 mod slopes;

@@ -3,7 +3,7 @@
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::{Kinematics, UnknownId};
+use super::{Kinematics, Row, UnknownId};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
@@ -13,11 +13,16 @@ use rustc_hash::FxHashMap as HashMap;
 /// A unit row with less than this left beside the others depends on them.
 const DEPENDENT: f64 = 1e-8;
 
-/// Rank of all rows over the given unknowns, at every sample.
-fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec<usize> {
+/// Rank of rows over the given unknowns, at every sample.
+pub(super) fn ranks(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    rows: &[Row],
+    unknowns: &[UnknownId],
+) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases = Bases::new(unknowns.len(), longest_entry(&k.dag, &k.rows, table), table.points());
-    for row in &k.rows {
+    let mut bases = Bases::new(unknowns.len(), longest_entry(&k.dag, rows, table), table.points());
+    for row in rows {
         let row = NumericRow::new(&k.dag, table, row, &column);
         bases.extend_where_independent(&k.dag, &row, DEPENDENT);
     }
@@ -26,9 +31,18 @@ fn ranks(k: &Kinematics, table: &mut SampleTable, unknowns: &[UnknownId]) -> Vec
 
 /// Do the rows give every dependent unknown, at every sample?
 pub(super) fn determined(model: &Model, k: &Kinematics) -> bool {
-    let dependent = k.dependent_unknowns();
     let mut table = super::eliminate::sample_table(model, k);
-    ranks(k, &mut table, &dependent).iter().all(|&rank| rank == dependent.len())
+    determine(k, &mut table, &k.rows, &k.dependent_unknowns())
+}
+
+/// Do these rows give these unknowns, at every sample?
+pub(super) fn determine(
+    k: &Kinematics,
+    table: &mut SampleTable,
+    rows: &[Row],
+    unknown: &[UnknownId],
+) -> bool {
+    ranks(k, table, rows, unknown).iter().all(|&rank| rank == unknown.len())
 }
 
 /// Why the dependent unknowns cannot be solved for, or why there is a row too many (`extra`).
@@ -40,12 +54,12 @@ pub(super) fn explain(
 ) -> Diagnostics {
     let (all, dependent) = (k.moving_unknowns(), k.dependent_unknowns());
     let declared = all.len() - dependent.len();
-    let over_all = ranks(k, table, &all);
+    let over_all = ranks(k, table, &k.rows, &all);
     let dof = all.len() - over_all.first().copied().unwrap_or(0);
     let error = if dof != declared {
         wrong_dof(model, dof, declared, all.len(), extra)
     } else {
-        let found = ranks(k, table, &dependent);
+        let found = ranks(k, table, &k.rows, &dependent);
         dead_point(model, k, &found, dependent.len())
     };
     Diagnostics::one(model.source.clone(), error)

@@ -25,7 +25,7 @@ const HALVINGS: usize = 40;
 pub(super) struct Regularity<'a> {
     model: &'a Model,
     k: &'a Kinematics,
-    rows: Vec<&'a Row>,
+    rows: &'a [Row],
     column: HashMap<UnknownId, usize>,
     /// The largest length of every row over the samples: a row says the same if all of it is multiplied.
     lengths: Vec<f64>,
@@ -38,14 +38,14 @@ impl<'a> Regularity<'a> {
     pub fn new(
         model: &'a Model,
         k: &'a Kinematics,
+        rows: &'a [Row],
         unknown: &[UnknownId],
         samples: &mut SampleTable,
     ) -> Self {
-        let rows: Vec<&Row> = k.rows.iter().chain(&k.spare_rows).collect();
         let column = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
         let mut this = Self { model, k, rows, column, lengths: Vec::new(), nominal: 0.0 };
         let points = samples.points();
-        for &row in &this.rows {
+        for row in this.rows {
             let row = NumericRow::new(&k.dag, samples, row, &this.column);
             this.lengths.push((0..points).map(|s| row.length(s)).fold(0.0, f64::max));
         }
@@ -58,7 +58,7 @@ impl<'a> Regularity<'a> {
     fn determined(&self, table: &mut SampleTable, sample: usize, only: Option<&[usize]>) -> (usize, f64) {
         let n = self.column.len();
         let mut matrix = Vec::new();
-        for (i, (&row, &length)) in self.rows.iter().zip(&self.lengths).enumerate() {
+        for (i, (row, &length)) in self.rows.iter().zip(&self.lengths).enumerate() {
             if length > 0.0 && only.is_none_or(|only| only.contains(&i)) {
                 let mut dense = vec![0.0; n];
                 NumericRow::new(&self.k.dag, table, row, &self.column).write(sample, &mut dense);

@@ -21,7 +21,7 @@ use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
-use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
+use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
 
 pub use answer::{Answer, Asked, Function, Request};
@@ -251,7 +251,7 @@ fn assemble(
     let worst_pivot = worst_pivot(&mut k.dag, &pivots);
     let watched = [&k.residuals[..], &k.implied].concat();
     let residual = largest(&mut k.dag, &watched);
-    let correction = correction(model, &mut k, &state, solution);
+    let correction = correction(&mut k, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let closed_forms = k.closed_form_values();
     let u_dot = given_accelerations(model, &k, &answered.u_dot);
@@ -323,24 +323,12 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
     })
 }
 
-/// Corrections of the coordinates: those of the dependent speeds through q_dot = N u, the independent ones held.
+/// Corrections of the coordinates: those of the unknowns, which are 0 for independent speeds, through q_dot = N u.
 ///
-/// An independent coordinate stays where it is, unless it shares a dependent speed with others: it moves with them
-/// (Euler parameters along their own direction). One whose own speed a motion constraint gives stays too.
-fn correction(
-    model: &Model,
-    k: &mut Kinematics,
-    state: &[CoordinateId],
-    solution: &Solution,
-) -> Vec<(usize, ExprId)> {
+/// Coordinates that share a dependent speed move together (Euler parameters along their own direction).
+fn correction(k: &mut Kinematics, state: &[CoordinateId], solution: &Solution) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
-    let has_speed = |c: CoordinateId| {
-        model.speeds.iter().any(|s| matches!(s.meaning, SpeedMeaning::RateOf(of) if of == c))
-    };
     for (index, &c) in state.iter().enumerate() {
-        if model.coordinates[c].independent && has_speed(c) {
-            continue;
-        }
         let rate = k.rates[c].partials.clone();
         let terms: Vec<ExprId> =
             rate.into_iter().map(|(unknown, n)| k.dag.mul(n, solution.correction[&unknown])).collect();

@@ -125,6 +125,8 @@ pub struct Description {
     pub scalars: Vec<Scalar>,
     /// Definitions of vectors.
     pub vectors: Vec<Vector>,
+    /// Vectors that a frame states to be fixed in it, with their components there: they follow from the rest.
+    pub fixed: Vec<(usize, Vector, [Scalar; 3])>,
     /// Frames; the first is N.
     pub frames: Vec<Frame>,
     /// Points; the first is O.
@@ -160,6 +162,7 @@ impl Description {
             speeds: Vec::new(),
             scalars: Vec::new(),
             vectors: Vec::new(),
+            fixed: Vec::new(),
             frames: vec![Frame::Inertial],
             points: vec![Point { position: origin, closures: Vec::new(), velocity: None }],
             order: Vec::new(),

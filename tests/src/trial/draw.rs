@@ -30,10 +30,14 @@ pub enum Kind {
     Combination,
     /// Everything together.
     Mixed,
+    /// Loops and constraints of motion, discs that carry loops.
+    LoopMotion,
+    /// Prescribed by time, in closed forms and in constraints of both kinds.
+    Driven,
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 10] = [
+pub const KINDS: [Kind; 12] = [
     Kind::PlanarTree,
     Kind::SpatialTree,
     Kind::PlanarLoop,
@@ -44,6 +48,8 @@ pub const KINDS: [Kind; 10] = [
     Kind::Rolling,
     Kind::Combination,
     Kind::Mixed,
+    Kind::LoopMotion,
+    Kind::Driven,
 ];
 
 /// A mechanism whose nominal configuration is farther from a singular one than this is kept.
@@ -69,6 +75,8 @@ pub(super) struct Draw {
     pub tilted: bool,
     /// Coordinates that closed forms read.
     pub read_by_forms: Vec<usize>,
+    /// Do frames state vectors that are fixed in them?
+    pub states_fixed: bool,
 }
 
 /// The mechanism of a kind and a seed.
@@ -89,6 +97,7 @@ fn attempt(kind: Kind, seed: u64, n: u64) -> Option<Description> {
         planar: false,
         tilted: false,
         read_by_forms: Vec::new(),
+        states_fixed: matches!(kind, Kind::LoopMotion | Kind::Driven),
     };
     let mixed = |draw: &mut Draw| kind == Kind::Mixed && draw.chance(0.5);
     draw.planar = match kind {
@@ -99,11 +108,16 @@ fn attempt(kind: Kind, seed: u64, n: u64) -> Option<Description> {
     match kind {
         Kind::Redundant => draw.redundant(),
         Kind::Rolling => draw.rolling(),
+        Kind::LoopMotion if !draw.planar && draw.chance(0.5) => draw.disc(),
         _ => draw.tree(),
     }
     let looped = match kind {
         Kind::PlanarLoop | Kind::SpatialLoop => true,
-        Kind::Motion => draw.chance(0.3),
+        Kind::Motion | Kind::Driven => draw.chance(0.3),
+        Kind::LoopMotion => {
+            draw.links_up_to(if draw.planar { 6 } else { 8 });
+            true
+        }
         _ => mixed(&mut draw),
     };
     if looped {
@@ -112,8 +126,11 @@ fn attempt(kind: Kind, seed: u64, n: u64) -> Option<Description> {
     if kind == Kind::ClosedForm || mixed(&mut draw) {
         draw.closed_forms();
     }
-    if kind == Kind::Motion || mixed(&mut draw) {
+    if matches!(kind, Kind::Motion | Kind::LoopMotion) || mixed(&mut draw) {
         draw.motion_constraints();
+    }
+    if kind == Kind::Driven {
+        draw.drives();
     }
     draw.choose_independent();
     if kind == Kind::Combination || mixed(&mut draw) {
@@ -301,13 +318,27 @@ impl Draw {
             let one = Box::new(Scalar::number(1.0));
             let x = along.clone().scaled(Scalar::Quotient(one, Box::new(along.norm())));
             let x = self.d.define_vector(x);
-            return self.d.frame(Frame::Directions(x.clone(), Vector::Axis(0, 2).cross(x)));
+            let frame = self.d.frame(Frame::Directions(x.clone(), Vector::Axis(0, 2).cross(x.clone())));
+            self.state_fixed(frame, [(x, 0), (Vector::Axis(0, 2), 2)]);
+            return frame;
         }
         let (x, y) = if self.planar { (1, 0) } else { (1, 2) };
         let x = Vector::Axis(frame, x);
         let y = Vector::Axis(frame, y);
         let y = if self.planar { y.scaled(Scalar::number(-1.0)) } else { y };
-        self.d.frame(Frame::Directions(x, y))
+        let frame = self.d.frame(Frame::Directions(x.clone(), y.clone()));
+        self.state_fixed(frame, [(x, 0), (y, 1)]);
+        frame
+    }
+
+    /// States that vectors are axes of a frame, which they are.
+    fn state_fixed(&mut self, frame: usize, vectors: [(Vector, usize); 2]) {
+        if self.states_fixed && self.chance(0.5) {
+            for (vector, axis) in vectors {
+                let components = [0, 1, 2].map(|i| Scalar::number(if i == axis { 1.0 } else { 0.0 }));
+                self.d.fixed.push((frame, vector, components));
+            }
+        }
     }
 
     fn mass(&mut self) -> Scalar {

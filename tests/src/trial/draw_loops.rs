@@ -12,10 +12,7 @@ const GROUND: Link = Link { frame: 0, origin: 0, centre: 0 };
 impl Draw {
     /// One or two loops, as long as something still moves.
     pub(super) fn loops(&mut self) {
-        while self.d.coordinates.len() < if self.planar { 4 } else { 5 } {
-            let last = self.links.len() - 1;
-            self.link(Some(last));
-        }
+        self.links_up_to(if self.planar { 4 } else { 5 });
         let mut freedom = self.d.state().len();
         for _ in 0..1 + self.below(2) {
             let (a, b) = self.two_links();
@@ -39,6 +36,14 @@ impl Draw {
                 }
                 _ => {}
             }
+        }
+    }
+
+    /// Links, one on the other, until there are so many coordinates.
+    pub(super) fn links_up_to(&mut self, coordinates: usize) {
+        while self.d.coordinates.len() < coordinates {
+            let last = self.links.len() - 1;
+            self.link(Some(last));
         }
     }
 
@@ -96,11 +101,26 @@ impl Draw {
         let length = self.number(length, "m", true);
         let gap = Vector::Point(first) - Vector::Point(second);
         let row = if self.chance(0.5) {
-            gap.norm() - length
+            gap.clone().norm() - length.clone()
         } else {
-            gap.clone().dot(gap) - Scalar::Power(Box::new(length), 2)
+            gap.clone().dot(gap.clone()) - Scalar::Power(Box::new(length.clone()), 2)
         };
         self.d.configuration.push(Value::Scalar(row));
+        if self.states_fixed && self.planar && !self.tilted {
+            self.massive_rod(gap, length, first);
+        }
+    }
+
+    /// The rod in N's plane has a frame, in which it is fixed, and a body: its length is no unit vector's off the constraint.
+    fn massive_rod(&mut self, gap: Vector, length: Scalar, end: usize) {
+        let one = Box::new(Scalar::number(1.0));
+        let x = gap.clone().scaled(Scalar::Quotient(one, Box::new(length.clone())));
+        let x = self.d.define_vector(x);
+        let frame = self.d.frame(Frame::Directions(x.clone(), Vector::Axis(0, 2).cross(x)));
+        let [zero, one] = [0.0, 1.0].map(Scalar::number);
+        self.d.fixed.push((frame, gap, [length, zero.clone(), zero.clone()]));
+        self.d.fixed.push((frame, Vector::Axis(0, 2), [zero.clone(), zero, one]));
+        self.finish(frame, end);
     }
 
     /// A point stays on a plane of another link.
@@ -114,7 +134,7 @@ impl Draw {
     }
 
     /// One coordinate follows another.
-    fn gear(&mut self) {
+    pub(super) fn gear(&mut self) {
         let n = self.d.coordinates.len();
         let (i, j) = (self.below(n), self.below(n));
         let (a, b) = (&self.d.coordinates[i], &self.d.coordinates[j]);

@@ -10,30 +10,29 @@ impl Draw {
         for _ in 0..1 + self.below(2) {
             let angle = self.chance(0.6);
             let form = self.form(angle);
-            let unit = if angle { "rad" } else { "m" };
-            let coordinate = Coordinate {
-                angle,
-                unit,
-                nominal: 0.0,
-                reach: 1.0,
-                independent: false,
-                closed_form: Some(form),
-            };
-            self.d.coordinates.push(coordinate);
-            let q = self.d.coordinates.len() - 1;
-            self.d.order.push(Entity::Coordinate(q));
-            let base = self.any_link();
-            let mut origin = Vector::Point(base.origin) + self.arm(base.frame, 0.3);
-            let mut frame = base.frame;
-            if angle {
-                let axis = if self.planar { 2 } else { self.below(3) };
-                frame = self.d.frame(Frame::Rotations(base.frame, vec![(axis, Scalar::Coordinate(q))]));
-            } else {
-                origin = origin + self.axis(base.frame).scaled(Scalar::Coordinate(q));
-            }
-            let origin = self.d.point(origin);
-            self.finish(frame, origin);
+            self.joint_in_closed_form(angle, form);
         }
+    }
+
+    /// A link whose joint moves as a formula says.
+    pub(super) fn joint_in_closed_form(&mut self, angle: bool, form: Scalar) {
+        let unit = if angle { "rad" } else { "m" };
+        let coordinate =
+            Coordinate { angle, unit, nominal: 0.0, reach: 1.0, independent: false, closed_form: Some(form) };
+        self.d.coordinates.push(coordinate);
+        let q = self.d.coordinates.len() - 1;
+        self.d.order.push(Entity::Coordinate(q));
+        let base = self.any_link();
+        let mut origin = Vector::Point(base.origin) + self.arm(base.frame, 0.3);
+        let mut frame = base.frame;
+        if angle {
+            let axis = if self.planar { 2 } else { self.below(3) };
+            frame = self.d.frame(Frame::Rotations(base.frame, vec![(axis, Scalar::Coordinate(q))]));
+        } else {
+            origin = origin + self.axis(base.frame).scaled(Scalar::Coordinate(q));
+        }
+        let origin = self.d.point(origin);
+        self.finish(frame, origin);
     }
 
     /// Are all coordinates that closed forms read independent?
@@ -73,7 +72,7 @@ impl Draw {
     }
 
     /// A point does not move along an axis of its link.
-    fn edge(&mut self) -> Scalar {
+    pub(super) fn edge(&mut self) -> Scalar {
         let link = self.any_link();
         let arm = self.arm(link.frame, 0.3);
         let point = self.d.point(Vector::Point(link.origin) + arm);
@@ -82,7 +81,7 @@ impl Draw {
     }
 
     /// A rate follows others, with a ratio that depends on where the mechanism is.
-    fn coupling(&mut self) -> Scalar {
+    pub(super) fn coupling(&mut self) -> Scalar {
         let angles: Vec<usize> =
             self.d.state().into_iter().filter(|&i| self.d.coordinates[i].angle).collect();
         let pick = |draw: &mut Self| angles[draw.below(angles.len())];
@@ -126,7 +125,7 @@ impl Draw {
     }
 
     /// Yaw, lean and spin about the axle; the place in the plane has coordinates.
-    fn disc(&mut self) {
+    pub(super) fn disc(&mut self) {
         let radius = self.length(0.1, 0.3);
         let [yaw, lean, spin] = [0; 3].map(|_| self.coordinate(true));
         self.d.coordinates[lean].nominal *= 0.5;

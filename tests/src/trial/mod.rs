@@ -5,6 +5,7 @@
 
 pub mod description;
 pub mod draw;
+mod draw_drives;
 mod draw_loads;
 mod draw_loops;
 mod draw_rows;

@@ -48,6 +48,9 @@ pub struct Answer {
     pub potential_terms: f64,
     /// Rank of the constraints.
     pub rank: usize,
+    /// Smallest eigenvalue over the largest of the mass matrix of the motions that the constraints leave, each in units
+    /// in which it has unit inertia: near 0, or below, where changed moments of inertia are those of no body.
+    pub inertia: f64,
     /// Smallest pivot over the largest: of the constraints (zeros apart), and of the independent speeds' share of the
     /// motions that they leave. 0 where a state is singular.
     pub health: f64,
@@ -240,6 +243,15 @@ pub fn jacobian(description: &Description, state: &State) -> (DMatrix<f64>, usiz
     (at.affine(&|p| values(constraint_rows(p))).0, n)
 }
 
+/// Do some equations of configuration follow from the others?
+#[must_use]
+pub fn is_redundant(description: &Description, state: &State) -> bool {
+    let (jacobian, n) = jacobian(description, state);
+    let rows = jacobian.rows(0, n).into_owned();
+    let empty = rows.row_iter().filter(|row| row.amax() < RANK).count();
+    Rows::new(&rows).rank < n - empty
+}
+
 /// Do the constraints hold some coordinate where it is?
 #[must_use]
 pub fn is_locked(description: &Description, state: &State) -> bool {
@@ -290,6 +302,9 @@ pub fn solve(description: &Description, state: &State) -> Option<Answer> {
     }
     // q' = J+ (-b) + Z z with Y q' + y = u.
     let particular = -rows.solve(&jacobian, &offset);
+    if (&jacobian * &particular + &offset).amax() > RANK {
+        return None; // time prescribes what the constraints do not allow
+    }
     let u = DVector::from_column_slice(&state.u);
     let of_free = DVector::from_fn(free.len(), |i, _| speed_offset[free[i]]);
     let reduced = share.solve(&selected, &(u - of_free - &select * &particular));
@@ -300,6 +315,10 @@ pub fn solve(description: &Description, state: &State) -> Option<Answer> {
     let start = rows.solve(&jacobian, &gamma);
     balance.terms += (&balance.mass * &start).abs();
     let inner = rows.null.transpose() * &balance.mass * &rows.null;
+    let units =
+        DVector::from_fn(inner.nrows(), |i, _| inner[(i, i)].abs().sqrt().max(f64::MIN_POSITIVE).recip());
+    let eigenvalues =
+        (DMatrix::from_diagonal(&units) * &inner * DMatrix::from_diagonal(&units)).symmetric_eigenvalues();
     let inverse = inner.clone().try_inverse()?;
     let mut second = start.clone();
     for _ in 0..2 {
@@ -322,6 +341,7 @@ pub fn solve(description: &Description, state: &State) -> Option<Answer> {
         energy: [balance.kinetic, balance.potential[0]],
         potential_terms: balance.potential[1],
         rank: rows.rank,
+        inertia: eigenvalues.min() / eigenvalues.max(),
         health,
     })
 }

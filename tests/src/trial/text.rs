@@ -84,8 +84,8 @@ impl Writer<'_> {
         text + " }"
     }
 
-    fn frame(&self, f: &Frame) -> String {
-        match f {
+    fn frame(&self, i: usize) -> String {
+        match &self.0.frames[i] {
             Frame::Inertial => String::new(),
             Frame::Rotations(parent, steps) => {
                 let step = |(axis, angle): &(usize, Scalar)| {
@@ -95,9 +95,20 @@ impl Writer<'_> {
                 format!("{{ parent = \"{}\", rotations = [{}] }}", frame(*parent), steps.join(", "))
             }
             Frame::Directions(x, y) => {
-                format!("{{ x = \"{}\", y = \"{}\" }}", self.vector(x), self.vector(y))
+                let fixed = self.fixed(i);
+                format!("{{ x = \"{}\", y = \"{}\"{fixed} }}", self.vector(x), self.vector(y))
             }
         }
+    }
+
+    fn fixed(&self, of: usize) -> String {
+        let stated = self.0.fixed.iter().filter(|(frame, ..)| *frame == of).map(|(_, vector, components)| {
+            let components: Vec<String> =
+                components.iter().map(|c| format!("\"{}\"", self.scalar(c))).collect();
+            format!("{{ vector = \"{}\", components = [{}] }}", self.vector(vector), components.join(", "))
+        });
+        let stated: Vec<String> = stated.collect();
+        if stated.is_empty() { String::new() } else { format!(", fixed = [{}]", stated.join(", ")) }
     }
 
     fn body(&self, b: &Body) -> String {
@@ -255,7 +266,7 @@ pub fn model(d: &Description) -> String {
     let mut definitions = named("s", d.scalars.iter().map(|e| quoted(writer.scalar(e))).collect());
     definitions.extend(named("v", d.vectors.iter().map(|e| quoted(writer.vector(e))).collect()));
     section("definitions", definitions);
-    let frames = (1..d.frames.len()).map(|i| (frame(i), writer.frame(&d.frames[i])));
+    let frames = (1..d.frames.len()).map(|i| (frame(i), writer.frame(i)));
     section("frames", frames.collect());
     section("points", (1..d.points.len()).map(|i| (point(i), writer.point(&d.points[i]))).collect());
     section("bodies", named("b", d.bodies.iter().map(|b| writer.body(b)).collect()));

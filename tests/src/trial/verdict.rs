@@ -1,6 +1,7 @@
 //! What was derived from a drawn model's text against the oracle, at random states.
 
 use super::description::{Coordinate, Description};
+use super::expression::Scalar;
 use super::oracle::{self, Answer, State};
 use super::{nominal, text};
 use crate::random::Random;
@@ -18,8 +19,12 @@ pub const SINGULAR: f64 = 1e-3;
 /// States looked at where a model is refused, and the health of one that explains it.
 const SEARCH: usize = 2000;
 const NEARLY: f64 = 0.02;
+/// Moments of inertia that a change of each by itself has made those of no body leave motions of less than this share.
+const NO_INERTIA: f64 = 1e-4;
 /// Terms of one acceleration below this share of the largest term of all are rounding.
 const NOTHING: f64 = 1e-3;
+/// A state is reached from nominal in so many steps.
+const STEPS: usize = 8;
 /// Dependent coordinates are put this far off before they are projected back (rad, m).
 const OFF: f64 = 1e-4;
 
@@ -128,21 +133,28 @@ fn draw_state(d: &Description, n: usize, random: &mut Random) -> Option<State> {
 /// The state at this way from nominal.
 fn state_at(d: &Description, n: usize, way: &[f64], random: &mut Random) -> Option<State> {
     let mut state = nominal::state(d);
-    let loops = d.configuration.len() + d.points.iter().map(|p| p.closures.len()).sum::<usize>();
+    let nominal = state.parameters.clone();
+    let mut parameters = nominal.clone();
     if 0 < n {
-        for (value, p) in state.parameters.iter_mut().zip(&d.parameters) {
-            // The shape of a loop stays: it might not close, or be locked.
-            if !(p.fixed || p.shape && 0 < loops) {
+        // The shape of a loop of too many equations stays: it would be locked.
+        let keeps_shape = oracle::is_redundant(d, &state);
+        for (value, p) in parameters.iter_mut().zip(&d.parameters) {
+            if !(p.fixed || p.shape && keeps_shape) {
                 *value *= random.between(0.9, 1.1);
             }
         }
     }
-    state.t = random.between(0.0, 3.0);
+    let t = random.between(0.0, 3.0);
     state.u.iter_mut().for_each(|u| *u = random.between(-2.0, 2.0));
     state.inputs.iter_mut().for_each(|i| *i = random.between(-5.0, 5.0));
     let free: Vec<usize> = d.state().into_iter().filter(|&i| d.coordinates[i].independent).collect();
-    for _ in 0..4 {
-        free.iter().for_each(|&i| state.q[i] += 0.25 * way[i]);
+    for step in 1..=STEPS {
+        let part = step as f64 / STEPS as f64;
+        state.t = part * t;
+        for ((value, from), to) in state.parameters.iter_mut().zip(&nominal).zip(&parameters) {
+            *value = if step == STEPS { *to } else { from + part * (to - from) };
+        }
+        free.iter().for_each(|&i| state.q[i] += way[i] / STEPS as f64);
         if !oracle::assemble(d, &mut state) {
             return None;
         }
@@ -173,7 +185,10 @@ fn compare(
     let pivot = engine.rates(state.t, &q, u, &state.inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
     // Integrators refuse such a step: the program has said that it does not answer.
     if pivot.is_nan() || pivot.abs() < pivot_limit::<f64>() {
-        verdict.refused.push(pivot);
+        match answer.inertia < NO_INERTIA {
+            true => verdict.singular += 1,
+            false => verdict.refused.push(pivot),
+        }
         return;
     }
     verdict.compared += 1;
@@ -181,11 +196,13 @@ fn compare(
     for (&i, found) in places.iter().zip(&q_dot) {
         verdict.note(&format!("rate of q{i}"), *found, answer.q_dot[i], fastest);
     }
+    // Near a singularity what rounding does to the constraints moves the motions that they leave by so much more.
+    let amplified = if answer.health < NEARLY { 1.0 / answer.health } else { 1.0 };
     let largest = answer.u_dot_terms.iter().fold(0.0, |m: f64, t| m.max(*t));
     for (i, found) in u_dot.iter().enumerate() {
         // What cancels to nothing in one speed is the rounding of the others.
         let terms = answer.u_dot_terms[i].max(NOTHING * largest.max(1.0));
-        verdict.note(&format!("u_dot {i}"), *found, answer.u_dot[i], terms);
+        verdict.note(&format!("u_dot {i}"), *found, answer.u_dot[i], amplified * terms);
     }
     let (kinetic, potential) = engine.energy(&q, u).expect("lengths fit");
     verdict.note("kinetic energy", kinetic, answer.energy[0], answer.energy[0]);
@@ -198,13 +215,20 @@ fn compare(
     let outputs = engine.outputs(state.t, &q, u, &state.inputs).expect("lengths fit");
     assert_eq!(outputs.len(), answer.outputs.len(), "outputs");
     for (i, (found, expected)) in outputs.iter().zip(&answer.outputs).enumerate() {
-        verdict.note(&format!("output {i}"), *found, *expected, fastest.max(expected.abs()));
+        let terms = fastest.max(expected.abs());
+        match d.outputs[i] {
+            // A length is the root of a sum, which is what is accurate where it vanishes.
+            Scalar::Norm(_) if *found < NOTHING && *expected < NOTHING => {
+                verdict.note(&format!("output {i} squared"), found.powi(2), expected.powi(2), terms.powi(2));
+            }
+            _ => verdict.note(&format!("output {i}"), *found, *expected, terms),
+        }
     }
     // What the program says of the constraints, and whether its corrections lead back to them.
     let residual = engine.residual(&q).expect("lengths fit");
     verdict.note("residual on the constraints", residual, 0.0, 1.0);
-    // Rows of motion beside those of configuration: the correction leaves their coordinates out and converges slowly.
-    if d.motion.is_empty() {
+    // Near a singularity the way back is long: a row of motion that holds a coordinate adds to it.
+    if d.motion.is_empty() || answer.health >= NEARLY {
         project(d, engine, state, &places, q, verdict);
     }
 }
@@ -236,7 +260,9 @@ fn project(
     }
     for (slot, &i) in places.iter().enumerate() {
         off.q[i] = q[slot];
-        if d.coordinates[i].independent {
+        // Where the others alone would hardly do, those whose speeds motion constraints give are corrected too.
+        let given = d.speeds.iter().any(|speed| speed.of == Some(i) && !speed.independent);
+        if d.coordinates[i].independent && !given {
             verdict.note("independent coordinate after projection", q[slot], state.q[i], 1.0);
         }
     }

@@ -1,0 +1,80 @@
+//! Newton's correction of the configuration where motion constraints give some of the speeds.
+//!
+//! In: candidate rows. Out: for every unknown y the correction delta of what y is the rate of. Configuration
+//! constraints restrict coordinates by their own Jacobian alone, J_c delta = -residual: as many coordinates are
+//! corrected as these constraints have rows. The others, whose speeds motion constraints give, stay where they are:
+//! no constraint says that they are wrong.
+
+use super::eliminate::{self, Form, System};
+use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
+use crate::expr::ExprId;
+use crate::expr::tape::SampleTable;
+use crate::model::{Model, SpeedMeaning};
+use std::collections::BTreeMap;
+
+/// A pivot must keep this share of its nominal size at all samples: else the elimination of the velocities, whose
+/// pivots every step watches, serves for the correction too.
+const HEALTHY: f64 = 0.02;
+
+/// The corrections by unknown; none where those of the elimination of the velocities serve: it has solved no motion
+/// constraint, or the configuration constraints do not determine what is not held.
+pub(super) fn beside_motion(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    (solved, corrections): (&[Row], &BTreeMap<UnknownId, ExprId>),
+) -> Option<BTreeMap<UnknownId, ExprId>> {
+    let (held, unknown): (Vec<UnknownId>, Vec<UnknownId>) =
+        k.dependent_unknowns().into_iter().partition(|&y| is_held(model, k, y));
+    let is_motion = |row: &&Row| model.motion_constraints.iter().any(|c| c.name == row.name);
+    let rows: Vec<Row> = k.rows.iter().filter(|row| !is_motion(row)).cloned().collect();
+    if !solved.iter().any(|row| is_motion(&row)) || rows.is_empty() {
+        return None;
+    }
+    let zero = k.dag.zero();
+    // Rows that do not read what is held have been solved beside the motion constraints as they would be alone.
+    let reads_held = rows.iter().any(|row| row.coefficients.keys().any(|y| held.contains(y)));
+    if !reads_held && solved.iter().filter(|row| !is_motion(row)).count() == unknown.len() {
+        let mut corrections = corrections.clone();
+        corrections.extend(held.into_iter().map(|y| (y, zero)));
+        return Some(corrections);
+    }
+    let all = rank::ranks(k, table, &rows, &k.moving_unknowns());
+    if all.iter().any(|&rank| rank != unknown.len()) {
+        return None;
+    }
+    let restricted = |rows: Vec<Row>| -> Vec<Row> {
+        let restrict = |mut row: Row| {
+            row.coefficients.retain(|y, _| unknown.contains(y));
+            Row { bias: zero, ..row }
+        };
+        rows.into_iter().map(restrict).filter(|row| !row.coefficients.is_empty()).collect()
+    };
+    let (rows, spare) = (restricted(rows), restricted(k.spare_rows.clone()));
+    let system = System { rows, spare, unknown, known: Vec::new() };
+    let form = eliminate::form(model, k, table, &system)?;
+    if form.pivots().iter().any(|&pivot| !is_healthy(k, table, pivot)) {
+        return None;
+    }
+    let Form { values, .. } = form;
+    let mut corrections: BTreeMap<UnknownId, ExprId> = k.unknowns.ids().map(|y| (y, zero)).collect();
+    corrections.extend(values.into_iter().filter_map(|(y, values)| Some((y, *values.last()?))));
+    Some(corrections)
+}
+
+/// Is the unknown the rate of a coordinate that no configuration constraint gives?
+fn is_held(model: &Model, k: &Kinematics, unknown: UnknownId) -> bool {
+    match k.unknowns[unknown].kind {
+        UnknownKind::Dependent(speed) => match model.speeds[speed].meaning {
+            SpeedMeaning::RateOf(coordinate) => model.coordinates[coordinate].independent,
+            SpeedMeaning::Combination(_) => false,
+        },
+        UnknownKind::Independent(_) | UnknownKind::Lifted | UnknownKind::Clock => false,
+    }
+}
+
+/// Has the pivot one sign and a good part of its nominal size at every sample?
+fn is_healthy(k: &Kinematics, table: &mut SampleTable, pivot: ExprId) -> bool {
+    let values = table.values(&k.dag, pivot);
+    values.iter().all(|x| *x / values[0] >= HEALTHY)
+}
