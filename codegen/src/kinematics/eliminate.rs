@@ -7,7 +7,6 @@
 use super::basis::NumericRow;
 use super::choose;
 use super::least_squares;
-use super::projection;
 use super::regular::{self, Regularity};
 use super::sparse::{self, Equation};
 use super::{Kinematics, Row, Sample, UnknownId, rank};
@@ -95,9 +94,6 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         solution.partials.insert(id, values);
     }
     check_consequences(model, k, table, &solution)?;
-    if let Some(correction) = projection::beside_motion(model, k, table, (&rows, &solution.correction)) {
-        solution.correction = correction;
-    }
     solution.rows = rows;
     Ok(solution)
 }

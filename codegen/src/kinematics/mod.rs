@@ -21,7 +21,7 @@ mod marker;
 mod orientation;
 
 mod position;
-mod projection;
+pub mod projection;
 mod rank;
 mod regular;
 mod slopes;

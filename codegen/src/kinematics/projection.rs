@@ -5,7 +5,7 @@
 //! corrected as these constraints have rows. The others, whose speeds motion constraints give, stay where they are:
 //! no constraint says that they are wrong.
 
-use super::eliminate::{self, Form, System};
+use super::eliminate::{self, Form, Solution, System};
 use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
@@ -16,26 +16,33 @@ use std::collections::BTreeMap;
 /// pivots every step watches, serves for the correction too.
 const HEALTHY: f64 = 0.02;
 
+/// Gives a solution the corrections of the configuration constraints alone, where its own are those of rows of motion too.
+pub fn correct(model: &Model, k: &mut Kinematics, table: &mut SampleTable, solution: &mut Solution) {
+    if let Some(correction) = beside_motion(model, k, table, solution) {
+        solution.correction = correction;
+    }
+}
+
 /// The corrections by unknown; none where those of the elimination of the velocities serve: it has solved no motion
 /// constraint, or the configuration constraints do not determine what is not held.
-pub(super) fn beside_motion(
+fn beside_motion(
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
-    (solved, corrections): (&[Row], &BTreeMap<UnknownId, ExprId>),
+    solution: &Solution,
 ) -> Option<BTreeMap<UnknownId, ExprId>> {
     let (held, unknown): (Vec<UnknownId>, Vec<UnknownId>) =
         k.dependent_unknowns().into_iter().partition(|&y| is_held(model, k, y));
     let is_motion = |row: &&Row| model.motion_constraints.iter().any(|c| c.name == row.name);
     let rows: Vec<Row> = k.rows.iter().filter(|row| !is_motion(row)).cloned().collect();
-    if !solved.iter().any(|row| is_motion(&row)) || rows.is_empty() {
+    if !solution.rows.iter().any(|row| is_motion(&row)) || rows.is_empty() {
         return None;
     }
     let zero = k.dag.zero();
     // Rows that do not read what is held have been solved beside the motion constraints as they would be alone.
     let reads_held = rows.iter().any(|row| row.coefficients.keys().any(|y| held.contains(y)));
-    if !reads_held && solved.iter().filter(|row| !is_motion(row)).count() == unknown.len() {
-        let mut corrections = corrections.clone();
+    if !reads_held && solution.rows.iter().filter(|row| !is_motion(row)).count() == unknown.len() {
+        let mut corrections = solution.correction.clone();
         corrections.extend(held.into_iter().map(|y| (y, zero)));
         return Some(corrections);
     }

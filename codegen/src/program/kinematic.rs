@@ -8,7 +8,7 @@ use super::{Effort, Program, assemble, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
-use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
+use crate::kinematics::{self, Assembly, ParameterChoice, eliminate, projection};
 use crate::model::Model;
 
 /// Derives what needs no mass.
@@ -34,7 +34,8 @@ pub(super) fn derive(
     let mut k = kinematics::derive(model, choice, Optimise::default())?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
-    let solution = eliminate::solve(model, &mut k, &mut table)?;
+    let mut solution = eliminate::solve(model, &mut k, &mut table)?;
+    projection::correct(model, &mut k, &mut table, &mut solution);
     let dynamics = dynamics::without_mass(&mut k, &solution);
     let given = (model.inputs.len(), false);
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);

@@ -20,7 +20,7 @@ pub use crate::expr::cost::Optimise;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice};
+use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection};
 use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
 
@@ -171,7 +171,8 @@ pub fn derive_asked(
     let mut warnings = implausible(model, &k)?;
     let mut table = eliminate::sample_table(model, &k);
     warnings.items.extend(kinematics::diagnose::check(model, &mut k, &mut table)?.items);
-    let solution = eliminate::solve(model, &mut k, &mut table)?;
+    let mut solution = eliminate::solve(model, &mut k, &mut table)?;
+    projection::correct(model, &mut k, &mut table, &mut solution);
     // The values of the rows have served: their memory is used again.
     table.clear();
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");

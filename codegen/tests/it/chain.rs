@@ -229,7 +229,10 @@ fn relative_angles() {
 
 /// Point masses on rods that hang on hinges about x, y and z in turn.
 fn hinges(n: usize) -> String {
-    let mut text = format!("format = 1\nname = \"hinges{n}\"\ndof = {n}\ngravity = \"-9.81_m/s^2*N.z\"\n");
+    let mut text = format!(
+        "format = 1\nname = \"hinges{n}\"\ndof = {n}\ngravity = \"-g*N.z\"\n[parameters]\n\
+         g = {{ value = 9.81, unit = \"m/s^2\" }}\n"
+    );
     for i in 0..n {
         let (point, frame) = match i {
             0 => ("O".to_owned(), "N".to_owned()),
@@ -253,7 +256,7 @@ fn hinges(n: usize) -> String {
 fn forty_hinges_in_space() {
     /// Step of the differences, and what is left of them, relative to the sum's terms.
     const STEP: f64 = 1e-4;
-    const DIFFERENCES: f64 = 1e-6;
+    const DIFFERENCES: f64 = 1e-5;
     /// Nodes that the derivation makes: it had made 416,000 for half as many links, and many millions for all.
     const NODES: usize = 300_000;
     let n = 40;
@@ -269,10 +272,13 @@ fn forty_hinges_in_space() {
     let along = |h: f64| -> Vec<f64> {
         q.iter().zip(&u).zip(&u_dot).map(|((q, u), a)| q + h * u + 0.5 * h * h * a).collect()
     };
-    let [before, here, after] = [-STEP, 0.0, STEP].map(|h| places(&along(h)));
+    // Second differences with steps h and 2 h, extrapolated.
+    let [far, before, here, after, farther] =
+        [-2.0, -1.0, 0.0, 1.0, 2.0].map(|steps| places(&along(steps * STEP)));
     let forces: Vec<f64> = (0..3 * n)
         .map(|i| {
-            let acceleration = (after[i] - 2.0 * here[i] + before[i]) / (STEP * STEP);
+            let [near, wide] = [before[i] + after[i], far[i] + farther[i]].map(|sum| sum - 2.0 * here[i]);
+            let acceleration = (16.0 * near - wide) / (12.0 * STEP * STEP);
             let gravity = if i % 3 == 2 { -9.81 } else { 0.0 };
             masses(n)[i / 3] * (acceleration - gravity)
         })

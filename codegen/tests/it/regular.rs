@@ -453,3 +453,23 @@ fn a_dropped_constraint_may_be_removed_as_advised() {
         assert!((a - b).abs() < 1e-9 * a.abs().max(1.0), "q1 = {q1}: {a} and {b} without {removed:?}");
     }
 }
+
+/// Rolling says of the bicycle's pitch what the contact of its front wheel says, but only of its rate: the correction comes
+/// from the contact, and moves nothing else.
+#[test]
+fn the_bicycles_front_wheel_is_put_back_on_the_ground() {
+    let program = derived("bicycle");
+    let pitch = program.q.iter().position(|q| q.name == "pitch").expect("a coordinate");
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    let mut q = program.nominal.clone();
+    for (i, place) in q.iter_mut().enumerate().filter(|(i, _)| *i != pitch) {
+        *place += 0.1 * (i + 1) as f64;
+    }
+    let start = q.clone();
+    let residuals: Vec<f64> = (0..6).map(|_| mechanism.project(&mut q).expect("lengths fit")).collect();
+    // Newton: every residual is about the square of the last.
+    assert!(residuals[0] > 1e-3 && residuals[5] < 1e-15, "{residuals:?}");
+    assert!(residuals.windows(2).all(|r| r[1] <= 10.0 * r[0] * r[0] + 1e-15), "{residuals:?}");
+    let moved = (0..q.len()).filter(|&i| q[i] != start[i]).collect::<Vec<_>>();
+    assert_eq!(moved, [pitch]);
+}
