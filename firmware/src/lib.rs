@@ -14,7 +14,7 @@
 #[cfg(test)]
 extern crate std;
 
-#[cfg(not(feature = "scene"))]
+#[cfg(all(feature = "model", not(feature = "scene")))]
 #[allow(clippy::all, reason = "generated, for scalars that may lack assignment operators")]
 pub mod mechanism {
     //! The equations of motion, derived from the model by the build script.
@@ -26,15 +26,20 @@ pub mod command;
 pub mod control;
 pub mod digest;
 pub mod link;
-#[cfg(not(feature = "scene"))]
+pub mod names;
+#[cfg(all(feature = "model", not(feature = "scene")))]
 pub mod simulation;
 pub mod tile;
+pub mod turns;
 
 pub mod node;
 pub mod supervisor;
 
 #[cfg(all(feature = "plant", not(feature = "scene")))]
 pub mod plant;
+
+#[cfg(all(feature = "plant", not(feature = "scene")))]
+pub mod lockstep;
 
 /// Number of steps of the demonstration that the image runs.
 pub const STEPS: u32 = include!(concat!(env!("OUT_DIR"), "/steps.rs"));

@@ -9,6 +9,7 @@ use crate::command::Profile;
 use crate::control;
 use crate::digest::Digest;
 use crate::mechanism::{INPUT_NAMES, Model, N_INPUTS, NOMINAL, NQ, NU, PARAMETER_NAMES, Q_NAMES, U_NAMES};
+use crate::names::{equal, position};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::ode::State;
@@ -45,27 +46,6 @@ const fn leg(height: &str, rate: &str, force: &str) -> Option<Leg> {
         (Some(height), Some(rate), Some(force)) => Some(Leg { height, rate: NQ + rate, force }),
         _ => None,
     }
-}
-
-/// Where `name` stands among `names`.
-#[must_use]
-pub const fn position(names: &[&str], name: &str) -> Option<usize> {
-    let mut i = 0;
-    while i < names.len() {
-        if equal(names[i].as_bytes(), name.as_bytes()) {
-            return Some(i);
-        }
-        i += 1;
-    }
-    None
-}
-
-const fn equal(a: &[u8], b: &[u8]) -> bool {
-    let mut i = 0;
-    while i < a.len() && i < b.len() && a[i] == b[i] {
-        i += 1;
-    }
-    i == a.len() && i == b.len()
 }
 
 /// The model's parameter of that name, 0 if it has none that is tunable.

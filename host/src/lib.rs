@@ -41,3 +41,4 @@ pub mod new;
 pub mod report;
 pub mod run;
 pub mod scene;
+pub mod tile;

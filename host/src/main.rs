@@ -1,7 +1,9 @@
 //! The smartbed command: reads the command line and hands over to one module per subcommand.
 
 use clap::{CommandFactory, Parser, Subcommand};
-use smartbed::{check, derive, diagnostics, eval, figure, firmware, manual, new, output, report, run, view};
+use smartbed::{
+    check, derive, diagnostics, eval, figure, firmware, manual, new, output, report, run, tile, view,
+};
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -36,6 +38,8 @@ enum Command {
     Figure(figure::Arguments),
     /// Generate, build for the microcontroller, check, and run in the emulator.
     Firmware(firmware::Arguments),
+    /// Talk to tile controllers, in the emulator or on this machine.
+    Tile(tile::Arguments),
     /// Print the completions of a shell.
     Completions(manual::Completions),
     /// Write man pages.
@@ -62,6 +66,7 @@ fn main() -> ExitCode {
         Command::Report(arguments) => report::run(&arguments),
         Command::Figure(arguments) => figure::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
+        Command::Tile(arguments) => tile::run(&arguments),
         Command::Completions(arguments) => manual::completions(&arguments, CommandLine::command()),
         Command::Man(arguments) => manual::man(&arguments, CommandLine::command()),
     };

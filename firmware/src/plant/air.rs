@@ -69,15 +69,15 @@ impl<S: Scalar + From<f32>> Air<S> {
 
     /// Goes on by a millisecond.
     pub fn advance(&mut self, supply: bool, vent: bool) {
-        let flow = |hole: f64, difference: S| {
-            S::from_f64(hole * AMBIENT * TICK) * Real::sqrt(Real::max(difference, S::ZERO))
-        };
+        let flow = |hole: S, difference: S| hole * Real::sqrt(Real::max(difference, S::ZERO));
+        let (fill, empty) =
+            (S::from_f64(ORIFICES.0 * AMBIENT * TICK), S::from_f64(ORIFICES.1 * AMBIENT * TICK));
         let mut change = self.content[1];
         if supply {
-            change = change + flow(ORIFICES.0, S::from_f64(PUMP) - self.pressure);
+            change = change + flow(fill, S::from_f64(PUMP) - self.pressure);
         }
         if vent {
-            change = change - flow(ORIFICES.1, self.pressure);
+            change = change - flow(empty, self.pressure);
         }
         let before = self.content[0];
         let after = before + change;

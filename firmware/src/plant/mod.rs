@@ -12,7 +12,7 @@ pub mod flash;
 pub mod leg;
 pub mod sensors;
 
-use crate::simulation::position;
+use crate::names::position;
 use crate::tile::board::{Actuators, Outputs, Readings, Sensors};
 use crate::tile::drive::Drive;
 use air::Air;
@@ -51,7 +51,7 @@ const STEPS: u32 = 2;
 /// Length of one (s).
 const STEP: f64 = 1e-3 / STEPS as f64;
 /// Newton corrections of a start.
-const START_CORRECTIONS: u32 = 8;
+const START_CORRECTIONS: u8 = 8;
 
 /// The plant of the loop: single precision on host and chip.
 pub type Tile = Plant<f32, single::Tile>;
@@ -136,7 +136,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         let mut q = nominal;
         // In steps: dependent coordinates follow.
         for part in 1..=START_CORRECTIONS {
-            let share = S::from_f64(f64::from(part) / f64::from(START_CORRECTIONS));
+            let share = S::from(f32::from(part) / f32::from(START_CORRECTIONS));
             HEIGHTS.iter().zip(heights).for_each(|(place, height)| q[*place] = height * share);
             mechanism.project(&mut q)?;
             mechanism.project(&mut q)?;
@@ -200,6 +200,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
     ///
     /// # Errors
     /// As [`Mechanism::rates`].
+    #[inline(never)]
     pub fn advance(&mut self, outputs: &Outputs) -> Result<(), Fault> {
         self.outputs = *outputs;
         for _ in 0..STEPS {
@@ -301,6 +302,7 @@ impl Tile {
     ///
     /// # Errors
     /// As [`Plant::new`].
+    #[inline(never)]
     pub fn loaded(mass: f32, offset: [f32; 2], heights: [f32; 3], drive: Drive<f32>) -> Result<Self, Fault> {
         let [x_payload, y_payload] = offset;
         let parameters = single::Parameters {
@@ -317,6 +319,7 @@ impl Tile {
 }
 
 impl Sensors for Tile {
+    #[inline(never)]
     fn read(&mut self) -> Readings {
         let place = sensors::Place {
             heights: self.heights(),

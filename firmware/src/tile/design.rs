@@ -49,10 +49,13 @@ pub const NOT_ARRIVED: f32 = 4e-5;
 /// Time for it (ticks).
 pub const SETTLING: u32 = 400;
 
-/// Rise of a motor's current over what the motion took so far that is an obstruction (A): some 90 N.
+/// Rise of the current of a leg that goes up over what the motion took so far that is an obstruction (A): some 90 N.
 pub const CURRENT_RISE: f32 = 0.15;
-/// Fall of the current of a leg that goes down that is an obstruction too (A): what is in the way carries the load.
-pub const CURRENT_FALL: f32 = 0.04;
+/// Change of the current of a leg that goes down that is one: of its share of what the motion took, and of its least (A).
+/// A fall too: what is in the way carries the load, and the motor need not push it down.
+pub const RISE_DOWN: (f32, f32) = (2.0, 0.03);
+/// See [`RISE_DOWN`].
+pub const FALL_DOWN: (f32, f32) = (0.6, 0.012);
 /// Most current of a motor (A).
 pub const CURRENT: f32 = 1.2;
 /// Current that may show while drives are disabled (A).

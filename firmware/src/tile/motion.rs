@@ -10,8 +10,8 @@ use crate::command::Pose;
 use crate::link::message::Refusal;
 use smartbed_runtime::real::Real;
 
-/// A leg that goes less far does not count as moving (m).
-const SHORT: f32 = 2e-6;
+/// A leg that goes less far does not count as moving (m): it may stick all the way, and cannot push far.
+const SHORT: f32 = 2e-4;
 
 /// Heights of the legs (m).
 pub type Heights = [f32; 3];

@@ -6,9 +6,9 @@
 
 use super::board::{RAILS, Readings};
 use super::design::{
-    CREEP, CURRENT, CURRENT_FALL, CURRENT_OFF, CURRENT_RISE, DISAGREEMENT, FASTEST, FOLLOWING, GRAVITY,
-    MOST_WEIGHT, OVERPRESSURE, PRESSURE_DISAGREEMENT, RUNAWAY_SPEED, SLOPE_FAULT, SLOPE_RATE_FAULT, SUPPLY,
-    SWITCH, SWITCH_PLAY,
+    CREEP, CURRENT, CURRENT_OFF, CURRENT_RISE, DISAGREEMENT, FALL_DOWN, FASTEST, FOLLOWING, GRAVITY,
+    MOST_WEIGHT, OVERPRESSURE, PRESSURE_DISAGREEMENT, RISE_DOWN, RUNAWAY_SPEED, SLOPE_FAULT,
+    SLOPE_RATE_FAULT, SUPPLY, SWITCH, SWITCH_PLAY,
 };
 use super::drive::{DRIVE, SLOWEST};
 use super::fault::{Fault, Faults};
@@ -17,8 +17,8 @@ use super::profile::Along;
 use super::sense::Sense;
 use smartbed_runtime::real::Real;
 
-/// A leg's current is learnt for so long before a rise of it counts (ticks).
-const LEARN: u16 = 300;
+/// A leg's current is learnt for so long, from its start and from when it moves quickly enough (ticks).
+const LEARN: (u16, u16) = (300, 60);
 /// Share of a new reading in the smoothed current.
 const CURRENT_SHARE: f32 = 0.125;
 
@@ -117,7 +117,7 @@ impl Watch {
         let mut weight = 0.0;
         for (push, speed) in self.push.iter().zip(sense.speeds) {
             match DRIVE.thrust(push.smooth * Real::sign(speed), speed) {
-                Some((least, _)) if push.ticks > LEARN && speed > 0.0 => weight += least,
+                Some((least, _)) if push.ticks > LEARN.0 && speed > 0.0 => weight += least,
                 _ => return 0.0,
             }
         }
@@ -135,17 +135,24 @@ impl Push {
         }
         self.smooth += CURRENT_SHARE * (current - self.smooth);
         self.ticks = self.ticks.saturating_add(1);
-        if self.ticks <= LEARN {
-            (self.least, self.most) = (self.smooth, self.smooth);
-            return false;
-        }
         self.quick = if is_quick { self.quick.saturating_add(1) } else { 0 };
-        if is_quick {
+        // A leg that has just become quick shows what it takes to become so.
+        let is_known = self.quick > LEARN.1;
+        if is_known {
             self.least = Real::min(self.least, self.smooth);
-            self.most = if self.quick > LEARN { Real::max(self.most, self.smooth) } else { self.smooth };
+            self.most = Real::max(self.most, self.smooth);
+        } else if is_quick || self.ticks <= LEARN.0 {
+            (self.least, self.most) = (Real::max(self.least, self.smooth), self.smooth);
         }
-        let falls = sign < 0.0 && is_quick && !below(self.most - self.smooth, CURRENT_FALL);
-        sign != 0.0 && (falls || !below(self.smooth - self.least, CURRENT_RISE))
+        let (rise, fall) = (self.smooth - self.least, self.most - self.smooth);
+        let share = |(share, least): (f32, f32), of: f32| Real::max(share * of, least);
+        match () {
+            () if sign == 0.0 => false,
+            () if sign < 0.0 && is_known => {
+                !below(rise, share(RISE_DOWN, self.least)) || !below(fall, share(FALL_DOWN, self.most))
+            }
+            () => self.ticks > LEARN.0 && !below(rise, CURRENT_RISE),
+        }
     }
 }
 

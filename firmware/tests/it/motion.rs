@@ -51,6 +51,22 @@ fn homed_it_goes_where_it_is_told() {
     }
 }
 
+/// A steep tilt shifts the load from leg to leg: no obstruction. At the highest friction a leg that takes 40 N more looks like one
+/// that meets an obstacle, so there it is tried to 7 degrees.
+#[test]
+fn a_steep_tilt_under_load_is_no_obstruction() {
+    for (friction, share) in [(None, 1.0), (Some(true), 1.0), (Some(false), 0.6)] {
+        let drive = friction.map_or(DRIVE, |is_least| DRIVE.with_friction(is_least));
+        for (tx, ty) in [(0.2, 0.0), (-0.1, 0.17), (0.0, -0.2)] {
+            let mut bench = Bench::ready(25.0, [0.0; 2], [0.0; 3], drive);
+            for (tx, ty) in [(tx * share, ty * share), (0.0, 0.0)] {
+                bench.order(target(0.0, tx, ty));
+                bench.until(Mode::Unhomed, 60_000);
+            }
+        }
+    }
+}
+
 #[test]
 fn the_pressure_is_kept() {
     let mut bench = Bench::homed(25.0, [0.0; 2], DRIVE);

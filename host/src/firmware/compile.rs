@@ -39,6 +39,8 @@ pub struct Settings {
     pub everything: bool,
     /// Constant tables in Rust, if the model is a scene.
     pub tables: Option<String>,
+    /// The controller with the tile that it is tried on, instead of a model.
+    pub is_controller: bool,
 }
 
 impl Settings {
@@ -62,12 +64,31 @@ impl Settings {
             return Err(Failure::Wrong(format!("{why}; turn on what it lacks with --set")));
         }
         let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
-        Ok(Self { model, steps, set, inject, everything: arguments.everything, tables })
+        let everything = arguments.everything;
+        Ok(Self { model, steps, set, inject, everything, tables, is_controller: false })
+    }
+
+    /// The controller with the tile that it is tried on.
+    #[must_use]
+    pub fn controller() -> Self {
+        Self {
+            model: PathBuf::new(),
+            steps: STEPS,
+            set: Vec::new(),
+            inject: None,
+            everything: false,
+            tables: None,
+            is_controller: true,
+        }
     }
 
     /// Name of the program that is built.
     fn program(&self) -> &'static str {
-        if self.tables.is_some() { "scene" } else { "tile" }
+        match () {
+            () if self.is_controller => "loop",
+            () if self.tables.is_some() => "scene",
+            () => "tile",
+        }
     }
 
     /// Functions of the image that are counted: a step; of a mechanism its rates, and a sine and cosine where the
@@ -82,11 +103,13 @@ impl Settings {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
         match &self.tables {
+            None if self.is_controller => {
+                command.args(["--features", "plant"]);
+                command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
+            }
             None => {
                 command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
-                if self.everything {
-                    command.args(["--features", "everything"]);
-                }
+                command.args(["--features", if self.everything { "everything" } else { "model" }]);
             }
             Some(tables) => {
                 let file = folder.join("scene.rs");
@@ -192,12 +215,25 @@ pub fn simulation(
     folder: &Path,
     settings: &Settings,
 ) -> Result<String, Failure> {
+    run_limited(&mut clean(&program(toolchain, workspace, folder, settings)?), TIME_LIMIT)
+        .map_err(|e| Failure::Wrong(format!("the simulation fails on the host: {e}")))
+}
+
+/// Builds the same program for the host; returns its path.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it does not build.
+pub fn program(
+    toolchain: &Toolchain,
+    workspace: &Path,
+    folder: &Path,
+    settings: &Settings,
+) -> Result<PathBuf, Failure> {
     let mut cargo = build(toolchain, workspace, folder, settings)?;
     // Optimising std and all takes seconds and saves milliseconds.
     cargo.env("CARGO_PROFILE_FIRMWARE_LTO", "off");
     succeed(cargo, "the simulation does not build for the host")?;
-    run_limited(&mut clean(&folder.join("firmware").join(settings.program())), TIME_LIMIT)
-        .map_err(|e| Failure::Wrong(format!("the simulation fails on the host: {e}")))
+    Ok(folder.join("firmware").join(settings.program()))
 }
 
 fn build(
@@ -208,7 +244,7 @@ fn build(
 ) -> Result<Command, Failure> {
     let mut cargo = toolchain.cargo();
     cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", settings.program()]);
-    // Neither program simulates the controller's tile: it need not be derived.
+    // What a program does not need is not derived.
     cargo
         .arg("--no-default-features")
         .args(["--profile", "firmware", "--target-dir"])

@@ -72,25 +72,40 @@ pub fn run(
     (step, others): (&str, &[&str]),
 ) -> Result<Run, Failure> {
     let counts = elf.with_extension("counts");
-    let mut option = format!("{},out={}", plugin.display(), counts.display());
     if image.find(step).is_none() {
         return Err(Failure::Wrong(format!("the image has no function `{step}`")));
     }
-    for name in [step].iter().chain(others) {
-        if let Some(function) = image.find(name) {
-            option += &format!(",fn={name}@{}", image.functions[function].address);
-        }
-    }
+    let counted: Vec<&str> = [step].iter().chain(others).copied().collect();
+    let option = count_option(plugin, &counts, image, &counted);
     let mut command = clean(emulator);
     command.args(["-M", chip.machine, "-nographic", "-monitor", "none", "-serial", "none"]);
     command.args(["-semihosting-config", "enable=on,target=native", "-plugin", &option, "-kernel"]).arg(elf);
     let output = run_limited(&mut command, TIME_LIMIT)
         .map_err(|e| Failure::Wrong(format!("the image fails in the emulator: {e}")))?;
-    let text = fs::read_to_string(&counts)
-        .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;
-    let (instructions, counts) = parse(&text)
-        .ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))?;
+    let (instructions, counts) = read_counts(&counts)?;
     Ok(Run { output, instructions, counts })
+}
+
+/// The emulator's option that counts the calls of those of these functions that are in the image.
+#[must_use]
+pub fn count_option(plugin: &Path, counts: &Path, image: &Image, names: &[&str]) -> String {
+    let mut option = format!("{},out={}", plugin.display(), counts.display());
+    for name in names {
+        if let Some(function) = image.find(name) {
+            option += &format!(",fn={name}@{}", image.functions[function].address);
+        }
+    }
+    option
+}
+
+/// What the plug-in has counted: all instructions, and the functions.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it left no counts.
+pub fn read_counts(counts: &Path) -> Result<(u64, Vec<Count>), Failure> {
+    let text = fs::read_to_string(counts)
+        .map_err(|e| Failure::Wrong(format!("the plug-in left no counts in {}: {e}", counts.display())))?;
+    parse(&text).ok_or_else(|| Failure::Wrong(format!("the plug-in's counts are not readable:\n{text}")))
 }
 
 /// Total and counts from the plug-in's text.

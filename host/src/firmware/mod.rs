@@ -115,13 +115,13 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     Ok(report)
 }
 
-fn read(elf: &Path) -> Result<Image, Failure> {
+pub(crate) fn read(elf: &Path) -> Result<Image, Failure> {
     let bytes = fs::read(elf).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))?;
     Image::read(&bytes).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))
 }
 
 /// The workspace's root: the image is built from its sources.
-fn workspace() -> Result<PathBuf, Failure> {
+pub(crate) fn workspace() -> Result<PathBuf, Failure> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""));
     if root.join("firmware/Cargo.toml").is_file() {
         return Ok(root.to_owned());
@@ -131,7 +131,7 @@ fn workspace() -> Result<PathBuf, Failure> {
 }
 
 /// One build at a time in this folder: the settings go through the environment of one build script.
-fn lock(folder: &Path) -> Result<File, Failure> {
+pub(crate) fn lock(folder: &Path) -> Result<File, Failure> {
     let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
     fs::create_dir_all(folder).map_err(wrong)?;
     let file = File::create(folder.join(".lock")).map_err(wrong)?;

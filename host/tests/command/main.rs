@@ -18,4 +18,5 @@ mod run;
 mod schema;
 mod settings;
 mod support;
+mod tile;
 mod view;

@@ -1,0 +1,252 @@
+//! Tiles and their supervisor on one line, a millisecond at a time.
+//!
+//! In: orders. Out: reports with the tile and the time of each. What the supervisor sends, every tile hears.
+
+use super::machine::Machine;
+use super::order::Order;
+use crate::failure::Failure;
+use smartbed_firmware::link::frame::{Decoder, encode};
+use smartbed_firmware::link::message::{Command, Outcome, Refusal, Report, read};
+use smartbed_firmware::link::serial::BYTES;
+use smartbed_firmware::link::tag::Key;
+use smartbed_firmware::supervisor::Peer;
+use smartbed_firmware::tile::mode::Mode;
+use std::collections::VecDeque;
+
+/// The key of simulated tiles.
+const KEY: Key = Key::new(*b"an example's key");
+/// An answer that has not come by then will not (ms).
+const PATIENCE: u32 = 200;
+/// Longest motion that is waited for (ms).
+const LONGEST: u32 = 300_000;
+/// Ticks that tiles take at once while nothing is to be sent.
+const BATCH: u32 = 50;
+
+/// What a tile has said.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Said {
+    /// The tile.
+    pub tile: u8,
+    /// When (ms).
+    pub time: u32,
+    /// What.
+    pub report: Report,
+    /// Was it asked for? Telemetry comes unasked.
+    pub is_asked: bool,
+}
+
+/// Takes what is said.
+pub type Listen<'a> = &'a mut dyn FnMut(Said) -> Result<(), Failure>;
+
+/// A bus with its tiles.
+#[derive(Debug)]
+pub struct Bus {
+    tiles: Vec<(Machine, Peer, Decoder)>,
+    current: usize,
+    /// Bytes that wait for the line.
+    down: VecDeque<u8>,
+    now: u32,
+    /// Has a state been asked for that has not come?
+    is_asked: bool,
+    /// Everything that the tiles have sent.
+    pub heard: Vec<u8>,
+}
+
+impl Bus {
+    /// Tiles by number from 0.
+    #[must_use]
+    pub fn new(machines: Vec<Machine>) -> Self {
+        let tile = |(number, machine)| (machine, Peer::new(number, KEY), Decoder::default());
+        let tiles = (0_u8..).zip(machines).map(tile).collect();
+        Self { tiles, current: 0, down: VecDeque::new(), now: 1, is_asked: false, heard: Vec::new() }
+    }
+
+    /// Margin of self-locking of the first tile.
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        self.tiles.first().map_or(0.0, |(machine, ..)| machine.margin())
+    }
+
+    /// The time (ms).
+    #[must_use]
+    pub fn now(&self) -> u32 {
+        self.now
+    }
+
+    /// Does an order.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] if a command is refused, or a tile is gone.
+    pub fn take(&mut self, order: &Order, listen: Listen) -> Result<(), Failure> {
+        match order {
+            Order::Wait(ticks) => self.run(*ticks, listen),
+            Order::Tile(number) if usize::from(*number) < self.tiles.len() => {
+                self.current = usize::from(*number);
+                Ok(())
+            }
+            Order::Tile(number) => {
+                let count = self.tiles.len();
+                Err(Failure::Wrong(format!("no tile {number}: there are {count}, from 0; see --tiles")))
+            }
+            Order::Break(defect) => self.tiles[self.current].0.strike(*defect),
+            Order::Send(command) => self.send(command, listen),
+        }
+    }
+
+    /// Ends all tiles.
+    ///
+    /// # Errors
+    /// As [`Machine::end`].
+    pub fn end(self) -> Result<(), Failure> {
+        self.tiles.into_iter().try_for_each(|(machine, ..)| machine.end().map(drop))
+    }
+
+    /// Ends the first tile; the bytes of stack that it used.
+    ///
+    /// # Errors
+    /// As [`Machine::end`].
+    pub fn depth(mut self) -> Result<u32, Failure> {
+        self.tiles.remove(0).0.end()
+    }
+
+    fn send(&mut self, command: &Command, listen: Listen) -> Result<(), Failure> {
+        self.greet(listen)?;
+        // All faults that can be cleared are meant: those that are there.
+        let peer = &self.tiles[self.current].1;
+        let command = match command {
+            Command::Clear(_) => Command::Clear(peer.state().map_or(0, |state| state.faults)),
+            other => *other,
+        };
+        let body = self.tiles[self.current].1.command(&command, self.now, 0);
+        let body = body.ok_or_else(|| Failure::Wrong("the tile has not said who it is".to_owned()))?;
+        let sequence = match read(&body) {
+            Ok(received) => received.header.sequence,
+            Err((header, _)) => header.sequence,
+        };
+        self.down.extend(encode(&body));
+        self.is_asked |= command == Command::Status;
+        if !command.needs_tag() && command != Command::Stop {
+            return self.run(PATIENCE, listen);
+        }
+        let mut answer = None;
+        for _ in 0..PATIENCE {
+            let mut hear = |said: Said| {
+                if let Report::Answer(to, outcome) = said.report
+                    && to == sequence
+                {
+                    answer = Some(outcome);
+                }
+                listen(said)
+            };
+            self.tick(1, &mut hear)?;
+            if answer.is_some() {
+                break;
+            }
+        }
+        match answer {
+            Some(Outcome::Done) if moves(&command) => self.settle(listen),
+            Some(Outcome::Done | Outcome::Waits) => Ok(()),
+            Some(Outcome::Refused(why)) => Err(refused(&command, why)),
+            None => Err(Failure::Wrong(format!("{command:?}: no answer within {PATIENCE} ms"))),
+        }
+    }
+
+    /// Until every tile has said who it is and where.
+    fn greet(&mut self, listen: Listen) -> Result<(), Failure> {
+        for _ in 0..10 * PATIENCE {
+            let is_ready = |peer: &Peer| {
+                let starts = [Mode::Boot as u8, Mode::SelfTest as u8];
+                peer.state().is_some_and(|state| !starts.contains(&state.mode))
+            };
+            if self.tiles.iter().all(|(_, peer, _)| is_ready(peer)) {
+                return Ok(());
+            }
+            self.tick(1, listen)?;
+        }
+        Err(Failure::Wrong("a tile has not said who it is".to_owned()))
+    }
+
+    /// Until the tile has come to rest.
+    fn settle(&mut self, listen: Listen) -> Result<(), Failure> {
+        // The telemetry still tells of the time before.
+        self.run(250, listen)?;
+        let start = self.now;
+        while self.is_moving() {
+            if self.now.wrapping_sub(start) > LONGEST {
+                return Err(Failure::Wrong("the tile still moves".to_owned()));
+            }
+            self.run(BATCH, listen)?;
+        }
+        Ok(())
+    }
+
+    fn is_moving(&self) -> bool {
+        let state = self.tiles[self.current].1.state();
+        // A flattened tile stays in that mode; its drives tell.
+        state.is_some_and(|state| state.flags & 1 == 1)
+    }
+
+    /// Goes on for so many ticks.
+    ///
+    /// # Errors
+    /// As [`Machine::turn`].
+    pub fn run(&mut self, ticks: u32, listen: Listen) -> Result<(), Failure> {
+        let mut left = ticks;
+        while left > 0 {
+            let some = left.min(BATCH);
+            self.tick(some, listen)?;
+            left -= some;
+        }
+        Ok(())
+    }
+
+    /// Goes on for so many ticks, beats at their begin; one at a time while there is something to send.
+    fn tick(&mut self, ticks: u32, listen: Listen) -> Result<(), Failure> {
+        for (_, peer, _) in &mut self.tiles {
+            if let Some(body) = peer.beat(self.now) {
+                self.down.extend(encode(&body));
+            }
+        }
+        let mut left = ticks;
+        while left > 0 {
+            let some = if self.down.is_empty() { left } else { 1 };
+            self.step(some, listen)?;
+            left -= some;
+        }
+        Ok(())
+    }
+
+    /// Sends as much as a tick takes and goes on for so many ticks.
+    fn step(&mut self, ticks: u32, listen: Listen) -> Result<(), Failure> {
+        let count = self.down.len().min(BYTES);
+        let bytes: Vec<u8> = self.down.drain(..count).collect();
+        for (machine, peer, decoder) in &mut self.tiles {
+            for (time, sent) in (self.now..).zip(machine.turn(&bytes, ticks)?) {
+                self.heard.extend(&sent);
+                for body in sent.into_iter().filter_map(|byte| decoder.take(byte)) {
+                    if let Some(report) = peer.take(&body, time) {
+                        let is_state = matches!(report, Report::State(_));
+                        let is_asked = !is_state || core::mem::take(&mut self.is_asked);
+                        listen(Said { tile: peer.tile(), time, report, is_asked })?;
+                    }
+                }
+            }
+        }
+        self.now = self.now.wrapping_add(ticks);
+        Ok(())
+    }
+}
+
+fn moves(command: &Command) -> bool {
+    matches!(command, Command::Home | Command::Move(_) | Command::Flatten)
+}
+
+fn refused(command: &Command, why: Refusal) -> Failure {
+    let help = match why {
+        Refusal::Mode => ": `enable` first, and see `status`",
+        Refusal::Faulted => ": `clear` once the cause is gone",
+        Refusal::Busy => ": `stop` first",
+        _ => "",
+    };
+    Failure::Wrong(format!("{command:?} is refused: {why:?}{help}"))
+}

@@ -1,0 +1,141 @@
+//! The words of an order.
+
+use crate::failure::Failure;
+use smartbed_firmware::link::message::{Command, Target};
+use smartbed_firmware::turns::DEFECTS;
+
+/// What is to be done.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Order {
+    /// Send a command, and go on when its motion, if it has one, is over.
+    Send(Command),
+    /// Go on for so long (ms).
+    Wait(u32),
+    /// Talk to this tile from now on.
+    Tile(u8),
+    /// Break something of it.
+    Break(u8),
+}
+
+/// Units by name: what one is in SI.
+const UNITS: [(&str, f64); 9] = [
+    ("mm", 1e-3),
+    ("m", 1.0),
+    ("deg", std::f64::consts::PI / 180.0),
+    ("rad", 1.0),
+    ("kPa", 1e3),
+    ("Pa", 1.0),
+    ("mmHg", 133.322),
+    ("ms", 1e-3),
+    ("s", 1.0),
+];
+
+/// Orders with `;` between them.
+///
+/// # Errors
+/// The order that is none, and what was expected.
+pub fn read(text: &str) -> Result<Vec<Order>, Failure> {
+    text.split(';').map(str::trim).filter(|words| !words.is_empty()).map(one).collect()
+}
+
+fn one(text: &str) -> Result<Order, Failure> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let wrong = |expected: &str| Failure::Wrong(format!("`{text}`: expected {expected}"));
+    let command = |command: Command| Ok(Order::Send(command));
+    match words[..] {
+        ["enable"] => command(Command::Enable),
+        ["home"] => command(Command::Home),
+        ["flatten"] => command(Command::Flatten),
+        ["stop"] => command(Command::Stop),
+        ["clear"] => command(Command::Clear(u32::MAX)),
+        ["status"] => command(Command::Status),
+        ["log"] => command(Command::Log(0)),
+        ["identify"] => command(Command::Identify),
+        ["move", heave] => Ok(Order::Send(Command::Move(target(heave, "0_deg", "0_deg")?))),
+        ["move", heave, x, y] => Ok(Order::Send(Command::Move(target(heave, x, y)?))),
+        ["move", ..] => {
+            Err(wrong("`move HEAVE` or `move HEAVE TILT_X TILT_Y`, for example `move 5_mm 2_deg 0_deg`"))
+        }
+        ["inflate", pressure] => {
+            command(Command::Pressure(quantity(pressure, &["kPa", "Pa", "mmHg"])? as f32))
+        }
+        ["inflate", ..] => Err(wrong("`inflate PRESSURE`, for example `inflate 4_kPa`")),
+        ["wait", time] => {
+            let seconds = quantity(time, &["s", "ms"])?;
+            if !(0.0..=86_400.0).contains(&seconds) {
+                return Err(wrong("a time up to a day"));
+            }
+            Ok(Order::Wait((seconds * 1e3).round() as u32))
+        }
+        ["tile", number] => number.parse().map(Order::Tile).map_err(|_| wrong("`tile N`, a number from 0")),
+        ["break", name] => {
+            let place = DEFECTS.iter().position(|defect| *defect == name);
+            let number = place.ok_or_else(|| wrong(&format!("`break` and one of {}", DEFECTS.join(", "))))?;
+            Ok(Order::Break(number as u8))
+        }
+        _ => Err(wrong(
+            "enable, home, move, inflate, flatten, stop, clear, status, log, identify, wait, tile or break; see --help",
+        )),
+    }
+}
+
+fn target(heave: &str, x: &str, y: &str) -> Result<Target, Failure> {
+    let slope = |text: &str| quantity(text, &["deg", "rad"]).map(|angle| angle.tan() as f32);
+    Ok(Target { heave: quantity(heave, &["mm", "m"])? as f32, slope_x: slope(x)?, slope_y: slope(y)? })
+}
+
+/// A number with one of these units, `5_mm` or `5mm`, in SI.
+fn quantity(text: &str, units: &[&str]) -> Result<f64, Failure> {
+    let number = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let (number, unit) = (number.trim_end_matches('_'), &text[number.len()..]);
+    let factor =
+        UNITS.iter().find(|(name, _)| *name == unit && units.contains(name)).map(|(_, factor)| factor);
+    match (number.parse::<f64>(), factor) {
+        (Ok(number), Some(factor)) => Ok(number * factor),
+        _ => Err(Failure::Wrong(format!(
+            "`{text}`: expected a number with a unit of {}, for example 5_{}",
+            units.join(", "),
+            units[0]
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Order, read};
+    use smartbed_firmware::link::message::{Command, Target};
+
+    #[test]
+    fn orders_are_read() {
+        let orders =
+            read("enable; move 5_mm 45_deg 0deg;; wait 1.5_s; inflate 30_mmHg; tile 2; break lvdt-stuck")
+                .unwrap();
+        let target = Target { heave: 0.005, slope_x: 1.0, slope_y: 0.0 };
+        assert_eq!(
+            orders,
+            [
+                Order::Send(Command::Enable),
+                Order::Send(Command::Move(target)),
+                Order::Wait(1500),
+                Order::Send(Command::Pressure(3999.66)),
+                Order::Tile(2),
+                Order::Break(10),
+            ]
+        );
+    }
+
+    #[test]
+    fn what_is_none_says_what_was_expected() {
+        for (text, expected) in [
+            ("fly", "see --help"),
+            ("move 5", "5_mm"),
+            ("move 5_deg", "unit of mm, m"),
+            ("wait -1_s", "up to a day"),
+            ("break wind", "motor-on"),
+            ("tile x", "a number from 0"),
+        ] {
+            let message = read(text).unwrap_err().to_string();
+            assert!(message.contains(expected), "{text}: {message}");
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! What tiles say, in words, and heights as a line of the terminal.
+
+use super::bus::Said;
+use smartbed_firmware::link::message::{Event, Outcome, Report, State};
+use smartbed_firmware::tile::design::STROKE;
+use smartbed_firmware::tile::fault::{Fault, Faults};
+use smartbed_firmware::tile::mode::Mode;
+use smartbed_firmware::tile::motion::pose;
+
+/// Columns of a line that shows heights.
+const COLUMNS: usize = 49;
+
+/// What a tile says of its drives at its start.
+#[must_use]
+pub fn margin(margin: f64) -> String {
+    let word = if margin > 0.0 { "hold" } else { "DO NOT HOLD" };
+    format!("screws {word} their load without power: margin {margin:.3} at the lowest friction\n")
+}
+
+/// What is worth a line: of telemetry, which comes ten times a second, only what is drawn.
+#[must_use]
+pub fn said(said: &Said, plots: bool) -> Option<String> {
+    let Said { tile, time, report, is_asked } = said;
+    let text = match report {
+        Report::State(state) if *is_asked => describe(state),
+        Report::State(state) if plots && state.flags & 1 == 1 => line(state),
+        Report::State(_) => return None,
+        Report::Answer(sequence, Outcome::Refused(why)) => format!("command {sequence} refused: {why:?}"),
+        Report::Answer(..) => return None,
+        Report::Entry(number, tick, event) => format!("log {number} at {tick} ms: {}", entry(event)),
+        Report::Identity(protocol, entries, lost, refused) => {
+            format!(
+                "protocol {protocol}, {entries} log entries, {lost} frames lost, {refused} commands refused"
+            )
+        }
+    };
+    Some(format!("{:>9.3} s  tile {tile}  {text}\n", f64::from(*time) * 1e-3))
+}
+
+fn describe(state: &State) -> String {
+    let at = pose(state.heights);
+    let tilt = |slope: f32| f64::from(slope).atan().to_degrees();
+    let valve = match state.flags >> 1 & 3 {
+        0 => "shut",
+        1 => "filling",
+        _ => "venting",
+    };
+    format!(
+        "{}: heave {:.3} mm, tilt {:.3} {:.3} deg, {:.3} kPa ({valve}), at most {:.1} kg{}{}",
+        mode(state.mode),
+        f64::from(at.zc) * 1e3,
+        tilt(at.tx),
+        tilt(at.ty),
+        f64::from(state.pressure) * 1e-3,
+        state.load,
+        if state.flags & 8 == 0 { ", not homed" } else { "" },
+        faults(state.faults),
+    )
+}
+
+/// The three heights between the ends of the stroke.
+fn line(state: &State) -> String {
+    let mut columns = vec![' '; COLUMNS];
+    columns[COLUMNS / 2] = '.';
+    for (height, name) in state.heights.iter().zip(['A', 'B', 'C']) {
+        let share = f64::from((height / STROKE).clamp(-1.0, 1.0)) * 0.5 + 0.5;
+        columns[(share * (COLUMNS - 1) as f64).round() as usize] = name;
+    }
+    let columns: String = columns.into_iter().collect();
+    format!("|{columns}| {:.2} kPa", f64::from(state.pressure) * 1e-3)
+}
+
+fn entry(event: &Event) -> String {
+    match event {
+        Event::Started(reason) => format!("started, reason {reason}"),
+        Event::Faults(bits) => format!("new{}", faults(*bits)),
+        Event::Cleared(bits) => format!("cleared{}", faults(*bits)),
+        Event::Refused(sequence, why) => format!("command {sequence} refused: {why:?}"),
+        Event::Mode(number) => mode(*number).to_owned(),
+    }
+}
+
+fn mode(number: u8) -> &'static str {
+    Mode::ALL.get(usize::from(number)).map_or("unknown mode", |mode| mode.name())
+}
+
+fn faults(bits: u32) -> String {
+    let set = Faults::from_bits(bits);
+    let names: Vec<&str> = Fault::ALL.into_iter().filter(|f| set.has(*f)).map(Fault::name).collect();
+    if names.is_empty() { String::new() } else { format!(", faults: {}", names.join(", ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{line, said};
+    use crate::tile::bus::Said;
+    use smartbed_firmware::link::message::{Event, Report, State};
+
+    #[test]
+    fn states_are_told_in_words_and_drawn() {
+        let state = State { mode: 4, faults: 1, heights: [0.029, 0.0, -0.029], flags: 8, ..State::default() };
+        let told = Said { tile: 3, time: 1001, report: Report::State(state), is_asked: true };
+        let text = said(&told, false).unwrap();
+        assert!(text.contains("1.001 s  tile 3  ready") && text.contains("faults: Height"), "{text}");
+        assert_eq!(said(&Said { is_asked: false, ..told }, false), None, "telemetry");
+        let drawn = line(&state);
+        assert!(drawn.starts_with("|C") && drawn.contains("A| 0.00 kPa"), "{drawn}");
+        let entry = said(&Said { report: Report::Entry(7, 4, Event::Mode(8)), ..told }, true).unwrap();
+        assert!(entry.contains("log 7 at 4 ms: off"), "{entry}");
+    }
+}

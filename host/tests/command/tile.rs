@@ -1,0 +1,97 @@
+//! `smartbed tile`: the controller in the emulator and on this machine.
+//!
+//! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that installs them.
+
+use crate::support::smartbed;
+use smartbed::tile::bus::{Bus, Said};
+use smartbed::tile::machine::{Kind, Machine, Program, build};
+use smartbed::tile::{budget, order};
+use smartbed_firmware::link::message::Report;
+use smartbed_firmware::turns::FAULT;
+use std::fs;
+
+/// Ticks that both machines take.
+const TICKS: u32 = 100_000;
+
+/// Every byte that a tile sends in a session, and its last state.
+fn session(program: &Program) -> (Vec<u8>, Option<Report>) {
+    let machine = Machine::start(program, 3, None).unwrap_or_else(|e| panic!("{e}"));
+    let mut bus = Bus::new(vec![machine]);
+    let (mut ticks, mut last) = (0, None);
+    let mut listen = |said: Said| {
+        ticks = said.time;
+        if matches!(said.report, Report::State(_)) {
+            last = Some(said.report);
+        }
+        Ok(())
+    };
+    let orders = "identify; enable; home; move 4_mm 2_deg -1_deg; inflate 3.5_kPa; log; move -2_mm; break encoder-stuck";
+    for order in order::read(orders).expect("orders") {
+        bus.take(&order, &mut listen).unwrap_or_else(|e| panic!("{order:?}: {e}"));
+    }
+    // The encoder that is stuck shows itself, and the rest of the time passes in OFF.
+    let refused = order::read("move 5_mm").expect("an order");
+    bus.take(&refused[0], &mut listen).unwrap_or_else(|e| panic!("{e}"));
+    bus.run(TICKS - bus.now(), &mut listen).unwrap_or_else(|e| panic!("{e}"));
+    let heard = std::mem::take(&mut bus.heard);
+    bus.end().unwrap_or_else(|e| panic!("{e}"));
+    assert!(ticks > TICKS - 1000);
+    (heard, last)
+}
+
+#[test]
+fn chip_and_host_send_the_same_bytes() {
+    let chip = session(&build(Kind::Emulated).unwrap_or_else(|e| panic!("{e}")));
+    let here = session(&build(Kind::Native).unwrap_or_else(|e| panic!("{e}")));
+    assert!(chip.0.len() > 50_000, "{} bytes", chip.0.len());
+    assert!(chip.0 == here.0, "the bytes differ: {:?} {:?}", chip.1, here.1);
+}
+
+#[test]
+fn the_controller_keeps_to_its_budget() {
+    let report = budget::measure().unwrap_or_else(|e| panic!("{e}"));
+    println!("{}", report.text);
+    assert!(report.failures.is_empty(), "{}\n{}", report.failures.join("\n"), report.text);
+}
+
+/// After an undefined instruction the first thing that is written to a port is ENABLE's line, low.
+#[test]
+fn a_hard_fault_turns_the_drives_off_first() {
+    let program = build(Kind::Emulated).unwrap_or_else(|e| panic!("{e}"));
+    let log = std::env::temp_dir().join(format!("smartbed-fault-{}", std::process::id()));
+    let options = ["-d", "unimp", "-D", log.to_str().expect("a path")];
+    let mut machine = Machine::start(&program, 0, Some(&options)).unwrap_or_else(|e| panic!("{e}"));
+    machine.turn(&[], 100).unwrap_or_else(|e| panic!("{e}"));
+    machine.signal(FAULT).unwrap_or_else(|e| panic!("{e}"));
+    let status = machine.wait().unwrap_or_else(|e| panic!("{e}"));
+    assert!(!status.success());
+    let text = fs::read_to_string(&log).expect("the emulator's log");
+    let first = text.lines().find(|line| line.contains("GPIO") && line.contains("write"));
+    assert!(first.is_some_and(|l| l.contains("offset 0x018") && l.contains("0x00200000")), "{text}");
+    let _ = fs::remove_file(&log);
+}
+
+#[test]
+fn a_session_is_told_in_words() {
+    let orders = "enable; move 0_mm; tile 1; identify; status; tile 0; status; log";
+    let done = smartbed(&["tile", "--native", "--tiles", "2", orders]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let out = done.out;
+    for expected in
+        ["screws hold their load", "tile 0  unhomed: heave -0.0", "tile 1  unhomed: heave -20.0", "log 3 at"]
+    {
+        assert!(out.contains(expected), "`{expected}` is not in\n{out}");
+    }
+}
+
+#[test]
+fn what_is_refused_says_why_and_what_to_do() {
+    for (orders, expected) in [
+        ("move 5_mm", "Mode: `enable` first"),
+        ("enable; move 35_mm", "Stroke"),
+        ("fly", "expected enable, home, move"),
+    ] {
+        let done = smartbed(&["tile", "--native", orders]);
+        assert!(done.status == 1 && done.err.contains(expected), "{done:?}");
+    }
+}
