@@ -27,7 +27,13 @@ fn the_list_and_the_documentation_say_the_same() {
 
 #[test]
 fn figures_are_made_or_refused_by_name() {
-    for (number, told) in [("4.2", "restitution"), ("4.3", "kinetic"), ("5.8", "damping")] {
+    for (number, told) in [
+        ("4.1", "weight"),
+        ("4.2", "pre-collision"),
+        ("4.2", "restitution"),
+        ("4.3", "kinetic"),
+        ("5.8", "damping"),
+    ] {
         let path = file(&format!("figure_{number}.svg"));
         let done = smartbed(&["figure", number, "-o", &path.display().to_string()]);
         assert_eq!(done.status, 0, "{done:?}");
@@ -38,6 +44,7 @@ fn figures_are_made_or_refused_by_name() {
         (vec!["figure", "2.5"], "needs the bed"),
         (vec!["figure", "7.1"], "none of that number"),
         (vec!["figure", "4.2", "--set", "e=2"], "e from 0 to 1"),
+        (vec!["figure", "4.1", "--set", "height=-1"], "height from 0 to 1"),
         (vec!["figure", "4.2", "-o", "x.gif"], ".svg or .png"),
     ] {
         assert!(smartbed(&arguments).message().contains(expected), "{arguments:?}");
