@@ -4,8 +4,8 @@ use std::fs::File;
 use std::io::{Read, stdin};
 use std::path::Path;
 
-/// Largest states file, scene, or list of points (bytes).
-pub const LARGEST: u64 = 64 << 20;
+/// Largest states file, scene, or list of points (bytes): with everything made of them they stay below 1 GiB.
+pub const LARGEST: u64 = 8 << 20;
 
 /// The text of a file of at most [`LARGEST`] bytes; `-` is standard input.
 ///

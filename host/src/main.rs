@@ -51,7 +51,9 @@ fn main() -> ExitCode {
         Ok(command_line) => command_line,
         // A wrong command line is a wrong input (1); help and version are answers (0).
         Err(message) => {
-            let is_heard = message.print().is_ok_and(|()| std::io::stdout().flush().is_ok());
+            let to_stdout = if message.use_stderr() { Ok(()) } else { output::print("") };
+            let is_heard =
+                to_stdout.is_ok() && message.print().is_ok_and(|()| std::io::stdout().flush().is_ok());
             return ExitCode::from(u8::from(message.use_stderr() || !is_heard));
         }
     };
@@ -75,6 +77,28 @@ fn main() -> ExitCode {
         Err(failure) => {
             diagnostics::fail(&failure);
             ExitCode::from(failure.status())
+        }
+    }
+}
+
+/// A look at standard output before the standard library opens the null device where it was closed (`>&-`).
+#[cfg(target_os = "linux")]
+mod closed_stdout {
+    use std::os::fd::BorrowedFd;
+
+    #[used]
+    #[expect(unsafe_code, reason = "only the loader's list of functions comes before the standard library")]
+    #[unsafe(link_section = ".init_array")]
+    static LOOK: extern "C" fn() = look;
+
+    #[expect(
+        unsafe_code,
+        reason = "the number of a stream that may be closed: the call that asks takes no other"
+    )]
+    extern "C" fn look() {
+        let stdout = unsafe { BorrowedFd::borrow_raw(1) };
+        if rustix::io::fcntl_getfd(stdout).is_err() {
+            smartbed::output::stdout_is_closed();
         }
     }
 }

@@ -30,9 +30,24 @@ pub fn json_string(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
+/// The larger of the worst so far and a magnitude. Not a number is worse than any, and stays: `max` would hide it.
+#[must_use]
+pub fn worst(so_far: f64, x: f64) -> f64 {
+    if so_far.is_nan() || so_far >= x.abs() { so_far } else { x.abs() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn not_a_number_is_the_worst_and_stays() {
+        let of = |list: &[f64]| list.iter().fold(0.0, |sum, x| worst(sum, *x));
+        assert_eq!(of(&[1.0, -3.0, 2.0]), 3.0);
+        assert!(of(&[1.0, f64::NAN, 2.0]).is_nan());
+        assert!(of(&[f64::NAN]).is_nan());
+        assert_eq!(of(&[]), 0.0);
+    }
 
     #[test]
     fn digits_read_back() {

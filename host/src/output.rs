@@ -6,7 +6,16 @@
 use crate::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
+
+/// Was standard output closed before the program began? The standard library then opens the null device in its place,
+/// and every write succeeds.
+static CLOSED: AtomicBool = AtomicBool::new(false);
+
+/// Standard output is closed: whoever writes there hears of it.
+pub fn stdout_is_closed() {
+    CLOSED.store(true, Ordering::Relaxed);
+}
 
 /// Something to write results to.
 pub struct Output {
@@ -26,6 +35,9 @@ impl Output {
     /// # Errors
     /// [`Failure::Wrong`] if the file cannot be created.
     pub fn open(path: &str) -> Result<Self, Failure> {
+        if path == "-" && CLOSED.load(Ordering::Relaxed) {
+            return Err(Failure::Wrong("cannot write standard output: it is closed".to_owned()));
+        }
         let to: Box<dyn Write> = if path == "-" {
             Box::new(BufWriter::new(io::stdout()))
         } else {

@@ -1,8 +1,10 @@
 //! When does a point touch or leave? Guards cross zero downwards at an event (thesis 4.4, the event function).
 //!
 //! Free point: gap. Departing point: gap + tolerance (asleep against rounding). Held point: N h^2/m, the
-//! way its normal force would move it in a step h. The smallest guard of all points decides; its root is
-//! located by trying steps of different lengths, so the state there is a state of the method itself.
+//! way its normal force would move it in a step h. With friction also: of a sliding point v.d0 h - mu N tau h/m, what
+//! friction leaves of its slip along d0, the slip's first direction; of a stuck one (mu N - |T|) h^2/m, what friction
+//! could still take. The smallest guard of all points decides; its root is located by trying steps of different
+//! lengths, so the state there is a state of the method itself.
 
 use crate::contact::{ContactState, Ground, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
@@ -38,17 +40,17 @@ pub struct Shortened<S> {
     pub trials: usize,
 }
 
-/// Smallest guard (m) of a state; `h` scales normal forces.
+/// Smallest guard (m) of a state that the step reaches after tau; `h` scales forces and speeds.
 fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
-    modes: &[ContactState],
+    start: Start<S>,
     motion: &Motion<S>,
-    h: S,
+    (tau, h): (S, S),
     armed: Option<usize>,
 ) -> S {
     let mut smallest = S::ONE / S::EPSILON;
-    for (i, mode) in modes.iter().enumerate() {
+    for (i, mode) in start.modes.iter().enumerate() {
         if system.body.inverse_mass(i) == S::ZERO {
             continue;
         }
@@ -62,12 +64,42 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
             }
             ContactState::Departing => gap + ground.tolerance,
             ContactState::Held | ContactState::Stuck => {
-                system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h
+                let pressed = system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h;
+                pressed.min(friction_guard(system, ground, start, motion, i, (tau, h)))
             }
         };
         smallest = smallest.min(guard);
     }
     smallest
+}
+
+/// Guard (m) of a point on the ground against sticking, turning round and slipping.
+fn friction_guard<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    motion: &Motion<S>,
+    i: usize,
+    (tau, h): (S, S),
+) -> S {
+    let asleep = S::ONE / S::EPSILON;
+    if !R::FRICTION || ground.friction <= S::ZERO {
+        return asleep;
+    }
+    let per_mass = ground.friction * system.body.inverse_mass(i) * h;
+    let force = motion.force(i);
+    if start.modes.get(i) == Some(&ContactState::Stuck) {
+        let side = vec3::norm(vec3::tangential(force, ground.normal));
+        return per_mass * h * (system.normal_force(force) - side / ground.friction);
+    }
+    let slip = vec3::tangential(vec3::at(start.motion.vel, i), ground.normal);
+    let (d0, speed) = vec3::direction(slip);
+    if speed <= S::ZERO {
+        return asleep;
+    }
+    let pushes = [start.motion.force(i), force].map(|f| system.normal_force(f).max(S::ZERO));
+    let mean = S::from_f64(0.5) * (pushes[0] + pushes[1]);
+    vec3::dot(vec3::at(motion.vel, i), d0) * h - per_mass * mean * tau
 }
 
 /// Looks at the step of length `h` just tried (its end is in `work.end`) and shortens it to the first event.
@@ -103,18 +135,19 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
     method: R::Method,
     work: &mut Workspace<S>,
 ) -> Result<(Option<Bracket<S>>, usize), BodyError<S>> {
-    let guard = |motion: &Motion<S>, armed| smallest_guard(system, ground, start.modes, motion, h, armed);
-    let guard_lo = guard(start.motion, None).max(S::ZERO);
-    let guard_hi = guard(&work.end, None);
+    let guard =
+        |motion: &Motion<S>, tau, armed| smallest_guard(system, ground, start, motion, (tau, h), armed);
+    let guard_lo = guard(start.motion, S::ZERO, None).max(S::ZERO);
+    let guard_hi = guard(&work.end, h, None);
     if guard_hi < S::ZERO {
         let guess = first_crossing(ground, start, h, &work.end);
         let whole = Bracket { lo: S::ZERO, guard_lo, hi: h, guard_hi, guess, armed: None };
         let Some((point, top)) = find_return(ground, start, h, &work.end) else {
             return Ok((Some(whole), 0));
         };
-        let guard_hi = guard(&work.end, Some(point));
+        let guard_hi = guard(&work.end, h, Some(point));
         advance(system, start, top, method, work)?;
-        let above = guard(&work.end, Some(point));
+        let above = guard(&work.end, top, Some(point));
         if above > S::ZERO {
             let late = Bracket { lo: top, guard_lo: above, hi: h, guard_hi, guess: None, armed: Some(point) };
             return Ok((Some(late), 1));
@@ -123,7 +156,7 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
     }
     if let Some(bottom) = find_dip(ground, start, h, &work.end) {
         advance(system, start, bottom, method, work)?;
-        let guard_hi = guard(&work.end, None);
+        let guard_hi = guard(&work.end, bottom, None);
         if guard_hi < S::ZERO {
             let guess = first_crossing(ground, start, bottom, &work.end);
             let dip = Bracket { lo: S::ZERO, guard_lo, hi: bottom, guard_hi, guess, armed: None };
@@ -243,7 +276,7 @@ fn locate<S: Scalar, R: Repertoire<S>>(
         }
         let tau = search.propose();
         advance(system, start, tau, method, work)?;
-        let guard = smallest_guard(system, ground, start.modes, &work.end, h, bracket.armed);
+        let guard = smallest_guard(system, ground, start, &work.end, (tau, h), bracket.armed);
         if guard < S::ZERO {
             negative = tau;
             if -guard <= small {

@@ -117,8 +117,10 @@ impl<S: Scalar> Course<S> {
         }
         let real = S::from_f64;
         let mode = flow.modes.get(i).copied().unwrap_or_default();
-        let b = vec3::scale(system.acceleration(i, mode, before.force(i)), tau);
-        let b1 = vec3::scale(system.acceleration(i, mode, after.force(i)), tau);
+        // Friction has the same share in the change of speed all the way.
+        let braked = vec3::at(flow.braked, i);
+        let b = vec3::axpy(braked, tau, system.acceleration(i, mode, before.force(i)));
+        let b1 = vec3::axpy(braked, tau, system.acceleration(i, mode, after.force(i)));
         let mut c = vec3::sub(vec3::axpy(vec3::scale(change, real(3.0)), real(-2.0), b), b1);
         let mut d = vec3::add(vec3::axpy(b, real(-2.0), change), b1);
         // e s^2 (1-s)^2 makes up for what the cubic's way lacks; 1/30 is its integral.

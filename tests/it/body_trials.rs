@@ -41,6 +41,21 @@ fn a_mass_does_not_pass_the_ground_of_massless_points() {
     assert!(message.contains("point 1 has mass and went through the ground"), "{message}");
 }
 
+/// A drawn chain whose foot has no mass: the foot goes to its balance before the accounts are opened, so that its spring
+/// holds nothing at the start.
+#[test]
+fn accounts_open_with_massless_points_at_their_balance() {
+    let settings = ["law=massless_point", "stretch=1.2", "drop_height=0.3", "T=0.5", "step=1e-4"];
+    let rows = rows(&named("double_spring", &settings).expect("it is read")).expect("a run");
+    // 5000 N/m, two springs of 1 m drawn from 1/1.2 m: the upper one alone keeps its energy.
+    let drawn: f64 = 1.0 - 1.0 / 1.2;
+    let spring = rows[0].energy.stored[2];
+    assert!((spring - 0.5 * 5000.0 * drawn * drawn).abs() <= 1e-9 * spring, "{spring}");
+    assert!(rows[0].energy.imbalance.abs() <= 1e-12 * spring, "{}", rows[0].energy.imbalance);
+    let worst = rows.iter().map(|r| r.energy.imbalance.abs()).fold(0.0, f64::max);
+    assert!(worst <= 1e-3 * spring, "{worst}");
+}
+
 #[test]
 fn speeds_whose_squares_are_no_numbers_are_refused() {
     for speed in ["1e200", "-1e160"] {

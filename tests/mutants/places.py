@@ -1,13 +1,18 @@
-"""Places of a Rust file that can be switched between the original and a change.
+"""Places of a Rust file that can be switched between the original and a change, from its syntax tree.
 
-In: a file's text and what cargo-mutants lists for it. Out: byte ranges with a function that writes the switch. Every
-switch keeps the lines of the file, so that the compiler's messages name the mutant that they are about.
+In: a file's text. Out: byte ranges with a function that writes the switch. Every switch keeps the lines of the file,
+so that the compiler's messages name the mutant that they are about.
 """
 
 import tree_sitter
 import tree_sitter_rust
 
 RUST = tree_sitter.Parser(tree_sitter.Language(tree_sitter_rust.language()))
+# What stands in place of an operator.
+OPERATORS = {
+    "+": "-", "-": "+", "*": "/", "/": "*", "%": "+", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==",
+    "&&": "||", "||": "&&", "&": "|", "|": "&", "^": "&", "<<": ">>", ">>": "<<",
+}
 # Calls that mean an operation on expressions, vectors or sequences, and what is called instead.
 CALLS = {
     "add": "sub", "sub": "add", "mul": "add", "plus": "minus", "minus": "plus", "min": "max", "max": "min",
@@ -15,46 +20,25 @@ CALLS = {
 }
 # Calls for their effect alone, which may be left out.
 EFFECTS = {"push", "insert", "extend", "add_force", "add_mass", "retain", "sort", "clear", "fill"}
+# What a function of this type returns at once.
+VALUES = {"bool": ("true", "false"), "usize": ("0", "1"), "()": ("",)}
+# Constants are no place for a switch, nor are the tests of a file.
+CLOSED = {"const_item", "static_item", "attribute_item", "mod_item", "array_type", "macro_invocation", "match_pattern"}
 
 
-def of(name, text, offered):
+def of(name, text):
     """All places of a file outside its own tests."""
-    root = RUST.parse(text).root_node
-    lines = [0]
-    for line in text.split(b"\n"):
-        lines.append(lines[-1] + len(line) + 1)
-    at = lambda place: lines[place["line"] - 1] + len(
-        text[lines[place["line"] - 1] : lines[place["line"]]].decode()[: place["column"] - 1].encode()
-    )
     found = []
 
     def place(start, end, what, switch):
         first, last = text.count(b"\n", 0, start) + 1, text.count(b"\n", 0, end) + 1
-        line = text[lines[first - 1] : lines[first] - 1].decode().strip()
+        line = text[text.rfind(b"\n", 0, start) + 1 : text.find(b"\n", start)].decode().strip()
         found.append({
             "file": name, "start": start, "end": end, "lines": (first, last), "switch": switch,
             "key": f"{name} | {line} | {what}",
         })
 
-    for mutant in offered:
-        start, end, by = at(mutant["span"]["start"]), at(mutant["span"]["end"]), mutant["replacement"].encode()
-        node = root.descendant_for_byte_range(start, end)
-        what = mutant["name"].split(": ", 1)[1].split(" in ")[0]
-        if mutant["genre"] == "BinaryOperator":
-            whole = node if node.type == "binary_expression" else node.parent
-            if whole and whole.type == "binary_expression" and not inside_pattern(whole):
-                place(whole.start_byte, whole.end_byte, what, operator(whole, text, by))
-        elif mutant["genre"] == "UnaryOperator":
-            whole = node if node.type == "unary_expression" else node.parent
-            if whole and whole.type == "unary_expression" and not inside_pattern(whole):
-                inner = text[whole.start_byte + 1 : whole.end_byte]
-                place(whole.start_byte, whole.end_byte, what, lambda test, old, new=inner: either(test, new, old))
-        elif mutant["genre"] == "FnValue":
-            value = b"" if by == b"()" else by
-            back = lambda test, old, value=value: b"if %s { return %s; } %s" % (test, value, old)
-            # An empty range before the body: other places may lie in it.
-            place(start, start, what, back)
-    walk(root, text, place)
+    walk(RUST.parse(text).root_node, text, place)
     return found
 
 
@@ -62,36 +46,70 @@ def either(test, changed, original):
     return b"(if %s { %s } else { %s })" % (test, changed.replace(b"\n", b" "), original)
 
 
-def operator(node, text, by):
-    sign = node.children[1]
-    before = text[node.start_byte : sign.start_byte]
-    after = text[sign.end_byte : node.end_byte]
-    return lambda test, old: either(test, before + by + after, old)
-
-
-def inside_pattern(node):
-    """Constants are no place for a switch, nor are the tests of a file."""
-    while node:
-        if node.type in ("const_item", "static_item", "attribute_item", "mod_item", "array_type", "macro_invocation"):
-            return True
-        node = node.parent
-    return False
-
-
 def walk(node, text, place):
-    """Calls from the syntax tree."""
-    if node.type in ("const_item", "static_item", "mod_item", "macro_invocation"):
+    """Operators, signs, calls and whole functions below a node."""
+    if node.type in CLOSED or is_constant(node):
         return
-    if node.type == "call_expression" and node.children[0].type == "field_expression":
-        method = node.children[0].child_by_field_name("field")
-        called = text[method.start_byte : method.end_byte].decode()
-        statement = node.parent is not None and node.parent.type == "expression_statement"
-        if called in CALLS:
-            new = CALLS[called].encode()
-            before, after = text[node.start_byte : method.start_byte], text[method.end_byte : node.end_byte]
-            switch = lambda test, old: either(test, before + new + after, old)
-            place(node.start_byte, node.end_byte, f"{called} -> {CALLS[called]}", switch)
-        elif called in EFFECTS and statement:
-            place(node.start_byte, node.end_byte, f"no {called}", lambda test, old: b"if !%s { %s }" % (test, old))
+    {"binary_expression": operator, "compound_assignment_expr": assignment, "unary_expression": sign,
+     "call_expression": call, "function_item": function}.get(node.type, lambda *_: None)(node, text, place)
     for child in node.children:
         walk(child, text, place)
+
+
+def is_constant(node):
+    """A `const fn` is evaluated by the compiler, which knows no mutant."""
+    return node.type == "function_item" and any(
+        c.type == "function_modifiers" and b"const" in c.text for c in node.children
+    )
+
+
+def operator(node, text, place):
+    sign = node.child_by_field_name("operator")
+    new = OPERATORS.get(sign.text.decode())
+    # A condition that binds names is no value.
+    if not new or b"let " in node.text and sign.text in (b"&&", b"||"):
+        return
+    before, after = text[node.start_byte : sign.start_byte], text[sign.end_byte : node.end_byte]
+    switch = lambda test, old: either(test, before + new.encode() + after, old)
+    place(node.start_byte, node.end_byte, f"{sign.text.decode()} -> {new}", switch)
+
+
+def assignment(node, text, place):
+    sign = node.child_by_field_name("operator")
+    new = OPERATORS.get(sign.text.decode().removesuffix("="))
+    if new:
+        before, after = text[node.start_byte : sign.start_byte], text[sign.end_byte : node.end_byte]
+        changed = before + new.encode() + b"=" + after
+        place(node.start_byte, node.end_byte, f"{sign.text.decode()} -> {new}=",
+              lambda test, old: b"if %s { %s } else { %s }" % (test, changed.replace(b"\n", b" "), old))
+
+
+def sign(node, text, place):
+    if node.children[0].type in ("-", "!"):
+        inner = text[node.start_byte + 1 : node.end_byte]
+        place(node.start_byte, node.end_byte, f"no {node.children[0].type}", lambda test, old: either(test, inner, old))
+
+
+def call(node, text, place):
+    if node.children[0].type != "field_expression":
+        return
+    method = node.children[0].child_by_field_name("field")
+    called = method.text.decode()
+    statement = node.parent is not None and node.parent.type == "expression_statement"
+    if called in CALLS:
+        before, after = text[node.start_byte : method.start_byte], text[method.end_byte : node.end_byte]
+        switch = lambda test, old: either(test, before + CALLS[called].encode() + after, old)
+        place(node.start_byte, node.end_byte, f"{called} -> {CALLS[called]}", switch)
+    elif called in EFFECTS and statement:
+        place(node.start_byte, node.end_byte, f"no {called}", lambda test, old: b"if !%s { %s }" % (test, old))
+
+
+def function(node, text, place):
+    """The body's value at once; an empty range behind its brace, in which no other place lies."""
+    body, kind = node.child_by_field_name("body"), node.child_by_field_name("return_type")
+    kind = kind.text.decode() if kind else "()"
+    values = ("None",) if kind.startswith("Option<") else VALUES.get(kind, ())
+    for value in values if body else ():
+        at = body.start_byte + 1
+        back = lambda test, old, value=value: b" if %s { return %s; }" % (test, value.encode())
+        place(at, at, f"fn {node.child_by_field_name('name').text.decode()} returns {value or 'at once'}", back)

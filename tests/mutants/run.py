@@ -2,9 +2,8 @@
 
     python3 tests/mutants/run.py [--seed 1] [--count 300] [--only REGEX]
 
-cargo-mutants (`cargo install cargo-mutants`) lists what may be changed in operators and functions; calls that build
-expressions (`add`, `sub`, `mul`, `plus` ...) are added from the syntax tree (`pip install tree-sitter tree-sitter-rust`).
-A seed draws from the list. In a copy of the tree every drawn place reads `if mutant(17) { changed } else { original }`,
+`places.py` lists what may be changed, from the syntax tree: operators, signs, whole functions, and calls that build
+expressions (`pip install tree-sitter tree-sitter-rust`). A seed draws from the list. In a copy of the tree every drawn place reads `if mutant(17) { changed } else { original }`,
 so that all mutants share one build; each is then a run of the test programs that can kill it, until one fails.
 
 Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not.
@@ -19,6 +18,7 @@ import re
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 import places
@@ -71,6 +71,7 @@ AREAS = [
     ("runtime/src/integrator/**/*.rs", BODIES),
     ("host/src/firmware/image/**/*.rs", IMAGE),
 ]
+FOLDERS = {"smartbed-tests": "tests", "smartbed-codegen": "codegen", "smartbed-runtime": "runtime"}
 # Mechanisms that the random ones are cut down to: enough to meet every branch often.
 ENVIRONMENT = {"SMARTBED_MECHANISMS": "1000"}
 
@@ -80,17 +81,9 @@ def run(command, **options):
 
 
 def listed(pattern):
-    """What cargo-mutants and the syntax tree offer in the files of a pattern."""
-    found = run(["cargo", "mutants", "--list", "--json", "-f", pattern], cwd=ROOT)
-    if found.returncode:
-        sys.exit(f"cargo mutants: {found.stderr}")
-    offered = json.loads(found.stdout)
-    files = sorted(str(p.relative_to(ROOT)) for p in ROOT.glob(pattern))
-    changes = []
-    for name in files:
-        text = (ROOT / name).read_bytes()
-        changes += places.of(name, text, [m for m in offered if m["file"] == name])
-    return changes
+    """What may be changed in the files of a pattern."""
+    files = sorted(ROOT.glob(pattern))
+    return [c for file in files for c in places.of(str(file.relative_to(ROOT)), file.read_bytes())]
 
 
 def draw(seed, count, only):
@@ -124,6 +117,9 @@ def write(changes):
         target.parent.mkdir(parents=True, exist_ok=True)
         if (ROOT / name).is_file():
             shutil.copy2(ROOT / name, target)
+    # Switches need no style; other flags would build every dependency anew.
+    settings = TREE / "Cargo.toml"
+    settings.write_text(settings.read_text().replace('= "deny"', '= "allow"'))
     library = TREE / "runtime/src/lib.rs"
     library.write_text(library.read_text() + FUNCTION)
     for name in {c["file"] for c in changes}:
@@ -139,23 +135,19 @@ def write(changes):
 def build(changes):
     """Test programs by package; mutants that the compiler refuses are left out."""
     packages = sorted({package for c in changes for package, _ in c["tests"]})
-    command = ["cargo", "test", "--no-run", "--message-format=json", "--keep-going"]
-    for package in packages:
-        command += ["-p", package]
-    command += ["--test", "it"]
-    environment = dict(os.environ, RUSTFLAGS="--cap-lints=warn")
+    options = [option for package in packages for option in ("-p", package)] + ["--test", "it"]
+    environment = dict(os.environ)
     environment.setdefault("CARGO_TARGET_DIR", str(WORK / "target"))
+
+    def cargo(*command):
+        done = run(["cargo", *command, "--message-format=json", "--keep-going", *options], cwd=TREE, env=environment)
+        return done, [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+
     while True:
         write(changes)
-        done = run(command, cwd=TREE, env=environment)
-        messages = [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
+        done, messages = cargo("check", "--profile", "test")
         if not done.returncode:
-            programs = {}
-            for m in messages:
-                if m["reason"] == "compiler-artifact" and m.get("executable") and m["profile"]["test"]:
-                    programs[re.split(r"[#@/]", m["package_id"].split("#")[0])[-1]] = m["executable"]
-            by_folder = {"smartbed-tests": "tests", "smartbed-codegen": "codegen", "smartbed-runtime": "runtime"}
-            return changes, {p: programs[by_folder[p]] for p in packages}
+            break
         wrong = set()
         for m in messages:
             if m["reason"] == "compiler-message" and m["message"]["level"] == "error":
@@ -166,19 +158,34 @@ def build(changes):
             sys.exit(f"the tree does not build: {done.stderr[-3000:]}")
         print(f"{len(wrong)} mutants do not compile", flush=True)
         changes = [c for c in changes if c["number"] not in wrong]
+    done, messages = cargo("test", "--no-run")
+    if done.returncode:
+        sys.exit(f"the tree does not build: {done.stderr[-3000:]}")
+    tests = [m for m in messages if m["reason"] == "compiler-artifact" and m.get("executable") and m["profile"]["test"]]
+    by_folder = {pathlib.Path(m["manifest_path"]).parent.name: m["executable"] for m in tests}
+    return changes, {p: by_folder[FOLDERS[p]] for p in packages}
 
 
-def outcome(program, filters, number, limit):
-    """Names of the tests that fail; a crash or a hang is a failure."""
-    folder = {"tests": "tests", "codegen": "codegen", "runtime": "runtime"}[program[0]]
+def outcome(program, filters, number, limit, known=frozenset()):
+    """Names of tests that fail: all without a mutant, else the first beside those known; a crash or a hang is one."""
+    folder, executable = program
     environment = dict(os.environ, SMARTBED_MUTANT=str(number), **ENVIRONMENT)
     environment["CARGO_MANIFEST_DIR"] = str(TREE / folder)
-    try:
-        done = run([program[1], *filters], cwd=TREE / folder, env=environment, timeout=limit)
-    except subprocess.TimeoutExpired:
+    failed = set()
+    with subprocess.Popen([executable, *filters], cwd=TREE / folder, env=environment, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as tests:
+        late = []
+        clock = threading.Timer(limit or 1e6, lambda: (late.append(True), tests.kill()))
+        clock.start()
+        for line in tests.stdout:
+            failed |= set(re.findall(r"^test (\S+) \.\.\. FAILED", line)) - known
+            if number and failed:
+                tests.kill()
+        status = tests.wait()
+        clock.cancel()
+    if late:
         return {"no end"}
-    failed = set(re.findall(r"^test (\S+) \.\.\. FAILED", done.stdout, re.M))
-    return failed or ({"crash"} if done.returncode else set())
+    return failed or ({"crash"} if status not in (0, 101) else set())
 
 
 def main():
@@ -189,11 +196,10 @@ def main():
     asked = arguments.parse_args()
     reasons = dict(line.split("\t", 1) for line in (HERE / "survivors.tsv").read_text().splitlines()[1:] if line)
     changes, programs = build(draw(asked.seed, asked.count, asked.only))
-    folders = {"smartbed-tests": "tests", "smartbed-codegen": "codegen", "smartbed-runtime": "runtime"}
     own, limits = {}, {}
     for package, filters in {(p, tuple(f)) for c in changes for p, f in c["tests"]}:
         start = time.time()
-        own[package, filters] = outcome((folders[package], programs[package]), filters, 0, None)
+        own[package, filters] = outcome((FOLDERS[package], programs[package]), filters, 0, None)
         limits[package, filters] = 30 + PATIENCE * (time.time() - start)
         print(f"without a mutant: {package} {' '.join(filters)}: fails {sorted(own[package, filters])}", flush=True)
     survivors, unexplained = [], []
@@ -201,7 +207,8 @@ def main():
         killed = None
         for package, filters in c["tests"]:
             key = (package, tuple(filters))
-            fails = outcome((folders[package], programs[package]), filters, c["number"], limits[key]) - own[key]
+            program = (FOLDERS[package], programs[package])
+            fails = outcome(program, filters, c["number"], limits[key], own[key])
             if fails:
                 killed = sorted(fails)[0]
                 break

@@ -15,7 +15,7 @@ use crate::source::File;
 use crate::source::{Source, Span};
 
 /// Largest model text in bytes.
-const LARGEST_TEXT: usize = 4 << 20;
+const LARGEST_TEXT: usize = 1 << 20;
 
 /// A model may extend a model that extends a model ... at most this often.
 const LONGEST_CHAIN: usize = 8;

@@ -1,5 +1,6 @@
 //! Units: reading, printing, rational exponents.
 
+use smartbed_codegen::model;
 use smartbed_codegen::model::unit::{Unit, parse};
 
 #[track_caller]
@@ -59,4 +60,40 @@ fn exponents_stay_within_bounds() {
     assert!((2..10).contains(&steps), "{steps} steps before 7^n leaves 8 bits");
     assert_eq!(Unit::FORCE.power(1, 2).and_then(|u| u.power(2, 1)), Some(Unit::FORCE));
     assert_eq!(Unit::FORCE.power(1, 0), None);
+}
+
+/// A start value as a model text holds it, in SI.
+#[track_caller]
+fn start(unit: &str, written: &str) -> f64 {
+    let text = format!(
+        "format = 1\nname = \"case\"\n[coordinates]\nq = {{ unit = \"{unit}\" }}\n[points]\nP = \"q*N.x\"\n\
+         [bodies]\nbob = {{ centre = \"P\", mass = \"1_kg\" }}\n[start]\nq = {written}\n"
+    );
+    let text = if unit == "deg" { text.replace("q*N.x", "sin(q)*1_m*N.x") } else { text };
+    let model = model::parse("case", &text).unwrap_or_else(|e| panic!("{written}: {e:?}"));
+    model.start[0].1
+}
+
+#[test]
+fn quotes_leave_plain_numbers_in_the_unit_of_the_coordinate() {
+    let degree = std::f64::consts::PI / 180.0;
+    for sixty in [
+        "60",
+        "60.0",
+        "\"60\"",
+        "\" 6e1 \"",
+        "\"2*30\"",
+        "\"-(20 - 80)\"",
+        "\"120/2\"",
+        "\"60*deg\"",
+        "\"60_deg\"",
+        "\"pi/3\"",
+    ] {
+        assert!((start("deg", sixty) - 60.0 * degree).abs() < 1e-15, "{sixty}");
+    }
+    for half in ["500", "\"500\"", "\"2*250\"", "\"0.5_m\"", "\"2*250_mm\""] {
+        assert!((start("mm", half) - 0.5).abs() < 1e-15, "{half}");
+    }
+    assert_eq!(start("deg", "\"0.5*2_rad\""), 1.0);
+    assert_eq!(start("deg", "\"atan2(1, 1)\""), std::f64::consts::FRAC_PI_4);
 }

@@ -87,7 +87,11 @@ pub fn parse(text: &str) -> Result<Vec<State>, String> {
         let Unique(value) = serde_json::from_str(text.get()).map_err(|e| format!(": not JSON: {e}"))?;
         state(&value)
     };
-    list.iter().enumerate().map(|(n, s)| read(s).map_err(|m| format!("states[{n}]{m}"))).collect()
+    let mut states = Vec::with_capacity(list.len());
+    for (n, text) in list.into_iter().enumerate() {
+        states.push(read(text).map_err(|m| format!("states[{n}]{m}"))?);
+    }
+    Ok(states)
 }
 
 fn state(value: &Value) -> Result<State, String> {
@@ -117,7 +121,11 @@ fn named_numbers(numbers: &Map<String, Value>) -> Result<Vec<(String, f64)>, Str
         Some(x) if x.is_finite() => Ok((name.clone(), x)),
         _ => Err(format!(".{name}: expected a number, found {value}")),
     };
-    numbers.iter().map(number).collect()
+    let mut list = Vec::with_capacity(numbers.len());
+    for entry in numbers {
+        list.push(number(entry)?);
+    }
+    Ok(list)
 }
 
 /// Names of all parameters that any state names, in the model's order.

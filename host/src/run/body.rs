@@ -7,7 +7,7 @@ use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::limits::check_numbers;
-use crate::number::{json_number, json_string};
+use crate::number::{json_number, json_string, worst};
 use crate::output::{self, Output};
 use crate::plot;
 use crate::progress::Progress;
@@ -168,7 +168,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
             }
             total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
             let energy = &row.energy;
-            imbalance = imbalance.max(energy.imbalance.abs());
+            imbalance = worst(imbalance, energy.imbalance);
             let moved: Vec<f64> = energy.accounts.iter().copied().chain([energy.total - total[0]]).collect();
             health.energies(Energies { stored: &energy.stored, moved: &moved, imbalance: energy.imbalance });
             cut_short = row.cut_short;

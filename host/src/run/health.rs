@@ -2,6 +2,7 @@
 //!
 //! In: coordinates and energies as they come. Out: a line for each kind of finding. It observes; no step is changed.
 
+use crate::number::worst;
 use std::collections::BTreeMap;
 
 /// Part of the energy that moved (kinetic, stored, worked) which the ledger may miss.
@@ -87,27 +88,25 @@ impl Health {
     pub fn place(&mut self, name: &str, value: f64, t: f64) {
         let Some(range) = self.ranges.get(name) else { return };
         let excess = range.excess(value);
-        if excess > 0.0 && self.outside.get(name).is_none_or(|known| excess > known.excess) {
+        let is_inside = excess <= 0.0;
+        if !is_inside && self.outside.get(name).is_none_or(|known| excess > known.excess || excess.is_nan()) {
             self.outside.insert(name.to_owned(), Outside { t, value, excess });
         }
     }
 
     /// The worst pivot of a step, relative to nominal.
     pub fn pivot(&mut self, pivot: f64) {
-        self.pivot = self.pivot.min(pivot);
+        if pivot.is_nan() || pivot < self.pivot {
+            self.pivot = pivot;
+        }
     }
 
     /// Energies at a row.
     pub fn energies(&mut self, at: Energies<'_>) {
-        let largest = |list: &[f64]| list.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         // The first stored energy is the kinetic one: it moves in any case.
-        self.moved = self.moved.max(largest(at.moved)).max(at.stored.first().map_or(0.0, |x| x.abs()));
-        self.size = self.size.max(largest(at.stored));
-        // A number that is none stays: it is not below any.
-        let imbalance = at.imbalance.abs();
-        if self.imbalance < imbalance || imbalance.is_nan() {
-            self.imbalance = imbalance;
-        }
+        self.moved = at.moved.iter().chain(at.stored.first()).fold(self.moved, |m, x| worst(m, *x));
+        self.size = at.stored.iter().fold(self.size, |m, x| worst(m, *x));
+        self.imbalance = worst(self.imbalance, at.imbalance);
     }
 
     /// What a user should hear of.
@@ -147,7 +146,8 @@ impl Health {
     }
 
     fn singular(&self) -> Option<String> {
-        (self.pivot < NEARLY_SINGULAR).then(|| {
+        let is_regular = self.pivot >= NEARLY_SINGULAR;
+        (!is_regular).then(|| {
             format!(
                 "the motion passed a configuration that is nearly singular (a pivot of {:.1e} of nominal): which way it \
                  goes from there the equations hardly say; `smartbed check` finds such configurations",

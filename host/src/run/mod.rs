@@ -6,6 +6,7 @@ pub mod events;
 pub mod health;
 pub mod ledger;
 pub mod observers;
+mod plant;
 pub mod settings;
 pub mod simulate;
 

@@ -7,11 +7,13 @@
 use super::health::{Energies, Health, Range};
 use super::ledger::{self, Ledger};
 use super::observers::Observers;
+pub use super::plant::Plant;
 use super::settings::Settings;
 use crate::engine::{Engine, EngineScalar, explain};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::limits::{Angles, check_numbers};
+use crate::number::worst;
 use crate::progress::Progress;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
@@ -28,17 +30,6 @@ const MOST_STEPS: u64 = 100_000_000;
 const PARTS: usize = 8;
 /// A rest of the time below this share of a step is rounding.
 const ROUNDING: f64 = 1e-3;
-
-/// A mechanism with its laws: what integrators step.
-#[derive(Debug)]
-pub struct Plant<E, S> {
-    engine: E,
-    law: Interpreted<S>,
-    law_inputs: Vec<usize>,
-    inputs: Vec<S>,
-    projections: u8,
-    evaluations: u64,
-}
 
 /// One row of a run.
 #[derive(Clone, PartialEq, Debug)]
@@ -101,80 +92,6 @@ pub fn columns(program: &Program, observers: &Observers) -> Vec<String> {
     names
 }
 
-impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for Plant<E, S> {
-    fn n_x(&self) -> usize {
-        self.engine.n_q() + self.engine.n_u()
-    }
-    fn n_q(&self) -> usize {
-        self.engine.n_q()
-    }
-    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        self.evaluations += 1;
-        self.command(t, x)?;
-        let n_q = self.engine.n_q();
-        let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
-        let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
-    }
-    fn set_time(&mut self, t: S) {
-        self.engine.set_time(t);
-    }
-    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
-        let n_q = self.engine.n_q();
-        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        self.engine.project(q)
-    }
-    fn projections(&self) -> u8 {
-        self.projections
-    }
-}
-
-impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S> {
-    /// Joins an engine and the laws.
-    pub fn new(engine: E, program: &Program, observers: &Observers) -> Self {
-        Self {
-            engine,
-            law: Interpreted::new(&observers.laws()),
-            law_inputs: observers.law_inputs.clone(),
-            inputs: vec![S::ZERO; program.inputs.len()],
-            projections: u8::from(!program.correction.is_empty()),
-            evaluations: 0,
-        }
-    }
-
-    /// Evaluations of the equations of motion so far.
-    #[must_use]
-    pub fn evaluations(&self) -> u64 {
-        self.evaluations
-    }
-
-    /// Energies, all speeds and outputs of a state.
-    ///
-    /// # Errors
-    /// [`Fault::Shape`] if it has another length.
-    pub fn answers(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
-        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
-        self.engine.set_time(t);
-        self.engine.energy(q, u)?;
-        self.engine.speeds(q, u)?;
-        self.engine.outputs(t, q, u, &self.inputs)?;
-        Ok(())
-    }
-
-    /// Sets the inputs that have laws; the others stay 0.
-    fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
-        if self.law_inputs.is_empty() {
-            return Ok(());
-        }
-        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
-        let commanded = self.law.outputs(t, q, u, &vec![S::ZERO; self.inputs.len()])?;
-        for (&input, value) in self.law_inputs.iter().zip(commanded) {
-            self.inputs[input] = value;
-        }
-        Ok(())
-    }
-}
-
 /// Makes rows, and keeps what the summary needs.
 struct Recorder<'a, S, F> {
     program: &'a Program,
@@ -221,7 +138,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         let no_inputs = vec![0.0; plant.inputs.len()];
         let places = self.places.outputs(t, &wide_q, &wide_u, &no_inputs).map_err(failure)?;
         self.summary.rows += 1;
-        self.summary.imbalance = self.summary.imbalance.max(accounts.imbalance().abs());
+        self.summary.imbalance = worst(self.summary.imbalance, accounts.imbalance());
         let stored = [accounts.kinetic, accounts.gravity, accounts.spring];
         let change = accounts.total() - accounts.start;
         let moved = [change, accounts.damping, accounts.actuator, accounts.external];
@@ -245,7 +162,7 @@ impl<S: EngineScalar, F: FnMut(&Row) -> Result<(), Failure>> Recorder<'_, S, F> 
         for (quantity, value) in self.program.q.iter().zip(x) {
             self.summary.health.place(&quantity.name, value.to_f64(), t);
         }
-        self.summary.residual = self.summary.residual.max(report.residual.to_f64());
+        self.summary.residual = worst(self.summary.residual, report.residual.to_f64());
     }
 }
 
@@ -291,7 +208,7 @@ pub fn simulate<S: EngineScalar>(
         Some(method) => fixed(setup, method, &mut plant, &mut state, ledger, &mut recorder)?,
         None => adaptive(setup, &mut plant, &mut state, ledger, &mut recorder)?,
     }
-    recorder.summary.evaluations = plant.evaluations;
+    recorder.summary.evaluations = plant.evaluations();
     Ok(recorder.summary)
 }
 

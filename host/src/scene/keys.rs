@@ -57,8 +57,7 @@ const fn reader(choice: Choice, keys: &'static str) -> Reader {
     Reader { choice, keys }
 }
 
-/// The table. A bar computes masses and stiffness; only closed surfaces hold a pressure; Moreau's law steps by itself;
-/// a massless point has no momentum that friction could take.
+/// The table. A bar computes masses and stiffness; only closed surfaces hold a pressure; Moreau's law steps by itself.
 pub const READERS: [Reader; 24] = [
     reader(
         Choice::Always,
@@ -81,7 +80,7 @@ pub const READERS: [Reader; 24] = [
     reader(Choice::Law("moreau"), "floor mu e"),
     reader(Choice::Law("penalty"), "method floor mu stiffness"),
     reader(Choice::Law("hunt_crossley"), "method floor mu stiffness dissipation"),
-    reader(Choice::Law("massless_point"), "method floor cluster_tolerance massless"),
+    reader(Choice::Law("massless_point"), "method floor mu cluster_tolerance massless"),
     reader(Choice::FixedStep, "allow_unstable"),
     reader(Choice::AdaptiveStep, "tolerance"),
     reader(Choice::Pressure, "pressure_form gas"),

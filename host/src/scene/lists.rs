@@ -2,7 +2,7 @@
 //!
 //! The same value is stepped on the host and printed as constant tables for the firmware.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Points, springs and facets of one body, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,20 +72,25 @@ impl Lists {
     /// # Errors
     /// A point without a neighbour that has mass.
     pub fn redistribute(&mut self, massless: &[usize]) -> Result<(), String> {
+        let is_massless: BTreeSet<usize> = massless.iter().copied().collect();
+        let mut neighbours: BTreeMap<usize, Vec<usize>> = massless.iter().map(|p| (*p, Vec::new())).collect();
+        for [tail, head] in &self.springs {
+            for (point, other) in [(tail, head), (head, tail)] {
+                if let Some(list) = neighbours.get_mut(point).filter(|_| !is_massless.contains(other)) {
+                    list.push(*other);
+                }
+            }
+        }
         let mut gains: BTreeMap<usize, f64> = BTreeMap::new();
-        for &point in massless {
-            let neighbours: Vec<usize> = (self.springs.iter())
-                .filter(|s| s.contains(&point))
-                .map(|s| s[0] + s[1] - point)
-                .filter(|k| !massless.contains(k))
-                .collect();
-            if neighbours.is_empty() {
+        for point in massless {
+            let takers = neighbours.get(point).map_or(&[][..], Vec::as_slice);
+            if takers.is_empty() {
                 return Err(format!(
                     "the massless point {point} has no neighbour that could take its mass; join it by a spring to a point with mass"
                 ));
             }
-            for k in &neighbours {
-                *gains.entry(*k).or_default() += self.masses[point] / neighbours.len() as f64;
+            for k in takers {
+                *gains.entry(*k).or_default() += self.masses[*point] / takers.len() as f64;
             }
         }
         for (k, gain) in gains {
@@ -96,7 +101,7 @@ impl Lists {
             self.velocities[point] = [0.0; 3];
         }
         for (spring, c) in self.springs.iter().zip(&mut self.damping) {
-            if spring.iter().any(|p| massless.contains(p)) {
+            if spring.iter().any(|p| is_massless.contains(p)) {
                 *c = 0.0;
             }
         }

@@ -5,7 +5,7 @@
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::soft;
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
-use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System};
+use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System, massless};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, Massless, Spring};
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
@@ -126,12 +126,28 @@ impl<S: Scalar> Simulation<S> {
             anchor: S::ZERO,
         };
         Body::new(simulation.body())?;
+        simulation.settle();
         if simulation.ground.is_some()
             && let Some(stable) = simulation.largest_stable_step()
         {
             simulation.method = limit_step(simulation.method, stable);
         }
         Ok(simulation)
+    }
+
+    /// Massless points start where they balance: the energy of the start is that of the first step.
+    fn settle(&mut self) {
+        let Some(ground) = self.ground.filter(|ground| ground.law == ContactLaw::MasslessPoint) else {
+            return;
+        };
+        // A start below the ground is refused with its first step.
+        if self.pos().iter().any(|x| ground.gap(*x) < -ground.tolerance) {
+            return;
+        }
+        let mut places = self.pos().to_vec();
+        let mut origins = places.clone();
+        massless::settle(&self.body(), &ground, &mut places, &mut origins);
+        self.motion[..places.len()].copy_from_slice(&places);
     }
 
     fn body(&self) -> Body<'_, S> {

@@ -121,6 +121,78 @@ fn a_full_standard_output_is_a_failure() {
     }
 }
 
+/// A file name in the tests' folder, with `text` repeated between head and tail up to a size.
+#[cfg(target_os = "linux")]
+fn filled(name: &str, [head, part, tail]: [&str; 3], size: usize) -> String {
+    let parts = (size - head.len() - tail.len()) / part.len();
+    written(name, &[head, &part.repeat(parts), tail].concat())
+}
+
+/// Texts as large as they may be, of little but commas and brackets, within 1 GiB; a larger one is refused by its size.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_largest_texts_stay_within_a_gibibyte() {
+    let model = "format = 1\nname = \"case\"\n[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x\"\n[bodies]\n\
+                 b = { centre = \"P\", mass = \"1_kg\" }\n";
+    let outputs: String = (0..330).map(|n| format!("o{n} = \"{}q\"\n", "q*q+".repeat(700))).collect();
+    let run = |file: &str| format!("run {file} --seconds 0");
+    let lines = [
+        format!("check {}", written("terms.toml", &format!("{model}[outputs]\n{outputs}"))),
+        format!("check {}", filled("list.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], 1 << 20)),
+        run(&filled("points.toml", ["format = 1\npoints = [", "[0,0,1],", "]\n"], 8 << 20)),
+        run(&filled("numbers.toml", ["format = 1\nshape = \"cube\"\nx = [", "1,", "]\n"], 8 << 20)),
+        run(&filled("points.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], 8 << 20)),
+        format!(
+            "eval pendulum -o /dev/null --states {}",
+            filled("some.json", ["{\"states\": [", "{},", "{}]}"], 8 << 20)
+        ),
+        format!("check {}", filled("large.toml", [model, "#", "\n"], (1 << 20) + 9)),
+        run(&filled("large.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], (8 << 20) + 99)),
+    ];
+    for (n, line) in lines.iter().enumerate() {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("ulimit -v 1048576; exec {} {line}", env!("CARGO_BIN_EXE_smartbed"))]);
+        shell.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).stdout(Stdio::null());
+        let (status, errors) = finish_with(shell, Stdio::piped());
+        assert!(
+            matches!(status, Some(0 | 1)) && !errors.contains("panicked"),
+            "{line}: {status:?} {errors:.300}"
+        );
+        assert_eq!(
+            errors.contains("larger than 1048576 bytes") || errors.contains("more than 8 MiB"),
+            n >= 6,
+            "{errors:.300}"
+        );
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_closed_standard_output_is_a_failure() {
+    let program = env!("CARGO_BIN_EXE_smartbed");
+    let lines = [
+        "check pendulum",
+        "run pendulum --seconds 0.1",
+        "run single_spring --seconds 0.1 --csv -",
+        "run --help",
+    ];
+    for line in lines {
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", &format!("{program} {line} >&-")])
+            .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let done = finish_with(shell, Stdio::piped());
+        assert_eq!(done.0, Some(1), "{line}: {done:?}");
+        assert!(line == "run --help" || done.1.contains("standard output: it is closed"), "{line}: {done:?}");
+        // The null device was asked for: that is no failure, however it was opened.
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("{program} {line} 1<>/dev/null")]);
+        shell.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let done = finish_with(shell, Stdio::piped());
+        assert_eq!(done.0, Some(0), "{line}: {done:?}");
+    }
+}
+
 /// Status and standard error.
 fn finish_with(mut program: Command, errors: Stdio) -> (Option<i32>, String) {
     let mut child = program.stderr(errors).spawn().expect("the program runs");

@@ -59,36 +59,40 @@ fn run(folder: &Path, line: &str) -> Done {
     finish(smartbed)
 }
 
-#[test]
-fn every_command_of_the_guide_does_what_it_says() {
+/// Writes the files of a page and runs its commands, in order, in a folder of its own; returns how many.
+pub fn run_page(name: &str, text: &str) -> usize {
     let mut commands = 0;
-    for (name, text) in pages() {
-        let folder = file(&format!("guide_{name}"));
-        let _ = std::fs::remove_dir_all(&folder);
-        std::fs::create_dir_all(&folder).expect("a folder");
-        for (kind, block) in blocks(&text) {
-            if let Some((_, file)) = kind.split_once("file=") {
-                std::fs::write(folder.join(file), &block).expect("written");
-            }
-            if !kind.starts_with("sh") {
-                continue;
-            }
-            let quoted = |prefix| kind.strip_prefix(prefix).and_then(|words| words.strip_suffix('"'));
-            let (fails, says) = (quoted("sh fails \""), quoted("sh says \""));
-            assert!(kind == "sh" || fails.or(says).is_some(), "{name}: what does `{kind}` mean?");
-            for line in block.lines() {
-                let done = run(&folder, line.strip_prefix("cargo smartbed ").expect("a command of ours"));
-                match fails {
-                    Some(words) => assert!(done.message().contains(words), "{name}: {line}: {done:?}"),
-                    None => {
-                        assert_eq!(done.status, 0, "{name}: {line}: {done:?}");
-                        assert!(done.out.contains(says.unwrap_or_default()), "{name}: {line}: {done:?}");
-                    }
+    let folder = file(&format!("guide_{name}"));
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for (kind, block) in blocks(text) {
+        if let Some((_, file)) = kind.split_once("file=") {
+            std::fs::write(folder.join(file), &block).expect("written");
+        }
+        if !kind.starts_with("sh") {
+            continue;
+        }
+        let quoted = |prefix| kind.strip_prefix(prefix).and_then(|words| words.strip_suffix('"'));
+        let (fails, says) = (quoted("sh fails \""), quoted("sh says \""));
+        assert!(kind == "sh" || fails.or(says).is_some(), "{name}: what does `{kind}` mean?");
+        for line in block.lines() {
+            let done = run(&folder, line.strip_prefix("cargo smartbed ").expect("a command of ours"));
+            match fails {
+                Some(words) => assert!(done.message().contains(words), "{name}: {line}: {done:?}"),
+                None => {
+                    assert_eq!(done.status, 0, "{name}: {line}: {done:?}");
+                    assert!(done.out.contains(says.unwrap_or_default()), "{name}: {line}: {done:?}");
                 }
-                commands += 1;
             }
+            commands += 1;
         }
     }
+    commands
+}
+
+#[test]
+fn every_command_of_the_guide_does_what_it_says() {
+    let commands: usize = pages().iter().map(|(name, text)| run_page(name, text)).sum();
     assert!(commands >= 25, "{commands}");
 }
 

@@ -15,6 +15,7 @@ mod nonsense;
 mod reference;
 mod report;
 mod run;
+mod scene_manual;
 mod schema;
 mod settings;
 mod support;

@@ -1,4 +1,4 @@
-//! Scene texts: keys of all kinds with values of all kinds, most of them read; shipped ones with lines exchanged.
+//! Scene texts and command lines: keys of all kinds with values of all kinds, most of them read; shipped ones with lines exchanged.
 
 use crate::random::Random;
 use smartbed::scene::keys::READERS;
@@ -23,7 +23,7 @@ const METHODS: [&str; 9] = [
 ];
 
 /// A value that may stand behind a key: most often a small number.
-fn value(random: &mut Random, key: &str) -> String {
+pub fn value(random: &mut Random, key: &str) -> String {
     let count = ["1", "2", "3", "4", "0", "-1", "1.5", "100000000000"];
     match key {
         "shape" => format!("\"{}\"", random.of(&SHAPES)),
@@ -98,4 +98,67 @@ pub fn settings(random: &mut Random) -> Vec<String> {
         settings.push(format!("{key}={}", value(random, key)));
     }
     settings
+}
+
+/// Small scenes, and a few that are none.
+const NAMES: [&str; 10] = [
+    "single_spring",
+    "double_spring",
+    "truss",
+    "cube",
+    "prism",
+    "closed_loop_3_links",
+    "mass_on_4_springs",
+    "spring_loaded_pendulum",
+    "complex_structure",
+    "singel_spring",
+];
+/// Numbers at the edges of what an option takes. None asks for minutes.
+const EDGES: [&str; 12] =
+    ["nan", "inf", "-inf", "1e300", "1e-300", "-1", "0", "-0.0", "", "x", "18446744073709551616", "1e-3"];
+/// Values of settings that are no numbers, or not plain ones.
+const ODD: [&str; 14] = [
+    "nan",
+    "inf",
+    "-1e300",
+    "1e308",
+    "1e-320",
+    "\"x\"",
+    "[]",
+    "[[[1]]]",
+    "[1, 2]",
+    "{ a = { b = 1 } }",
+    "{",
+    "\"",
+    "0x10",
+    "null",
+];
+
+/// A command line that runs a scene and writes its rows to `csv`; now and then with an error asked for.
+pub fn line(random: &mut Random, csv: &str) -> Vec<String> {
+    let mut line: Vec<String> = vec!["run".to_owned(), random.of(&NAMES).to_owned(), format!("--csv={csv}")];
+    let seconds = if random.one_in(8) { random.of(&EDGES) } else { random.of(&["0.01", "0.003", "0.05"]) };
+    line.push(format!("--seconds={seconds}"));
+    for _ in 0..random.below(4) {
+        let word = match random.below(9) {
+            0 => format!(
+                "--step={}",
+                if random.one_in(2) { random.of(&EDGES) } else { random.of(&["1e-3", "2e-4"]) }
+            ),
+            1 => format!("--method={}", if random.one_in(6) { "moreau" } else { random.of(&METHODS) }),
+            2 => format!("--scalar={}", random.of(&["f32", "f32", "f64", "f16"])),
+            3 if random.one_in(40) => format!("--error={}", random.of(&EDGES)),
+            3 => format!("--tolerance={}", random.of(&EDGES)),
+            4 => random.of(&["--json", "--strict", "--every=3", "--every=0"]).to_owned(),
+            _ => {
+                let reader = READERS[random.below(READERS.len())];
+                let keys: Vec<&str> = reader.keys.split_whitespace().filter(|k| *k != "T").collect();
+                let key = if keys.is_empty() || random.one_in(20) { "nobody" } else { random.of(&keys) };
+                let value = if random.one_in(4) { random.of(&ODD).to_owned() } else { value(random, key) };
+                format!("--set={key}={value}")
+            }
+        };
+        line.push(word);
+    }
+    line
 }

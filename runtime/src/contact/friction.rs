@@ -1,7 +1,8 @@
 //! Coulomb friction as an impulse: the tangential speed loses at most mu J/m, and the loss is exact.
 //!
 //! f = min(1, mu J/(m |v_t|)); v_t := (1 - f) v_t; loss = m |v_t|^2 (1 - (1-f)^2)/2.
-//! f = 1 leaves the point without tangential speed: it sticks.
+//! f = 1 leaves the point without tangential speed: it sticks. Over a stretch of motion the impulse points against the
+//! mean of the slip's directions at both ends, v' = v - mu J/m (d0 + d1)/|d0 + d1|: order 2 on a curved way.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -22,4 +23,30 @@ pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: 
     let fraction = largest / (mass * speed);
     *v = vec3::axpy(*v, -fraction, slip);
     kinetic * fraction * (S::from_f64(2.0) - fraction)
+}
+
+/// As [`apply`], over a stretch of motion that began with the velocity `before`.
+pub fn apply_over<S: Scalar>(
+    v: &mut Vec3<S>,
+    before: Vec3<S>,
+    normal: Vec3<S>,
+    mass: S,
+    coefficient: S,
+    impulse: S,
+) -> S {
+    let (first, _) = vec3::direction(vec3::tangential(before, normal));
+    let (last, speed) = vec3::direction(vec3::tangential(*v, normal));
+    let (mean, length) = vec3::direction(vec3::add(first, last));
+    let largest = coefficient * impulse;
+    if length <= S::ZERO || mass <= S::ZERO || largest >= mass * speed {
+        return apply(v, normal, mass, coefficient, impulse);
+    }
+    let change = largest / mass;
+    // m dv.(v + dv/2): more than nothing unless the slip turns round, which ends a stretch.
+    let loss = largest * (vec3::dot(mean, *v) - S::from_f64(0.5) * change);
+    if loss <= S::ZERO {
+        return apply(v, normal, mass, coefficient, impulse);
+    }
+    *v = vec3::axpy(*v, -change, mean);
+    loss
 }

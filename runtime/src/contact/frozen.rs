@@ -87,7 +87,8 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
     /// From the gas law.
     pub fn elastic(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         if let Some(ground) = self.massless_ground() {
-            massless::settle(&self.body, &ground, pos);
+            // Their places at the start stand where the forces will.
+            massless::settle(&self.body, &ground, pos, out);
         }
         force::eval_elastic(&self.body, &self.elements(), pos, out)?;
         if let Some(ground) = self.soft_ground() {

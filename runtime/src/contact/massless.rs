@@ -5,7 +5,8 @@
 //! force is continuous. Dampers of its springs must be 0: without inertia its speed is not a state.
 //! Newton's method where the stiffness is positive definite, else Gauss-Newton; a small ridge means least
 //! motion where a chain leaves directions open. First free, then along the surface if it ended below. Several such points are swept in turn.
-//! Without inertia a point has no momentum that friction could take, so the law is one without friction.
+//! With friction (Coulomb, quasi-static) a point stays where it stood, or where it came down, as long as its springs pull it
+//! sideways by |T| <= mu N; else it follows them until T = mu N d, d the direction it has moved in.
 
 use super::Ground;
 use crate::flexible::{Body, Spring};
@@ -14,19 +15,27 @@ use crate::vec3::{self, Vec3};
 
 /// Corrections of one point in one sweep.
 const CORRECTIONS: usize = 30;
+/// The same with friction, where the normal force is taken from the correction before.
+const SLIDES: usize = 60;
 /// Sweeps over all massless points; one is enough where no spring joins two of them.
 const SWEEPS: usize = 30;
 /// Ridge relative to the stiffness, in roots of the rounding unit: keeps a chain's open directions in
 /// place; its square must stand clear of rounding in the determinant of a single spring.
 const RIDGE: f64 = 32.0;
 
-/// Moves every massless point to its balance, starting from where it is.
-pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>]) {
+/// Moves every massless point to its balance, starting from where it is; `origins` is memory, one entry a point.
+pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>], origins: &mut [Vec3<S>]) {
+    for (i, _) in body.massless.iter() {
+        if let Some(origin) = origins.get_mut(i) {
+            *origin = vec3::at(pos, i);
+        }
+    }
     for _ in 0..SWEEPS {
         let mut largest_move = S::ZERO;
         for (i, springs) in body.massless.iter() {
             let before = vec3::at(pos, i);
-            settle_point(body, springs, ground, pos, i);
+            let at = Point { body, ground, springs, i };
+            at.settle(pos, vec3::at(origins, i));
             largest_move = largest_move.max(vec3::norm(vec3::sub(vec3::at(pos, i), before)));
         }
         if largest_move <= ground.tolerance {
@@ -35,30 +44,123 @@ pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>]
     }
 }
 
-fn settle_point<S: Scalar>(
-    body: &Body<S>,
-    springs: &[usize],
-    ground: &Ground<S>,
-    pos: &mut [Vec3<S>],
+/// A massless point with its springs.
+#[derive(Clone, Copy)]
+struct Point<'a, 'b, S> {
+    body: &'a Body<'b, S>,
+    ground: &'a Ground<S>,
+    springs: &'a [usize],
     i: usize,
-) {
-    for sliding in [false, true] {
-        for _ in 0..CORRECTIONS {
-            let springs = springs.iter().filter_map(|s| body.springs.get(*s));
-            let (force, stiffness) = balance(springs, ground, pos, i, sliding);
-            let correction = solve(stiffness, force);
-            let correction = if sliding { vec3::tangential(correction, ground.normal) } else { correction };
-            vec3::add_at(pos, i, correction);
-            if vec3::norm(correction) <= S::EPSILON * (S::ONE + vec3::norm(vec3::at(pos, i))) {
-                break;
-            }
-        }
-        let gap = ground.gap(vec3::at(pos, i));
+}
+
+impl<S: Scalar> Point<'_, '_, S> {
+    fn settle(&self, pos: &mut [Vec3<S>], origin: Vec3<S>) {
+        self.balance_by(pos, false);
+        let free = vec3::at(pos, self.i);
+        let gap = self.ground.gap(free);
         if gap >= S::ZERO {
             return;
         }
-        vec3::add_at(pos, i, vec3::scale(ground.normal, -gap));
+        let below = vec3::axpy(free, -gap, self.ground.normal);
+        if self.ground.friction > S::ZERO {
+            self.slide(pos, self.foot(origin, free, below));
+            return;
+        }
+        self.put(pos, below);
+        self.balance_by(pos, true);
+        let gap = self.ground.gap(vec3::at(pos, self.i));
+        if gap < S::ZERO {
+            vec3::add_at(pos, self.i, vec3::scale(self.ground.normal, -gap));
+        }
     }
+
+    /// Corrections until the springs balance, freely or along the surface.
+    fn balance_by(&self, pos: &mut [Vec3<S>], sliding: bool) {
+        for _ in 0..CORRECTIONS {
+            let (force, stiffness) = self.balance(pos, sliding);
+            let correction = solve(stiffness, force);
+            let correction =
+                if sliding { vec3::tangential(correction, self.ground.normal) } else { correction };
+            vec3::add_at(pos, self.i, correction);
+            if self.is_small(pos, correction) {
+                break;
+            }
+        }
+    }
+
+    fn balance(&self, pos: &[Vec3<S>], sliding: bool) -> (Vec3<S>, [Vec3<S>; 3]) {
+        let springs = self.springs.iter().filter_map(|s| self.body.springs.get(*s));
+        balance(springs, self.ground, pos, self.i, sliding)
+    }
+
+    fn is_small(&self, pos: &[Vec3<S>], correction: Vec3<S>) -> bool {
+        vec3::norm(correction) <= S::EPSILON * (S::ONE + vec3::norm(vec3::at(pos, self.i)))
+    }
+
+    fn put(&self, pos: &mut [Vec3<S>], place: Vec3<S>) {
+        if let Some(x) = pos.get_mut(self.i) {
+            *x = place;
+        }
+    }
+
+    /// Where friction would hold the point: where it stood on the surface, or came down to it on its way.
+    fn foot(&self, origin: Vec3<S>, free: Vec3<S>, below: Vec3<S>) -> Vec3<S> {
+        let (above, under) = (self.ground.gap(origin), self.ground.gap(free));
+        let part = if above > self.ground.tolerance { above / (above - under) } else { S::ZERO };
+        let way = vec3::tangential(vec3::sub(below, origin), self.ground.normal);
+        vec3::axpy(vec3::axpy(origin, -above, self.ground.normal), part, way)
+    }
+
+    /// From the foot along the surface, as far as the springs overcome friction.
+    fn slide(&self, pos: &mut [Vec3<S>], foot: Vec3<S>) {
+        let ground = self.ground;
+        self.put(pos, foot);
+        let mut direction = vec3::zero();
+        for n in 0..SLIDES {
+            let (force, _) = self.balance(pos, false);
+            let largest = ground.friction * (-vec3::dot(force, ground.normal)).max(S::ZERO);
+            let side = vec3::tangential(force, ground.normal);
+            if n == 0 {
+                let (along, pull) = vec3::direction(side);
+                if pull <= largest {
+                    return;
+                }
+                direction = along;
+            }
+            let (_, stiffness) = self.balance(pos, true);
+            let excess = vec3::axpy(side, -largest, direction);
+            let correction = vec3::tangential(solve(stiffness, excess), ground.normal);
+            vec3::add_at(pos, self.i, correction);
+            let moved = vec3::tangential(vec3::sub(vec3::at(pos, self.i), foot), ground.normal);
+            let (along, way) = vec3::direction(moved);
+            if way > S::ZERO {
+                direction = along;
+            }
+            if self.is_small(pos, correction) {
+                return;
+            }
+        }
+    }
+}
+
+/// Work that friction takes from the massless points between two states (J): those on the ground at both, by the mean of
+/// the forces that their springs slid them with.
+pub fn friction_loss<S: Scalar>(
+    body: &Body<S>,
+    ground: &Ground<S>,
+    [x0, x1]: [&[Vec3<S>]; 2],
+    [f0, f1]: [&[Vec3<S>]; 2],
+) -> S {
+    let mut lost = S::ZERO;
+    for (i, _) in body.massless.iter() {
+        let on_ground = |x: &[Vec3<S>]| ground.gap(vec3::at(x, i)) <= ground.tolerance;
+        if on_ground(x0) && on_ground(x1) {
+            let way = vec3::tangential(vec3::sub(vec3::at(x1, i), vec3::at(x0, i)), ground.normal);
+            let force = vec3::add(vec3::at(f0, i), vec3::at(f1, i));
+            lost = lost + (S::from_f64(0.5) * vec3::dot(force, way)).max(S::ZERO);
+        }
+    }
+    lost
 }
 
 /// Spring force on point i and its stiffness, both along the surface only if `sliding`: the sum of

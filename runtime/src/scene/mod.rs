@@ -70,8 +70,10 @@ pub struct Flow<'a, 'm, S> {
     pub modes: &'a [ContactState],
     /// Its length (s).
     pub tau: S,
-    /// True where the speeds follow from the forces alone: no friction, no impulse within.
+    /// True where the speeds follow from the forces and friction alone: no impulse within.
     pub is_smooth: bool,
+    /// Changes of speed that sliding friction made all along it, point by point; empty without friction.
+    pub braked: &'a [vec3::Vec3<S>],
     /// Energy lost to sliding friction in it (J).
     pub friction: S,
     /// Energy lost to the impact law in it (J) (time stepping laws).
@@ -257,7 +259,8 @@ fn accept<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
         after: &work.end,
         modes: state.modes,
         tau,
-        is_smooth: lost == S::ZERO && !lifted,
+        is_smooth: !lifted,
+        braked: if system.rough_ground().is_some() { work.dv } else { &[] },
         friction: lost,
         impact: S::ZERO,
     };
@@ -340,6 +343,17 @@ fn settle_modes<S: Scalar, R: Repertoire<S>>(
     }
 }
 
+/// Takes the slip that the location of an event has left, its rounding: what is slower would end the next stretch at once.
+fn stop_creeping<S: Scalar>(ground: &Ground<S>, state: &mut State<S>, h: S) {
+    let slowest = S::from_f64(4.0) * S::EPSILON * (S::ONE + ground.offset.abs()) / h;
+    for (mode, v) in state.modes.iter().zip(state.motion.vel.iter_mut()) {
+        let slip = vec3::tangential(*v, ground.normal);
+        if *mode == ContactState::Held && vec3::norm(slip) <= slowest {
+            *v = vec3::sub(*v, slip);
+        }
+    }
+}
+
 /// Applies the touch of all points at the surface and closing, then lets go of those that would be pulled.
 fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
@@ -363,6 +377,9 @@ fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
         impact = Some(hit);
     }
     let released = release(system, state);
+    if system.rough_ground().is_some() {
+        stop_creeping(ground, state, h);
+    }
     settle_modes(system, ground, state);
     let event = Event { time: state.t(), impact, points: state.impacts, modes: state.modes, released };
     observer.event(system, event);

@@ -1,17 +1,20 @@
 //! Coulomb friction of the points that slide over a stretch without events, with their mean normal force.
 //!
 //! A change of speed dv spread over the stretch moves the point by dv tau/2: order 2, and a point that
-//! sticks does not creep. The loss is what the speeds lose plus the work of the forces on that way.
+//! sticks does not creep. Forces of speeds act all along on speeds that friction has not changed yet: half of their
+//! change is made up for, dv += tau/2 (F(v') - F(v))/m, and the normal force at the end is the one after it.
+//! The loss is what the speeds lose plus the work of the forces on that way.
+//! Massless points slide by statics (`contact::massless`); here their loss alone is counted.
 //! Invariant: friction takes energy out or does nothing.
 
 use super::State;
-use crate::contact::{ContactState, Frozen, Repertoire, System, friction, soft};
+use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction, massless, soft};
 use crate::flexible::BodyError;
-use crate::ode::nodes::{Motion, Workspace};
+use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Takes the sliding points in `work.end` back; returns the loss (J), >= 0.
+/// Takes the sliding points in `work.end` back, their changes of speed in `work.dv`; returns the loss (J), >= 0.
 pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     state: &State<S>,
@@ -19,48 +22,106 @@ pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
     work: &mut Workspace<S>,
 ) -> Result<S, BodyError<S>> {
     let Some(ground) = system.rough_ground() else { return Ok(S::ZERO) };
+    if system.massless_ground().is_some() {
+        work.dv.iter_mut().for_each(|change| *change = vec3::zero());
+        let (places, forces) =
+            ([&*state.motion.pos, work.end.pos], [&*state.motion.elastic, work.end.elastic]);
+        return Ok(massless::friction_loss(&system.body, &ground, places, forces));
+    }
+    let half = S::from_f64(0.5);
+    copy(work.stages, work.end.vel);
+    copy(work.stage_viscous, work.end.viscous);
+    let mut braked = brake(system, &ground, state, tau, work, false);
+    if braked == S::ZERO {
+        return Ok(S::ZERO);
+    }
+    let mut climbed = S::ZERO;
+    for (i, way) in work.dx.iter().enumerate() {
+        climbed = climbed + half * vec3::dot(work.end.force(i), *way);
+    }
+    work.shift_positions();
+    work.refresh_end(&Frozen { system, modes: state.modes })?;
+    for (i, way) in work.dx.iter().enumerate() {
+        climbed = climbed + half * vec3::dot(work.end.force(i), *way);
+    }
+    if system.is_damped() {
+        make_up(system, state, tau, work);
+        braked = brake(system, &ground, state, tau, work, true);
+        system.viscous(work.end.pos, work.end.vel, work.end.viscous);
+    }
+    if braked + climbed < S::ZERO {
+        // What stiff springs took together on the way is more than friction had: the places stay, speeds lose.
+        work.dx.iter_mut().for_each(|way| *way = vec3::scale(*way, -S::ONE));
+        work.shift_positions();
+        work.refresh_end(&Frozen { system, modes: state.modes })?;
+        return Ok(braked);
+    }
+    Ok(braked + climbed)
+}
+
+/// Speeds at the end without friction, with half of what it changes in the forces of speeds.
+fn make_up<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    state: &State<S>,
+    tau: S,
+    work: &mut Workspace<S>,
+) {
+    let half = S::from_f64(0.5) * tau;
+    for (i, mode) in state.modes.iter().enumerate() {
+        let change = vec3::sub(vec3::at(work.end.viscous, i), vec3::at(work.stage_viscous, i));
+        let kick = vec3::scale(system.acceleration(i, *mode, change), half);
+        if let Some(v) = work.stages.get_mut(i) {
+            *v = vec3::add(*v, kick);
+        }
+    }
+}
+
+/// Speeds `work.stages` (those without friction) less friction into the end's, with changes in `work.dv`; returns what they lose (J).
+///
+/// The first time ways in `work.dx` follow; `again`, places stay, and so does a point that stuck.
+fn brake<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    state: &State<S>,
+    tau: S,
+    work: &mut Workspace<S>,
+    again: bool,
+) -> S {
     let half = S::from_f64(0.5);
     let push = |motion: &Motion<S>, i: usize, mode: ContactState| match mode {
         ContactState::Held => system.normal_force(motion.force(i)).max(S::ZERO),
         ContactState::Stuck => S::ZERO,
         _ if !R::SOFT => S::ZERO,
-        _ => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
+        _ => soft::normal_force(ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
     };
-    let (mut lost, mut braked, mut slid) = (S::ZERO, S::ZERO, false);
+    let mut braked = S::ZERO;
     for (i, mode) in state.modes.iter().enumerate() {
         let mean = half * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
         let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
-        let (mut way, mut loss) = (vec3::zero(), S::ZERO);
-        if let Some(v) = work.end.vel.get_mut(i) {
-            let before = *v;
-            loss = friction::apply(v, ground.normal, mass, ground.friction, tau * mean);
-            way = vec3::scale(vec3::sub(*v, before), half * tau);
-        }
-        // A point that turned around within the stretch would be pushed up its force for more than its speed held.
-        let climb = -vec3::dot(vec3::at(work.end.elastic, i), way);
-        if climb > loss {
-            way = vec3::scale(way, loss / climb);
-        }
-        slid |= loss > S::ZERO;
+        let (start, before) = (vec3::at(state.motion.vel, i), vec3::at(work.stages, i));
+        let stuck = again
+            && vec3::at(work.dv, i) != vec3::zero()
+            && vec3::tangential(vec3::at(work.end.vel, i), ground.normal) == vec3::zero();
+        let impulse = if stuck { S::ONE / S::EPSILON } else { tau * mean };
+        let mut v = before;
+        let loss = friction::apply_over(&mut v, start, ground.normal, mass, ground.friction, impulse);
+        let change = vec3::sub(v, before);
         braked = braked + loss;
-        lost = lost + loss + half * vec3::dot(vec3::at(work.end.elastic, i), way);
-        if let Some(row) = work.dx.get_mut(i) {
-            *row = way;
+        if !again {
+            // A point that turned around within the stretch would be pushed up its force for more than its speed held.
+            let way = vec3::scale(change, half * tau);
+            let climb = -vec3::dot(vec3::at(work.end.elastic, i), way);
+            let way = if climb > loss { vec3::scale(way, loss / climb) } else { way };
+            set(work.dx, i, way);
         }
+        set(work.dv, i, change);
+        set(work.end.vel, i, v);
     }
-    if slid {
-        work.shift_positions();
-        work.refresh_end(&Frozen { system, modes: state.modes })?;
-        for (way, force) in work.dx.iter().zip(work.end.elastic.iter()) {
-            lost = lost + half * vec3::dot(*force, *way);
-        }
-        if lost < S::ZERO {
-            // What stiff springs took together on the way is more than friction had: the places stay, speeds lose.
-            work.dx.iter_mut().for_each(|way| *way = vec3::scale(*way, -S::ONE));
-            work.shift_positions();
-            work.refresh_end(&Frozen { system, modes: state.modes })?;
-            lost = braked;
-        }
+    braked
+}
+
+fn set<S: Scalar>(rows: &mut [vec3::Vec3<S>], i: usize, value: vec3::Vec3<S>) {
+    if let Some(row) = rows.get_mut(i) {
+        *row = value;
     }
-    Ok(lost)
 }

@@ -115,6 +115,7 @@ fn close<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
             modes: state.modes,
             tau,
             is_smooth: false,
+            braked: &[],
             friction: taken.friction,
             impact: taken.impact,
         },

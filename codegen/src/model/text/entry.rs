@@ -50,22 +50,22 @@ impl Builder<'_> {
         }
     }
 
-    /// A quantity: a plain number, quoted or not, is in the declared unit; an expression carries its own units.
+    /// A quantity: plain numbers, quoted or not, are in the declared unit; what names something carries its own units.
     pub(super) fn quantity(&mut self, value: &Value, scale: Scale) -> Expr {
-        let plain = match value {
-            Value::Number(number, _) => Some(*number),
-            Value::Text(text) if text.text.contains(|c: char| c.is_ascii_digit()) => {
-                text.text.trim().parse().ok()
-            }
-            _ => None,
+        let of_unit = |number: f64, scale: Scale| Expr {
+            kind: ExprKind::Number(number * scale.factor),
+            span: value.span(),
+            unit: scale.unit,
         };
-        match plain {
-            Some(number) => {
-                self.finite(number, value.span());
-                Expr { kind: ExprKind::Number(number * scale.factor), span: value.span(), unit: scale.unit }
-            }
-            None => self.expression(value),
-        }
+        let (is_plain, number) = match value {
+            Value::Number(number, _) => (true, Some(*number)),
+            Value::Text(text) if is_plain(&text.text) => (true, text.text.trim().parse().ok()),
+            _ => (false, None),
+        };
+        let expr = number.map_or_else(|| self.expression(value), |number| of_unit(number, si(Unit::NONE)));
+        let Some(number) = fold(&expr).filter(|_| is_plain) else { return expr };
+        self.finite(number, value.span());
+        of_unit(number, scale)
     }
 
     /// A vector or scalar field that may be missing.
@@ -204,4 +204,31 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// Nothing but numbers and signs: no name and no unit (`1e-3` has a letter, `2_m` a unit).
+fn is_plain(text: &str) -> bool {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit() || c == '.');
+    let mut before = None;
+    text.chars().all(|c| {
+        let last = before.replace(c);
+        match c {
+            'e' | 'E' => is_digit(last),
+            '_' => false,
+            _ => !c.is_alphabetic(),
+        }
+    })
+}
+
+/// The number that an expression of numbers is.
+fn fold(expr: &Expr) -> Option<f64> {
+    Some(match &expr.kind {
+        ExprKind::Number(x) => *x,
+        ExprKind::Negate(a) => -fold(a)?,
+        ExprKind::Add(a, b) => fold(a)? + fold(b)?,
+        ExprKind::Subtract(a, b) => fold(a)? - fold(b)?,
+        ExprKind::Multiply(a, b) => fold(a)? * fold(b)?,
+        ExprKind::Divide(a, b) => fold(a)? / fold(b)?,
+        _ => return None,
+    })
 }

@@ -78,6 +78,7 @@ fn read_lists(fields: &Fields) -> Result<Lists, String> {
     if points.is_empty() {
         return Err(fields.error("points", "expected at least one point"));
     }
+    bounded(fields, "points", points.len() as f64)?;
     let mut lists = Lists::default();
     points.into_iter().for_each(|p| {
         lists.point(p);
@@ -114,17 +115,21 @@ pub(super) fn shape(fields: &Fields) -> Result<&'static str, String> {
     })
 }
 
-fn read_shape(fields: &Fields) -> Result<Lists, String> {
-    let length = |key: &str, default: f64| fields.positive(key, default);
-    let count = |key: &str, default: usize, least: usize| fields.count(key, default, least);
-    // Asked before memory is.
-    let bounded = |points: f64| match points <= MOST_POINTS {
+/// Asked before memory is.
+fn bounded(fields: &Fields, key: &str, points: f64) -> Result<(), String> {
+    match points <= MOST_POINTS {
         true => Ok(()),
         false => {
             let message = format!("{points:.0} points; a body has {MOST_POINTS} at most: take a coarser one");
-            Err(fields.error("shape", &message))
+            Err(fields.error(key, &message))
         }
-    };
+    }
+}
+
+fn read_shape(fields: &Fields) -> Result<Lists, String> {
+    let length = |key: &str, default: f64| fields.positive(key, default);
+    let count = |key: &str, default: usize, least: usize| fields.count(key, default, least);
+    let bounded = |points: f64| bounded(fields, "shape", points);
     let side = length("side", 1.0)?;
     match shape(fields)? {
         "chain" => {

@@ -1,0 +1,95 @@
+//! A mechanism that integrators step: the engine of its equations and the laws of its inputs.
+//!
+//! In: an engine and the laws as a program. Out: rates, projection, and the answers of the engine, with the inputs that the
+//! laws command at each state.
+
+use super::observers::Observers;
+use crate::engine::{Engine, EngineScalar};
+use smartbed_codegen::{Interpreted, Program};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::Ode;
+
+/// A mechanism with its laws: what integrators step.
+#[derive(Debug)]
+pub struct Plant<E, S> {
+    pub(super) engine: E,
+    law: Interpreted<S>,
+    law_inputs: Vec<usize>,
+    pub(super) inputs: Vec<S>,
+    projections: u8,
+    evaluations: u64,
+}
+
+impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for Plant<E, S> {
+    fn n_x(&self) -> usize {
+        self.engine.n_q() + self.engine.n_u()
+    }
+    fn n_q(&self) -> usize {
+        self.engine.n_q()
+    }
+    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        self.evaluations += 1;
+        self.command(t, x)?;
+        let n_q = self.engine.n_q();
+        let (q, u) = x.split_at_checked(n_q).ok_or(Fault::Shape)?;
+        let (q_dot, u_dot) = x_dot.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
+    }
+    fn set_time(&mut self, t: S) {
+        self.engine.set_time(t);
+    }
+    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
+        let n_q = self.engine.n_q();
+        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        self.engine.project(q)
+    }
+    fn projections(&self) -> u8 {
+        self.projections
+    }
+}
+
+impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S> {
+    /// Joins an engine and the laws.
+    pub fn new(engine: E, program: &Program, observers: &Observers) -> Self {
+        Self {
+            engine,
+            law: Interpreted::new(&observers.laws()),
+            law_inputs: observers.law_inputs.clone(),
+            inputs: vec![S::ZERO; program.inputs.len()],
+            projections: u8::from(!program.correction.is_empty()),
+            evaluations: 0,
+        }
+    }
+
+    /// Evaluations of the equations of motion so far.
+    #[must_use]
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    /// Energies, all speeds and outputs of a state.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if it has another length.
+    pub fn answers(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        self.engine.set_time(t);
+        self.engine.energy(q, u)?;
+        self.engine.speeds(q, u)?;
+        self.engine.outputs(t, q, u, &self.inputs)?;
+        Ok(())
+    }
+
+    /// Sets the inputs that have laws; the others stay 0.
+    pub(super) fn command(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        if self.law_inputs.is_empty() {
+            return Ok(());
+        }
+        let (q, u) = x.split_at_checked(self.engine.n_q()).ok_or(Fault::Shape)?;
+        let commanded = self.law.outputs(t, q, u, &vec![S::ZERO; self.inputs.len()])?;
+        for (&input, value) in self.law_inputs.iter().zip(commanded) {
+            self.inputs[input] = value;
+        }
+        Ok(())
+    }
+}
