@@ -17,6 +17,27 @@ pub enum Fault {
     StepSize,
 }
 
+impl Fault {
+    /// In words.
+    #[must_use]
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Shape => "a list has the wrong length",
+            Self::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
+            Self::NonFinite => "a value has become infinite or not a number",
+            Self::StepSize => "the tolerance is not met even with the smallest step",
+        }
+    }
+}
+
+impl core::fmt::Display for Fault {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.reason())
+    }
+}
+
+impl core::error::Error for Fault {}
+
 /// Equations of motion of one mechanism over the scalar `S`, with its parameters inside.
 ///
 /// State: all coordinates `q` and the independent speeds `u`, SI units, in the model's order.

@@ -42,19 +42,26 @@ mod machine {
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 #[expect(unsafe_code, reason = "stable Rust reaches vsqrt by assembly only")]
 mod machine {
+    /// A name of this crate's own: crates that are derived carry this file, and link into one image.
+    macro_rules! symbol {
+        () => {
+            concat!("smartbed_vsqrt_f32_", env!("CARGO_CRATE_NAME"))
+        };
+    }
     core::arch::global_asm!(
-        ".section .text.smartbed_vsqrt_f32, \"ax\", %progbits",
-        ".global smartbed_vsqrt_f32",
-        ".type smartbed_vsqrt_f32, %function",
-        "smartbed_vsqrt_f32:",
+        concat!(".section .text.", symbol!(), ", \"ax\", %progbits"),
+        concat!(".global ", symbol!()),
+        concat!(".type ", symbol!(), ", %function"),
+        concat!(symbol!(), ":"),
         // vsqrt.f32 s0, s0: in numbers, because the assembler takes the target for one without a unit.
         ".inst.w 0xeeb10ac0",
         "bx lr",
-        ".size smartbed_vsqrt_f32, . - smartbed_vsqrt_f32",
+        concat!(".size ", symbol!(), ", . - ", symbol!()),
         ".text",
     );
     // SAFETY: the symbol is defined above with this signature, reads s0 and writes s0 only.
     unsafe extern "C" {
+        #[link_name = concat!("smartbed_vsqrt_f32_", env!("CARGO_CRATE_NAME"))]
         safe fn smartbed_vsqrt_f32(x: f32) -> f32;
     }
 
