@@ -20,9 +20,9 @@ use smartbed_codegen::model::{Model, SpeedMeaning};
 use smartbed_codegen::program::answer::KINEMATIC;
 use smartbed_codegen::{Diagnostics, Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
-/// Pivots of which less than this share of nominal is left somewhere are worth a warning.
-const SMALL_PIVOT: f64 = 0.02;
-/// A constraint of which less is independent of the others makes a configuration nearly singular.
+/// Constraints of whose conditioning less than this share of nominal is left somewhere are worth a warning.
+const LOST: f64 = 0.02;
+/// A smallest singular value below this share of the largest makes a configuration nearly singular.
 const NEARLY_SINGULAR: f64 = 1e-4;
 
 /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
@@ -71,8 +71,14 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     let mut kinematics =
         kinematics::derive(&model, &choice, Optimise::default()).map_err(|e| model_argument::wrong(&e))?;
-    let rank = Rank::over_samples(&model, &mut kinematics);
     let nearest = near_singular::search(&model, &program, (&kinematics.samples, &kinematics.sample_times));
+    let samples = kinematics.samples.len();
+    // What the search has found is looked at like a sample.
+    if let Some(nearest) = &nearest {
+        kinematics.samples.push(nearest.q.clone());
+        kinematics.sample_times.push(nearest.t);
+    }
+    let rank = Rank { samples, ..Rank::over_samples(&model, &mut kinematics) };
     let mut report = report(&model, &program, &rank, nearest.as_ref());
     if arguments.rounding {
         report.facts["rounding"] =
@@ -89,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Report {
     let found = model_argument::warnings(model, program);
     let mut warnings: Vec<String> = found.items.iter().map(|w| w.message.clone()).collect();
-    let numeric = numeric_warnings(model, program, rank, nearest);
+    let numeric = numeric_warnings(model, program, rank);
     warnings.extend(numeric.iter().cloned());
     let at = |q: &[f64]| json!(place(model, program, q));
     let facts = json!({
@@ -101,7 +107,7 @@ fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Neares
         "independent_speeds": independent(model),
         "constraints": {
             "speeds": rank.unknowns, "rank": rank.smallest, "largest_rank": rank.largest,
-            "samples": rank.samples, "least_left": rank.least_left, "worst_at": at(&rank.worst_at),
+            "samples": rank.samples, "conditioning": rank.conditioning.worst, "worst_at": at(&rank.conditioning.worst_at),
         },
         "nearest_to_singular": nearest.map(|n| json!({ "pivot": n.pivot, "at": at(&n.q) })),
         "pivots": pivots(program),
@@ -199,34 +205,31 @@ fn place(model: &Model, program: &Program, q: &[f64]) -> Vec<String> {
     parts
 }
 
-fn numeric_warnings(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Nearest>) -> Vec<String> {
+fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String> {
     let mut warnings = Vec::new();
     if rank.smallest < rank.largest {
         warnings.push(format!(
             "the constraints lose rank: {} at some samples, {} at others; near there the motion is not determined",
             rank.smallest, rank.largest
         ));
-    } else if rank.least_left < NEARLY_SINGULAR {
+    } else if rank.conditioning.is_lost(LOST, NEARLY_SINGULAR) {
+        let found = &rank.conditioning;
         warnings.push(format!(
-            "a sampled configuration is nearly singular: only {:.1e} of a constraint is independent of the others",
-            rank.least_left
+            "within the ranges a configuration is nearly singular: the smallest singular value of the constraints falls \
+             from {:.1e} of the largest to {:.1e}, at {}; narrow the `range` of the independent coordinates",
+            found.nominal,
+            found.worst,
+            place(model, program, &found.worst_at).join(", ")
         ));
-    }
-    if let Some(nearest) = nearest.filter(|n| n.pivot < SMALL_PIVOT) {
+    } else if rank.of_dependent.is_lost(LOST, NEARLY_SINGULAR) {
+        let found = &rank.of_dependent;
         warnings.push(format!(
-            "within the ranges a configuration is nearly singular: a pivot falls to {:.1e} of its nominal value at \
-             {}; narrow the `range` of the independent coordinates, or choose other independent ones",
-            nearest.pivot,
-            place(model, program, &nearest.q).join(", ")
-        ));
-    }
-    let mut small: Vec<_> = program.pivots.iter().filter(|p| p.worst < SMALL_PIVOT).collect();
-    small.sort_by(|a, b| a.worst.total_cmp(&b.worst));
-    for pivot in small {
-        warnings.push(format!(
-            "the pivot `{}` falls to {:.1e} of its nominal value within the sampled range",
-            program.dag.print(pivot.value, 48),
-            pivot.worst
+            "within the ranges the independent coordinates come near a dead point, where they do not determine the \
+             others: the smallest singular value of these falls from {:.1e} of the largest to {:.1e}, at {}; choose \
+             other independent coordinates, or narrow their `range`",
+            found.nominal,
+            found.worst,
+            place(model, program, &found.worst_at).join(", ")
         ));
     }
     warnings

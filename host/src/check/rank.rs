@@ -1,19 +1,19 @@
-//! Rank of the constraints at sampled configurations, from numbers.
+//! Rank and conditioning of the constraints, from numbers.
 //!
 //! In: the configuration constraints as scalars, differentiated by the chain rule, and the motion
 //! constraints: rows over the speeds. Where a motion constraint speaks of a twist that the derivation lifts, the
 //! twists are columns too, and the rows that say what they are stand beside the others. Out: rank at
-//! every sample, and the worst conditioning. Rows are scaled by their largest length and orthogonalised, the
-//! one with most left first (Gram & Schmidt with pivoting): what is left of a row when its turn comes
-//! is the share of it that the rows before do not say already.
+//! every sample, and the worst conditioning: the smallest singular value of the Jacobian that counts over the largest.
+//! Rows and columns are scaled first, so that neither units nor factors of equations matter.
 
+use nalgebra::DMatrix;
 use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
 use smartbed_codegen::kinematics::{Kinematics, Row, eliminate};
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use std::collections::BTreeMap;
 
-/// A row of which less is left follows from the others.
+/// A singular value below this share of the largest is that of a row which follows from the others.
 const ZERO: f64 = 1e-8;
 
 /// What the samples say.
@@ -29,61 +29,97 @@ pub(super) struct Rank {
     pub smallest: usize,
     /// Largest rank over the samples.
     pub largest: usize,
-    /// Least that was left of a row that counts, at the worst sample; 1 without constraints.
-    pub least_left: f64,
+    /// Of the Jacobian over all speeds.
+    pub conditioning: Conditioning,
+    /// Of its columns of dependent speeds: bad where the Jacobian's is good at a dead point of the independent ones.
+    pub of_dependent: Conditioning,
+}
+
+/// A smallest singular value over the largest; 1 without constraints.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Conditioning {
+    /// At the nominal configuration.
+    pub nominal: f64,
+    /// At the worst sample.
+    pub worst: f64,
     /// That sample's coordinates.
     pub worst_at: Vec<f64>,
+}
+
+impl Conditioning {
+    /// The worst of one value a sample.
+    fn new(values: &[f64], samples: &[Vec<f64>]) -> Self {
+        let worst = values.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+        let (place, worst) = worst.map_or((0, 1.0), |(place, value)| (place, *value));
+        let worst_at = samples.get(place).cloned().unwrap_or_default();
+        Self { nominal: values.first().copied().unwrap_or(1.0), worst, worst_at }
+    }
+
+    /// Below this share of nominal, or of the largest singular value?
+    pub fn is_lost(&self, of_nominal: f64, of_largest: f64) -> bool {
+        self.worst < of_nominal * self.nominal || self.worst < of_largest
+    }
 }
 
 impl Rank {
     /// Looks at every sample.
     pub fn over_samples(model: &Model, k: &mut Kinematics) -> Self {
-        let mut table = eliminate::sample_table(model, k);
-        let (samples, unknowns) = (k.samples.len(), model.speeds.len());
-        let mut rank = Self {
-            unknowns,
-            residuals: k.residuals.len(),
-            samples,
-            smallest: usize::MAX,
-            largest: 0,
-            least_left: 1.0,
-            worst_at: k.samples.first().cloned().unwrap_or_default(),
-        };
+        let unknowns = model.speeds.len();
         let rows = rows(model, k);
         let highest = rows.iter().flat_map(|row| row.keys()).max().map_or(0, |&column| column + 1);
         let lifted = if unknowns < highest { k.moving_unknowns().len() - unknowns } else { 0 };
-        let mut matrices = vec![vec![vec![0.0; unknowns + lifted]; rows.len()]; samples];
-        for (r, row) in rows.iter().enumerate() {
-            let coefficients: Vec<ExprId> = row.values().copied().collect();
-            let errors = |sample| table.rounding_errors(&k.dag, &coefficients, sample);
-            let errors: Vec<Vec<f64>> = (0..samples).map(errors).collect();
-            for (i, (&column, &coefficient)) in row.iter().enumerate() {
-                let values = table.values(&k.dag, coefficient);
-                for ((matrix, value), errors) in matrices.iter_mut().zip(values).zip(&errors) {
-                    // Scaled, a row of rounding errors would count as any other.
-                    matrix[r][column] = if value.abs() <= errors[i] { 0.0 } else { *value };
-                }
-            }
+        let mut matrices = jacobians(model, k, &rows, unknowns + lifted);
+        scale(&mut matrices);
+        let free: Vec<usize> =
+            model.speeds.iter().enumerate().filter(|(_, s)| s.independent).map(|(i, _)| i).collect();
+        let n_dependent = unknowns + lifted - free.len();
+        let least_dependent = |matrix: &DMatrix<f64>| match n_dependent {
+            0 => 1.0,
+            n => nth_singular_value(&matrix.clone().remove_columns_at(&free), n),
+        };
+        let dependent: Vec<f64> = matrices.iter().map(least_dependent).collect();
+        let (found, values): (Vec<usize>, Vec<f64>) = matrices.into_iter().map(rank_and_conditioning).unzip();
+        let ranks = || found.iter().map(|rank| rank.saturating_sub(lifted));
+        Self {
+            unknowns,
+            residuals: k.residuals.len(),
+            samples: k.samples.len(),
+            smallest: ranks().min().unwrap_or(0),
+            largest: ranks().max().unwrap_or(0),
+            conditioning: Conditioning::new(&values, &k.samples),
+            of_dependent: Conditioning::new(&dependent, &k.samples),
         }
-        scale(&mut matrices, rows.len());
-        for (sample, matrix) in matrices.into_iter().enumerate() {
-            let (found, left) = numeric_rank(matrix);
-            let found = found.saturating_sub(lifted);
-            rank.smallest = rank.smallest.min(found);
-            rank.largest = rank.largest.max(found);
-            if left < rank.least_left {
-                rank.least_left = left;
-                rank.worst_at.clone_from(&k.samples[sample]);
-            }
-        }
-        rank.smallest = rank.smallest.min(rank.largest);
-        rank
     }
 
     /// Degrees of freedom left by the constraints.
     pub fn freedom(&self) -> usize {
         self.unknowns - self.largest
     }
+}
+
+/// The rows in numbers at every sample.
+fn jacobians(
+    model: &Model,
+    k: &Kinematics,
+    rows: &[BTreeMap<usize, ExprId>],
+    columns: usize,
+) -> Vec<DMatrix<f64>> {
+    let mut table = eliminate::sample_table(model, k);
+    let samples = k.samples.len();
+    let mut matrices = vec![DMatrix::zeros(rows.len(), columns); samples];
+    for (r, row) in rows.iter().enumerate() {
+        let coefficients: Vec<ExprId> = row.values().copied().collect();
+        let errors = |sample| table.rounding_errors(&k.dag, &coefficients, sample);
+        let errors: Vec<Vec<f64>> = (0..samples).map(errors).collect();
+        for (i, (&column, &coefficient)) in row.iter().enumerate() {
+            let values = table.values(&k.dag, coefficient);
+            for ((matrix, value), errors) in matrices.iter_mut().zip(values).zip(&errors) {
+                // Scaled, a row of rounding errors would count as any other.
+                matrix[(r, column)] = if value.abs() <= errors[i] { 0.0 } else { *value };
+            }
+        }
+    }
+    matrices
 }
 
 /// Every constraint as coefficients of the speeds.
@@ -141,37 +177,52 @@ fn gradient(model: &Model, k: &mut Kinematics, of: ExprId) -> BTreeMap<usize, Ex
     row
 }
 
-/// Divides every row by its largest length over the samples: a row that vanishes at a sample is small
-/// there, and not a direction made of rounding errors.
-fn scale(matrices: &mut [Vec<Vec<f64>>], rows: usize) {
-    for r in 0..rows {
-        let largest = matrices.iter().map(|matrix| norm(&matrix[r])).fold(0.0, f64::max);
-        if largest > 0.0 {
-            matrices.iter_mut().for_each(|matrix| matrix[r].iter_mut().for_each(|x| *x /= largest));
+/// Scales rows and columns by factors alike at all samples until the mean squares of each sum to the same: so that what
+/// vanishes at a sample is small there, and neither units nor factors of equations matter.
+fn scale(matrices: &mut [DMatrix<f64>]) {
+    /// Sweeps over rows and columns; they converge geometrically.
+    const SWEEPS: usize = 32;
+    let (rows, columns) = matrices.first().map_or((0, 0), DMatrix::shape);
+    let squares = matrices.iter().fold(DMatrix::zeros(rows, columns), |sum: DMatrix<f64>, matrix| {
+        sum + matrix.component_mul(matrix) / matrices.len() as f64
+    });
+    let inverse_root = |sum: f64| if sum > 0.0 { sum.sqrt().recip() } else { 1.0 };
+    let (mut of_rows, mut of_columns) = (vec![1.0_f64; rows], vec![1.0_f64; columns]);
+    for _ in 0..SWEEPS {
+        for (r, factor) in of_rows.iter_mut().enumerate() {
+            *factor = inverse_root((0..columns).map(|c| squares[(r, c)] * of_columns[c].powi(2)).sum());
+        }
+        for (c, factor) in of_columns.iter_mut().enumerate() {
+            *factor = inverse_root((0..rows).map(|r| squares[(r, c)] * of_rows[r].powi(2)).sum());
+        }
+    }
+    for matrix in matrices {
+        for (c, mut column) in matrix.column_iter_mut().enumerate() {
+            column.iter_mut().zip(&of_rows).for_each(|(x, factor)| *x *= factor * of_columns[c]);
         }
     }
 }
 
-/// Rank, and the least that was left of a row that counts.
-fn numeric_rank(mut rows: Vec<Vec<f64>>) -> (usize, f64) {
-    let (mut rank, mut least_left) = (0, 1.0_f64);
-    while let Some((index, left)) = most_left(&rows).filter(|(_, left)| *left > ZERO) {
-        let unit: Vec<f64> = rows.swap_remove(index).iter().map(|x| x / left).collect();
-        for row in &mut rows {
-            let along: f64 = row.iter().zip(&unit).map(|(x, e)| x * e).sum();
-            row.iter_mut().zip(&unit).for_each(|(x, e)| *x -= along * e);
-        }
-        (rank, least_left) = (rank + 1, least_left.min(left));
+/// Rank, and the smallest singular value that counts over the largest.
+fn rank_and_conditioning(matrix: DMatrix<f64>) -> (usize, f64) {
+    if matrix.is_empty() {
+        return (0, 1.0);
     }
-    (rank, least_left)
+    let values = matrix.singular_values();
+    let largest = values.iter().fold(0.0_f64, |most, x| most.max(*x));
+    let counting: Vec<f64> = values.iter().copied().filter(|x| *x > ZERO * largest).collect();
+    (counting.len(), counting.iter().fold(1.0, |least, x| least.min(x / largest)))
 }
 
-fn most_left(rows: &[Vec<f64>]) -> Option<(usize, f64)> {
-    rows.iter().map(|row| norm(row)).enumerate().max_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-fn norm(row: &[f64]) -> f64 {
-    row.iter().map(|x| x * x).sum::<f64>().sqrt()
+/// The n-th largest singular value over the largest; 0 if there are fewer.
+fn nth_singular_value(matrix: &DMatrix<f64>, n: usize) -> f64 {
+    if matrix.is_empty() {
+        return 0.0;
+    }
+    let mut values: Vec<f64> = matrix.singular_values().iter().copied().collect();
+    values.sort_by(|a, b| b.total_cmp(a));
+    let largest = values.first().copied().unwrap_or(0.0);
+    if largest > 0.0 { values.get(n - 1).map_or(0.0, |x| x / largest) } else { 0.0 }
 }
 
 #[cfg(test)]
@@ -180,14 +231,29 @@ mod tests {
 
     #[test]
     fn dependent_rows_do_not_count() {
-        let rows = vec![vec![0.6, 0.8, 0.0], vec![0.3, 0.4, 0.0], vec![0.0, 0.0, 1.0]];
-        let (rank, left) = numeric_rank(rows);
+        let rows = DMatrix::from_row_slice(3, 3, &[0.6, 0.8, 0.0, 0.3, 0.4, 0.0, 0.0, 0.0, 1.0]);
+        let (rank, _) = rank_and_conditioning(rows);
         assert_eq!(rank, 2);
-        assert!((left - 1.0).abs() < 1e-15, "{left}");
-        // Two directions 0.1 rad apart: sin 0.1 is left of the second.
-        let rows = vec![vec![1.0, 0.0], vec![0.1_f64.cos(), 0.1_f64.sin()]];
-        let (rank, left) = numeric_rank(rows);
+        // Unit vectors at the angle a have singular values sqrt(1 +- cos a): their ratio is tan(a/2).
+        let rows = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.1_f64.cos(), 0.1_f64.sin()]);
+        let (rank, conditioning) = rank_and_conditioning(rows);
         assert_eq!(rank, 2);
-        assert!((left - 0.1_f64.sin()).abs() < 1e-15, "{left}");
+        assert!((conditioning - 0.05_f64.tan()).abs() < 1e-12, "{conditioning}");
+    }
+
+    #[test]
+    fn neither_units_of_rows_nor_of_columns_matter() {
+        let [a, b] = [[1.0, 0.2, 0.3, 0.9], [0.8, 0.1, 0.4, 1.1]];
+        let plain = [a, b].map(|m| DMatrix::from_row_slice(2, 2, &m));
+        let scaled =
+            [a, b].map(|[x, y, z, w]| DMatrix::from_row_slice(2, 2, &[x, 1e3 * y, 1e-6 * z, 1e-3 * w]));
+        let conditioning = |matrices: [DMatrix<f64>; 2]| {
+            let mut matrices = matrices.to_vec();
+            scale(&mut matrices);
+            matrices.into_iter().map(|matrix| rank_and_conditioning(matrix).1).collect::<Vec<_>>()
+        };
+        for (x, y) in conditioning(plain).iter().zip(conditioning(scaled)) {
+            assert!((x - y).abs() < 1e-6 * x, "{x} {y}");
+        }
     }
 }

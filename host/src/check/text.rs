@@ -79,10 +79,10 @@ fn freedom(facts: &Value, all: bool, text: &mut String) {
             count(&rank["speeds"], "speed"),
             count(&rank["samples"], "sample")
         );
-        let left = rank["least_left"].as_f64().unwrap_or(1.0);
+        let conditioning = rank["conditioning"].as_f64().unwrap_or(1.0);
         let _ = writeln!(
             text,
-            "worst conditioning: {left:.2} of a constraint is independent of the others, at {}",
+            "worst conditioning: the smallest singular value of the constraints is {conditioning:.1e} of the largest, at {}",
             place(&rank["worst_at"])
         );
     }

@@ -94,6 +94,27 @@ fn check_finds_what_the_samples_miss() {
     assert!(text.contains("warning: within the ranges a configuration is nearly singular"), "{text}");
 }
 
+/// The same linkage with the piston's place independent, up to a hair of where it turns round: the constraints are as
+/// regular there as anywhere, but the piston's speed no longer says how the crank turns.
+#[test]
+fn check_tells_a_dead_point_from_a_singularity() {
+    let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml"));
+    let model = model.expect("a model");
+    let of_crank = smartbed(&["check", &written("of_crank.toml", &model)]);
+    assert!(of_crank.out.contains("no warnings"), "{of_crank:?}");
+    let model =
+        model.replace("q = { unit = \"rad\", independent = true, ", "q = { unit = \"rad\", ").replace(
+            "x = { unit = \"m\", nominal = 0.337, range = [0.2, 0.4]",
+            "x = { unit = \"m\", independent = true, nominal = 0.337, range = [0.25, 0.3999999]",
+        );
+    let facts = smartbed(&["check", &written("of_piston.toml", &model), "--json"]).json();
+    let warnings: Vec<&str> =
+        facts["warnings"].as_array().expect("a list").iter().filter_map(|w| w.as_str()).collect();
+    assert!(matches!(warnings[..], [one] if one.contains("dead point")), "{warnings:?}");
+    // Of the Jacobian [r sin q, l sin b, 1; r cos q, l cos b, 0] nothing is lost there.
+    assert!(facts["constraints"]["conditioning"].as_f64().expect("a number") > 0.1, "{facts}");
+}
+
 #[test]
 fn dropped_constraints_are_named_by_every_command_that_derives() {
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
