@@ -1,7 +1,8 @@
 //! The equations that a build needs: the model's with its demonstration, and those of the tile that the controller is tried on.
 
 use super::option;
-use smartbed_codegen::{Effort, Options, ScalarType};
+use smartbed_codegen::model::{Model, StartRef};
+use smartbed_codegen::{Effort, Options, ScalarType, program};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -33,13 +34,63 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
         options.parameters.values.insert(name.to_owned(), value.parse()?);
     }
     let model = option("SMARTBED_MODEL", MODEL);
+    let read = smartbed_codegen::model::read(Path::new(&model)).map_err(|e| e.to_string())?;
     if env::var_os("CARGO_FEATURE_EVERYTHING").is_some() {
-        let read = smartbed_codegen::model::read(Path::new(&model)).map_err(|e| e.to_string())?;
         options.parameters.keep = read.parameters.iter().map(|p| p.name.clone()).collect();
     }
+    let has_law = !read.laws.is_empty();
+    if has_law {
+        options.answers = vec!["law".to_owned()];
+    }
+    let start = start(&read, &options)?;
     let mechanism = smartbed_codegen::build(model, &options);
-    fs::write(out.join("model.rs"), alias(&fs::read_to_string(mechanism)?)?)?;
+    let text = alias(&fs::read_to_string(mechanism)?)? + &start + &command(has_law);
+    fs::write(out.join("model.rs"), text)?;
     Ok(())
+}
+
+/// The model's `[start]`: coordinates on the constraints, and the independent speeds; what it leaves out is nominal, or 0.
+fn start(model: &Model, options: &Options) -> Result<String, Box<dyn Error>> {
+    let program =
+        program::derive_with(model, &options.parameters, Effort::None).map_err(|e| e.to_string())?;
+    let (mut q, mut u) = (program.nominal.clone(), vec![0.0; program.u.len()]);
+    for (owner, value) in &model.start {
+        let (list, numbers, name) = match owner {
+            StartRef::Coordinate(id) => (&program.q, &mut q, &model.coordinates[*id].name),
+            StartRef::Speed(id) => (&program.u, &mut u, &model.speeds[*id].name),
+        };
+        if let Some(place) = list.iter().position(|quantity| quantity.name == *name) {
+            numbers[place] = *value;
+        }
+    }
+    if q != program.nominal {
+        let mut assembly = program.assembly.clone();
+        q = assembly
+            .continue_to(&program.nominal, &q)
+            .map_err(|e| format!("[start] cannot be assembled: {e}"))?;
+    }
+    let list = |numbers: &[f64]| numbers.iter().map(|x| format!("{}f32, ", *x as f32)).collect::<String>();
+    Ok(format!(
+        "/// Coordinates at the model's start.\npub const START_Q: [f32; NQ] = [{}];\n\
+         /// Independent speeds at the model's start.\npub const START_U: [f32; NU] = [{}];\n",
+        list(&q),
+        list(&u)
+    ))
+}
+
+/// The model's law as a function of the state; without one the inputs stay as they are.
+fn command(has_law: bool) -> String {
+    let (underscore, body) = match has_law {
+        true => ("", "law(t, q, u, inputs, p).inputs"),
+        false => ("_", "*inputs"),
+    };
+    let [t, q, u, p] = ["t", "q", "u", "p"].map(|name| format!("{underscore}{name}"));
+    format!(
+        "/// Has the model a law?\npub const HAS_LAW: bool = {has_law};\n\
+         /// Inputs as the model's law commands them.\n#[must_use]\n\
+         pub fn command({t}: f32, {q}: &[f32; NQ], {u}: &[f32; NU], inputs: &[f32; N_INPUTS], {p}: &Prepared) \
+         -> [f32; N_INPUTS] {{\n    {body}\n}}\n"
+    )
 }
 
 /// The tile that the controller is tried on: `tile` with the numbers of `tile_drive`, whose drives are the plant's own

@@ -4,29 +4,43 @@
 
 use smartbed_firmware::{STEPS, simulation::Simulation};
 
-/// Runs all steps and hands the report to `write`; false if a step was refused.
-fn demonstrate(mut write: impl FnMut(&[u8])) -> bool {
-    match Simulation::new().map_err(|fault| (0, fault)).and_then(|mut tile| tile.run(STEPS)) {
-        Ok(digest) => {
+/// Runs all steps and hands the report to `write`; none if a step was refused.
+fn simulate(mut write: impl FnMut(&[u8])) -> Option<Simulation> {
+    let run = |mut simulation: Simulation| simulation.run(STEPS).map(|digest| (digest, simulation));
+    match Simulation::new().map_err(|fault| (0, fault)).and_then(run) {
+        Ok((digest, simulation)) => {
             write(b"digest ");
             write(&digest.hex());
             write(b"\n");
-            true
+            Some(simulation)
         }
         Err(_) => {
             write(b"a step was refused\n");
-            false
+            None
         }
     }
 }
 
+/// On the host the last state stands behind the digest, to be compared with other simulations.
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
     use std::io::Write;
     let mut text = Vec::new();
-    let done = demonstrate(|bytes| text.extend_from_slice(bytes));
-    let written = std::io::stdout().write_all(&text).is_ok();
-    if done && written { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }
+    let done = simulate(|bytes| text.extend_from_slice(bytes));
+    let state: String = done.iter().flat_map(Simulation::x).map(|x| format!(" {x:e}")).collect();
+    let written =
+        std::io::stdout().write_all(&text).and_then(|()| writeln!(std::io::stdout(), "state{state}"));
+    if done.is_some() && written.is_ok() {
+        std::process::ExitCode::SUCCESS
+    } else {
+        std::process::ExitCode::FAILURE
+    }
+}
+
+/// Runs all steps and hands the report to `write`; false if a step was refused.
+#[cfg(target_os = "none")]
+fn demonstrate(write: impl FnMut(&[u8])) -> bool {
+    simulate(write).is_some()
 }
 
 #[cfg(target_os = "none")]

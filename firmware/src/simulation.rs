@@ -1,14 +1,19 @@
-//! The tile with its controller in the loop, one millisecond at a time.
+//! The model with its controller in the loop, one millisecond at a time.
 //!
+//! A model with a `[law]` is commanded by it, at every stage of a step as `smartbed run` does it; a tile without one by
+//! the demonstration, whose forces are held for a step; nothing commands the inputs of another model.
+//! It starts where the model's `[start]` says.
 //! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u) and of the energies at the end.
-//! Invariant: the forces are computed once per step and held, as a controller's tick would.
 //! [`tile_step`] and the answers [`tile_rates`], [`tile_project`] and [`tile_energy`] are symbols of the image, so that
 //! the emulator can count them and the report can tell their size.
 
 use crate::command::Profile;
 use crate::control;
 use crate::digest::Digest;
-use crate::mechanism::{INPUT_NAMES, Model, N_INPUTS, NOMINAL, NQ, NU, PARAMETER_NAMES, Q_NAMES, U_NAMES};
+use crate::mechanism::{
+    HAS_LAW, INPUT_NAMES, Model, N_INPUTS, NQ, NU, PARAMETER_NAMES, Q_NAMES, START_Q, START_U, U_NAMES,
+    command,
+};
 use crate::names::{equal, position};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::ode::Ode;
@@ -22,11 +27,10 @@ pub const STEP: f32 = 1e-3;
 /// Newton corrections of the start: the nominal values of dependent coordinates are first guesses.
 const START_CORRECTIONS: u32 = 8;
 
-/// The three legs of a tile by their places in the model; none if the model is no tile. Another
-/// mechanism moves without inputs.
+/// The three legs of a tile by their places in the model; none if the model is no tile, or has a law of its own.
 pub const LEGS: Option<[Leg; 3]> =
     match (leg("hA", "u_hA", "FA"), leg("hB", "u_hB", "FB"), leg("hC", "u_hC", "FC")) {
-        (Some(a), Some(b), Some(c)) => Some([a, b, c]),
+        (Some(a), Some(b), Some(c)) if !HAS_LAW => Some([a, b, c]),
         _ => None,
     };
 
@@ -67,7 +71,7 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// At rest at the model's nominal configuration.
+    /// At the model's start; at rest at its nominal configuration where it states none.
     ///
     /// # Errors
     /// As [`Mechanism::project`].
@@ -79,12 +83,12 @@ impl Simulation {
             load += 3.0 * parameter(&model, each_leg);
         }
         let weight = load * parameter(&model, "g");
-        let mut q = NOMINAL;
+        let mut q = START_Q;
         for _ in 0..START_CORRECTIONS {
             tile_project(&mut model, &mut q)?;
         }
         let mut x = [0.0; NX];
-        x.iter_mut().zip(q).for_each(|(x, q)| *x = q);
+        x.iter_mut().zip(q.iter().chain(&START_U)).for_each(|(x, start)| *x = *start);
         let start = LEGS.map_or(0.0, |legs| legs.iter().map(|l| at(&x, l.height)).sum::<f32>() / 3.0);
         let profile = Profile::demonstration(start);
         let (low, scratch) = ([0.0; NX], [0.0; runge_kutta::rk4_scratch(NX)]);
@@ -216,7 +220,7 @@ pub fn tile_energy(model: &mut Model, x: &[f32]) -> Result<(f32, f32), Fault> {
     model.energy(q, u)
 }
 
-/// The model with its inputs held.
+/// The model with its inputs held, or commanded by its law.
 struct Held<'a> {
     model: &'a mut Model,
     inputs: [f32; N_INPUTS],
@@ -232,6 +236,13 @@ impl Ode<f32> for Held<'_> {
     fn rates(&mut self, t: f32, x: &[f32], x_dot: &mut [f32]) -> Result<f32, Fault> {
         let (q, u) = x.split_at_checked(NQ).ok_or(Fault::Shape)?;
         let rates = x_dot.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
+        if HAS_LAW {
+            let (Some(q), Some(u)) = (q.first_chunk::<NQ>(), u.first_chunk::<NU>()) else {
+                return Err(Fault::Shape);
+            };
+            let inputs = command(t, q, u, &self.inputs, self.model.prepared());
+            return tile_rates(self.model, t, (q, u, &inputs), rates);
+        }
         tile_rates(self.model, t, (q, u, &self.inputs), rates)
     }
     fn set_time(&mut self, t: f32) {

@@ -6,7 +6,10 @@
 use smartbed::firmware::image::rules::Rule;
 use smartbed::firmware::report::{Outcome, Report};
 use smartbed::firmware::{Arguments, chip, measure, toolchain};
+use smartbed_codegen::model::StartRef;
+use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Settings, program};
 use smartbed_firmware::simulation::Simulation;
+use smartbed_runtime::mechanism::Mechanism;
 use std::process::{Command, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -51,6 +54,63 @@ fn other_mechanisms_run_on_the_chip_too() {
         let chip = outcome(&arguments);
         assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "{model}");
         assert_eq!(chip.step.calls, u64::from(steps), "{model}");
+    }
+}
+
+/// The last state of a model from its `[start]` under its `[law]`, by a Runge-Kutta of this test's own in f64.
+fn by_hand(name: &str, steps: u32) -> Vec<f64> {
+    let model = smartbed_codegen::model::read(&smartbed_tests::interpreted::path(name)).expect("a model");
+    let asked = Asked::besides(Function::each(&["law"]));
+    let program = program::derive_asked(&model, &ParameterChoice::default(), Settings::default(), &asked);
+    let program = program.unwrap_or_else(|found| panic!("{found}"));
+    let mut engine = Interpreted::<f64>::new(&program);
+    let mut x: Vec<f64> = program.nominal.iter().copied().chain(program.u.iter().map(|_| 0.0)).collect();
+    for (owner, value) in &model.start {
+        let name = match owner {
+            StartRef::Coordinate(id) => &model.coordinates[*id].name,
+            StartRef::Speed(id) => &model.speeds[*id].name,
+        };
+        let place = program.q.iter().chain(&program.u).position(|quantity| quantity.name == *name);
+        let place = place.expect("state");
+        x[place] = *value;
+    }
+    let n_q = program.q.len();
+    let zeros = vec![0.0; program.inputs.len()];
+    let mut slope = |t: f64, x: &[f64]| -> Vec<f64> {
+        let (q, u) = x.split_at(n_q);
+        let inputs = engine.function(0, (t, q, u, &zeros, &[])).expect("lengths fit");
+        let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+        engine.rates(t, q, u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+        [q_dot, u_dot].concat()
+    };
+    const STEP: f64 = 1e-3;
+    for n in 0..steps {
+        let t = f64::from(n) * STEP;
+        let moved = |k: &[f64], h: f64| -> Vec<f64> { x.iter().zip(k).map(|(x, k)| x + h * k).collect() };
+        let a = slope(t, &x);
+        let b = slope(t + STEP / 2.0, &moved(&a, STEP / 2.0));
+        let c = slope(t + STEP / 2.0, &moved(&b, STEP / 2.0));
+        let d = slope(t + STEP, &moved(&c, STEP));
+        x = (0..x.len()).map(|i| x[i] + STEP / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])).collect();
+    }
+    x
+}
+
+#[test]
+fn the_law_and_the_start_of_a_model_act_on_the_chip() {
+    let _image = one_at_a_time();
+    for name in ["cart_pole", "pendulum"] {
+        let steps = 1000;
+        let arguments =
+            Arguments { model: Some(name.to_owned()), steps: Some(steps), ..Arguments::default() };
+        let chip = outcome(&arguments);
+        assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "{name}");
+        let expected = by_hand(name, steps);
+        assert_eq!(chip.state.len(), expected.len(), "{name}");
+        assert!(expected.iter().any(|x| x.abs() > 1e-3), "{name} moves: {expected:?}");
+        for (found, expected) in chip.state.iter().zip(&expected) {
+            assert!((f64::from(*found) - expected).abs() < 1e-4, "{name}: {found} against {expected}");
+        }
     }
 }
 

@@ -128,10 +128,5 @@ pub fn new<S: EngineScalar>(kind: EngineKind, program: &Program) -> Result<Box<d
 /// A fault in words.
 #[must_use]
 pub fn explain(fault: Fault) -> &'static str {
-    match fault {
-        Fault::Shape => "a list has the wrong length",
-        Fault::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
-        Fault::NonFinite => "a value has become infinite or not a number",
-        Fault::StepSize => "the tolerance is not met even with the smallest step",
-    }
+    fault.reason()
 }

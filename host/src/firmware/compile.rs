@@ -82,6 +82,27 @@ impl Settings {
         }
     }
 
+    /// Says which inputs of a mechanism stay 0 because nothing commands them.
+    pub fn note_what_nothing_commands(&self) {
+        let model = smartbed_codegen::model::read(&self.model).ok().filter(|_| self.tables.is_none());
+        let Some(model) = model else { return };
+        // The demonstration of the controller commands a tile that has no law of its own.
+        let is_tile = model.laws.is_empty()
+            && ["FA", "FB", "FC"].iter().all(|leg| model.inputs.iter().any(|input| input.name == *leg));
+        let has_law = |id| model.laws.iter().any(|(input, _)| *input == id);
+        let idle: Vec<&str> = (model.inputs.enumerate())
+            .filter(|(id, _)| !has_law(*id) && !is_tile)
+            .map(|(_, input)| input.name.as_str())
+            .collect();
+        if !idle.is_empty() {
+            crate::output::say(&format!(
+                "note: nothing commands {} of `{}`: they stay 0; a [law] in the model would command them",
+                idle.join(", "),
+                model.name
+            ));
+        }
+    }
+
     /// Name of the program that is built.
     fn program(&self) -> &'static str {
         match () {

@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// Generate, build for the microcontroller, check, and run in the emulator.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000"
+    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine"
 )]
 pub struct Arguments {
     /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
@@ -49,6 +49,9 @@ pub struct Arguments {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
+    /// Judge this image instead of building one: size, stack bound, and every rule of an image.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "inject"])]
+    pub elf: Option<PathBuf>,
     /// Build a defect into the image, which the checks must then find.
     #[arg(long, hide = true, value_parser = ["panic", "double", "recursion", "indirect"])]
     pub inject: Option<String>,
@@ -60,6 +63,9 @@ pub struct Arguments {
 /// Status 1 for a wrong model or parameter and for an image that breaks a rule; status 2 where the
 /// machine lacks a tool.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if let Some(elf) = &arguments.elf {
+        return judge(elf, arguments.json);
+    }
     let report = measure(arguments)?;
     let text = if arguments.json { report.json() } else { report.text() };
     output::print(&text)?;
@@ -89,6 +95,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let workspace = workspace()?;
     let settings = Settings::new(&workspace, arguments)?;
     toolchain::announce(STM32F405.target);
+    settings.note_what_nothing_commands();
     let toolchain = toolchain::toolchain(STM32F405.target)?;
     let emulator = toolchain::emulator()?;
     let folder = workspace.join("target/image");
@@ -113,6 +120,18 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
         report.add_run(&run, host.as_deref(), &image)?;
     }
     Ok(report)
+}
+
+/// Applies the rules to an image that was built elsewhere.
+fn judge(elf: &Path, as_json: bool) -> Result<(), Failure> {
+    let image = read(elf)?;
+    let stack = image.stack().map_err(Failure::Wrong)?;
+    let findings = rules::findings(&image, &stack, &STM32F405);
+    output::print(&report::of_image(elf, &image, &stack, &findings, as_json))?;
+    if findings.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Wrong(findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\nerror: ")))
 }
 
 pub(crate) fn read(elf: &Path) -> Result<Image, Failure> {

@@ -16,7 +16,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Everything found out.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Report {
     /// What was built.
     pub settings: Settings,
@@ -35,12 +35,14 @@ pub struct Report {
 }
 
 /// What running the image showed.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Outcome {
     /// Digest of the chip's trajectory.
     pub digest: String,
     /// Digest of the host's, if it was run.
     pub host_digest: Option<String>,
+    /// The last state of a mechanism on the host: coordinates, then independent speeds.
+    pub state: Vec<f32>,
     /// Instructions from reset to the end.
     pub instructions: u64,
     /// One step.
@@ -97,6 +99,7 @@ impl Report {
         self.run = Some(Outcome {
             digest: digest(&run.output)?,
             host_digest: host.map(digest).transpose()?,
+            state: host.map(state).unwrap_or_default(),
             instructions: run.instructions,
             step: step.clone(),
             rates: rates.cloned(),
@@ -210,6 +213,7 @@ impl Report {
             json!({
                 "digest": run.digest,
                 "host_digest": run.host_digest,
+                "state": run.state,
                 "instructions": run.instructions,
                 "step": count(&run.step),
                 "rates": run.rates.as_ref().map(count),
@@ -242,10 +246,47 @@ impl Report {
     }
 }
 
+/// What is known of an image that was built elsewhere.
+pub fn of_image(elf: &Path, image: &Image, stack: &Stack, findings: &[Finding], as_json: bool) -> String {
+    let kept = |rule: &Rule| findings.iter().all(|finding| finding.rule != *rule);
+    if as_json {
+        let checks: serde_json::Map<String, Value> =
+            Rule::ALL.iter().map(|rule| (rule.name().to_owned(), json!(kept(rule)))).collect();
+        let report = json!({
+            "image": elf,
+            "flash": image.size.flash,
+            "ram": image.size.ram,
+            "stack": { "bytes": stack.bytes, "path": stack.path },
+            "checks": checks,
+            "findings": findings.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        });
+        return format!("{report:#}\n");
+    }
+    let path: Vec<String> = stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
+    let mut lines = vec![
+        ("image".to_owned(), elf.display().to_string()),
+        ("flash".to_owned(), format!("{} bytes", image.size.flash)),
+        ("static RAM".to_owned(), format!("{} bytes", image.size.ram)),
+        ("stack bound".to_owned(), format!("{} bytes, one exception included", stack.bytes)),
+        ("  deepest path".to_owned(), path.join(" > ")),
+    ];
+    for rule in Rule::ALL {
+        let judged = if kept(&rule) { "ok" } else { "FAILED" };
+        lines.push((format!("check {}", rule.name()), judged.to_owned()));
+    }
+    lines.into_iter().map(|(name, value)| format!("{name:<32}{value}\n")).collect()
+}
+
 /// The digest in the output of a simulation.
 fn digest(output: &str) -> Result<String, Failure> {
     let found = output.lines().find_map(|l| l.strip_prefix("digest "));
     found
         .map(str::to_owned)
         .ok_or_else(|| Failure::Wrong(format!("expected a line `digest ...`, got `{output}`")))
+}
+
+/// The last state in the output of a mechanism's simulation; empty for a scene.
+fn state(output: &str) -> Vec<f32> {
+    let line = output.lines().find_map(|line| line.strip_prefix("state"));
+    line.into_iter().flat_map(str::split_whitespace).filter_map(|number| number.parse().ok()).collect()
 }
