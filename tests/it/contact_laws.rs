@@ -149,7 +149,7 @@ fn a_block_on_a_spring_turns_and_sticks_to_order_two() {
             let a = 0.15 + 0.0117 * f64::from(n);
             let text = format!(
                 "format = 1\npoints = [[0, 0, 0], [{:e}, 0, 0]]\nsprings = [[0, 1]]\nrest_lengths = [1]\nfixed = [0]\n\
-                 K = 200\nmass = 0.5\nmu = 0.3\ng = {G:e}\nT = 2\nstep = {step:e}\nmethod = \"{method}\"\n",
+                 K = 200\nmass = 0.5\nmu = 0.3\ng = {G:e}\nT = 2.2\nstep = {step:e}\nmethod = \"{method}\"\n",
                 1.0 + a
             );
             let scene = parse("block", &text, &[]).expect("a scene");
