@@ -15,7 +15,7 @@ const TICKS: u32 = 100_000;
 
 /// Every byte that a tile sends in a session, and its last state.
 fn session(program: &Program) -> (Vec<u8>, Option<Report>) {
-    let machine = Machine::start(program, 3, None).unwrap_or_else(|e| panic!("{e}"));
+    let machine = Machine::start(program, 0, None).unwrap_or_else(|e| panic!("{e}"));
     let mut bus = Bus::new(vec![machine]);
     let (mut ticks, mut last) = (0, None);
     let mut listen = |said: Said| {
