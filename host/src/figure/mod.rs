@@ -5,9 +5,11 @@
 
 mod rest;
 mod rod;
+mod setting;
 
 use crate::failure::Failure;
 use crate::{output, plot, run};
+use setting::name_of;
 use std::fmt::Write as _;
 
 /// Make a figure of the thesis.
@@ -139,16 +141,6 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// The value of a setting NAME=NUMBER.
-fn value_of(setting: &str) -> Result<f64, Failure> {
-    let value = setting.split_once('=').and_then(|(_, v)| v.trim().parse::<f64>().ok());
-    let wrong = || Failure::Wrong(format!("--set {setting}: expected NAME=NUMBER"));
-    value.filter(|v| v.is_finite()).ok_or_else(wrong)
-}
-
-fn name_of(setting: &str) -> &str {
-    setting.split('=').next().unwrap_or_default().trim()
-}
-
 fn list() -> String {
     let mut text = String::new();
     for Figure { number, caption, recipe } in FIGURES {

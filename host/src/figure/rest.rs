@@ -1,6 +1,6 @@
 //! Figure 4.1: a rigid ball that falls, bounces and rests, and the force that holds it (Eq. 4.1).
 
-use super::{name_of, value_of};
+use super::setting::{name_of, value_of};
 use crate::failure::Failure;
 use crate::plot::chart::{self, Chart, Curve, Panel};
 use crate::plot::drawing::Drawing;

@@ -1,6 +1,6 @@
 //! Figure 4.2: work over impulse of a rigid rod that strikes the ground, in the thesis' four phases.
 
-use super::{name_of, value_of};
+use super::setting::{name_of, value_of};
 use crate::failure::Failure;
 use crate::plot;
 use crate::plot::chart::{self, Chart, Curve, Panel};

@@ -1,6 +1,7 @@
 //! A chamber of gas: its state, its pressure at a volume, its lines, and what it does to energy.
 
-use super::{Gas, Nozzle, Source};
+use super::ideal::Gas;
+use super::nozzle::{Nozzle, Source};
 use crate::real::Scalar;
 
 /// What does not change of a chamber.

@@ -14,33 +14,9 @@
 //! (Richer and Hurmuzlu 2000; flow by ISO 6358-1:2013.)
 
 mod chamber;
+mod ideal;
 mod nozzle;
 
 pub use chamber::{Account, Chamber, GasFault, GasState, Line, Rates, Regulated};
+pub use ideal::Gas;
 pub use nozzle::{LINEAR_RANGE, Nozzle, REFERENCE_DENSITY, REFERENCE_TEMPERATURE, Source};
-
-use crate::real::Scalar;
-
-/// What kind of gas.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gas<S> {
-    /// R (J/(kg K)).
-    pub gas_constant: S,
-    /// gamma = c_p/c_v, > 1.
-    pub heat_capacity_ratio: S,
-}
-
-impl<S: Scalar> Gas<S> {
-    /// Dry air.
-    #[must_use]
-    pub fn air() -> Gas<S> {
-        Gas { gas_constant: S::from_f64(287.05), heat_capacity_ratio: S::from_f64(1.4) }
-    }
-
-    /// c_p (J/(kg K)).
-    #[must_use]
-    pub fn heat_capacity(&self) -> S {
-        let ratio = self.heat_capacity_ratio;
-        ratio * self.gas_constant / (ratio - S::ONE)
-    }
-}

@@ -8,7 +8,7 @@
 //!     = psi(1 - 1e-3) (1 - r)/1e-3      r >= 1 - 1e-3          laminar: psi's own slope at r = 1 is infinite
 //! ```
 
-use super::Gas;
+use super::ideal::Gas;
 use crate::real::Scalar;
 
 /// rho_0 (kg/m^3) of ISO 6358: air at 20 degrees, 100 kPa, 65 % humidity.

@@ -12,7 +12,7 @@
 pub mod facet;
 mod shape;
 
-pub use shape::{Capsule, Cuboid, Feature, HalfSpace, Nearest, Shape, Sphere};
+pub use shape::{Capsule, Cuboid, Feature, HalfSpace, Nearest, Shape, Sphere, Surface};
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -69,12 +69,6 @@ impl<S: Scalar> Frame<S> {
     pub fn velocity_at(&self, point: Vec3<S>) -> Vec3<S> {
         vec3::add(self.velocity, vec3::cross(self.angular_velocity, vec3::sub(point, self.origin)))
     }
-}
-
-/// What can be touched. Places are in the axes of the surface's frame.
-pub trait Surface<S: Scalar> {
-    /// The surface's point nearest to a place.
-    fn nearest(&self, place: Vec3<S>) -> Nearest<S>;
 }
 
 /// A point near a surface, in N.

@@ -3,9 +3,14 @@
 //! Each is all points within a radius of a core: a point, a segment, or a box. The distance to the core's nearest
 //! vertex, edge or face bends accordingly: H = (P - n n')/rho, P taking out the directions along the core, rho the distance to it.
 
-use super::Surface;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
+
+/// What can be touched. Places are in the axes of the surface's frame.
+pub trait Surface<S: Scalar> {
+    /// The surface's point nearest to a place.
+    fn nearest(&self, place: Vec3<S>) -> Nearest<S>;
+}
 
 /// All places with z <= 0; its surface is the plane z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
