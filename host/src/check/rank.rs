@@ -180,8 +180,10 @@ fn gradient(model: &Model, k: &mut Kinematics, of: ExprId) -> BTreeMap<usize, Ex
 /// Scales rows and columns by factors alike at all samples until the mean squares of each sum to the same: so that what
 /// vanishes at a sample is small there, and neither units nor factors of equations matter.
 fn scale(matrices: &mut [DMatrix<f64>]) {
-    /// Sweeps over rows and columns; they converge geometrically.
-    const SWEEPS: usize = 32;
+    /// Sweeps over rows and columns at most; they converge geometrically, but slowly where few entries are large.
+    const SWEEPS: usize = 1000;
+    /// A factor that changes by less stands.
+    const STANDS: f64 = 1e-9;
     let (rows, columns) = matrices.first().map_or((0, 0), DMatrix::shape);
     let squares = matrices.iter().fold(DMatrix::zeros(rows, columns), |sum: DMatrix<f64>, matrix| {
         sum + matrix.component_mul(matrix) / matrices.len() as f64
@@ -189,11 +191,17 @@ fn scale(matrices: &mut [DMatrix<f64>]) {
     let inverse_root = |sum: f64| if sum > 0.0 { sum.sqrt().recip() } else { 1.0 };
     let (mut of_rows, mut of_columns) = (vec![1.0_f64; rows], vec![1.0_f64; columns]);
     for _ in 0..SWEEPS {
+        let mut change = 0.0_f64;
         for (r, factor) in of_rows.iter_mut().enumerate() {
-            *factor = inverse_root((0..columns).map(|c| squares[(r, c)] * of_columns[c].powi(2)).sum());
+            let new = inverse_root((0..columns).map(|c| squares[(r, c)] * of_columns[c].powi(2)).sum());
+            change = change.max((new / *factor - 1.0).abs());
+            *factor = new;
         }
         for (c, factor) in of_columns.iter_mut().enumerate() {
             *factor = inverse_root((0..rows).map(|r| squares[(r, c)] * of_rows[r].powi(2)).sum());
+        }
+        if change < STANDS {
+            break;
         }
     }
     for matrix in matrices {
