@@ -16,19 +16,8 @@ pub(crate) struct Given(BTreeMap<UnknownId, ExprId>);
 impl Given {
     /// What the derivatives of the independent speeds mean for all unknowns.
     pub fn new(k: &mut Kinematics, solution: &Solution, u_dot: &[ExprId]) -> Self {
-        let mut y_dot: BTreeMap<UnknownId, ExprId> =
-            k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
-        for step in solution.steps.iter().rev() {
-            let mut sum = step.bias;
-            for (z, &c) in &step.coefficients {
-                if let Some(&z_dot) = y_dot.get(z) {
-                    let term = k.dag.mul(c, z_dot);
-                    sum = k.dag.add(sum, term);
-                }
-            }
-            y_dot.insert(step.unknown, sum);
-        }
-        Self(y_dot)
+        let y_dot = k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
+        Self(solution.derivatives(k, y_dot))
     }
 
     /// Are accelerations given?

@@ -7,6 +7,7 @@ use crate::expr::{Dag, ExprId};
 use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::model::Model;
+use std::convert::Infallible;
 
 /// M = L D L', for right-hand sides that are known later.
 pub(super) struct Factors {
@@ -17,8 +18,19 @@ pub(super) struct Factors {
 
 impl Factors {
     pub fn new(dag: &mut Dag, mass: &[Vec<ExprId>]) -> Self {
+        let Ok(factors) = Self::checked(dag, mass, |_, _, _| Ok::<(), Infallible>(()));
+        factors
+    }
+
+    /// Factors whose entries of D are looked at, with their row, as they arise.
+    fn checked<E>(
+        dag: &mut Dag,
+        mass: &[Vec<ExprId>],
+        mut check: impl FnMut(&mut Dag, usize, ExprId) -> Result<(), E>,
+    ) -> Result<Self, E> {
         let n = mass.len();
         let zero = dag.zero();
+        // scaled[i][j] = L_ij D_j.
         let (mut scaled, mut lower) = (vec![vec![zero; n]; n], vec![vec![zero; n]; n]);
         let mut diagonal = Vec::with_capacity(n);
         for i in 0..n {
@@ -29,6 +41,7 @@ impl Factors {
                     entry = dag.sub(entry, term);
                 }
                 if j == i {
+                    check(dag, i, entry)?;
                     diagonal.push(entry);
                 } else {
                     scaled[i][j] = entry;
@@ -36,7 +49,7 @@ impl Factors {
                 }
             }
         }
-        Self { lower, diagonal }
+        Ok(Self { lower, diagonal })
     }
 
     /// L^-1 right.
@@ -56,11 +69,11 @@ impl Factors {
         x.iter().zip(&self.diagonal).map(|(&x, &d)| dag.div(x, d)).collect()
     }
 
-    /// M^-1 right.
+    /// M^-1 right: L z = right, then D L' x = z.
     pub fn solve(&self, dag: &mut Dag, right: &[ExprId]) -> Vec<ExprId> {
-        let x = self.forward(dag, right);
-        let mut x = self.divide(dag, &x);
+        let mut x = self.forward(dag, right);
         for i in (0..x.len()).rev() {
+            x[i] = dag.div(x[i], self.diagonal[i]);
             for c in i + 1..x.len() {
                 let term = dag.mul(self.lower[c][i], x[c]);
                 x[i] = dag.sub(x[i], term);
@@ -81,55 +94,28 @@ pub(super) fn ldl(
     mass: &[Vec<ExprId>],
     forcing: &[ExprId],
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
-    let n = forcing.len();
     let dag = &mut k.dag;
-    let zero = dag.zero();
     let absolute = Absolute::new(dag, mass, forcing);
-    let (mass, forcing) = (&absolute.mass, &absolute.forcing);
-    // scaled[i][j] = L_ij D_j, lower[i][j] = L_ij for j < i.
-    let (mut scaled, mut lower) = (vec![vec![zero; n]; n], vec![vec![zero; n]; n]);
+    let Absolute { mass, forcing, order, .. } = &absolute;
     let mut pivots = Vec::new();
-    let mut diagonal = Vec::with_capacity(n);
-    for i in 0..n {
-        for j in 0..=i {
-            let mut entry = mass[i][j];
-            for c in 0..j {
-                let term = dag.mul(scaled[i][c], lower[j][c]);
-                entry = dag.sub(entry, term);
-            }
-            if j < i {
-                scaled[i][j] = entry;
-                lower[i][j] = dag.div(entry, diagonal[j]);
-                continue;
-            }
-            let reference = table.values(dag, mass[i][i]).to_vec();
-            let values = table.values(dag, entry);
-            if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
-                return Err(without_inertia(model, k, absolute.order[i]));
-            }
-            dag.name(entry, &format!("pivot_{}", absolute.order[i]));
-            if !dag.is_constant(entry) {
-                pivots.push(pivot_of(dag, table, entry));
-            }
-            diagonal.push(entry);
+    let factors = Factors::checked(dag, mass, |dag, i, entry| {
+        let reference = table.values(dag, mass[i][i]).to_vec();
+        let values = table.values(dag, entry);
+        if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
+            return Err(order[i]);
         }
-    }
-    // L z = forcing, then D L' u' = z.
-    let mut u_dot = forcing.to_vec();
-    for i in 0..n {
-        for c in 0..i {
-            let term = dag.mul(lower[i][c], u_dot[c]);
-            u_dot[i] = dag.sub(u_dot[i], term);
+        dag.name(entry, &format!("pivot_{}", order[i]));
+        if !dag.is_constant(entry) {
+            pivots.push(pivot_of(dag, table, entry));
         }
-    }
-    for i in (0..n).rev() {
-        u_dot[i] = dag.div(u_dot[i], diagonal[i]);
-        for c in i + 1..n {
-            let term = dag.mul(lower[c][i], u_dot[c]);
-            u_dot[i] = dag.sub(u_dot[i], term);
-        }
-    }
-    Ok((absolute.relative(dag, &u_dot), pivots))
+        Ok(())
+    });
+    let factors = match factors {
+        Ok(factors) => factors,
+        Err(index) => return Err(without_inertia(model, k, index)),
+    };
+    let u_dot = factors.solve(&mut k.dag, forcing);
+    Ok((absolute.relative(&mut k.dag, &u_dot), pivots))
 }
 
 fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {

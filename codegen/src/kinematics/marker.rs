@@ -85,7 +85,7 @@ impl Marker {
 
     /// The twist's derivative where u' = 0, in the symbols of all unknowns.
     pub fn bias(&self, k: &mut Kinematics, solution: &Solution) -> Vec<ExprId> {
-        let beta = solution.biases(k);
+        let beta = solution.derivatives(k, BTreeMap::new());
         let mut bias = Vec::new();
         for motion in self.motions(k) {
             let own = in_n(k, &motion.bias);
@@ -106,20 +106,23 @@ impl Marker {
 }
 
 impl Solution {
-    /// beta of y' = T u' + beta, by dependent unknown.
-    pub(crate) fn biases(&self, k: &mut Kinematics) -> BTreeMap<UnknownId, ExprId> {
-        let mut beta: BTreeMap<UnknownId, ExprId> = BTreeMap::new();
+    /// y' = T u' + beta of all unknowns, from those of u' that are given; beta alone, where none are.
+    pub(crate) fn derivatives(
+        &self,
+        k: &mut Kinematics,
+        mut y_dot: BTreeMap<UnknownId, ExprId>,
+    ) -> BTreeMap<UnknownId, ExprId> {
         for step in self.steps.iter().rev() {
             let mut sum = step.bias;
             for (z, &c) in &step.coefficients {
-                if let Some(&b) = beta.get(z) {
-                    let term = k.dag.mul(c, b);
+                if let Some(&z_dot) = y_dot.get(z) {
+                    let term = k.dag.mul(c, z_dot);
                     sum = k.dag.add(sum, term);
                 }
             }
-            beta.insert(step.unknown, sum);
+            y_dot.insert(step.unknown, sum);
         }
-        beta
+        y_dot
     }
 }
 
