@@ -7,7 +7,7 @@ use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::ode::{Driven, Ode, State, rk4, runge_kutta};
 use smartbed_runtime::surface::Frame;
-use smartbed_runtime::world::{Attachment, Carrier, Island, Memory, Wrench};
+use smartbed_runtime::world::{Attachment, Carrier, InverseInertia, Island, Memory, Wrench};
 use std::path::Path;
 
 /// Thrusts of the legs (N).
@@ -27,27 +27,29 @@ const SPRINGS: [(usize, usize, f64, f64, f64); 5] = [
 /// Steps of 1 ms.
 const STEPS: u32 = 400;
 
+/// Answers of a port that a carrier gives.
+const PARTS: [&str; 4] = ["position", "rotation", "twist", "inverse_inertia"];
+
 /// The mechanism with a port's answers.
 struct Ported {
     engine: Interpreted<f64>,
     inputs: Vec<f64>,
     u_dot: Vec<f64>,
-    /// First numbers of position, rotation and twist among the answers.
-    first: [usize; 3],
+    /// First numbers of position, rotation, twist and inverse inertia among the answers.
+    first: [usize; 4],
 }
 
 impl Ported {
     fn new(program: &Program) -> Self {
-        let mut first = [usize::MAX; 3];
+        let mut first = [usize::MAX; 4];
         let mut place = 0;
         for part in program.answers_of(&program.functions[0]).into_iter().flat_map(|answer| answer.parts) {
-            if let Some(which) = ["position", "rotation", "twist"].iter().position(|name| *name == part.name)
-            {
+            if let Some(which) = PARTS.iter().position(|name| *name == part.name) {
                 first[which] = place;
             }
             place += part.values.len();
         }
-        assert!(first.iter().all(|place| *place != usize::MAX), "the port answers all three");
+        assert!(first.iter().all(|place| *place != usize::MAX), "the port answers all four");
         let mut inputs = vec![0.0; program.inputs.len()];
         inputs[..3].copy_from_slice(&THRUST);
         Ported { engine: Interpreted::new(program), inputs, u_dot: vec![0.0; program.u_dot.len()], first }
@@ -61,10 +63,24 @@ impl Carrier<f64> for Ported {
     fn n_u(&self) -> usize {
         self.engine.n_u()
     }
+    fn n_ports(&self) -> usize {
+        1
+    }
+    fn inverse_inertia(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        _: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        let answers = self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))?;
+        let first = self.first[3];
+        Ok(std::array::from_fn(|row| std::array::from_fn(|column| answers[first + 6 * row + column])))
+    }
     fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
         let answers = self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))?;
         let three = |first: usize| [answers[first], answers[first + 1], answers[first + 2]];
-        let [position, rotation, twist] = self.first;
+        let [position, rotation, twist, _] = self.first;
         let rows = [0, 3, 6].map(|row| three(rotation + row));
         frames[0] = Frame {
             origin: three(position),

@@ -76,7 +76,7 @@ impl Ball {
         let mut states = [RigidState::at_rest([0.0; 3]), start];
         let [mut now, mut trial, mut middle] = [states; 3];
         let mut mobilities = [Mobility::fixed(); 2];
-        let mut struck = [Struck::new(Touching::empty().held.contact, &mobilities); ROOM];
+        let mut struck = [Struck::new(Touching::empty().held.contact, &mobilities[..]); ROOM];
         let mut memory = Memory {
             states: [&mut now, &mut trial, &mut middle],
             twists: &mut [Twist::zero(); 2],

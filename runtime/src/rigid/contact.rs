@@ -1,7 +1,10 @@
-//! Contacts of several rigid bodies: relative velocities at them, and what impulses at them do.
+//! Contacts between bodies of any kind: relative velocities at them, and what impulses at them do.
 //!
-//! In: bodies as [`Mobility`] (what they yield) and [`Twist`] (how they move), contacts by number of body. Out: W u and
+//! In: how bodies move ([`Twist`]) and what they yield ([`Inertia`]), contacts by number of body. Out: W u and
 //! M^-1 W' P, one contact at a time: no matrix over all contacts is formed, work grows with their number.
+//!
+//! A [`Side`] of a contact is a weighted sum of points of bodies: nothing (fixed in space), a point of a rigid body or of a
+//! port, a node (its own centre), a facet (its corners by their shares, each a node or a point of what holds it).
 
 use super::impact::InverseMass;
 use super::{RigidBody, RigidState, contact_axes};
@@ -26,15 +29,39 @@ pub struct Twist<S> {
     pub angular: Vec3<S>,
 }
 
+/// A point of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<S> {
+    /// Number of the body.
+    pub body: usize,
+    /// From the body's origin, to which its twist refers (m, in N).
+    pub arm: Vec3<S>,
+    /// Its share in the side's velocity, and in the impulse on the side.
+    pub weight: S,
+}
+
+/// One of the two that touch: the sum of its points by weight; without points it is fixed in space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side<S> {
+    points: [Point<S>; 4],
+    count: usize,
+}
+
+/// What impulses at points of bodies do to velocities.
+pub trait Inertia<S: Scalar> {
+    /// Change of the velocity of the point `seen` under an impulse (N s, in N) at the point `at`, whatever their weights.
+    fn response(&self, at: &Point<S>, impulse: Vec3<S>, seen: &Point<S>) -> Vec3<S>;
+    /// Changes all twists by an impulse at the point `at`.
+    fn push(&self, at: &Point<S>, impulse: Vec3<S>, twists: &mut [Twist<S>]);
+}
+
 /// A contact of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// Numbers of the bodies; the normal points from the second to the first.
-    pub bodies: [usize; 2],
+    /// What touches; the normal points from the second to the first.
+    pub sides: [Side<S>; 2],
     /// n, t1, t2 in N.
     pub axes: [Vec3<S>; 3],
-    /// The point from the two centres of mass (m, in N).
-    pub arms: [Vec3<S>; 2],
     /// Coulomb's mu, >= 0.
     pub friction: S,
     /// e, 0 to 1.
@@ -74,14 +101,82 @@ impl<S: Scalar> Twist<S> {
     }
 }
 
+/// Rigid bodies and nodes: none moves with another.
+impl<S: Scalar> Inertia<S> for [Mobility<S>] {
+    fn response(&self, at: &Point<S>, impulse: Vec3<S>, seen: &Point<S>) -> Vec3<S> {
+        match self.get(at.body) {
+            Some(m) if at.body == seen.body => {
+                let turned = vec3::apply(&m.inverse_inertia, vec3::cross(at.arm, impulse));
+                vec3::axpy(vec3::cross(turned, seen.arm), m.inverse_mass, impulse)
+            }
+            _ => vec3::zero(),
+        }
+    }
+
+    fn push(&self, at: &Point<S>, impulse: Vec3<S>, twists: &mut [Twist<S>]) {
+        if let (Some(m), Some(twist)) = (self.get(at.body), twists.get_mut(at.body)) {
+            let turned = vec3::apply(&m.inverse_inertia, vec3::cross(at.arm, impulse));
+            twist.velocity = vec3::axpy(twist.velocity, m.inverse_mass, impulse);
+            twist.angular = vec3::add(twist.angular, turned);
+        }
+    }
+}
+
+impl<S: Scalar> Side<S> {
+    /// Fixed in space.
+    #[must_use]
+    pub fn fixed() -> Side<S> {
+        Side { points: [Point { body: 0, arm: vec3::zero(), weight: S::ZERO }; 4], count: 0 }
+    }
+
+    /// A point of a body, from its origin (m, in N); a node has no arm.
+    #[must_use]
+    pub fn of_body(body: usize, arm: Vec3<S>) -> Side<S> {
+        let mut side = Side::fixed();
+        (side.points[0], side.count) = (Point { body, arm, weight: S::ONE }, 1);
+        side
+    }
+
+    /// A sum of points, as the corners of a facet by their shares; None stands for what is fixed in space.
+    #[must_use]
+    pub fn blend(points: [Option<Point<S>>; 4]) -> Side<S> {
+        let mut side = Side::fixed();
+        let real = points.into_iter().flatten().filter(|point| point.weight != S::ZERO);
+        for (place, point) in side.points.iter_mut().zip(real) {
+            (*place, side.count) = (point, side.count + 1);
+        }
+        side
+    }
+
+    /// Its points.
+    pub fn points(&self) -> impl Iterator<Item = &Point<S>> {
+        self.points.iter().take(self.count)
+    }
+
+    /// Velocity (m/s, in N).
+    #[must_use]
+    pub fn velocity(&self, twists: &[Twist<S>]) -> Vec3<S> {
+        self.points().fold(vec3::zero(), |sum, point| {
+            let twist = twists.get(point.body).copied().unwrap_or_else(Twist::zero);
+            vec3::axpy(sum, point.weight, twist.at(point.arm))
+        })
+    }
+}
+
 impl<S: Scalar> Contact<S> {
     /// A contact at a point of N with this normal between bodies whose centres of mass are known.
     #[must_use]
     pub fn new(bodies: [usize; 2], point: Vec3<S>, normal: Vec3<S>, centers: [Vec3<S>; 2]) -> Contact<S> {
+        let ([a, b], [x, y]) = (bodies, centers.map(|center| vec3::sub(point, center)));
+        Contact::between([Side::of_body(a, x), Side::of_body(b, y)], normal)
+    }
+
+    /// A contact of two sides; the normal points from the second to the first.
+    #[must_use]
+    pub fn between(sides: [Side<S>; 2], normal: Vec3<S>) -> Contact<S> {
         Contact {
-            bodies,
+            sides,
             axes: contact_axes(normal),
-            arms: centers.map(|center| vec3::sub(point, center)),
             friction: S::ZERO,
             restitution: S::ZERO,
             impulse: vec3::zero(),
@@ -91,20 +186,25 @@ impl<S: Scalar> Contact<S> {
     /// The velocity of the first body relative to the second at the point: n, t1, t2 (m/s).
     #[must_use]
     pub fn relative(&self, twists: &[Twist<S>]) -> Vec3<S> {
-        let [one, other] = self.bodies.map(|k| twists.get(k).copied().unwrap_or_else(Twist::zero));
-        let [r, s] = self.arms;
-        vec3::apply(&self.axes, vec3::sub(one.at(r), other.at(s)))
+        let [one, other] = [0, 1].map(|number| self.sides[number].velocity(twists));
+        vec3::apply(&self.axes, vec3::sub(one, other))
+    }
+
+    /// All points, those of the second side with the opposite sense.
+    fn points(&self) -> impl Iterator<Item = (S, &Point<S>)> {
+        let [one, other] = &self.sides;
+        let theirs = other.points().map(|point| (-point.weight, point));
+        one.points().map(|point| (point.weight, point)).chain(theirs)
     }
 
     /// K (1/kg): the change of the relative velocity under unit impulses along n, t1, t2.
     #[must_use]
-    pub fn inverse_mass(&self, mobilities: &[Mobility<S>]) -> InverseMass<S> {
+    pub fn inverse_mass(&self, inertia: &(impl Inertia<S> + ?Sized)) -> InverseMass<S> {
         let column = |d: Vec3<S>| {
             let mut sum = vec3::zero();
-            for (body, arm) in self.bodies.iter().zip(self.arms) {
-                if let Some(m) = mobilities.get(*body) {
-                    let turned = vec3::apply(&m.inverse_inertia, vec3::cross(arm, d));
-                    sum = vec3::add(sum, vec3::axpy(vec3::cross(turned, arm), m.inverse_mass, d));
+            for (mine, at) in self.points() {
+                for (theirs, seen) in self.points() {
+                    sum = vec3::axpy(sum, mine * theirs, inertia.response(at, d, seen));
                 }
             }
             vec3::apply(&self.axes, sum)
@@ -120,16 +220,19 @@ impl<S: Scalar> Contact<S> {
         vec3::axpy(vec3::axpy(vec3::scale(n, pn), p1, t1), p2, t2)
     }
 
-    /// Changes the twists of both bodies by an impulse n, t1, t2 on the first and its opposite on the second.
-    pub fn push(&self, mobilities: &[Mobility<S>], twists: &mut [Twist<S>], impulse: Vec3<S>) {
+    /// Changes the twists by an impulse n, t1, t2 on the first side and its opposite on the second.
+    pub fn push(&self, inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>], impulse: Vec3<S>) {
         let impulse = self.to_inertial(impulse);
-        for (number, sense) in [S::ONE, -S::ONE].into_iter().enumerate() {
-            let (body, arm) = (self.bodies[number], self.arms[number]);
-            if let (Some(m), Some(twist)) = (mobilities.get(body), twists.get_mut(body)) {
-                let turned = vec3::apply(&m.inverse_inertia, vec3::cross(arm, impulse));
-                twist.velocity = vec3::axpy(twist.velocity, sense * m.inverse_mass, impulse);
-                twist.angular = vec3::axpy(twist.angular, sense, turned);
-            }
+        for (share, at) in self.points() {
+            inertia.push(at, vec3::scale(impulse, share), twists);
+        }
+    }
+
+    /// Shows what an impulse n, t1, t2 gives to each body: number, arm, impulse in N.
+    pub fn deal(&self, impulse: Vec3<S>, mut give: impl FnMut(usize, Vec3<S>, Vec3<S>)) {
+        let impulse = self.to_inertial(impulse);
+        for (share, at) in self.points() {
+            give(at.body, at.arm, vec3::scale(impulse, share));
         }
     }
 }

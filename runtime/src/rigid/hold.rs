@@ -8,7 +8,7 @@
 //! By Gauss and Seidel's method, contact after contact, to the last digits; where contacts outnumber what determines them
 //! (a box on four corners) the accelerations are still unique.
 
-use super::contact::{Contact, Mobility, Twist, onto_disc};
+use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
 use super::several::rubbed;
 use crate::real::Scalar;
@@ -43,7 +43,7 @@ impl<S> AsMut<Held<S>> for Held<S> {
 /// Forces that the contacts already have are where the sweeps start; `accelerations` must not contain them yet.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> bool {
     // The forces' size, also where they all but cancel: what would stop the accelerations to begin with.
@@ -53,7 +53,7 @@ pub fn hold<S: Scalar>(
         scale = scale.max(acceleration / h.inverse_mass[0][0]);
     }
     for h in held.iter_mut().map(AsMut::as_mut) {
-        h.contact.push(mobilities, accelerations, h.contact.impulse);
+        h.contact.push(inertia, accelerations, h.contact.impulse);
     }
     let mut left = S::ZERO;
     for _ in 0..SWEEPS {
@@ -61,8 +61,8 @@ pub fn hold<S: Scalar>(
         for h in held.iter_mut().map(AsMut::as_mut) {
             let before = h.contact.impulse;
             let goes = match h.slip {
-                Some(direction) => slide(h, direction, mobilities, accelerations),
-                None => rest(h, mobilities, accelerations),
+                Some(direction) => slide(h, direction, inertia, accelerations),
+                None => rest(h, inertia, accelerations),
             };
             if !goes {
                 return false;
@@ -83,7 +83,7 @@ pub fn hold<S: Scalar>(
 fn slide<S: Scalar>(
     h: &mut Held<S>,
     [x, y]: [S; 2],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> bool {
     let mu = h.contact.friction;
@@ -94,12 +94,16 @@ fn slide<S: Scalar>(
     }
     let acceleration = h.contact.relative(accelerations)[0] + h.bias[0];
     let normal = (h.contact.impulse[0] - acceleration / yields).max(S::ZERO);
-    set(h, [normal, -(mu * normal * x), -(mu * normal * y)], mobilities, accelerations);
+    set(h, [normal, -(mu * normal * x), -(mu * normal * y)], inertia, accelerations);
     true
 }
 
 /// Normal force, then friction that stops the slip from starting as far as the cone allows. False: nothing can move.
-fn rest<S: Scalar>(h: &mut Held<S>, mobilities: &[Mobility<S>], accelerations: &mut [Twist<S>]) -> bool {
+fn rest<S: Scalar>(
+    h: &mut Held<S>,
+    inertia: &(impl Inertia<S> + ?Sized),
+    accelerations: &mut [Twist<S>],
+) -> bool {
     if h.inverse_mass[0][0] <= S::ZERO {
         return false;
     }
@@ -108,11 +112,11 @@ fn rest<S: Scalar>(h: &mut Held<S>, mobilities: &[Mobility<S>], accelerations: &
     let normal = (n - acceleration / h.inverse_mass[0][0]).max(S::ZERO);
     let radius = h.contact.friction * normal;
     let [x, y] = onto_disc([x, y], radius);
-    set(h, [normal, x, y], mobilities, accelerations);
+    set(h, [normal, x, y], inertia, accelerations);
     if radius > S::ZERO {
         let [_, a, b] = vec3::add(h.contact.relative(accelerations), h.bias);
         let [x, y] = rubbed(&h.inverse_mass, [x, y], [a, b], radius);
-        set(h, [normal, x, y], mobilities, accelerations);
+        set(h, [normal, x, y], inertia, accelerations);
     }
     true
 }
@@ -120,9 +124,9 @@ fn rest<S: Scalar>(h: &mut Held<S>, mobilities: &[Mobility<S>], accelerations: &
 fn set<S: Scalar>(
     h: &mut Held<S>,
     force: Vec3<S>,
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) {
-    h.contact.push(mobilities, accelerations, vec3::sub(force, h.contact.impulse));
+    h.contact.push(inertia, accelerations, vec3::sub(force, h.contact.impulse));
     h.contact.impulse = force;
 }

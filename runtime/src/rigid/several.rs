@@ -10,7 +10,7 @@
 //! v is linear in dP, so the books are exact for any length of the piece; the piece in which some E_j comes to 0 ends
 //! there. Every E >= 0 and friction works against slip: no impact creates energy, whatever e, mu and the shapes.
 
-use super::contact::{Contact, Mobility, Twist, onto_disc, solve_tangential};
+use super::contact::{Contact, Inertia, Twist, onto_disc, solve_tangential};
 use super::impact::{InverseMass, Touch, resolve};
 use crate::ode::root::locate;
 use crate::real::Scalar;
@@ -56,8 +56,8 @@ pub struct Outcome {
 impl<S: Scalar> Struck<S> {
     /// A contact that takes part.
     #[must_use]
-    pub fn new(contact: Contact<S>, mobilities: &[Mobility<S>]) -> Struck<S> {
-        let inverse_mass = contact.inverse_mass(mobilities);
+    pub fn new(contact: Contact<S>, inertia: &(impl Inertia<S> + ?Sized)) -> Struck<S> {
+        let inverse_mass = contact.inverse_mass(inertia);
         let zero = vec3::zero();
         let (piece, before, ratio) = (zero, zero, [S::ZERO; 2]);
         Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece, before, ratio }
@@ -126,7 +126,7 @@ impl<S: Scalar> Struck<S> {
 /// `spare` is working memory, one entry per body.
 pub fn strike_all<S: Scalar>(
     struck: &mut [Struck<S>],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     twists: &mut [Twist<S>],
     spare: &mut [Twist<S>],
 ) -> Outcome {
@@ -137,7 +137,7 @@ pub fn strike_all<S: Scalar>(
         fastest = fastest.max(-s.before[0]);
     }
     if let [only] = struck {
-        strike_one(only, mobilities, twists);
+        strike_one(only, inertia, twists);
         return Outcome { pieces: 1, complete: true };
     }
     let closing = S::from_f64(64.0) * S::EPSILON * fastest;
@@ -145,16 +145,19 @@ pub fn strike_all<S: Scalar>(
         let Some(length) = piece_length(struck, closing) else {
             return Outcome { pieces: number, complete: true };
         };
-        let length = shorten(struck, mobilities, twists, spare, length, closing);
-        try_piece(struck, mobilities, twists, spare, length, closing);
+        shorten(struck, inertia, twists, spare, length, closing);
         accept(struck, twists, spare);
     }
     // Whether or not the sweeps were enough: the impact was cut short.
-    let _ = stop(struck, mobilities, twists);
+    let _ = stop(struck, inertia, twists);
     Outcome { pieces: PIECES, complete: false }
 }
 
-fn strike_one<S: Scalar>(only: &mut Struck<S>, mobilities: &[Mobility<S>], twists: &mut [Twist<S>]) {
+fn strike_one<S: Scalar>(
+    only: &mut Struck<S>,
+    inertia: &(impl Inertia<S> + ?Sized),
+    twists: &mut [Twist<S>],
+) {
     let contact = &mut only.contact;
     let impact = resolve(&Touch {
         inverse_mass: only.inverse_mass,
@@ -163,7 +166,7 @@ fn strike_one<S: Scalar>(only: &mut Struck<S>, mobilities: &[Mobility<S>], twist
         restitution: contact.restitution,
     });
     contact.impulse = impact.impulse;
-    contact.push(mobilities, twists, impact.impulse);
+    contact.push(inertia, twists, impact.impulse);
 }
 
 /// The length of the next piece; None when nothing presses any more.
@@ -176,46 +179,45 @@ fn piece_length<S: Scalar>(struck: &[Struck<S>], closing: S) -> Option<S> {
     (sum > S::ZERO).then(|| S::from_f64(PIECE) / sum.sqrt())
 }
 
-/// The piece up to the place where the first contact has given back all it may.
+/// Tries the piece up to the place where the first contact has given back all it may.
 fn shorten<S: Scalar>(
     struck: &mut [Struck<S>],
-    mobilities: &[Mobility<S>],
-    twists: &[Twist<S>],
-    spare: &mut [Twist<S>],
-    length: S,
-    closing: S,
-) -> S {
-    let mut least = |tau: S| {
-        try_piece(struck, mobilities, twists, spare, tau, closing);
-        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.trial))
-    };
-    if least(length) >= S::ZERO {
-        return length;
-    }
-    // At length 0 nothing has been given back.
-    let guard = |tau: S| if tau > S::ZERO { least(tau) } else { S::ZERO };
-    match locate(guard, S::ZERO, length, S::EPSILON * length) {
-        Ok((_, beyond)) => beyond,
-        Err(_) => length,
-    }
-}
-
-/// A piece of this length: impulses, velocities after it in `spare`, stored energies after it.
-fn try_piece<S: Scalar>(
-    struck: &mut [Struck<S>],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     twists: &[Twist<S>],
     spare: &mut [Twist<S>],
     length: S,
     closing: S,
 ) {
-    spare.copy_from_slice(twists);
+    let mut least = |tau: S| {
+        try_piece(struck, inertia, twists, spare, tau, closing);
+        struck.iter().filter(|s| s.piece[0] > S::ZERO).fold(S::ONE / S::EPSILON, |m, s| m.min(s.trial))
+    };
+    if least(length) >= S::ZERO {
+        return;
+    }
+    // At length 0 nothing has been given back.
+    let guard = |tau: S| if tau > S::ZERO { least(tau) } else { S::ZERO };
+    let found = locate(guard, S::ZERO, length, S::EPSILON * length);
+    let end = found.map_or(length, |(_, beyond)| beyond);
+    try_piece(struck, inertia, twists, spare, end, closing);
+}
+
+/// A piece of this length: impulses, velocities after it in `spare`, stored energies after it.
+fn try_piece<S: Scalar>(
+    struck: &mut [Struck<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
+    twists: &[Twist<S>],
+    spare: &mut [Twist<S>],
+    length: S,
+    closing: S,
+) {
+    spare.iter_mut().zip(twists).for_each(|(to, from)| *to = *from);
     for s in struck.iter_mut() {
         let (normal, [x, y]) = (s.press(length, closing), s.ratio);
         s.piece = [normal, x * normal, y * normal];
-        s.contact.push(mobilities, spare, s.piece);
+        s.contact.push(inertia, spare, s.piece);
     }
-    rub(struck, mobilities, spare);
+    rub(struck, inertia, spare);
     for s in struck.iter_mut() {
         s.trial = s.charge(s.contact.relative(spare)[0]);
     }
@@ -223,7 +225,7 @@ fn try_piece<S: Scalar>(
 
 /// Takes the piece: contacts that have given back what they may are out of it.
 fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &[Twist<S>]) {
-    twists.copy_from_slice(spare);
+    twists.iter_mut().zip(spare).for_each(|(to, from)| *to = *from);
     // What rounding leaves of a contact that ended with another one, alike, is no energy.
     let rounding = S::from_f64(256.0) * S::EPSILON;
     for s in struck.iter_mut() {
@@ -237,7 +239,7 @@ fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &
 }
 
 /// Friction of a piece: against the slip at its end, in the cone of its normal impulse; by Gauss and Seidel's method.
-fn rub<S: Scalar>(struck: &mut [Struck<S>], mobilities: &[Mobility<S>], twists: &mut [Twist<S>]) {
+fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>]) {
     let presses = |s: &Struck<S>| s.contact.friction > S::ZERO && s.piece[0] > S::ZERO;
     if !struck.iter().any(presses) {
         return;
@@ -250,7 +252,7 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], mobilities: &[Mobility<S>], twists: 
             let next = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
             let change = [S::ZERO, next[0] - s.piece[1], next[1] - s.piece[2]];
             (s.piece[1], s.piece[2]) = (next[0], next[1]);
-            s.contact.push(mobilities, twists, change);
+            s.contact.push(inertia, twists, change);
             moved = moved.max((change[1].abs() + change[2].abs()) / radius);
         }
         // Finer than the piece itself is.
@@ -267,7 +269,7 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], mobilities: &[Mobility<S>], twists: 
     if struck.iter().fold(S::ZERO, |sum, s| sum + work(s)) > S::ZERO {
         for s in struck.iter_mut().filter(|s| presses(s)) {
             let back = [S::ZERO, -s.piece[1], -s.piece[2]];
-            s.contact.push(mobilities, twists, back);
+            s.contact.push(inertia, twists, back);
             (s.piece[1], s.piece[2]) = (S::ZERO, S::ZERO);
         }
     }
@@ -295,7 +297,7 @@ fn fastest<S: Scalar>(struck: &[Struck<S>], twists: &[Twist<S>]) -> S {
 /// Every turn lowers the kinetic energy, so that stopping early creates none. False: the sweeps were not enough.
 pub fn stop<S: Scalar>(
     struck: &mut [Struck<S>],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     twists: &mut [Twist<S>],
 ) -> bool {
     let (mut settled, fastest) = (false, fastest(struck, twists));
@@ -310,7 +312,7 @@ pub fn stop<S: Scalar>(
                 let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
                 let change = next - s.piece[0];
                 s.piece[0] = next;
-                s.contact.push(mobilities, twists, [change, S::ZERO, S::ZERO]);
+                s.contact.push(inertia, twists, [change, S::ZERO, S::ZERO]);
                 moved = moved.max(change.abs() * yields);
             }
         }
@@ -334,14 +336,14 @@ pub fn stop<S: Scalar>(
 pub fn compensate_all<S: Scalar>(
     struck: &mut [Struck<S>],
     eta: S,
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     twists: &mut [Twist<S>],
 ) -> Outcome {
     for s in struck.iter_mut() {
         s.contact.impulse = vec3::zero();
         s.before = s.contact.relative(twists);
     }
-    let settled = stop(struck, mobilities, twists);
+    let settled = stop(struck, inertia, twists);
     let half = S::from_f64(0.5);
     // u = change by J0: J0 . W u = 2 A, J0 . W v+ = b (0 but for rounding), Q = -(J0 . W v- + A) .
     let (mut work, mut change) = (S::ZERO, S::ZERO);
@@ -358,10 +360,10 @@ pub fn compensate_all<S: Scalar>(
         for s in struck.iter_mut() {
             let more = lambda * s.contact.impulse[0];
             s.contact.impulse[0] = s.contact.impulse[0] + more;
-            s.contact.push(mobilities, twists, [more, S::ZERO, S::ZERO]);
+            s.contact.push(inertia, twists, [more, S::ZERO, S::ZERO]);
         }
     }
-    let complete = rub_within(struck, mobilities, twists) && settled;
+    let complete = rub_within(struck, inertia, twists) && settled;
     Outcome { pieces: 1, complete }
 }
 
@@ -369,7 +371,7 @@ pub fn compensate_all<S: Scalar>(
 /// kinetic energy. False: the sweeps were not enough.
 fn rub_within<S: Scalar>(
     struck: &mut [Struck<S>],
-    mobilities: &[Mobility<S>],
+    inertia: &(impl Inertia<S> + ?Sized),
     twists: &mut [Twist<S>],
 ) -> bool {
     for s in struck.iter_mut() {
@@ -384,14 +386,14 @@ fn rub_within<S: Scalar>(
             let yields = s.inverse_mass[0][0];
             if yields > S::ZERO {
                 let next = (s.piece[0] - s.contact.relative(twists)[0] / yields).max(S::ZERO);
-                s.contact.push(mobilities, twists, [next - s.piece[0], S::ZERO, S::ZERO]);
+                s.contact.push(inertia, twists, [next - s.piece[0], S::ZERO, S::ZERO]);
                 s.piece[0] = next;
             }
             let radius = s.contact.friction * s.trial;
             if radius > S::ZERO {
                 let [_, x, y] = s.contact.relative(twists);
                 let [x, y] = rubbed(&s.inverse_mass, [s.piece[1], s.piece[2]], [x, y], radius);
-                s.contact.push(mobilities, twists, [S::ZERO, x - s.piece[1], y - s.piece[2]]);
+                s.contact.push(inertia, twists, [S::ZERO, x - s.piece[1], y - s.piece[2]]);
                 (s.piece[1], s.piece[2]) = (x, y);
             }
             let size = yields.max(s.inverse_mass[1][1]).max(s.inverse_mass[2][2]);

@@ -1,8 +1,11 @@
 //! What carries other parts: the frames of its ports follow from its state, wrenches at them enter its equations.
 
+use core::ops::Range;
+
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::rigid::attitude::Attitude;
+use crate::rigid::contact::Mobility;
 use crate::rigid::{RigidBody, RigidState};
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
@@ -36,12 +39,40 @@ impl<S: Scalar> Wrench<S> {
     }
 }
 
+/// J M^-1 J' between two ports: changes of velocity and angular velocity of one (rows) by force and moment impulses
+/// about the origin of the other (columns), all in N.
+pub type InverseInertia<S> = [[S; 6]; 6];
+
 /// Equations of motion with ports.
 pub trait Carrier<S: Scalar> {
     /// Number of coordinates q.
     fn n_q(&self) -> usize;
     /// Number of speeds u.
     fn n_u(&self) -> usize;
+    /// Number of ports.
+    fn n_ports(&self) -> usize;
+    /// The ports that an impulse at this one moves, itself among them.
+    fn coupled(&self, port: usize) -> Range<usize> {
+        let _ = port;
+        0..self.n_ports()
+    }
+    /// J M^-1 J' at a state: what port `ports[0]` does when an impulse acts at `ports[1]`.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn inverse_inertia(
+        &mut self,
+        t: S,
+        q: &[S],
+        u: &[S],
+        ports: [usize; 2],
+    ) -> Result<InverseInertia<S>, Fault>;
+    /// Power (W) of what drives it, under these wrenches at its ports with these frames: of commanded motion. None where its
+    /// energy changes by the wrenches alone.
+    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
+        let _ = (frames, wrenches);
+        None
+    }
     /// Writes the frames of the ports, with their motion.
     ///
     /// # Errors
@@ -89,6 +120,8 @@ pub trait Carrier<S: Scalar> {
 pub struct Commanded<F> {
     /// The commanded motion.
     pub law: F,
+    /// Number of ports.
+    pub ports: usize,
 }
 
 impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
@@ -97,6 +130,19 @@ impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
     }
     fn n_u(&self) -> usize {
         0
+    }
+    fn n_ports(&self) -> usize {
+        self.ports
+    }
+    fn coupled(&self, _: usize) -> Range<usize> {
+        0..0
+    }
+    fn inverse_inertia(&mut self, _: S, _: &[S], _: &[S], _: [usize; 2]) -> Result<InverseInertia<S>, Fault> {
+        Ok([[S::ZERO; 6]; 6])
+    }
+    fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
+        let seams = frames.iter().zip(wrenches);
+        Some(seams.fold(S::ZERO, |sum, (frame, wrench)| sum - wrench.power(frame)))
     }
     fn frames(&mut self, t: S, _: &[S], _: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
         frames.iter_mut().enumerate().for_each(|(port, frame)| *frame = (self.law)(t, port));
@@ -151,6 +197,20 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
     }
     fn n_u(&self) -> usize {
         6
+    }
+    fn n_ports(&self) -> usize {
+        1
+    }
+    fn inverse_inertia(&mut self, _: S, q: &[S], u: &[S], _: [usize; 2]) -> Result<InverseInertia<S>, Fault> {
+        let mobility = Mobility::of(&self.body, &self.state(q, u)?);
+        let mut inverse = [[S::ZERO; 6]; 6];
+        for (axis, row) in mobility.inverse_inertia.into_iter().enumerate() {
+            inverse[axis][axis] = mobility.inverse_mass;
+            for (column, entry) in row.into_iter().enumerate() {
+                inverse[3 + axis][3 + column] = entry;
+            }
+        }
+        Ok(inverse)
     }
     fn frames(&mut self, _: S, q: &[S], u: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
         let own = self.body.frame(&self.state(q, u)?);

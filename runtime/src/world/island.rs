@@ -1,9 +1,12 @@
-//! One flexible body attached to a carrier, as one ordinary differential equation.
+//! Flexible bodies attached to carriers, as one ordinary differential equation.
 //!
+//! Several bodies are one list of nodes, springs and facets, with a [`Cell`] for each closed surface that holds gas; several
+//! carriers are a [`Group`](super::Group).
 //! x = [q of the carrier, positions of the free nodes; u of the carrier, their velocities]. Fixed nodes stay where they
 //! were placed; attached ones have no mass of their own: it belongs to the carrier.
 
 use super::carrier::{Carrier, Wrench};
+use super::cell::Cell;
 use crate::flexible::energy::{Energies, eval_energies};
 use crate::flexible::{Body, force};
 use crate::mechanism::Fault;
@@ -62,9 +65,15 @@ impl<S: Scalar> IslandEnergy<S> {
 pub struct Island<'a, S, C> {
     /// The carrier.
     pub carrier: C,
-    body: Body<'a, S>,
-    attachments: &'a [Attachment<S>],
-    memory: Memory<'a, S>,
+    pub(super) body: Body<'a, S>,
+    pub(super) attachments: &'a [Attachment<S>],
+    pub(super) memory: Memory<'a, S>,
+    cells: &'a [Cell<S>],
+}
+
+/// Free nodes of a body: those that forces move.
+pub(super) fn free_nodes<'b, S>(body: &Body<'b, S>) -> impl Iterator<Item = usize> + use<'b, S> {
+    body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed).map(|(node, _)| node)
 }
 
 impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
@@ -86,12 +95,36 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
             body.fixed.get(a.node) == Some(&true) && body.mass.get(a.node) == Some(&S::ZERO)
         };
         let known = attachments.iter().all(|a| a.port < memory.frames.len() && is_held(a));
-        if fits && known { Ok(Island { carrier, body, attachments, memory }) } else { Err(Fault::Shape) }
+        let fits = fits && memory.frames.len() == carrier.n_ports();
+        let island = Island { carrier, body, attachments, memory, cells: &[] };
+        if fits && known { Ok(island) } else { Err(Fault::Shape) }
+    }
+
+    /// With gas in closed parts of the facets.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a cell names facets that do not exist.
+    pub fn with_cells(mut self, cells: &'a [Cell<S>]) -> Result<Self, Fault> {
+        self.cells = cells;
+        let known = cells.iter().all(|cell| cell.of(self.body.facets).is_some());
+        if known { Ok(self) } else { Err(Fault::Shape) }
     }
 
     /// Nodes that move by forces: neither fixed nor attached.
     fn free(&self) -> usize {
-        self.body.fixed.iter().filter(|fixed| !**fixed).count()
+        free_nodes(&self.body).count()
+    }
+
+    /// The flexible body, all parts of it.
+    #[must_use]
+    pub fn body(&self) -> &Body<'a, S> {
+        &self.body
+    }
+
+    /// Gas by closed surface.
+    #[must_use]
+    pub fn cells(&self) -> &'a [Cell<S>] {
+        self.cells
     }
 
     /// Positions and velocities of all nodes at the state placed last.
@@ -121,9 +154,8 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let parts = self.parts_mut(x)?;
         parts.q.iter_mut().zip(q).for_each(|(to, from)| *to = *from);
         parts.u.iter_mut().zip(u).for_each(|(to, from)| *to = *from);
-        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
         let rows = parts.pos.chunks_exact_mut(3).zip(parts.vel.chunks_exact_mut(3));
-        for ((node, _), (x, v)) in free.zip(rows) {
+        for (node, (x, v)) in free_nodes(&self.body).zip(rows) {
             write(x, vec3::at(self.memory.pos, node));
             write(v, vec3::at(self.memory.vel, node));
         }
@@ -135,12 +167,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// # Errors
     /// [`Fault::Shape`] if x has another length; the carrier's faults.
     pub fn place(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
-        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
-        let (q, pos) = coordinates.split_at_checked(self.carrier.n_q()).ok_or(Fault::Shape)?;
-        let (u, vel) = speeds.split_at_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        let Cut { q, pos, u, vel } = self.parts(x)?;
         self.carrier.frames(t, q, u, self.memory.frames)?;
-        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
-        for ((node, _), (x, v)) in free.zip(pos.chunks_exact(3).zip(vel.chunks_exact(3))) {
+        for (node, (x, v)) in free_nodes(&self.body).zip(pos.chunks_exact(3).zip(vel.chunks_exact(3))) {
             if let (Some(own_x), Some(own_v), [x, y, z], [a, b, c]) =
                 (self.memory.pos.get_mut(node), self.memory.vel.get_mut(node), x, v)
             {
@@ -165,6 +194,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let (elements, memory) = (self.body.elements(), &mut self.memory);
         let forces = force::eval_elastic(&self.body, &elements, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
+        for cell in self.cells {
+            cell.add_force(self.body.facets, memory.pos, memory.elastic)?;
+        }
         force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
         memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
         for Attachment { node, port, .. } in self.attachments {
@@ -182,21 +214,34 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// As [`Island::place`].
     pub fn energy(&mut self, t: S, x: &[S]) -> Result<IslandEnergy<S>, Fault> {
         self.place(t, x)?;
-        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
-        let q = coordinates.get(..self.carrier.n_q()).ok_or(Fault::Shape)?;
-        let u = speeds.get(..self.carrier.n_u()).ok_or(Fault::Shape)?;
+        let Cut { q, u, .. } = self.parts(x)?;
         let carrier = self.carrier.energy(t, q, u)?;
-        Ok(IslandEnergy { carrier, body: eval_energies(&self.body, self.memory.pos, self.memory.vel) })
+        let mut body = eval_energies(&self.body, self.memory.pos, self.memory.vel);
+        for cell in self.cells {
+            body.pressure = body.pressure + cell.potential(self.body.facets, self.memory.pos)?;
+        }
+        Ok(IslandEnergy { carrier, body })
     }
 
-    fn parts_mut<'x>(&self, x: &'x mut [S]) -> Result<Parts<'x, S>, Fault> {
+    /// A state cut by part.
+    pub(super) fn parts<'x>(&self, x: &'x [S]) -> Result<Cut<&'x [S]>, Fault> {
+        if x.len() != self.n_x() {
+            return Err(Fault::Shape);
+        }
+        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
+        let (q, pos) = coordinates.split_at_checked(self.carrier.n_q()).ok_or(Fault::Shape)?;
+        let (u, vel) = speeds.split_at_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        Ok(Cut { q, pos, u, vel })
+    }
+
+    pub(super) fn parts_mut<'x>(&self, x: &'x mut [S]) -> Result<Cut<&'x mut [S]>, Fault> {
         if x.len() != self.n_x() {
             return Err(Fault::Shape);
         }
         let (coordinates, speeds) = x.split_at_mut_checked(self.n_q()).ok_or(Fault::Shape)?;
         let (q, pos) = coordinates.split_at_mut_checked(self.carrier.n_q()).ok_or(Fault::Shape)?;
         let (u, vel) = speeds.split_at_mut_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
-        Ok(Parts { q, pos, u, vel })
+        Ok(Cut { q, pos, u, vel })
     }
 }
 
@@ -205,11 +250,15 @@ fn write<S: Scalar>(to: &mut [S], from: Vec3<S>) {
 }
 
 /// A state or its rates, cut by part.
-struct Parts<'x, S> {
-    q: &'x mut [S],
-    pos: &'x mut [S],
-    u: &'x mut [S],
-    vel: &'x mut [S],
+pub(super) struct Cut<T> {
+    /// Coordinates of the carrier.
+    pub(super) q: T,
+    /// Positions of the free nodes.
+    pub(super) pos: T,
+    /// Speeds of the carrier.
+    pub(super) u: T,
+    /// Velocities of the free nodes.
+    pub(super) vel: T,
 }
 
 impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
@@ -224,14 +273,11 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         self.place(t, x)?;
         self.load_seams()?;
-        let (coordinates, speeds) = x.split_at_checked(self.n_q()).ok_or(Fault::Shape)?;
-        let q = coordinates.get(..self.carrier.n_q()).ok_or(Fault::Shape)?;
-        let (u, vel) = speeds.split_at_checked(self.carrier.n_u()).ok_or(Fault::Shape)?;
+        let Cut { q, u, vel, .. } = self.parts(x)?;
         let dot = self.parts_mut(x_dot)?;
         let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
         dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
-        let free = self.body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed);
-        for ((node, _), rate) in free.zip(dot.vel.chunks_exact_mut(3)) {
+        for (node, rate) in free_nodes(&self.body).zip(dot.vel.chunks_exact_mut(3)) {
             let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
             write(rate, vec3::scale(force, self.body.inverse_mass(node)));
         }

@@ -1,6 +1,7 @@
 //! Parts that move together as one set of equations: a flexible body whose nodes are attached to what carries it.
 //!
-//! In: a [`Carrier`] (a mechanism with ports, a rigid body, a commanded frame), a flexible body, [`Attachment`]s. Out: an
+//! In: a [`Carrier`] (a mechanism with ports, a rigid body, a commanded frame, a [`Group`] of them), flexible bodies,
+//! [`Attachment`]s. Out: an
 //! [`Island`], one [`Ode`](crate::ode::Ode) of both that every method of `ode` steps. In each evaluation attached nodes
 //! follow their frames and the forces on them enter the carrier's equations as wrenches: at the seam action and
 //! reaction cancel to rounding, and a method keeps its order.
@@ -9,7 +10,13 @@
 //! ```
 
 mod carrier;
+mod cell;
+mod group;
+mod inertia;
 mod island;
 
-pub use carrier::{Carrier, Commanded, Floating, Wrench};
+pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Wrench};
+pub use cell::{Cell, Content};
+pub use group::Group;
+pub use inertia::{Coupling, Inertias};
 pub use island::{Attachment, Island, IslandEnergy, Memory};

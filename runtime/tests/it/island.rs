@@ -1,13 +1,16 @@
 //! A flexible body on a carrier: momenta and energy of a floating pair, a platform against its own equations written
 //! by hand, a commanded frame against a closed form and with its account of work.
 
-use smartbed_runtime::flexible::{Body, Gas, Inflation, Massless, PressureForm, Spring};
+use smartbed_runtime::flexible::{self, Body, Inflation, Massless, PressureForm, Spring};
+use smartbed_runtime::gas::{Chamber, Gas, GasState};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Ode, State, rk4, runge_kutta};
 use smartbed_runtime::rigid::RigidBody;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::{self, Vec3};
-use smartbed_runtime::world::{Attachment, Carrier, Commanded, Floating, Island, Memory, Wrench};
+use smartbed_runtime::world::{
+    Attachment, Carrier, Cell, Commanded, Content, Floating, Group, InverseInertia, Island, Memory, Wrench,
+};
 
 /// What a body borrows.
 struct Lists {
@@ -103,7 +106,7 @@ fn cell(damping: f64) -> Lists {
         lists.facets.push(quad);
         lists.facets.push([quad[0], quad[3], quad[2], quad[1]].map(|node| if node == 4 { 9 } else { node }));
     }
-    let gas = Gas::Polytropic {
+    let gas = flexible::Gas::Polytropic {
         pressure: 2000.0,
         ambient: 101_325.0,
         volume: 2e-3,
@@ -180,6 +183,20 @@ impl Carrier<f64> for Platform {
     }
     fn n_u(&self) -> usize {
         1
+    }
+    fn n_ports(&self) -> usize {
+        1
+    }
+    fn inverse_inertia(
+        &mut self,
+        _: f64,
+        _: &[f64],
+        _: &[f64],
+        _: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        let mut inverse = [[0.0; 6]; 6];
+        inverse[2][2] = 1.0 / self.mass;
+        Ok(inverse)
     }
     fn frames(&mut self, _: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
         frames[0] = Frame { origin: [0.0, 0.0, q[0]], velocity: [0.0, 0.0, u[0]], ..Frame::inertial() };
@@ -287,7 +304,7 @@ fn commanded(steps: u32) -> (f64, f64) {
         ..slanted(0.0, 0.0)
     };
     let mut rows = lists.rows();
-    let mut island = lists.island(Commanded { law }, &mut rows);
+    let mut island = lists.island(Commanded { law, ports: 1 }, &mut rows);
     let mut x = vec![0.0; island.n_x()];
     island.load(&[], &[], &mut x).expect("lengths");
     let start = island.energy(0.0, &x).expect("energy").total();
@@ -319,6 +336,101 @@ fn a_commanded_frame_drives_the_mass_as_the_closed_form_says_and_pays_for_it() {
     println!("error {fine:e} m, order {order:.2}; energy less the drive's work {imbalance:e} J");
     assert!((order - 4.0).abs() < 0.3, "{order}");
     assert!(fine.abs() < 1e-7 && imbalance.abs() < 1e-7, "{fine:e} {imbalance:e}");
+}
+
+/// The cell's gas as a part of an island.
+fn content(facets: [usize; 2]) -> Cell<f64> {
+    let chamber = Chamber { gas: Gas::air(), exponent: 1.4, reference_volume: 2e-3, ambient: 101_325.0 };
+    let state = GasState { reference_pressure: 103_325.0, mass: 2.4e-3 };
+    Cell { facets, content: Content::Sealed { chamber, state }, form: PressureForm::Exact }
+}
+
+#[test]
+fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
+    const STEPS: u32 = 500;
+    let single = |pose: &[f64; 7], momenta: &[f64; 6], shift: f64| {
+        let mut lists = cell(0.3);
+        lists.pos.iter_mut().for_each(|x| x[0] += shift);
+        // The other gas law, of the body's own inflation: the same gas.
+        lists.inflation = Some(Inflation {
+            gas: flexible::Gas::Polytropic {
+                pressure: 2000.0,
+                ambient: 101_325.0,
+                volume: 2e-3,
+                exponent: 1.4,
+                dead_volume: 0.0,
+            },
+            form: PressureForm::Exact,
+        });
+        let mut rows = lists.rows();
+        let mut island = lists.island(FLOATING, &mut rows);
+        let mut x = vec![0.0; island.n_x()];
+        island.load(pose, momenta, &mut x).expect("lengths");
+        run(&mut island, &mut x, 1e-4, STEPS);
+        let energy = island.energy(0.0, &x).expect("energy").total();
+        (x, energy)
+    };
+    let (shift, mut other_pose) = (2.0, POSE);
+    other_pose[0] += shift;
+    let other_momenta = MOMENTA.map(|u| -0.5 * u);
+    let (first, first_energy) = single(&POSE, &MOMENTA, 0.0);
+    let (second, second_energy) = single(&other_pose, &other_momenta, shift);
+
+    let (mut lists, more) = (cell(0.3), cell(0.3));
+    let (nodes, facets) = (lists.mass.len(), lists.facets.len());
+    lists.inflation = None;
+    lists.mass.extend(more.mass);
+    lists.fixed.extend(more.fixed);
+    lists.vel.extend(more.vel);
+    lists.pos.extend(more.pos.iter().map(|x| [x[0] + shift, x[1], x[2]]));
+    lists.facets.extend(more.facets.iter().map(|facet| facet.map(|node| node + nodes)));
+    lists.springs.extend(more.springs.iter().map(|s| Spring {
+        tail: s.tail + nodes,
+        head: s.head + nodes,
+        ..*s
+    }));
+    let moved = |a: &Attachment<f64>| Attachment { node: a.node + nodes, port: 1, place: a.place };
+    lists.attachments.extend(more.attachments.iter().map(moved));
+    let mut bodies = [FLOATING; 2];
+    let cells = [content([0, facets]), content([facets, 2 * facets])];
+    let (mut elastic, mut viscous) = (lists.pos.clone(), lists.pos.clone());
+    let (mut frames, mut wrenches) = ([Frame::inertial(); 2], [Wrench::zero(); 2]);
+    let body = Body {
+        mass: &lists.mass,
+        fixed: &lists.fixed,
+        springs: &lists.springs,
+        gravity: lists.gravity,
+        air_drag: 0.0,
+        facets: &lists.facets,
+        inflation: None,
+        massless: Massless::default(),
+    };
+    let memory = Memory {
+        pos: &mut lists.pos,
+        vel: &mut lists.vel,
+        elastic: &mut elastic,
+        viscous: &mut viscous,
+        frames: &mut frames,
+        wrenches: &mut wrenches,
+    };
+    let island = Island::new(Group { members: &mut bodies }, body, &lists.attachments, memory);
+    let mut island = island.and_then(|island| island.with_cells(&cells)).expect("an island");
+    let mut x = vec![0.0; island.n_x()];
+    let (q, u) = ([POSE, other_pose].concat(), [MOMENTA, other_momenta].concat());
+    island.load(&q, &u, &mut x).expect("lengths");
+    run(&mut island, &mut x, 1e-4, STEPS);
+    let energy = island.energy(0.0, &x).expect("energy").total();
+
+    // Both states: pose and nodes, momenta and velocities.
+    let halves = |x: &[f64], n: usize| (x[..n].to_vec(), x[n..].to_vec());
+    let ((q1, u1), (q2, u2)) = (halves(&first, 7 + 9), halves(&second, 7 + 9));
+    let joined = [&q1[..7], &q2[..7], &q1[7..], &q2[7..], &u1[..6], &u2[..6], &u1[6..], &u2[6..]].concat();
+    let largest = x.iter().zip(&joined).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    println!("two in one island differ from each by itself by {largest:e}");
+    assert!(largest < 1e-11, "{largest:e}");
+    // The two laws count the gas' energy from volumes of their own.
+    assert!((energy - first_energy - second_energy).abs() < 1e-9 * energy.abs().max(1.0), "{energy}");
+    assert!((first[0] - POSE[0]).abs() > 1e-3);
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod random;
 mod rigid_scene;
 mod sensor;
 mod several;
+mod sides;
 mod state;
 mod surface;
 mod systems;

@@ -57,7 +57,7 @@ impl World {
         let mut mobilities = vec![Mobility::fixed(); n];
         let (mut touching, mut along) =
             (vec![Touching::empty(); self.room], vec![Touching::empty(); self.room]);
-        let mut struck = vec![Struck::new(Touching::empty().held.contact, &mobilities); self.room];
+        let mut struck = vec![Struck::new(Touching::empty().held.contact, &mobilities[..]); self.room];
         let mut memory = Memory {
             states: [&mut a, &mut b, &mut c],
             twists: &mut twists,

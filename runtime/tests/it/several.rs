@@ -57,12 +57,12 @@ impl Scene {
     }
 
     fn struck(&self, contacts: &[Contact<f64>]) -> Vec<Struck<f64>> {
-        contacts.iter().map(|c| Struck::new(*c, &self.mobilities)).collect()
+        contacts.iter().map(|c| Struck::new(*c, &self.mobilities[..])).collect()
     }
 
     fn strike(&mut self, struck: &mut [Struck<f64>]) -> Outcome {
         let mut spare = self.twists.clone();
-        strike_all(struck, &self.mobilities, &mut self.twists, &mut spare)
+        strike_all(struck, &self.mobilities[..], &mut self.twists, &mut spare)
     }
 }
 
@@ -129,7 +129,7 @@ fn no_impact_at_several_points_creates_energy_leaves_a_cone_or_changes_momentum(
         let compensated = trial % 4 == 3;
         let outcome = if compensated {
             let eta = random.between(0.0, 1.0);
-            compensate_all(&mut struck, eta, &scene.mobilities, &mut scene.twists)
+            compensate_all(&mut struck, eta, &scene.mobilities[..], &mut scene.twists)
         } else {
             scene.strike(&mut struck)
         };
@@ -206,7 +206,7 @@ fn one_contact_is_the_exact_impact_and_parting_bodies_are_left_alone() {
         let (mut scene, contacts) = random_scene(&mut random);
         let contact = contacts[0];
         let touch = Touch {
-            inverse_mass: contact.inverse_mass(&scene.mobilities),
+            inverse_mass: contact.inverse_mass(&scene.mobilities[..]),
             velocity: contact.relative(&scene.twists),
             friction: contact.friction,
             restitution: contact.restitution,
@@ -240,7 +240,7 @@ fn by_springs(scene: &mut Scene, contacts: &[Contact<f64>], dt: f64) -> Vec<f64>
             let middle = (force[j] - 0.5 * dt * stiffness * rates[j]).max(0.0);
             force[j] = (force[j] - dt * stiffness * rates[j]).max(0.0);
             impulse[j] += dt * middle;
-            contact.push(&scene.mobilities, &mut scene.twists, [dt * middle, 0.0, 0.0]);
+            contact.push(&scene.mobilities[..], &mut scene.twists, [dt * middle, 0.0, 0.0]);
         }
         if !pressing {
             return impulse;

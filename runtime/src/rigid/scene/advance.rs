@@ -68,7 +68,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             };
         }
         let list = list.get_mut(..count).ok_or(Fault::TooManyContacts)?;
-        if hold(list, mobilities, spare) { Ok(()) } else { Err(Fault::Jammed) }
+        if hold(list, &**mobilities, spare) { Ok(()) } else { Err(Fault::Jammed) }
     }
 
     /// Goes this far from the states so far, into those on trial; returns how many contacts `along` has.
@@ -119,13 +119,12 @@ impl<S: Scalar> RigidScene<'_, S> {
             let Some(body) = &part.body else { continue };
             let (mut force, mut moment) = (vec3::scale(self.gravity, body.mass), vec3::zero());
             for contact in list.iter().map(|t| &t.held.contact) {
-                let own = contact.to_inertial(contact.impulse);
-                for (number, sense) in [S::ONE, -S::ONE].into_iter().enumerate() {
-                    if contact.bodies[number] == k {
-                        force = vec3::axpy(force, sense, own);
-                        moment = vec3::axpy(moment, sense, vec3::cross(contact.arms[number], own));
+                contact.deal(contact.impulse, |number, arm, own| {
+                    if number == k {
+                        force = vec3::add(force, own);
+                        moment = vec3::add(moment, vec3::cross(arm, own));
                     }
-                }
+                });
             }
             motion::advance(body, to, force, moment, length).map_err(|_| Fault::TooFast)?;
         }
@@ -156,12 +155,14 @@ impl<S: Scalar> RigidScene<'_, S> {
     /// Speed along the slip at the start of the material points that touched then.
     fn slip_along(&self, states: &[RigidState<S>], t: &Touching<S>) -> S {
         let contact = &t.held.contact;
-        let [one, other] = [0, 1].map(|number| {
-            let (k, arm) = (contact.bodies[number], contact.arms[number]);
-            match (self.parts.get(k).and_then(|part| part.body), states.get(k)) {
-                (Some(body), Some(state)) => body.point_velocity(state, arm),
-                _ => vec3::zero(),
-            }
+        let [one, other] = contact.sides.map(|side| {
+            side.points().fold(vec3::zero(), |sum, point| {
+                let body = self.parts.get(point.body).and_then(|part| part.body);
+                match (body, states.get(point.body)) {
+                    (Some(body), Some(state)) => vec3::add(sum, body.point_velocity(state, point.arm)),
+                    _ => sum,
+                }
+            })
         });
         vec3::dot(t.slip(), vec3::sub(one, other))
     }
@@ -169,7 +170,7 @@ impl<S: Scalar> RigidScene<'_, S> {
     /// Takes the way: the states on trial are those so far.
     pub(super) fn commit(&self, memory: &mut Memory<S>, length: S, count: usize, report: &mut Report<S>) {
         let [now, trial, _] = &mut memory.states;
-        now.copy_from_slice(trial);
+        now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
         (report.held, report.pressing) = (0, S::ZERO);
         for t in memory.along.iter().take(count) {
             let [normal, x, y] = t.held.contact.impulse;
@@ -207,7 +208,7 @@ impl<S: Scalar> RigidScene<'_, S> {
                 let contact = &t.held.contact;
                 let off = t.gap + contact.relative(spare)[0];
                 let push = -(off / t.held.inverse_mass[0][0]);
-                contact.push(mobilities, spare, [push, S::ZERO, S::ZERO]);
+                contact.push(&**mobilities, spare, [push, S::ZERO, S::ZERO]);
                 moved = moved.max(off.abs());
             }
             if moved <= S::EPSILON * rounding.drift {
@@ -230,11 +231,11 @@ impl<S: Scalar> RigidScene<'_, S> {
                 let mut change: Vec3<S> = vec3::zero();
                 let contact = &mut t.held.contact;
                 change[0] = -(contact.relative(twists)[0] / k[0][0]);
-                contact.push(mobilities, twists, change);
+                contact.push(&**mobilities, twists, change);
                 if sticks {
                     let [_, x, y] = contact.relative(twists);
                     let [x, y] = solve_tangential(&k, [x, y]);
-                    contact.push(mobilities, twists, [S::ZERO, -x, -y]);
+                    contact.push(&**mobilities, twists, [S::ZERO, -x, -y]);
                     (change[1], change[2]) = (-x, -y);
                 }
                 contact.impulse = vec3::add(contact.impulse, change);

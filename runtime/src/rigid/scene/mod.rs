@@ -186,9 +186,9 @@ impl<S: Scalar> RigidScene<'_, S> {
             forced: false,
         };
         let [now, ..] = &mut memory.states;
-        now.copy_from_slice(states);
+        now.iter_mut().zip(states.iter()).for_each(|(to, from)| *to = *from);
         self.go(h, memory, &mut report)?;
-        states.copy_from_slice(memory.states[0]);
+        states.iter_mut().zip(memory.states[0].iter()).for_each(|(to, from)| *to = *from);
         Ok(report)
     }
 
@@ -209,14 +209,13 @@ impl<S: Scalar> RigidScene<'_, S> {
             let rounding = self.rounding(memory.states[0]);
             self.strike(memory, rounding, last, report)?;
             let start = self.hold_at_start(memory, rounding)?;
-            let length = if last {
+            let (length, pressing) = if last {
                 let piece = left / whole(rest);
                 rest -= 1;
-                piece
+                (piece, self.advance(memory, piece, start.held, rounding)?)
             } else {
                 self.shorten(memory, left, start, rounding)?
             };
-            let pressing = self.advance(memory, length, start.held, rounding)?;
             self.commit(memory, length, pressing, report);
             self.project(memory, pressing, rounding)?;
             (report.splits, report.forced) = (split + 1, last);
@@ -270,7 +269,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         }
         let struck = struck.get_mut(..count).ok_or(Fault::TooManyContacts)?;
         for (s, t) in struck.iter_mut().zip(touching) {
-            *s = Struck::new(t.held.contact, mobilities);
+            *s = Struck::new(t.held.contact, &**mobilities);
         }
         let before = self.energy(now);
         let law_of = |t: &Touching<S>| self.pairs.get(t.pair).map(|pair| pair.law);
@@ -279,14 +278,14 @@ impl<S: Scalar> RigidScene<'_, S> {
         match law {
             _ if last => {
                 // Whether or not it settled, what it did takes energy only.
-                let _ = stop(struck, mobilities, twists);
+                let _ = stop(struck, &**mobilities, twists);
             }
             Some(law) if alike && law.kind() != Kind::Stronge => {
                 // Newton's e alike at all points without friction is compensation of e^2.
-                compensate_all(struck, law.restitution() * law.restitution(), mobilities, twists);
+                compensate_all(struck, law.restitution() * law.restitution(), &**mobilities, twists);
             }
             _ => {
-                strike_all(struck, mobilities, twists, spare);
+                strike_all(struck, &**mobilities, twists, spare);
             }
         }
         for s in struck.iter() {
@@ -299,29 +298,26 @@ impl<S: Scalar> RigidScene<'_, S> {
 
     /// Gives an impulse n, t1, t2 at a contact to both parts' states.
     fn push(&self, states: &mut [RigidState<S>], contact: &super::contact::Contact<S>, impulse: Vec3<S>) {
-        let impulse = contact.to_inertial(impulse);
-        for (number, sense) in [S::ONE, -S::ONE].into_iter().enumerate() {
-            let k = contact.bodies[number];
-            if let (Some(part), Some(state)) = (self.parts.get(k), states.get_mut(k))
-                && let Some(body) = &part.body
+        contact.deal(impulse, |k, arm, impulse| {
+            if let (Some(Part { body: Some(body), .. }), Some(state)) = (self.parts.get(k), states.get_mut(k))
             {
-                body.push(state, contact.arms[number], vec3::scale(impulse, sense));
+                body.push(state, arm, impulse);
             }
-        }
+        });
     }
 
-    /// How far to go: all that is left, or to the first new touch or end of a slip.
+    /// Goes all that is left, or to the first new touch or end of a slip: how far, and the contacts `along`.
     fn shorten(
         &self,
         memory: &mut Memory<S>,
         left: S,
         start: Start,
         rounding: Rounding<S>,
-    ) -> Result<S, Fault> {
-        self.advance(memory, left, start.held, rounding)?;
+    ) -> Result<(S, usize), Fault> {
+        let pressing = self.advance(memory, left, start.held, rounding)?;
         let clear = self.clearance(memory, start, rounding);
         if clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
-            return Ok(left);
+            return Ok((left, pressing));
         }
         let mut fault = None;
         let guard = |length: S| {
@@ -341,11 +337,11 @@ impl<S: Scalar> RigidScene<'_, S> {
             }
         };
         let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
-        match (fault, found) {
-            (Some(why), _) => Err(why),
-            // To the far side: what touches does so within rounding, a slip has just stopped.
-            (None, Ok((_, beyond))) => Ok(beyond),
-            (None, Err(_)) => Ok(left),
+        if let Some(why) = fault {
+            return Err(why);
         }
+        // To the far side: what touches does so within rounding, a slip has just stopped.
+        let length = found.map_or(left, |(_, beyond)| beyond);
+        Ok((length, self.advance(memory, length, start.held, rounding)?))
     }
 }

@@ -1,0 +1,99 @@
+//! Gas inside a closed part of a body's facets: what it pushes, what it stores.
+//!
+//! In: facets by number, a regulated gas or a sealed one, positions. Out: forces p dV/dx at the corners, potential. The
+//! volume is that of the facets, wherever they stand: closed surfaces do not see the origin.
+
+use crate::flexible::pressure::{PressureForm, corner_shares, corners, enclosed_volume};
+use crate::gas::{Chamber, GasFault, GasState, Regulated};
+use crate::mechanism::Fault;
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// A volume of gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell<S> {
+    /// First of its facets among those of the body, and the one after its last.
+    pub facets: [usize; 2],
+    /// What is inside.
+    pub content: Content<S>,
+    /// How a facet's force is shared by its corners.
+    pub form: PressureForm,
+}
+
+/// Gas that keeps its pressure or its mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Content<S> {
+    /// Constant pressure.
+    Regulated(Regulated<S>),
+    /// All valves shut: p V^n stays.
+    Sealed {
+        /// Exponent, reference volume and air outside.
+        chamber: Chamber<S>,
+        /// What was filled in.
+        state: GasState<S>,
+    },
+}
+
+impl<S: Scalar> Content<S> {
+    /// Pressure above that outside (Pa) at a volume (m^3).
+    ///
+    /// # Errors
+    /// [`GasFault::Collapsed`] for a sealed gas without volume.
+    pub fn gauge_pressure(&self, volume: S) -> Result<S, GasFault<S>> {
+        match self {
+            Content::Regulated(gas) => Ok(gas.gauge),
+            Content::Sealed { chamber, state } => chamber.gauge_pressure(state, volume),
+        }
+    }
+
+    /// Energy (J) that walls get back.
+    ///
+    /// # Errors
+    /// As for [`Content::gauge_pressure`].
+    pub fn potential(&self, volume: S) -> Result<S, GasFault<S>> {
+        match self {
+            Content::Regulated(gas) => Ok(gas.potential(volume)),
+            Content::Sealed { chamber, state } => chamber.potential(state, volume),
+        }
+    }
+}
+
+impl<S: Scalar> Cell<S> {
+    /// Its facets among those of the body; None if they are not there.
+    pub(super) fn of<'f>(&self, facets: &'f [[usize; 4]]) -> Option<&'f [[usize; 4]]> {
+        let [first, end] = self.facets;
+        facets.get(first..end)
+    }
+
+    /// Volume (m^3).
+    #[must_use]
+    pub fn volume(&self, facets: &[[usize; 4]], pos: &[Vec3<S>]) -> S {
+        enclosed_volume(self.of(facets).unwrap_or_default(), pos)
+    }
+
+    /// Adds the forces on the corners (N).
+    pub(super) fn add_force(
+        &self,
+        facets: &[[usize; 4]],
+        pos: &[Vec3<S>],
+        force: &mut [Vec3<S>],
+    ) -> Result<(), Fault> {
+        let own = self.of(facets).unwrap_or_default();
+        let volume = match self.content {
+            Content::Regulated(_) => S::ZERO,
+            Content::Sealed { .. } => enclosed_volume(own, pos),
+        };
+        let pressure = self.content.gauge_pressure(volume).map_err(|_| Fault::NonFinite)?;
+        for facet in own {
+            for (point, share) in facet.iter().zip(corner_shares(self.form, corners(pos, facet))) {
+                vec3::add_at(force, *point, vec3::scale(share, pressure));
+            }
+        }
+        Ok(())
+    }
+
+    /// Energy (J) that walls get back.
+    pub(super) fn potential(&self, facets: &[[usize; 4]], pos: &[Vec3<S>]) -> Result<S, Fault> {
+        self.content.potential(self.volume(facets, pos)).map_err(|_| Fault::NonFinite)
+    }
+}

@@ -1,0 +1,141 @@
+//! Several carriers as one: their coordinates, speeds and ports one after the other.
+
+use core::ops::Range;
+
+use super::carrier::{Carrier, InverseInertia, Wrench};
+use crate::mechanism::Fault;
+use crate::real::Scalar;
+use crate::surface::Frame;
+
+/// Carriers that do not act on one another but through what they carry.
+#[derive(Debug)]
+pub struct Group<'a, C> {
+    /// The carriers.
+    pub members: &'a mut [C],
+}
+
+/// Cuts the first `n` entries off a list.
+fn cut<'x, T>(list: &mut &'x [T], n: usize) -> Result<&'x [T], Fault> {
+    let (first, rest) = list.split_at_checked(n).ok_or(Fault::Shape)?;
+    *list = rest;
+    Ok(first)
+}
+
+fn cut_mut<'x, T>(list: &mut &'x mut [T], n: usize) -> Result<&'x mut [T], Fault> {
+    let (first, rest) = core::mem::take(list).split_at_mut_checked(n).ok_or(Fault::Shape)?;
+    *list = rest;
+    Ok(first)
+}
+
+impl<C> Group<'_, C> {
+    /// The member that has a port: its first coordinate, speed and port, and itself.
+    fn find<S: Scalar>(&self, port: usize) -> Option<([usize; 3], &C)>
+    where
+        C: Carrier<S>,
+    {
+        let mut first = [0; 3];
+        for member in self.members.iter() {
+            if port < first[2] + member.n_ports() {
+                return Some((first, member));
+            }
+            first = [first[0] + member.n_q(), first[1] + member.n_u(), first[2] + member.n_ports()];
+        }
+        None
+    }
+}
+
+impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
+    fn n_q(&self) -> usize {
+        self.members.iter().map(Carrier::n_q).sum()
+    }
+    fn n_u(&self) -> usize {
+        self.members.iter().map(Carrier::n_u).sum()
+    }
+    fn n_ports(&self) -> usize {
+        self.members.iter().map(Carrier::n_ports).sum()
+    }
+    fn coupled(&self, port: usize) -> Range<usize> {
+        let Some(([.., first], member)) = self.find(port) else { return 0..0 };
+        let Range { start, end } = member.coupled(port - first);
+        first + start..first + end
+    }
+    fn inverse_inertia(
+        &mut self,
+        t: S,
+        mut q: &[S],
+        mut u: &[S],
+        [seen, at]: [usize; 2],
+    ) -> Result<InverseInertia<S>, Fault> {
+        let mut first = 0;
+        for member in self.members.iter_mut() {
+            let (own_q, own_u) = (cut(&mut q, member.n_q())?, cut(&mut u, member.n_u())?);
+            let ports = first..first + member.n_ports();
+            if ports.contains(&seen) && ports.contains(&at) {
+                return member.inverse_inertia(t, own_q, own_u, [seen - first, at - first]);
+            }
+            first = ports.end;
+        }
+        Ok([[S::ZERO; 6]; 6])
+    }
+    fn drive_power(&mut self, mut frames: &[Frame<S>], mut wrenches: &[Wrench<S>]) -> Option<S> {
+        let mut sum = None;
+        for member in self.members.iter_mut() {
+            let n = member.n_ports();
+            let (frames, wrenches) = (cut(&mut frames, n).ok()?, cut(&mut wrenches, n).ok()?);
+            if let Some(power) = member.drive_power(frames, wrenches) {
+                sum = Some(sum.unwrap_or(S::ZERO) + power);
+            }
+        }
+        sum
+    }
+    fn frames(&mut self, t: S, mut q: &[S], mut u: &[S], mut frames: &mut [Frame<S>]) -> Result<(), Fault> {
+        for member in self.members.iter_mut() {
+            let (q, u) = (cut(&mut q, member.n_q())?, cut(&mut u, member.n_u())?);
+            member.frames(t, q, u, cut_mut(&mut frames, member.n_ports())?)?;
+        }
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        t: S,
+        mut q: &[S],
+        mut u: &[S],
+        mut wrenches: &[Wrench<S>],
+        mut q_dot: &mut [S],
+        mut u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        let mut worst = S::ONE;
+        for member in self.members.iter_mut() {
+            let (n_q, n_u) = (member.n_q(), member.n_u());
+            let (q, u) = (cut(&mut q, n_q)?, cut(&mut u, n_u)?);
+            let (q_dot, u_dot) = (cut_mut(&mut q_dot, n_q)?, cut_mut(&mut u_dot, n_u)?);
+            let wrenches = cut(&mut wrenches, member.n_ports())?;
+            let pivot = member.rates(t, q, u, wrenches, q_dot, u_dot)?.abs();
+            // What is no number must not be lost in a minimum.
+            worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
+        }
+        Ok(worst)
+    }
+    fn energy(&mut self, t: S, mut q: &[S], mut u: &[S]) -> Result<(S, S), Fault> {
+        let mut sum = (S::ZERO, S::ZERO);
+        for member in self.members.iter_mut() {
+            let (q, u) = (cut(&mut q, member.n_q())?, cut(&mut u, member.n_u())?);
+            let (kinetic, potential) = member.energy(t, q, u)?;
+            sum = (sum.0 + kinetic, sum.1 + potential);
+        }
+        Ok(sum)
+    }
+    fn project(&mut self, mut q: &mut [S]) -> Result<S, Fault> {
+        let mut largest = S::ZERO;
+        for member in self.members.iter_mut() {
+            largest = largest.max(member.project(cut_mut(&mut q, member.n_q())?)?);
+        }
+        Ok(largest)
+    }
+    fn set_time(&mut self, t: S) {
+        self.members.iter_mut().for_each(|member| member.set_time(t));
+    }
+    fn projections(&self) -> u8 {
+        self.members.iter().map(Carrier::projections).max().unwrap_or(0)
+    }
+}
