@@ -119,8 +119,8 @@ pub fn shorten_to_event<S: Scalar, R: Repertoire<S>>(
     let (bracket, trials) = find_bracket(system, ground, start, h, method, work)?;
     match bracket {
         Some(bracket) => {
-            let (tau, more) = locate(system, ground, start, h, bracket, method, work)?;
-            Ok(Shortened { tau, is_event: true, trials: trials + more })
+            let located = locate(system, ground, start, h, bracket, method, work)?;
+            Ok(Shortened { trials: trials + located.trials, ..located })
         }
         None => Ok(Shortened { tau: h, is_event: false, trials }),
     }
@@ -251,9 +251,11 @@ fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S
     time
 }
 
-/// Root of the smallest guard; returns the time and the number of steps tried.
+/// Root of the smallest guard, and the number of steps tried.
 ///
-/// Ends where the guard is negative by no more than rounding, with that state in `work.end`.
+/// Ends where the guard is negative by no more than rounding, with that state in `work.end`. An implicit step may have
+/// its solutions apart: where a spring is pressed to no length at the ground, one of them ends and the next is deep below.
+/// The step then ends before that jump, without an event: from there shorter steps, whose solutions are one, lead on.
 fn locate<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -262,13 +264,13 @@ fn locate<S: Scalar, R: Repertoire<S>>(
     bracket: Bracket<S>,
     method: R::Method,
     work: &mut Workspace<S>,
-) -> Result<(S, usize), BodyError<S>> {
+) -> Result<Shortened<S>, BodyError<S>> {
     let small = S::EPSILON * (S::ONE + ground.offset.abs());
     // Shifted by half of what is allowed: the root aimed at lies on the negative side.
     let shift = S::from_f64(0.5) * small;
     let (low, high) = ((bracket.lo, bracket.guard_lo + shift), (bracket.hi, bracket.guard_hi + shift));
     let mut search = Search::new(low, high, bracket.guess);
-    let mut negative = bracket.hi;
+    let (mut positive, mut negative) = (bracket.lo, bracket.hi);
     for trial in 0..TRIALS {
         let (old, new) = search.ends();
         if (new - old).abs() <= S::from_f64(2.0) * S::EPSILON * new.max(old) {
@@ -280,11 +282,31 @@ fn locate<S: Scalar, R: Repertoire<S>>(
         if guard < S::ZERO {
             negative = tau;
             if -guard <= small {
-                return Ok((tau, trial + 1));
+                return Ok(Shortened { tau, is_event: true, trials: trial + 1 });
             }
+        } else {
+            positive = tau;
         }
         search.take(tau, guard + shift);
     }
     advance(system, start, negative, method, work)?;
-    Ok((negative, TRIALS))
+    if positive > S::ZERO && jumps(system, ground, start, &work.end) {
+        advance(system, start, positive, method, work)?;
+        return Ok(Shortened { tau: positive, is_event: false, trials: TRIALS });
+    }
+    Ok(Shortened { tau: negative, is_event: true, trials: TRIALS })
+}
+
+/// Has a point come clearly below the surface in a step that should have ended at it?
+fn jumps<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    end: &Motion<S>,
+) -> bool {
+    start.modes.iter().enumerate().any(|(i, mode)| {
+        let closing = *mode == ContactState::Free || ground.gap_rate(vec3::at(end.vel, i)) < S::ZERO;
+        let moves = system.body.inverse_mass(i) > S::ZERO;
+        moves && !mode.is_held() && closing && ground.is_deep(vec3::at(end.pos, i))
+    })
 }

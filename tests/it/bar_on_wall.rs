@@ -119,8 +119,7 @@ fn twenty_bounces_keep_the_energy() {
         (LINEAR, "verlet", 0.25, "compensation", true, 5e-2),
         (LINEAR, "blanes_moan4", 0.25, "compensation", false, 5e-2),
         (LINEAR, "energy_momentum", 0.25, "compensation", false, 1e-9),
-        // Single steps in which a spring collapses to no length at all err; the bar of three in a hundred is kept.
-        (AS_IT_IS, "energy_momentum", 0.25, "compensation", false, 3e-2),
+        (AS_IT_IS, "energy_momentum", 0.25, "compensation", false, 1e-11),
     ] {
         let mut settings = vec![format!("method={method}"), format!("law={law}")];
         if law == "compensation" {
@@ -147,7 +146,42 @@ fn the_default_method_keeps_twenty_bounces_of_the_bar() {
     assert_eq!(scene.chosen.name, "energy_momentum", "{}", scene.chosen.why);
     let Bounces { worst, mean, .. } = twenty_bounces(AS_IT_IS, 0.25, &[]);
     println!("by default: largest {worst:.3e}, last bounce {mean:.3e}");
-    assert!(worst <= 3e-2, "{worst:e}");
+    assert!(worst <= 1e-11, "{worst:e}");
+}
+
+/// Chains thrown at the floor so fast that springs are pressed to no length between points that lie on it: the implicit
+/// step has several solutions there, and the one before the touch ends. The account closes all the same.
+#[test]
+fn springs_pressed_flat_on_the_floor_keep_the_energy() {
+    let mut random = Random::new(12);
+    let (mut touches, mut worst, mut cut_short) = (0, 0.0_f64, 0);
+    for case in 0..200 {
+        let n = 2 + case % 6;
+        let mut scene = parse(
+            "chain",
+            &format!("format = 1\nshape = \"chain\"\nlinks = {n}\nlength = 0.2\nK = 4500\nlaw = \"compensation\"\ng = 10\n\
+                      T = 1\nmethod = \"energy_momentum\"\nallow_unstable = true\nstep = {:e}\n", random.between(1e-3, 2e-3)),
+            &[],
+        )
+        .expect("a scene");
+        for i in 0..=n {
+            scene.lists.masses[i] = random.between(0.1, 0.3);
+            scene.lists.points[i] = [0.0, 0.0, 0.2 * (i + 1) as f64];
+            scene.lists.velocities[i] = [0.0, 0.0, random.between(-30.0, 10.0)];
+        }
+        let (mut last, mut so_far): (Option<f64>, _) = (None, (0, 0));
+        run::<f64>(&scene, |row| {
+            if let Some(last) = last {
+                worst = worst.max((row.energy.imbalance - last).abs() / row.energy.total);
+            }
+            last = Some(row.energy.imbalance);
+            so_far = (row.touches, row.cut_short);
+        })
+        .expect("a run");
+        (touches, cut_short) = (touches + so_far.0, cut_short + so_far.1);
+    }
+    println!("{touches} touches, {cut_short} steps cut short, worst step {worst:.1e}");
+    assert!(touches > 1000 && worst <= 1e-12, "{touches} touches; {worst:e}");
 }
 
 /// Chains thrown together so fast that their springs go through length 0 all the time, on a line and in space: the mean

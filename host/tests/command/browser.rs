@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 /// Names under which distributions install the browser.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 /// No page of ours takes a tenth of it, but a machine may be busy.
-const TIME_LIMIT: Duration = Duration::from_secs(180);
+const TIME_LIMIT: Duration = Duration::from_secs(600);
 /// Time that the page's scripts and timers see pass before the document is read (ms).
 const VIRTUAL_TIME: &str = "--virtual-time-budget=8000";
 /// Size of the window (pixels).

@@ -1,7 +1,6 @@
 //! Runs that went wrong end with a word about it; `--strict` makes it a failure. Calibrations end in time.
 
-use crate::support::{smartbed, written};
-use std::time::{Duration, Instant};
+use crate::support::{command, smartbed, timed, written};
 
 fn warnings(line: &[&str]) -> Vec<String> {
     let done = smartbed(&[line, &["--json"]].concat());
@@ -88,11 +87,9 @@ step = 1e-3
 fn calibrations_end_in_time() {
     let top = written("heavy_top.toml", TOP);
     for start in [["theta=1e-6", "u_phi=300"], ["theta=0.3", "u_phi=0"], ["theta=0.3", "u_phi=200"]] {
-        let begin = Instant::now();
         let line = ["run", &top, "--error=1e-6", "--set", start[0], "--set", start[1]];
-        let done = smartbed(&line);
-        // Some seconds of computing, on a machine that may be busy.
-        assert!(begin.elapsed() < Duration::from_secs(120), "{start:?}: {:?}", begin.elapsed());
+        let (done, seconds) = timed(&command(&line));
+        assert!(seconds < 120.0, "{start:?}: {seconds} s of computing");
         let said =
             ["picked --method", "the reference is not there in time", "not enough", "not met", "singular"];
         assert!(said.iter().any(|words| done.err.contains(words)), "{start:?}: {done:?}");

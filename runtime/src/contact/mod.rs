@@ -104,6 +104,13 @@ impl<S: Scalar> Ground<S> {
         vec3::dot(self.normal, x) - self.offset
     }
 
+    /// Is the place clearly below the surface? Returns are located at -tolerance, give or take rounding: which of two
+    /// points alike lies beyond it says nothing.
+    #[must_use]
+    pub fn is_deep(&self, x: Vec3<S>) -> bool {
+        self.gap(x) < -(S::from_f64(2.0) * self.tolerance)
+    }
+
     /// gap rate (m/s).
     #[must_use]
     pub fn gap_rate(&self, v: Vec3<S>) -> S {

@@ -20,7 +20,7 @@ use crate::ode::nodes::{Motion, Step, Workspace};
 use crate::real::Scalar;
 use crate::vec3;
 use attempt::{Attempt, attempt, control_step, try_length};
-use touch::{apply_law, hold_or_rebound, is_deep, lift, mark_touching, place_on_surface, release, rub};
+use touch::{apply_law, hold_or_rebound, lift, mark_touching, place_on_surface, release, rub};
 
 /// Events located in one step.
 pub const MAX_EVENTS: usize = 64;
@@ -309,7 +309,7 @@ fn lift_departing<S: Scalar, R: Repertoire<S>>(
     let mut lifted = false;
     for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Departing) {
         let leaves = ground.gap_rate(vec3::at(work.end.vel, i)) >= S::ZERO;
-        if leaves && is_deep(&ground, vec3::at(work.end.pos, i)) {
+        if leaves && ground.is_deep(vec3::at(work.end.pos, i)) {
             lift(&ground, &mut work.end, i);
             lifted = true;
         }

@@ -44,16 +44,10 @@ pub(super) fn place_on_surface<S: Scalar>(
         let x = vec3::at(motion.pos, i);
         // Those between returned within the tolerance: lifting them would feed a bounce.
         let rounding = S::from_f64(2.0) * S::EPSILON * (S::ONE + ground.offset.abs() + vec3::norm(x));
-        if ground.gap(x) >= -rounding || is_deep(ground, x) {
+        if ground.gap(x) >= -rounding || ground.is_deep(x) {
             lift(ground, motion, i);
         }
     }
-}
-
-/// Is the place clearly below the surface? Returns are located at -tolerance, give or take rounding: which of two points
-/// alike lies beyond it says nothing.
-pub(super) fn is_deep<S: Scalar>(ground: &Ground<S>, x: Vec3<S>) -> bool {
-    ground.gap(x) < -(S::from_f64(2.0) * ground.tolerance)
 }
 
 /// Puts point i on the surface.

@@ -15,3 +15,4 @@ mod sides;
 mod state;
 mod surface;
 mod systems;
+mod vector;

@@ -1,35 +1,9 @@
 //! Features of pairs of rigid shapes: distances against other ways to find them, rates against finite differences.
 
 use crate::random::Random;
+use crate::vector::{Vector, along, dot, sub, turned, unit};
 use smartbed_runtime::rigid::narrow::{Feature, Placed, features};
 use smartbed_runtime::surface::{Capsule, Cuboid, Frame, Shape, Sphere, Surface};
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn sub(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn along(a: Vector, s: f64, b: Vector) -> Vector {
-    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(a: Vector) -> Vector {
-    a.map(|x| x / dot(a, a).sqrt())
-}
-
-fn turned(axes: [Vector; 3], axis: Vector, angle: f64) -> [Vector; 3] {
-    let (sin, cos) = angle.sin_cos();
-    axes.map(|a| along(along(a.map(|x| x * cos), sin, cross(axis, a)), (1.0 - cos) * dot(axis, a), axis))
-}
 
 fn random_frame(random: &mut Random, reach: f64) -> Frame<f64> {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

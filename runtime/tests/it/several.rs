@@ -1,21 +1,12 @@
 //! Impacts at several points at once: energy, cone and momentum at random, springs in small steps, a box that gains no spin.
 
 use crate::random::Random;
+use crate::vector::{Vector, cross, dot};
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Contact, Mobility, Twist};
 use smartbed_runtime::rigid::impact::{Touch, resolve};
 use smartbed_runtime::rigid::several::{Outcome, Struck, compensate_all, strike_all};
 use smartbed_runtime::rigid::{RigidBody, RigidState};
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
 
 /// Bodies at rest in their poses, with velocities beside them.
 struct Scene {

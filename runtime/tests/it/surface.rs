@@ -1,30 +1,9 @@
 //! Surfaces: nearest points against what nearest means, normals and rates against finite differences.
 
 use crate::random::Random;
+use crate::vector::{Vector, along, cross, dot, sub, unit};
 use smartbed_runtime::surface::facet::{Facet, vertex_normals};
 use smartbed_runtime::surface::{Capsule, Cuboid, Frame, Proximity, Shape, Sphere, Surface, proximity};
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn sub(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn along(a: Vector, s: f64, b: Vector) -> Vector {
-    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(a: Vector) -> Vector {
-    a.map(|x| x / dot(a, a).sqrt())
-}
 
 fn shapes() -> [Shape<f64>; 5] {
     [

@@ -13,6 +13,11 @@ use crate::vec3;
 const ITERATIONS: usize = 200;
 /// Changes of the acceleration below this many rounding units end the iteration.
 const SETTLED: f64 = 2.0;
+/// Iterations without gain that end it near the solution. Near a fold, where the solution is about to vanish, the changes
+/// shrink before they grow again: one iteration without gain says nothing there.
+const PATIENCE: u32 = 16;
+/// Rounding units of acceleration that positions may hand on: below them one iteration without gain is enough.
+const ROUNDED: f64 = 1e3;
 
 /// The plain midpoint rule.
 pub(super) fn midpoint<S: Scalar, N: Newton<S>>(
@@ -60,7 +65,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
         set(work.stages, i, newton.acceleration(i, start.force(i)));
     }
     let unit_strain = newton.acceleration_of_unit_strain();
-    let mut last_change = None;
+    let (mut smallest, mut without_gain) = (None, 0_u32);
     for _ in 0..ITERATIONS {
         place_middle(newton, start, h, work);
         work.evaluations += 1;
@@ -74,8 +79,14 @@ fn iterate<S: Scalar, N: Newton<S>>(
         }
         let rounding = S::from_f64(SETTLED) * S::EPSILON * size;
         // Once near, no further gain is the end: the last digits of k keep moving.
-        let near = S::EPSILON.sqrt() * (size + unit_strain);
-        let stalled = change <= near && last_change.is_some_and(|last| change >= last);
+        let scale = size + unit_strain;
+        if smallest.is_some_and(|smallest| change >= smallest) {
+            without_gain += 1;
+        } else {
+            (smallest, without_gain) = (Some(change), 0);
+        }
+        let patience = if change <= S::from_f64(ROUNDED) * S::EPSILON * scale { 1 } else { PATIENCE };
+        let stalled = change <= S::EPSILON.sqrt() * scale && without_gain >= patience;
         if change <= rounding || stalled {
             place_middle(newton, start, h, work);
             for i in 0..n {
@@ -83,7 +94,6 @@ fn iterate<S: Scalar, N: Newton<S>>(
             }
             return work.finish(newton, start);
         }
-        last_change = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())
 }
