@@ -166,6 +166,21 @@ impl<'a, S: Scalar> Body<'a, S> {
         Ok(candidate)
     }
 
+    /// No body: what a world without flexible parts has.
+    #[must_use]
+    pub fn none() -> Body<'a, S> {
+        Body {
+            mass: &[],
+            fixed: &[],
+            springs: &[],
+            gravity: [S::ZERO; 3],
+            air_drag: S::ZERO,
+            facets: &[],
+            inflation: None,
+            massless: Massless::default(),
+        }
+    }
+
     /// Number of points.
     #[must_use]
     pub fn points(&self) -> usize {

@@ -239,7 +239,7 @@ impl<S: Scalar> Contact<S> {
 
 /// Solves K_tt x = y for the tangential block; y itself where the block is singular (nothing moves).
 #[must_use]
-pub(super) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) -> [S; 2] {
+pub(crate) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) -> [S; 2] {
     let [_, [_, a, b], [_, _, c]] = *k;
     let determinant = a * c - b * b;
     if determinant > S::ZERO {
@@ -251,7 +251,7 @@ pub(super) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) ->
 
 /// The nearest point of the disc of this radius.
 #[must_use]
-pub(super) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
+pub(crate) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
     let size = (x * x + y * y).sqrt();
     if size > radius { [x * (radius / size), y * (radius / size)] } else { [x, y] }
 }

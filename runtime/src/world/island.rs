@@ -190,7 +190,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     }
 
     /// Forces on the nodes placed last, and the wrenches on the ports.
-    fn load_seams(&mut self) -> Result<(), Fault> {
+    pub(super) fn load_seams(&mut self) -> Result<(), Fault> {
         let (elements, memory) = (self.body.elements(), &mut self.memory);
         let forces = force::eval_elastic(&self.body, &elements, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
@@ -206,6 +206,19 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
             }
         }
         Ok(())
+    }
+
+    /// Rates under the forces and wrenches in memory; returns the worst pivot.
+    pub(super) fn accelerate(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        let Cut { q, u, vel, .. } = self.parts(x)?;
+        let dot = self.parts_mut(x_dot)?;
+        let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
+        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        for (node, rate) in free_nodes(&self.body).zip(dot.vel.chunks_exact_mut(3)) {
+            let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
+            write(rate, vec3::scale(force, self.body.inverse_mass(node)));
+        }
+        Ok(pivot)
     }
 
     /// Energies at a state.
@@ -273,15 +286,7 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         self.place(t, x)?;
         self.load_seams()?;
-        let Cut { q, u, vel, .. } = self.parts(x)?;
-        let dot = self.parts_mut(x_dot)?;
-        let pivot = self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)?;
-        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
-        for (node, rate) in free_nodes(&self.body).zip(dot.vel.chunks_exact_mut(3)) {
-            let force = vec3::add(vec3::at(self.memory.elastic, node), vec3::at(self.memory.viscous, node));
-            write(rate, vec3::scale(force, self.body.inverse_mass(node)));
-        }
-        Ok(pivot)
+        self.accelerate(t, x, x_dot)
     }
 
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {

@@ -9,14 +9,24 @@
 //! x_k = O + A r_k,  v_k = v_O + omega x (x_k - O);   force = sum f_k,  moment about O = sum (x_k - O) x f_k
 //! ```
 
+mod accounts;
 mod carrier;
 mod cell;
+mod detect;
 mod group;
 mod inertia;
 mod island;
+mod step;
+mod sweep;
+mod thing;
 
+pub use accounts::Accounts;
 pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Wrench};
 pub use cell::{Cell, Content};
+pub use detect::Touch;
 pub use group::Group;
 pub use inertia::{Coupling, Inertias};
 pub use island::{Attachment, Island, IslandEnergy, Memory};
+pub use step::{StepMemory, StepReport, World};
+pub use sweep::FEW;
+pub use thing::{Pair, Place, Thing};

@@ -16,3 +16,4 @@ mod state;
 mod surface;
 mod systems;
 mod vector;
+mod world;

@@ -221,6 +221,21 @@ fn push_corner_over_side<S: Scalar>(
     }
 }
 
+/// What a shape's core consists of beside straight edges: points with the radius around them (centre of a ball, ends of a
+/// capsule, corners of a box).
+pub(crate) fn core_points<S: Scalar>(shape: &Shape<S>) -> ([Vec3<S>; 8], usize, S) {
+    let mut points = [vec3::zero(); 8];
+    match shape {
+        Shape::HalfSpace => (points, 0, S::ZERO),
+        Shape::Sphere(ball) => (points, 1, ball.radius),
+        Shape::Capsule(capsule) => {
+            (points[0][2], points[1][2]) = (-capsule.half_length, capsule.half_length);
+            (points, 2, capsule.radius)
+        }
+        Shape::Cuboid(cuboid) => (corners(cuboid), 8, S::ZERO),
+    }
+}
+
 /// The corners of a box; bit k of a corner's number is the side along axis k.
 fn corners<S: Scalar>(cuboid: &Cuboid<S>) -> [Vec3<S>; 8] {
     core::array::from_fn(|number| {

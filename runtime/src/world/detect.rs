@@ -1,0 +1,277 @@
+//! Which points of the pairs are near each other: the list of contacts that a step works on.
+//!
+//! In: things where they stand, pairs, how near is near. Out: contacts with sides, axes, gap.
+//! ```text
+//! rigid on rigid    features of both shapes (`rigid::narrow`)
+//! mesh on rigid     every node over the shape's surface; centre, ends or corners of the shape over the facet below them
+//! mesh on mesh      every node of each over the nearest facet of the other
+//! ```
+//! Both sides of a contact with a node have the node's place, so that the impulse acts on one line. Edges of facets that
+//! cross, and a mesh on itself, are not looked for.
+
+use super::island::Attachment;
+use super::thing::{Pair, Thing};
+use crate::flexible::Body;
+use crate::mechanism::Fault;
+use crate::real::Scalar;
+use crate::rigid::contact::{Contact, Point, Side};
+use crate::rigid::impact::InverseMass;
+use crate::rigid::narrow::{Placed, core_points, features};
+use crate::surface::facet::{Facet, FacetNearest};
+use crate::surface::{Frame, Shape, Surface};
+use crate::vec3::{self, Vec3};
+
+/// Numbers of contacts of a shape's points over facets begin here; below are nodes.
+const OF_SHAPE: u32 = 1 << 30;
+
+/// Cosine of the angle between a facet and the mean of those around a corner beyond which the corner is sharp: there the facet
+/// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
+const CREASE: f64 = 0.85;
+
+/// A contact of a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch<S> {
+    /// Number of its pair.
+    pub pair: usize,
+    /// Which of the pair's contacts: the same from step to step.
+    pub id: u32,
+    /// Gap (m) in the middle of the step.
+    pub gap: S,
+    /// Place in N (m).
+    pub point: Vec3<S>,
+    /// Sides, axes, law, impulse over the step (N s).
+    pub contact: Contact<S>,
+    /// K.
+    pub(super) inverse_mass: InverseMass<S>,
+    /// Relative velocity at the start of the step, n, t1, t2.
+    pub(super) start: Vec3<S>,
+}
+
+impl<S: Scalar> Touch<S> {
+    /// A place for one.
+    #[must_use]
+    pub fn empty() -> Touch<S> {
+        let zero = vec3::zero();
+        let contact = Contact::between([Side::fixed(); 2], [S::ZERO, S::ZERO, S::ONE]);
+        let inverse_mass = [zero; 3];
+        Touch { pair: 0, id: 0, gap: S::ZERO, point: zero, contact, inverse_mass, start: zero }
+    }
+}
+
+/// What stands where.
+pub(super) struct Scenery<'a, S> {
+    pub(super) things: &'a [Thing<S>],
+    pub(super) body: &'a Body<'a, S>,
+    pub(super) attachments: &'a [Attachment<S>],
+    pub(super) frames: &'a [Frame<S>],
+    pub(super) pos: &'a [Vec3<S>],
+    /// Unit normals at the nodes.
+    pub(super) normals: &'a [Vec3<S>],
+    /// Gaps up to this (m) count as near.
+    pub(super) margin: S,
+}
+
+/// The list while it is filled.
+pub(super) struct Found<'a, S> {
+    pub(super) touches: &'a mut [Touch<S>],
+    pub(super) count: usize,
+    full: bool,
+}
+
+impl<S: Scalar> Found<'_, S> {
+    fn push(&mut self, pair: (usize, &Pair<S>), id: u32, gap: S, point: Vec3<S>, mut contact: Contact<S>) {
+        let (number, law) = pair;
+        (contact.friction, contact.restitution) = (law.friction, law.restitution);
+        match self.touches.get_mut(self.count) {
+            Some(place) => {
+                *place = Touch { pair: number, id, gap, point, contact, ..Touch::empty() };
+                self.count += 1;
+            }
+            None => self.full = true,
+        }
+    }
+}
+
+/// Nodes and facets of a mesh.
+#[derive(Clone, Copy)]
+struct Mesh<'a, S> {
+    nodes: [usize; 2],
+    facets: &'a [[usize; 4]],
+    depth: S,
+}
+
+impl<'a, S: Scalar> Scenery<'a, S> {
+    /// Fills the list; returns how many.
+    pub(super) fn find(&self, pairs: &[Pair<S>], touches: &mut [Touch<S>]) -> Result<usize, Fault> {
+        let mut found = Found { touches, count: 0, full: false };
+        for pair in pairs.iter().enumerate() {
+            let [Some(one), Some(other)] = pair.1.things.map(|thing| self.things.get(thing)) else {
+                return Err(Fault::Shape);
+            };
+            match (self.rigid(one), self.rigid(other)) {
+                (Some(a), Some(b)) => self.shapes(pair, a, b, &mut found),
+                (Some(shape), None) => self.mesh_and_shape(pair, other, shape, &mut found),
+                (None, Some(shape)) => self.mesh_and_shape(pair, one, shape, &mut found),
+                (None, None) => {
+                    if let (Some(a), Some(b)) = (self.mesh(one), self.mesh(other)) {
+                        self.nodes_on_mesh(pair, a, b, &mut found);
+                        self.nodes_on_mesh(pair, b, a, &mut found);
+                    }
+                }
+            }
+        }
+        if found.full { Err(Fault::Shape) } else { Ok(found.count) }
+    }
+
+    fn rigid(&self, thing: &Thing<S>) -> Option<(Shape<S>, Option<usize>, Frame<S>)> {
+        let Thing::Rigid { shape, port, place } = thing else { return None };
+        let frame = match port {
+            Some(port) => place.in_frame(self.frames.get(*port)?),
+            None => place.in_frame(&Frame::inertial()),
+        };
+        Some((*shape, *port, frame))
+    }
+
+    fn mesh(&self, thing: &Thing<S>) -> Option<Mesh<'a, S>> {
+        let Thing::Mesh { nodes, facets: [first, end], depth } = thing else { return None };
+        Some(Mesh { nodes: *nodes, facets: self.body.facets.get(*first..*end)?, depth: *depth })
+    }
+
+    /// A point of N as a point of a port; fixed in space without one.
+    fn side_of_port(&self, port: Option<usize>, point: Vec3<S>) -> Side<S> {
+        match port.and_then(|port| Some((port, self.frames.get(port)?))) {
+            Some((port, frame)) => Side::of_body(port, vec3::sub(point, frame.origin)),
+            None => Side::fixed(),
+        }
+    }
+
+    /// A node with a share in a side: itself, a point of the port that holds it, or nothing.
+    fn point_of_node(&self, node: usize, weight: S) -> Option<Point<S>> {
+        if self.body.fixed.get(node) == Some(&false) {
+            return Some(Point { body: self.frames.len() + node, arm: vec3::zero(), weight });
+        }
+        let port = self.attachments.iter().find(|a| a.node == node)?.port;
+        let arm = vec3::sub(vec3::at(self.pos, node), self.frames.get(port)?.origin);
+        Some(Point { body: port, arm, weight })
+    }
+
+    fn side_of_node(&self, node: usize) -> Side<S> {
+        Side::blend([self.point_of_node(node, S::ONE), None, None, None])
+    }
+
+    fn side_of_facet(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> Side<S> {
+        let [a, b, c, d] = *facet;
+        let [p, q, r, s] = near.weights;
+        // A triangle's third corner stands twice.
+        let corners = if c == d {
+            [(a, p), (b, q), (c, r + s), (d, S::ZERO)]
+        } else {
+            [(a, p), (b, q), (c, r), (d, s)]
+        };
+        Side::blend(corners.map(|(node, weight)| self.point_of_node(node, weight)))
+    }
+
+    fn shapes(
+        &self,
+        pair: (usize, &Pair<S>),
+        (shape, port, frame): (Shape<S>, Option<usize>, Frame<S>),
+        (other, other_port, other_frame): (Shape<S>, Option<usize>, Frame<S>),
+        found: &mut Found<S>,
+    ) {
+        let one = Placed { shape: &shape, frame: &frame };
+        let two = Placed { shape: &other, frame: &other_frame };
+        for feature in features(one, two, self.margin).iter() {
+            let sides = [port, other_port].map(|port| self.side_of_port(port, feature.point));
+            found.push(pair, feature.id, feature.gap, feature.point, Contact::between(sides, feature.normal));
+        }
+    }
+
+    fn mesh_and_shape(
+        &self,
+        pair: (usize, &Pair<S>),
+        mesh: &Thing<S>,
+        (shape, port, frame): (Shape<S>, Option<usize>, Frame<S>),
+        found: &mut Found<S>,
+    ) {
+        let Some(mesh) = self.mesh(mesh) else { return };
+        for (id, node) in (0..).zip(mesh.nodes[0]..mesh.nodes[1]) {
+            let x = vec3::at(self.pos, node);
+            let near = shape.nearest(frame.place(x));
+            if near.gap <= self.margin {
+                let sides = [self.side_of_node(node), self.side_of_port(port, x)];
+                let contact = Contact::between(sides, frame.to_inertial(near.normal));
+                found.push(pair, id, near.gap, x, contact);
+            }
+        }
+        let (points, count, radius) = core_points(&shape);
+        for (id, point) in (OF_SHAPE..).zip(points.iter().take(count)) {
+            let centre = frame.point(*point);
+            let Some((facet, near)) = self.facet_below(&mesh, centre, radius) else { continue };
+            let x = vec3::axpy(centre, -radius, near.normal);
+            let sides = [self.side_of_port(port, x), self.side_of_facet(facet, &near)];
+            found.push(pair, id, near.gap - radius, x, Contact::between(sides, near.normal));
+        }
+    }
+
+    fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<S>, found: &mut Found<S>) {
+        let Some((low, high)) = self.bounds(&other) else { return };
+        let far = self.margin.max(other.depth);
+        let base = if own.nodes[0] < other.nodes[0] { 0 } else { OF_SHAPE };
+        for (id, node) in (base..).zip(own.nodes[0]..own.nodes[1]) {
+            let x = vec3::at(self.pos, node);
+            if !(0..3).all(|i| low[i] - far <= x[i] && x[i] <= high[i] + far) {
+                continue;
+            }
+            let Some((facet, near)) = self.facet_below(&other, x, S::ZERO) else { continue };
+            let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
+            found.push(pair, id, near.gap, x, Contact::between(sides, near.normal));
+        }
+    }
+
+    /// The facet to whose surface a ball about this point is nearest, not deeper than the mesh allows.
+    fn facet_below(
+        &self,
+        mesh: &Mesh<'a, S>,
+        point: Vec3<S>,
+        radius: S,
+    ) -> Option<(&'a [usize; 4], FacetNearest<S>)> {
+        let rounding = S::from_f64(1e3) * S::EPSILON;
+        let mut best: Option<(&[usize; 4], FacetNearest<S>)> = None;
+        for facet in mesh.facets {
+            let corners = facet.map(|node| vec3::at(self.pos, node));
+            let [a, _, c, _] = corners;
+            let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
+            let reach = corners.iter().fold(S::ZERO, |most, x| most.max(vec3::norm(vec3::sub(*x, middle))));
+            let far = reach + radius + self.margin.max(mesh.depth);
+            if vec3::norm(vec3::sub(point, middle)) > far {
+                continue;
+            }
+            let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(corners[3], corners[1]))).0;
+            let normals = facet.map(|node| {
+                let mean = vec3::at(self.normals, node);
+                let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
+                if smooth { mean } else { own }
+            });
+            let Some(near) = (Facet { corners, normals }).nearest(point, rounding) else { continue };
+            let gap = near.gap - radius;
+            let nearer = best.as_ref().is_none_or(|(_, b)| gap.abs() < (b.gap - radius).abs());
+            if -mesh.depth <= gap && gap <= self.margin && nearer {
+                best = Some((facet, near));
+            }
+        }
+        best
+    }
+
+    /// Box around a mesh's facets.
+    fn bounds(&self, mesh: &Mesh<S>) -> Option<(Vec3<S>, Vec3<S>)> {
+        let first = vec3::at(self.pos, *mesh.facets.first()?.first()?);
+        let mut bounds = (first, first);
+        for node in mesh.facets.iter().flatten() {
+            let x = vec3::at(self.pos, *node);
+            for ((low, high), x) in bounds.0.iter_mut().zip(bounds.1.iter_mut()).zip(x) {
+                (*low, *high) = (low.min(x), high.max(x));
+            }
+        }
+        Some(bounds)
+    }
+}

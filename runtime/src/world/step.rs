@@ -1,0 +1,414 @@
+//! The step of a world without splitting (Moreau 1988, Jean 1999): impacts and lasting contacts are one thing.
+//!
+//! In: state [q, x; u, v] at t. Out: the state at t + h, contacts with their impulses, accounts.
+//! ```text
+//! advance   x_m = x + h/2 v;  forces there, with the speeds of the start
+//! detect    contacts at x_m: gap, axes, W, K = W M^-1 W'
+//! sweep     v+ = v + h M^-1 f + M^-1 W' P,  P by the laws of the contacts (`sweep`)
+//! close     x+ = x_m + h/2 v+;  projection onto the carriers' constraints
+//! observe   accounts, contacts by pair
+//! ```
+//! Order 2 where nothing touches, 1 where something does; contacts take energy only. Nothing is located in time, so that a step
+//! costs the same however much touches.
+
+use super::accounts::Accounts;
+use super::carrier::{Carrier, Wrench};
+use super::detect::{Scenery, Touch};
+use super::inertia::Inertias;
+use super::island::{Cut, Island};
+use super::sweep::{self, sweep};
+use super::thing::{Pair, Thing};
+use crate::mechanism::Fault;
+use crate::ode::{Ode, State, pivot_limit, state::advance};
+use crate::real::Scalar;
+use crate::rigid::contact::Twist;
+use crate::surface::{Frame, facet::vertex_normals};
+use crate::vec3::{self, Vec3};
+
+/// Parts that move together, what of them can be touched, and by which laws.
+#[derive(Debug)]
+pub struct World<'a, S, C> {
+    /// Carriers and flexible bodies.
+    pub island: Island<'a, S, C>,
+    /// What can be touched.
+    pub things: &'a [Thing<S>],
+    /// Which of it may touch.
+    pub pairs: &'a [Pair<S>],
+}
+
+/// Working memory of a step; of one step's contacts the next one makes its start.
+#[derive(Debug)]
+pub struct StepMemory<'a, S> {
+    /// [`StepMemory::scratch`] numbers.
+    pub scratch: &'a mut [S],
+    /// Frames of the ports at the start and at the end, one entry per port each.
+    pub frames: [&'a mut [Frame<S>]; 2],
+    /// Velocities at the start, at the end without contacts, at the end: one entry per port and node each.
+    pub twists: [&'a mut [Twist<S>]; 3],
+    /// Normals at the nodes; may be empty where no facet is touched.
+    pub normals: &'a mut [Vec3<S>],
+    /// What ports and nodes yield.
+    pub inertias: Inertias<'a, S>,
+    /// Contacts of this step and of the one before: as many as are expected at once.
+    pub touches: [&'a mut [Touch<S>]; 2],
+    /// How many there are.
+    pub counts: [usize; 2],
+}
+
+/// What a step did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepReport<S> {
+    /// Worst pivot of the carriers.
+    pub pivot: S,
+    /// Contacts that were near.
+    pub near: usize,
+    /// Contacts with an impulse.
+    pub active: usize,
+    /// Sweeps over the contacts.
+    pub sweeps: usize,
+    /// Were the sweeps enough?
+    pub settled: bool,
+    /// What the last sweep still changed of the speeds, as a part of the fastest.
+    pub left: S,
+    /// Energy by its ways in this step.
+    pub accounts: Accounts<S>,
+}
+
+impl<S: Scalar> StepMemory<'_, S> {
+    /// Numbers of scratch memory for a state of `n` entries.
+    #[must_use]
+    pub const fn scratch(n: usize) -> usize {
+        5 * n
+    }
+
+    /// Contacts of the last step.
+    #[must_use]
+    pub fn contacts(&self) -> &[Touch<S>] {
+        self.touches[0].get(..self.counts[0]).unwrap_or_default()
+    }
+}
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// Advances the state from t by h (s), > 0.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] for lists of wrong length or more contacts than there is room for; [`Fault::Singular`] or
+    /// [`Fault::NonFinite`] if the middle or the end is. The state is then unchanged.
+    pub fn step(
+        &mut self,
+        t: S,
+        h: S,
+        state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<StepReport<S>, Fault> {
+        let scratch = core::mem::take(&mut memory.scratch);
+        let report = self.step_with(t, h, state, scratch, memory);
+        memory.scratch = scratch;
+        report
+    }
+
+    fn step_with(
+        &mut self,
+        t: S,
+        h: S,
+        state: &mut State<'_, S>,
+        scratch: &mut [S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<StepReport<S>, Fault> {
+        let n = self.island.n_x();
+        let mut cuts = scratch.chunks_exact_mut(n.max(1));
+        let [Some(middle), Some(dot), Some(rest), Some(new), Some(low)] = [(); 5].map(|()| cuts.next())
+        else {
+            return Err(Fault::Shape);
+        };
+        if state.x().len() != n || n == 0 {
+            return Err(Fault::Shape);
+        }
+        let half = S::from_f64(0.5) * h;
+        let t_middle = t + half;
+
+        // Half the way with the speeds of the start: `rest` has q' there.
+        self.coast(t, state.x(), rest)?;
+        middle.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
+        let n_q = self.island.n_q();
+        let way = state.x().iter().zip(state.low()).zip(rest.iter()).take(n_q);
+        for (to, ((x, low), rate)) in middle.iter_mut().zip(way) {
+            *to = *x + (*low + half * *rate);
+        }
+        self.island.place(t_middle, middle)?;
+        self.island.load_seams()?;
+        let pivot = self.island.accelerate(t_middle, middle, dot)?.abs();
+        if !pivot.is_finite() {
+            return Err(Fault::NonFinite);
+        }
+        if pivot < pivot_limit() {
+            return Err(Fault::Singular);
+        }
+
+        // Contacts become forces of the middle.
+        self.fill_twists([t, t + h], h, middle, dot, new, memory)?;
+        let sweeps = self.contacts(t_middle, h, middle, memory)?;
+        let active = self.load_contacts(h, memory);
+        if active > 0 {
+            self.island.accelerate(t_middle, middle, dot)?;
+        }
+
+        let accounts = self.observe(h, memory);
+
+        // The other half with the speeds of the end.
+        for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q) {
+            *to = *from + h * *rate;
+        }
+        new.iter_mut().zip(middle.iter()).take(n_q).for_each(|(to, from)| *to = *from);
+        let speeds_rates = dot;
+        let (end, start) = (low, rest);
+        self.coast(t_middle, new, end)?;
+        for (index, (start, (end, rate))) in
+            start.iter_mut().zip(end.iter().zip(speeds_rates.iter())).enumerate()
+        {
+            *start = if index < n_q { half * (*start + *end) } else { h * *rate };
+        }
+        let (delta, low) = (start, end);
+        let old = state.x().iter().zip(state.low()).zip(delta.iter());
+        for ((x, l), ((old, old_low), delta)) in new.iter_mut().zip(low.iter_mut()).zip(old) {
+            (*x, *l) = advance(*old, *old_low, *delta);
+        }
+        self.project(t + h, new, low, middle)?;
+        for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
+            (*x, *l) = (*new, *new_low);
+        }
+        let near = memory.counts[0];
+        Ok(StepReport {
+            pivot,
+            near,
+            active,
+            sweeps: sweeps.number,
+            settled: sweeps.settled,
+            left: sweeps.left,
+            accounts,
+        })
+    }
+
+    /// Rates of the coordinates with the speeds of x: those of the carriers without wrenches, velocities of nodes.
+    fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
+        let island = &mut self.island;
+        island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
+        let Cut { q, u, vel, .. } = island.parts(x)?;
+        let dot = island.parts_mut(x_dot)?;
+        island.carrier.rates(t, q, u, island.memory.wrenches, dot.q, dot.u)?;
+        dot.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        Ok(())
+    }
+
+    /// Velocities of ports and nodes at the places of the middle: with the speeds of the start, and with those at the end that
+    /// the forces alone give. `new` is memory.
+    fn fill_twists(
+        &mut self,
+        times: [S; 2],
+        h: S,
+        middle: &[S],
+        dot: &[S],
+        new: &mut [S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<(), Fault> {
+        let n_q = self.island.n_q();
+        let ports = self.island.memory.frames.len();
+        let expected = ports + self.island.body.points();
+        let StepMemory { frames: [first, last], twists, .. } = memory;
+        if twists.iter().any(|twists| twists.len() != expected) || first.len() != ports || last.len() != ports
+        {
+            return Err(Fault::Shape);
+        }
+        for (index, (to, (from, rate))) in new.iter_mut().zip(middle.iter().zip(dot)).enumerate() {
+            *to = if index < n_q { *from } else { *from + h * *rate };
+        }
+        let [start, free, _] = twists;
+        let lists = [(&mut **first, &mut **start, middle), (&mut **last, &mut **free, &*new)];
+        for ((frames, twists, x), t) in lists.into_iter().zip(times) {
+            let Cut { q, u, vel, .. } = self.island.parts(x)?;
+            self.island.carrier.frames(t, q, u, frames)?;
+            let (of_ports, of_nodes) = twists.split_at_mut_checked(ports).ok_or(Fault::Shape)?;
+            for (twist, frame) in of_ports.iter_mut().zip(frames.iter()) {
+                *twist = Twist { velocity: frame.velocity, angular: frame.angular_velocity };
+            }
+            of_nodes.fill(Twist::zero());
+            for (node, velocity) in super::island::free_nodes(&self.island.body).zip(vel.chunks_exact(3)) {
+                if let (Some(twist), [x, y, z]) = (of_nodes.get_mut(node), velocity) {
+                    twist.velocity = [*x, *y, *z];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Finds contacts and their impulses; the last of the twists have them.
+    fn contacts(
+        &mut self,
+        t: S,
+        h: S,
+        middle: &[S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<sweep::Sweeps<S>, Fault> {
+        memory.touches.swap(0, 1);
+        memory.counts.swap(0, 1);
+        let margin = self.margin(h, memory);
+        let StepMemory {
+            twists: [start, free, end], normals, inertias, touches: [now, before], counts, ..
+        } = memory;
+        end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+        counts[0] = 0;
+        if self.pairs.is_empty() {
+            return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
+        }
+        let island = &mut self.island;
+        if !normals.is_empty() {
+            vertex_normals(island.body.facets, island.memory.pos, normals);
+        }
+        let scenery = Scenery {
+            things: self.things,
+            body: &island.body,
+            attachments: island.attachments,
+            frames: island.memory.frames,
+            pos: island.memory.pos,
+            normals,
+            margin,
+        };
+        let count = scenery.find(self.pairs, now)?;
+        counts[0] = count;
+        if count == 0 {
+            return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
+        }
+        let Cut { q, u, .. } = island.parts(middle)?;
+        inertias.ask(&mut island.carrier, t, q, u)?;
+        for (node, yields) in inertias.nodes.iter_mut().enumerate() {
+            *yields = island.body.inverse_mass(node);
+        }
+        let now = now.get_mut(..count).unwrap_or_default();
+        let before = before.get(..counts[1]).unwrap_or_default();
+        let mut seen = 0;
+        for touch in now.iter_mut() {
+            touch.inverse_mass = touch.contact.inverse_mass(inertias);
+            touch.start = touch.contact.relative(start);
+            // Both lists are in the order of detection: the same contact is seldom far.
+            let same = |old: &Touch<S>| old.pair == touch.pair && old.id == touch.id;
+            let later = before.get(seen..).unwrap_or_default().iter().position(same).map(|k| k + seen);
+            if let Some(place) = later
+                && let Some(old) = before.get(place)
+            {
+                seen = place + 1;
+                // Axes turn with the normal: what was across it comes as near as it can.
+                let [_, x, y] =
+                    vec3::apply(&touch.contact.axes, old.contact.to_inertial(old.contact.impulse));
+                touch.contact.impulse = [old.contact.impulse[0], x, y];
+            }
+        }
+        let sweeps = sweep(now, h, inertias, end);
+        sweep::take_no_more(now, free, inertias, end);
+        // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
+        end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+        now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
+        Ok(sweeps)
+    }
+
+    /// How near a step may bring what is apart (m).
+    fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
+        let (mut low, mut high) = (vec3::zero::<S>(), vec3::zero::<S>());
+        let origins = self.island.memory.frames.iter().map(|frame| frame.origin);
+        for (number, place) in origins.chain(self.island.memory.pos.iter().copied()).enumerate() {
+            for ((low, high), x) in low.iter_mut().zip(high.iter_mut()).zip(place) {
+                (*low, *high) = if number == 0 { (x, x) } else { (low.min(x), high.max(x)) };
+            }
+        }
+        let size = vec3::norm(vec3::sub(high, low)) + self.largest();
+        let mut fastest = S::ZERO;
+        for twist in memory.twists.iter().take(2).flat_map(|twists| twists.iter()) {
+            fastest = fastest.max(vec3::norm(twist.velocity) + size * vec3::norm(twist.angular));
+        }
+        S::from_f64(2.0) * h * fastest
+    }
+
+    /// Largest shape's radius about its port (m).
+    fn largest(&self) -> S {
+        use crate::surface::Shape;
+        self.things.iter().fold(S::ZERO, |most, thing| {
+            let Thing::Rigid { shape, place, .. } = thing else { return most };
+            let own = match shape {
+                Shape::HalfSpace => S::ZERO,
+                Shape::Sphere(ball) => ball.radius,
+                Shape::Capsule(capsule) => capsule.radius + capsule.half_length,
+                Shape::Cuboid(cuboid) => vec3::norm(cuboid.half),
+            };
+            most.max(own + vec3::norm(place.origin))
+        })
+    }
+
+    /// Adds the contacts' mean forces to those of the middle; returns how many there are.
+    fn load_contacts(&mut self, h: S, memory: &StepMemory<'_, S>) -> usize {
+        let ports = self.island.memory.frames.len();
+        let own = &mut self.island.memory;
+        let mut active = 0;
+        for touch in memory.contacts().iter().filter(|touch| touch.contact.impulse[0] > S::ZERO) {
+            active += 1;
+            touch.contact.deal(touch.contact.impulse, |body, arm, impulse| {
+                let force = vec3::scale(impulse, S::ONE / h);
+                if body >= ports {
+                    vec3::add_at(own.elastic, body - ports, force);
+                } else if let Some(wrench) = own.wrenches.get_mut(body) {
+                    wrench.force = vec3::add(wrench.force, force);
+                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
+                }
+            });
+        }
+        active
+    }
+
+    /// Puts coordinates back on the constraints and checks the new state; `before` is memory.
+    fn project(&mut self, t: S, new: &mut [S], low: &mut [S], before: &mut [S]) -> Result<(), Fault> {
+        self.island.set_time(t);
+        for _ in 0..self.island.projections().min(2) {
+            before.iter_mut().zip(new.iter()).for_each(|(to, from)| *to = *from);
+            self.island.project(new)?;
+            // A coordinate that was moved has no rounding error of its own left.
+            for ((low, before), new) in low.iter_mut().zip(before.iter()).zip(new.iter()) {
+                *low = if *before == *new { *low } else { S::ZERO };
+            }
+        }
+        let finite = new.iter().chain(low.iter()).all(|value| value.is_finite());
+        if finite { Ok(()) } else { Err(Fault::NonFinite) }
+    }
+
+    /// Energy by its ways in this step: works of the forces of the middle over the mean of the velocities of start and end.
+    fn observe(&mut self, h: S, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
+        let half = S::from_f64(0.5);
+        let Island { carrier, body, attachments, memory: own, .. } = &mut self.island;
+        let ports = own.frames.len();
+        let [start, _, end] = &memory.twists;
+        let mean = |k: usize, arm: Vec3<S>| {
+            let at = |list: &[Twist<S>]| list.get(k).map_or_else(vec3::zero, |twist| twist.at(arm));
+            vec3::scale(vec3::add(at(start), at(end)), half)
+        };
+        let mut accounts = Accounts::empty();
+        let mut take = |node: usize, velocity: Vec3<S>| {
+            let drag = vec3::scale(vec3::at(own.vel, node), -body.air_drag);
+            let damping = vec3::sub(vec3::at(own.viscous, node), drag);
+            accounts.damping = accounts.damping - h * vec3::dot(damping, velocity);
+            accounts.drag = accounts.drag - h * vec3::dot(drag, velocity);
+        };
+        super::island::free_nodes(body).for_each(|node| take(node, mean(ports + node, vec3::zero())));
+        for attachment in *attachments {
+            let origin = own.frames.get(attachment.port).map_or_else(vec3::zero, |frame| frame.origin);
+            let arm = vec3::sub(vec3::at(own.pos, attachment.node), origin);
+            take(attachment.node, mean(attachment.port, arm));
+        }
+        let touches = memory.touches[0].get(..memory.counts[0]).unwrap_or_default();
+        let [normal, friction] = sweep::works(touches, end);
+        (accounts.impact, accounts.friction) = (-normal, -friction);
+        for (port, frame) in own.frames.iter_mut().enumerate() {
+            frame.velocity = mean(port, vec3::zero());
+            let spin = |list: &[Twist<S>]| list.get(port).map_or_else(vec3::zero, |twist| twist.angular);
+            frame.angular_velocity = vec3::scale(vec3::add(spin(start), spin(end)), half);
+        }
+        accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        accounts
+    }
+}

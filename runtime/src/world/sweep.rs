@@ -1,0 +1,138 @@
+//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method.
+//!
+//! In: contacts with gap and relative velocity v- at the start, velocities at the end without impulses. Out: impulses, and the
+//! velocities v+ with them.
+//! ```text
+//! 0 <= J,  v_n+ >= w,  J (v_n+ - w) = 0          |T| <= mu J, against the slip that is left
+//! e = 0:  w = -max(gap/h, v_n-, 0)               over a gap the way ends half way, at the next middle it is closed
+//! e > 0:  w = -e v_n- where gap <= 0
+//! ```
+//! Kinetic energy changes by P . (v- + v+)/2. w <= -v_n- (e <= 1) makes the normal part of it never positive. Friction that
+//! turns slip around within the step could give a little, and so could sweeps that are cut short: then all impulses are
+//! taken by the part that gives nothing ([`take_no_more`]). Whatever the sides, contacts take energy only.
+
+use super::detect::Touch;
+use crate::real::Scalar;
+use crate::rigid::contact::{Inertia, Twist};
+use crate::rigid::several::rubbed;
+use crate::vec3;
+
+/// Up to this number of contacts impulses are found to rounding.
+pub const FEW: usize = 64;
+/// Sweeps at most, few contacts and many.
+const SWEEPS: [usize; 2] = [2000, 100];
+/// With many contacts, what a sweep may still change of the speeds.
+const COARSE: f64 = 1e-9;
+
+/// How it went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Sweeps<S> {
+    pub(super) number: usize,
+    pub(super) settled: bool,
+    /// What the last sweep changed of the speeds, as a part of the fastest.
+    pub(super) left: S,
+}
+
+/// The normal velocity that the end must reach; None where the contact does not act.
+fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
+    let (came, e) = (touch.start[0], touch.contact.restitution);
+    let closed = touch.gap <= S::ZERO;
+    if e <= S::ZERO {
+        let opening = if closed { S::ZERO } else { touch.gap / h };
+        return Some(-(opening.max(came).max(S::ZERO)));
+    }
+    let turned = if came > S::ZERO { -came } else { -(e * came) };
+    closed.then_some(turned)
+}
+
+/// Finds the impulses; those that the contacts have are where the sweeps start. `twists` are free ones, then those with impulses.
+pub(super) fn sweep<S: Scalar>(
+    touches: &mut [Touch<S>],
+    h: S,
+    inertia: &impl Inertia<S>,
+    twists: &mut [Twist<S>],
+) -> Sweeps<S> {
+    let few = touches.len() <= FEW;
+    let (limit, fine) =
+        if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
+    let mut fastest = S::ZERO;
+    for touch in touches.iter() {
+        fastest = fastest.max(vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start));
+    }
+    for touch in touches.iter() {
+        touch.contact.push(inertia, twists, touch.contact.impulse);
+    }
+    let mut number = 0;
+    let mut settled = touches.is_empty() || fastest <= S::ZERO;
+    let mut left = S::ZERO;
+    while number < limit && !settled {
+        let mut moved = S::ZERO;
+        for touch in touches.iter_mut() {
+            moved = moved.max(relax(touch, h, inertia, twists));
+        }
+        number += 1;
+        left = moved / fastest;
+        settled = left <= fine;
+    }
+    Sweeps { number, settled, left }
+}
+
+/// One contact's impulse, the others as they are; returns by how much it changes velocities.
+fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) -> S {
+    let (k, before) = (touch.inverse_mass, touch.contact.impulse);
+    let size = k[0][0].max(k[1][1]).max(k[2][2]);
+    let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
+        touch.contact.push(inertia, twists, vec3::scale(before, -S::ONE));
+        touch.contact.impulse = vec3::zero();
+        return size * vec3::norm(before);
+    };
+    let rate = touch.contact.relative(twists)[0];
+    let normal = (before[0] + (end - rate) / k[0][0]).max(S::ZERO);
+    touch.contact.push(inertia, twists, [normal - before[0], S::ZERO, S::ZERO]);
+    let radius = touch.contact.friction * normal;
+    let mut rub = [S::ZERO; 2];
+    if radius > S::ZERO {
+        let [_, x, y] = touch.contact.relative(twists);
+        rub = rubbed(&k, [before[1], before[2]], [x, y], radius);
+    }
+    touch.contact.push(inertia, twists, [S::ZERO, rub[0] - before[1], rub[1] - before[2]]);
+    touch.contact.impulse = [normal, rub[0], rub[1]];
+    size * vec3::norm(vec3::sub(touch.contact.impulse, before))
+}
+
+/// The contacts' work over the step (J): normal, friction.
+pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S; 2] {
+    let half = S::from_f64(0.5);
+    let mut work = [S::ZERO; 2];
+    for touch in touches {
+        let [n, x, y] = touch.contact.impulse;
+        let [vn, vx, vy] = vec3::add(touch.start, touch.contact.relative(twists));
+        work[0] = work[0] + half * n * vn;
+        work[1] = work[1] + half * (x * vx + y * vy);
+    }
+    work
+}
+
+/// Where the contacts would give energy: all impulses by the part that gives none.
+///
+/// The work of s P is s P . (v- + v*)/2 + s^2 P . G P/2, v* without impulses.
+pub(super) fn take_no_more<S: Scalar>(
+    touches: &mut [Touch<S>],
+    free: &[Twist<S>],
+    inertia: &impl Inertia<S>,
+    twists: &mut [Twist<S>],
+) {
+    let [normal, friction] = works(touches, twists);
+    let work = normal + friction;
+    if work <= S::ZERO {
+        return;
+    }
+    let [normal, friction] = works(touches, free);
+    let (linear, square) = (normal + friction, work - normal - friction);
+    let part = if linear < S::ZERO && square > S::ZERO { -(linear / square) } else { S::ZERO };
+    twists.iter_mut().zip(free).for_each(|(to, from)| *to = *from);
+    for touch in touches {
+        touch.contact.impulse = vec3::scale(touch.contact.impulse, part);
+        touch.contact.push(inertia, twists, touch.contact.impulse);
+    }
+}

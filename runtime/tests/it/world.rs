@@ -1,0 +1,429 @@
+//! Worlds stepped without splitting: contacts of rigid and flexible parts, at rest, sliding, rolling, in collision; accounts.
+
+use smartbed_runtime::flexible::{Body, Massless, Spring};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::{Ode, State};
+use smartbed_runtime::rigid::RigidBody;
+use smartbed_runtime::rigid::contact::Twist;
+use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
+use smartbed_runtime::vec3::{self, Vec3};
+use smartbed_runtime::world::{
+    Accounts, Attachment, Carrier, Cell, Commanded, Coupling, Floating, Group, Inertias, InverseInertia,
+    Island, Memory, Pair, Place, StepMemory, StepReport, Thing, Touch, World, Wrench,
+};
+use std::ops::Range;
+
+pub const GRAVITY: Vec3<f64> = [0.0, 0.0, -9.81];
+
+type Law = fn(f64, usize) -> Frame<f64>;
+
+/// What the tests' worlds are carried by.
+pub enum Part {
+    Free(Floating<f64>),
+    Driven(Commanded<Law>),
+}
+
+macro_rules! each {
+    ($own:expr, $part:ident => $call:expr) => {
+        match $own {
+            Part::Free($part) => $call,
+            Part::Driven($part) => $call,
+        }
+    };
+}
+
+impl Carrier<f64> for Part {
+    fn n_q(&self) -> usize {
+        each!(self, part => part.n_q())
+    }
+    fn n_u(&self) -> usize {
+        each!(self, part => part.n_u())
+    }
+    fn n_ports(&self) -> usize {
+        each!(self, part => Carrier::<f64>::n_ports(part))
+    }
+    fn coupled(&self, port: usize) -> Range<usize> {
+        each!(self, part => Carrier::<f64>::coupled(part, port))
+    }
+    fn inverse_inertia(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        ports: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        each!(self, part => part.inverse_inertia(t, q, u, ports))
+    }
+    fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
+        each!(self, part => part.drive_power(frames, wrenches))
+    }
+    fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+        each!(self, part => part.frames(t, q, u, frames))
+    }
+    fn rates(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        wrenches: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        each!(self, part => part.rates(t, q, u, wrenches, q_dot, u_dot))
+    }
+    fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+        each!(self, part => part.energy(t, q, u))
+    }
+}
+
+/// What a world is made of.
+#[derive(Default)]
+pub struct Scene {
+    pub parts: Vec<Part>,
+    pub q: Vec<f64>,
+    pub u: Vec<f64>,
+    pub mass: Vec<f64>,
+    pub fixed: Vec<bool>,
+    pub pos: Vec<Vec3<f64>>,
+    pub vel: Vec<Vec3<f64>>,
+    pub springs: Vec<Spring<f64>>,
+    pub facets: Vec<[usize; 4]>,
+    pub cells: Vec<Cell<f64>>,
+    pub attachments: Vec<Attachment<f64>>,
+    pub things: Vec<Thing<f64>>,
+    pub pairs: Vec<Pair<f64>>,
+    pub gravity: Vec3<f64>,
+    pub room: usize,
+}
+
+impl Scene {
+    pub fn falling() -> Scene {
+        Scene { gravity: GRAVITY, room: 64, ..Scene::default() }
+    }
+
+    /// Adds a thing; its number.
+    pub fn thing(&mut self, thing: Thing<f64>) -> usize {
+        self.things.push(thing);
+        self.things.len() - 1
+    }
+
+    pub fn pair(&mut self, one: usize, other: usize, friction: f64, restitution: f64) {
+        self.pairs.push(Pair { things: [one, other], friction, restitution });
+    }
+
+    /// The plane z = 0.
+    pub fn floor(&mut self) -> usize {
+        self.thing(Thing::Rigid { shape: Shape::HalfSpace, port: None, place: Place::same() })
+    }
+
+    /// A rigid body at rest or moving; its number as a thing.
+    pub fn rigid(
+        &mut self,
+        shape: Shape<f64>,
+        body: RigidBody<f64>,
+        position: Vec3<f64>,
+        velocity: Vec3<f64>,
+    ) -> usize {
+        let port = self.parts.len();
+        self.parts.push(Part::Free(Floating { body, gravity: self.gravity }));
+        self.q.extend(position);
+        self.q.extend([1.0, 0.0, 0.0, 0.0]);
+        self.u.extend(velocity);
+        self.u.extend([0.0; 3]);
+        self.thing(Thing::Rigid { shape, port: Some(port), place: Place::same() })
+    }
+
+    pub fn ball(&mut self, mass: f64, radius: f64, position: Vec3<f64>, velocity: Vec3<f64>) -> usize {
+        let body = RigidBody { mass, inertia: [0.4 * mass * radius * radius; 3] };
+        self.rigid(Shape::Sphere(Sphere { radius }), body, position, velocity)
+    }
+
+    pub fn cuboid(&mut self, mass: f64, half: Vec3<f64>, position: Vec3<f64>, velocity: Vec3<f64>) -> usize {
+        let [x, y, z] = half.map(|h| h * h * mass / 3.0);
+        let body = RigidBody { mass, inertia: [y + z, x + z, x + y] };
+        self.rigid(Shape::Cuboid(Cuboid { half }), body, position, velocity)
+    }
+
+    pub fn node(&mut self, mass: f64, fixed: bool, pos: Vec3<f64>, vel: Vec3<f64>) -> usize {
+        self.mass.push(mass);
+        self.fixed.push(fixed);
+        self.pos.push(pos);
+        self.vel.push(vel);
+        self.pos.len() - 1
+    }
+
+    /// A cube of eight nodes and all springs between them, faces outwards; its number as a thing.
+    pub fn cube(
+        &mut self,
+        edge: f64,
+        corner: Vec3<f64>,
+        velocity: Vec3<f64>,
+        stiffness: f64,
+        damping: f64,
+    ) -> usize {
+        let (first, facet) = (self.pos.len(), self.facets.len());
+        for k in 0..8 {
+            let at: Vec3<f64> = std::array::from_fn(|i| corner[i] + if k >> i & 1 == 1 { edge } else { 0.0 });
+            self.node(0.125, false, at, velocity);
+        }
+        for tail in 0..8 {
+            for head in tail + 1..8 {
+                let rest_length = vec3::norm(vec3::sub(self.pos[first + head], self.pos[first + tail]));
+                self.springs.push(Spring {
+                    tail: first + tail,
+                    head: first + head,
+                    stiffness,
+                    damping,
+                    rest_length,
+                });
+            }
+        }
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        self.facets.extend(faces.map(|face| face.map(|k| first + k)));
+        let (nodes, facets) = ([first, first + 8], [facet, facet + 6]);
+        self.thing(Thing::Mesh { nodes, facets, depth: 0.3 * edge })
+    }
+
+    /// Runs; `see(report, contacts, state)` after each step.
+    pub fn run(
+        &mut self,
+        h: f64,
+        steps: u32,
+        mut see: impl FnMut(&StepReport<f64>, &[Touch<f64>], &[f64]),
+    ) -> (Vec<f64>, f64, Accounts<f64>) {
+        let n = self.pos.len();
+        let candidate = Body {
+            mass: &self.mass,
+            fixed: &self.fixed,
+            springs: &self.springs,
+            gravity: self.gravity,
+            air_drag: 0.0,
+            facets: &self.facets,
+            inflation: None,
+            massless: Massless::default(),
+        };
+        let body = if n == 0 { Ok(Body::none()) } else { Body::new(candidate) };
+        let group = Group { members: &mut self.parts };
+        let ports = Carrier::<f64>::n_ports(&group);
+        let answers_needed = Inertias::answers(&group);
+        let (mut elastic, mut viscous) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
+        let (mut frames, mut wrenches) = (vec![Frame::inertial(); ports], vec![Wrench::zero(); ports]);
+        let (mut pos, mut vel) = (self.pos.clone(), self.vel.clone());
+        let memory = Memory {
+            pos: &mut pos,
+            vel: &mut vel,
+            elastic: &mut elastic,
+            viscous: &mut viscous,
+            frames: &mut frames,
+            wrenches: &mut wrenches,
+        };
+        let island = Island::new(group, body.expect("a body"), &self.attachments, memory).expect("an island");
+        let island = island.with_cells(&self.cells).expect("cells");
+        let mut x = vec![0.0; island.n_x()];
+        island.load(&self.q, &self.u, &mut x).expect("lengths");
+        let mut world = World { island, things: &self.things, pairs: &self.pairs };
+        let mut scratch = vec![0.0; StepMemory::<f64>::scratch(x.len())];
+        let mut rows = [vec![Frame::inertial(); ports], vec![Frame::inertial(); ports]];
+        let mut twists = [0; 3].map(|_| vec![Twist::zero(); ports + n]);
+        let mut normals = vec![[0.0; 3]; n];
+        let mut couplings = vec![Coupling::default(); ports];
+        let mut answers = vec![[[0.0; 6]; 6]; answers_needed];
+        let mut nodes = vec![0.0; n];
+        let mut touches = [0; 2].map(|_| vec![Touch::empty(); self.room]);
+        let [first, last] = &mut rows;
+        let [a, b, c] = &mut twists;
+        let [now, before] = &mut touches;
+        let inertias = Inertias { couplings: &mut couplings, answers: &mut answers, nodes: &mut nodes };
+        let mut memory = StepMemory {
+            scratch: &mut scratch,
+            frames: [first, last],
+            twists: [a, b, c],
+            normals: &mut normals,
+            inertias,
+            touches: [now, before],
+            counts: [0; 2],
+        };
+        let mut low = vec![0.0; x.len()];
+        let start = world.island.energy(0.0, &x).expect("energy").total();
+        let mut accounts = Accounts::empty();
+        let mut state = State::new(&mut x, &mut low).expect("a state");
+        let mut energy = start;
+        for step in 0..steps {
+            let report = world.step(f64::from(step) * h, h, &mut state, &mut memory).expect("a step");
+            accounts = accounts.plus(&report.accounts);
+            assert!(
+                report.accounts.impact + report.accounts.friction >= -1e-13 * (1.0 + start.abs()),
+                "{step}"
+            );
+            energy = world.island.energy(f64::from(step + 1) * h, state.x()).expect("energy").total();
+            see(&report, memory.contacts(), state.x());
+        }
+        (x, energy - start + accounts.lost(), accounts)
+    }
+}
+
+/// Sum of the contacts' forces on the first of each pair (N).
+fn force(contacts: &[Touch<f64>], h: f64) -> Vec3<f64> {
+    contacts.iter().fold([0.0; 3], |sum, touch| {
+        vec3::axpy(sum, 1.0 / h, touch.contact.to_inertial(touch.contact.impulse))
+    })
+}
+
+#[test]
+fn a_ball_falls_rests_and_its_weight_is_carried() {
+    let h = 1e-3;
+    let mut scene = Scene::falling();
+    let (floor, ball) = (scene.floor(), scene.ball(5.0, 0.1, [0.0, 0.0, 0.12], [0.0; 3]));
+    scene.pair(ball, floor, 0.4, 0.0);
+    let mut last = [0.0; 3];
+    let (x, imbalance, accounts) = scene.run(h, 2000, |report, contacts, _| {
+        assert!(report.settled);
+        last = force(contacts, h);
+    });
+    let weight = 5.0 * 9.81;
+    println!("gap {:e}, force off by {:e}", x[2] - 0.1, last[2] / weight - 1.0);
+    assert!((last[2] / weight - 1.0).abs() < 1e-9 && last[0] == 0.0);
+    assert!((x[2] - 0.1).abs() < 2.0 * h * h * 9.81);
+    // All that fell is lost in the impact; free fall and rest are followed exactly.
+    assert!(
+        (accounts.impact - weight * (0.12 - x[2])).abs() < 1e-9 && imbalance.abs() < 1e-12,
+        "{imbalance:e}"
+    );
+}
+
+#[test]
+fn a_ball_bounces_with_its_restitution() {
+    // Heights of the first bounces against v+ = e v-, to order 1.
+    let off = |h: f64| {
+        let mut scene = Scene::falling();
+        let (floor, ball) = (scene.floor(), scene.ball(1.0, 0.1, [0.0, 0.0, 0.3], [0.0; 3]));
+        scene.pair(ball, floor, 0.0, 0.8);
+        let (mut top, mut rises) = (0.0_f64, false);
+        let steps = (0.55 / h).round() as u32;
+        scene.run(h, steps, |_, contacts, x| {
+            rises |= contacts.iter().any(|touch| touch.contact.impulse[0] > 0.0);
+            top = if rises { top.max(x[2] - 0.1) } else { top };
+        });
+        (top - 0.64 * 0.2).abs()
+    };
+    let [coarse, fine] = [1e-3, 1e-4].map(off);
+    println!("height off by {coarse:e}, {fine:e} m");
+    assert!(coarse < 4e-3 && fine < 4e-4);
+}
+
+#[test]
+fn a_box_slides_as_far_as_friction_lets_it_and_a_ball_rolls() {
+    let (h, mu, speed) = (1e-3, 0.3, 2.0);
+    let mut scene = Scene::falling();
+    let half = [0.1, 0.1, 0.05];
+    let (floor, block) = (scene.floor(), scene.cuboid(2.0, half, [0.0, 0.0, 0.05], [speed, 0.0, 0.0]));
+    let ball = scene.ball(3.0, 0.1, [0.0, 1.0, 0.1], [speed, 0.0, 0.0]);
+    scene.pair(block, floor, mu, 0.0);
+    scene.pair(ball, floor, mu, 0.0);
+    let (x, imbalance, accounts) = scene.run(h, 2000, |_, _, _| {});
+    let way = speed * speed / (2.0 * mu * 9.81);
+    println!("slid {} of {way} m, ledger {imbalance:e}", x[0]);
+    assert!((x[0] - way).abs() < 2.0 * h * speed && x[1].abs() < 1e-12 && x[2] - 0.05 < 1e-6);
+    let speeds = &x[14..];
+    assert!(speeds[..6].iter().all(|u| u.abs() < 1e-9), "{speeds:?}");
+    // A ball that slides ends in rolling with 5/7 of its speed.
+    let (rolling, spin) = (speeds[6], speeds[10] / (0.4 * 3.0 * 0.01));
+    assert!((rolling - 5.0 / 7.0 * speed).abs() < 1e-9, "{rolling}");
+    assert!((rolling - 0.1 * spin).abs() < 1e-9, "{spin}");
+    let lost = 0.5 * 2.0 * speed * speed + 0.5 * 3.0 * speed * speed * (2.0 / 7.0);
+    assert!(
+        (accounts.friction - lost).abs() < 1e-6 * lost && imbalance.abs() < 1e-9,
+        "{}",
+        accounts.friction
+    );
+}
+
+/// Upward force on the upper side of a pair's contacts (N), friction included: facets are a little warped.
+fn carried(contacts: &[Touch<f64>], pair: usize, h: f64) -> f64 {
+    let up = |touch: &Touch<f64>| {
+        let z = touch.contact.to_inertial(touch.contact.impulse)[2] / h;
+        // The normal of a lower node under an upper face points down: the upper side is the second one.
+        if touch.contact.axes[0][2] > 0.0 { z } else { -z }
+    };
+    contacts.iter().filter(|touch| touch.pair == pair).map(up).sum()
+}
+
+#[test]
+fn three_flexible_cubes_stand_on_one_another() {
+    let h = 2e-4;
+    let mut scene = Scene::falling();
+    let floor = scene.floor();
+    let (mut below, mut height) = (floor, 0.0);
+    for (level, edge) in [0.2, 0.17, 0.14].into_iter().enumerate() {
+        // Smaller upwards and off the middle: every lower node stands over a face, none over a node or an edge.
+        let shift = 0.013 * level as f64;
+        height += 1e-3;
+        let cube = scene.cube(edge, [shift, 0.6 * shift, height], [0.0; 3], 4e4, 60.0);
+        scene.pair(cube, below, 0.5, 0.0);
+        (below, height) = (cube, height + edge);
+    }
+    let mut forces = [0.0; 3];
+    let (x, imbalance, accounts) = scene.run(h, 20_000, |report, contacts, _| {
+        assert!(report.settled);
+        forces = [0, 1, 2].map(|pair| carried(contacts, pair, h));
+    });
+    let weights = [3.0, 2.0, 1.0].map(|n| n * 9.81);
+    let off = [0, 1, 2].map(|k| forces[k] / weights[k] - 1.0);
+    let fastest = x[72..].iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    println!("forces off by {off:?}, fastest {fastest:e} m/s, ledger {imbalance:e} of {accounts:?}");
+    assert!(off.iter().all(|off| off.abs() < 1e-9), "{off:?}");
+    assert!(fastest < 1e-9 && imbalance.abs() < 1e-3 * accounts.lost());
+    // The highest nodes are where three cubes reach, sunk by what the springs give.
+    let top = (0..24).map(|k| x[3 * k + 2]).fold(0.0, f64::max);
+    assert!(0.505 < top && top < 0.51, "{top}");
+}
+
+/// A plane inclined by `ANGLE` about n2 and lifted by a cosine, as commanded.
+const ANGLE: f64 = 0.2;
+
+fn inclined(t: f64, _: usize) -> Frame<f64> {
+    let (s, c) = ANGLE.sin_cos();
+    let axes = [[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]];
+    let turn = 3.0;
+    Frame {
+        origin: [0.0, 0.0, 0.02 * (1.0 - (turn * t).cos())],
+        axes,
+        velocity: [0.0, 0.0, 0.02 * turn * (turn * t).sin()],
+        angular_velocity: [0.0; 3],
+    }
+}
+
+#[test]
+fn a_ball_on_a_commanded_tilted_plane_rolls_or_slides_as_friction_says() {
+    let (mass, radius, seconds) = (5.0, 0.1, 1.5);
+    let run = |mu: f64, h: f64| {
+        let mut scene = Scene::falling();
+        scene.parts.push(Part::Driven(Commanded { law: inclined, ports: 1 }));
+        let plane =
+            scene.thing(Thing::Rigid { shape: Shape::HalfSpace, port: Some(0), place: Place::same() });
+        let start = vec3::scale(inclined(0.0, 0).axes[2], radius);
+        let ball = scene.ball(mass, radius, start, [0.0; 3]);
+        scene.pair(ball, plane, mu, 0.0);
+        let (x, imbalance, accounts) = scene.run(h, (seconds / h).round() as u32, |_, _, _| {});
+        let frame = inclined(seconds, 0);
+        let place = frame.place([x[0], x[1], x[2]]);
+        (place, x, imbalance, accounts)
+    };
+    // Along the plane the lift adds its acceleration to that of gravity: its integrals are those of the lift.
+    let fall = 0.5 * 9.81 * seconds * seconds + inclined(seconds, 0).origin[2];
+    let h = 1e-3;
+    let (place, _, imbalance, accounts) = run(0.6, h);
+    let rolled = 5.0 / 7.0 * ANGLE.sin() * fall;
+    println!(
+        "rolled {} of {rolled} m, gap {:e}, ledger {imbalance:e}, {accounts:?}",
+        place[0],
+        place[2] - radius
+    );
+    assert!((place[0] - rolled).abs() < 3e-3 * rolled && (place[2] - radius).abs() < 1e-4);
+    assert!(imbalance.abs() < 1e-9 && accounts.drive.abs() > 0.1, "{imbalance:e}");
+    let mu = 0.03;
+    let (place, ..) = run(mu, h);
+    let slid = (ANGLE.sin() - mu * ANGLE.cos()) * fall;
+    println!("slid {} of {slid} m", place[0]);
+    assert!((place[0] - slid).abs() < 3e-3 * slid && (place[2] - radius).abs() < 1e-4);
+}
