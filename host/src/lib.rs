@@ -33,6 +33,7 @@ pub mod view;
 
 pub mod check;
 pub mod derive;
+pub mod equilibrium;
 pub mod eval;
 pub mod figure;
 pub mod firmware;

@@ -2,7 +2,8 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{
-    check, derive, diagnostics, eval, figure, firmware, manual, new, output, report, run, tile, view,
+    check, derive, diagnostics, equilibrium, eval, figure, firmware, manual, new, output, report, run, tile,
+    view,
 };
 use std::io::Write;
 use std::process::ExitCode;
@@ -28,6 +29,8 @@ enum Command {
     Derive(derive::Arguments),
     /// Evaluate the equations at given states.
     Eval(eval::Arguments),
+    /// Find where it rests or moves steadily, with its modes there.
+    Equilibrium(equilibrium::Arguments),
     /// Simulate, and write rows, plots or an animation.
     Run(run::Arguments),
     /// Show the motion in a page that follows the file.
@@ -63,6 +66,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Equilibrium(arguments) => equilibrium::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),

@@ -131,6 +131,31 @@ impl Expr {
         }
     }
 
+    /// The expression with parts replaced: `f` gives what stands in a node's place, or nothing where it stays.
+    #[must_use]
+    pub fn replaced(&self, f: &dyn Fn(&Self) -> Option<Self>) -> Self {
+        if let Some(other) = f(self) {
+            return other;
+        }
+        let inner = |part: &Self| Box::new(part.replaced(f));
+        let kind = match &self.kind {
+            ExprKind::Negate(a) => ExprKind::Negate(inner(a)),
+            ExprKind::Norm(a) => ExprKind::Norm(inner(a)),
+            ExprKind::Power(a, n) => ExprKind::Power(inner(a), *n),
+            ExprKind::Add(a, b) => ExprKind::Add(inner(a), inner(b)),
+            ExprKind::Subtract(a, b) => ExprKind::Subtract(inner(a), inner(b)),
+            ExprKind::Multiply(a, b) => ExprKind::Multiply(inner(a), inner(b)),
+            ExprKind::Divide(a, b) => ExprKind::Divide(inner(a), inner(b)),
+            ExprKind::Dot(a, b) => ExprKind::Dot(inner(a), inner(b)),
+            ExprKind::Cross(a, b) => ExprKind::Cross(inner(a), inner(b)),
+            ExprKind::Call(function, arguments) => {
+                ExprKind::Call(*function, arguments.iter().map(|a| a.replaced(f)).collect())
+            }
+            other => other.clone(),
+        };
+        Self { kind, ..self.clone() }
+    }
+
     /// Calls `f` on this node and everything below it, each before its parts.
     pub fn visit<'a>(&'a self, f: &mut dyn FnMut(&'a Self)) {
         let mut stack = vec![self];

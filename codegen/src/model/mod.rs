@@ -7,6 +7,7 @@
 //! vector) and unit; `order` is topological, so an entity refers only to earlier ones.
 
 mod check;
+mod closed_loop;
 pub mod colour;
 mod data;
 mod draft;

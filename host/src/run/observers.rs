@@ -205,27 +205,13 @@ fn mentions(model: &Model, expr: &Expr, wanted: &dyn Fn(&Expr) -> bool) -> bool 
 /// The expression with every input 0; definitions that depend on inputs are written out.
 fn without_inputs(model: &Model, expr: &Expr) -> Expr {
     let is_input = |e: &Expr| matches!(e.kind, ExprKind::Input(_));
-    let inner = |e: &Expr| Box::new(without_inputs(model, e));
-    let kind = match &expr.kind {
-        ExprKind::Input(_) => ExprKind::Number(0.0),
+    expr.replaced(&|e| match &e.kind {
+        ExprKind::Input(_) => Some(number(0.0)),
         ExprKind::Definition(id) if mentions(model, &model.definitions[*id].value, &is_input) => {
-            return without_inputs(model, &model.definitions[*id].value);
+            Some(without_inputs(model, &model.definitions[*id].value))
         }
-        ExprKind::Negate(a) => ExprKind::Negate(inner(a)),
-        ExprKind::Norm(a) => ExprKind::Norm(inner(a)),
-        ExprKind::Power(a, n) => ExprKind::Power(inner(a), *n),
-        ExprKind::Add(a, b) => ExprKind::Add(inner(a), inner(b)),
-        ExprKind::Subtract(a, b) => ExprKind::Subtract(inner(a), inner(b)),
-        ExprKind::Multiply(a, b) => ExprKind::Multiply(inner(a), inner(b)),
-        ExprKind::Divide(a, b) => ExprKind::Divide(inner(a), inner(b)),
-        ExprKind::Dot(a, b) => ExprKind::Dot(inner(a), inner(b)),
-        ExprKind::Cross(a, b) => ExprKind::Cross(inner(a), inner(b)),
-        ExprKind::Call(function, arguments) => {
-            ExprKind::Call(*function, arguments.iter().map(|a| without_inputs(model, a)).collect())
-        }
-        other => other.clone(),
-    };
-    Expr { kind, ..expr.clone() }
+        _ => None,
+    })
 }
 
 /// `of(a) - of(b)`, or `of(a)` against the ground.

@@ -4,6 +4,7 @@ mod browser;
 mod check_and_derive;
 mod driven;
 mod edges;
+mod equilibrium;
 mod eval;
 mod figure;
 mod files;

@@ -65,11 +65,12 @@ fn judge(rule: &Value, value: &Value, at: &str, faults: &mut Vec<String>) {
 fn what_commands_print_is_what_the_schema_says() {
     let states = written("schema_states.json", r#"{"states": [{"q": {"q1": 1}, "u": {"u1": 2}}]}"#);
     let out = file("schema_fourbar.rs").display().to_string();
-    let commands: [(&str, &[&str]); 8] = [
+    let commands: [(&str, &[&str]); 9] = [
         ("check", &["check", "fourbar", "--json", "--rounding"]),
         ("check", &["check", "free_body", "--json"]),
         ("derive", &["derive", "fourbar", "-o", &out, "--json"]),
         ("eval", &["eval", "fourbar", "--states", &states]),
+        ("equilibrium", &["equilibrium", "double_pendulum", "--json"]),
         ("run", &["run", "fourbar", "--seconds", "0.01", "--json"]),
         // The book of a drive has one column more.
         ("run", &["run", "shaking_table", "--seconds", "0.01", "--scalar", "f32", "--json"]),

@@ -1,0 +1,129 @@
+//! `smartbed equilibrium`: where a mechanism stays, or moves steadily, and how it moves near there.
+//!
+//! In: a model, what is held, where the search starts. Out: coordinates and speeds at which nothing accelerates
+//! ([`search`]), and the eigenvalues and shapes of the motion near them ([`modes`]), as text or JSON. Laws close the loop:
+//! they stand in the equations ([`Model::closed_loop`]) before these are derived.
+
+mod modes;
+mod search;
+mod text;
+
+use crate::engine::{self, EngineKind};
+use crate::failure::Failure;
+use crate::progress::Waiting;
+use crate::run::settings::Settings;
+use crate::{model_argument, output, run, suggest};
+use search::{Search, Unknown};
+use smartbed_codegen::{Asked, Function, Program, Request, program};
+
+/// Find where a mechanism rests or moves steadily, and its modes there.
+#[derive(clap::Args, Clone, Default, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed equilibrium pendulum3
+  cargo smartbed equilibrium cart_pole                        # with the model's own law: the closed loop
+  cargo smartbed equilibrium bicycle --hold u_thR=-16.67      # steady motion at this speed of the rear wheel
+  cargo smartbed equilibrium tile --trim                      # the inputs that hold it where it starts
+
+The search starts at the model's [start], changed by --set. Without --hold all speeds are 0. Inputs with a law follow it,
+others are 0 or as --input says. SI units. A steady motion keeps every coordinate that the equations depend on; others, such as the
+heading of a bicycle, may go on.")]
+pub struct Arguments {
+    /// The model: a path, or a name under models/.
+    pub model: String,
+    /// Changes a parameter or a value where the search starts; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Holds an independent coordinate or speed at this value; a held speed makes it a steady motion. May be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub hold: Vec<String>,
+    /// Holds an input without a law at this value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub input: Vec<String>,
+    /// Keeps coordinates and speeds as they start, and looks for inputs that balance them.
+    #[arg(long, conflicts_with = "hold")]
+    pub trim: bool,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong model, for one that time drives, and where nothing balances.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let written = model_argument::read(&arguments.model)?;
+    let model = &written.closed_loop();
+    let asked = run::Arguments {
+        model: arguments.model.clone(),
+        set: arguments.set.clone(),
+        ..run::Arguments::default()
+    };
+    let settings = Settings::new(model, &asked)?;
+    let waiting = Waiting::new("deriving the equations");
+    let function = Function { name: "near".to_owned(), requests: vec![Request::new("linearisation")] };
+    let asked = Asked::besides(vec![function]);
+    let program = program::derive_asked(model, &settings.choice, program::Settings::default(), &asked)
+        .map_err(|e| model_argument::wrong(&e))?;
+    drop(waiting);
+    model_argument::print_warnings(&program);
+    if program.drive.is_some() {
+        return Err(Failure::Wrong(format!(
+            "{}: time drives this mechanism, so it rests nowhere; give the driven coordinates constant values",
+            arguments.model
+        )));
+    }
+    let start = run::start(model, &program, &settings)?;
+    let mut search = Search::new(model, &program, engine::new(EngineKind::Interpreter, &program)?, &start);
+    hold(arguments, &program, &mut search)?;
+    let found = search.find().map_err(|why| Failure::Wrong(format!("{}: {why}", arguments.model)))?;
+    let modes = modes::of(&found.slopes, &search.state_names())
+        .ok_or_else(|| Failure::Wrong("the eigenvalues were not found in 10,000 sweeps".to_owned()))?;
+    let answer = text::Answer { model, program: &program, search: &search, found: &found, modes: &modes };
+    output::print(&if arguments.json { answer.json() } else { answer.text() })
+}
+
+/// What the command line holds, and what is looked for.
+fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result<(), Failure> {
+    for given in &arguments.input {
+        let (name, value) = assignment("--input", given)?;
+        let names = program.inputs.iter().map(|i| i.name.as_str());
+        let Some(place) = program.inputs.iter().position(|i| i.name == name) else {
+            return Err(unknown("--input", given, "an input of the model", &name, names));
+        };
+        if !search.is_free_input(place) {
+            return Err(Failure::Wrong(format!(
+                "--input {given}: `{name}` follows its law; leave one of them out"
+            )));
+        }
+        search.set_input(place, value);
+    }
+    for given in &arguments.hold {
+        let (name, value) = assignment("--hold", given)?;
+        if !search.hold(&name, value) {
+            let names = search.state_names();
+            let names = names.iter().map(String::as_str);
+            return Err(unknown("--hold", given, "an independent coordinate or speed", &name, names));
+        }
+    }
+    search.look_for(if arguments.trim { Unknown::Inputs } else { Unknown::State });
+    Ok(())
+}
+
+fn assignment(option: &str, text: &str) -> Result<(String, f64), Failure> {
+    model_argument::assignment(text).map_err(|_| {
+        Failure::Wrong(format!(
+            "{option} {text}: expected NAME=NUMBER in SI units, for example {option} q=0.5"
+        ))
+    })
+}
+
+fn unknown<'a>(
+    option: &str,
+    given: &str,
+    expected: &str,
+    name: &str,
+    known: impl Iterator<Item = &'a str>,
+) -> Failure {
+    Failure::Wrong(format!("{option} {given}: `{name}` is not {expected}{}", suggest::help(name, known)))
+}

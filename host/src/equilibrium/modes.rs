@@ -1,0 +1,138 @@
+//! Modes: eigenvalues and shapes of small motions about an equilibrium, x' = A dx.
+//!
+//! In: A. Out: one mode a real eigenvalue or pair of complex ones, the fastest first. A shape is the vector v of
+//! (A - lambda) v = 0, found as the direction that A - lambda shortens most.
+
+use super::search::Slopes;
+use nalgebra::linalg::{Schur, balancing};
+use nalgebra::{Complex, DMatrix};
+
+/// Sweeps of the eigenvalues' iteration.
+const SWEEPS: usize = 10_000;
+/// Eigenvalues below this share of the largest are 0: rounding splits a double zero by the root of its unit.
+const NEUTRAL: f64 = 1e-6;
+/// A real part below this share of the eigenvalue is rounding.
+const UNDAMPED: f64 = 1e-9;
+/// Entries of a shape below this share of its largest are left out.
+const SMALL: f64 = 1e-6;
+
+/// What becomes of a small motion.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Fate {
+    /// It dies out.
+    Decays,
+    /// It goes on as it is.
+    Persists,
+    /// It grows.
+    Grows,
+}
+
+/// One mode.
+#[derive(Clone, Debug)]
+pub(super) struct Mode {
+    /// lambda (1/s); of a pair the one with positive imaginary part.
+    pub eigenvalue: Complex<f64>,
+    /// Its fate.
+    pub fate: Fate,
+    /// Entries of the state that take part: name, size relative to the largest, phase (rad). Empty for an eigenvalue 0:
+    /// what belongs to it is a space of motions, often of more than one direction.
+    pub shape: Vec<(String, f64, f64)>,
+}
+
+impl Mode {
+    /// Is the eigenvalue 0?
+    pub fn is_neutral(&self) -> bool {
+        self.eigenvalue == Complex::new(0.0, 0.0)
+    }
+
+    /// Frequency (Hz); 0 where nothing swings.
+    pub fn frequency(&self) -> f64 {
+        self.eigenvalue.im / std::f64::consts::TAU
+    }
+
+    /// zeta = -Re/|lambda|.
+    pub fn damping_ratio(&self) -> f64 {
+        let size = self.eigenvalue.norm();
+        if size > 0.0 && self.fate != Fate::Persists { -self.eigenvalue.re / size } else { 0.0 }
+    }
+}
+
+/// The modes of a system; none if the iteration does not end.
+pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
+    let mut balanced = slopes.a.clone();
+    if balanced.is_empty() {
+        return Some(Vec::new());
+    }
+    balancing::balance_parlett_reinsch(&mut balanced);
+    let schur = Schur::try_new(balanced, f64::EPSILON, SWEEPS)?;
+    let eigenvalues = schur.complex_eigenvalues();
+    let largest = eigenvalues.iter().fold(0.0_f64, |most, l| most.max(l.norm()));
+    let mut modes: Vec<Mode> = Vec::new();
+    for value in eigenvalues.iter() {
+        let is_zero = value.norm() <= NEUTRAL * largest;
+        if value.im < 0.0 && !is_zero {
+            continue;
+        }
+        let eigenvalue = if is_zero { Complex::new(0.0, 0.0) } else { *value };
+        let fate = match eigenvalue.re {
+            re if re.abs() <= UNDAMPED * largest => Fate::Persists,
+            re if re < 0.0 => Fate::Decays,
+            _ => Fate::Grows,
+        };
+        let shape = if is_zero { Vec::new() } else { shape(&slopes.a, eigenvalue, names) };
+        modes.push(Mode { eigenvalue, fate, shape });
+    }
+    modes.sort_by(|a, b| b.eigenvalue.norm().total_cmp(&a.eigenvalue.norm()));
+    Some(modes)
+}
+
+fn shape(a: &DMatrix<f64>, eigenvalue: Complex<f64>, names: &[String]) -> Vec<(String, f64, f64)> {
+    let n = a.nrows();
+    let shifted = a.map(|x| Complex::new(x, 0.0)) - DMatrix::identity(n, n) * eigenvalue;
+    let svd = shifted.svd(false, true);
+    let Some(rows) = svd.v_t else { return Vec::new() };
+    let (least, _) = svd.singular_values.argmin();
+    let vector: Vec<Complex<f64>> = rows.row(least).iter().map(Complex::conj).collect();
+    let largest = vector.iter().copied().max_by(|x, y| x.norm().total_cmp(&y.norm())).unwrap_or_default();
+    let relative = vector.iter().zip(names).map(|(x, name)| (name.clone(), x / largest));
+    let parts = relative.map(|(name, x)| {
+        (name, x.norm(), if x.im == 0.0 && x.re < 0.0 { std::f64::consts::PI } else { x.arg() })
+    });
+    parts.filter(|(_, size, _)| *size > SMALL).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn system(rows: &[f64], n: usize) -> Slopes {
+        Slopes { a: DMatrix::from_row_slice(n, n, rows), b: DMatrix::zeros(n, 0) }
+    }
+
+    fn names(n: usize) -> Vec<String> {
+        (0..n).map(|i| format!("x{i}")).collect()
+    }
+
+    #[test]
+    fn a_damped_oscillator_has_its_frequency_and_damping() {
+        // x'' + 2 zeta w x' + w^2 x = 0 with w = 3, zeta = 0.1.
+        let modes = of(&system(&[0.0, 1.0, -9.0, -0.6], 2), &names(2)).expect("modes");
+        let [mode] = modes.as_slice() else { panic!("{modes:?}") };
+        assert!((mode.eigenvalue.re + 0.3).abs() < 1e-14, "{mode:?}");
+        assert!((mode.frequency() - (9.0_f64 - 0.09).sqrt() / std::f64::consts::TAU).abs() < 1e-14);
+        assert!((mode.damping_ratio() - 0.1).abs() < 1e-14);
+        assert_eq!(mode.fate, Fate::Decays);
+        // v = (1, lambda): the speed is |lambda| times the displacement.
+        let size = |name: &str| mode.shape.iter().find(|part| part.0 == name).map(|part| part.1);
+        assert!((size("x0").expect("x0") - 1.0 / 3.0).abs() < 1e-12, "{mode:?}");
+        assert_eq!(size("x1"), Some(1.0));
+    }
+
+    #[test]
+    fn what_nothing_brings_back_is_neutral() {
+        // A double zero and a growing motion.
+        let modes = of(&system(&[0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0], 3), &names(3)).expect("modes");
+        let fates: Vec<Fate> = modes.iter().map(|mode| mode.fate).collect();
+        assert_eq!(fates, [Fate::Grows, Fate::Persists, Fate::Persists]);
+    }
+}

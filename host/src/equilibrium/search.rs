@@ -1,0 +1,352 @@
+//! Newton's method for a state, or for inputs, at which nothing accelerates.
+//!
+//! In: rates of the state x = (independent q, independent u) and their slopes A, B at a place, from the derived equations.
+//! Out: the place, where all rates vanish that have to:
+//! ```text
+//! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the shortest such step
+//! ```
+//! in units of each unknown's own range. Where the answer is not one place but a line of them, the shortest step leads to
+//! the one nearest to the start. A step is halved while it does not lower r or cannot be assembled.
+
+use crate::configuration::Configurations;
+use crate::engine::Engine;
+use nalgebra::{DMatrix, DVector};
+use smartbed_codegen::Program;
+use smartbed_codegen::id::Id;
+use smartbed_codegen::model::Model;
+
+/// Newton's steps at most; each at least halves the largest rate or is the last.
+const STEPS: usize = 100;
+/// Halvings of one step.
+const HALVINGS: usize = 40;
+/// A share of what a rate changes by over the ranges of the state: with less left the search ends.
+const ROUNDING: f64 = f64::EPSILON;
+/// Above this share an end is no equilibrium.
+const BALANCED: f64 = 1e-9;
+/// Slopes by a coordinate below this share of the largest are rounding: nothing depends on it.
+const NO_SLOPE: f64 = 1e-12;
+/// Singular values below this share of the largest belong to directions along which nothing changes.
+const FLAT: f64 = 1e-9;
+
+/// What is looked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Unknown {
+    /// Coordinates, and speeds if any is held.
+    State,
+    /// Inputs without a law.
+    Inputs,
+}
+
+/// A coordinate or speed of the state.
+struct Entry {
+    name: String,
+    /// Its place in (q, u).
+    place: usize,
+    is_speed: bool,
+    is_held: bool,
+    /// Half of its range; 1 for a speed.
+    scale: f64,
+}
+
+/// The search and where it is.
+pub(super) struct Search<'p> {
+    program: &'p Program,
+    engine: Box<dyn Engine<f64>>,
+    configurations: Configurations,
+    state: Vec<Entry>,
+    q: Vec<f64>,
+    u: Vec<f64>,
+    inputs: Vec<f64>,
+    free_inputs: Vec<usize>,
+    unknown: Unknown,
+}
+
+/// Slopes of the rates of the state, x' = A dx + B dinputs.
+#[derive(Clone, Debug)]
+pub(super) struct Slopes {
+    pub a: DMatrix<f64>,
+    pub b: DMatrix<f64>,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub q: Vec<f64>,
+    /// All speeds, dependent ones included.
+    pub speeds: Vec<f64>,
+    pub inputs: Vec<f64>,
+    pub outputs: Vec<f64>,
+    /// The largest rate that is left, with its name.
+    pub left: (String, f64),
+    pub slopes: Slopes,
+    pub is_motion: bool,
+}
+
+/// Rates and slopes at a place.
+struct Rates {
+    x_dot: DVector<f64>,
+    slopes: Slopes,
+}
+
+impl<'p> Search<'p> {
+    pub fn new(model: &Model, program: &'p Program, engine: Box<dyn Engine<f64>>, start: &[f64]) -> Self {
+        let configurations = Configurations::new(model, program);
+        let n_q = program.q.len();
+        let range = |name: &str| {
+            let declared = model.coordinates.iter().find(|c| c.name == name);
+            let half = declared.map_or(1.0, |c| 0.5 * (c.range.1 - c.range.0));
+            if half > 0.0 && half.is_finite() { half } else { 1.0 }
+        };
+        let coordinates =
+            program.q.iter().enumerate().filter(|(place, _)| configurations.is_independent(*place));
+        let coordinates = coordinates.map(|(place, q)| Entry {
+            name: q.name.clone(),
+            place,
+            is_speed: false,
+            is_held: false,
+            scale: range(&q.name),
+        });
+        let speeds = program.u.iter().enumerate().map(|(place, u)| Entry {
+            name: u.name.clone(),
+            place,
+            is_speed: true,
+            is_held: true,
+            scale: 1.0,
+        });
+        let state = coordinates.chain(speeds).collect();
+        let lawful: Vec<usize> = model.laws.iter().map(|(input, _)| input.index()).collect();
+        let free_inputs = (0..program.inputs.len()).filter(|i| !lawful.contains(i)).collect();
+        let (q, u) = start.split_at(n_q);
+        Self {
+            program,
+            engine,
+            state,
+            q: q.to_vec(),
+            u: vec![0.0; u.len()],
+            inputs: vec![0.0; program.inputs.len()],
+            configurations,
+            free_inputs,
+            unknown: Unknown::State,
+        }
+    }
+
+    /// Names of the state.
+    pub fn state_names(&self) -> Vec<String> {
+        self.state.iter().map(|entry| entry.name.clone()).collect()
+    }
+
+    pub fn is_free_input(&self, place: usize) -> bool {
+        self.free_inputs.contains(&place)
+    }
+
+    pub fn set_input(&mut self, place: usize, value: f64) {
+        self.inputs[place] = value;
+    }
+
+    /// Holds an entry of the state; the first held speed frees those that are not. False: there is none of that name.
+    pub fn hold(&mut self, name: &str, value: f64) -> bool {
+        let Some(found) = self.state.iter().position(|entry| entry.name == name) else { return false };
+        if self.state[found].is_speed && !self.is_motion() {
+            self.state.iter_mut().filter(|entry| entry.is_speed).for_each(|entry| entry.is_held = false);
+        }
+        let entry = &mut self.state[found];
+        entry.is_held = true;
+        let list = if entry.is_speed { &mut self.u } else { &mut self.q };
+        list[entry.place] = value;
+        true
+    }
+
+    pub fn look_for(&mut self, unknown: Unknown) {
+        self.unknown = unknown;
+    }
+
+    /// Is it a steady motion that is looked for? Then some speeds are free; without speeds held all are 0.
+    fn is_motion(&self) -> bool {
+        self.state.iter().any(|entry| entry.is_speed && !entry.is_held) || self.u.iter().any(|u| *u != 0.0)
+    }
+
+    /// Goes there.
+    pub fn find(&mut self) -> Result<Found, String> {
+        self.assemble_held()?;
+        let mut here =
+            self.rates().ok_or("it cannot move where the search starts; give another start by --set")?;
+        let mut rest = self.off_balance(&here);
+        for _ in 0..STEPS {
+            if rest.1 <= ROUNDING {
+                break;
+            }
+            let Some(step) = self.newton_step(&here) else { break };
+            let Some((next, less)) = self.shortened(&step, rest.1) else { break };
+            (here, rest) = (next, less);
+        }
+        let (name, share) = rest;
+        let value = self.rate_of(&here, &name);
+        if share > BALANCED {
+            return Err(self.not_found(&name, value));
+        }
+        Ok(Found {
+            q: self.q.clone(),
+            speeds: self.engine.speeds(&self.q, &self.u).map_err(|fault| fault.reason().to_owned())?,
+            inputs: self.inputs.clone(),
+            outputs: self
+                .engine
+                .outputs(0.0, &self.q, &self.u, &self.inputs)
+                .map_err(|fault| fault.reason().to_owned())?,
+            left: (name, value),
+            slopes: here.slopes,
+            is_motion: self.is_motion(),
+        })
+    }
+
+    /// Dependent coordinates for those that are held elsewhere than they started.
+    fn assemble_held(&mut self) -> Result<(), String> {
+        let given: Vec<Option<f64>> = self.q.iter().map(|q| Some(*q)).collect();
+        let held = self.state.iter().any(|entry| !entry.is_speed && entry.is_held);
+        if !held {
+            return Ok(());
+        }
+        let independent =
+            given.iter().enumerate().map(|(i, q)| q.filter(|_| self.configurations.is_independent(i)));
+        let parameters: Vec<f64> = self.program.parameters.iter().map(|p| p.value).collect();
+        let solved = self.configurations.solve(&parameters, &independent.collect::<Vec<_>>());
+        self.q =
+            solved.map_err(|unreachable| format!("what --hold says cannot be assembled: {unreachable}"))?;
+        Ok(())
+    }
+
+    fn not_found(&self, name: &str, value: f64) -> String {
+        let advice = match self.unknown {
+            Unknown::State => {
+                "give a start nearer to it by --set, hold inputs by --input, or let them balance it by --trim"
+            }
+            Unknown::Inputs if self.free_inputs.is_empty() => "the model has no input without a law",
+            Unknown::Inputs => "its inputs cannot balance this state; give another by --set",
+        };
+        format!("no equilibrium was found: the rate of `{name}` stays {value:.3e}; {advice}")
+    }
+
+    /// Rates and slopes here; none where the configuration is singular.
+    fn rates(&mut self) -> Option<Rates> {
+        let (n_q, n_u) = (self.q.len(), self.u.len());
+        let (mut q_dot, mut u_dot) = (vec![0.0; n_q], vec![0.0; n_u]);
+        self.engine.set_time(0.0);
+        self.engine.rates(0.0, &self.q, &self.u, &self.inputs, &mut q_dot, &mut u_dot).ok()?;
+        let near = self.engine.function(0, (0.0, &self.q, &self.u, &self.inputs, &[])).ok()?;
+        let n = self.state.len();
+        let (a, rest) = near.split_at_checked(n * n)?;
+        let b = rest.get(..n * self.inputs.len())?;
+        let x_dot = self.state.iter().map(|e| if e.is_speed { u_dot[e.place] } else { q_dot[e.place] });
+        let x_dot = DVector::from_iterator(n, x_dot);
+        let slopes = Slopes {
+            a: DMatrix::from_row_slice(n, n, a),
+            b: DMatrix::from_row_slice(n, self.inputs.len(), b),
+        };
+        let is_finite = x_dot.iter().chain(&slopes.a).chain(&slopes.b).all(|x| x.is_finite());
+        is_finite.then_some(Rates { x_dot, slopes })
+    }
+
+    /// Rows that have to vanish: accelerations, and rates of coordinates on which anything depends.
+    fn rows(&self, here: &Rates) -> Vec<usize> {
+        let largest = here.slopes.a.amax();
+        let matters = |j: usize| here.slopes.a.column(j).amax() > NO_SLOPE * largest;
+        (0..self.state.len())
+            .filter(|&i| self.state[i].is_speed || (self.is_motion() && matters(i)))
+            .collect()
+    }
+
+    /// Columns of the unknowns, times their scales, over the rows that have to vanish.
+    fn slopes_of_unknowns(&self, here: &Rates, rows: &[usize]) -> DMatrix<f64> {
+        match self.unknown {
+            Unknown::State => {
+                let free: Vec<usize> = (0..self.state.len()).filter(|&j| !self.state[j].is_held).collect();
+                let scales = free.iter().map(|&j| self.state[j].scale).collect::<Vec<_>>();
+                DMatrix::from_fn(rows.len(), free.len(), |i, j| here.slopes.a[(rows[i], free[j])] * scales[j])
+            }
+            Unknown::Inputs => {
+                let free = &self.free_inputs;
+                DMatrix::from_fn(rows.len(), free.len(), |i, j| here.slopes.b[(rows[i], free[j])])
+            }
+        }
+    }
+
+    /// Each rate as a share of what the ranges of the whole state change it by: the largest, with its name.
+    fn off_balance(&self, here: &Rates) -> (String, f64) {
+        let mut worst = (String::new(), 0.0);
+        for i in self.rows(here) {
+            let over_ranges: f64 =
+                self.state.iter().enumerate().map(|(j, e)| (here.slopes.a[(i, j)] * e.scale).abs()).sum();
+            let by_inputs: f64 = here.slopes.b.row(i).iter().map(|b| b.abs()).sum();
+            let own = here.x_dot[i].abs();
+            let share = own / (over_ranges + by_inputs + own).max(f64::MIN_POSITIVE);
+            if share > worst.1 || worst.0.is_empty() {
+                worst = (self.state[i].name.clone(), share);
+            }
+        }
+        worst
+    }
+
+    fn rate_of(&self, here: &Rates, name: &str) -> f64 {
+        self.state.iter().position(|entry| entry.name == name).map_or(0.0, |i| here.x_dot[i])
+    }
+
+    /// The shortest step that balances the rates to first order, rows in units of their own size.
+    fn newton_step(&self, here: &Rates) -> Option<DVector<f64>> {
+        let rows = self.rows(here);
+        let mut slopes = self.slopes_of_unknowns(here, &rows);
+        let mut rest = DVector::from_iterator(rows.len(), rows.iter().map(|&i| -here.x_dot[i]));
+        for i in 0..rows.len() {
+            let size = slopes.row(i).amax();
+            if size > 0.0 {
+                slopes.row_mut(i).scale_mut(1.0 / size);
+                rest[i] /= size;
+            }
+        }
+        if slopes.ncols() == 0 {
+            return None;
+        }
+        let svd = slopes.svd(true, true);
+        svd.solve(&rest, FLAT * svd.singular_values.max()).ok()
+    }
+
+    /// Takes the step, or as much of it as lowers the rates.
+    fn shortened(&mut self, step: &DVector<f64>, before: f64) -> Option<(Rates, (String, f64))> {
+        let old = (self.q.clone(), self.u.clone(), self.inputs.clone());
+        // No further at once than half a range.
+        let mut part = 1.0 / step.amax().max(1.0);
+        for _ in 0..HALVINGS {
+            if self.go(&old, step, part)
+                && let Some(here) = self.rates()
+            {
+                let rest = self.off_balance(&here);
+                if rest.1 < before {
+                    return Some((here, rest));
+                }
+            }
+            part *= 0.5;
+        }
+        (self.q, self.u, self.inputs) = old;
+        None
+    }
+
+    /// A part of the step from an old place; false where it cannot be assembled.
+    fn go(&mut self, old: &(Vec<f64>, Vec<f64>, Vec<f64>), step: &DVector<f64>, part: f64) -> bool {
+        let (mut q, mut u, mut inputs) = old.clone();
+        match self.unknown {
+            Unknown::Inputs => {
+                self.free_inputs.iter().zip(step).for_each(|(&place, d)| inputs[place] += part * d);
+            }
+            Unknown::State => {
+                for (entry, d) in self.state.iter().filter(|entry| !entry.is_held).zip(step) {
+                    let list = if entry.is_speed { &mut u } else { &mut q };
+                    list[entry.place] += part * entry.scale * d;
+                }
+                match self.configurations.follow(0.0, &old.0, &q) {
+                    Ok(assembled) => q = assembled,
+                    Err(_) => return false,
+                }
+            }
+        }
+        (self.q, self.u, self.inputs) = (q, u, inputs);
+        true
+    }
+}

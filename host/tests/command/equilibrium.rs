@@ -1,0 +1,158 @@
+//! `smartbed equilibrium` against closed forms, published eigenvalues, and the slope of the energy.
+
+use crate::support::{Done, smartbed, written};
+use serde_json::Value;
+
+fn found(arguments: &[&str]) -> Value {
+    let all: Vec<&str> = [&["equilibrium", "--json"], arguments].concat();
+    let done = smartbed(&all);
+    assert_eq!(done.status, 0, "{done:?}");
+    done.json()
+}
+
+fn refused(arguments: &[&str]) -> Done {
+    smartbed(&[&["equilibrium"], arguments].concat())
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("a number: {value}"))
+}
+
+fn eigenvalues(answer: &Value) -> Vec<[f64; 2]> {
+    let modes = answer["modes"].as_array().expect("modes");
+    modes.iter().map(|mode| [number(&mode["real"]), number(&mode["imaginary"])]).collect()
+}
+
+fn close(x: f64, y: f64, relative: f64, what: &str) {
+    assert!((x - y).abs() <= relative * y.abs(), "{what}: {x:e} against {y:e}");
+}
+
+/// |det(l^2 M + l C + K)| over the sum of its terms, 2 x 2.
+fn determinant([re, im]: [f64; 2], mass: [f64; 4], damping: [f64; 4], stiffness: [f64; 4]) -> f64 {
+    let times = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
+    let square = times([re, im], [re, im]);
+    let entry = |i: usize| {
+        let sum = |part: usize| square[part] * mass[i] + [re, im][part] * damping[i];
+        [sum(0) + stiffness[i], sum(1)]
+    };
+    let (first, second) = (times(entry(0), entry(3)), times(entry(1), entry(2)));
+    let size = |[a, b]: [f64; 2]| a.hypot(b);
+    size([first[0] - second[0], first[1] - second[1]]) / (size(first) + size(second))
+}
+
+#[test]
+fn a_double_pendulum_hangs_and_swings_as_its_matrices_say() {
+    let answer = found(&["double_pendulum", "--set", "q1=0.7", "--set", "q2=-0.4"]);
+    for name in ["q1", "q2"] {
+        assert!(number(&answer["q"][name]).abs() < 1e-12, "{answer}");
+    }
+    // Slender rods about the downward vertical, in q1 and the relative q2.
+    let (m1, m2, l1, l2, c, g) = (1.2, 0.8, 0.5, 0.4, 0.02, 9.81);
+    let (own, lower) = (m1 * l1 * l1 / 3.0 + m2 * l1 * l1, m2 * l2 * l2 / 3.0);
+    let coupled = m2 * l1 * l2 / 2.0;
+    let mass = [own + lower + 2.0 * coupled, lower + coupled, lower + coupled, lower];
+    let (upper_weight, lower_weight) = ((m1 / 2.0 + m2) * g * l1, m2 * g * l2 / 2.0);
+    let stiffness = [upper_weight + lower_weight, lower_weight, lower_weight, lower_weight];
+    let values = eigenvalues(&answer);
+    assert_eq!(values.len(), 2, "{answer}");
+    for value in values {
+        let rest = determinant(value, mass, [0.0, 0.0, 0.0, c], stiffness);
+        assert!(rest < 1e-12, "{value:?}: {rest:e}");
+    }
+    assert!(answer["modes"].as_array().expect("modes").iter().all(|mode| mode["fate"] == "decays"));
+}
+
+#[test]
+fn a_law_closes_the_loop() {
+    let answer = found(&["cart_pole"]);
+    // (m_c + m_p) x'' + m_p l/2 q'' = F, m_p l/2 x'' + (I + m_p l^2/4) q'' = m_p g l/2 q, and the law
+    // F = 30 q + 5 q' + x + 3 x'.
+    let (cart, pole, l, g) = (1.0, 0.2, 0.6, 9.81);
+    let arm = pole * l / 2.0;
+    let mass = [cart + pole, arm, arm, pole * l * l / 3.0];
+    for value in eigenvalues(&answer) {
+        let rest = determinant(value, mass, [-3.0, -5.0, 0.0, 0.0], [-1.0, -30.0, 0.0, -arm * g]);
+        assert!(rest < 1e-12, "{value:?}: {rest:e}");
+    }
+    let text = smartbed(&["equilibrium", "cart_pole"]).out;
+    assert!(text.contains("stable: every small push dies out"), "{text}");
+    // Without its gains the pole falls.
+    let fallen = smartbed(&["equilibrium", "cart_pole", "--set", "k_angle=0", "--set", "k_rate=0"]).out;
+    assert!(fallen.contains("unstable: a small push grows"), "{fallen}");
+}
+
+#[test]
+fn the_bicycle_at_5_m_per_s_has_the_published_eigenvalues() {
+    // Meijaard, Papadopoulos, Ruina and Schwab 2007, table 2: weave, capsize, castering.
+    const PUBLISHED: [[f64; 2]; 3] = [
+        [-14.078_389_692_798_22, 0.0],
+        [-0.775_341_882_195_85, 4.464_867_713_788_23],
+        [-0.322_866_429_004_09, 0.0],
+    ];
+    let answer = found(&["bicycle", "--hold", "u_thR=-16.666666666666668"]);
+    assert_eq!(answer["steady_motion"], true);
+    let values = eigenvalues(&answer);
+    for (value, published) in values.iter().zip(PUBLISHED) {
+        for part in 0..2 {
+            assert!((value[part] - published[part]).abs() < 2e-12, "{value:?} against {published:?}");
+        }
+    }
+    // The rest is where it is, how it heads, how far it rolled and how fast: nothing brings these back.
+    assert!(values[3..].iter().all(|value| *value == [0.0, 0.0]), "{values:?}");
+}
+
+#[test]
+fn a_top_precesses_steadily() {
+    let answer = found(&["gyroscope", "--hold", "w3=300", "--hold", "theta=1.1"]);
+    // m g h = Ia w3 W - (It + m h^2) W^2 cos(theta), W the precession.
+    let (m, h, it, ia, g) = (0.3, 0.05, 2e-4, 3e-4, 9.81);
+    let (theta, precession) = (number(&answer["q"]["theta"]), number(&answer["outputs"]["precession"]));
+    assert_eq!(theta, 1.1);
+    let turning = ia * 300.0 * precession - (it + m * h * h) * precession * precession * theta.cos();
+    close(turning, m * g * h, 1e-12, "moment of the weight");
+    assert!(
+        answer["modes"].as_array().expect("modes").iter().all(|mode| mode["fate"] == "persists"),
+        "{answer}"
+    );
+}
+
+#[test]
+fn thrusts_that_hold_the_tile_are_slopes_of_its_energy() {
+    let place = [("hA", 0.02), ("hB", -0.01), ("hC", 0.005)];
+    let start: Vec<String> = place.iter().map(|(name, h)| format!("{name}={h}")).collect();
+    let set: Vec<&str> = start.iter().flat_map(|change| ["--set", change.as_str()]).collect();
+    let answer = found(&[&["tile", "--trim"], set.as_slice()].concat());
+    const STEP: f64 = 1e-4;
+    for (leg, thrust) in [("hA", "FA"), ("hB", "FB"), ("hC", "FC")] {
+        let at = |change: f64| {
+            let q =
+                place.map(|(name, h)| format!("\"{name}\": {}", h + if name == leg { change } else { 0.0 }));
+            format!("{{\"q\": {{{}}}}}", q.join(", "))
+        };
+        let states = [-2.0, -1.0, 1.0, 2.0].map(|n| at(n * STEP)).join(", ");
+        let file = written(&format!("trim_{leg}.json"), &format!("{{\"states\": [{states}]}}"));
+        let energies = smartbed(&["eval", "tile", "--states", &file, "--answers", "energy"]).json();
+        let v = |n: usize| number(&energies["states"][n]["energy"]["potential"]);
+        let slope = (8.0 * (v(2) - v(1)) - (v(3) - v(0))) / (12.0 * STEP);
+        close(number(&answer["inputs"][thrust]), slope, 1e-9, thrust);
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    // Nothing holds its platform up.
+    let tile = refused(&["tile"]);
+    assert!(tile.message().contains("no equilibrium was found: the rate of `u_h"), "{tile:?}");
+    assert!(tile.message().contains("--trim"), "{tile:?}");
+    let driven = refused(&["cam"]);
+    assert!(driven.message().contains("time drives this mechanism"), "{driven:?}");
+    let name = refused(&["bicycle", "--hold", "u_thr=-5"]);
+    assert!(name.message().contains("did you mean `u_thR`"), "{name:?}");
+    let input = refused(&["cart_pole", "--input", "F=1"]);
+    assert!(input.message().contains("follows its law"), "{input:?}");
+    let number = refused(&["tile", "--input", "FA=much"]);
+    assert!(number.message().contains("expected NAME=NUMBER"), "{number:?}");
+    // Nothing can hold a leaning top that does not spin.
+    let none = refused(&["gyroscope", "--trim"]);
+    assert!(none.message().contains("no input without a law"), "{none:?}");
+}
