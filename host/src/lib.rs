@@ -27,6 +27,7 @@ pub mod crate_folder;
 pub mod engine;
 pub mod limits;
 pub mod model_argument;
+pub mod speeds;
 
 pub mod plot;
 pub mod view;

@@ -74,6 +74,15 @@ pub trait Mechanism<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if `q` has not `n_q` entries.
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault>;
+    /// One correction that puts the speeds back on the constraints, where more speeds are state than are independent:
+    /// the motion passes dead points of the independent ones. Else there is nothing to correct.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn project_speeds(&mut self, q: &[S], u: &mut [S]) -> Result<(), Fault> {
+        let _ = (q, u);
+        Ok(())
+    }
     /// Kinetic and potential energy (J).
     ///
     /// # Errors

@@ -10,6 +10,7 @@ mod body_trials;
 mod closed_forms;
 mod contact_laws;
 mod cost;
+mod dead_points;
 mod dense_output;
 mod emulator;
 mod emulator_scene;

@@ -35,7 +35,8 @@ fn random_mechanisms_move_as_newton_and_euler_say() {
     let count = asked("SMARTBED_MECHANISMS", MECHANISMS);
     let first = asked("SMARTBED_FIRST", 0);
     let n_kinds = KINDS.len() as u64;
-    let (mut compared, mut singular, mut refused, mut unexplained, mut worst) = (0, 0, 0, 0, 0.0_f64);
+    let (mut compared, mut redundant, mut singular, mut refused, mut unexplained, mut worst) =
+        (0, 0, 0, 0, 0, 0.0_f64);
     for seed in first..first + count.div_ceil(n_kinds) {
         for kind in KINDS {
             let d = draw::mechanism(kind, seed);
@@ -49,12 +50,13 @@ fn random_mechanisms_move_as_newton_and_euler_say() {
                 println!("{kind:?}, seed {seed}, {agreed}: {}", message.lines().next().unwrap_or_default());
             }
             compared += found.compared;
+            redundant += found.redundant;
             singular += found.singular;
             worst = worst.max(found.worst);
         }
     }
     println!(
-        "{count} mechanisms: {compared} states compared, worst {worst:.1e}; {singular} singular, {refused} refused, \
+        "{count} mechanisms: {compared} states compared, {redundant} of them with all speeds as state, worst {worst:.1e}; {singular} singular, {refused} refused, \
          {unexplained} without reason"
     );
     assert!((singular as f64) < SINGULAR * compared as f64, "{singular} of {compared} states singular");

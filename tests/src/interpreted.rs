@@ -125,6 +125,9 @@ impl<S: Real> Mechanism<S> for InterpretedSubject<S> {
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault> {
         self.engine.project(q)
     }
+    fn project_speeds(&mut self, q: &[S], u: &mut [S]) -> Result<(), Fault> {
+        self.engine.project_speeds(q, u)
+    }
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         self.engine.energy(q, u)
     }

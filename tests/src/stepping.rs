@@ -38,7 +38,10 @@ impl<S: Scalar> Ode<S> for Steered<'_, S> {
         self.subject.set_time(t);
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
-        self.subject.project(&mut x[..self.n_q])
+        let (q, u) = x.split_at_mut(self.n_q);
+        let residual = self.subject.project(q)?;
+        self.subject.project_speeds(q, u)?;
+        Ok(residual)
     }
     fn projections(&self) -> u8 {
         1

@@ -16,6 +16,7 @@ mod inertia_force;
 mod inverse;
 mod parallel;
 mod reduce;
+mod redundant;
 mod segment;
 mod segment_inertia;
 mod shared_axis;
@@ -56,6 +57,8 @@ pub struct Dynamics {
     pub potential: ExprId,
     /// Power (W) of what makes the mechanism follow time, if it is driven.
     pub drive: Option<ExprId>,
+    /// Correction of redundant speeds, one a speed; empty where the speeds are independent.
+    pub speed_correction: Vec<ExprId>,
     /// Value of every unknown in terms of the independent speeds.
     pub values: HashMap<SymbolId, ExprId>,
     /// Pivots of the mass matrix.
@@ -104,7 +107,7 @@ pub fn derive(
     (optimise, with_augmented): (Optimise, bool),
 ) -> Result<Dynamics, Diagnostics> {
     let mut parts = Unprojected::default();
-    let segments = segment::sparse_tree(model, k);
+    let segments = if solution.ties.is_empty() { segment::sparse_tree(model, k) } else { None };
     match &segments {
         Some(segments) => {
             segment_inertia::accumulate(k, segments, &mut parts);
@@ -122,9 +125,21 @@ pub fn derive(
     let Reduced { mass: mass_matrix, forcing, drive } = reduce::reduce(k, solution, parts);
     let forcing = k.dag.substitute(&forcing, &values);
     let energies = k.dag.substitute(&[kinetic, potential], &values);
-    let (u_dot, pivots) =
-        accelerations(model, k, table, segments.as_deref(), (&mass_matrix, &forcing), optimise)?;
-    let drive = drive.map(|(mass, force)| drive_power(&mut k.dag, &mass, &u_dot, force, &values));
+    let Solved { u_dot, speed_correction, of_ties, pivots } = match solution.ties.is_empty() {
+        true => {
+            let equations = (&mass_matrix[..], &forcing[..]);
+            let (u_dot, pivots) = accelerations(model, k, table, segments.as_deref(), equations, optimise)?;
+            Solved { u_dot, pivots, ..Solved::default() }
+        }
+        false => tied(model, k, table, (solution, &values), (&mass_matrix, &forcing))?,
+    };
+    let drive = drive.map(|(mass, force)| {
+        let power = drive_power(&mut k.dag, &mass, &u_dot, force, &values);
+        of_ties.map_or(power, |part| k.dag.sub(power, part))
+    });
+    if let Some(power) = drive {
+        k.dag.name(power, "drive");
+    }
     Ok(Dynamics {
         mass_matrix,
         forcing,
@@ -132,10 +147,37 @@ pub fn derive(
         kinetic: energies[0],
         potential: energies[1],
         drive,
+        speed_correction,
         values,
         pivots,
         augmented,
     })
+}
+
+/// u' and what belongs to it.
+#[derive(Default)]
+struct Solved {
+    u_dot: Vec<ExprId>,
+    speed_correction: Vec<ExprId>,
+    /// What the multipliers of redundant speeds take from the power of the drive.
+    of_ties: Option<ExprId>,
+    pivots: Vec<Pivot>,
+}
+
+/// u' of redundant speeds.
+fn tied(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    (solution, values): (&Solution, &HashMap<SymbolId, ExprId>),
+    (mass, forcing): (&[Vec<ExprId>], &[ExprId]),
+) -> Result<Solved, Diagnostics> {
+    let rows = &solution.ties;
+    let Some(found) = redundant::solve(k, table, (rows, values), mass, forcing) else {
+        return Err(solve::still_masses(model));
+    };
+    let of_ties = redundant::power_of_drive(k, rows, &found.multipliers);
+    Ok(Solved { u_dot: found.u_dot, speed_correction: found.correction, of_ties, pivots: found.pivots })
 }
 
 /// M_t u' - f_t: the power of the forces that make the mechanism follow time.
@@ -149,14 +191,31 @@ fn drive_power(
     let terms: Vec<ExprId> = mass.iter().zip(u_dot).map(|(&m, &u)| dag.mul(m, u)).collect();
     let inertia = dag.sum(&terms);
     let force = dag.substitute(&[force], values)[0];
-    let power = dag.sub(inertia, force);
-    dag.name(power, "drive");
-    power
+    dag.sub(inertia, force)
+}
+
+/// Does every motion that the ties of redundant speeds allow move mass, at every sample?
+pub(crate) fn is_inert(
+    model: &Model,
+    k: &mut Kinematics,
+    solution: &Solution,
+    table: &mut SampleTable,
+) -> bool {
+    let mut parts = Unprojected::default();
+    inertia_force::accumulate(model, k, &Given::default(), &mut parts);
+    let values = unknown_values(k, solution);
+    let Reduced { mass, .. } = reduce::reduce(k, solution, parts);
+    let forcing = vec![k.dag.zero(); mass.len()];
+    redundant::solve(k, table, (&solution.ties, &values), &mass, &forcing).is_some()
 }
 
 /// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
-pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics {
+pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution, table: &mut SampleTable) -> Dynamics {
     let values = unknown_values(k, solution);
+    let speed_correction = match solution.ties.is_empty() {
+        true => Vec::new(),
+        false => redundant::shortest_correction(k, table, &solution.ties).unwrap_or_default(),
+    };
     let (zero, n_u) = (k.dag.zero(), k.independent_unknowns().len());
     Dynamics {
         mass_matrix: Vec::new(),
@@ -165,6 +224,7 @@ pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution) -> Dynamics 
         kinetic: zero,
         potential: zero,
         drive: None,
+        speed_correction,
         values,
         pivots: Vec::new(),
         augmented: Augmented::default(),

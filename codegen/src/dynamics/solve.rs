@@ -13,7 +13,7 @@ use std::convert::Infallible;
 pub(super) struct Factors {
     /// `lower[i][j]` = L_ij for j < i.
     lower: Vec<Vec<ExprId>>,
-    diagonal: Vec<ExprId>,
+    pub diagonal: Vec<ExprId>,
 }
 
 impl Factors {
@@ -84,7 +84,7 @@ impl Factors {
 }
 
 /// A pivot of the mass matrix this small against its diagonal entry means: no inertia.
-const NO_INERTIA: f64 = 1e-12;
+pub(super) const NO_INERTIA: f64 = 1e-12;
 
 /// u' and the pivots that are not constants.
 pub(super) fn ldl(
@@ -116,6 +116,16 @@ pub(super) fn ldl(
     };
     let u_dot = factors.solve(&mut k.dag, forcing);
     Ok((absolute.relative(&mut k.dag, &u_dot), pivots))
+}
+
+/// All speeds are state, and some motion that their ties allow moves no mass.
+pub(super) fn still_masses(model: &Model) -> Diagnostics {
+    let mut error = Diagnostic::error("the independent speeds have a dead point at which some motion moves no mass")
+        .help("give a mass or an inertia to every body that moves there; or keep the dead point out of `range` and `nominal`");
+    for speed in model.speeds.iter().filter(|s| s.independent) {
+        error = error.label(speed.span, "declared independent");
+    }
+    Diagnostics { source: model.source.clone(), items: vec![error] }
 }
 
 fn without_inertia(model: &Model, k: &Kinematics, index: usize) -> Diagnostics {

@@ -82,13 +82,20 @@ impl Assembly {
     /// Prepares the solver.
     #[must_use]
     pub fn new(model: &Model, k: &mut Kinematics) -> Self {
+        Self::holding(model, k, |c| model.coordinates[c].independent)
+    }
+
+    /// The same with no coordinate held.
+    pub(super) fn free(model: &Model, k: &mut Kinematics) -> Self {
+        Self::holding(model, k, |_| false)
+    }
+
+    fn holding(model: &Model, k: &mut Kinematics, is_held: impl Fn(CoordinateId) -> bool) -> Self {
         let state = |c: &CoordinateId| k.coordinate_symbol(*c).is_some();
         let coordinates: Vec<_> = model.coordinates.ids().filter(state).collect();
         let symbols: Vec<SymbolId> = coordinates.iter().filter_map(|&c| k.coordinate_symbol(c)).collect();
         let split = |wanted: bool| -> Vec<usize> {
-            (0..coordinates.len())
-                .filter(|&i| model.coordinates[coordinates[i]].independent == wanted)
-                .collect()
+            (0..coordinates.len()).filter(|&i| is_held(coordinates[i]) == wanted).collect()
         };
         let (independent, dependent) = (split(true), split(false));
         let residuals = [&k.residuals[..], &k.implied].concat();

@@ -11,6 +11,8 @@ use rustc_hash::FxHashMap as HashMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
 pub(super) const INDEPENDENT: f64 = 1e-3;
+/// A row is well independent of others if this part of its length is left at every sample.
+pub(super) const WELL_INDEPENDENT: f64 = 0.1;
 /// A row that adds more operations than this is worth a search for a cheaper one.
 const DEAR: usize = 100;
 
@@ -20,6 +22,8 @@ pub(super) struct Choice<'a> {
     pub rows: &'a [Row],
     /// Columns: the unknowns to be solved for.
     pub unknown: &'a [UnknownId],
+    /// How many rows are taken: as many as unknowns, or fewer.
+    pub count: usize,
     /// Part of a row's length that must be left beside the others at every sample.
     pub independent: f64,
 }
@@ -34,7 +38,7 @@ pub(super) fn rows(k: &Kinematics, table: &mut SampleTable, choice: &Choice<'_>)
     let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..choice.rows.len()).collect();
     let mut chosen = Vec::new();
-    while chosen.len() < n {
+    while chosen.len() < choice.count {
         // A row that depends on the rows taken will depend on any more: it is left out for good.
         candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
         let place = candidates.iter().position(|&i| extend(k, table, &column, choice, i, &mut bases))?;

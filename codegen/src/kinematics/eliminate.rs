@@ -20,8 +20,6 @@ use std::collections::BTreeMap;
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
 const CONSEQUENCE: f64 = 1e-7;
 
-/// A row is well independent of others if this part of its length is left at every sample.
-const WELL_INDEPENDENT: f64 = 0.1;
 /// Most attempts to choose rows that are regular wherever the constraints are.
 const ROUNDS: usize = 6;
 
@@ -50,6 +48,8 @@ pub struct Solution {
     pub steps: Vec<Step>,
     /// The rows that were solved.
     pub rows: Vec<Row>,
+    /// Rows between the independent speeds, where these are redundant; empty elsewhere.
+    pub ties: Vec<Row>,
 }
 
 /// A dependent unknown by unknowns that are eliminated after it and by independent ones:
@@ -72,11 +72,29 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
     let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
     let unknown = k.dependent_unknowns();
     let system = System { rows: k.rows.clone(), spare: k.spare_rows.clone(), unknown, known };
-    let Some(Form { rows, eliminations, values }) = form(model, k, table, &system) else {
+    let Some(form) = form(model, k, table, &system) else {
         return Err(rank::explain(model, k, table, None));
     };
-    let known = system.known;
-    let mut solution = Solution::default();
+    let solution = recorded(k, table, &system.known, form);
+    check_consequences(model, k, table, &solution)?;
+    Ok(solution)
+}
+
+/// The solution by just these rows; none if one of them cancels.
+pub(super) fn solution_of(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    system: &System,
+    rows: Vec<Row>,
+) -> Option<Solution> {
+    let form = eliminated(k, table, rows, &system.known)?;
+    Some(recorded(k, table, &system.known, form))
+}
+
+/// A form as the solution of the constraints.
+fn recorded(k: &mut Kinematics, table: &mut SampleTable, known: &[UnknownId], form: Form) -> Solution {
+    let Form { rows, eliminations, values } = form;
+    let mut solution = Solution { rows, ..Solution::default() };
     for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
         record(&k.dag, table, pivot, &mut solution.pivots);
     }
@@ -87,15 +105,13 @@ pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Resu
         solution.partials.insert(id, unit);
         solution.correction.insert(id, zero);
     }
-    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, &known)).collect();
+    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, known)).collect();
     for (id, mut values) in values {
         solution.correction.insert(id, values[n + 1]);
         values.truncate(n);
         solution.partials.insert(id, values);
     }
-    check_consequences(model, k, table, &solution)?;
-    solution.rows = rows;
-    Ok(solution)
+    solution
 }
 
 /// What is to be solved.
@@ -134,7 +150,7 @@ pub(super) fn form(
     table: &mut SampleTable,
     System { rows, spare, unknown, known }: &System,
 ) -> Option<Form> {
-    let choice = choose::Choice { rows, unknown, independent: choose::INDEPENDENT };
+    let choice = choose::Choice { rows, unknown, count: unknown.len(), independent: choose::INDEPENDENT };
     let cheapest = choose::rows(k, table, &choice);
     let first = match cheapest {
         Some(rows) => Some(eliminated(k, table, rows, known)?),
@@ -167,7 +183,12 @@ pub(super) fn form(
             None => {}
         }
         let mut wider = table_at(model, k, &samples);
-        let choice = choose::Choice { rows: &all, unknown, independent: WELL_INDEPENDENT };
+        let choice = choose::Choice {
+            rows: &all,
+            unknown,
+            count: unknown.len(),
+            independent: choose::WELL_INDEPENDENT,
+        };
         let chosen = choose::rows(k, &mut wider, &choice);
         found = chosen.and_then(|rows| eliminated(k, &mut wider, rows, known));
         if found.is_none() {

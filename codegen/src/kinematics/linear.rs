@@ -81,9 +81,40 @@ fn largest(row: &[[f64; LANES]]) -> f64 {
     most.into_iter().fold(0.0, larger)
 }
 
+/// The determinant of an n x n matrix, row by row, by elimination with partial pivoting.
+#[must_use]
+pub fn determinant(mut a: Vec<f64>, n: usize) -> f64 {
+    let mut product = 1.0;
+    for c in 0..n {
+        let by_size = |&i: &usize, &j: &usize| a[i * n + c].abs().total_cmp(&a[j * n + c].abs());
+        let Some(best) = (c..n).max_by(by_size) else { break };
+        if best != c {
+            (0..n).for_each(|j| a.swap(c * n + j, best * n + j));
+            product = -product;
+        }
+        let pivot = a[c * n + c];
+        product *= pivot;
+        if product == 0.0 {
+            break;
+        }
+        for i in c + 1..n {
+            let factor = a[i * n + c] / pivot;
+            (c..n).for_each(|j| a[i * n + j] -= factor * a[c * n + j]);
+        }
+    }
+    product
+}
+
 #[cfg(test)]
 mod tests {
-    use super::solve;
+    use super::{determinant, solve};
+
+    #[test]
+    fn determinants_know_their_sign() {
+        assert_eq!(determinant(vec![0.0, 2.0, 3.0, 1.0], 2), -6.0);
+        assert_eq!(determinant(vec![1.0, 2.0, 2.0, 4.0], 2), 0.0);
+        assert_eq!(determinant(vec![2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 3.0, 0.0], 3), -6.0);
+    }
 
     #[test]
     fn square_and_redundant_systems() {

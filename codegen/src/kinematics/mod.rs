@@ -23,6 +23,7 @@ mod orientation;
 mod position;
 pub mod projection;
 mod rank;
+pub mod redundant;
 mod regular;
 mod slopes;
 pub(crate) mod sparse;
@@ -225,6 +226,11 @@ impl Kinematics {
 
     fn unknowns_where(&self, wanted: impl Fn(UnknownKind) -> bool) -> Vec<UnknownId> {
         self.unknowns.enumerate().filter(|(_, u)| wanted(u.kind)).map(|(id, _)| id).collect()
+    }
+
+    /// Is the speed independent, or one of redundant ones?
+    pub(crate) fn is_independent(&self, speed: SpeedId) -> bool {
+        matches!(self.unknowns[self.unknown_of(speed)].kind, UnknownKind::Independent(_))
     }
 
     /// The unknown of a speed.

@@ -27,6 +27,8 @@ pub(super) struct Regularity<'a> {
     k: &'a Kinematics,
     rows: &'a [Row],
     column: HashMap<UnknownId, usize>,
+    /// How many directions they are to determine.
+    rank: usize,
     /// The largest length of every row over the samples: a row says the same if all of it is multiplied.
     lengths: Vec<f64>,
     /// What is left of the unknowns' least determined direction at the nominal configuration.
@@ -42,8 +44,19 @@ impl<'a> Regularity<'a> {
         unknown: &[UnknownId],
         samples: &mut SampleTable,
     ) -> Self {
+        Self::of_rank(model, k, rows, (unknown, unknown.len()), samples)
+    }
+
+    /// Of rows that determine so many directions among the unknowns.
+    pub fn of_rank(
+        model: &'a Model,
+        k: &'a Kinematics,
+        rows: &'a [Row],
+        (unknown, rank): (&[UnknownId], usize),
+        samples: &mut SampleTable,
+    ) -> Self {
         let column = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-        let mut this = Self { model, k, rows, column, lengths: Vec::new(), nominal: 0.0 };
+        let mut this = Self { model, k, rows, column, rank, lengths: Vec::new(), nominal: 0.0 };
         let points = samples.points();
         for row in this.rows {
             let row = NumericRow::new(&k.dag, samples, row, &this.column);
@@ -66,7 +79,13 @@ impl<'a> Regularity<'a> {
                 matrix.push(dense);
             }
         }
-        least_left(matrix, n)
+        least_left(matrix, self.rank)
+    }
+
+    /// What is left of the least determined direction at these configurations.
+    pub fn at(&self, configurations: &[Sample]) -> Vec<f64> {
+        let mut table = table_at(self.model, self.k, configurations);
+        (0..configurations.len()).map(|s| self.determined(&mut table, s, None).1).collect()
     }
 
     /// Those of the configurations at which the rows determine the unknowns.

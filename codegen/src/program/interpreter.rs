@@ -22,6 +22,7 @@ pub struct Interpreted<S> {
     speeds: Tape<S>,
     outputs: Tape<S>,
     drive: Tape<S>,
+    speed_projection: Tape<S>,
     /// One a function on request.
     functions: Vec<Tape<S>>,
 }
@@ -37,7 +38,8 @@ impl<S: Real> Interpreted<S> {
         let second = |list: &[(String, ExprId)]| -> Vec<ExprId> { list.iter().map(|(_, e)| *e).collect() };
         let (speeds, outputs) = (second(&program.speeds), second(&program.outputs));
         let drive = program.drive.into_iter().collect();
-        let answers = [rates, projection, program.energy.to_vec(), speeds, outputs, drive];
+        let speed_projection = program.speed_correction.clone();
+        let answers = [rates, projection, program.energy.to_vec(), speeds, outputs, drive, speed_projection];
         let functions: Vec<Vec<ExprId>> =
             program.functions.iter().map(|function| program.function_roots(function)).collect();
         let symbols = |list: &[Quantity]| -> Vec<SymbolId> { list.iter().map(|x| x.symbol).collect() };
@@ -55,7 +57,7 @@ impl<S: Real> Interpreted<S> {
         let n_prepared = prepared.len();
         inputs.extend(prepared);
         let longest = answers.iter().map(Vec::len).max().unwrap_or(0);
-        let [rates, projection, energy, speeds, outputs, drive] =
+        let [rates, projection, energy, speeds, outputs, drive, speed_projection] =
             answers.map(|roots| Tape::above(&program.dag, &roots, &inputs));
         let functions = functions.iter().map(|roots| Tape::above(&program.dag, roots, &inputs)).collect();
         let parameters: Vec<S> = program.parameters.iter().map(|p| S::from_f64(p.value)).collect();
@@ -71,6 +73,7 @@ impl<S: Real> Interpreted<S> {
             speeds,
             outputs,
             drive,
+            speed_projection,
             functions,
         };
         this.set_parameters(&parameters);
@@ -185,6 +188,16 @@ impl<S: Real> Mechanism<S> for Interpreted<S> {
             q[index] = q[index] + correction;
         }
         Ok(self.results[self.corrected.len()])
+    }
+
+    fn project_speeds(&mut self, q: &[S], u: &mut [S]) -> Result<(), Fault> {
+        self.arguments.set_state(q, u)?;
+        self.speed_projection.run(self.arguments.values(), &mut self.results);
+        let n = self.speed_projection.n_outputs();
+        for (speed, &correction) in u.iter_mut().zip(&self.results[..n]) {
+            *speed = *speed + correction;
+        }
+        Ok(())
     }
 
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault> {

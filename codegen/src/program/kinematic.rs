@@ -4,11 +4,11 @@
 //! those of [`KINEMATIC`](super::answer::KINEMATIC), and those on request whose [`Needs`](super::answer::Needs) say so.
 
 use super::answer::{self, Asked, Stages};
-use super::{Effort, Program, assemble, mark_angles, shorten};
+use super::{Effort, Program, assemble, constraints, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
-use crate::kinematics::{self, Assembly, ParameterChoice, eliminate, projection};
+use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
 use crate::model::Model;
 
 /// Derives what needs no mass.
@@ -34,14 +34,13 @@ pub(super) fn derive(
     let mut k = kinematics::derive(model, choice, Optimise::default())?;
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
-    let mut solution = eliminate::solve(model, &mut k, &mut table)?;
-    projection::correct(model, &mut k, &mut table, &mut solution);
-    let dynamics = dynamics::without_mass(&mut k, &solution);
+    let solution = constraints(model, &mut k, &mut table)?;
+    let dynamics = dynamics::without_mass(&mut k, &solution, &mut table);
     let given = (model.inputs.len(), false);
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
-    let mut program = assemble(model, k, &solution, dynamics, (assembly, answered));
+    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
     shorten::answers(&mut program, &mut table, effort);

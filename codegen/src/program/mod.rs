@@ -17,16 +17,25 @@ mod shorten;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::dynamics::{self, Augmented, Dynamics};
 pub use crate::expr::cost::Optimise;
+use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection};
+use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
 
 pub use answer::{Answer, Asked, Function, Request};
 use answer::{Answered, Stages};
 pub use kinematic::derive_kinematic;
+
+impl Program {
+    /// Are all speeds state, tied by the constraints, because the motion passes dead points of the independent ones?
+    #[must_use]
+    pub fn is_redundant(&self) -> bool {
+        !self.speed_correction.is_empty()
+    }
+}
 
 /// Everything derived from a model.
 #[derive(Clone, Debug)]
@@ -61,6 +70,8 @@ pub struct Program {
     pub outputs: Vec<(String, ExprId)>,
     /// Newton's correction of the dependent coordinates: (index into q, correction).
     pub correction: Vec<(usize, ExprId)>,
+    /// Correction of the speeds where they are redundant: all of them are state, tied by the constraints. Else empty.
+    pub speed_correction: Vec<ExprId>,
     /// Largest constraint residual before the correction, implied constraints included.
     pub residual: ExprId,
     /// Are there constraints that follow from the others at the default parameters, but perhaps not at others?
@@ -171,8 +182,7 @@ pub fn derive_asked(
     let mut warnings = implausible(model, &k)?;
     let mut table = eliminate::sample_table(model, &k);
     warnings.items.extend(kinematics::diagnose::check(model, &mut k, &mut table)?.items);
-    let mut solution = eliminate::solve(model, &mut k, &mut table)?;
-    projection::correct(model, &mut k, &mut table, &mut solution);
+    let solution = constraints(model, &mut k, &mut table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
@@ -181,7 +191,7 @@ pub fn derive_asked(
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
-    let mut program = assemble(model, k, &solution, dynamics, (assembly, answered));
+    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
     shorten::answers(&mut program, &mut table, effort);
@@ -190,6 +200,22 @@ pub fn derive_asked(
     }
     mark_angles(&mut program);
     Ok(program)
+}
+
+/// Every dependent unknown from the independent speeds; or, where the motion passes dead points of these and some mass
+/// moves with it there, all speeds as state.
+fn constraints(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
+    let minimal = eliminate::solve(model, k, table);
+    if let Some((mut all, solution, mut samples)) = redundant::solve(model, k, minimal.as_ref().ok()) {
+        let moved = model.bodies.is_empty() || dynamics::is_inert(model, &mut all, &solution, &mut samples);
+        if moved || minimal.is_err() {
+            (*k, *table) = (all, samples);
+            return Ok(solution);
+        }
+    }
+    let mut solution = minimal?;
+    projection::correct(model, k, table, &mut solution);
+    Ok(solution)
 }
 
 /// Warnings of what no mechanism has, and of bodies that nothing moves.
@@ -223,7 +249,7 @@ fn implausible(model: &Model, k: &Kinematics) -> Result<Diagnostics, Diagnostics
 fn assemble(
     model: &Model,
     mut k: Kinematics,
-    solution: &Solution,
+    (solution, table): (&Solution, &mut SampleTable),
     dynamics: Dynamics,
     (assembly, answered): (Assembly, Answered),
 ) -> Program {
@@ -252,7 +278,7 @@ fn assemble(
     let worst_pivot = worst_pivot(&mut k.dag, &pivots);
     let watched = [&k.residuals[..], &k.implied].concat();
     let residual = largest(&mut k.dag, &watched);
-    let correction = correction(&mut k, &state, solution);
+    let correction = correction(&mut k, table, &state, solution);
     let [q, u, inputs, parameters] = quantities(model, &k, &state);
     let closed_forms = k.closed_form_values();
     let u_dot = given_accelerations(model, &k, &answered.u_dot);
@@ -271,6 +297,7 @@ fn assemble(
         speeds: speeds.into_iter().map(|(name, _)| name).zip(speed_values).collect(),
         outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
         correction,
+        speed_correction: dynamics.speed_correction,
         residual,
         has_implied: !k.implied.is_empty(),
         augmented: dynamics.augmented,
@@ -327,8 +354,18 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
 /// Corrections of the coordinates: those of the unknowns, which are 0 for independent speeds, through q_dot = N u.
 ///
 /// Coordinates that share a dependent speed move together (Euler parameters along their own direction).
-fn correction(k: &mut Kinematics, state: &[CoordinateId], solution: &Solution) -> Vec<(usize, ExprId)> {
+fn correction(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    state: &[CoordinateId],
+    solution: &Solution,
+) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
+    if !solution.ties.is_empty() {
+        corrections = redundant::correction(k, table, state).into_iter().enumerate().collect();
+        corrections.retain(|(_, e)| !k.dag.is_zero(*e));
+        return corrections;
+    }
     for (index, &c) in state.iter().enumerate() {
         let rate = k.rates[c].partials.clone();
         let terms: Vec<ExprId> =
@@ -341,7 +378,8 @@ fn correction(k: &mut Kinematics, state: &[CoordinateId], solution: &Solution) -
 
 /// Given derivatives of the independent speeds, in their order.
 fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
-    let speeds = model.speeds.iter().filter(|s| s.independent).zip(symbols);
+    let independent = model.speeds.enumerate().filter(|(id, _)| k.is_independent(*id));
+    let speeds = independent.map(|(_, speed)| speed).zip(symbols);
     let quantity = |(speed, &expr): (&Speed, &ExprId)| {
         let symbol = k.dag.as_symbol(expr)?;
         Some(Quantity {
@@ -381,7 +419,7 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
     let u = model
         .speeds
         .enumerate()
-        .filter(|(_, s)| s.independent)
+        .filter(|(id, _)| k.is_independent(*id))
         .filter_map(|(id, s)| {
             quantity(&s.name, k.unknowns[k.unknown_of(id)].value, &s.unit, "speed", 0.0, s.span)
         })

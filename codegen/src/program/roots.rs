@@ -16,6 +16,7 @@ impl Program {
         roots.extend(self.outputs.iter().map(|(_, e)| *e));
         roots.extend(self.correction.iter().map(|(_, e)| *e));
         roots.push(self.residual);
+        roots.extend(&self.speed_correction);
         roots.extend(self.augmented_roots());
         roots.extend(self.drive);
         roots.extend(self.asked_roots());
@@ -71,6 +72,7 @@ impl Program {
         let named = self.speeds.iter().chain(&self.outputs).map(|(_, e)| *e);
         let mut others: Vec<ExprId> = self.correction.iter().map(|(_, e)| *e).collect();
         others.push(self.residual);
+        others.extend(&self.speed_correction);
         others.extend(self.energy.into_iter().chain(named).chain(self.drive));
         let asked = self.asked_roots();
         let mut groups = vec![rates, others];
@@ -95,6 +97,7 @@ impl Program {
             *e = image(*e);
         }
         self.residual = image(self.residual);
+        self.speed_correction.iter_mut().for_each(|e| *e = image(*e));
         self.drive = self.drive.map(&mut image);
         for part in self.answers.iter_mut().flat_map(|answer| &mut answer.parts) {
             part.values.iter_mut().for_each(|e| *e = image(*e));

@@ -116,7 +116,7 @@ $project        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
         }
         Ok(residual)
     }
-$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
+$speed_projection$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
             return Err($runtime::mechanism::Fault::Shape);
         };
         Ok(
@@ -186,6 +186,29 @@ const IMPLIED: [(&str, &str); 4] = [
     ),
 ];
 
+/// The correction of speeds, where they are redundant.
+const SPEEDS: &str = "\
+    #[allow(
+        clippy::assign_op_pattern,
+        reason = \"scalars need not have assigning operators\"
+    )]
+$speeds_head        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&mut [S; NU]>::try_from(u)) else {
+            return Err($runtime::mechanism::Fault::Shape);
+        };
+        let correction = speed_projection(
+            $time,
+            q,
+            u,
+            &[<S as Real>::ZERO; N_INPUTS],
+            &self.prepared,
+        );
+        for (speed, &change) in u.iter_mut().zip(&correction) {
+            *speed = *speed + change;
+        }
+        Ok(())
+    }
+";
+
 /// The residual that counts as none: half of the scalar's digits; none for scalars that do not compare, and without
 /// such constraints.
 fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
@@ -199,7 +222,7 @@ fn satisfied(program: &Program, scalar: &ScalarType) -> Option<String> {
 
 /// Do projection or energy read time?
 fn keeps_time(program: &Program) -> bool {
-    let roots = ["projection", "energy"].map(|answer| program.roots_of(answer)).concat();
+    let roots = ["projection", "energy", "speed_projection"].map(|answer| program.roots_of(answer)).concat();
     roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))
 }
 
@@ -223,6 +246,8 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
     let watched = IMPLIED.iter().fold(STRUCT.to_owned(), |text, (place, kept)| {
         text.replace(place, if satisfied.is_some() { kept } else { "" })
     });
+    let speeds = if program.speed_correction.is_empty() { "" } else { SPEEDS };
+    let watched = watched.replace("$speed_projection", speeds);
     let watched = watched.replace("$satisfied", &satisfied.unwrap_or_default());
     let timed = TIME.iter().fold(watched, |text, (place, kept, not_kept)| {
         text.replace(place, if keeps { kept } else { not_kept })
@@ -232,6 +257,7 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
         .replace("$getters", &arms(&" ".repeat(16), "self.parameters"))
         .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))
         .replace("$project", &method("fn project", &["&mut self", "q: &mut [S]"], "S"))
+        .replace("$speeds_head", &method("fn project_speeds", &["&mut self", "q: &[S]", "u: &mut [S]"], "()"))
         .replace("$energy", &method("fn energy", &["&mut self", "q: &[S]", "u: &[S]"], "(S, S)"))
         .replace("$runtime", runtime);
     layout::doc(&doc) + &text

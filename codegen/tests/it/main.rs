@@ -4,6 +4,7 @@ mod answers;
 mod augmented;
 mod carried;
 mod chain;
+mod dead_points;
 mod driven;
 mod driven_models;
 mod emitted_bytes;

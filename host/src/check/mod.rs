@@ -104,7 +104,7 @@ fn report(model: &Model, program: &Program, rank: &Rank, nearest: Option<&Neares
         "path": program.path,
         "counts": counts(model, program, rank),
         "dof": { "stated": model.dof.map(|(n, _)| n), "found": rank.freedom() },
-        "independent_speeds": independent(model),
+        "independent_speeds": independent(model, program),
         "constraints": {
             "speeds": rank.unknowns, "rank": rank.smallest, "largest_rank": rank.largest,
             "samples": rank.samples, "conditioning": rank.conditioning.worst, "worst_at": at(&rank.conditioning.worst_at),
@@ -123,7 +123,7 @@ fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
         "coordinates": model.coordinates.len(),
         "coordinates_in_state": program.q.len(),
         "speeds": model.speeds.len(),
-        "independent_speeds": program.u.len(),
+        "independent_speeds": model.speeds.iter().filter(|s| s.independent).count(),
         "inputs": model.inputs.len(),
         "parameters": model.parameters.len(),
         "tunable_parameters": program.parameters.len(),
@@ -139,12 +139,14 @@ fn counts(model: &Model, program: &Program, rank: &Rank) -> Value {
 }
 
 /// Independent speeds with their meaning and the reason.
-fn independent(model: &Model) -> Value {
+fn independent(model: &Model, program: &Program) -> Value {
     let free = model.speeds.iter().all(|s| s.independent);
-    let reason = if free {
-        "no constraint binds it"
-    } else {
-        "declared independent; the others follow from the constraints"
+    let reason = match (free, program.is_redundant()) {
+        (true, _) => "no constraint binds it",
+        (_, true) => {
+            "declared independent; the motion passes dead points of it, so that all speeds are state"
+        }
+        _ => "declared independent; the others follow from the constraints",
     };
     let speeds = model.speeds.iter().filter(|s| s.independent).map(|speed| {
         let meaning = match &speed.meaning {
@@ -221,12 +223,13 @@ fn numeric_warnings(model: &Model, program: &Program, rank: &Rank) -> Vec<String
             found.worst,
             place(model, program, &found.worst_at).join(", ")
         ));
-    } else if rank.of_dependent.is_lost(LOST, NEARLY_SINGULAR) {
+    } else if !program.is_redundant() && rank.of_dependent.is_lost(LOST, NEARLY_SINGULAR) {
         let found = &rank.of_dependent;
         warnings.push(format!(
             "within the ranges the independent coordinates come near a dead point, where they do not determine the \
              others: the smallest singular value of these falls from {:.1e} of the largest to {:.1e}, at {}; choose \
-             other independent coordinates, or narrow their `range`",
+             other independent coordinates, or narrow their `range`; a dead point inside it, where masses move, is \
+             passed, with all speeds as state",
             found.nominal,
             found.worst,
             place(model, program, &found.worst_at).join(", ")

@@ -11,7 +11,7 @@ use smartbed_runtime::mechanism::{Fault, Mechanism};
 type AnswerFunction<S> = unsafe extern "C" fn(u32, *const S, usize, *mut S, usize) -> bool;
 
 /// Number of the first function on request in the C function.
-const FIRST: u32 = 7;
+const FIRST: u32 = 8;
 
 /// Numbers of the answers in the C function.
 #[derive(Clone, Copy)]
@@ -23,6 +23,7 @@ enum Which {
     Projection = 4,
     Prepare = 5,
     Drive = 6,
+    SpeedProjection = 7,
 }
 
 /// A mechanism whose equations were compiled a moment ago, or are from the cache.
@@ -36,6 +37,7 @@ pub struct Compiled<S> {
     /// By function on request.
     n_results: Vec<usize>,
     is_driven: bool,
+    is_redundant: bool,
     corrected: Vec<usize>,
     angles: Vec<bool>,
     arguments: Arguments<S>,
@@ -63,6 +65,7 @@ impl<S: EngineScalar> Compiled<S> {
             n_outputs: program.outputs.len(),
             n_results: program.functions.iter().map(|f| program.function_roots(f).len()).collect(),
             is_driven: program.drive.is_some(),
+            is_redundant: program.is_redundant(),
             corrected: program.correction.iter().map(|(i, _)| *i).collect(),
             angles: program.q.iter().map(|q| q.is_angle).collect(),
             arguments: Arguments::new(program, n_prepared),
@@ -140,6 +143,18 @@ impl<S: EngineScalar> Mechanism<S> for Compiled<S> {
             q[index] = q[index] + correction;
         }
         Ok(results[self.corrected.len()])
+    }
+    fn project_speeds(&mut self, q: &[S], u: &mut [S]) -> Result<(), Fault> {
+        if !self.is_redundant {
+            return Ok(());
+        }
+        self.arguments.set_state(q, u)?;
+        let mut corrections = vec![S::ZERO; u.len()];
+        self.answer(Which::SpeedProjection, &mut corrections)?;
+        for (speed, &correction) in u.iter_mut().zip(&corrections) {
+            *speed = *speed + correction;
+        }
+        Ok(())
     }
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         self.arguments.set_state(q, u)?;

@@ -90,13 +90,17 @@ counting = []
         Some(_) => "6 => fill(results, [drive(*t, q, u, inputs, p)].iter()),",
         None => "// 6, the power of the drive: nothing drives this mechanism.",
     };
+    let speeds = match program.is_redundant() {
+        true => "7 => fill(results, speed_projection(*t, q, u, inputs, p).iter()),",
+        false => "// 7, the correction of the speeds: they are independent.",
+    };
     // Only functions of answers on request: structs of nothing but numbers.
     let functions = program.functions.iter().enumerate().map(|(place, function)| {
         let u_dot = match program.answers_of(function).iter().any(|answer| answer.takes_u_dot) {
             true => ", u_dot",
             false => "",
         };
-        let (number, name) = (7 + place, &function.name);
+        let (number, name) = (8 + place, &function.name);
         format!(
             "{number} => {{
             let answer = {name}(*t, q, u, inputs{u_dot}, p);
@@ -111,6 +115,7 @@ counting = []
     };
     let root = include_str!("dynamic.rs.txt")
         .replace("// DRIVE", drive)
+        .replace("// SPEEDS", speeds)
         .replace("// FUNCTIONS", &functions.collect::<Vec<_>>().join("\n        "))
         .replace("// U_DOT", u_dot);
     let mut files = vec![("Cargo.toml".to_owned(), manifest), ("src/lib.rs".to_owned(), root)];

@@ -12,7 +12,7 @@ use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers, less_turns};
 use crate::progress::Progress;
 use crate::run::observers::Observers;
-use crate::{answers, model_argument, output};
+use crate::{answers, model_argument, output, speeds};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, Settings, program};
@@ -127,13 +127,15 @@ fn evaluate<S: EngineScalar>(
                  dependent ones nearer to a solution"
             ))
         })?;
+        let u = complete_speeds(model, program, (state.t, &q, &given.parameters), &given.u)
+            .map_err(|fault| at(explain(fault).to_owned()))?;
         let parameters = rounded::<S>(&given.parameters);
         engine.set_parameters(&parameters);
         // Shown as given, computed less whole turns.
         let near = less_turns::<S>(program, &q);
         for (list, values) in [
             (&program.q, &near),
-            (&program.u, &given.u),
+            (&program.u, &u),
             (&program.inputs, &given.inputs),
             (&program.u_dot, &given.u_dot),
             (&program.parameters, &given.parameters),
@@ -142,13 +144,12 @@ fn evaluate<S: EngineScalar>(
             check_numbers::<S>(named).map_err(at)?;
         }
         angles.set_parameters(&given.parameters);
-        angles.check(state.t, &near, &given.u, &given.inputs).map_err(at)?;
-        let mut evaluated = one(engine.as_mut(), state.t, &near, &given.u, &given.inputs)
+        angles.check(state.t, &near, &u, &given.inputs).map_err(at)?;
+        let mut evaluated = one(engine.as_mut(), state.t, &near, &u, &given.inputs)
             .map_err(|fault| at(explain(fault).to_owned()))?;
         evaluated.q.clone_from(&q);
         if !program.functions.is_empty() {
-            let [q, u, inputs, u_dot] =
-                [&near, &given.u, &given.inputs, &given.u_dot].map(|x| rounded::<S>(x));
+            let [q, u, inputs, u_dot] = [&near, &u, &given.inputs, &given.u_dot].map(|x| rounded::<S>(x));
             let values = engine.function(0, (S::from_f64(state.t), &q, &u, &inputs, &u_dot));
             let values = values.map_err(|fault| at(explain(fault).to_owned()))?;
             evaluated.asked = values.into_iter().map(S::to_f64).collect();
@@ -156,7 +157,7 @@ fn evaluate<S: EngineScalar>(
         if let Some(closed_forms) = &mut closed_forms {
             closed_forms.set_parameters(&parameters);
             let values = closed_forms
-                .outputs(S::from_f64(state.t), &rounded(&near), &rounded(&given.u), &rounded(&given.inputs))
+                .outputs(S::from_f64(state.t), &rounded(&near), &rounded(&u), &rounded(&given.inputs))
                 .map_err(|fault| at(explain(fault).to_owned()))?;
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
@@ -196,6 +197,20 @@ fn agree(names: &[(String, String)], given: &[Option<f64>], values: &[f64]) -> R
     Ok(())
 }
 
+/// Speeds of a state; a complete list is taken as it is.
+fn complete_speeds(
+    model: &Model,
+    program: &Program,
+    at: (f64, &[f64], &[f64]),
+    given: &[Option<f64>],
+) -> Result<Vec<f64>, smartbed_runtime::mechanism::Fault> {
+    let independent = |i: usize| model.speeds.iter().any(|s| s.independent && s.name == program.u[i].name);
+    match given.iter().copied().collect::<Option<Vec<f64>>>() {
+        Some(u) => Ok(u),
+        None => speeds::complete(program, at, given, &independent),
+    }
+}
+
 fn rounded<S: EngineScalar>(values: &[f64]) -> Vec<S> {
     values.iter().map(|&x| S::from_f64(x)).collect()
 }
@@ -213,6 +228,8 @@ fn one<S: EngineScalar>(
     engine.set_time(time);
     let pivot = engine.rates(time, &state_q, &state_u, &state_inputs, &mut q_dot, &mut u_dot)?;
     let energy = engine.energy(&state_q, &state_u)?;
+    let mut corrected = state_u.clone();
+    engine.project_speeds(&state_q, &mut corrected)?;
     let widened = |values: Vec<S>| values.into_iter().map(S::to_f64).collect::<Vec<f64>>();
     Ok(Evaluated {
         t,
@@ -223,6 +240,7 @@ fn one<S: EngineScalar>(
         u_dot: widened(u_dot),
         pivot: pivot.to_f64(),
         energy: [energy.0.to_f64(), energy.1.to_f64()],
+        speed_correction: corrected.iter().zip(&state_u).map(|(x, u)| x.to_f64() - u.to_f64()).collect(),
         speeds: widened(engine.speeds(&state_q, &state_u)?),
         outputs: widened(engine.outputs(time, &state_q, &state_u, &state_inputs)?),
         asked: Vec::new(),

@@ -46,8 +46,8 @@ pub struct Given {
     pub q: Vec<Option<f64>>,
     /// Coordinates in closed form.
     pub closed: Vec<Option<f64>>,
-    /// Independent speeds.
-    pub u: Vec<f64>,
+    /// Speeds that are state; a left-out one is 0, or follows where all speeds are state.
+    pub u: Vec<Option<f64>>,
     /// Inputs.
     pub inputs: Vec<f64>,
     /// Given derivatives of the speeds; none where no answer takes them.
@@ -193,7 +193,7 @@ impl State {
         Ok(Given {
             q,
             closed,
-            u: or_default(place(&self.u, &names(&program.u), "u", "independent speed")?, &program.u),
+            u: place(&self.u, &names(&program.u), "u", "independent speed")?,
             inputs: or_default(
                 place(&self.inputs, &names(&program.inputs), "inputs", "input")?,
                 &program.inputs,

@@ -15,6 +15,8 @@ pub(super) struct Evaluated {
     pub q_dot: Vec<f64>,
     pub u_dot: Vec<f64>,
     pub pivot: f64,
+    /// What puts the speeds on the constraints, where all of them are state.
+    pub speed_correction: Vec<f64>,
     pub energy: [f64; 2],
     pub speeds: Vec<f64>,
     pub outputs: Vec<f64>,
@@ -82,6 +84,12 @@ impl Evaluated {
                 "outputs" => parts.push(format!("\"outputs\": {}", named(&program.outputs, &self.outputs))),
                 "projection" => {
                     parts.push(format!("\"constraint_residual\": {}", json_number(self.residual)));
+                }
+                "speed_projection" => {
+                    parts.push(format!(
+                        "\"speed_correction\": {}",
+                        quantities(&program.u, &self.speed_correction)
+                    ));
                 }
                 "drive" => parts.push(format!("\"drive\": {}", json_number(self.drive))),
                 name => parts.extend(self.on_request(program, name)),

@@ -23,7 +23,7 @@ use crate::plot::panels;
 use crate::progress::{Progress, Waiting};
 use crate::view::film::Series;
 use crate::view::{Film, Stage};
-use crate::{model_argument, plot, view};
+use crate::{model_argument, plot, speeds, view};
 use observers::Observers;
 use settings::Settings;
 use simulate::{Row, Setup, Summary, columns};
@@ -213,8 +213,41 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
             ));
         }
     }
-    x.extend(program.u.iter().map(|u| settings.start.get(&u.name).copied().unwrap_or(0.0)));
+    let speeds = start_speeds(model, program, settings, (&x, &parameters))?;
+    x.extend(speeds);
     Ok(x)
+}
+
+/// Speeds at the start: as given, made to meet the constraints where all of them are state.
+fn start_speeds(
+    model: &Model,
+    program: &Program,
+    settings: &Settings,
+    (q, parameters): (&[f64], &[f64]),
+) -> Result<Vec<f64>, Failure> {
+    let is_state = |name: &str| program.u.iter().any(|u| u.name == name);
+    let followed = model.speeds.iter().find(|s| settings.start.contains_key(&s.name) && !is_state(&s.name));
+    if let Some(speed) = followed {
+        return Err(Failure::Wrong(format!(
+            "the speed `{}` is dependent: it follows from the independent ones and cannot be set",
+            speed.name
+        )));
+    }
+    let given: Vec<Option<f64>> = program.u.iter().map(|u| settings.start.get(&u.name).copied()).collect();
+    let independent = |i: usize| model.speeds.iter().any(|s| s.independent && s.name == program.u[i].name);
+    let speeds = speeds::complete(program, (0.0, q, parameters), &given, &independent)
+        .map_err(|fault| Failure::Wrong(format!("the start: {fault}")))?;
+    for ((quantity, given), found) in program.u.iter().zip(&given).zip(&speeds) {
+        let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
+        if let Some(given) = replaced {
+            output::say(&format!(
+                "note: the start value {} = {given} is replaced by {found:.6}: the constraints and the other start \
+                 values do not allow it",
+                quantity.name
+            ));
+        }
+    }
+    Ok(speeds)
 }
 
 /// The start cannot be assembled: with the lines of `[start]` that say where it should be.

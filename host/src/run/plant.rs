@@ -40,8 +40,10 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Ode<S> for 
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         let n_q = self.engine.n_q();
-        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        self.engine.project(q)
+        let (q, u) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        let residual = self.engine.project(q)?;
+        self.engine.project_speeds(q, u)?;
+        Ok(residual)
     }
     fn projections(&self) -> u8 {
         self.projections
@@ -56,7 +58,7 @@ impl<E: std::ops::DerefMut<Target = dyn Engine<S>>, S: EngineScalar> Plant<E, S>
             law: Interpreted::new(&observers.laws()),
             law_inputs: observers.law_inputs.clone(),
             inputs: vec![S::ZERO; program.inputs.len()],
-            projections: u8::from(!program.correction.is_empty()),
+            projections: u8::from(!program.correction.is_empty() || program.is_redundant()),
             evaluations: 0,
         }
     }

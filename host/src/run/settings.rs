@@ -146,16 +146,12 @@ impl Settings {
 
     fn set_start(&mut self, model: &Model, name: &str, value: f64) -> Result<(), Failure> {
         let coordinates = model.coordinates.iter().filter(|c| c.closed_form.is_none()).map(|c| &c.name);
-        let speeds = model.speeds.iter().filter(|s| s.independent).map(|s| &s.name);
+        // Dependent ones too: where the independent ones have a dead point they are state.
+        let speeds = model.speeds.iter().map(|s| &s.name);
         let mut starts = coordinates.chain(speeds).map(String::as_str);
         if starts.clone().any(|s| s == name) {
             self.start.insert(name.to_owned(), value);
             return Ok(());
-        }
-        if model.speeds.iter().any(|s| s.name == name) {
-            return Err(Failure::Wrong(format!(
-                "the speed `{name}` is dependent: it follows from the independent ones and cannot be set"
-            )));
         }
         let known = model.parameters.iter().map(|p| p.name.as_str()).chain(&mut starts);
         let help = suggest::help(name, known);

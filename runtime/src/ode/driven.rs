@@ -66,8 +66,10 @@ where
     }
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
         let n_q = self.mechanism.n_q();
-        let (q, _) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
-        self.mechanism.project(q)
+        let (q, u) = x.split_at_mut_checked(n_q).ok_or(Fault::Shape)?;
+        let residual = self.mechanism.project(q)?;
+        self.mechanism.project_speeds(q, u)?;
+        Ok(residual)
     }
     fn projections(&self) -> u8 {
         self.projections

@@ -40,6 +40,8 @@ pub struct Answer {
     pub u_dot_terms: Vec<f64>,
     /// All speeds.
     pub speeds: Vec<f64>,
+    /// Their rates, and the sizes of the terms of these.
+    pub speeds_dot: [Vec<f64>; 2],
     /// Outputs.
     pub outputs: Vec<f64>,
     /// Kinetic and potential energy.
@@ -243,6 +245,14 @@ pub fn jacobian(description: &Description, state: &State) -> (DMatrix<f64>, usiz
     (at.affine(&|p| values(constraint_rows(p))).0, n)
 }
 
+/// Largest equation of velocity that these rates of the state's coordinates leave.
+#[must_use]
+pub fn largest_slip(description: &Description, state: &State, q_dot: &[f64]) -> f64 {
+    let at = Evaluated::new(description, state, description.state());
+    let (jacobian, offset) = at.affine(&|p| values(constraint_rows(p)));
+    (jacobian * DVector::from_column_slice(q_dot) + offset).amax()
+}
+
 /// Do some equations of configuration follow from the others?
 #[must_use]
 pub fn is_redundant(description: &Description, state: &State) -> bool {
@@ -337,6 +347,7 @@ pub fn solve(description: &Description, state: &State) -> Option<Answer> {
         u_dot: pick(&u_ddot),
         u_dot_terms: pick(&u_terms),
         speeds: values(speed_rows(&moving)),
+        speeds_dot: [&u_ddot, &u_terms].map(|all| all.as_slice().to_vec()),
         outputs: description.outputs.iter().map(|e| e.at(&moving).value).collect(),
         energy: [balance.kinetic, balance.potential[0]],
         potential_terms: balance.potential[1],

@@ -33,6 +33,8 @@ const OFF: f64 = 1e-4;
 pub struct Verdict {
     /// States that were compared.
     pub compared: usize,
+    /// Those of them with all speeds as state.
+    pub redundant: usize,
     /// States that the oracle calls singular, or that the mechanism cannot reach.
     pub singular: usize,
     /// Worst pivot at regular states where it refuses to answer.
@@ -176,9 +178,17 @@ fn compare(
     engine.set_parameters(&parameters);
     let places: Vec<usize> = program.q.iter().map(|q| number(&q.name)).collect();
     let q: Vec<f64> = places.iter().map(|&i| answer.q[i]).collect();
-    let u = &state.u;
-    assert_eq!(program.u.len(), u.len(), "independent speeds");
-    for (found, &i) in program.u.iter().zip(&d.independent_speeds()) {
+    // Where the motion passes dead points of the independent speeds all of them are state.
+    let (u, order, expected, terms) = match program.is_redundant() {
+        true => {
+            let [rates, terms] = &answer.speeds_dot;
+            (&answer.speeds, (0..d.speeds.len()).collect(), rates, terms)
+        }
+        false => (&state.u, d.independent_speeds(), &answer.u_dot, &answer.u_dot_terms),
+    };
+    verdict.redundant += usize::from(program.is_redundant());
+    assert_eq!(program.u.len(), u.len(), "speeds that are state");
+    for (found, &i) in program.u.iter().zip(&order) {
         assert_eq!(found.name, text::speed(d, i), "order of the speeds");
     }
     let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
@@ -198,11 +208,15 @@ fn compare(
     }
     // Near a singularity what rounding does to the constraints moves the motions that they leave by so much more.
     let amplified = if answer.health < NEARLY { 1.0 / answer.health } else { 1.0 };
-    let largest = answer.u_dot_terms.iter().fold(0.0, |m: f64, t| m.max(*t));
+    let largest = terms.iter().fold(0.0, |m: f64, t| m.max(*t));
     for (i, found) in u_dot.iter().enumerate() {
         // What cancels to nothing in one speed is the rounding of the others.
-        let terms = answer.u_dot_terms[i].max(NOTHING * largest.max(1.0));
-        verdict.note(&format!("u_dot {i}"), *found, answer.u_dot[i], amplified * terms);
+        let terms = terms[i].max(NOTHING * largest.max(1.0));
+        verdict.note(&format!("u_dot {i}"), *found, expected[i], amplified * terms);
+    }
+    if program.is_redundant() {
+        let slip = slip_after_correction(d, engine, state, &q, u);
+        verdict.note("slip after the correction of the speeds", slip, 0.0, amplified * fastest);
     }
     let (kinetic, potential) = engine.energy(&q, u).expect("lengths fit");
     verdict.note("kinetic energy", kinetic, answer.energy[0], answer.energy[0]);
@@ -229,8 +243,23 @@ fn compare(
     verdict.note("residual on the constraints", residual, 0.0, 1.0);
     // Near a singularity the way back is long: a row of motion that holds a coordinate adds to it.
     if d.motion.is_empty() || answer.health >= NEARLY {
-        project(d, engine, state, &places, q, verdict);
+        project(d, engine, state, (&places, program.is_redundant()), q, verdict);
     }
+}
+
+/// What speeds that are put off the constraints still leave of them after their correction.
+fn slip_after_correction(
+    d: &Description,
+    engine: &mut Interpreted<f64>,
+    state: &State,
+    q: &[f64],
+    u: &[f64],
+) -> f64 {
+    let mut u: Vec<f64> = u.iter().enumerate().map(|(i, u)| u + (i as f64 + 1.0).sin()).collect();
+    engine.project_speeds(q, &mut u).expect("lengths fit");
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    engine.rates(state.t, q, &u, &state.inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+    oracle::largest_slip(d, state, &q_dot)
 }
 
 /// Dependent coordinates put off by [`OFF`] come back to the constraints, and the residual says that they were off.
@@ -238,7 +267,7 @@ fn project(
     d: &Description,
     engine: &mut Interpreted<f64>,
     state: &State,
-    places: &[usize],
+    (places, moves_all): (&[usize], bool),
     mut q: Vec<f64>,
     verdict: &mut Verdict,
 ) {
@@ -262,7 +291,7 @@ fn project(
         off.q[i] = q[slot];
         // Where the others alone would hardly do, those whose speeds motion constraints give are corrected too.
         let given = d.speeds.iter().any(|speed| speed.of == Some(i) && !speed.independent);
-        if d.coordinates[i].independent && !given {
+        if d.coordinates[i].independent && !given && !moves_all {
             verdict.note("independent coordinate after projection", q[slot], state.q[i], 1.0);
         }
     }

@@ -92,6 +92,8 @@ pub const CATALOGUE: &[Kind] = &[
         "Requested outputs in the order of `OUTPUT_NAMES`."),
     kind("projection", Mechanism, Motion, Derive::Standing(standing::projection),
         "Newton's corrections of the coordinates `CORRECTED`, and the largest residual before them."),
+    kind("speed_projection", Mechanism, Motion, Derive::Standing(standing::speed_projection),
+        "Corrections of the speeds, all of which are state where the motion passes dead points of the independent ones."),
     kind("drive", Mechanism, Accelerations, Derive::Standing(standing::drive),
         "Power that what drives the mechanism puts in (W)."),
     kind("augmented", Mechanism, Masses, Derive::Standing(standing::augmented),
@@ -139,6 +141,24 @@ impl Kind {
     pub fn is_standing(&self) -> bool {
         matches!(self.derive, Derive::Standing(_))
     }
+}
+
+impl Kind {
+    /// Does the answer mean something of independent speeds only?
+    fn takes_independent(&self) -> bool {
+        const OF_ANY: [&str; 5] = ["law", "pose", "twist", "bias_acceleration", "jacobian"];
+        !self.is_standing() && !OF_ANY.contains(&self.name)
+    }
+}
+
+fn redundant(request: &Request) -> Diagnostic {
+    Diagnostic::error(format!(
+        "`{request}`: the motion passes dead points of the independent speeds, so that all speeds are state"
+    ))
+    .help(
+        "this answer needs independent speeds: choose such as pass no dead point, or keep it out of `range`; \
+         `augmented` gives masses and constraints of all speeds",
+    )
 }
 
 /// Answers on request as a program holds them.
@@ -271,6 +291,10 @@ pub(super) fn derive(
     let mut found = Diagnostics::new(stages.model.source.clone());
     let mut answers = Vec::new();
     for Resolved { request, kind, marker, .. } in resolved {
+        if kind.takes_independent() && !stages.solution.ties.is_empty() {
+            found.push(redundant(request));
+            continue;
+        }
         let (derive, takes_u_dot) = match kind.derive {
             Derive::Standing(_) => continue,
             Derive::Asked(derive) | Derive::Held(derive) => (derive, false),
@@ -320,6 +344,9 @@ impl Program {
         if !is_wanted("projection") {
             self.correction.iter_mut().for_each(|(_, e)| *e = nothing);
             self.residual = nothing;
+        }
+        if !is_wanted("speed_projection") {
+            self.speed_correction.clear();
         }
         if !is_wanted("drive") {
             self.drive = None;
@@ -371,6 +398,11 @@ impl Program {
     #[must_use]
     pub fn standing(&self) -> Vec<&'static str> {
         let standing = CATALOGUE.iter().filter(|kind| kind.is_standing() && kind.name != "augmented");
-        standing.map(|kind| kind.name).filter(|name| *name != "drive" || self.drive.is_some()).collect()
+        let is_there = |name: &&str| match *name {
+            "drive" => self.drive.is_some(),
+            "speed_projection" => !self.speed_correction.is_empty(),
+            _ => true,
+        };
+        standing.map(|kind| kind.name).filter(is_there).collect()
     }
 }

@@ -33,6 +33,16 @@ pub(super) fn projection(program: &Program) -> Vec<Part> {
     ]
 }
 
+/// Empty where the speeds are independent.
+pub(super) fn speed_projection(program: &Program) -> Vec<Part> {
+    match program.speed_correction.is_empty() {
+        true => Vec::new(),
+        false => {
+            vec![Part::list("corrections", "of the speeds", Vec::new(), program.speed_correction.clone())]
+        }
+    }
+}
+
 /// Empty where nothing drives the mechanism.
 pub(super) fn drive(program: &Program) -> Vec<Part> {
     program.drive.map(|power| Part::number("power", "W", power)).into_iter().collect()

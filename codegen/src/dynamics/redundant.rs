@@ -1,0 +1,192 @@
+//! Equations of motion of redundant speeds: Lagrange's of the first kind.
+//!
+//! In: M u' = f + J' lambda and the rows J u + j = 0 that tie the speeds, with J u' = -b. Out: u', lambda, and the
+//! correction of speeds that have left the rows. M alone may be singular: it is positive on the motions that the rows
+//! allow, so A = M + J' s J is positive definite wherever J has full rank, and so is S = J A^-1 J'. By the rows A u' =
+//! f - J' s b + J' lambda, hence u' = A^-1 (f + J' mu) with S mu = -b - J A^-1 f and lambda = mu + s b.
+//!
+//! Speeds are corrected in the metric of A: to first order that leaves the kinetic energy as it is.
+
+use super::solve::{Factors, NO_INERTIA};
+use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId, SymbolId};
+use crate::kinematics::eliminate::{Pivot, pivot_of};
+use crate::kinematics::{Kinematics, Row};
+use rustc_hash::FxHashMap as HashMap;
+
+/// u' of redundant speeds, and what keeps them on their rows.
+#[derive(Clone, Debug)]
+pub(super) struct Redundant {
+    pub u_dot: Vec<ExprId>,
+    /// lambda, one a row.
+    pub multipliers: Vec<ExprId>,
+    /// What is added to the speeds.
+    pub correction: Vec<ExprId>,
+    pub pivots: Vec<Pivot>,
+}
+
+/// The rows as matrices over the speeds.
+struct Ties {
+    jacobian: Vec<Vec<ExprId>>,
+    /// J u + j.
+    rate: Vec<ExprId>,
+    bias: Vec<ExprId>,
+}
+
+/// Solves for u'; none where some motion that the rows allow moves no mass.
+pub(super) fn solve(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    (rows, values): (&[Row], &HashMap<SymbolId, ExprId>),
+    mass: &[Vec<ExprId>],
+    forcing: &[ExprId],
+) -> Option<Redundant> {
+    let Ties { jacobian, rate, bias } = ties(k, rows, values);
+    let scales = scales(&k.dag, table, mass, &jacobian);
+    let dag = &mut k.dag;
+    let a = stiffened(dag, mass, &jacobian, &scales);
+    let factors = Factors::new(dag, &a);
+    let mut pivots = Vec::new();
+    positive(dag, table, &a, &factors, &mut pivots)?;
+    let columns: Vec<Vec<ExprId>> = jacobian.iter().map(|row| factors.solve(dag, row)).collect();
+    let mut schur = vec![vec![dag.zero(); rows.len()]; rows.len()];
+    for i in 0..rows.len() {
+        for j in 0..=i {
+            schur[i][j] = dot(dag, &jacobian[i], &columns[j]);
+            schur[j][i] = schur[i][j];
+        }
+    }
+    let schur_factors = Factors::new(dag, &schur);
+    positive(dag, table, &schur, &schur_factors, &mut pivots)?;
+    // x + A^-1 J' mu, with S mu = right.
+    let along = |dag: &mut Dag, x: Option<&[ExprId]>, right: &[ExprId]| {
+        let mu = schur_factors.solve(dag, right);
+        let mut sums = Vec::new();
+        for i in 0..forcing.len() {
+            let mut terms: Vec<ExprId> = x.map(|x| x[i]).into_iter().collect();
+            terms.extend(columns.iter().zip(&mu).map(|(column, &m)| dag.mul(column[i], m)));
+            sums.push(dag.sum(&terms));
+        }
+        (sums, mu)
+    };
+    let free = factors.solve(dag, forcing);
+    let mut missing = Vec::new();
+    for (row, &b) in jacobian.iter().zip(&bias) {
+        let met = dot(dag, row, &free);
+        let sum = dag.add(met, b);
+        missing.push(dag.negate(sum));
+    }
+    let (u_dot, mut multipliers) = along(dag, Some(&free), &missing);
+    for ((lambda, &b), &scale) in multipliers.iter_mut().zip(&bias).zip(&scales) {
+        let scale = dag.constant(scale);
+        let term = dag.mul(scale, b);
+        *lambda = dag.add(*lambda, term);
+    }
+    let off: Vec<ExprId> = rate.iter().map(|&e| dag.negate(e)).collect();
+    let (correction, _) = along(dag, None, &off);
+    Some(Redundant { u_dot, multipliers, correction, pivots })
+}
+
+/// Correction of the speeds of a model without masses: the shortest.
+pub(super) fn shortest_correction(
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    rows: &[Row],
+) -> Option<Vec<ExprId>> {
+    let n = k.independent_unknowns().len();
+    let values = HashMap::default();
+    let (zero, one) = (k.dag.zero(), k.dag.one());
+    let unit = |i: usize| (0..n).map(|j| if i == j { one } else { zero }).collect();
+    let identity: Vec<Vec<ExprId>> = (0..n).map(unit).collect();
+    solve(k, table, (rows, &values), &identity, &vec![zero; n]).map(|found| found.correction)
+}
+
+/// lambda' j: the power that the rows' parts without speeds take from what drives the mechanism.
+pub(super) fn power_of_drive(k: &mut Kinematics, rows: &[Row], multipliers: &[ExprId]) -> Option<ExprId> {
+    let clock = k.clock?;
+    let mut terms = Vec::new();
+    for (row, &lambda) in rows.iter().zip(multipliers) {
+        if let Some(&j) = row.coefficients.get(&clock) {
+            terms.push(k.dag.mul(j, lambda));
+        }
+    }
+    Some(k.dag.sum(&terms))
+}
+
+fn ties(k: &mut Kinematics, rows: &[Row], values: &HashMap<SymbolId, ExprId>) -> Ties {
+    let speeds = k.independent_unknowns();
+    let zero = k.dag.zero();
+    let mut ties = Ties { jacobian: Vec::new(), rate: Vec::new(), bias: Vec::new() };
+    for row in rows {
+        let entries: Vec<ExprId> =
+            speeds.iter().map(|u| row.coefficients.get(u).copied().unwrap_or(zero)).collect();
+        let symbols: Vec<ExprId> = speeds.iter().map(|&u| k.unknowns[u].value).collect();
+        let own = dot(&mut k.dag, &entries, &symbols);
+        let still = k.clock.and_then(|clock| row.coefficients.get(&clock)).copied().unwrap_or(zero);
+        ties.rate.push(k.dag.add(own, still));
+        ties.bias.push(k.dag.substitute(&[row.bias], values)[0]);
+        ties.jacobian.push(entries);
+    }
+    ties
+}
+
+/// s, one a row: powers of two that make J' s J about as large as M at the nominal configuration.
+fn scales(dag: &Dag, table: &mut SampleTable, mass: &[Vec<ExprId>], jacobian: &[Vec<ExprId>]) -> Vec<f64> {
+    let mut nominal = |e: ExprId| table.values(dag, e)[0];
+    let diagonal: f64 = (0..mass.len()).map(|i| nominal(mass[i][i])).sum();
+    let mut scales = Vec::new();
+    for row in jacobian {
+        let square: f64 = row.iter().map(|&e| nominal(e).powi(2)).sum();
+        let scale = (diagonal / square).log2().round().exp2();
+        scales.push(if scale.is_finite() && scale > 0.0 { scale } else { 1.0 });
+    }
+    scales
+}
+
+/// M + J' s J.
+fn stiffened(
+    dag: &mut Dag,
+    mass: &[Vec<ExprId>],
+    jacobian: &[Vec<ExprId>],
+    scales: &[f64],
+) -> Vec<Vec<ExprId>> {
+    let mut a = mass.to_vec();
+    for (row, &scale) in jacobian.iter().zip(scales) {
+        let scale = dag.constant(scale);
+        for i in 0..row.len() {
+            let scaled = dag.mul(scale, row[i]);
+            for j in 0..=i {
+                let term = dag.mul(scaled, row[j]);
+                a[i][j] = dag.add(a[i][j], term);
+                a[j][i] = a[i][j];
+            }
+        }
+    }
+    a
+}
+
+/// Records the pivots; none if one of them is not positive at a sample.
+fn positive(
+    dag: &Dag,
+    table: &mut SampleTable,
+    matrix: &[Vec<ExprId>],
+    factors: &Factors,
+    pivots: &mut Vec<Pivot>,
+) -> Option<()> {
+    for (i, &pivot) in factors.diagonal.iter().enumerate() {
+        let reference = table.values(dag, matrix[i][i]).to_vec();
+        let values = table.values(dag, pivot);
+        if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
+            return None;
+        }
+        if !dag.is_constant(pivot) {
+            pivots.push(pivot_of(dag, table, pivot));
+        }
+    }
+    Some(())
+}
+
+fn dot(dag: &mut Dag, a: &[ExprId], b: &[ExprId]) -> ExprId {
+    let terms: Vec<ExprId> = a.iter().zip(b).map(|(&x, &y)| dag.mul(x, y)).collect();
+    dag.sum(&terms)
+}

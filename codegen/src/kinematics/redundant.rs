@@ -1,0 +1,275 @@
+//! Redundant speeds: where the motion passes dead points of the independent speeds, all speeds are state.
+//!
+//! In: the candidate rows. Out: nothing where the dependent speeds follow from the independent ones all along the motion;
+//! else every speed as an independent unknown, the lifted ones eliminated, and the rows J u = 0 left between the speeds,
+//! which the equations of motion keep by multipliers (Lagrange's equations of the first kind; `dynamics/redundant.rs`). They
+//! need no more than rows of full rank.
+//!
+//! At a dead point the Jacobian has full rank, but its columns of the dependent unknowns are singular: their determinant
+//! changes its sign there. The motion is walked along in small steps of all coordinates at once, within their ranges.
+
+use super::assemble::Random;
+use super::eliminate::{self, Pivot, Solution, System, table_at};
+use super::regular::Regularity;
+use super::sparse::{self, Equation};
+use super::{Assembly, Kinematics, Row, Sample, UnknownId, UnknownKind, choose, linear, rank};
+use crate::expr::tape::SampleTable;
+use crate::expr::{ExprId, SymbolId};
+use crate::id::Id;
+use crate::model::{CoordinateId, Model};
+use std::collections::BTreeMap;
+
+/// Steps of the walk, and most attempts at each.
+const STEPS: usize = 64;
+const ATTEMPTS: usize = 4;
+/// A step in a coordinate, as a share of its range, and the most of it (rad, m).
+const STRIDE: (f64, f64) = (0.15, 0.4);
+/// Halvings of a step within which the determinant changes its sign.
+const HALVINGS: usize = 40;
+/// At a dead point no more than this is left of the direction that the rows determine least.
+const DEAD: f64 = 1e-6;
+/// Beside a dead point less than this share of a nominal pivot is left, or its sign has changed.
+const HEALTHY: f64 = 0.05;
+/// A range ends this share of its width farther out.
+const ROUNDING: f64 = 1e-9;
+/// Dead points that are kept as samples.
+const KEPT: usize = 4;
+
+/// All speeds as state and the rows between them, if the motion passes a dead point of the independent speeds; `minimal`
+/// is the solution by these, where they determine the others at every sample. Nothing if they need not be state, or
+/// cannot be.
+pub fn solve(
+    model: &Model,
+    k: &Kinematics,
+    minimal: Option<&Solution>,
+) -> Option<(Kinematics, Solution, SampleTable)> {
+    let dependent = k.dependent_unknowns();
+    if dependent.is_empty() {
+        return None;
+    }
+    let mut k = k.clone();
+    let walked = walk(model, &mut k);
+    let mut along = table_at(model, &k, &walked);
+    if minimal.is_some_and(|solution| is_healthy(&k, &mut along, &solution.pivots)) {
+        return None;
+    }
+    let places: Vec<Sample> = k.sampled().into_iter().chain(walked.iter().cloned()).collect();
+    let mut table = table_at(model, &k, &places);
+    let rows = full_rank(&k, &mut table, dependent.len())?;
+    let dead = dead_points(model, &mut k, &rows, &dependent, (&walked, &mut along));
+    if minimal.is_some() && dead.is_empty() {
+        return None;
+    }
+    k.samples = places.iter().chain(&dead).map(|sample| sample.q.clone()).collect();
+    k.sample_times = places.iter().chain(&dead).map(|sample| sample.t).collect();
+    for speed in k.unknowns.ids().collect::<Vec<_>>() {
+        if let UnknownKind::Dependent(meaning) = k.unknowns[speed].kind {
+            k.unknowns[speed].kind = UnknownKind::Independent(meaning);
+        }
+    }
+    let mut table = eliminate::sample_table(model, &k);
+    let solution = between_speeds(&mut k, &mut table, rows)?;
+    Some((k, solution, table))
+}
+
+/// Do the pivots keep their signs, and a good part of their nominal size, along the walk?
+fn is_healthy(k: &Kinematics, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
+    pivots.iter().all(|pivot| {
+        let values = table.values(&k.dag, pivot.value);
+        values.iter().all(|x| x / values[0] > HEALTHY)
+    })
+}
+
+/// As many rows as unknowns depend on others, independent over all speeds at every sample; none if the constraints do
+/// not leave the stated freedom at one of them.
+fn full_rank(k: &Kinematics, table: &mut SampleTable, count: usize) -> Option<Vec<Row>> {
+    let moving = k.moving_unknowns();
+    // Time included, so that what it prescribes contradicts no row.
+    let all: Vec<UnknownId> = k.unknowns.ids().collect();
+    let fits = |columns: &[UnknownId], table: &mut SampleTable| {
+        rank::ranks(k, table, &k.rows, columns).iter().all(|&rank| rank == count)
+    };
+    if !fits(&moving, table) || (k.clock.is_some() && !fits(&all, table)) {
+        return None;
+    }
+    let rows: Vec<Row> = k.rows.iter().chain(&k.spare_rows).cloned().collect();
+    let choice =
+        choose::Choice { rows: &rows, unknown: &moving, count, independent: choose::WELL_INDEPENDENT };
+    choose::rows(k, table, &choice).or_else(|| {
+        let choice = choose::Choice { independent: choose::INDEPENDENT, ..choice };
+        choose::rows(k, table, &choice)
+    })
+}
+
+/// Ranges of the coordinates that are state.
+fn ranges(model: &Model, k: &Kinematics) -> Vec<(f64, f64)> {
+    let state = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some());
+    state.map(|c| model.coordinates[c].range).collect()
+}
+
+/// Within the ranges, but for rounding: a dead point may be an end of one.
+fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
+    ranges.iter().zip(q).all(|((low, high), q)| {
+        let slack = ROUNDING * (high - low);
+        (low - slack..=high + slack).contains(q)
+    })
+}
+
+/// Configurations along the motion, each a small step of all coordinates from the one before.
+fn walk(model: &Model, k: &mut Kinematics) -> Vec<Sample> {
+    let mut assembly = Assembly::free(model, k);
+    let ranges = ranges(model, k);
+    let mut random = Random(0xDEAD_9017);
+    let mut here = k.samples[0].clone();
+    let mut found = vec![Sample { q: here.clone(), t: 0.0 }];
+    for _ in 0..STEPS * ATTEMPTS {
+        if found.len() > STEPS {
+            break;
+        }
+        let mut next = here.clone();
+        for (q, (low, high)) in next.iter_mut().zip(&ranges) {
+            let stride = (STRIDE.0 * (high - low)).min(STRIDE.1);
+            *q += random.between((-stride, stride));
+        }
+        if assembly.correct(&mut next).is_ok() && is_inside(&ranges, &next) {
+            found.push(Sample { q: next.clone(), t: 0.0 });
+            here = next;
+        }
+    }
+    found
+}
+
+/// Places on the walk at which the rows determine the unknowns no more, though they have full rank.
+fn dead_points(
+    model: &Model,
+    k: &mut Kinematics,
+    rows: &[Row],
+    dependent: &[UnknownId],
+    (walked, along): (&[Sample], &mut SampleTable),
+) -> Vec<Sample> {
+    let mut assembly = Assembly::free(model, k);
+    let k = &*k;
+    let signs = signs(k, along, rows, dependent);
+    let sign = |sample: &Sample| {
+        let mut table = table_at(model, k, std::slice::from_ref(sample));
+        self::signs(k, &mut table, rows, dependent)[0]
+    };
+    let ranges = ranges(model, k);
+    let mut found = Vec::new();
+    for (pair, signs) in walked.windows(2).zip(signs.windows(2)) {
+        if signs[0] == signs[1] || found.len() == KEPT {
+            continue;
+        }
+        let (mut from, mut to) = (pair[0].q.clone(), pair[1].q.clone());
+        for _ in 0..HALVINGS {
+            let mut middle: Vec<f64> = from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b)).collect();
+            if assembly.correct(&mut middle).is_err() {
+                break;
+            }
+            let place = Sample { q: middle, t: 0.0 };
+            if sign(&place) == signs[0] { from = place.q } else { to = place.q }
+        }
+        if is_inside(&ranges, &to) {
+            found.push(Sample { q: to, t: 0.0 });
+        }
+    }
+    if found.is_empty() {
+        return found;
+    }
+    let mut samples = table_at(model, k, &k.sampled());
+    let moving = k.moving_unknowns();
+    let dead = Regularity::new(model, k, rows, dependent, &mut samples).at(&found);
+    let regular =
+        Regularity::of_rank(model, k, rows, (&moving, dependent.len()), &mut samples).regular(found.clone());
+    let places = found.into_iter().zip(dead);
+    places.filter(|(q, left)| *left < DEAD && regular.contains(q)).map(|(q, _)| q).collect()
+}
+
+/// Is the determinant of the rows' columns of the unknowns positive, sample by sample?
+fn signs(k: &Kinematics, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> Vec<bool> {
+    let n = unknown.len();
+    let mut matrices = vec![vec![0.0; n * n]; table.points()];
+    for (i, row) in rows.iter().enumerate() {
+        for (j, u) in unknown.iter().enumerate() {
+            let Some(&entry) = row.coefficients.get(u) else { continue };
+            let values = table.values(&k.dag, entry);
+            matrices.iter_mut().zip(values).for_each(|(matrix, x)| matrix[i * n + j] = *x);
+        }
+    }
+    matrices.into_iter().map(|matrix| linear::determinant(matrix, n) > 0.0).collect()
+}
+
+/// Lifted unknowns from the rows that give them, and what the other rows say of the speeds alone.
+fn between_speeds(k: &mut Kinematics, table: &mut SampleTable, rows: Vec<Row>) -> Option<Solution> {
+    let lifted = k.dependent_unknowns();
+    let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
+    let choice = choose::Choice {
+        rows: &rows,
+        unknown: &lifted,
+        count: lifted.len(),
+        independent: choose::INDEPENDENT,
+    };
+    let taken = choose::rows(k, table, &choice)?;
+    let is_taken =
+        |row: &&Row| taken.iter().any(|t| t.name == row.name && t.coefficients == row.coefficients);
+    let left: Vec<Row> = rows.iter().filter(|row| !is_taken(row)).cloned().collect();
+    let system = System { rows: taken.clone(), spare: Vec::new(), unknown: lifted, known };
+    let mut solution = eliminate::solution_of(k, table, &system, taken)?;
+    solution.ties = left.into_iter().map(|row| tie(k, &solution, &system.known, row)).collect();
+    solution.rows = rows;
+    Some(solution)
+}
+
+/// A row with the lifted unknowns in terms of the speeds.
+fn tie(k: &mut Kinematics, solution: &Solution, known: &[UnknownId], mut row: Row) -> Row {
+    for step in &solution.steps {
+        let Some(entry) = row.coefficients.remove(&step.unknown) else { continue };
+        for (&z, &c) in &step.coefficients {
+            let product = k.dag.mul(entry, c);
+            let sum = match row.coefficients.get(&z) {
+                Some(&mine) => k.dag.add(mine, product),
+                None => product,
+            };
+            row.coefficients.insert(z, sum);
+        }
+        let product = k.dag.mul(entry, step.bias);
+        row.bias = k.dag.add(row.bias, product);
+    }
+    let coefficients: BTreeMap<UnknownId, ExprId> =
+        known.iter().filter_map(|u| Some((*u, *row.coefficients.get(u)?))).collect();
+    Row { coefficients, residual: k.dag.zero(), ..row }
+}
+
+/// The shortest Newton's correction of the coordinates, one a state: J' (J J')^-1 (-f), f(q) = 0 being the configuration
+/// constraints. No coordinate is held.
+pub fn correction(k: &mut Kinematics, table: &mut SampleTable, state: &[CoordinateId]) -> Vec<ExprId> {
+    let symbols: Vec<SymbolId> = state.iter().filter_map(|&c| k.coordinate_symbol(c)).collect();
+    let mut rows: Vec<Vec<ExprId>> = Vec::new();
+    for residual in k.residuals.clone() {
+        rows.push(symbols.iter().map(|&symbol| k.dag.derivative(residual, symbol)).collect());
+    }
+    let mut gram: BTreeMap<UnknownId, Equation> = BTreeMap::new();
+    for (i, row) in rows.iter().enumerate() {
+        let mut coefficients = BTreeMap::new();
+        for (j, other) in rows.iter().enumerate() {
+            let terms: Vec<ExprId> = row.iter().zip(other).map(|(&x, &y)| k.dag.mul(x, y)).collect();
+            let sum = k.dag.sum(&terms);
+            if !k.dag.is_zero(sum) {
+                coefficients.insert(UnknownId::from_index(j), sum);
+            }
+        }
+        let right = vec![k.dag.negate(k.residuals[i])];
+        gram.insert(UnknownId::from_index(i), Equation { coefficients, right });
+    }
+    let done = sparse::eliminate_definite(&mut k.dag, table, gram);
+    let values = sparse::back_substitute(&mut k.dag, &done).unwrap_or_default();
+    let mut corrections = Vec::new();
+    for column in 0..symbols.len() {
+        let mut terms = Vec::new();
+        for (row, value) in rows.iter().zip(values.values()) {
+            terms.push(k.dag.mul(row[column], value[0]));
+        }
+        corrections.push(k.dag.sum(&terms));
+    }
+    corrections
+}

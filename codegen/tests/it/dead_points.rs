@@ -1,0 +1,151 @@
+//! Dead points of the independent speeds: one program covers them, with all speeds as state.
+//!
+//! Oracles: the same mechanisms by the coordinate that has no dead point, in closed form, written out here.
+
+use smartbed_codegen::{Interpreted, ParameterChoice, Program, model, program};
+use smartbed_runtime::mechanism::Mechanism;
+use smartbed_runtime::ode::{Driven, State, rk4};
+use smartbed_runtime::real::Scalar;
+use std::f64::consts::PI;
+
+/// Against independent equations, relative to the largest acceleration.
+const EXACT: f64 = 1e-12;
+const STATES: usize = 1000;
+
+/// The shipped slider-crank, but for its independent coordinate.
+fn slider_crank() -> String {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml");
+    let text = std::fs::read_to_string(path).expect("it is shipped");
+    let changed = text
+        .replace("q = { unit = \"rad\", independent = true, nominal", "q = { unit = \"rad\", nominal")
+        .replace("x = { unit = \"m\", nominal", "x = { unit = \"m\", independent = true, nominal");
+    assert_eq!(changed.matches("independent = true").count(), 1);
+    changed
+}
+
+fn derived(text: &str) -> Program {
+    let model = model::parse("test.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Crank q, rod b, piston x with their rates at a crank angle, speed and acceleration.
+fn follow(q: f64, u: f64, a: f64) -> [[f64; 3]; 3] {
+    let (r, l) = (0.1, 0.3);
+    let sin_b = -r * q.sin() / l;
+    let (b, cos_b) = (sin_b.asin(), (1.0 - sin_b * sin_b).sqrt());
+    let v = -r * q.cos() * u / (l * cos_b);
+    let w = (r * q.sin() * u * u - r * q.cos() * a + l * sin_b * v * v) / (l * cos_b);
+    let x = r * q.cos() + l * cos_b;
+    let x_dot = -r * q.sin() * u - l * sin_b * v;
+    let x_ddot = -r * q.cos() * u * u - r * q.sin() * a - l * cos_b * v * v - l * sin_b * w;
+    [[q, b, x], [u, v, x_dot], [a, w, x_ddot]]
+}
+
+/// The crank's acceleration under a torque: power of all forces along the motion.
+fn crank_acceleration(q: f64, u: f64, torque: f64) -> f64 {
+    let (r, l, m_rod, m_piston, i_crank, spring) = (0.1, 0.3, 0.4, 0.6, 0.02, 200.0);
+    let i_rod = m_rod * l * l / 12.0;
+    let [place, _, still] = follow(q, u, 0.0);
+    let [_, per, _] = follow(q, 1.0, 0.0);
+    // The rod's centre: r e(q) + l/2 e(b).
+    let centre = |rate: [f64; 3]| {
+        [
+            -r * q.sin() * rate[0] - 0.5 * l * place[1].sin() * rate[1],
+            r * q.cos() * rate[0] + 0.5 * l * place[1].cos() * rate[1],
+        ]
+    };
+    let [_, now, _] = follow(q, u, 0.0);
+    let turning = centre(still);
+    let bias = [
+        turning[0] - r * q.cos() * now[0] * now[0] - 0.5 * l * place[1].cos() * now[1] * now[1],
+        turning[1] - r * q.sin() * now[0] * now[0] - 0.5 * l * place[1].sin() * now[1] * now[1],
+    ];
+    let v = centre(per);
+    let mass =
+        i_crank + i_rod * per[1] * per[1] + m_rod * (v[0] * v[0] + v[1] * v[1]) + m_piston * per[2] * per[2];
+    let inertia =
+        i_rod * per[1] * still[1] + m_rod * (v[0] * bias[0] + v[1] * bias[1]) + m_piston * per[2] * still[2];
+    (torque - spring * (place[2] - l) * per[2] - inertia) / mass
+}
+
+/// Angles at and near the dead points, and all round.
+fn angle(state: usize) -> f64 {
+    let near = [0.0, 1e-12, -1e-9, 1e-7, -1e-5, 1e-3, -0.02][state % 7];
+    let scattered = (state as f64 * 0.618_033_988_749_894_9).fract();
+    match state % 3 {
+        0 => near,
+        1 => PI + near,
+        _ => 2.0 * PI * scattered - PI,
+    }
+}
+
+#[test]
+fn a_slider_crank_moves_through_the_dead_points_of_its_slider() {
+    let program = derived(&slider_crank());
+    let names: Vec<&str> = program.u.iter().map(|u| u.name.as_str()).collect();
+    assert_eq!(names, ["u_q", "u_b", "u_x"]);
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    for state in 0..STATES {
+        let (q, u, torque) = (angle(state), 20.0 * (state as f64).sin(), 3.0 * (state as f64).cos());
+        let a = crank_acceleration(q, u, torque);
+        let [places, rates, expected] = follow(q, u, a);
+        let (mut q_dot, mut u_dot) = ([0.0; 3], [0.0; 3]);
+        let pivot =
+            mechanism.rates(0.0, &places, &rates, &[torque], &mut q_dot, &mut u_dot).expect("lengths fit");
+        let size = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        for (found, expected) in u_dot.iter().zip(&expected) {
+            assert!((found - expected).abs() < EXACT * size, "{state}: {u_dot:?} {expected} at {q}");
+        }
+        assert!(pivot > 0.01, "{pivot} at {q}");
+    }
+}
+
+/// The state after some steps of Kutta's method, and the largest change of the energy relative to its kinetic part.
+fn moved<S: Scalar>(program: &Program, start: &[f64], h: f64, steps: usize) -> (Vec<f64>, f64) {
+    let mut x: Vec<S> = start.iter().map(|&x| S::from_f64(x)).collect();
+    let mut low = vec![S::ZERO; x.len()];
+    let mut scratch = vec![S::ZERO; 8 * x.len()];
+    let mut inputs = vec![S::ZERO; program.inputs.len()];
+    let law = |_: S, _: &[S], _: &[S], inputs: &mut [S]| inputs.fill(S::ZERO);
+    let mut driven = Driven::new(Interpreted::<S>::new(program), law, &mut inputs).expect("inputs");
+    let mut state = State::new(&mut x, &mut low).expect("one length");
+    let n_q = program.q.len();
+    let mut observer = Interpreted::<f64>::new(program);
+    let mut energy = |x: &[S]| {
+        let x: Vec<f64> = x.iter().map(|x| x.to_f64()).collect();
+        observer.energy(&x[..n_q], &x[n_q..]).expect("lengths fit")
+    };
+    let (kinetic, potential) = energy(state.x());
+    let mut worst = 0.0_f64;
+    for step in 0..steps {
+        let before: Vec<S> = state.x().to_vec();
+        let t = S::from_f64(step as f64 * h);
+        let taken = rk4(&mut driven, t, S::from_f64(h), &mut state, &mut scratch);
+        assert!(taken.is_ok(), "step {step}: {taken:?} at {:?}", state.x());
+        // No jump: no more than the speeds say.
+        for i in 0..n_q {
+            let change = (state.x()[i].to_f64() - before[i].to_f64()).abs();
+            let rate = before[n_q + i].to_f64().abs().max(state.x()[n_q + i].to_f64().abs());
+            assert!(change < 1.5 * h * (rate + 1.0), "step {step}: coordinate {i} jumps by {change}");
+        }
+        let now = energy(state.x());
+        worst = worst.max((now.0 + now.1 - kinetic - potential).abs() / (kinetic + potential.abs()));
+    }
+    (state.x().iter().map(|x| x.to_f64()).collect(), worst)
+}
+
+#[test]
+fn runs_through_dead_points_keep_their_energy() {
+    let program = derived(&slider_crank());
+    let [places, rates, _] = follow(1.0, 20.0, 0.0);
+    let start = [places, rates].concat();
+    // Ten seconds are thirty turns, two dead points each.
+    let (end, double) = moved::<f64>(&program, &start, 1e-3, 10_000);
+    assert!(end[0] > 150.0, "{end:?}");
+    let (_, finer) = moved::<f64>(&program, &start, 0.5e-3, 20_000);
+    println!("energy: {double:.1e}, with half the step {finer:.1e}");
+    assert!(double < 1e-7 && finer < 0.1 * double, "{double:e} {finer:e}");
+    let (_, single) = moved::<f32>(&program, &start, 1e-3, 10_000);
+    println!("energy in single precision: {single:.1e}");
+    assert!(single < 1e-5, "{single:e}");
+}
