@@ -1,7 +1,7 @@
 //! Derives the model into `OUT_DIR` and, for the chip, gives the linker its memory.
 //!
 //! In, all optional: `SMARTBED_MODEL` (path of a model), `SMARTBED_SET` (`name=value;...`),
-//! `SMARTBED_STEPS`, `SMARTBED_SCENE` (path of a scene's tables, for the scene's image),
+//! `SMARTBED_CHIP` (a file of `chips/`), `SMARTBED_STEPS`, `SMARTBED_SCENE` (path of a scene's tables, for the scene's image),
 //! `SMARTBED_INJECT` (a defect that the image's checks must find; for tests).
 //! They are read here, at build time, so that host and chip change together.
 
@@ -14,12 +14,17 @@ use std::fs;
 use std::path::Path;
 
 const STEPS: &str = "10000";
-const CHIP: &str = "chips/stm32f405.x";
+/// The chip, by the name of its file in `chips/`.
+const CHIP: &str = "m4";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let out = env::var("OUT_DIR")?;
     let out = Path::new(&out);
-    println!("cargo::rerun-if-changed={CHIP}");
+    let chip = option("SMARTBED_CHIP", CHIP);
+    let memory = format!("chips/{chip}.x");
+    println!("cargo::rerun-if-changed={memory}");
+    println!("cargo::rustc-check-cfg=cfg(chip, values(\"m4\", \"m7\", \"m33\"))");
+    println!("cargo::rustc-cfg=chip=\"{chip}\"");
     println!(
         "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
     );
@@ -48,7 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=inject=\"{inject}\"");
     }
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {
-        fs::copy(CHIP, out.join("memory.x"))?;
+        fs::copy(&memory, out.join("memory.x"))
+            .map_err(|e| format!("SMARTBED_CHIP={chip}: {memory}: {e}"))?;
         println!("cargo::rustc-link-search={}", out.display());
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }

@@ -2,7 +2,7 @@
 
 use super::option;
 use smartbed_codegen::model::{Model, StartRef};
-use smartbed_codegen::{Effort, Options, ScalarType, program};
+use smartbed_codegen::{Effort, Options, Program, ScalarType};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -42,17 +42,15 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
     if has_law {
         options.answers = vec!["law".to_owned()];
     }
-    let start = start(&read, &options)?;
-    let mechanism = smartbed_codegen::build(model, &options);
+    let (mechanism, program) = smartbed_codegen::build_program(model, &options);
+    let start = start(&read, &program)?;
     let text = alias(&fs::read_to_string(mechanism)?)? + &start + &command(has_law);
     fs::write(out.join("model.rs"), text)?;
     Ok(())
 }
 
 /// The model's `[start]`: coordinates on the constraints, and the independent speeds; what it leaves out is nominal, or 0.
-fn start(model: &Model, options: &Options) -> Result<String, Box<dyn Error>> {
-    let program =
-        program::derive_with(model, &options.parameters, Effort::None).map_err(|e| e.to_string())?;
+fn start(model: &Model, program: &Program) -> Result<String, Box<dyn Error>> {
     let (mut q, mut u) = (program.nominal.clone(), vec![0.0; program.u.len()]);
     for (owner, value) in &model.start {
         let (list, numbers, name) = match owner {

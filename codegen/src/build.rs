@@ -5,7 +5,7 @@ use crate::escape;
 use crate::kinematics::ParameterChoice;
 use crate::model::{self, Model};
 use crate::program::answer::{Asked, Function};
-use crate::program::{self, Settings};
+use crate::program::{self, Program, Settings};
 use crate::rust::{self, EmitOptions};
 use crate::source::Source;
 use std::path::{Path, PathBuf};
@@ -31,19 +31,19 @@ pub struct Options {
 /// # Errors
 /// Everything that is wrong with the model, each with its place.
 pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
-    let (text, _) = emitted(&model::read(path)?, options)?;
-    Ok(text)
+    let program = derived(&model::read(path)?, options)?;
+    Ok(rust::emit(&program, &options.emit))
 }
 
-/// All stages behind the reading: the formatted Rust, and the warnings of the model and of its derivation.
-fn emitted(model: &Model, options: &Options) -> Result<(String, [Diagnostics; 2]), Diagnostics> {
+/// All stages between reading and emitting.
+fn derived(model: &Model, options: &Options) -> Result<Program, Diagnostics> {
     let asked = asked(&options.answers).map_err(failure)?;
     let program = program::derive_asked(model, &options.parameters, options.settings, &asked)?;
     // What a scalar cannot hold would be emitted as an infinity.
     if let Some(why) = program.beyond_single().filter(|_| options.emit.scalar.is_single()) {
         return Err(failure(format!("{why}; derive for f64, or choose other units")));
     }
-    Ok((rust::emit(&program, &options.emit), [model.warnings(), program.warnings]))
+    Ok(program)
 }
 
 /// Functions besides those of every mechanism: one an entry, `answers`, `answers_2` and so on where it asks for several.
@@ -60,8 +60,13 @@ fn asked(entries: &[String]) -> Result<Asked, String> {
 /// Cargo reruns the script when the model or a file it extends changes. If the model is wrong,
 /// the build stops with its errors, each with file, line and column.
 pub fn build(path: impl AsRef<Path>, options: &Options) -> PathBuf {
+    build_program(path, options).0
+}
+
+/// [`build`], and the program that was emitted: for scripts that write more about the same mechanism.
+pub fn build_program(path: impl AsRef<Path>, options: &Options) -> (PathBuf, Program) {
     match try_build(path.as_ref(), options) {
-        Ok(file) => file,
+        Ok(built) => built,
         Err(errors) => {
             eprintln!("{errors}");
             for line in errors.to_string().lines() {
@@ -72,18 +77,23 @@ pub fn build(path: impl AsRef<Path>, options: &Options) -> PathBuf {
     }
 }
 
-/// [`build`] that leaves the errors to the caller.
+/// [`build_program`] that leaves the errors to the caller.
 ///
 /// # Errors
 /// Everything that is wrong with the model; a file that cannot be written; no `OUT_DIR`.
-pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics> {
+pub fn try_build(path: &Path, options: &Options) -> Result<(PathBuf, Program), Diagnostics> {
     watch(&path.display().to_string())?;
     let model = model::read(path)?;
     for file in model.source.files.iter() {
         watch(&file.path)?;
     }
-    let (text, warnings) = emitted(&model, options)?;
-    for line in warnings.iter().map(ToString::to_string).collect::<String>().lines() {
+    let program = derived(&model, options)?;
+    for line in [model.warnings(), program.warnings.clone()]
+        .iter()
+        .map(ToString::to_string)
+        .collect::<String>()
+        .lines()
+    {
         println!("cargo::warning={line}");
     }
     let directory = std::env::var_os("OUT_DIR")
@@ -92,8 +102,9 @@ pub fn try_build(path: &Path, options: &Options) -> Result<PathBuf, Diagnostics>
         path.file_stem().map_or_else(|| model.name.clone(), |stem| stem.to_string_lossy().into_owned())
     });
     let file = Path::new(&directory).join(format!("{name}.rs"));
-    std::fs::write(&file, text).map_err(|e| failure(format!("cannot write {}: {e}", file.display())))?;
-    Ok(file)
+    std::fs::write(&file, rust::emit(&program, &options.emit))
+        .map_err(|e| failure(format!("cannot write {}: {e}", file.display())))?;
+    Ok((file, program))
 }
 
 /// Asks cargo to run the script again when the file changes. Cargo reads one instruction a line.

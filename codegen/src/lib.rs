@@ -70,7 +70,7 @@ pub mod rust;
 
 mod build;
 
-pub use build::{Options, build, generate, try_build};
+pub use build::{Options, build, build_program, generate, try_build};
 pub use diagnostic::Diagnostics;
 pub use kinematics::ParameterChoice;
 pub use program::answer::{Answer, Asked, Function, Request};

@@ -24,6 +24,7 @@ pub mod mechanism {
 
 pub mod command;
 pub mod control;
+pub mod defect;
 pub mod digest;
 pub mod link;
 pub mod names;
@@ -33,6 +34,7 @@ pub mod tile;
 pub mod turns;
 
 pub mod node;
+pub mod station;
 pub mod supervisor;
 
 #[cfg(all(feature = "plant", not(feature = "scene")))]

@@ -2,7 +2,7 @@
 //!
 //! The loop begins with [`HELLO`]; the host sends the tile's number; the loop answers with its margin of self-locking in thousandths, two
 //! bytes, lowest first. Then the host's turns: 0 to 127, so many bytes, which come to the tile's line, and a tick; 128 to
-//! [`MOST_TICKS`] more: a tick for each above 127; [`BREAK`] and the number of a defect; [`FAULT`] and [`END`]. For each tick the loop answers
+//! [`MOST_TICKS`] more: a tick for each above 127; [`BREAK`] and the number of a defect in [`NAMED`](crate::defect::NAMED); [`FAULT`] and [`END`]. For each tick the loop answers
 //! how many bytes the tile sent, and these.
 
 /// The loop is there.
@@ -18,21 +18,5 @@ pub const FAULT: u8 = 0xFE;
 /// Ends; the loop answers with the most bytes of stack that were used, four bytes, lowest first.
 pub const END: u8 = 0xFF;
 
-/// Defects by number.
-pub const DEFECTS: [&str; 15] = [
-    "none",
-    "motor-on",
-    "motor-dead",
-    "enable",
-    "supply-open",
-    "vent-open",
-    "supply-shut",
-    "vent-shut",
-    "encoder-stuck",
-    "encoder-drift",
-    "lvdt-stuck",
-    "lvdt-open",
-    "switch-open",
-    "pressure-bias",
-    "block",
-];
+/// The key of every simulated tile; a real one gets its own from its maker.
+pub const KEY: [u8; 16] = *b"an example's key";

@@ -196,6 +196,8 @@ const NAMES: &[(&str, f64, [i8; 5])] = &[
     ("kPa", 1e3, [1, -1, -2, 0, 0]),
     ("MPa", 1e6, [1, -1, -2, 0, 0]),
     ("bar", 1e5, [1, -1, -2, 0, 0]),
+    // Of pressure on skin: BIPM, The International System of Units, 8th edition, table 8.
+    ("mmHg", 133.322, [1, -1, -2, 0, 0]),
     ("K", 1.0, [0, 0, 0, 1, 0]),
     ("A", 1.0, [0, 0, 0, 0, 1]),
     ("mA", 1e-3, [0, 0, 0, 0, 1]),

@@ -1,8 +1,10 @@
 //! Start, end and faults of the image.
 
 use cortex_m_rt::{ExceptionFrame, entry, exception};
-use cortex_m_semihosting::{debug, hio};
+use cortex_m_semihosting::hio;
+use emulator::end;
 
+mod emulator;
 #[cfg(inject)]
 mod inject;
 
@@ -17,14 +19,6 @@ fn main() -> ! {
         }
     });
     end(done)
-}
-
-/// Tells the emulator how it went.
-fn end(done: bool) -> ! {
-    debug::exit(if done { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
-    loop {
-        cortex_m::asm::wfi();
-    }
 }
 
 #[exception]

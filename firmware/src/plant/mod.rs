@@ -12,6 +12,7 @@ pub mod flash;
 pub mod leg;
 pub mod sensors;
 
+pub use crate::defect::Defect;
 use crate::names::position;
 use crate::tile::board::{Actuators, Outputs, Readings, Sensors};
 use crate::tile::drive::Drive;
@@ -55,55 +56,6 @@ const START_CORRECTIONS: u8 = 8;
 
 /// The plant of the loop: single precision on host and chip.
 pub type Tile = Plant<f32, single::Tile>;
-
-/// What can break. Legs are numbered from 0.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Defect {
-    /// A drive gives this duty whatever it is told; ENABLE still cuts it.
-    Motor(u8, f32),
-    /// A drive gives nothing.
-    MotorDead(u8),
-    /// ENABLE does not cut.
-    Enable,
-    /// A valve stands open: of the pump, or the vent.
-    ValveOpen {
-        /// The vent?
-        vent: bool,
-    },
-    /// A valve stays shut.
-    ValveShut {
-        /// The vent?
-        vent: bool,
-    },
-    /// An encoder counts no further.
-    EncoderStuck(u8),
-    /// An encoder counts so much too much each millisecond.
-    EncoderDrift(u8, i32),
-    /// A displacement sensor stays where it is.
-    DisplacementStuck(u8),
-    /// The wire of a displacement sensor is broken.
-    DisplacementOpen(u8),
-    /// A switch's circuit is open: the lower one, or the upper.
-    SwitchOpen {
-        /// Its leg.
-        leg: u8,
-        /// The upper one?
-        high: bool,
-    },
-    /// A pressure sensor shows so many times the pressure.
-    PressureBias(u8, f32),
-    /// The supply falls to this (V).
-    Supply(f32),
-    /// Something stops this leg at this height (m), from above or, going down, from below.
-    Block {
-        /// Its leg.
-        leg: u8,
-        /// Where it begins (m).
-        height: f32,
-        /// Is it above?
-        above: bool,
-    },
-}
 
 /// What leads and what the legs hold, from one step to the next.
 #[derive(Clone, Debug)]

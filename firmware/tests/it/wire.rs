@@ -12,9 +12,8 @@ use smartbed_firmware::tile::board::Sensors;
 use smartbed_firmware::tile::drive::DRIVE;
 use smartbed_firmware::tile::fault::Fault;
 use smartbed_firmware::tile::mode::Mode;
+pub use smartbed_firmware::turns::KEY;
 use std::collections::VecDeque;
-
-pub const KEY: [u8; 16] = *b"an example's key";
 
 /// Bytes both ways.
 #[derive(Clone, Default)]

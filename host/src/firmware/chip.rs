@@ -1,10 +1,12 @@
-//! The chip that the image is built for.
+//! The chips that images are built for.
 
 /// What the checks and the emulator need to know of a chip.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Chip {
     /// Name.
     pub name: &'static str,
+    /// Its name in file names and on the command line; `firmware/chips` holds its memory under it.
+    pub short: &'static str,
     /// Rust target.
     pub target: &'static str,
     /// `-C target-cpu`.
@@ -22,6 +24,7 @@ pub struct Chip {
 /// STM32F405: Cortex-M4F at 168 MHz. Its 64 KiB of core-coupled RAM are not used: the emulator lacks them.
 pub const STM32F405: Chip = Chip {
     name: "STM32F405",
+    short: "m4",
     target: "thumbv7em-none-eabihf",
     cpu: "cortex-m4",
     machine: "netduinoplus2",
@@ -29,3 +32,35 @@ pub const STM32F405: Chip = Chip {
     ram: 128 * 1024,
     clock: 168_000_000,
 };
+
+/// A Cortex-M7 of Arm's prototyping board MPS2 (application note 500).
+pub const M7: Chip = Chip {
+    name: "MPS2 with a Cortex-M7",
+    short: "m7",
+    cpu: "cortex-m7",
+    machine: "mps2-an500",
+    clock: 25_000_000,
+    ..STM32F405
+};
+
+/// A Cortex-M33 of the same board (application note 505), in its secure state.
+pub const M33: Chip = Chip {
+    name: "MPS2 with a Cortex-M33",
+    short: "m33",
+    target: "thumbv8m.main-none-eabihf",
+    cpu: "cortex-m33",
+    machine: "mps2-an505",
+    clock: 20_000_000,
+    ..STM32F405
+};
+
+/// All of them.
+pub const ALL: [Chip; 3] = [STM32F405, M7, M33];
+
+impl Chip {
+    /// The chip of this short name.
+    #[must_use]
+    pub fn named(short: &str) -> Option<Self> {
+        ALL.into_iter().find(|chip| chip.short == short)
+    }
+}

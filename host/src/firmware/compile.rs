@@ -37,10 +37,21 @@ pub struct Settings {
     pub inject: Option<String>,
     /// Every parameter of a mechanism tunable, every answer in every step.
     pub everything: bool,
-    /// Constant tables in Rust, if the model is a scene.
-    pub tables: Option<String>,
-    /// The controller with the tile that it is tried on, instead of a model.
-    pub is_controller: bool,
+    /// What of the firmware is built.
+    pub subject: Subject,
+}
+
+/// A program of the firmware.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Subject {
+    /// A mechanism with its demonstration.
+    Mechanism,
+    /// A scene, by its constant tables in Rust.
+    Scene(String),
+    /// The controller with the tile that it is tried on.
+    Loop,
+    /// The controller on a real chip's pins.
+    Board,
 }
 
 impl Settings {
@@ -50,41 +61,41 @@ impl Settings {
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
-        let (tables, steps) = if scene::read::is_scene(&model) {
+        let (subject, steps) = if scene::read::is_scene(&model) {
             let (tables, steps) = print_scene(&model, &arguments.set)?;
-            (Some(tables), steps)
+            (Subject::Scene(tables), steps)
         } else {
             check_changes(&arguments.set)?;
             check_names(&model, &arguments.set)?;
-            (None, STEPS)
+            (Subject::Mechanism, STEPS)
         };
         let steps = arguments.steps.unwrap_or(steps);
-        if arguments.everything && tables.is_some() {
+        if arguments.everything && subject != Subject::Mechanism {
             let why = "--everything: a scene has no parameters or answers that were left out";
             return Err(Failure::Wrong(format!("{why}; turn on what it lacks with --set")));
         }
         let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
         let everything = arguments.everything;
-        Ok(Self { model, steps, set, inject, everything, tables, is_controller: false })
+        Ok(Self { model, steps, set, inject, everything, subject })
     }
 
-    /// The controller with the tile that it is tried on.
+    /// The controller: with the tile that it is tried on, or on a real chip's pins.
     #[must_use]
-    pub fn controller() -> Self {
+    pub fn controller(subject: Subject) -> Self {
         Self {
             model: PathBuf::new(),
             steps: STEPS,
             set: Vec::new(),
             inject: None,
             everything: false,
-            tables: None,
-            is_controller: true,
+            subject,
         }
     }
 
     /// Says which inputs of a mechanism stay 0 because nothing commands them.
     pub fn note_what_nothing_commands(&self) {
-        let model = smartbed_codegen::model::read(&self.model).ok().filter(|_| self.tables.is_none());
+        let model =
+            smartbed_codegen::model::read(&self.model).ok().filter(|_| self.subject == Subject::Mechanism);
         let Some(model) = model else { return };
         // The demonstration of the controller commands a tile that has no law of its own.
         let is_tile = model.laws.is_empty()
@@ -105,10 +116,11 @@ impl Settings {
 
     /// Name of the program that is built.
     fn program(&self) -> &'static str {
-        match () {
-            () if self.is_controller => "loop",
-            () if self.tables.is_some() => "scene",
-            () => "tile",
+        match self.subject {
+            Subject::Mechanism => "tile",
+            Subject::Scene(_) => "scene",
+            Subject::Loop => "loop",
+            Subject::Board => "board",
         }
     }
 
@@ -116,23 +128,26 @@ impl Settings {
     /// controller calls one.
     #[must_use]
     pub fn counted(&self) -> (&'static str, &'static [&'static str]) {
-        if self.tables.is_some() { ("scene_step", &[]) } else { ("tile_step", &[RATES, SIN_COS]) }
+        match self.subject {
+            Subject::Scene(_) => ("scene_step", &[]),
+            _ => ("tile_step", &[RATES, SIN_COS]),
+        }
     }
 
     /// Hands the settings to the firmware's build script; tables through a file in `folder`.
     fn export(&self, command: &mut Command, folder: &Path) -> Result<(), Failure> {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
-        match &self.tables {
-            None if self.is_controller => {
-                command.args(["--features", "plant"]);
+        match &self.subject {
+            Subject::Loop | Subject::Board => {
+                command.args(["--features", if self.subject == Subject::Loop { "plant" } else { "board" }]);
                 command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
             }
-            None => {
+            Subject::Mechanism => {
                 command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
                 command.args(["--features", if self.everything { "everything" } else { "model" }]);
             }
-            Some(tables) => {
+            Subject::Scene(tables) => {
                 let file = folder.join("scene.rs");
                 std::fs::write(&file, tables)
                     .map_err(|e| Failure::Wrong(format!("{}: {e}", file.display())))?;
@@ -222,8 +237,18 @@ pub fn image(
         cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
     }
     cargo.env(format!("CARGO_TARGET_{target}_RUSTFLAGS"), format!("-Ctarget-cpu={}", chip.cpu));
+    cargo.env("SMARTBED_CHIP", chip.short);
     succeed(cargo, "the image does not build")?;
-    Ok(folder.join(chip.target).join("firmware").join(settings.program()))
+    let built = folder.join(chip.target).join("firmware").join(settings.program());
+    if settings.subject != Subject::Loop {
+        return Ok(built);
+    }
+    // Chips of one target take turns in one place: an image that somebody is about to start gets a name of its own.
+    let own = folder.join(format!("{}-{}", chip.short, settings.program()));
+    let fresh = own.with_extension("new");
+    let copied = fs::copy(&built, &fresh).and_then(|_| fs::rename(&fresh, &own));
+    copied.map_err(|e| Failure::Wrong(format!("{}: {e}", own.display())))?;
+    Ok(own)
 }
 
 /// Builds and runs the same simulation on the host; returns what it prints.

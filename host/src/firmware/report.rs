@@ -133,7 +133,7 @@ impl Report {
         line("chip", format!("{} at {} MHz", chip.name, chip.clock / 1_000_000));
         line("flash", format!("{} of {} bytes", self.size.flash, chip.flash));
         line("static RAM", format!("{} of {} bytes", self.size.ram, chip.ram));
-        line("stack bound", format!("{} bytes, one exception included", self.stack.bytes));
+        line("stack bound", format!("{} bytes, an exception of each priority included", self.stack.bytes));
         let path: Vec<String> =
             self.stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
         line("  deepest path", path.join(" > "));

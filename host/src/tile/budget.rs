@@ -9,16 +9,18 @@ use super::order;
 use crate::failure::Failure;
 use crate::firmware::chip::STM32F405;
 use crate::firmware::emulator::{count_option, plugin, read_counts};
+use crate::firmware::image::Image;
 use crate::firmware::image::rules::{self, Rule};
-use crate::firmware::{lock, read, toolchain, workspace};
+use crate::firmware::image::stack::Stack;
+use crate::firmware::{board, lock, read, toolchain, workspace};
 use crate::output;
 use std::fmt::Write;
 
 /// Flash of the whole image, the simulated tile included (bytes).
 const FLASH: u64 = 56 * 1024;
-/// Flash of control and equations: what is not the simulated tile's (bytes).
+/// Flash of control and equations: the image of a real board (bytes).
 const CONTROL: u64 = 40 * 1024;
-/// Static RAM and the stack's bound together (bytes).
+/// Static RAM and the stack's bound together, of either image (bytes).
 const RAM: u64 = 16 * 1024;
 /// Cycles of a tick, upper end of the interval: a tenth of a millisecond.
 const CYCLES: u64 = 16_800;
@@ -65,26 +67,26 @@ impl Report {
 /// # Errors
 /// As [`run`], except that what is too much is in the report.
 pub fn measure() -> Result<Report, Failure> {
-    let program = machine::build(Kind::Emulated)?;
+    let program = machine::build(Kind::Emulated(STM32F405))?;
     let image = read(&program.file)?;
     let stack = image.stack().map_err(Failure::Wrong)?;
     let mut report = Report::default();
-    let findings = rules::findings(&image, &stack, &STM32F405);
-    for rule in Rule::ALL {
-        let broken = findings.iter().filter(|finding| finding.rule == rule).count();
-        let outcome = if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") };
-        let _ = writeln!(report.text, "check {:<30}{outcome}", rule.name());
+    let board = read(&board()?)?;
+    let board_stack = board.stack().map_err(Failure::Wrong)?;
+    for (image, stack, name) in [(&board, &board_stack, "board"), (&image, &stack, "loop")] {
+        let findings = rules::findings(image, stack, &STM32F405);
+        for rule in Rule::ALL {
+            let broken = findings.iter().filter(|finding| finding.rule == rule).count();
+            let outcome = if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") };
+            let _ = writeln!(report.text, "{name}: check {:<23}{outcome}", rule.name());
+        }
+        report.failures.extend(findings.iter().map(ToString::to_string));
     }
-    report.failures.extend(findings.iter().map(ToString::to_string));
-    report.hold("flash", image.size.flash, FLASH, "bytes");
-    let plant: u64 = image
-        .functions
-        .iter()
-        .filter(|f| f.name.contains("::plant::") && !["Store<", "Node<"].iter().any(|n| f.name.contains(n)))
-        .map(|f| u64::from(f.end - f.address))
-        .sum();
-    report.hold("  without the simulated tile", image.size.flash - plant, CONTROL, "bytes");
-    report.hold("static RAM and stack bound", image.size.ram + u64::from(stack.bytes), RAM, "bytes");
+    let ram = |image: &Image, stack: &Stack| image.size.ram + u64::from(stack.bytes);
+    report.hold("board: flash", board.size.flash, CONTROL, "bytes");
+    report.hold("board: static RAM and stack bound", ram(&board, &board_stack), RAM, "bytes");
+    report.hold("loop: flash", image.size.flash, FLASH, "bytes");
+    report.hold("loop: static RAM and stack bound", ram(&image, &stack), RAM, "bytes");
 
     let workspace = workspace()?;
     let folder = workspace.join("target/image");

@@ -11,10 +11,9 @@ use smartbed_firmware::link::serial::BYTES;
 use smartbed_firmware::link::tag::Key;
 use smartbed_firmware::supervisor::Peer;
 use smartbed_firmware::tile::mode::Mode;
+use smartbed_firmware::turns::KEY;
 use std::collections::VecDeque;
 
-/// The key of simulated tiles.
-const KEY: Key = Key::new(*b"an example's key");
 /// An answer that has not come by then will not (ms).
 const PATIENCE: u32 = 200;
 /// Longest motion that is waited for (ms).
@@ -56,7 +55,7 @@ impl Bus {
     /// Tiles by number from 0.
     #[must_use]
     pub fn new(machines: Vec<Machine>) -> Self {
-        let tile = |(number, machine)| (machine, Peer::new(number, KEY), Decoder::default());
+        let tile = |(number, machine)| (machine, Peer::new(number, Key::new(KEY)), Decoder::default());
         let tiles = (0_u8..).zip(machines).map(tile).collect();
         Self { tiles, current: 0, down: VecDeque::new(), now: 1, is_asked: false, heard: Vec::new() }
     }

@@ -1,8 +1,8 @@
 //! A tile that runs: an emulated chip behind a socket, or the same program on this machine behind pipes.
 
 use crate::failure::Failure;
-use crate::firmware::chip::STM32F405;
-use crate::firmware::compile::{self, Settings};
+use crate::firmware::chip::{Chip, STM32F405};
+use crate::firmware::compile::{self, Settings, Subject};
 use crate::firmware::process::clean;
 use crate::firmware::{lock, toolchain, workspace};
 use crate::output;
@@ -19,17 +19,17 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// Where tiles run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
-    /// On emulated chips.
-    Emulated,
+    /// On emulated chips of this kind.
+    Emulated(Chip),
     /// On this machine.
     Native,
 }
 
-/// What is run: the emulator, if there is one, and the program.
+/// What is run: the emulator with the chip that it emulates, if there is one, and the program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Program {
-    /// The emulator.
-    pub emulator: Option<PathBuf>,
+    /// The emulator and its chip.
+    pub emulator: Option<(PathBuf, Chip)>,
     /// Image of the chip, or program of this machine.
     pub file: PathBuf,
 }
@@ -40,15 +40,16 @@ pub struct Program {
 /// Status 1 if it does not build, status 2 where a tool is missing.
 pub fn build(kind: Kind) -> Result<Program, Failure> {
     let workspace = workspace()?;
-    let toolchain = toolchain::toolchain(STM32F405.target)?;
+    let chip = if let Kind::Emulated(chip) = kind { chip } else { STM32F405 };
+    let toolchain = toolchain::toolchain(chip.target)?;
     let folder = workspace.join("target/image");
     let _lock = lock(&folder)?;
-    let settings = Settings::controller();
+    let settings = Settings::controller(Subject::Loop);
     output::say(&format!("building the controller with {}", toolchain.describe()));
     Ok(match kind {
-        Kind::Emulated => Program {
-            emulator: Some(toolchain::emulator()?),
-            file: compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?,
+        Kind::Emulated(chip) => Program {
+            emulator: Some((toolchain::emulator()?, chip)),
+            file: compile::image(&toolchain, &workspace, &folder, &chip, &settings)?,
         },
         Kind::Native => {
             Program { emulator: None, file: compile::program(&toolchain, &workspace, &folder, &settings)? }
@@ -82,7 +83,7 @@ impl Machine {
     /// [`Failure::Wrong`] if it does not start or says something else than it should.
     pub fn start(program: &Program, number: u8, options: Option<&[&str]>) -> Result<Self, Failure> {
         let (child, reader, writer) = match &program.emulator {
-            Some(emulator) => emulate(emulator, &program.file, options.unwrap_or(&[]))?,
+            Some((emulator, chip)) => emulate(emulator, chip, &program.file, options.unwrap_or(&[]))?,
             None => pipe(&program.file)?,
         };
         let mut machine = Self { child, reader: BufReader::new(reader), writer, margin: 0.0 };
@@ -194,13 +195,13 @@ impl Drop for Machine {
 type Ends = (Child, Box<dyn Read>, Box<dyn Write>);
 
 /// The emulator calls a socket of ours: its serial line.
-fn emulate(emulator: &Path, image: &Path, options: &[&str]) -> Result<Ends, Failure> {
+fn emulate(emulator: &Path, chip: &Chip, image: &Path, options: &[&str]) -> Result<Ends, Failure> {
     static COUNT: std::sync::atomic::AtomicU32 = std::sync::atomic::AtomicU32::new(0);
     let count = COUNT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
     let path = std::env::temp_dir().join(format!("smartbed-{}-{count}", std::process::id()));
     let listener = UnixListener::bind(&path).map_err(wrong("a socket"))?;
     let mut command = clean(emulator);
-    command.args(["-M", STM32F405.machine, "-nographic", "-monitor", "none"]);
+    command.args(["-M", chip.machine, "-nographic", "-monitor", "none"]);
     command.arg("-serial").arg(format!("unix:{}", path.display()));
     command.args(["-semihosting-config", "enable=on,target=native"]).args(options).arg("-kernel").arg(image);
     command.stdout(Stdio::null());

@@ -13,6 +13,7 @@ pub mod order;
 pub mod show;
 
 use crate::failure::Failure;
+use crate::firmware::chip::{Chip, STM32F405};
 use crate::output;
 use bus::Bus;
 use machine::{Kind, Machine};
@@ -30,6 +31,9 @@ pub struct Arguments {
     /// Run the tiles as programs of this machine instead of emulated chips: the same bytes, at once.
     #[arg(long)]
     pub native: bool,
+    /// The emulated chip: a Cortex-M4F as on the board, M7 or M33.
+    #[arg(long, value_name = "CORE", default_value = "m4", value_parser = ["m4", "m7", "m33"], conflicts_with = "native")]
+    pub machine: String,
     /// Tiles on the bus.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=28))]
     pub tiles: u8,
@@ -37,7 +41,7 @@ pub struct Arguments {
     #[arg(long)]
     pub plot: bool,
     /// Hold what the controller costs on the chip against its limits: flash, RAM, stack, instructions of a tick.
-    #[arg(long, conflicts_with_all = ["orders", "native", "tiles", "plot"])]
+    #[arg(long, conflicts_with_all = ["orders", "native", "machine", "tiles", "plot"])]
     pub budget: bool,
 }
 
@@ -50,7 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         return budget::run();
     }
     let orders = arguments.orders.as_deref().map(order::read).transpose()?;
-    let kind = if arguments.native { Kind::Native } else { Kind::Emulated };
+    let chip = Chip::named(&arguments.machine).unwrap_or(STM32F405);
+    let kind = if arguments.native { Kind::Native } else { Kind::Emulated(chip) };
     let program = machine::build(kind)?;
     let machines = (0..arguments.tiles).map(|number| Machine::start(&program, number, None));
     let mut bus = Bus::new(machines.collect::<Result<_, _>>()?);

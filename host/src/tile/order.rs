@@ -1,8 +1,9 @@
 //! The words of an order.
 
 use crate::failure::Failure;
+use smartbed_codegen::model::unit;
+use smartbed_firmware::defect::NAMED;
 use smartbed_firmware::link::message::{Command, Target};
-use smartbed_firmware::turns::DEFECTS;
 
 /// What is to be done.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -16,19 +17,6 @@ pub enum Order {
     /// Break something of it.
     Break(u8),
 }
-
-/// Units by name: what one is in SI.
-const UNITS: [(&str, f64); 9] = [
-    ("mm", 1e-3),
-    ("m", 1.0),
-    ("deg", std::f64::consts::PI / 180.0),
-    ("rad", 1.0),
-    ("kPa", 1e3),
-    ("Pa", 1.0),
-    ("mmHg", 133.322),
-    ("ms", 1e-3),
-    ("s", 1.0),
-];
 
 /// Orders with `;` between them.
 ///
@@ -69,8 +57,9 @@ fn one(text: &str) -> Result<Order, Failure> {
         }
         ["tile", number] => number.parse().map(Order::Tile).map_err(|_| wrong("`tile N`, a number from 0")),
         ["break", name] => {
-            let place = DEFECTS.iter().position(|defect| *defect == name);
-            let number = place.ok_or_else(|| wrong(&format!("`break` and one of {}", DEFECTS.join(", "))))?;
+            let place = NAMED.iter().position(|(defect, _)| *defect == name);
+            let number = place
+                .ok_or_else(|| wrong(&format!("`break` and one of {}", NAMED.map(|(n, _)| n).join(", "))))?;
             Ok(Order::Break(number as u8))
         }
         _ => Err(wrong(
@@ -88,8 +77,7 @@ fn target(heave: &str, x: &str, y: &str) -> Result<Target, Failure> {
 fn quantity(text: &str, units: &[&str]) -> Result<f64, Failure> {
     let number = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
     let (number, unit) = (number.trim_end_matches('_'), &text[number.len()..]);
-    let factor =
-        UNITS.iter().find(|(name, _)| *name == unit && units.contains(name)).map(|(_, factor)| factor);
+    let factor = unit::named(unit).filter(|_| units.contains(&unit)).map(|scale| scale.factor);
     match (number.parse::<f64>(), factor) {
         (Ok(number), Some(factor)) => Ok(number * factor),
         _ => Err(Failure::Wrong(format!(

@@ -74,7 +74,9 @@ impl Image {
     pub fn stack(&self) -> Result<stack::Stack, String> {
         let functions: Option<Vec<usize>> = self.vectors.iter().map(|v| self.owner(*v)).collect();
         match functions.as_deref() {
-            Some([entry, handlers @ ..]) => Ok(stack::bound(self, *entry, handlers)),
+            Some([entry, unmaskable, fault, others @ ..]) => {
+                Ok(stack::bound(self, *entry, &[others, &[*fault], &[*unmaskable]]))
+            }
             _ => Err("the image has no vector table of known functions".to_owned()),
         }
     }

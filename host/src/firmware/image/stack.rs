@@ -1,9 +1,10 @@
 //! Worst stack depth along the graph of direct calls.
 //!
-//! Bound = deepest path from the reset handler + one exception that interrupts it: its hardware
-//! frame ([`EXCEPTION_FRAME`]) and the deepest path from any exception handler. A function's frame
-//! is the sum of everything in it that lowers sp, which is never less than what it uses. No
-//! interrupt is enabled in the image and a fault never returns, so one exception is the most.
+//! Bound = deepest path from the reset handler + one exception of each priority: its hardware frame
+//! ([`EXCEPTION_FRAME`]) and the deepest path from a handler of that priority. Exceptions and interrupts that an image
+//! may set a priority of are left at one, so they never interrupt each other; a hard fault interrupts them, and the
+//! non-maskable interrupt that. A function's frame is the sum of everything in it that lowers sp, which is never less
+//! than what it uses.
 //! Recursion and calls through registers have no bound; they are reported, never ignored.
 
 use super::Image;
@@ -47,13 +48,16 @@ pub fn callees(image: &Image, function: usize) -> BTreeSet<usize> {
         .collect()
 }
 
-/// The bound for an image that starts in `entry` and whose exception handlers are `handlers`.
+/// The bound for an image that starts in `entry` and whose handlers have these priorities.
 #[must_use]
-pub fn bound(image: &Image, entry: usize, handlers: &[usize]) -> Stack {
+pub fn bound(image: &Image, entry: usize, priorities: &[&[usize]]) -> Stack {
     let mut walk = Walk { image, memo: vec![None; image.functions.len()], stack: Stack::default() };
     let (depth, path) = walk.deepest(entry, &mut Vec::new());
-    let handler = handlers.iter().map(|h| walk.deepest(*h, &mut Vec::new()).0).max().unwrap_or(0);
-    walk.stack.bytes = depth + EXCEPTION_FRAME + handler;
+    walk.stack.bytes = depth;
+    for handlers in priorities.iter().filter(|handlers| !handlers.is_empty()) {
+        let deepest = handlers.iter().map(|h| walk.deepest(*h, &mut Vec::new()).0).max();
+        walk.stack.bytes += EXCEPTION_FRAME + deepest.unwrap_or(0);
+    }
     walk.stack.path = path.iter().map(|f| (image.functions[*f].name.clone(), frame(image, *f))).collect();
     walk.stack
 }
@@ -99,15 +103,17 @@ mod tests {
     const PUSH_2: u16 = 0xB510; // push {r4, lr}
 
     #[test]
-    fn deepest_path_with_an_exception() {
+    fn deepest_path_with_an_exception_of_each_priority() {
         // main: push, bl a (+2 instructions on), bl b, return; a: 8 bytes; b: 8 + 16 bytes.
         let main = [PUSH_2, 0xF000, 0xF803, 0xF000, 0xF803, RETURN];
         let a = [PUSH_2, RETURN];
         let b = [PUSH_2, 0xB084, 0xB004, RETURN];
         let image = image(&[("main", &main), ("a", &a), ("b", &b), ("fault", &[PUSH_2, 0xE7FE])]);
-        let stack = bound(&image, 0, &[3]);
+        let stack = bound(&image, 0, &[&[3]]);
         assert_eq!(stack.path, [("main".to_owned(), 8), ("b".to_owned(), 24)]);
         assert_eq!(stack.bytes, 8 + 24 + EXCEPTION_FRAME + 8);
+        let stack = bound(&image, 0, &[&[3], &[1, 2], &[]]);
+        assert_eq!(stack.bytes, 8 + 24 + EXCEPTION_FRAME + 8 + EXCEPTION_FRAME + 24);
         assert!(stack.recursive.is_empty());
     }
 
@@ -125,6 +131,6 @@ mod tests {
         let a = [PUSH_2, 0xE7FF]; // b .+2: the first instruction after it
         let b = [0xB084, RETURN];
         let image = image(&[("a", &a), ("b", &b)]);
-        assert_eq!(bound(&image, 0, &[]).bytes, 8 + 16 + EXCEPTION_FRAME);
+        assert_eq!(bound(&image, 0, &[]).bytes, 8 + 16);
     }
 }

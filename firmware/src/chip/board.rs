@@ -1,0 +1,92 @@
+//! The board's program: set up, then a tick each millisecond, drives off whatever goes wrong.
+//!
+//! One interrupt counts milliseconds; bytes and conversions are carried by DMA. So handlers never nest but for a fault,
+//! and the order of a tick is the text's.
+
+mod inputs;
+mod outputs;
+mod pins;
+mod power;
+mod sectors;
+mod uart;
+mod watchdog;
+
+use core::sync::atomic::{AtomicU32, Ordering};
+use cortex_m_rt::{ExceptionFrame, entry, exception};
+use pins::Board;
+use smartbed_firmware::node::Node;
+use smartbed_firmware::station::Station;
+use smartbed_firmware::tile::board::{Actuators, Sensors};
+use smartbed_firmware::tile::store::Store;
+
+/// Milliseconds since the start.
+static TICKS: AtomicU32 = AtomicU32::new(0);
+
+#[entry]
+fn main() -> ! {
+    match pins::take() {
+        Some(board) => run(board),
+        None => stop(),
+    }
+}
+
+/// Ticks for ever.
+fn run(board: Board) -> ! {
+    let Board { mut sensors, mut actuators, line, flash, mut watchdog, mut alive, number, reason, mut clock } =
+        board;
+    let store = Store::new(flash, sectors::PAGES, sectors::PAGE);
+    // The boot is counted in flash, which may have to be erased: the watchdogs begin behind it.
+    let mut station = Station::new(Node::new(number, store, reason), line);
+    clock.enable_interrupt();
+    clock.enable_counter();
+    watchdog.start();
+    let mut last = TICKS.load(Ordering::Relaxed);
+    loop {
+        let now = TICKS.load(Ordering::Relaxed);
+        if now == last {
+            cortex_m::asm::wfi();
+            continue;
+        }
+        let mut readings = sensors.read();
+        // Milliseconds that were spent in storing, drives off, are no fault.
+        readings.overrun = now.wrapping_sub(last) > 1 && !sectors::has_stalled();
+        last = now;
+        let outputs = station.tick(&readings);
+        station.line.flush();
+        if actuators.set(&outputs) {
+            watchdog.feed();
+            alive.toggle();
+        }
+    }
+}
+
+#[exception]
+fn SysTick() {
+    TICKS.store(TICKS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
+}
+
+/// Nothing is set up: drives stay off.
+fn stop() -> ! {
+    power::off();
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
+/// Drives off before anything else; the watchdog starts the tile anew.
+#[exception]
+unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
+    stop()
+}
+
+/// An interrupt that nobody asked for.
+#[exception]
+unsafe fn DefaultHandler(_number: i16) {
+    power::off();
+}
+
+/// Never linked in: the image's checks refuse whatever could call it.
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    stop()
+}

@@ -1,0 +1,115 @@
+//! Clocks, pins and peripherals of the board: the table of `docs/controller.md`, once.
+
+use super::inputs::{Converters, Inputs};
+use super::outputs::Pwm;
+use super::sectors::Sectors;
+use super::uart::Uart;
+use super::watchdog::Watchdog;
+use cortex_m::peripheral::SYST;
+use cortex_m::peripheral::syst::SystClkSource;
+use smartbed_firmware::tile::board::Lines;
+use stm32f4xx_hal::gpio::{AnyPin, Output};
+use stm32f4xx_hal::pac::Peripherals;
+use stm32f4xx_hal::prelude::*;
+use stm32f4xx_hal::qei::Qei;
+use stm32f4xx_hal::rcc::Config;
+
+/// Clock of the core (Hz), from a crystal of 8 MHz.
+const CLOCK: u32 = 168_000_000;
+/// Both bridges' inputs are switched so often (Hz).
+const PWM: u32 = 20_000;
+/// What started the chip stands in the highest byte of RCC_CSR (RM0090, 7.3.21).
+const REASON: u32 = 24;
+
+/// What the board's program works with.
+pub struct Board {
+    /// Reads the hardware.
+    pub sensors: Inputs,
+    /// Sets the hardware.
+    pub actuators: Lines<Pwm, AnyPin<Output>>,
+    /// The bus.
+    pub line: Uart,
+    /// Pages of the store.
+    pub flash: Sectors,
+    /// Starts the chip anew if a tick is late by 50 ms.
+    pub watchdog: Watchdog,
+    /// Toggles each tick: for a watchdog outside the chip.
+    pub alive: AnyPin<Output>,
+    /// The tile's number: straps that are not there count 1, 2, 4, 8 and 16.
+    pub number: u8,
+    /// What started the chip.
+    pub reason: u8,
+    /// The timer of ticks, ready but not running.
+    pub clock: SYST,
+}
+
+/// Sets everything up; nothing if it has been taken before.
+pub fn take() -> Option<Board> {
+    let (chip, core) = (Peripherals::take()?, cortex_m::Peripherals::take()?);
+    let reason = (chip.RCC.csr().read().bits() >> REASON) as u8;
+    chip.RCC.csr().modify(|_, w| w.rmvf().set_bit());
+    let config = Config::hse(8.MHz()).sysclk(168.MHz()).pclk1(42.MHz()).pclk2(84.MHz());
+    let mut rcc = chip.RCC.freeze(config);
+
+    let (a, b) = (chip.GPIOA.split(&mut rcc), chip.GPIOB.split(&mut rcc));
+    let (c, d) = (chip.GPIOC.split(&mut rcc), chip.GPIOD.split(&mut rcc));
+    // Outputs first, all low: nothing is powered while the rest is set up.
+    let enable = b.pb5.into_push_pull_output().erase();
+    let (supply, vent) = (c.pc8.into_push_pull_output().erase(), c.pc9.into_push_pull_output().erase());
+    let alive = b.pb10.into_push_pull_output().erase();
+
+    let (_, (up_a, down_a, up_b, down_b)) = chip.TIM1.pwm_hz(PWM.Hz(), &mut rcc);
+    let (_, (up_c, down_c, ..)) = chip.TIM8.pwm_hz(PWM.Hz(), &mut rcc);
+    let drives = [
+        (Pwm::one(up_a.with(a.pa8).erase()), Pwm::one(down_a.with(a.pa9).erase())),
+        (Pwm::one(up_b.with(a.pa10).erase()), Pwm::one(down_b.with(a.pa11).erase())),
+        (Pwm::eight(up_c.with(c.pc6).erase()), Pwm::eight(down_c.with(c.pc7).erase())),
+    ];
+
+    // Pins of the converter: displacement and two currents on port B and C, the rest on C, pressures on A.
+    (b.pb0.into_analog(), b.pb1.into_analog(), a.pa4.into_analog(), a.pa5.into_analog());
+    (c.pc0.into_analog(), c.pc1.into_analog(), c.pc2.into_analog(), c.pc3.into_analog(), c.pc4.into_analog());
+    let converters = Converters::start(chip.ADC1, &chip.ADC_COMMON, &chip.DMA2, &mut rcc);
+    let sensors = Inputs {
+        encoders: (
+            Qei::new(chip.TIM2, (a.pa0, a.pa1), &mut rcc),
+            Qei::new(chip.TIM3, (a.pa6, a.pa7), &mut rcc),
+            Qei::new(chip.TIM4, (d.pd12, d.pd13), &mut rcc),
+        ),
+        counts: Default::default(),
+        converters,
+        low: [
+            d.pd0.into_pull_up_input().erase(),
+            d.pd1.into_pull_up_input().erase(),
+            d.pd2.into_pull_up_input().erase(),
+        ],
+        high: [
+            d.pd3.into_pull_up_input().erase(),
+            d.pd4.into_pull_up_input().erase(),
+            d.pd5.into_pull_up_input().erase(),
+        ],
+        faults: [
+            b.pb12.into_pull_up_input().erase(),
+            b.pb13.into_pull_up_input().erase(),
+            b.pb14.into_pull_up_input().erase(),
+        ],
+    };
+    let line = Uart::start(chip.USART1, (b.pb6, b.pb7), chip.DMA2, &mut rcc)?;
+
+    let straps = [
+        d.pd8.into_pull_up_input().erase(),
+        d.pd9.into_pull_up_input().erase(),
+        d.pd10.into_pull_up_input().erase(),
+        d.pd11.into_pull_up_input().erase(),
+        d.pd15.into_pull_up_input().erase(),
+    ];
+    let number = straps.iter().rev().fold(0, |number, strap| number << 1 | u8::from(strap.is_high()));
+
+    let mut clock = core.SYST;
+    clock.set_clock_source(SystClkSource::Core);
+    clock.set_reload(CLOCK / 1000 - 1);
+    clock.clear_current();
+    let actuators = Lines { drives, enable, supply, vent };
+    let (flash, watchdog) = (Sectors::new(chip.FLASH), Watchdog::new(chip.IWDG));
+    Some(Board { sensors, actuators, line, flash, watchdog, alive, number, reason, clock })
+}

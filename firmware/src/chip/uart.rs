@@ -1,0 +1,95 @@
+//! The serial line: DMA carries bytes both ways, so no byte is lost while a tick computes.
+
+use core::sync::atomic::{AtomicU8, Ordering};
+use smartbed_firmware::link::serial::Line;
+use stm32f4xx_hal::gpio::{PB6, PB7};
+use stm32f4xx_hal::pac::{DMA2, USART1};
+use stm32f4xx_hal::prelude::*;
+use stm32f4xx_hal::rcc::Rcc;
+use stm32f4xx_hal::serial::config::{Config, DmaConfig};
+
+/// What has come, round and round: 22 ms of a full line.
+static RECEIVED: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
+/// What is being sent.
+static SENT: [AtomicU8; 128] = [const { AtomicU8::new(0) }; 128];
+/// Streams of DMA 2 that USART 1 uses, and their channel (RM0090, table 43).
+const RECEIVE: usize = 2;
+const SEND: usize = 7;
+const CHANNEL: u32 = 4 << 25;
+/// Bits of a stream's control register: memory goes on, round and round, from memory, on.
+const ADVANCE: u32 = 1 << 10;
+const ROUND: u32 = 1 << 8;
+const FROM_MEMORY: u32 = 1 << 6;
+const ON: u32 = 1;
+
+/// USART 1 with its two streams.
+pub struct Uart {
+    dma: DMA2,
+    /// Bytes that have been read, as far as the ring goes.
+    read: u8,
+    /// Bytes that wait for [`Self::flush`].
+    filled: usize,
+}
+
+impl Uart {
+    /// 115,200 baud; nothing if that cannot be set.
+    pub fn start(usart: USART1, pins: (PB6, PB7), dma: DMA2, rcc: &mut Rcc) -> Option<Self> {
+        let data = usart.dr().as_ptr().addr() as u32;
+        let config = Config::default().baudrate(115_200.bps()).dma(DmaConfig::TxRx);
+        let _line = usart.serial::<u8>(pins, config, rcc).ok()?;
+        let (receive, send) = (dma.st(RECEIVE), dma.st(SEND));
+        // SAFETY: numbers of the reference manual; addresses and lengths are those of two statics.
+        unsafe {
+            receive.par().write(|w| w.bits(data));
+            receive.m0ar().write(|w| w.bits(RECEIVED.as_ptr().addr() as u32));
+            receive.ndtr().write(|w| w.bits(RECEIVED.len() as u32));
+            receive.cr().write(|w| w.bits(CHANNEL | ADVANCE | ROUND | ON));
+            send.par().write(|w| w.bits(data));
+            send.m0ar().write(|w| w.bits(SENT.as_ptr().addr() as u32));
+        }
+        Some(Self { dma, read: 0, filled: 0 })
+    }
+
+    fn is_sending(&self) -> bool {
+        self.dma.st(SEND).cr().read().bits() & ON != 0
+    }
+
+    /// Sends what was written since the last time.
+    pub fn flush(&mut self) {
+        if self.filled == 0 || self.is_sending() {
+            return;
+        }
+        let send = self.dma.st(SEND);
+        // SAFETY: as above; flags of the last transfer are cleared before the next.
+        unsafe {
+            self.dma.hifcr().write(|w| w.bits(0x0F40_0000));
+            send.ndtr().write(|w| w.bits(self.filled as u32));
+            send.cr().write(|w| w.bits(CHANNEL | ADVANCE | FROM_MEMORY | ON));
+        }
+        self.filled = 0;
+    }
+}
+
+impl Line for Uart {
+    fn read(&mut self) -> Option<u8> {
+        // The stream counts down what is left of the ring.
+        let left = self.dma.st(RECEIVE).ndtr().read().bits();
+        let written = 0_u8.wrapping_sub(left as u8);
+        if self.read == written {
+            return None;
+        }
+        let byte = RECEIVED.get(usize::from(self.read))?.load(Ordering::Relaxed);
+        self.read = self.read.wrapping_add(1);
+        Some(byte)
+    }
+
+    fn write(&mut self, byte: u8) -> bool {
+        if self.is_sending() {
+            return false;
+        }
+        let Some(place) = SENT.get(self.filled) else { return false };
+        place.store(byte, Ordering::Relaxed);
+        self.filled += 1;
+        true
+    }
+}

@@ -1,0 +1,43 @@
+//! USART 1 of an STM32F4 without interrupts or DMA: it waits.
+
+use core::ptr::{read_volatile, write_volatile};
+use smartbed_firmware::lockstep::Host;
+
+/// Status, data, control.
+const STATUS: *mut u32 = 0x4001_1000 as *mut u32;
+const DATA: *mut u32 = 0x4001_1004 as *mut u32;
+const CONTROL: *mut u32 = 0x4001_100C as *mut u32;
+/// A byte has come; there is room for one.
+const RECEIVED: u32 = 1 << 5;
+const ROOM: u32 = 1 << 7;
+/// Receiver, transmitter and the whole on.
+const ON: u32 = 1 << 2 | 1 << 3 | 1 << 13;
+
+/// The line.
+pub struct Usart(());
+
+impl Usart {
+    /// Turned on.
+    pub fn start() -> Self {
+        // SAFETY: a register of a USART that nobody else uses; so below.
+        unsafe { write_volatile(CONTROL, ON) };
+        Self(())
+    }
+}
+
+impl Host for Usart {
+    fn read(&mut self) -> Option<u8> {
+        // SAFETY: as above.
+        unsafe {
+            while read_volatile(STATUS) & RECEIVED == 0 {}
+            Some(read_volatile(DATA) as u8)
+        }
+    }
+    fn write(&mut self, byte: u8) {
+        // SAFETY: as above.
+        unsafe {
+            while read_volatile(STATUS) & ROOM == 0 {}
+            write_volatile(DATA, byte.into());
+        }
+    }
+}
