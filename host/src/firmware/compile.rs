@@ -227,7 +227,7 @@ pub fn image(
     chip: &Chip,
     settings: &Settings,
 ) -> Result<PathBuf, Failure> {
-    let target = chip.target.to_uppercase().replace('-', "_");
+    let target = chip.target.to_uppercase().replace(['-', '.'], "_");
     let mut cargo = build(toolchain, workspace, folder, settings)?;
     cargo.args(["--target", chip.target]);
     if toolchain.core_from_source {
