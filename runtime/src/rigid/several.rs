@@ -276,7 +276,7 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
 }
 
 /// One contact's friction for the slip that is left at the end: to rest, or on the rim of the disc towards it.
-pub(crate) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
+pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
     let [x, y] = solve_tangential(k, slip);
     let rest = [at[0] - x, at[1] - y];
     if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {

@@ -6,8 +6,8 @@
 //! mesh on rigid     every node over the shape's surface; centre, ends or corners of the shape over the facet below them
 //! mesh on mesh      every node of each over the nearest facet of the other
 //! ```
-//! Both sides of a contact with a node have the node's place, so that the impulse acts on one line. Edges of facets that
-//! cross, and a mesh on itself, are not looked for.
+//! Both sides of a contact have one place, a node's or the foot on a facet, so that impulse and opposite act on one line; but a
+//! node over a facet, where friction's arm is the gap. Edges of facets that cross, and a mesh on itself, are not looked for.
 
 use super::island::Attachment;
 use super::thing::{Pair, Thing};
@@ -27,6 +27,9 @@ const OF_SHAPE: u32 = 1 << 30;
 /// Cosine of the angle between a facet and the mean of those around a corner beyond which the corner is sharp: there the facet
 /// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
 const CREASE: f64 = 0.85;
+
+/// A foot with more than this share of one corner is that corner.
+const AT_NODE: f64 = 0.9;
 
 /// A contact of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -207,9 +210,12 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         for (id, point) in (OF_SHAPE..).zip(points.iter().take(count)) {
             let centre = frame.point(*point);
             let Some((facet, near)) = self.facet_below(&mesh, centre, radius) else { continue };
-            let x = vec3::axpy(centre, -radius, near.normal);
-            let sides = [self.side_of_port(port, x), self.side_of_facet(facet, &near)];
-            found.push(pair, id, near.gap - radius, x, Contact::between(sides, near.normal));
+            // Over a node the node's own contact says the same.
+            if near.weights.iter().any(|weight| *weight > S::from_f64(AT_NODE)) {
+                continue;
+            }
+            let sides = [self.side_of_port(port, near.foot), self.side_of_facet(facet, &near)];
+            found.push(pair, id, near.gap - radius, near.foot, Contact::between(sides, near.normal));
         }
     }
 

@@ -13,14 +13,14 @@
 
 use super::detect::Touch;
 use crate::real::Scalar;
-use crate::rigid::contact::{Inertia, Twist};
-use crate::rigid::several::rubbed;
+use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
+use crate::rigid::impact::InverseMass;
 use crate::vec3;
 
 /// Up to this number of contacts impulses are found to rounding.
 pub const FEW: usize = 64;
 /// Sweeps at most, few contacts and many.
-const SWEEPS: [usize; 2] = [2000, 100];
+const SWEEPS: [usize; 2] = [500, 100];
 /// With many contacts, what a sweep may still change of the speeds.
 const COARSE: f64 = 1e-9;
 
@@ -93,11 +93,27 @@ fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twist
     let mut rub = [S::ZERO; 2];
     if radius > S::ZERO {
         let [_, x, y] = touch.contact.relative(twists);
-        rub = rubbed(&k, [before[1], before[2]], [x, y], radius);
+        rub = friction(&k, [before[1], before[2]], [x, y], radius);
     }
     touch.contact.push(inertia, twists, [S::ZERO, rub[0] - before[1], rub[1] - before[2]]);
     touch.contact.impulse = [normal, rub[0], rub[1]];
     size * vec3::norm(vec3::sub(touch.contact.impulse, before))
+}
+
+/// One contact's friction for the slip that is left: to rest, or on the rim of the disc towards it.
+///
+/// On the rim a step down the gradient of the contact's own energy, by the inverse of the larger eigenvalue of `K_tt`: the
+/// solution itself where the contact yields alike in all directions, as a node does.
+fn friction<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
+    let [x, y] = solve_tangential(k, slip);
+    let rest = [at[0] - x, at[1] - y];
+    if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
+        return rest;
+    }
+    let half = S::from_f64(0.5);
+    let ([_, [_, a, b], [_, _, c]], difference) = (*k, half * (k[1][1] - k[2][2]));
+    let largest = half * (a + c) + (difference * difference + b * b).sqrt();
+    onto_disc([at[0] - slip[0] / largest, at[1] - slip[1] / largest], radius)
 }
 
 /// The contacts' work over the step (J): normal, friction.
