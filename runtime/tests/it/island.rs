@@ -171,10 +171,11 @@ fn a_floating_pair_keeps_momentum_and_its_energy_to_the_order_of_the_method() {
 }
 
 /// A platform that a spring holds above the ground and that moves along n3 alone.
-struct Platform {
-    mass: f64,
-    stiffness: f64,
-    gravity: f64,
+pub struct Platform {
+    pub mass: f64,
+    pub stiffness: f64,
+    pub gravity: f64,
+    pub damping: f64,
 }
 
 impl Carrier<f64> for Platform {
@@ -212,7 +213,8 @@ impl Carrier<f64> for Platform {
         u_dot: &mut [f64],
     ) -> Result<f64, Fault> {
         q_dot[0] = u[0];
-        u_dot[0] = (wrenches[0].force[2] - self.stiffness * q[0]) / self.mass - self.gravity;
+        u_dot[0] =
+            (wrenches[0].force[2] - self.stiffness * q[0] - self.damping * u[0]) / self.mass - self.gravity;
         Ok(1.0)
     }
     fn energy(&mut self, _: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
@@ -268,7 +270,7 @@ fn a_mass_on_a_platform_moves_as_the_single_system_does() {
     const STEPS: u32 = 2000;
     let mut lists = slanted(0.25, C);
     let mut rows = lists.rows();
-    let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY };
+    let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY, damping: 0.0 };
     let mut island = lists.island(platform, &mut rows);
     let mut x = vec![0.0; island.n_x()];
     island.load(&[0.01], &[0.2], &mut x).expect("lengths");
@@ -457,7 +459,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
             frames: &mut frames,
             wrenches: &mut wrenches,
         };
-        let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY };
+        let platform = Platform { mass: 3.0, stiffness: 2e4, gravity: GRAVITY, damping: 0.0 };
         Island::new(platform, body, &lists.attachments, memory).is_err()
     };
     assert!(!refused(|_| {}));

@@ -1,5 +1,6 @@
 //! Worlds stepped without splitting: contacts of rigid and flexible parts, at rest, sliding, rolling, in collision; accounts.
 
+use crate::island::Platform;
 use smartbed_runtime::flexible::{Body, Massless, PressureForm, Spring};
 use smartbed_runtime::gas::{Gas, Regulated};
 use smartbed_runtime::mechanism::Fault;
@@ -22,6 +23,7 @@ type Law = fn(f64, usize) -> Frame<f64>;
 pub enum Part {
     Free(Floating<f64>),
     Driven(Commanded<Law>),
+    Sprung(Platform),
 }
 
 macro_rules! each {
@@ -29,6 +31,7 @@ macro_rules! each {
         match $own {
             Part::Free($part) => $call,
             Part::Driven($part) => $call,
+            Part::Sprung($part) => $call,
         }
     };
 }
@@ -567,4 +570,57 @@ fn a_ball_and_a_cube_that_collide_in_free_space_keep_their_momenta() {
     // Forces and impulses of the middle act on one line there, so that angular momentum is kept to rounding, too.
     assert!(moved.iter().all(|moved| *moved < 1e-12), "{moved:?}");
     assert!(imbalance.abs() < 1e-3 * accounts.lost());
+}
+
+#[test]
+fn a_ball_on_a_sprung_platform_loads_its_spring() {
+    // A mechanism of one coordinate: the impulse at its port meets 1/M along n3 and nothing across.
+    let (h, mass, stiffness) = (2e-4, 5.0, 2e4);
+    let mut scene = Scene::falling();
+    scene.parts.push(Part::Sprung(Platform { mass: 3.0, stiffness, gravity: 9.81, damping: 300.0 }));
+    (scene.q, scene.u) = (vec![0.0], vec![0.0]);
+    let top = scene.thing(Thing::Rigid {
+        shape: Shape::HalfSpace,
+        port: Some(0),
+        place: Place::at([0.0, 0.0, 0.03]),
+    });
+    let ball = scene.ball(mass, 0.1, [0.0, 0.0, 0.15], [0.0; 3]);
+    scene.pair(ball, top, 0.4, 0.0);
+    let mut up = 0.0;
+    let (x, ..) = scene.run(h, 10_000, |report, contacts, _| {
+        assert!(report.settled);
+        up = force(contacts, h)[2];
+    });
+    let (sunk, weight) = (-x[0], mass * 9.81);
+    println!("sunk {sunk} m, gap {:e}, force off by {:e}", x[3] - 0.13 + sunk, up / weight - 1.0);
+    assert!((sunk * stiffness / ((mass + 3.0) * 9.81) - 1.0).abs() < 1e-9);
+    assert!((up / weight - 1.0).abs() < 1e-9 && (x[3] - 0.13 + sunk).abs() < 1e-5);
+}
+
+/// A ball falls 20 mm onto a bladder without dampers: error of the ledger, and the largest mean force over 10 ms.
+fn drop(h: f64) -> (f64, f64) {
+    let mut scene = Scene { room: 600, ..Scene::falling() };
+    let sheet = scene.bladder(13, 0.4, 1500.0, None);
+    scene.springs.iter_mut().for_each(|spring| spring.damping = 0.0);
+    // 20 mm over the flat sheet, which the gas lifts while the ball falls.
+    let ball = scene.ball(5.0, 0.1, [0.0, 0.0, 0.12], [0.0; 3]);
+    scene.pair(sheet, ball, 0.4, 0.0);
+    let window = (0.01 / h).round() as usize;
+    let mut forces = Vec::new();
+    let (_, imbalance, accounts) = scene.run(h, (0.12 / h).round() as u32, |_, contacts, _| {
+        forces.push(-force(contacts, h)[2]);
+    });
+    let mean = |at: &[f64]| at.iter().sum::<f64>() / window as f64;
+    let peak = forces.windows(window).map(mean).fold(0.0, f64::max);
+    println!("h = {h}: ledger {imbalance:e} of {accounts:?}, peak {peak} N");
+    (imbalance, peak)
+}
+
+#[test]
+fn a_drop_of_20_mm_closes_its_ledger_to_order_two_and_its_peak_stays() {
+    let [(coarse, first), (fine, second)] = [5e-5, 2.5e-5].map(drop);
+    let change = (second / first - 1.0).abs();
+    println!("peak changes by {change:e}, ledger by a factor {}", coarse / fine);
+    assert!(change < 0.02, "{first} {second}");
+    assert!((coarse / fine - 4.0).abs() < 0.5 && fine.abs() < 1e-4, "{coarse:e} {fine:e}");
 }
