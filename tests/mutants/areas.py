@@ -1,4 +1,4 @@
-"""Where mutants are drawn, and which test programs can kill them, the likeliest and quickest first.
+"""Where mutants are drawn, and which test programs can kill them, stage by stage.
 
 A test program is a package, what cargo calls its target, and the filters that its tests are chosen by.
 """
@@ -6,24 +6,27 @@ A test program is a package, what cargo calls its target, and the filters that i
 # The random mechanisms are cut down to so many: enough to meet every branch often.
 ENVIRONMENT = {"SMARTBED_MECHANISMS": "500"}
 
+# One stage after the other: the tests of the crate itself, which are built soonest, kill most; what survives them meets
+# the tests of physics as a whole, then the longer ones of these.
 TOGETHER = "smartbed-tests"
 EQUATIONS = [
-    (TOGETHER, "it", ("random_mechanisms", "hard_mechanisms", "implied_parameter", "agreement::")),
-    ("smartbed-codegen", "lib", ()),
     # Those left out start a compiler, or know the text: `emitted_bytes` would kill what changes no answer.
-    ("smartbed-codegen", "it", ("--skip", "example_crate", "--skip", "hostile", "--skip", "emitted_bytes",
-                                "--skip", "layering", "--skip", "import_circles")),
-    (TOGETHER, "it", ("every_field", "accuracy::", "energy::", "cost::all", "cost::closed", "cost::differences",
-                      "bicycle_benchmark", "closed_forms", "--skip", "flexible")),
+    [("smartbed-codegen", "lib", ()),
+     ("smartbed-codegen", "it", ("--skip", "example_crate", "--skip", "hostile", "--skip", "emitted_bytes",
+                                 "--skip", "layering", "--skip", "import_circles"))],
+    [(TOGETHER, "it", ("random_mechanisms", "hard_mechanisms", "implied_parameter", "agreement::"))],
+    [(TOGETHER, "it", ("every_field", "accuracy::", "energy::", "cost::all", "cost::closed", "cost::differences",
+                       "bicycle_benchmark", "closed_forms", "--skip", "flexible"))],
 ]
 BODIES = [
-    ("smartbed-runtime", "it", ("--skip", "layering")),
-    (TOGETHER, "it", ("contact_laws", "impact", "flexible_energy", "flexible_reference", "flexible_scene", "body_trials",
-                      "bar_on_wall::bottom", "bar_on_wall::springs", "independent", "rigid_motion", "scene_graph")),
-    (TOGETHER, "it", ("hard_cases::", "flexible_pressure", "law_table", "observed_order", "dense_output",
-                      "bar_on_wall::twenty", "tile_motion::", "--skip", "hundred_million")),
+    [("smartbed-runtime", "it", ("--skip", "layering"))],
+    [(TOGETHER, "it", ("contact_laws", "impact", "flexible_energy", "flexible_reference", "flexible_scene", "body_trials",
+                       "bar_on_wall::bottom", "bar_on_wall::springs", "independent", "rigid_motion", "scene_graph"))],
+    [(TOGETHER, "it", ("hard_cases::", "flexible_pressure", "law_table", "observed_order", "dense_output",
+                       "bar_on_wall::twenty", "tile_motion::", "--skip", "hundred_million"))],
 ]
-IMAGE = [("smartbed", "lib", ("firmware",))]
+IMAGE = [[], [("smartbed", "lib", ("firmware",))], []]
+STAGES = 3
 
 AREAS = [
     ("codegen/src/dynamics/**/*.rs", EQUATIONS),

@@ -101,7 +101,7 @@ def call(node, text, place):
         switch = lambda test, old: either(test, before + CALLS[called].encode() + after, old)
         place(node.start_byte, node.end_byte, f"{called} -> {CALLS[called]}", switch)
     elif called in EFFECTS and statement:
-        place(node.start_byte, node.end_byte, f"no {called}", lambda test, old: b"if !%s { %s }" % (test, old))
+        place(node.start_byte, node.end_byte, f"no {called}", lambda test, old: b"if !%s { %s; }" % (test, old))
 
 
 def function(node, text, place):

@@ -5,7 +5,7 @@
 `places.py` lists what may be changed, from the syntax tree: operators, signs, whole functions, and calls that build
 expressions (`pip install tree-sitter tree-sitter-rust`); `areas.py` says where, and which tests can notice it. A seed
 draws from the list, `switched.py` builds all that is drawn at once. Each mutant is then a run of the test programs
-that can kill it, until one fails. Verdicts go to target/mutants/verdicts-SEED.jsonl as they are found: a run that was
+that can kill it, until one fails, stage by stage. Verdicts go to target/mutants/verdicts-SEED.jsonl as they are found: a run that was
 stopped goes on where it was; `--again` runs those anew that survived.
 
 Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not.
@@ -122,50 +122,53 @@ class Judge:
         return outcome(areas.FOLDERS[package], self.programs[package, target], filters, number, limit,
                        self.own.get(program, frozenset()))
 
-    def verdict(self, change):
+    def verdict(self, change, stage):
         """The test that kills a mutant, or None."""
-        for program in change["tests"]:
+        for program in change["tests"][stage]:
             fails = self.fails(program, change["number"], self.limits[program])
             if fails:
                 return min(fails)
         return None
 
 
-def remembered(path):
-    """Verdicts of an earlier run, by key."""
-    lines = path.read_text().splitlines() if path.exists() else []
-    return {key: killer for key, killer in map(json.loads, lines)}
+class Verdicts:
+    """What kills each mutant, or None, and at which stage that was found; each written down at once."""
+
+    def __init__(self, path):
+        self.path = path
+        lines = path.read_text().splitlines() if path.exists() else []
+        self.found = {key: (stage, killer) for key, stage, killer in map(json.loads, lines)}
+
+    def note(self, key, stage, killer):
+        self.found[key] = (stage, killer)
+        with self.path.open("a") as log:
+            print(json.dumps([key, stage, killer]), file=log)
+        print(f"{stage}\t{killer or 'survives'}\t{key}", flush=True)
+
+    def refused(self):
+        return {key for key, (_, killer) in self.found.items() if killer == REFUSED}
+
+    def waits(self, change, stage):
+        """Did it survive all stages before this one, and not yet go through this one?"""
+        last, killer = self.found.get(change["key"], (-1, None))
+        return killer is None and last < stage
 
 
-def build(seed, count, only, path):
-    """What is drawn and compiles, with its test programs; what does not is remembered among the verdicts."""
-    while True:
-        refused = {key for key, killer in remembered(path).items() if killer == REFUSED}
-        changes = draw(seed, count, only, refused)
-        programs, wrong = switched.build(changes)
-        if programs:
-            return changes, programs
-        with path.open("a") as log:
-            for c in wrong:
-                print(f"{REFUSED}: {c['key']}", flush=True)
-                print(json.dumps([c["key"], REFUSED]), file=log)
-
-
-def judge(changes, programs, path, again, jobs):
-    """The killer of every change, or None, each written down as it is found."""
-    found = {k: v for k, v in remembered(path).items() if v or not again}
-    waiting = [c for c in changes if c["key"] not in found]
+def judge(changes, stage, verdicts, jobs):
+    """All that live through one stage; False if the compiler refused some, so that there are others to draw."""
+    programs, refused = switched.build(changes, stage)
+    for change in refused:
+        verdicts.note(change["key"], stage, REFUSED)
+    if refused:
+        return False
     judge = Judge(programs)
-    for program in sorted({program for c in waiting for program in c["tests"]}):
+    for program in sorted({program for c in changes for program in c["tests"][stage]}):
         judge.prepare(program)
-    with path.open("a") as log, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        at_work = {pool.submit(judge.verdict, c): c for c in waiting}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        at_work = {pool.submit(judge.verdict, c, stage): c for c in changes}
         for done in concurrent.futures.as_completed(at_work):
-            change, killer = at_work[done], done.result()
-            found[change["key"]] = killer
-            print(json.dumps([change["key"], killer]), file=log, flush=True)
-            print(f"{change['number']}\t{killer or 'SURVIVES'}\t{change['key']}", flush=True)
-    return {c["key"]: found[c["key"]] for c in changes}
+            verdicts.note(at_work[done]["key"], stage, done.result())
+    return True
 
 
 def main():
@@ -179,10 +182,16 @@ def main():
     start = time.time()
     reasons = dict(line.split("\t", 1) for line in (HERE / "survivors.tsv").read_text().splitlines()[1:] if line)
     switched.WORK.mkdir(parents=True, exist_ok=True)
-    path = switched.WORK / f"verdicts-{asked.seed}.jsonl"
-    changes, programs = build(asked.seed, asked.count, asked.only, path)
-    found = judge(changes, programs, path, asked.again, asked.jobs)
-    survivors = [key for key, killer in found.items() if not killer]
+    verdicts = Verdicts(switched.WORK / f"verdicts-{asked.seed}.jsonl")
+    if asked.again:
+        verdicts.found = {key: found for key, found in verdicts.found.items() if found[1]}
+    stage = 0
+    while stage < areas.STAGES:
+        changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
+        waiting = [c for c in changes if verdicts.waits(c, stage)]
+        if not waiting or judge(waiting, stage, verdicts, asked.jobs):
+            stage += 1
+    survivors = [c["key"] for c in changes if not verdicts.found[c["key"]][1]]
     unexplained = [key for key in survivors if key not in reasons]
     for key in unexplained:
         print(f"UNEXPLAINED\t{key}")

@@ -42,7 +42,8 @@ def run(command, **options):
 
 def write(changes):
     """The tree with every drawn place made a switch; lines keep their numbers. What stays the same is not written."""
-    names = [n for n in run(["git", "ls-files"], cwd=ROOT).stdout.splitlines() if (ROOT / n).is_file()]
+    listed = run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT).stdout.splitlines()
+    names = [n for n in listed if (ROOT / n).is_file()]
     texts = {name: (ROOT / name).read_bytes() for name in names}
     # Switches need no style; other flags would build every dependency anew.
     texts["Cargo.toml"] = texts["Cargo.toml"].replace(b'= "deny"', b'= "allow"')
@@ -61,9 +62,10 @@ def write(changes):
             target.write_bytes(text)
 
 
-def build(changes):
-    """Test programs by package and target, and the changes that the compiler refuses: if there are any, no programs."""
-    programs = sorted({program[:2] for c in changes for program in c["tests"]})
+def build(changes, stage):
+    """Test programs of a stage by package and target, and the changes that the compiler refuses: if there are any, no
+    programs."""
+    programs = sorted({program[:2] for c in changes for program in c["tests"][stage]})
     environment = dict(os.environ)
     environment.setdefault("CARGO_TARGET_DIR", str(WORK / "target"))
     write(changes)

@@ -23,4 +23,5 @@ pub use data::*;
 pub use expression::{Axis, Expr};
 pub use ids::*;
 pub use read::{parse, parse_with, read};
+pub use text::amount::marks;
 pub use walk::Role;

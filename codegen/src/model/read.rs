@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::check::{evaluate, order, reach, units};
 use super::data::Model;
+use super::text::amount;
 use super::text::document::{self, Table, Value, wrong_kind};
 use super::text::expression::on_own_thread;
 use super::text::repeat::{self, Sections};
@@ -16,6 +17,8 @@ use crate::source::{Source, Span};
 
 /// Largest model text in bytes.
 const LARGEST_TEXT: usize = 1 << 20;
+/// Most marks of values, keys and lines in it: some nine for each of the entries that are allowed.
+const MOST_MARKS: usize = 90_000;
 
 /// A model may extend a model that extends a model ... at most this often.
 const LONGEST_CHAIN: usize = 8;
@@ -93,9 +96,17 @@ fn chain(path: &str, text: &str, load: Loader<'_>) -> (Source, Vec<Table>, Diagn
     loop {
         let file = u32::try_from(files.len() - 1).unwrap_or(u32::MAX);
         let text = &files[files.len() - 1].text;
-        if LARGEST_TEXT < text.len() {
+        let marks = amount::marks(text);
+        let excess = if text.len() > LARGEST_TEXT {
+            Some(format!("the model is larger than {LARGEST_TEXT} bytes"))
+        } else if marks > MOST_MARKS {
+            Some(format!("the model has {marks} values, keys and lines; at most {MOST_MARKS} are allowed"))
+        } else {
+            None
+        };
+        if let Some(message) = excess {
             items.push(
-                Diagnostic::error(format!("the model is larger than {LARGEST_TEXT} bytes"))
+                Diagnostic::error(message)
                     .label(Span { start: 0, end: 1, file }, "a model is a text that people can read"),
             );
             break;

@@ -19,8 +19,8 @@ use std::collections::BTreeMap;
 const TIME: &str = "t";
 /// Names of the groups of a state.
 const GROUPS: [&str; 5] = ["q", "u", "inputs", "u_dot", "parameters"];
-/// Most states in one file.
-const MOST_STATES: usize = 1_000_000;
+/// Most states in one file: each takes some 600 bytes.
+const MOST_STATES: usize = 250_000;
 
 /// One state as written: named numbers.
 #[derive(Clone, PartialEq, Debug, Default)]

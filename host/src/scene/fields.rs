@@ -4,7 +4,17 @@
 use super::keys::ALIASES;
 use crate::json::Unique;
 use serde_json::{Map, Value};
+use smartbed_codegen::model::marks;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Most marks of values, keys and lines in a text: the largest bodies have as many, and each takes some 180 bytes.
+const MOST_MARKS: usize = 900_000;
+
+/// Has a text more values than its parser has memory for?
+#[must_use]
+pub fn is_too_much(text: &str) -> bool {
+    marks(text) > MOST_MARKS
+}
 
 /// A scene taken apart, with what is needed to say where something stands.
 #[derive(Clone, Debug)]
@@ -30,6 +40,12 @@ impl Fields {
     /// # Errors
     /// What the parser says, with file and line.
     pub fn parse(path: &str, text: &str) -> Result<Fields, String> {
+        if is_too_much(text) {
+            let marks = marks(text);
+            return Err(format!(
+                "{path}: {marks} values, keys and lines; at most {MOST_MARKS} are taken: take a coarser body"
+            ));
+        }
         let mut map = if path.ends_with(".json") {
             let Unique(value) =
                 serde_json::from_str(text).map_err(|e| format!("{path}:{}:{}: {e}", e.line(), e.column()))?;

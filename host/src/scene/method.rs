@@ -38,6 +38,8 @@ pub struct Row {
     pub entries: [Entry; METHODS.len()],
 }
 
+/// Splitting off the dampers does not help: above order 2 every part takes some step backwards in time (Goldman and Kaper
+/// 1996), where a damper feeds energy.
 const SPEEDS: Entry =
     Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
                            has order 1; take rk4 or verlet");

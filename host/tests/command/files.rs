@@ -128,40 +128,91 @@ fn filled(name: &str, [head, part, tail]: [&str; 3], size: usize) -> String {
     written(name, &[head, &part.repeat(parts), tail].concat())
 }
 
-/// Texts as large as they may be, of little but commas and brackets, within 1 GiB; a larger one is refused by its size.
+/// The largest memory (bytes) that a command has taken, looked up all the while; its status and its messages.
+#[cfg(target_os = "linux")]
+fn peak_memory(mut command: Command) -> (u64, Option<i32>, String) {
+    let log = fresh("peak.err");
+    let mut child = command.stderr(fs::File::create(&log).expect("a file")).spawn().expect("it runs");
+    let status = format!("/proc/{}/status", child.id());
+    let mut peak = 0;
+    let code = loop {
+        let text = fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = line.and_then(|l| l.trim().strip_suffix(" kB")?.parse::<u64>().ok());
+        peak = peak.max(1024 * kilobytes.unwrap_or(0));
+        std::thread::sleep(Duration::from_millis(1));
+        if child.try_wait().expect("a child").is_some() {
+            break child.wait().expect("its status").code();
+        }
+    };
+    (peak, code, fs::read_to_string(&log).expect("messages"))
+}
+
+/// Texts as large as they may be, of little but commas and brackets, take at most 20 times the largest text's memory
+/// beside the program's own; a larger one is refused by its size.
 #[cfg(target_os = "linux")]
 #[test]
-fn the_largest_texts_stay_within_a_gibibyte() {
+fn the_largest_texts_stay_within_twenty_times_their_size() {
+    const MODEL: usize = 1 << 20;
+    const SCENE: usize = 8 << 20;
     let model = "format = 1\nname = \"case\"\n[coordinates]\nq = { unit = \"m\" }\n[points]\nP = \"q*N.x\"\n[bodies]\n\
                  b = { centre = \"P\", mass = \"1_kg\" }\n";
     let outputs: String = (0..330).map(|n| format!("o{n} = \"{}q\"\n", "q*q+".repeat(700))).collect();
-    let run = |file: &str| format!("run {file} --seconds 0");
+    let run = |file: String| format!("run {file} --seconds 0");
+    let states = |file: String| format!("eval pendulum -o /dev/null --states {file}");
+    let check = |file: String| format!("check {file}");
+    let (large, many) = ("larger than 1048576 bytes", "values, keys and lines; at most");
     let lines = [
-        format!("check {}", written("terms.toml", &format!("{model}[outputs]\n{outputs}"))),
-        format!("check {}", filled("list.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], 1 << 20)),
-        run(&filled("points.toml", ["format = 1\npoints = [", "[0,0,1],", "]\n"], 8 << 20)),
-        run(&filled("numbers.toml", ["format = 1\nshape = \"cube\"\nx = [", "1,", "]\n"], 8 << 20)),
-        run(&filled("points.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], 8 << 20)),
-        format!(
-            "eval pendulum -o /dev/null --states {}",
-            filled("some.json", ["{\"states\": [", "{},", "{}]}"], 8 << 20)
+        (MODEL, "", check(written("terms.toml", &format!("{model}[outputs]\n{outputs}")))),
+        (MODEL, many, check(filled("list.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], MODEL))),
+        (
+            MODEL,
+            "no field",
+            check(filled("fewer.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], 178_000)),
         ),
-        format!("check {}", filled("large.toml", [model, "#", "\n"], (1 << 20) + 9)),
-        run(&filled("large.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], (8 << 20) + 99)),
+        (MODEL, large, check(filled("large.toml", [model, "#", "\n"], MODEL + 9))),
+        (SCENE, many, run(filled("points.toml", ["format = 1\npoints = [", "[0,0,1],", "]\n"], SCENE))),
+        (
+            SCENE,
+            many,
+            run(filled("numbers.toml", ["format = 1\nshape = \"cube\"\nx = [", "1,", "]\n"], SCENE)),
+        ),
+        (
+            SCENE,
+            "`x`",
+            run(filled("listed.toml", ["format = 1\nshape = \"cube\"\nx = [", "1,", "]\n"], 1_790_000)),
+        ),
+        (
+            SCENE,
+            "at most",
+            run(filled("rows.toml", ["format = 1\npoints = [", "[0,0,1],", "]\n"], 1_790_000)),
+        ),
+        (SCENE, many, run(filled("points.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], SCENE))),
+        (
+            SCENE,
+            "more than 8 MiB",
+            run(filled("large.json", ["{\"points\": [", "[0,0,1],", "[0,0,1]]}"], SCENE + 99)),
+        ),
+        (SCENE, "at most 250000", states(filled("some.json", ["{\"states\": [", "{},", "{}]}"], SCENE))),
+        (SCENE, "", states(filled("q.json", ["{\"states\": [", "{\"q\":{\"q\":1}},", "{}]}"], 250_000 * 14))),
     ];
-    for (n, line) in lines.iter().enumerate() {
-        let mut shell = Command::new("sh");
-        shell.args(["-c", &format!("ulimit -v 1048576; exec {} {line}", env!("CARGO_BIN_EXE_smartbed"))]);
-        shell.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).stdout(Stdio::null());
-        let (status, errors) = finish_with(shell, Stdio::piped());
+    let program = |line: &str| {
+        let mut command = command(&line.split(' ').collect::<Vec<_>>());
+        command.stdout(Stdio::null());
+        command
+    };
+    let (own, ..) = peak_memory(program("check pendulum"));
+    for (size, said, line) in lines {
+        let (peak, status, errors) = peak_memory(program(&line));
+        println!("{line}: {:.1} times {size} bytes", peak.saturating_sub(own) as f64 / size as f64);
         assert!(
             matches!(status, Some(0 | 1)) && !errors.contains("panicked"),
             "{line}: {status:?} {errors:.300}"
         );
-        assert_eq!(
-            errors.contains("larger than 1048576 bytes") || errors.contains("more than 8 MiB"),
-            n >= 6,
-            "{errors:.300}"
+        assert!(errors.contains(said), "{line}: {errors:.300}");
+        assert!(
+            own > 0 && peak <= own + 20 * size as u64,
+            "{line}: {peak} bytes, {own} of them the program's own"
         );
     }
 }
@@ -228,7 +279,7 @@ fn an_interrupted_run_leaves_whole_rows_and_says_so() {
         let mut child = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it runs");
         let begin = Instant::now();
         while fs::metadata(&rows).map_or(0, |m| m.len()) < 100_000
-            && begin.elapsed() < Duration::from_secs(60)
+            && begin.elapsed() < Duration::from_secs(300)
         {
             std::thread::sleep(Duration::from_millis(5));
         }
@@ -270,14 +321,13 @@ fn special_files_are_refused_at_once() {
         &["report", "pendulum", "--quick", "--points", "/dev/zero"],
     ];
     for line in lines {
-        let begin = Instant::now();
+        // Longer than any machine is busy: one that waits for its input has status 124.
         let mut program = Command::new("timeout");
-        program.arg("20").arg(env!("CARGO_BIN_EXE_smartbed")).args(line).stdin(Stdio::null());
+        program.arg("300").arg(env!("CARGO_BIN_EXE_smartbed")).args(line).stdin(Stdio::null());
         program.current_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(".."));
         let done = finish(program);
         assert_eq!(done.status, 1, "{line:?}: {done:?}");
         assert!(done.err.contains("expected"), "{line:?}: {done:?}");
-        assert!(begin.elapsed() < Duration::from_secs(15), "{line:?}");
     }
     // What a shell hands over is read to its end.
     let mut program = command(&["eval", "pendulum", "--states", "-"]);

@@ -1,9 +1,10 @@
 //! The text of a model: TOML, repetition, extension, names, and the expressions in its strings.
 //!
-//! In: text. Out: a [`Draft`](super::draft::Draft). From the notation to the sections: `document` (TOML with places),
-//! `repeat` and `extend` (which entries there are), `scope` (names), `lexing` and `expression` (strings), `builder`
+//! In: text. Out: a [`Draft`](super::draft::Draft). From the notation to the sections: `document` (TOML with places,
+//! `amount` of values at most), `repeat` and `extend` (which entries there are), `scope` (names), `lexing` and `expression` (strings), `builder`
 //! with `entry` (fields), then a file for each group of sections.
 
+pub mod amount;
 mod builder;
 pub mod document;
 mod entry;

@@ -8,7 +8,7 @@ use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
 use smartbed_runtime::ode::nodes::{Method, Step};
 
-use super::fields::Fields;
+use super::fields::{self, Fields};
 use super::keys::{self, Choice};
 use super::lists::Lists;
 use super::method::{self, Chosen, Situation};
@@ -83,6 +83,13 @@ pub fn is_scene(path: &std::path::Path) -> bool {
         return true;
     }
     let text = input::text(&path.display().to_string()).unwrap_or_default();
+    if fields::is_too_much(&text) {
+        // Not to be parsed: what its lines begin with must do.
+        let begins = |line: &str, key: &str| {
+            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+        };
+        return text.lines().any(|line| begins(line, "shape") || begins(line, "points"));
+    }
     // A text that cannot be read is a mechanism's: its reader explains best.
     let table = text.parse::<toml::Table>().unwrap_or_default();
     table.contains_key("shape") || table.get("points").is_some_and(toml::Value::is_array)
