@@ -104,6 +104,15 @@ pub trait Carrier<S: Scalar> {
         let _ = q;
         Ok(S::ZERO)
     }
+    /// One correction of the speeds towards the constraints, where more of them are state than are independent (see
+    /// [`Mechanism::project_speeds`](crate::mechanism::Mechanism::project_speeds)).
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn project_speeds(&mut self, q: &[S], u: &mut [S]) -> Result<(), Fault> {
+        let _ = (q, u);
+        Ok(())
+    }
     /// The time (s) at which the next corrections are asked for.
     fn set_time(&mut self, t: S) {
         let _ = t;

@@ -132,6 +132,13 @@ impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
         }
         Ok(largest)
     }
+    fn project_speeds(&mut self, mut q: &[S], mut u: &mut [S]) -> Result<(), Fault> {
+        for member in self.members.iter_mut() {
+            let q = cut(&mut q, member.n_q())?;
+            member.project_speeds(q, cut_mut(&mut u, member.n_u())?)?;
+        }
+        Ok(())
+    }
     fn set_time(&mut self, t: S) {
         self.members.iter_mut().for_each(|member| member.set_time(t));
     }

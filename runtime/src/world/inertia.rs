@@ -36,14 +36,20 @@ impl<S: Scalar> Inertias<'_, S> {
         (0..carrier.n_ports()).map(|port| carrier.coupled(port).len()).sum()
     }
 
-    /// Asks the carrier at a state.
+    /// Asks the carrier at a state about impulses at those ports that are needed.
     ///
     /// # Errors
     /// [`Fault::Shape`] where memory is too small; the carrier's faults.
-    pub fn ask(&mut self, carrier: &mut impl Carrier<S>, t: S, q: &[S], u: &[S]) -> Result<(), Fault> {
+    pub fn ask(
+        &mut self,
+        carrier: &mut impl Carrier<S>,
+        t: S,
+        (q, u): (&[S], &[S]),
+        needed: impl Fn(usize) -> bool,
+    ) -> Result<(), Fault> {
         let mut place = 0;
         for (port, coupling) in self.couplings.iter_mut().enumerate() {
-            let moved = carrier.coupled(port);
+            let moved = if needed(port) { carrier.coupled(port) } else { 0..0 };
             *coupling = Coupling { ports: [moved.start, moved.len()], first: place };
             for seen in moved {
                 let answer = self.answers.get_mut(place).ok_or(Fault::Shape)?;

@@ -5,8 +5,11 @@
 //! x = [q of the carrier, positions of the free nodes; u of the carrier, their velocities]. Fixed nodes stay where they
 //! were placed; attached ones have no mass of their own: it belongs to the carrier.
 
+use core::ops::Range;
+
 use super::carrier::{Carrier, Wrench};
 use super::cell::Cell;
+use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
 use crate::flexible::{Body, force};
 use crate::mechanism::Fault;
@@ -236,6 +239,32 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(IslandEnergy { carrier, body })
     }
 
+    /// Energies of some of the nodes, springs and cells, where they were placed last: of one body among several.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] for ranges beyond the lists; [`Fault::NonFinite`] for a gas without volume.
+    pub fn energy_of(
+        &self,
+        nodes: Range<usize>,
+        springs: Range<usize>,
+        cells: Range<usize>,
+    ) -> Result<Energies<S>, Fault> {
+        let (half, pos) = (S::from_f64(0.5), &*self.memory.pos);
+        let zero = S::ZERO;
+        let mut sum = Energies { kinetic: zero, gravity: zero, spring: zero, pressure: zero };
+        for node in nodes {
+            let mass = *self.body.mass.get(node).ok_or(Fault::Shape)?;
+            let v = vec3::at(self.memory.vel, node);
+            sum.kinetic = sum.kinetic + half * mass * vec3::dot(v, v);
+            sum.gravity = sum.gravity - mass * vec3::dot(self.body.gravity, vec3::at(pos, node));
+        }
+        sum.spring = self.body.springs.get(springs).ok_or(Fault::Shape)?.energy(pos);
+        for cell in self.cells.get(cells).ok_or(Fault::Shape)? {
+            sum.pressure = sum.pressure + cell.potential(self.body.facets, pos)?;
+        }
+        Ok(sum)
+    }
+
     /// A state cut by part.
     pub(super) fn parts<'x>(&self, x: &'x [S]) -> Result<Cut<&'x [S]>, Fault> {
         if x.len() != self.n_x() {
@@ -290,8 +319,10 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
     }
 
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
-        let n = self.carrier.n_q();
-        self.carrier.project(x.get_mut(..n).ok_or(Fault::Shape)?)
+        let Cut { q, u, .. } = self.parts_mut(x)?;
+        let residual = self.carrier.project(q)?;
+        self.carrier.project_speeds(q, u)?;
+        Ok(residual)
     }
 
     fn set_time(&mut self, t: S) {

@@ -279,7 +279,11 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
         }
         let Cut { q, u, .. } = island.parts(middle)?;
-        inertias.ask(&mut island.carrier, t, q, u)?;
+        let touched = |port: usize| {
+            let sides = now.iter().take(count).flat_map(|touch| &touch.contact.sides);
+            sides.flat_map(|side| side.points()).any(|point| point.body == port)
+        };
+        inertias.ask(&mut island.carrier, t, (q, u), touched)?;
         for (node, yields) in inertias.nodes.iter_mut().enumerate() {
             *yields = island.body.inverse_mass(node);
         }

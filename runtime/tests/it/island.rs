@@ -430,6 +430,15 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
     let largest = x.iter().zip(&joined).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     println!("two in one island differ from each by itself by {largest:e}");
     assert!(largest < 1e-11, "{largest:e}");
+    // Each body's own account, and the carriers' beside them.
+    let springs = lists.springs.len() / 2;
+    let mut parts = island.energy(0.0, &x).expect("energy").carrier;
+    for k in 0..2 {
+        let of = |n: usize| k * n..(k + 1) * n;
+        parts.0 += island.energy_of(of(nodes), of(springs), of(1)).expect("ranges").total();
+    }
+    assert!((parts.0 + parts.1 - energy).abs() < 1e-12 * energy.abs().max(1.0));
+    assert_eq!(island.energy_of(0..nodes, 0..2 * springs + 1, 0..1), Err(Fault::Shape));
     // The two laws count the gas' energy from volumes of their own.
     assert!((energy - first_energy - second_energy).abs() < 1e-9 * energy.abs().max(1.0), "{energy}");
     assert!((first[0] - POSE[0]).abs() > 1e-3);
@@ -468,4 +477,75 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
     assert!(refused(|lists| lists.attachments[0].node = 2));
     assert!(refused(|lists| lists.mass[0] = 0.1));
     assert!(refused(|lists| lists.pos.truncate(2)));
+}
+
+/// A point whose speed is state twice: the second is to be what the first is.
+struct Twice;
+
+impl Carrier<f64> for Twice {
+    fn n_q(&self) -> usize {
+        1
+    }
+    fn n_u(&self) -> usize {
+        2
+    }
+    fn n_ports(&self) -> usize {
+        1
+    }
+    fn inverse_inertia(
+        &mut self,
+        _: f64,
+        _: &[f64],
+        _: &[f64],
+        _: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        Ok([[0.0; 6]; 6])
+    }
+    fn frames(&mut self, _: f64, _: &[f64], _: &[f64], _: &mut [Frame<f64>]) -> Result<(), Fault> {
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        _: f64,
+        _: &[f64],
+        u: &[f64],
+        _: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        q_dot[0] = u[0];
+        // The second drifts.
+        (u_dot[0], u_dot[1]) = (1.0, 1.5);
+        Ok(1.0)
+    }
+    fn energy(&mut self, _: f64, _: &[f64], _: &[f64]) -> Result<(f64, f64), Fault> {
+        Ok((0.0, 0.0))
+    }
+    fn project_speeds(&mut self, _: &[f64], u: &mut [f64]) -> Result<(), Fault> {
+        u[1] = u[0];
+        Ok(())
+    }
+    fn projections(&self) -> u8 {
+        1
+    }
+}
+
+#[test]
+fn speeds_of_carriers_in_a_group_are_put_back_on_their_constraints() {
+    let mut members = [Twice, Twice];
+    let (mut frames, mut wrenches) = ([Frame::inertial(); 2], [Wrench::zero(); 2]);
+    let memory = Memory {
+        pos: &mut [],
+        vel: &mut [],
+        elastic: &mut [],
+        viscous: &mut [],
+        frames: &mut frames,
+        wrenches: &mut wrenches,
+    };
+    let island = Island::new(Group { members: &mut members }, Body::none(), &[], memory);
+    let mut island = island.expect("an island");
+    let mut x = [0.0; 6];
+    island.load(&[0.0, 1.0], &[2.0, 2.0, 3.0, 3.0], &mut x).expect("lengths");
+    run(&mut island, &mut x, 0.5, 2);
+    assert_eq!(x, [2.5, 4.5, 3.0, 3.0, 4.0, 4.0]);
 }

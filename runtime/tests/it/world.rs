@@ -624,3 +624,64 @@ fn a_drop_of_20_mm_closes_its_ledger_to_order_two_and_its_peak_stays() {
     assert!(change < 0.02, "{first} {second}");
     assert!((coarse / fine - 4.0).abs() < 0.5 && fine.abs() < 1e-4, "{coarse:e} {fine:e}");
 }
+
+#[test]
+fn in_f32_a_box_slides_to_rest_as_well() {
+    let floating =
+        Floating { body: RigidBody { mass: 2.0_f32, inertia: [0.008; 3] }, gravity: [0.0, 0.0, -9.81] };
+    let things = [
+        Thing::Rigid { shape: Shape::HalfSpace, port: None, place: Place::same() },
+        Thing::Rigid {
+            shape: Shape::Cuboid(Cuboid { half: [0.1_f32; 3] }),
+            port: Some(0),
+            place: Place::same(),
+        },
+    ];
+    let pairs = [Pair { things: [1, 0], friction: 0.3_f32, restitution: 0.0 }];
+    let (mut frames, mut wrenches) = ([Frame::inertial()], [Wrench::zero()]);
+    let memory = Memory {
+        pos: &mut [],
+        vel: &mut [],
+        elastic: &mut [],
+        viscous: &mut [],
+        frames: &mut frames,
+        wrenches: &mut wrenches,
+    };
+    let island = Island::new(floating, Body::none(), &[], memory).expect("an island");
+    let (mut x, mut low) = ([0.0_f32; 13], [0.0_f32; 13]);
+    island
+        .load(&[0.0, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0], &[1.0, 0.0, 0.0, 0.0, 0.0, 0.0], &mut x)
+        .expect("lengths");
+    let mut world = World { island, things: &things, pairs: &pairs };
+    let (mut first, mut last) = ([Frame::inertial()], [Frame::inertial()]);
+    let mut twists = [[Twist::zero()]; 3];
+    let [a, b, c] = &mut twists;
+    let (mut couplings, mut answers) = ([Coupling::default()], [[[0.0_f32; 6]; 6]]);
+    let (mut now, mut before) = ([Touch::empty(); 8], [Touch::empty(); 8]);
+    let mut memory = StepMemory {
+        scratch: &mut [0.0; StepMemory::<f32>::scratch(13)],
+        frames: [&mut first, &mut last],
+        twists: [a, b, c],
+        normals: &mut [],
+        inertias: Inertias { couplings: &mut couplings, answers: &mut answers, nodes: &mut [] },
+        touches: [&mut now, &mut before],
+        counts: [0; 2],
+    };
+    let mut state = State::new(&mut x, &mut low).expect("a state");
+    let h = 1e-3_f32;
+    for step in 0..1000_u16 {
+        world.step(f32::from(step) * h, h, &mut state, &mut memory).expect("a step");
+    }
+    let force: f32 = memory.contacts().iter().map(|touch| touch.contact.impulse[0] / h).sum();
+    let way = 1.0 / (2.0 * 0.3 * 9.81);
+    println!("slid {} of {way} m, force {force}", state.x()[0]);
+    assert!((state.x()[0] - way).abs() < 1e-3 && (state.x()[2] - 0.1).abs() < 1e-5);
+    assert!((force / (2.0 * 9.81) - 1.0).abs() < 1e-5);
+    // Room for three contacts where four are needed: refused, and the state stays.
+    let old = state.x().to_vec();
+    let (mut few, mut other) = ([Touch::empty(); 3], [Touch::empty(); 3]);
+    memory.touches = [&mut few[..], &mut other[..]];
+    memory.counts = [0; 2];
+    assert_eq!(world.step(1.0, h, &mut state, &mut memory), Err(Fault::Shape));
+    assert_eq!(state.x(), old);
+}
