@@ -28,8 +28,9 @@ const OF_SHAPE: u32 = 1 << 30;
 /// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
 const CREASE: f64 = 0.85;
 
-/// A foot with more than this share of one corner is that corner.
-const AT_NODE: f64 = 0.9;
+/// A foot with more than this share of one corner is that corner: two contacts there would share one load in any way, which
+/// sweeps find slowly.
+const AT_NODE: f64 = 0.75;
 
 /// A contact of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
