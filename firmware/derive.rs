@@ -15,6 +15,9 @@ pub fn all(out: &Path) -> Result<(), Box<dyn Error>> {
     if cfg!(feature = "model") {
         derive(out)?;
     }
+    if cfg!(feature = "controller") {
+        derive_feedforward();
+    }
     if cfg!(feature = "plant") {
         derive_plant();
     }
@@ -91,13 +94,38 @@ fn command(has_law: bool) -> String {
     )
 }
 
-/// The tile that the controller is tried on: `tile` with the numbers of `tile_drive`, whose drives are the plant's own
-/// code. On the host in double precision too.
+/// Numbers of the tile (SI), as in `firmware/src/tile/design.rs`; the patient's mass lies 130 mm over the middle.
+const NUMBERS: [(&str, f64); 8] = [
+    ("R", 0.09),
+    ("M", 3.0),
+    ("Ix", 0.012),
+    ("Iy", 0.016),
+    ("Iz", 0.026),
+    ("mc", 0.3),
+    ("c", 0.0),
+    ("z_payload", 0.13),
+];
+
+/// What the screws carry along a motion, for the controller. Drives are left out: their inertia needs no force of a screw.
+fn derive_feedforward() {
+    let mut options = Options {
+        file_name: Some("feedforward".to_owned()),
+        answers: vec!["inverse_dynamics".to_owned()],
+        settings: Effort::All.into(),
+        ..Options::default()
+    };
+    options.emit.scalar = ScalarType::F32;
+    options.parameters.keep = vec!["m_payload".to_owned()];
+    options.parameters.values =
+        NUMBERS.into_iter().chain([("mr", 0.0)]).map(|(n, v)| (n.to_owned(), v)).collect();
+    smartbed_codegen::build("../models/tile_minimal.toml", &options);
+}
+
+/// The tile that the controller is tried on: `tile` with those numbers and the inertia of its drives, whose friction is the
+/// plant's own code. On the host in double precision too.
 fn derive_plant() {
-    let numbers =
-        [("R", 0.09), ("M", 3.0), ("Ix", 0.012), ("Iy", 0.016), ("Iz", 0.026), ("mc", 0.3), ("c", 0.0)];
     let gear = std::f64::consts::TAU * 30.0 / 0.004;
-    let more = [("mr", 2e-6 * gear * gear), ("z_payload", 0.13)];
+    let more = [("mr", 2e-6 * gear * gear)];
     let host = env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os != "none");
     for (file_name, scalar) in [("plant_f32", ScalarType::F32), ("plant_f64", ScalarType::F64)] {
         if scalar == ScalarType::F64 && !host {
@@ -107,7 +135,7 @@ fn derive_plant() {
         options.emit.scalar = scalar;
         options.parameters.keep =
             ["m_payload", "x_payload", "y_payload", "z_payload", "Fz"].map(str::to_owned).into();
-        options.parameters.values = numbers.into_iter().chain(more).map(|(n, v)| (n.to_owned(), v)).collect();
+        options.parameters.values = NUMBERS.into_iter().chain(more).map(|(n, v)| (n.to_owned(), v)).collect();
         smartbed_codegen::build(MODEL, &options);
     }
 }

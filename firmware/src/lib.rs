@@ -33,7 +33,9 @@ pub mod simulation;
 pub mod tile;
 pub mod turns;
 
+#[cfg(all(feature = "controller", not(feature = "scene")))]
 pub mod node;
+#[cfg(all(feature = "controller", not(feature = "scene")))]
 pub mod station;
 pub mod supervisor;
 

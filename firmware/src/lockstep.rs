@@ -56,12 +56,12 @@ impl Line for Ends {
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
-fn controller_tick(station: &mut Station<Flash, Ends>, readings: &Readings) -> Outputs {
-    station.tick(readings)
+fn controller_tick(station: &mut Station<Flash, Ends>, readings: &Readings, program: &[u8]) -> Outputs {
+    station.tick(readings, program)
 }
 
-/// Takes turns until the host ends it.
-pub fn serve(host: &mut impl Host) -> Last {
+/// Takes turns until the host ends it; `program` is what the controller checks of itself.
+pub fn serve(host: &mut impl Host, program: &[u8]) -> Last {
     host.write(HELLO);
     let Some(number) = host.read() else { return Last::End };
     let margin = DRIVE.with_friction(true).locking_margin() * 1000.0;
@@ -89,7 +89,7 @@ pub fn serve(host: &mut impl Host) -> Last {
             Some(turn) => turn - TICKS,
         };
         for _ in 0..ticks {
-            let outputs = controller_tick(&mut station, &tile.read());
+            let outputs = controller_tick(&mut station, &tile.read(), program);
             if tile.advance(&outputs).is_err() {
                 return Last::Refused;
             }

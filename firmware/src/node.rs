@@ -34,6 +34,8 @@ pub struct Node<F> {
     store: Store<F>,
     record: Option<Record>,
     clock: Clock,
+    /// Has the program changed?
+    is_damaged: bool,
     /// Did the clocks run apart in this tick?
     is_apart: bool,
     log: Log,
@@ -62,6 +64,7 @@ impl<F: NorFlash> Node<F> {
             store,
             record,
             clock: Clock::default(),
+            is_damaged: false,
             is_apart: false,
             log,
             asked: None,
@@ -87,6 +90,11 @@ impl<F: NorFlash> Node<F> {
     /// Tells how many frames were lost so far, for who asks.
     pub fn count_lost(&mut self, lost: u32) {
         self.lost = lost;
+    }
+
+    /// Tells that the program is no longer what it was: off in the next tick, and no clearing.
+    pub fn report_damage(&mut self) {
+        self.is_damaged = true;
     }
 
     /// The controller.
@@ -179,6 +187,7 @@ impl<F: NorFlash> Node<F> {
         }
         outside.set(Fault::Silence, is_silent);
         outside.set(Fault::Clock, core::mem::take(&mut self.is_apart));
+        outside.set(Fault::Memory, self.is_damaged);
         outside.set(Fault::Storage, self.record.is_none());
         outside
     }

@@ -5,6 +5,7 @@
 use crate::link::serial::{Line, Serial};
 use crate::node::Node;
 use crate::tile::board::{Outputs, Readings};
+use crate::tile::integrity::Integrity;
 use embedded_storage::nor_flash::NorFlash;
 
 /// A node on its line.
@@ -12,6 +13,7 @@ use embedded_storage::nor_flash::NorFlash;
 pub struct Station<F, L> {
     node: Node<F>,
     serial: Serial,
+    integrity: Integrity,
     /// The line.
     pub line: L,
 }
@@ -19,14 +21,23 @@ pub struct Station<F, L> {
 impl<F: NorFlash, L: Line> Station<F, L> {
     /// This node on this line.
     pub fn new(node: Node<F>, line: L) -> Self {
-        Self { node, serial: Serial::default(), line }
+        Self { node, serial: Serial::default(), integrity: Integrity::default(), line }
     }
 
-    /// Takes what has come, does a tick, and sends what is to be sent.
+    /// The node.
+    #[must_use]
+    pub fn node(&self) -> &Node<F> {
+        &self.node
+    }
+
+    /// Takes what has come, does a tick, and sends what is to be sent; `program` is checked on the way.
     // A function of its own: its tables of jumps stay short enough for the checks of an image to follow.
     #[inline(never)]
-    pub fn tick(&mut self, readings: &Readings) -> Outputs {
-        let Self { node, serial, line } = self;
+    pub fn tick(&mut self, readings: &Readings, program: &[u8]) -> Outputs {
+        let Self { node, serial, integrity, line } = self;
+        if !integrity.take(program) {
+            node.report_damage();
+        }
         serial.receive(line, |body| {
             node.deliver(body);
         });

@@ -7,6 +7,7 @@ mod inputs;
 mod outputs;
 mod pins;
 mod power;
+mod program;
 mod sectors;
 mod uart;
 mod watchdog;
@@ -51,7 +52,7 @@ fn run(board: Board) -> ! {
         // Milliseconds that were spent in storing, drives off, are no fault.
         readings.overrun = now.wrapping_sub(last) > 1 && !sectors::has_stalled();
         last = now;
-        let outputs = station.tick(&readings);
+        let outputs = station.tick(&readings, program::bytes());
         station.line.flush();
         if actuators.set(&outputs) {
             watchdog.feed();

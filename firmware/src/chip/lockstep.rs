@@ -8,6 +8,7 @@ use usart::Usart;
 
 mod emulator;
 mod power;
+mod program;
 #[cfg_attr(chip = "m4", path = "usart.rs")]
 #[cfg_attr(not(chip = "m4"), path = "cmsdk.rs")]
 mod usart;
@@ -28,7 +29,7 @@ fn main() -> ! {
     let here = core::ptr::from_ref(&bottom).addr();
     paint(bottom, here.saturating_sub(MARGIN));
     let mut usart = Usart::start();
-    let last = serve(&mut usart);
+    let last = serve(&mut usart, program::bytes());
     if last == Last::Fault {
         cortex_m::asm::udf();
     }

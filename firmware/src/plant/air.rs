@@ -1,21 +1,24 @@
 //! The bladder as a piston of gas: sealed, or filled and vented through orifices.
 //!
-//! In: which valves are open. Out: the pressure over ambient.
-//! Slow changes of temperature at rest are left out: p V = C (isothermal), V = A z, and the piston is at rest:
-//! (p - p_a) A = W + k (z - z_0), with k the stiffness of the sheet. Flow through an orifice, never choked here:
-//! q = c_d a sqrt(2 dp / rho).
+//! In: which valves are open. Out: the pressure over ambient. Gas and orifices are the runtime's (`smartbed_runtime::gas`):
+//! isothermal, for changes are slow and walls wide. The piston is at rest: (p - p_a) A = W + k (z - z_0), with k
+//! the stiffness of the sheet and V = A z.
 
 use crate::tile::design::{AREA, GRAVITY};
+use smartbed_runtime::gas::{Chamber, Gas, GasState, Line, Nozzle, Source};
 use smartbed_runtime::real::{Real, Scalar};
 
 /// Ambient pressure (Pa).
 pub const AMBIENT: f64 = 101_325.0;
+/// Temperature of all air (K).
+const TEMPERATURE: f64 = 293.15;
 /// Pressure of the pump over ambient (Pa).
 const PUMP: f64 = 16e3;
 /// Stiffness of the sheet (N/m) and the height at which it is slack (m).
 const SHEET: (f64, f64) = (5e3, 0.1);
-/// 0.65 a sqrt(2 / rho) of 2 mm and 4 mm holes, a volume per second and root of pressure.
-const ORIFICES: (f64, f64) = (2.636e-6, 1.0545e-5);
+/// Diameters of the holes of supply and vent (m), and their discharge coefficient.
+const HOLES: (f64, f64) = (2e-3, 4e-3);
+const DISCHARGE: f64 = 0.65;
 /// Least height (m): the sheet lies on the plate.
 const BOTTOM: f64 = 2e-3;
 const TICK: f64 = 1e-3;
@@ -23,8 +26,13 @@ const TICK: f64 = 1e-3;
 /// A bladder.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Air<S> {
-    /// p V (J), and what its sum has lost by rounding.
-    content: [S; 2],
+    /// Its reference volume is 1 m^3, so that its state is p V (J).
+    chamber: Chamber<S>,
+    /// Supply and vent.
+    lines: [Line<S>; 2],
+    state: GasState<S>,
+    /// What the sum of p V has lost by rounding.
+    low: S,
     /// Weight on it (N).
     weight: S,
     pressure: S,
@@ -40,11 +48,25 @@ impl<S: Scalar + From<f32>> Air<S> {
     /// Just slack, under a weight (N).
     #[must_use]
     pub fn with_weight(weight: S) -> Self {
-        let (stiffness, slack) = (S::from_f64(SHEET.0), S::from_f64(SHEET.1));
-        let height = Real::max(slack - weight / stiffness, S::from_f64(BOTTOM));
-        let content = S::from_f64(AMBIENT) * S::from(AREA) * height;
-        let mut air = Self { content: [content, S::ZERO], weight, pressure: S::ZERO };
-        air.pressure = air.balance();
+        let (gas, ambient) = (Gas::air(), S::from_f64(AMBIENT));
+        let line = |hole: f64, over: f64| Line {
+            nozzle: Nozzle::orifice(&gas, S::from_f64(hole), S::from_f64(DISCHARGE)),
+            opening: S::ZERO,
+            reservoir: Source {
+                pressure: ambient + S::from_f64(over),
+                temperature: S::from_f64(TEMPERATURE),
+            },
+        };
+        let height = Real::max(S::from_f64(SHEET.1) - weight / S::from_f64(SHEET.0), S::from_f64(BOTTOM));
+        let mut air = Self {
+            chamber: Chamber { gas, exponent: S::ONE, reference_volume: S::ONE, ambient },
+            lines: [line(HOLES.0, PUMP), line(HOLES.1, 0.0)],
+            state: GasState { reference_pressure: S::ZERO, mass: S::ZERO },
+            low: S::ZERO,
+            weight,
+            pressure: S::ZERO,
+        };
+        air.hold(ambient * S::from(AREA) * height);
         air
     }
 
@@ -63,37 +85,43 @@ impl<S: Scalar + From<f32>> Air<S> {
     /// Fills or empties it at once to this pressure (Pa over ambient).
     pub fn fill(&mut self, pressure: S) {
         let height = S::from_f64(SHEET.1) + (pressure * S::from(AREA) - self.weight) / S::from_f64(SHEET.0);
-        self.content = [(S::from_f64(AMBIENT) + pressure) * S::from(AREA) * height, S::ZERO];
-        self.pressure = self.balance();
+        self.low = S::ZERO;
+        self.hold((S::from_f64(AMBIENT) + pressure) * S::from(AREA) * height);
     }
 
     /// Goes on by a millisecond.
     pub fn advance(&mut self, supply: bool, vent: bool) {
-        let flow = |hole: S, difference: S| hole * Real::sqrt(Real::max(difference, S::ZERO));
-        let (fill, empty) =
-            (S::from_f64(ORIFICES.0 * AMBIENT * TICK), S::from_f64(ORIFICES.1 * AMBIENT * TICK));
-        let mut change = self.content[1];
-        if supply {
-            change = change + flow(fill, S::from_f64(PUMP) - self.pressure);
+        for (line, is_open) in self.lines.iter_mut().zip([supply, vent]) {
+            line.opening = if is_open { S::ONE } else { S::ZERO };
         }
-        if vent {
-            change = change - flow(empty, self.pressure);
-        }
-        let before = self.content[0];
+        let volume = S::from(AREA) * self.height();
+        // Volume and mass are never 0, see `hold`: there are rates.
+        let Ok(rates) = self.chamber.rates(&self.state, volume, S::ZERO, &self.lines) else { return };
+        let before = self.state.reference_pressure;
+        let change = self.low + S::from_f64(TICK) * rates.reference_pressure;
         let after = before + change;
-        self.content = [after, change - (after - before)];
-        self.pressure = self.balance();
+        self.low = change - (after - before);
+        self.hold(after);
     }
 
-    /// The pressure at which the piston rests: k z^2 + (p_a A + W - k z_0) z - C = 0.
-    fn balance(&self) -> S {
+    /// Takes p V (J) for the state, at the temperature of the walls, and lets the piston come to rest.
+    fn hold(&mut self, content: S) {
+        let mass = content / (self.chamber.gas.gas_constant * S::from_f64(TEMPERATURE));
+        self.state = GasState { reference_pressure: content, mass };
         let (stiffness, slack) = (S::from_f64(SHEET.0), S::from_f64(SHEET.1));
-        let area = S::from(AREA);
-        let half = S::from_f64(0.5) * (S::from_f64(AMBIENT) * area + self.weight - stiffness * slack);
+        let carried = self.weight + stiffness * (self.height() - slack);
+        self.pressure = Real::max(carried / S::from(AREA), S::ZERO);
+    }
+
+    /// Where the piston rests: k z^2 + (p_a A + W - k z_0) z - p V = 0.
+    fn height(&self) -> S {
+        let (stiffness, slack) = (S::from_f64(SHEET.0), S::from_f64(SHEET.1));
+        let content = self.state.reference_pressure;
+        let half =
+            S::from_f64(0.5) * (S::from_f64(AMBIENT) * S::from(AREA) + self.weight - stiffness * slack);
         // The root in the form without a difference of equal numbers.
-        let height = self.content[0] / (half + Real::sqrt(half * half + stiffness * self.content[0]));
-        let height = Real::max(height, S::from_f64(BOTTOM));
-        Real::max((self.weight + stiffness * (height - slack)) / area, S::ZERO)
+        let height = content / (half + Real::sqrt(half * half + stiffness * content));
+        Real::max(height, S::from_f64(BOTTOM))
     }
 }
 
@@ -107,7 +135,7 @@ mod tests {
         air.fill(4000.0);
         assert!((air.pressure() - 4000.0).abs() < 1e-6);
         let height = 0.1 + (4000.0 * 0.0643 - 20.0 * 9.81) / 5e3;
-        assert!((air.content[0] - (AMBIENT + 4000.0) * 0.0643 * height).abs() < 1e-4);
+        assert!((air.state.reference_pressure - (AMBIENT + 4000.0) * 0.0643 * height).abs() < 1e-4);
         let before = air;
         (0..1000).for_each(|_| air.advance(false, false));
         assert_eq!(air, before, "sealed");
@@ -129,6 +157,7 @@ mod tests {
         }
         assert!((5000..25_000).contains(&ticks), "{ticks}");
         (0..10_000).for_each(|_| air.advance(false, true));
-        assert_eq!(air.pressure(), 0.0);
+        // Absolute pressures near 1e5 have steps of 0.0078 in single precision, and the flow ends where they meet.
+        assert!(air.pressure() < 0.05, "{}", air.pressure());
     }
 }

@@ -1,11 +1,13 @@
 //! What a board would read of the plant: counts of encoders and converters, with gain errors and noise.
 //!
-//! In: heights, currents, pressure. Out: [`Readings`]. Noise comes from a seed, so runs repeat to the bit.
+//! In: heights, currents, pressure. Out: [`Readings`]. Noise is the runtime's, by number of the sample, so
+//! runs repeat to the bit.
 
 use super::Defect;
 use crate::tile::board::{COUNTS, CURRENT, DISPLACEMENT, NO_PRESSURE, PRESSURE, Readings, SUPPLY};
 use crate::tile::design::SWITCH;
 use crate::tile::drive::DRIVE;
+use smartbed_runtime::sensor::noise::Noise;
 
 /// Gains of the displacement sensors: 0.25 % wrong.
 const GAINS: [f32; 3] = [1.0025, 0.9975, 1.0015];
@@ -28,7 +30,9 @@ pub struct Place {
 /// Converters with their noise.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Converters {
-    noise: u32,
+    noise: Noise,
+    /// Samples taken so far, of all converters.
+    samples: u64,
     /// Counts at the start; an encoder knows no place.
     start: Option<[i32; 3]>,
     /// What was read last: what is stuck shows it for ever.
@@ -38,7 +42,7 @@ pub struct Converters {
 
 impl Default for Converters {
     fn default() -> Self {
-        Self { noise: 1, start: None, last: None, drift: 0 }
+        Self { noise: Noise::new(1), samples: 0, start: None, last: None, drift: 0 }
     }
 }
 
@@ -101,9 +105,8 @@ impl Converters {
 
     /// A count of a converter of twelve bits, off by -1, 0 or 1.
     fn converter(&mut self, count: f32) -> u16 {
-        // Numerical Recipes' generator; its high bits are the good ones.
-        self.noise = self.noise.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        let off = i32::from((self.noise >> 24) as u8 % 3) - 1;
+        self.samples = self.samples.wrapping_add(1);
+        let off = i32::from(self.noise.bits(self.samples) as u8 % 3) - 1;
         (floor(count) + off).clamp(0, 4095) as u16
     }
 }

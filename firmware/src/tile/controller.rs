@@ -7,9 +7,10 @@
 use super::bladder::{Bladder, Valves};
 use super::board::{Outputs, Readings};
 use super::design::{
-    ARRIVED, FLATTEN_FACTOR, NOT_ARRIVED, PRESSURE, SETTLING, STROKE, SWITCH, TRIM, UNHOMED_FACTOR,
+    ARRIVED, FLATTEN_FACTOR, NOT_ARRIVED, PAYLOAD, PRESSURE, SETTLING, STROKE, SWITCH, TRIM, UNHOMED_FACTOR,
 };
 use super::drive::DRIVE;
+use super::dynamics::loads;
 use super::fault::{Fault, Faults, Latch, Response};
 use super::guarded::Guarded;
 use super::home::{Homing, Step};
@@ -59,6 +60,8 @@ pub struct Controller {
     way: Way,
     /// Heights at which the drives went off.
     rest: Heights,
+    /// What the screws carry by the derived equations, where the legs are led (N).
+    loads: [f32; 3],
     bladder: Bladder,
     wanted_pressure: Option<f32>,
     outputs: Outputs,
@@ -83,6 +86,7 @@ impl Controller {
             servo: Servo::default(),
             way: Way::None,
             rest: [0.0; 3],
+            loads: [0.0; 3],
             bladder: Bladder::default(),
             wanted_pressure: None,
             outputs: Outputs::default(),
@@ -173,7 +177,9 @@ impl Controller {
         let doing = match self.following() {
             Some((wanted, sign)) => {
                 let seeks = matches!(&self.way, Way::Homing(homing) if homing.seeks());
-                Doing::Follow { wanted, sign, seeks }
+                let patient = Real::min(load(self.sense.pressure()), PAYLOAD);
+                self.loads = loads(&wanted, patient);
+                Doing::Follow { wanted, sign, seeks, loads: self.loads }
             }
             None => Doing::Rest(self.rest),
         };
@@ -336,7 +342,8 @@ impl Controller {
     fn act(&mut self) -> Outputs {
         let mut outputs = Outputs::default();
         if let Some((wanted, sign)) = self.following() {
-            (outputs.enable, outputs.duty) = (true, self.servo.duties(&self.sense, &wanted, &sign));
+            (outputs.enable, outputs.duty) =
+                (true, self.servo.duties(&self.sense, &wanted, &sign, &self.loads));
         } else if self.mode == Mode::SelfTest {
             (outputs.test, outputs.duty) = (true, [TEST_DUTY; 3]);
         }
@@ -378,6 +385,9 @@ impl Controller {
 
     fn start(&mut self, mode: Mode, way: Way) {
         self.way = way;
+        if let Some((wanted, _)) = self.following() {
+            self.loads = loads(&wanted, Real::min(load(self.sense.pressure()), PAYLOAD));
+        }
         self.servo = Servo::default();
         self.switch(mode);
     }

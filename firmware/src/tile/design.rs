@@ -56,6 +56,10 @@ pub const CURRENT_RISE: f32 = 0.15;
 pub const RISE_DOWN: (f32, f32) = (2.0, 0.03);
 /// See [`RISE_DOWN`].
 pub const FALL_DOWN: (f32, f32) = (0.6, 0.012);
+/// A leg's current may change by so many times what the model makes of it: where the patient lies is not known.
+pub const LOAD_MARGIN: f32 = 1.3;
+/// A leg that should carry less when it is learnt says nothing of later loads (N).
+pub const LEAST_LOAD: f32 = 10.0;
 /// Most current of a motor (A).
 pub const CURRENT: f32 = 1.2;
 /// Current that may show while drives are disabled (A).

@@ -113,7 +113,9 @@ impl Motion {
         for (to, way) in to.iter_mut().zip(way) {
             *to = Real::max(Real::min(*to + way * scale, STROKE), -STROKE);
         }
-        Self::new(here, to, factor)
+        // Not steeper than may be commanded: a motion that had just left a steep pose returns to it.
+        let is_allowed = heights(pose(to)).is_ok();
+        Self::new(here, if is_allowed { to } else { self.from }, factor)
     }
 }
 
@@ -172,5 +174,9 @@ mod tests {
         while back.advance().is_none() {}
         let [a, b, c] = back.wanted().map(|w| w.position);
         assert!((a - (0.01 - RETREAT)).abs() < 1e-7 && (b - 0.0025).abs() < 1e-7 && c == 0.0);
+        // From 15 degrees: 5 mm back would be steeper.
+        let steep = heights(Pose { zc: 0.0, tx: 0.0, ty: 0.26 }).expect("it is allowed");
+        let back = Motion::new(steep, [0.0; 3], 1.0).back(steep.map(|h| 0.95 * h), 1.0);
+        assert_eq!(back.end(), steep);
     }
 }

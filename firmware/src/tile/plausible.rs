@@ -7,8 +7,8 @@
 use super::board::{RAILS, Readings};
 use super::design::{
     CREEP, CURRENT, CURRENT_OFF, CURRENT_RISE, DISAGREEMENT, FALL_DOWN, FASTEST, FOLLOWING, GRAVITY,
-    MOST_WEIGHT, OVERPRESSURE, PRESSURE_DISAGREEMENT, RISE_DOWN, RUNAWAY_SPEED, SLOPE_FAULT,
-    SLOPE_RATE_FAULT, SUPPLY, SWITCH, SWITCH_PLAY,
+    LEAST_LOAD, LOAD_MARGIN, MOST_WEIGHT, OVERPRESSURE, PRESSURE_DISAGREEMENT, RISE_DOWN, RUNAWAY_SPEED,
+    SLOPE_FAULT, SLOPE_RATE_FAULT, SUPPLY, SWITCH, SWITCH_PLAY,
 };
 use super::drive::{DRIVE, SLOWEST};
 use super::fault::{Fault, Faults};
@@ -35,6 +35,8 @@ pub enum Doing {
         sign: [f32; 3],
         /// Are the lower switches looked for?
         seeks: bool,
+        /// What the screws should carry (N).
+        loads: [f32; 3],
     },
 }
 
@@ -50,6 +52,8 @@ pub struct Watch {
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 struct Push {
     smooth: f32,
+    /// Current and modelled load when it was learnt.
+    learnt: (f32, f32),
     least: f32,
     most: f32,
     ticks: u16,
@@ -67,7 +71,7 @@ impl Watch {
         pneumatic(&mut raw, readings, sense);
         match doing {
             Doing::Rest(at) => self.rest(&mut raw, sense, at),
-            Doing::Follow { wanted, sign, .. } => self.follow(&mut raw, sense, wanted, sign),
+            Doing::Follow { wanted, sign, loads, .. } => self.follow(&mut raw, sense, wanted, sign, loads),
         }
         self.last(raw)
     }
@@ -92,11 +96,18 @@ impl Watch {
     }
 
     /// Drives are on: legs are where they should be, as fast as they should, and push no more than so far.
-    fn follow(&mut self, raw: &mut Faults, sense: &Sense, wanted: &[Along; 3], sign: &[f32; 3]) {
+    fn follow(
+        &mut self,
+        raw: &mut Faults,
+        sense: &Sense,
+        wanted: &[Along; 3],
+        sign: &[f32; 3],
+        loads: &[f32; 3],
+    ) {
         self.off = 0;
         let legs = wanted.iter().zip(sign).zip(sense.heights.iter().zip(&sense.speeds));
-        let legs = legs.zip(sense.measured.current.iter().zip(&mut self.push));
-        for (((wanted, sign), (height, speed)), (current, push)) in legs {
+        let legs = legs.zip(sense.measured.current.iter().zip(&mut self.push).zip(loads));
+        for (((wanted, sign), (height, speed)), ((current, push), load)) in legs {
             let behind = wanted.position - height;
             let lags = Real::abs(behind) < FOLLOWING;
             // Behind and still going its way, or stopped: something is in the way. Anything else goes where it likes.
@@ -106,7 +117,7 @@ impl Watch {
             raw.set(Fault::Runaway, raw.has(Fault::Runaway) || (!lags && !blocked) || is_fast);
             let inertial = wanted.acceleration * DRIVE.inertia * DRIVE.gear() / DRIVE.constant;
             let is_quick = Real::abs(wanted.speed) > SLOWEST;
-            let pushes = push.take((current - inertial) * sign, *sign, is_quick);
+            let pushes = push.take((current - inertial) * sign, *load, *sign, is_quick);
             raw.set(Fault::Obstruction, raw.has(Fault::Obstruction) || pushes);
         }
         raw.set(Fault::Overload, self.weight(sense) > MOST_WEIGHT);
@@ -126,10 +137,12 @@ impl Watch {
 }
 
 impl Push {
-    /// Takes the current that pushes a leg its way (A); does it push more than the motion took so far?
+    /// Takes the current that pushes a leg its way (A) and the load that it should carry (N); does it push more than the
+    /// motion took so far? Whatever friction is, the current goes with the load: as much more, or less, as the model
+    /// makes of the current that was learnt is no obstacle.
     /// Going down it is also an obstacle if the motor has less to push: the obstacle carries the load. A screw that
     /// hardly turns sticks and slips, so what it takes then is no measure.
-    fn take(&mut self, current: f32, sign: f32, is_quick: bool) -> bool {
+    fn take(&mut self, current: f32, load: f32, sign: f32, is_quick: bool) -> bool {
         if sign != self.sign {
             *self = Self { sign, ..Self::default() };
         }
@@ -143,8 +156,12 @@ impl Push {
             self.most = Real::max(self.most, self.smooth);
         } else if is_quick || self.ticks <= LEARN.0 {
             (self.least, self.most) = (Real::max(self.least, self.smooth), self.smooth);
+            self.learnt = (self.smooth, load);
         }
-        let (rise, fall) = (self.smooth - self.least, self.most - self.smooth);
+        let (learnt, then) = self.learnt;
+        let change = if then > LEAST_LOAD { LOAD_MARGIN * learnt * (load - then) / then } else { 0.0 };
+        let (more, less) = (Real::max(change, 0.0), Real::max(-change, 0.0));
+        let (rise, fall) = (self.smooth - self.least - more, self.most - self.smooth - less);
         let share = |(share, least): (f32, f32), of: f32| Real::max(share * of, least);
         match () {
             () if sign == 0.0 => false,

@@ -1,13 +1,11 @@
 //! Position and speed loops of the legs, with feedforward.
 //!
-//! In: what is wanted of each leg, where it is, what it carries. Out: duties of the drives.
-//! The speed asked of a leg is v = v_wanted + `KP` e + integral of `KI` e; the duty is the one that gives it by the drive's
-//! statics (`super::drive`): back-EMF at v, friction in screw and worm under the load, inertia. The integral
-//! takes what the statics do not know: friction of this day, a load off its middle.
+//! In: what is wanted of each leg, where it is, what it carries (`super::dynamics`). Out: duties of the drives.
+//! The speed asked of a leg is v = v_wanted + `KP` e + integral of `KI` e; the duty is the one that gives it by the drive
+//! (`super::drive`): back-EMF at v, friction in screw and worm under the load, the motor's inertia. The integral
+//! takes what these do not know: friction of this day, a load off its middle.
 
-use super::design::{GRAVITY, OWN_WEIGHT, PAYLOAD};
 use super::drive::{DRIVE, Drive};
-use super::plausible::load;
 use super::profile::{Along, TICK};
 use super::sense::Sense;
 use smartbed_runtime::real::Real;
@@ -29,9 +27,14 @@ pub struct Servo {
 
 impl Servo {
     /// Duties of this tick; `sign` is the direction of each leg's way.
-    pub fn duties(&mut self, sense: &Sense, wanted: &[Along; 3], sign: &[f32; 3]) -> [f32; 3] {
+    pub fn duties(
+        &mut self,
+        sense: &Sense,
+        wanted: &[Along; 3],
+        sign: &[f32; 3],
+        loads: &[f32; 3],
+    ) -> [f32; 3] {
         let drive = Drive { supply: sense.measured.supply, ..DRIVE };
-        let loads = loads(sense);
         let mut duties = [0.0; 3];
         let legs = duties.iter_mut().zip(&mut self.integral).zip(wanted).zip(sign);
         for ((((duty, integral), wanted), sign), (height, load)) in legs.zip(sense.heights.iter().zip(loads))
@@ -39,18 +42,12 @@ impl Servo {
             let error = wanted.position - height;
             *integral = clamp(*integral + KI * TICK * error, MOST_INTEGRAL);
             let speed = wanted.speed + clamp(KP * error + *integral, MOST_CORRECTION);
-            let carried = if *sign == 0.0 { 0.0 } else { drive.torque(load, *sign > 0.0) };
+            let carried = if *sign == 0.0 { 0.0 } else { drive.torque(*load, *sign > 0.0) };
             let torque = carried + drive.inertia * drive.gear() * wanted.acceleration;
             *duty = clamp(drive.duty(torque, speed), 1.0);
         }
         duties
     }
-}
-
-/// What each leg carries (N): a third of the tile's own weight and of what lies on the bladder.
-fn loads(sense: &Sense) -> [f32; 3] {
-    let patient = Real::min(load(sense.pressure()), PAYLOAD) * GRAVITY;
-    [(OWN_WEIGHT + patient) / 3.0; 3]
 }
 
 fn clamp(x: f32, most: f32) -> f32 {

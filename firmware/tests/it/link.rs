@@ -1,13 +1,14 @@
 //! A supervisor talks to a tile over a line.
 
-use crate::wire::{KEY, Wire};
+use crate::wire::{Ends, KEY, Wire};
 use smartbed_firmware::link::message::{Command, Event, Outcome, Refusal, Report, Target, Trim};
 use smartbed_firmware::link::session::SILENCE;
 use smartbed_firmware::node::Node;
 use smartbed_firmware::plant::flash::provided;
-use smartbed_firmware::tile::board::Outputs;
-use smartbed_firmware::tile::board::Sensors;
+use smartbed_firmware::station::Station;
+use smartbed_firmware::tile::board::{Outputs, Readings, Sensors};
 use smartbed_firmware::tile::fault::Fault;
+use smartbed_firmware::tile::integrity::SLICE;
 use smartbed_firmware::tile::mode::Mode;
 
 const UP: Command = Command::Move(Target { heave: 0.004, slope_x: 0.0, slope_y: 0.0 });
@@ -156,4 +157,22 @@ fn a_tile_without_a_key_moves_for_nobody() {
     assert!(wire.has(Fault::Storage) && wire.mode() == Mode::Off);
     assert_eq!(wire.order(&Command::Enable), Some(Outcome::Refused(Refusal::Storage)));
     assert_eq!(*wire.node.controller().outputs(), Outputs::default());
+}
+
+/// The program's checksum of the first round is kept; a bit that flips later puts the tile off within two rounds, for good.
+#[test]
+fn a_flipped_bit_of_the_program_is_off() {
+    let node = Node::new(5, provided(KEY), 0);
+    let (mut station, mut program) = (Station::new(node, Ends::default()), vec![0xA5_u8; 4000]);
+    let readings = Readings::at_rest();
+    for _ in 0..1000 {
+        station.tick(&readings, &program);
+    }
+    assert_eq!(station.node().controller().mode(), Mode::Unhomed);
+    program[3999] ^= 0x80;
+    for _ in 0..2 * program.len() / SLICE + 2 {
+        station.tick(&readings, &program);
+    }
+    let controller = station.node().controller();
+    assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Memory));
 }

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Behaviours of the bed and rules of the firmware.
-const ROWS: usize = 20 + 16;
+/// Behaviours of the bed, rules of the firmware, and its check of itself.
+const ROWS: usize = 20 + 16 + 1;
 /// What tests and generator need and no image links.
 const NOT_LINKED: [&str; 4] = ["cobs 0.5.1", "proptest", "smartbed-codegen", "smartbed-runtime"];
 

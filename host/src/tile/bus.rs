@@ -36,6 +36,8 @@ pub struct Said {
 
 /// Takes what is said.
 pub type Listen<'a> = &'a mut dyn FnMut(Said) -> Result<(), Failure>;
+/// Is the motion that is waited for to be stopped?
+pub type Interrupt<'a> = &'a mut dyn FnMut() -> Result<bool, Failure>;
 
 /// A bus with its tiles.
 #[derive(Debug)]
@@ -72,11 +74,19 @@ impl Bus {
         self.now
     }
 
-    /// Does an order.
+    /// Does an order, to its end.
     ///
     /// # Errors
     /// [`Failure::Wrong`] if a command is refused, or a tile is gone.
     pub fn take(&mut self, order: &Order, listen: Listen) -> Result<(), Failure> {
+        self.take_until(order, listen, &mut || Ok(false))
+    }
+
+    /// Does an order; a motion to its end, or until it is to be stopped.
+    ///
+    /// # Errors
+    /// As [`Self::take`], and the interrupt's.
+    pub fn take_until(&mut self, order: &Order, listen: Listen, interrupt: Interrupt) -> Result<(), Failure> {
         match order {
             Order::Wait(ticks) => self.run(*ticks, listen),
             Order::Tile(number) if usize::from(*number) < self.tiles.len() => {
@@ -88,7 +98,11 @@ impl Bus {
                 Err(Failure::Wrong(format!("no tile {number}: there are {count}, from 0; see --tiles")))
             }
             Order::Break(defect) => self.tiles[self.current].0.strike(*defect),
-            Order::Send(command) => self.send(command, listen),
+            Order::Begin(command) => self.send(command, listen).map(drop),
+            Order::Send(command) => match self.send(command, listen)? {
+                true if moves(command) => self.settle(listen, interrupt),
+                _ => Ok(()),
+            },
         }
     }
 
@@ -108,7 +122,8 @@ impl Bus {
         self.tiles.remove(0).0.end()
     }
 
-    fn send(&mut self, command: &Command, listen: Listen) -> Result<(), Failure> {
+    /// Sends a command and waits for its answer; is it done?
+    fn send(&mut self, command: &Command, listen: Listen) -> Result<bool, Failure> {
         self.greet(listen)?;
         // All faults that can be cleared are meant: those that are there.
         let peer = &self.tiles[self.current].1;
@@ -125,7 +140,7 @@ impl Bus {
         self.down.extend(encode(&body));
         self.is_asked |= command == Command::Status;
         if !command.needs_tag() && command != Command::Stop {
-            return self.run(PATIENCE, listen);
+            return self.run(PATIENCE, listen).map(|()| true);
         }
         let mut answer = None;
         for _ in 0..PATIENCE {
@@ -143,8 +158,7 @@ impl Bus {
             }
         }
         match answer {
-            Some(Outcome::Done) if moves(&command) => self.settle(listen),
-            Some(Outcome::Done | Outcome::Waits) => Ok(()),
+            Some(outcome @ (Outcome::Done | Outcome::Waits)) => Ok(outcome == Outcome::Done),
             Some(Outcome::Refused(why)) => Err(refused(&command, why)),
             None => Err(Failure::Wrong(format!("{command:?}: no answer within {PATIENCE} ms"))),
         }
@@ -166,13 +180,16 @@ impl Bus {
     }
 
     /// Until the tile has come to rest.
-    fn settle(&mut self, listen: Listen) -> Result<(), Failure> {
+    fn settle(&mut self, listen: Listen, interrupt: Interrupt) -> Result<(), Failure> {
         // The telemetry still tells of the time before.
         self.run(250, listen)?;
         let start = self.now;
         while self.is_moving() {
             if self.now.wrapping_sub(start) > LONGEST {
                 return Err(Failure::Wrong("the tile still moves".to_owned()));
+            }
+            if interrupt()? {
+                return self.send(&Command::Stop, listen).map(drop);
             }
             self.run(BATCH, listen)?;
         }

@@ -15,15 +15,18 @@ pub mod show;
 use crate::failure::Failure;
 use crate::firmware::chip::{Chip, STM32F405};
 use crate::output;
-use bus::Bus;
+use bus::{Bus, Said};
 use machine::{Kind, Machine};
 use order::Order;
-use std::io::BufRead;
+use smartbed_firmware::link::message::Command;
+use std::collections::VecDeque;
+use std::io::{BufRead, IsTerminal};
+use std::sync::mpsc::{Receiver, channel};
 
 /// Talk to tile controllers: move, tilt, inflate, ask.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Orders: enable, home, move HEAVE [TILT_X TILT_Y], inflate PRESSURE, flatten, stop, clear, status, log, identify,\nwait TIME, tile N, break DEFECT.\n\nExample:\n  cargo smartbed tile 'enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; log'\n  cargo smartbed tile --native --plot 'enable; move -10_mm; status'\n  cargo smartbed tile --budget"
+    after_help = "Orders: enable, home, move HEAVE [TILT_X TILT_Y], inflate PRESSURE, flatten, stop, clear, status, log, identify,\nwait TIME, tile N, break DEFECT. A motion is waited for, unless `&` stands behind its order; typed on a terminal,\n`stop` is taken while it goes on.\n\nExample:\n  cargo smartbed tile 'enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; log'\n  cargo smartbed tile --native --plot 'enable; move -10_mm; status'\n  cargo smartbed tile --budget"
 )]
 pub struct Arguments {
     /// Orders, with `;` between them; read from standard input if left out.
@@ -40,8 +43,11 @@ pub struct Arguments {
     /// Draw the heights while a tile moves.
     #[arg(long)]
     pub plot: bool,
+    /// Print what tiles say as JSON, an object a line; telemetry too.
+    #[arg(long)]
+    pub json: bool,
     /// Hold what the controller costs on the chip against its limits: flash, RAM, stack, instructions of a tick.
-    #[arg(long, conflicts_with_all = ["orders", "native", "machine", "tiles", "plot"])]
+    #[arg(long, conflicts_with_all = ["orders", "native", "machine", "tiles", "plot", "json"])]
     pub budget: bool,
 }
 
@@ -59,23 +65,62 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let program = machine::build(kind)?;
     let machines = (0..arguments.tiles).map(|number| Machine::start(&program, number, None));
     let mut bus = Bus::new(machines.collect::<Result<_, _>>()?);
-    output::print(&show::margin(bus.margin()))?;
+    let (json, plots) = (arguments.json, arguments.plot);
+    output::print(&if json { show::start(bus.margin()) } else { show::margin(bus.margin()) })?;
+    let mut print = |said: Said| show::said(&said, plots, json).map_or(Ok(()), |text| output::print(&text));
     match orders {
-        Some(orders) => orders.iter().try_for_each(|order| take(&mut bus, order, arguments.plot))?,
+        Some(orders) => orders.iter().try_for_each(|order| bus.take(order, &mut print))?,
         None => {
-            for line in std::io::stdin().lock().lines() {
-                let line = line.map_err(|e| Failure::Wrong(format!("standard input: {e}")))?;
-                for order in order::read(&line)? {
-                    take(&mut bus, &order, arguments.plot)?;
-                }
+            let mut typed = Typed::new();
+            while let Some(order) = typed.next()? {
+                bus.take_until(&order, &mut print, &mut || typed.is_stopped())?;
             }
         }
     }
     bus.end()
 }
 
-/// Does one order and says what came of it.
-fn take(bus: &mut Bus, order: &Order, plots: bool) -> Result<(), Failure> {
-    let mut print = |text: String| output::print(&text);
-    bus.take(order, &mut |said| show::said(&said, plots).map_or(Ok(()), &mut print))
+/// Orders from standard input, read while others are done.
+struct Typed {
+    lines: Receiver<std::io::Result<String>>,
+    waiting: VecDeque<Order>,
+    /// A script's orders stand in its order: only who types can stop what goes on.
+    is_terminal: bool,
+}
+
+impl Typed {
+    fn new() -> Self {
+        let (sender, lines) = channel();
+        // It ends with standard input, or with the program.
+        std::thread::spawn(move || {
+            std::io::stdin().lock().lines().try_for_each(|line| sender.send(line)).unwrap_or_default();
+        });
+        Self { lines, waiting: VecDeque::new(), is_terminal: std::io::stdin().is_terminal() }
+    }
+
+    fn take(&mut self, line: std::io::Result<String>) -> Result<(), Failure> {
+        let line = line.map_err(|e| Failure::Wrong(format!("standard input: {e}")))?;
+        self.waiting.extend(order::read(&line)?);
+        Ok(())
+    }
+
+    /// The next order; waits for it. None at the end of the input.
+    fn next(&mut self) -> Result<Option<Order>, Failure> {
+        while self.waiting.is_empty() {
+            let Ok(line) = self.lines.recv() else { return Ok(None) };
+            self.take(line)?;
+        }
+        Ok(self.waiting.pop_front())
+    }
+
+    /// Has `stop` been typed meanwhile? What was typed before it is dropped.
+    fn is_stopped(&mut self) -> Result<bool, Failure> {
+        while let Some(line) = self.lines.try_recv().ok().filter(|_| self.is_terminal) {
+            self.take(line)?;
+        }
+        let place = self.waiting.iter().rposition(|order| *order == Order::Send(Command::Stop));
+        let place = place.filter(|_| self.is_terminal);
+        place.into_iter().for_each(|place| drop(self.waiting.drain(..=place)));
+        Ok(place.is_some())
+    }
 }

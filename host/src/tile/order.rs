@@ -10,6 +10,8 @@ use smartbed_firmware::link::message::{Command, Target};
 pub enum Order {
     /// Send a command, and go on when its motion, if it has one, is over.
     Send(Command),
+    /// Send a command, and go on at once: `&` behind it.
+    Begin(Command),
     /// Go on for so long (ms).
     Wait(u32),
     /// Talk to this tile from now on.
@@ -27,6 +29,14 @@ pub fn read(text: &str) -> Result<Vec<Order>, Failure> {
 }
 
 fn one(text: &str) -> Result<Order, Failure> {
+    if let Some(order) = text.strip_suffix('&') {
+        return match one(order)? {
+            Order::Send(command) => Ok(Order::Begin(command)),
+            _ => {
+                Err(Failure::Wrong(format!("`{text}`: expected a command before `&`, for example `home &`")))
+            }
+        };
+    }
     let words: Vec<&str> = text.split_whitespace().collect();
     let wrong = |expected: &str| Failure::Wrong(format!("`{text}`: expected {expected}"));
     let command = |command: Command| Ok(Order::Send(command));
@@ -95,14 +105,16 @@ mod tests {
 
     #[test]
     fn orders_are_read() {
-        let orders =
-            read("enable; move 5_mm 45_deg 0deg;; wait 1.5_s; inflate 30_mmHg; tile 2; break lvdt-stuck")
-                .unwrap();
+        let orders = read(
+            "enable; home &; move 5_mm 45_deg 0deg;; wait 1.5_s; inflate 30_mmHg; tile 2; break lvdt-stuck",
+        )
+        .unwrap();
         let target = Target { heave: 0.005, slope_x: 1.0, slope_y: 0.0 };
         assert_eq!(
             orders,
             [
                 Order::Send(Command::Enable),
+                Order::Begin(Command::Home),
                 Order::Send(Command::Move(target)),
                 Order::Wait(1500),
                 Order::Send(Command::Pressure(3999.66)),
@@ -120,6 +132,7 @@ mod tests {
             ("move 5_deg", "unit of mm, m"),
             ("wait -1_s", "up to a day"),
             ("break wind", "motor-on"),
+            ("wait 1_s &", "a command before `&`"),
             ("tile x", "a number from 0"),
         ] {
             let message = read(text).unwrap_err().to_string();

@@ -1,6 +1,7 @@
 //! What tiles say, in words, and heights as a line of the terminal.
 
 use super::bus::Said;
+use serde_json::{Value, json};
 use smartbed_firmware::link::message::{Event, Outcome, Report, State};
 use smartbed_firmware::tile::design::STROKE;
 use smartbed_firmware::tile::fault::{Fault, Faults};
@@ -17,9 +18,18 @@ pub fn margin(margin: f64) -> String {
     format!("screws {word} their load without power: margin {margin:.3} at the lowest friction\n")
 }
 
-/// What is worth a line: of telemetry, which comes ten times a second, only what is drawn.
+/// The same as JSON.
 #[must_use]
-pub fn said(said: &Said, plots: bool) -> Option<String> {
+pub fn start(margin: f64) -> String {
+    format!("{}\n", json!({ "kind": "start", "time": 0.0, "margin": margin }))
+}
+
+/// What is worth a line: everything as JSON; in words, of telemetry, which comes ten times a second, only what is drawn.
+#[must_use]
+pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
+    if as_json {
+        return Some(format!("{}\n", object(said)));
+    }
     let Said { tile, time, report, is_asked } = said;
     let text = match report {
         Report::State(state) if *is_asked => describe(state),
@@ -35,6 +45,39 @@ pub fn said(said: &Said, plots: bool) -> Option<String> {
         }
     };
     Some(format!("{:>9.3} s  tile {tile}  {text}\n", f64::from(*time) * 1e-3))
+}
+
+/// What was said as an object of `docs/json.schema.json`.
+fn object(said: &Said) -> Value {
+    let mut object = match &said.report {
+        Report::State(state) => json!({
+            "kind": "state",
+            "mode": mode(state.mode),
+            "faults": names(state.faults),
+            "heights": state.heights,
+            "wanted": state.wanted,
+            "duties": state.duty,
+            "pressure": state.pressure,
+            "load": state.load,
+            "enabled": state.flags & 1 != 0,
+            "supply": state.flags & 2 != 0,
+            "vent": state.flags & 4 != 0,
+            "homed": state.flags & 8 != 0,
+            "armed": state.flags & 16 != 0,
+        }),
+        Report::Answer(sequence, outcome) => {
+            json!({ "kind": "answer", "sequence": sequence, "outcome": format!("{outcome:?}") })
+        }
+        Report::Entry(number, tick, event) => {
+            json!({ "kind": "entry", "number": number, "tick": tick, "event": entry(event) })
+        }
+        Report::Identity(protocol, entries, lost, refused) => json!({
+            "kind": "identity", "protocol": protocol, "entries": entries, "lost": lost, "refused": refused,
+        }),
+    };
+    object["time"] = json!(f64::from(said.time) * 1e-3);
+    object["tile"] = json!(said.tile);
+    object
 }
 
 fn describe(state: &State) -> String {
@@ -85,9 +128,13 @@ fn mode(number: u8) -> &'static str {
 }
 
 fn faults(bits: u32) -> String {
-    let set = Faults::from_bits(bits);
-    let names: Vec<&str> = Fault::ALL.into_iter().filter(|f| set.has(*f)).map(Fault::name).collect();
+    let names = names(bits);
     if names.is_empty() { String::new() } else { format!(", faults: {}", names.join(", ")) }
+}
+
+fn names(bits: u32) -> Vec<&'static str> {
+    let set = Faults::from_bits(bits);
+    Fault::ALL.into_iter().filter(|f| set.has(*f)).map(Fault::name).collect()
 }
 
 #[cfg(test)]
@@ -100,12 +147,12 @@ mod tests {
     fn states_are_told_in_words_and_drawn() {
         let state = State { mode: 4, faults: 1, heights: [0.029, 0.0, -0.029], flags: 8, ..State::default() };
         let told = Said { tile: 3, time: 1001, report: Report::State(state), is_asked: true };
-        let text = said(&told, false).unwrap();
+        let text = said(&told, false, false).unwrap();
         assert!(text.contains("1.001 s  tile 3  ready") && text.contains("faults: Height"), "{text}");
-        assert_eq!(said(&Said { is_asked: false, ..told }, false), None, "telemetry");
+        assert_eq!(said(&Said { is_asked: false, ..told }, false, false), None, "telemetry");
         let drawn = line(&state);
         assert!(drawn.starts_with("|C") && drawn.contains("A| 0.00 kPa"), "{drawn}");
-        let entry = said(&Said { report: Report::Entry(7, 4, Event::Mode(8)), ..told }, true).unwrap();
+        let entry = said(&Said { report: Report::Entry(7, 4, Event::Mode(8)), ..told }, true, false).unwrap();
         assert!(entry.contains("log 7 at 4 ms: off"), "{entry}");
     }
 }

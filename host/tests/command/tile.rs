@@ -109,3 +109,26 @@ fn what_is_refused_says_why_and_what_to_do() {
         assert!(done.status == 1 && done.err.contains(expected), "{done:?}");
     }
 }
+
+#[test]
+fn a_motion_that_is_not_waited_for_can_be_stopped() {
+    let done =
+        smartbed(&["tile", "--native", "enable; move 10_mm &; wait 1_s; status; stop; wait 200_ms; status"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    assert!(done.out.contains("moving: heave") && done.out.contains("hold: heave -1"), "{done:?}");
+}
+
+#[test]
+fn json_is_what_the_schema_says() {
+    let done =
+        smartbed(&["tile", "--native", "--json", "identify; enable; move -19_mm; inflate 99_kPa; log"]);
+    // The pressure is refused, in an answer too.
+    assert_eq!(done.status, 1, "{done:?}");
+    let mut kinds = std::collections::BTreeSet::new();
+    for line in done.out.lines() {
+        let value: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        crate::schema::holds("tile", &value);
+        kinds.insert(value["kind"].as_str().expect("a kind").to_owned());
+    }
+    assert_eq!(kinds.into_iter().collect::<Vec<_>>(), ["answer", "identity", "start", "state"]);
+}
