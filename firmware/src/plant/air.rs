@@ -49,18 +49,16 @@ impl<S: Scalar + From<f32>> Air<S> {
     #[must_use]
     pub fn with_weight(weight: S) -> Self {
         let (gas, ambient) = (Gas::air(), S::from_f64(AMBIENT));
-        let line = |hole: f64, over: f64| Line {
-            nozzle: Nozzle::orifice(&gas, S::from_f64(hole), S::from_f64(DISCHARGE)),
+        let line = |hole: S, over: S| Line {
+            nozzle: Nozzle::orifice(&gas, hole, S::from_f64(DISCHARGE)),
             opening: S::ZERO,
-            reservoir: Source {
-                pressure: ambient + S::from_f64(over),
-                temperature: S::from_f64(TEMPERATURE),
-            },
+            reservoir: Source { pressure: ambient + over, temperature: S::from_f64(TEMPERATURE) },
         };
+        let lines = [line(S::from_f64(HOLES.0), S::from_f64(PUMP)), line(S::from_f64(HOLES.1), S::ZERO)];
         let height = Real::max(S::from_f64(SHEET.1) - weight / S::from_f64(SHEET.0), S::from_f64(BOTTOM));
         let mut air = Self {
             chamber: Chamber { gas, exponent: S::ONE, reference_volume: S::ONE, ambient },
-            lines: [line(HOLES.0, PUMP), line(HOLES.1, 0.0)],
+            lines,
             state: GasState { reference_pressure: S::ZERO, mass: S::ZERO },
             low: S::ZERO,
             weight,
