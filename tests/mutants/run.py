@@ -1,12 +1,12 @@
 """Mutation testing with one build: which wrong changes of the code does no test notice?
 
-    python3 tests/mutants/run.py [--seed 1] [--count 300] [--only REGEX] [--jobs 1] [--again]
+    python3 tests/mutants/run.py [--seed 1] [--count 300] [--only REGEX] [--jobs 1] [--again] [--so-far]
 
 `places.py` lists what may be changed, from the syntax tree: operators, signs, whole functions, and calls that build
 expressions (`pip install tree-sitter tree-sitter-rust`); `areas.py` says where, and which tests can notice it. A seed
 draws from the list, `switched.py` builds all that is drawn at once. Each mutant is then a run of the test programs
 that can kill it, until one fails, stage by stage. Verdicts go to target/mutants/verdicts-SEED.jsonl as they are found: a run that was
-stopped goes on where it was; `--again` runs those anew that survived.
+stopped goes on where it was; `--again` runs those anew that survived, `--so-far` runs none and tells what is known.
 
 Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not.
 """
@@ -57,7 +57,8 @@ def listed(pattern):
 def draw(seed, count, only, refused):
     """So many places, none inside another, but those that the compiler is known to refuse. What is drawn does not hang
     on what changes elsewhere in the code."""
-    drawn = [dict(change, tests=tests) for pattern, tests in areas.AREAS for change in listed(pattern)]
+    drawn = [dict(change, tests=tests, area=pattern.removesuffix("/**/*.rs"))
+             for pattern, tests in areas.AREAS for change in listed(pattern)]
     drawn = [c for c in drawn if c["key"] not in refused and (not only or re.search(only, c["key"]))]
     drawn.sort(key=lambda c: hashlib.sha256(f"{seed} {c['key']}".encode()).digest())
     kept = []
@@ -154,18 +155,18 @@ class Verdicts:
         return killer is None and last < stage
 
 
-def judge(changes, stage, verdicts, jobs):
-    """All that live through one stage; False if the compiler refused some, so that there are others to draw."""
+def judge(changes, waiting, stage, verdicts, jobs):
+    """Those waiting for one stage; False if the compiler refused some of all, so that there are others to draw."""
     programs, refused = switched.build(changes, stage)
     for change in refused:
         verdicts.note(change["key"], stage, REFUSED)
     if refused:
         return False
     judge = Judge(programs)
-    for program in sorted({program for c in changes for program in c["tests"][stage]}):
+    for program in sorted({program for c in waiting for program in c["tests"][stage]}):
         judge.prepare(program)
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        at_work = {pool.submit(judge.verdict, c, stage): c for c in changes}
+        at_work = {pool.submit(judge.verdict, c, stage): c for c in waiting}
         for done in concurrent.futures.as_completed(at_work):
             verdicts.note(at_work[done]["key"], stage, done.result())
     return True
@@ -178,6 +179,7 @@ def main():
     arguments.add_argument("--only", help="draw only where this matches `file | line | change`")
     arguments.add_argument("--jobs", type=int, default=1)
     arguments.add_argument("--again", action="store_true", help="run anew what survived")
+    arguments.add_argument("--so-far", action="store_true", help="run none, tell what is known")
     asked = arguments.parse_args()
     start = time.time()
     reasons = dict(line.split("\t", 1) for line in (HERE / "survivors.tsv").read_text().splitlines()[1:] if line)
@@ -185,21 +187,36 @@ def main():
     verdicts = Verdicts(switched.WORK / f"verdicts-{asked.seed}.jsonl")
     if asked.again:
         verdicts.found = {key: found for key, found in verdicts.found.items() if found[1]}
-    stage = 0
+    stage = areas.STAGES if asked.so_far else 0
+    changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
     while stage < areas.STAGES:
-        changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
         waiting = [c for c in changes if verdicts.waits(c, stage)]
-        if not waiting or judge(waiting, stage, verdicts, asked.jobs):
+        if not waiting or judge(changes, waiting, stage, verdicts, asked.jobs):
             stage += 1
-    survivors = [c["key"] for c in changes if not verdicts.found[c["key"]][1]]
-    unexplained = [key for key in survivors if key not in reasons]
-    for key in unexplained:
-        print(f"UNEXPLAINED\t{key}")
-    share = len(unexplained) / max(len(changes), 1)
-    print(f"seed {asked.seed}: {len(changes)} mutants, {len(changes) - len(survivors)} killed, "
-          f"{len(survivors) - len(unexplained)} explained, {len(unexplained)} unexplained ({share:.1%}), "
-          f"{(time.time() - start) / 60:.0f} min")
+        changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
+    share = table(changes, verdicts, reasons)
+    print(f"seed {asked.seed}, {(time.time() - start) / 60:.0f} min")
     return int(share > UNEXPLAINED)
+
+
+def table(changes, verdicts, reasons):
+    """Prints what became of the mutants of each area; returns the share of those judged that survive without a reason."""
+    columns = ["waiting", "killed", "explained", "unexplained"]
+    counts = collections.defaultdict(collections.Counter)
+    for change in changes:
+        stage, killer = verdicts.found.get(change["key"], (-1, None))
+        fate = "killed" if killer else "explained" if change["key"] in reasons else "unexplained"
+        if not killer and stage < areas.STAGES - 1:
+            fate = "waiting"
+        if fate == "unexplained":
+            print(f"UNEXPLAINED\t{change['key']}")
+        for row in (change["area"], "all"):
+            counts[row][fate] += 1
+    print(f"| where | drawn | {' | '.join(columns)} |\n|---{'|---' * 5}|")
+    for row, count in counts.items():
+        print(f"| {row} | {count.total()} | {' | '.join(str(count[c]) for c in columns)} |")
+    judged = counts["all"].total() - counts["all"]["waiting"]
+    return counts["all"]["unexplained"] / max(judged, 1)
 
 
 if __name__ == "__main__":
