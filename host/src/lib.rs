@@ -27,6 +27,7 @@ pub mod crate_folder;
 pub mod engine;
 pub mod limits;
 pub mod model_argument;
+pub mod observers;
 pub mod speeds;
 
 pub mod plot;
@@ -43,4 +44,6 @@ pub mod new;
 pub mod report;
 pub mod run;
 pub mod scene;
+pub mod settle;
 pub mod tile;
+pub mod world;

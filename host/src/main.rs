@@ -2,8 +2,8 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{
-    check, derive, diagnostics, equilibrium, eval, figure, firmware, manual, new, output, report, run, tile,
-    view,
+    check, derive, diagnostics, equilibrium, eval, figure, firmware, manual, new, output, report, run,
+    settle, tile, view,
 };
 use std::io::Write;
 use std::process::ExitCode;
@@ -33,6 +33,8 @@ enum Command {
     Equilibrium(equilibrium::Arguments),
     /// Simulate, and write rows, plots or an animation.
     Run(run::Arguments),
+    /// Find where a world of several parts rests.
+    Settle(settle::Arguments),
     /// Show the motion in a page that follows the file.
     View(view::Arguments),
     /// Speed against error: tables, plots, one HTML page.
@@ -68,6 +70,7 @@ fn main() -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Equilibrium(arguments) => equilibrium::run(&arguments),
         Command::Run(arguments) => run::run(&arguments),
+        Command::Settle(arguments) => settle::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Figure(arguments) => figure::run(&arguments),

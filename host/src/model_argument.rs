@@ -6,7 +6,7 @@
 use crate::failure::Failure;
 use crate::grouped;
 use crate::output::{self, Stream};
-use crate::suggest;
+use crate::{input, suggest, world};
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
 use std::path::{Path, PathBuf};
@@ -49,14 +49,20 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     )))
 }
 
-/// Names of all models and scenes, models first.
+/// Is the file a scene of format 2, a world?
+#[must_use]
+pub fn is_world(path: &Path) -> bool {
+    input::text(&path.display().to_string()).is_ok_and(|text| world::read::is_world(&text))
+}
+
+/// Names of all models and scenes of format 1, models first.
 #[must_use]
 pub fn all() -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for folder in model_folders() {
         let mut found = names_in(&folder);
         found.sort();
-        found.retain(|name| !names.contains(name));
+        found.retain(|name| !names.contains(name) && !is_world(&folder.join(format!("{name}.toml"))));
         names.extend(found);
     }
     names
@@ -68,7 +74,22 @@ pub fn all() -> Vec<String> {
 /// [`Failure::Wrong`] if there is none, or with everything that is wrong in it.
 pub fn read(argument: &str) -> Result<Model, Failure> {
     let path = find(argument)?;
+    refuse_world(&path)?;
     model::read(&path).map_err(|errors| wrong(&errors))
+}
+
+/// Refuses a scene of format 2 where models or scenes of format 1 are taken.
+///
+/// # Errors
+/// [`Failure::Wrong`] that names what takes it.
+pub fn refuse_world(path: &Path) -> Result<(), Failure> {
+    match is_world(path) {
+        true => Err(Failure::Wrong(format!(
+            "{}: a scene of format 2; expected a model or a scene of format 1: `run` and `view` take worlds",
+            path.display()
+        ))),
+        false => Ok(()),
+    }
 }
 
 /// A list of findings as a failure.

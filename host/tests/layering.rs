@@ -5,9 +5,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of the library.
-const LIBRARY: [&str; 2] = ["scene", "engine"];
+const LIBRARY: [&str; 3] = ["scene", "world", "engine"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 8] = ["engine", "failure", "firmware", "input", "json", "limits", "scene", "suggest"];
+const ALLOWED: [&str; 11] = [
+    "configuration",
+    "engine",
+    "failure",
+    "firmware",
+    "input",
+    "json",
+    "limits",
+    "observers",
+    "scene",
+    "suggest",
+    "world",
+];
 /// Files that draw, which may use `plot` too.
 const PICTURES: [&str; 2] = ["scene/graph.rs", "scene/pictures.rs"];
 /// What is left to be moved out of the library: the names of engines on the command line, and the word that a build

@@ -19,6 +19,7 @@ pub fn folder(package: &str, program: &str) -> Option<PathBuf> {
         ("smartbed-firmware", "it") => "firmware/tests/it",
         ("smartbed", "command") => "host/tests/command",
         ("smartbed", "fuzz") => "host/tests/fuzz",
+        ("smartbed", "world") => "host/tests/world",
         _ => return None,
     };
     Some(root().join(folder))

@@ -19,9 +19,11 @@ pub mod unit;
 mod walk;
 mod wrench;
 
+pub use check::quantity::quantity;
 pub use data::*;
 pub use expression::{Axis, Expr};
 pub use ids::*;
 pub use read::{parse, parse_with, read};
 pub use text::amount::marks;
+pub use text::{document, fields::Fields};
 pub use walk::Role;

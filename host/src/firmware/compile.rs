@@ -12,6 +12,7 @@ use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use crate::limits::check_numbers;
+use crate::model_argument;
 use crate::scene::{self, Simulation, tables};
 use smartbed_runtime::ode::nodes::Step;
 use std::fs;
@@ -61,6 +62,7 @@ impl Settings {
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
+        model_argument::refuse_world(&model)?;
         let (subject, steps) = if scene::read::is_scene(&model) {
             let (tables, steps) = print_scene(&model, &arguments.set)?;
             (Subject::Scene(tables), steps)

@@ -4,7 +4,7 @@
 //! external - drive, which is 0 in exact arithmetic. Works are integrals of powers over each step by
 //! Simpson's rule; between two states a cubic (Hermite) or the method's own dense output.
 
-use super::observers::{LEDGER, Observers};
+use crate::observers::{LEDGER, Observers};
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 

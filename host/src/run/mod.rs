@@ -5,10 +5,10 @@ mod choose;
 pub mod events;
 pub mod health;
 pub mod ledger;
-pub mod observers;
 mod plant;
 pub mod settings;
 pub mod simulate;
+mod world;
 
 use self::events::Events;
 use crate::configuration::Configurations;
@@ -16,6 +16,7 @@ use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::{digits, json_number, json_object};
+use crate::observers::Observers;
 use crate::output::{self, Output};
 use crate::plot::Recording;
 use crate::plot::motion::{self, Motion};
@@ -23,8 +24,8 @@ use crate::plot::panels;
 use crate::progress::{Progress, Waiting};
 use crate::view::film::Series;
 use crate::view::{Film, Stage};
+use crate::world::Assembly;
 use crate::{model_argument, plot, speeds, view};
-use observers::Observers;
 use settings::Settings;
 use simulate::{Row, Setup, Summary, columns};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -90,6 +91,12 @@ pub struct Arguments {
     /// Changes a parameter or a start value; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Write where the run has come to, to go on from; scenes of format 2.
+    #[arg(long, value_name = "FILE")]
+    pub save: Option<String>,
+    /// Go on from what --save wrote; --seconds counts from the first start.
+    #[arg(long, value_name = "FILE")]
+    pub resume: Option<String>,
     /// What evaluates.
     #[arg(long, value_enum, default_value_t)]
     pub engine: EngineKind,
@@ -113,6 +120,21 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         output::write(file, view::page(&film).as_bytes())?;
     }
     tell(arguments, &text, &findings)
+}
+
+/// The world that the arguments name, changed by their settings.
+///
+/// # Errors
+/// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if the file is none.
+pub fn world(arguments: &Arguments) -> Result<Assembly, Failure> {
+    let path = model_argument::find(&arguments.model)?;
+    match model_argument::is_world(&path) {
+        true => world::open(arguments, &path),
+        false => Err(Failure::Wrong(format!(
+            "{}: expected a scene of format 2, with [parts.NAME]",
+            path.display()
+        ))),
+    }
 }
 
 /// What a run leaves behind beside its files.
@@ -140,6 +162,12 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
         plot::format_of(file)?;
     }
     let path = model_argument::find(&arguments.model)?;
+    if model_argument::is_world(&path) {
+        return world::simulate(arguments, &path);
+    }
+    if arguments.save.is_some() || arguments.resume.is_some() {
+        return Err(Failure::Wrong("--save and --resume: expected a scene of format 2".to_owned()));
+    }
     let is_scene = body::is_scene(&path);
     let arguments = &choose::resolve(arguments, &path, is_scene)?;
     if is_scene {

@@ -3,8 +3,8 @@
 //! In: an engine and the laws as a program. Out: rates, projection, and the answers of the engine, with the inputs that the
 //! laws command at each state.
 
-use super::observers::Observers;
 use crate::engine::{Engine, EngineScalar};
+use crate::observers::Observers;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::Ode;

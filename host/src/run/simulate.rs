@@ -6,7 +6,6 @@
 
 use super::health::{Energies, Health, Range};
 use super::ledger::{self, Ledger};
-use super::observers::Observers;
 pub use super::plant::Plant;
 use super::settings::Settings;
 use crate::engine::{Engine, EngineScalar, explain};
@@ -14,6 +13,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::limits::{Angles, check_numbers};
 use crate::number::worst;
+use crate::observers::Observers;
 use crate::progress::Progress;
 use smartbed_codegen::{Interpreted, Program};
 use smartbed_runtime::mechanism::Fault;

@@ -81,6 +81,12 @@ impl Fields {
         Ok(fields)
     }
 
+    /// Keys and values that come from another text: messages are `KEY: what is wrong`, their places are the caller's.
+    #[must_use]
+    pub fn of_map(map: Map<String, Value>) -> Fields {
+        Fields { path: String::new(), text: String::new(), map, written: BTreeMap::new() }
+    }
+
     /// Sets a key: `name=value` as `--set` takes it, or an option of its own, `--name=value`. The value is TOML,
     /// JSON or a bare word. Returns the key.
     ///
@@ -123,6 +129,7 @@ impl Fields {
         let name = match self.written.get(key) {
             Some(Written::Setting(setting)) => return format!("{setting}: {message}"),
             Some(Written::Text(name)) => name,
+            None if self.path.is_empty() => return format!("{key}: {message}"),
             None => key,
         };
         let starts = |line: &str| {

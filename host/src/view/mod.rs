@@ -9,6 +9,7 @@ pub mod film;
 pub mod serve;
 pub mod stage;
 pub mod still;
+pub mod world;
 
 pub use film::Film;
 pub use stage::Stage;

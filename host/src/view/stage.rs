@@ -8,35 +8,35 @@ use smartbed_codegen::model::expression::ExprKind;
 use smartbed_codegen::model::{Axis, LoadKind, Model, Shape, ShapeKind, Shown};
 
 /// Numbers of a body's mass and inertia among the places of a row.
-const INERTIA: usize = 7;
+pub(super) const INERTIA: usize = 7;
 
 /// A body as the page is told of it.
 #[derive(Clone, Debug)]
-struct Solid {
-    name: String,
+pub(super) struct Solid {
+    pub(super) name: String,
     /// Number of the centre's point.
-    centre: usize,
-    has_frame: bool,
-    colour: Option<[u8; 3]>,
-    is_hidden: bool,
+    pub(super) centre: usize,
+    pub(super) has_frame: bool,
+    pub(super) colour: Option<[u8; 3]>,
+    pub(super) is_hidden: bool,
 }
 
 /// The stage of a model or scene.
 #[derive(Clone, Debug)]
 pub struct Stage {
     /// What the page reads, but for solids.
-    fixed: Value,
-    bodies: Vec<Solid>,
+    pub(super) fixed: Value,
+    pub(super) bodies: Vec<Solid>,
     /// Bodies with a shape of their own: which, what, how many of the first row's numbers are its lengths.
-    shapes: Vec<(usize, Value, usize)>,
+    pub(super) shapes: Vec<(usize, Value, usize)>,
     /// Gravity stands in the first row, too.
-    gravity: Option<[f64; 3]>,
+    pub(super) gravity: Option<[f64; 3]>,
     /// Numbers of a row that move: places of points, then x and y of every body's frame.
     pub moving: usize,
 }
 
 impl Stage {
-    /// For a model; a row's places are those of [`crate::run::observers::Observers::places`].
+    /// For a model; a row's places are those of [`crate::observers::Observers::places`].
     #[must_use]
     pub fn of_model(model: &Model) -> Self {
         let view = &model.view;

@@ -30,6 +30,12 @@ impl<S: Scalar> Attitude<S> {
         }
     }
 
+    /// The attitude that had these [`Attitude::parameters`], bit for bit.
+    #[must_use]
+    pub fn restored([scalar, x, y, z]: [S; 4]) -> Attitude<S> {
+        Attitude { scalar, vector: [x, y, z] }
+    }
+
     /// e0, e1, e2, e3.
     #[must_use]
     pub fn parameters(&self) -> [S; 4] {

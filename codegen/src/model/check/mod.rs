@@ -8,6 +8,7 @@ pub mod evaluate;
 mod infer;
 pub mod order;
 mod plausible;
+pub mod quantity;
 pub mod reach;
 pub mod units;
 mod unused;

@@ -15,7 +15,7 @@ const MOST_POINTS: f64 = 1e5;
 ///
 /// # Errors
 /// What is wrong, and where.
-pub(super) fn read(fields: &Fields) -> Result<Lists, String> {
+pub fn read(fields: &Fields) -> Result<Lists, String> {
     let mut lists = match fields.get("shape") {
         Some(_) => read_shape(fields)?,
         None => read_lists(fields)?,

@@ -1,6 +1,6 @@
 //! Scene text -> [`Scene`]: shape or lists, ground and law, gas, method, step; the largest stable step is checked here.
 
-mod body;
+pub mod body;
 mod surroundings;
 mod view;
 

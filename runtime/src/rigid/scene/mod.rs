@@ -95,6 +95,19 @@ pub enum Fault {
     TooFast,
 }
 
+/// An impact within a step, shown while it happens.
+#[derive(Clone, Copy, Debug)]
+pub struct Strike<'a, S> {
+    /// Time since the start of the step (s).
+    pub time: S,
+    /// Energy it took (J).
+    pub loss: S,
+    /// Features that took part, their velocities those before.
+    pub touching: &'a [Touching<S>],
+    /// The same with their impulses.
+    pub struck: &'a [Struck<S>],
+}
+
 /// What a step did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report<S> {
@@ -175,6 +188,20 @@ impl<S: Scalar> RigidScene<'_, S> {
         h: S,
         memory: &mut Memory<S>,
     ) -> Result<Report<S>, Fault> {
+        self.step_watched(states, h, memory, |_| {})
+    }
+
+    /// As [`RigidScene::step`]; shows every impact, those of a step refused in the end too.
+    ///
+    /// # Errors
+    /// As [`RigidScene::step`].
+    pub fn step_watched(
+        &self,
+        states: &mut [RigidState<S>],
+        h: S,
+        memory: &mut Memory<S>,
+        mut watch: impl FnMut(Strike<'_, S>),
+    ) -> Result<Report<S>, Fault> {
         self.check_sizes(states, memory)?;
         let mut report = Report {
             impacts: 0,
@@ -187,7 +214,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         };
         let [now, ..] = &mut memory.states;
         now.iter_mut().zip(states.iter()).for_each(|(to, from)| *to = *from);
-        self.go(h, memory, &mut report)?;
+        self.go(h, memory, &mut report, &mut watch)?;
         states.iter_mut().zip(memory.states[0].iter()).for_each(|(to, from)| *to = *from);
         Ok(report)
     }
@@ -202,12 +229,20 @@ impl<S: Scalar> RigidScene<'_, S> {
     }
 
     /// The stages, on the first of the memory's states.
-    fn go(&self, h: S, memory: &mut Memory<S>, report: &mut Report<S>) -> Result<(), Fault> {
+    fn go(
+        &self,
+        h: S,
+        memory: &mut Memory<S>,
+        report: &mut Report<S>,
+        watch: &mut impl FnMut(Strike<'_, S>),
+    ) -> Result<(), Fault> {
         let (mut left, mut rest) = (h, REST);
         for split in 0..SPLITS + REST as usize {
             let last = split >= SPLITS;
             let rounding = self.rounding(memory.states[0]);
-            self.strike(memory, rounding, last, report)?;
+            self.strike(memory, rounding, last, report, |touching, struck, loss| {
+                watch(Strike { time: h - left, loss, touching, struck });
+            })?;
             let start = self.hold_at_start(memory, rounding)?;
             let (length, pressing) = if last {
                 let piece = left / whole(rest);
@@ -260,6 +295,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         rounding: Rounding<S>,
         last: bool,
         report: &mut Report<S>,
+        show: impl FnOnce(&[Touching<S>], &[Struck<S>], S),
     ) -> Result<(), Fault> {
         let Memory { states: [now, ..], twists, spare, mobilities, touching, struck, .. } = memory;
         let count = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
@@ -291,8 +327,10 @@ impl<S: Scalar> RigidScene<'_, S> {
         for s in struck.iter() {
             self.push(now, &s.contact, s.contact.impulse);
         }
+        let loss = before - self.energy(now);
         report.impacts += 1;
-        report.impact_loss = report.impact_loss + before - self.energy(now);
+        report.impact_loss = report.impact_loss + loss;
+        show(touching, struck, loss);
         Ok(())
     }
 

@@ -1,0 +1,100 @@
+//! One number with its unit as a text of its own, outside of any model: `"5_kg"`, `"9.81 m/s^2"`, `"2*pi*3_mm"`.
+//!
+//! In: the text, the unit it is to have. Out: the value in SI units, or findings at the place within the text.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::id::IdVec;
+use crate::model::draft::Draft;
+use crate::model::text::document::Text;
+use crate::model::text::expression;
+use crate::model::text::scope::Scope;
+use crate::model::unit::{self, Unit};
+
+use super::evaluate::Constants;
+use super::infer::{Checker, Type};
+
+/// The value in SI units; nothing if something has been found. `what` is named in messages.
+pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) -> Option<f64> {
+    if let Some(value) = number_and_unit(text, unit, what, found) {
+        return value;
+    }
+    let before = found.items.len();
+    let expr = expression::on_own_thread(|| expression::parse(text, &Scope::default(), found))?;
+    let draft = Draft::empty(&found.source);
+    let mut checker = Checker { draft: &draft, definitions: Vec::new(), found };
+    checker.expect(&expr, Type::scalar(unit), what);
+    if found.items.len() > before {
+        return None;
+    }
+    let value = Constants { parameters: IdVec::default(), definitions: IdVec::default() }.value(&expr);
+    if !value.is_finite() {
+        let error = Diagnostic::error(format!("{what} has no finite constant value"));
+        let help = "look for the time t, a division by 0, a root of a negative number, or a number too large";
+        found.push(error.label(text.span, format!("evaluates to {value}")).help(help));
+        return None;
+    }
+    Some(value)
+}
+
+/// `5 N s/m`: a number, a blank and a unit. None if the text is something else; the inner one if it has another unit.
+fn number_and_unit(text: &Text, wanted: Unit, what: &str, found: &mut Diagnostics) -> Option<Option<f64>> {
+    let (number, rest) = text.text.trim().split_once(' ')?;
+    let number: f64 = number.parse().ok().filter(|x: &f64| x.is_finite())?;
+    let scale = unit::parse(rest.trim()).ok()?;
+    if scale.unit == wanted {
+        return Some(Some(number * scale.factor));
+    }
+    let error = Diagnostic::error(format!("{what} must be in {wanted}"));
+    let label = format!("this is in {}", scale.unit);
+    found.push(
+        error.label(text.span, label).help(format!("give it as a number in {wanted}, or with such a unit")),
+    );
+    Some(None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::{Source, Span};
+
+    fn read(text: &str, unit: &str) -> Result<f64, String> {
+        let span = Span { start: 0, end: text.len(), file: 0 };
+        let mut found = Diagnostics::new(Source::new("s.toml", text));
+        let unit = unit::parse(unit).expect("a unit").unit;
+        let value = quantity(&Text::bare(text, span), unit, "the mass", &mut found);
+        value.ok_or_else(|| found.to_string())
+    }
+
+    #[test]
+    fn quantities_carry_units() {
+        for (text, unit, value) in [
+            ("5_kg", "kg", 5.0),
+            ("20_mm", "m", 0.02),
+            ("9.81 m/s^2", "m/s^2", 9.81),
+            ("2 kN/m", "N/m", 2000.0),
+            ("3_mm*4", "m", 0.012),
+            ("30_deg", "rad", std::f64::consts::PI / 6.0),
+            ("0", "kg", 0.0),
+        ] {
+            let read = read(text, unit).unwrap_or_else(|found| panic!("{text}: {found}"));
+            assert!((read - value).abs() <= 1e-15 * value, "{text}: {read}");
+        }
+    }
+
+    #[test]
+    fn wrong_quantities_are_refused_with_both_units() {
+        for (text, words) in [
+            ("5_m", "the mass must be in kg"),
+            ("5 m/s", "this is in m/s"),
+            ("5", "the mass must be in kg"),
+            ("5_kgg", "unknown unit `kgg`"),
+            ("m + 1", "unknown name `m`"),
+            ("1_kg/0", "no finite constant value"),
+            ("t*1_kg/1_s", "no finite constant value"),
+            ("5_kg +", "not an expression"),
+        ] {
+            let found = read(text, "kg").expect_err(text);
+            assert!(found.contains(words) && found.contains("s.toml:1:"), "{text}: {found}");
+        }
+    }
+}

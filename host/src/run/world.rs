@@ -1,0 +1,317 @@
+//! `smartbed run` of a scene of format 2: the same arguments, rows, plots, page and summary for any world.
+
+use super::health::{Energies as Moved, Health};
+use super::simulate::interrupted;
+use super::{Arguments, Outcome, noted};
+use crate::engine::{EngineKind, ScalarKind};
+use crate::failure::Failure;
+use crate::number::{json_number, json_object, json_string, worst};
+use crate::output::{self, Output};
+use crate::plot::chart::{self, Chart, Curve};
+use crate::plot::panels::{self, Shown};
+use crate::plot::{Recording, pattern};
+use crate::progress::Progress;
+use crate::view::film::Series;
+use crate::view::{Film, world as stage};
+use crate::world::engine::{ACCOUNTS, Column, Event};
+use crate::world::run::{Checkpoint, engine, run};
+use crate::world::{Assembly, read};
+use crate::{input, interrupt, model_argument, plot};
+use smartbed_codegen::words::count;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Events named in the summary; the rest is counted.
+const TOLD: usize = 12;
+/// What rounding leaves of a number of size 1.
+const NOISE: f64 = 1e-12;
+
+/// Reads it, with the command line's settings.
+///
+/// # Errors
+/// What is wrong in it, or an option that worlds do not have.
+pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failure> {
+    let refused = [
+        ("--engine compiled", arguments.engine == EngineKind::Compiled),
+        ("--scalar f32", arguments.scalar == ScalarKind::F32),
+        ("--tolerance", arguments.tolerance.is_some()),
+        ("--error", arguments.error.is_some()),
+        ("--budget", arguments.budget.is_some()),
+    ];
+    if let Some((option, _)) = refused.iter().find(|(_, given)| *given) {
+        return Err(Failure::Wrong(format!(
+            "{option}: a scene of format 2 does not take it; give --step and --method, f64, interpreted"
+        )));
+    }
+    let mut settings = Vec::new();
+    let mut set = |key: &str, value: Option<String>| settings.extend(value.map(|v| format!("{key} = {v}")));
+    set("run.seconds", arguments.seconds.map(|x| format!("{x:?}")));
+    set("run.step", arguments.step.map(|x| format!("{x:?}")));
+    set("run.method", arguments.method.as_ref().map(|m| format!("{m:?}")));
+    set("run.every", arguments.every.map(|n| n.to_string()));
+    settings.extend(arguments.set.iter().cloned());
+    let name = path.display().to_string();
+    let find = |model: &str| model_argument::find(model).map_err(|failure| failure.to_string());
+    let text = input::text(&name)?;
+    read::parse(&name, &text, &settings, &find).map_err(|found| model_argument::wrong(&found))
+}
+
+/// Runs it; gives the summary, and the data of `--view`.
+///
+/// # Errors
+/// Status 1 for a wrong scene or setting and for a motion that cannot go on.
+pub(super) fn simulate(arguments: &Arguments, path: &Path) -> Result<Outcome, Failure> {
+    let assembly = open(arguments, path)?;
+    let clock = Progress::new("running");
+    let done = record(arguments, &assembly)?;
+    let mut findings = done.health.findings();
+    findings.extend(done.warnings.iter().cloned());
+    let text = done.report(arguments, &assembly, &findings, clock.seconds());
+    Ok(Outcome { text, film: done.film, findings })
+}
+
+/// What a run was.
+struct Done {
+    method: String,
+    names: Vec<String>,
+    last: Vec<f64>,
+    events: Vec<Event>,
+    film: Option<String>,
+    rows: u64,
+    imbalance: f64,
+    total: [f64; 2],
+    warnings: Vec<String>,
+    health: Health,
+}
+
+fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
+    let mut engine = engine(assembly).map_err(Failure::Wrong)?;
+    let from = arguments.resume.as_deref().map(checkpoint).transpose()?;
+    let columns = engine.columns();
+    let accounts = ACCOUNTS.iter().map(|name| (*name).to_owned());
+    let sensors = assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name));
+    let names: Vec<String> = std::iter::once("t".to_owned())
+        .chain(columns.iter().map(|c| c.name.clone()))
+        .chain(accounts)
+        .chain(sensors)
+        .collect();
+    let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
+    if let Some(csv) = &mut csv {
+        csv.write(&(names.join(",") + "\n"))?;
+        interrupt::watch();
+    }
+    let shown = shown(&columns, arguments.show.as_deref())?;
+    let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
+    let mut film = arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns)));
+    let mut health = Health::new(BTreeMap::new(), f64::EPSILON);
+    let (mut rows, mut imbalance, mut total, mut last) = (0, 0.0_f64, [f64::NAN; 2], Vec::new());
+    let mut progress = Progress::new("running");
+    let method = engine.method();
+    let done = run::<Failure>(
+        assembly,
+        engine.as_mut(),
+        from.as_ref(),
+        |row, engine| {
+            let mut values = vec![row.t];
+            values.extend(row.state);
+            values.extend(row.energies.numbers(row.start));
+            values.extend(row.readings);
+            if let Some(csv) = &mut csv {
+                csv.write(&super::line(&values))?;
+            }
+            if let Some(recording) = &mut recording {
+                recording.push(&values);
+            }
+            if let Some(film) = &mut film {
+                let picture = engine.picture().map_err(Failure::Wrong)?;
+                let curves = columns.iter().zip(row.state).filter(|(c, _)| c.by_default).map(|(_, x)| *x);
+                let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
+                film.push(row.t, &stage::places(&picture, assembly), curves);
+            }
+            let energies = row.energies;
+            total = [row.start, energies.total()];
+            imbalance = worst(imbalance, energies.imbalance(row.start));
+            let stored = [energies.kinetic, energies.gravity, energies.spring, energies.gas];
+            let moved =
+                [energies.damping, energies.impact, energies.friction, energies.drive, total[1] - total[0]];
+            health.energies(Moved {
+                stored: &stored,
+                moved: &moved,
+                imbalance: energies.imbalance(row.start),
+            });
+            last = values;
+            rows += 1;
+            Ok(())
+        },
+        |t| {
+            progress.at(t / assembly.run.seconds);
+            interrupted(t)
+        },
+    );
+    let events = match done {
+        Ok(events) => events,
+        Err(failure) => {
+            let file = arguments.csv.as_deref().unwrap_or_default();
+            return Err(super::ended_early(failure, csv, rows, file));
+        }
+    };
+    csv.map_or(Ok(()), Output::finish)?;
+    if let Some(file) = &arguments.save {
+        if assembly.run.length(assembly.run.steps().max(1)) != assembly.run.step {
+            let message = "the run ends within a step; expected --seconds to be a whole number of steps";
+            return Err(Failure::Wrong(format!("--save {file}: {message}")));
+        }
+        let checkpoint = Checkpoint { steps: assembly.run.steps(), start: total[0], state: engine.save() };
+        output::write(file, checkpoint.text().as_bytes())?;
+    }
+    let note = noted(format!("{method}, step {} s", assembly.run.step), arguments);
+    if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
+        draw(file, assembly, &columns, &shown, recording, &note, &events)?;
+    }
+    let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
+    let warnings = engine.warnings();
+    Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health })
+}
+
+/// Reads what `--save` wrote.
+fn checkpoint(file: &str) -> Result<Checkpoint, Failure> {
+    let text = input::text(file).map_err(|e| Failure::Wrong(format!("--resume {file}: {e}")))?;
+    Checkpoint::read(&text).ok_or_else(|| {
+        Failure::Wrong(format!(
+            "--resume {file}: expected what `run --save` wrote for the same scene and step"
+        ))
+    })
+}
+
+/// Numbers of the columns that a plot shows.
+fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>, Failure> {
+    let Some(patterns) = show else {
+        return Ok((0..columns.len()).filter(|n| columns[*n].by_default).collect());
+    };
+    let names: Vec<&str> = columns.iter().map(|c| c.name.as_str()).collect();
+    let chosen = pattern::chosen(patterns, &names)?;
+    Ok((0..columns.len()).filter(|n| chosen.contains(&names[*n])).collect())
+}
+
+/// Curves beside the motion, in the order of [`record`]'s values.
+fn series(columns: &[Column]) -> Vec<Series> {
+    let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
+    let accounts = ACCOUNTS.iter().map(|name| {
+        let is_account = ["damping", "impact", "friction", "drive", "imbalance"].contains(name);
+        ((*name).to_owned(), if is_account { "ledger".to_owned() } else { panels::label("J") })
+    });
+    own.chain(accounts).map(|(name, group)| Series { name, group, factor: 1.0 }).collect()
+}
+
+fn draw(
+    file: &str,
+    assembly: &Assembly,
+    columns: &[Column],
+    shown: &[usize],
+    recording: &Recording,
+    note: &str,
+    events: &[Event],
+) -> Result<(), Failure> {
+    let curve = |name: &str, index: usize, unit: &str| Shown {
+        curve: Curve { name: name.to_owned(), values: recording.column(index), color: None, across: None },
+        unit: unit.to_owned(),
+        natural: 0.0,
+    };
+    let state = shown.iter().map(|n| curve(&columns[*n].name, n + 1, &columns[*n].unit));
+    let energies = ACCOUNTS.iter().enumerate().filter(|(_, name)| **name != "imbalance");
+    let energies = energies.map(|(n, name)| curve(name, columns.len() + 1 + n, "J"));
+    let told = |shown: &Shown| shown.unit != "J" || shown.curve.values.iter().any(|x| *x != 0.0);
+    let panels = panels::of(state.chain(energies).filter(told).collect(), NOISE);
+    let times: Vec<f64> = events.iter().map(|event| event.time).collect();
+    let chart = Chart {
+        title: &assembly.title,
+        note,
+        across: "time [s]",
+        time: &recording.column(0),
+        panels: &panels,
+        events: &times,
+    };
+    plot::write(file, &chart::draw(&chart))
+}
+
+/// Events in words.
+fn told(events: &[Event], assembly: &Assembly) -> Vec<(f64, String)> {
+    let words = |event: &Event| {
+        let [one, other] = event.parts.map(|n| assembly.parts[n].name.as_str());
+        let points = count(event.points, "point");
+        let (approach, impulse) = (event.approach, event.impulse);
+        // Without locating touches the speed of approach is not known.
+        let approach = if approach.is_nan() { String::new() } else { format!(" {approach:.4} m/s,") };
+        format!("{one} strikes {other} at {points},{approach} impulse {impulse:.4} N s")
+    };
+    events.iter().map(|event| (event.time, words(event))).collect()
+}
+
+impl Done {
+    fn report(
+        &self,
+        arguments: &Arguments,
+        assembly: &Assembly,
+        findings: &[String],
+        elapsed: f64,
+    ) -> String {
+        if arguments.json {
+            return self.json(assembly, findings, elapsed);
+        }
+        let mut text = format!(
+            "{}: {}, {} s in {}, {elapsed:.2} s\nmethod {}\n",
+            assembly.title,
+            count(assembly.parts.len(), "part"),
+            assembly.run.seconds,
+            count(assembly.run.steps(), "step"),
+            self.method,
+        );
+        let events = told(&self.events, assembly);
+        for (time, words) in events.iter().take(TOLD) {
+            let _ = writeln!(text, "{time:12.6} s  {words}");
+        }
+        if events.len() > TOLD {
+            let _ = writeln!(text, "{}{} more; --json lists all", " ".repeat(16), events.len() - TOLD);
+        }
+        let _ = writeln!(
+            text,
+            "energy: {:.6e} J at the start, {:.6e} J at the end, largest imbalance {:.1e} J",
+            self.total[0], self.total[1], self.imbalance
+        );
+        text
+    }
+
+    fn json(&self, assembly: &Assembly, findings: &[String], elapsed: f64) -> String {
+        let event = |event: &Event| {
+            format!(
+                "{{\"time\": {}, \"parts\": [{}, {}], \"points\": {}, \"approach\": {}, \"impulse\": {}}}",
+                json_number(event.time),
+                json_string(&assembly.parts[event.parts[0]].name),
+                json_string(&assembly.parts[event.parts[1]].name),
+                event.points,
+                json_number(event.approach),
+                json_number(event.impulse)
+            )
+        };
+        let events: Vec<String> = self.events.iter().map(event).collect();
+        let last = json_object(self.names.iter().map(String::as_str).zip(self.last.iter().copied()));
+        format!(
+            "{{\"world\": {}, \"parts\": {}, \"method\": {}, \"seconds\": {}, \"steps\": {}, \"rows\": {}, \
+             \"events\": [{}], \"total_at_start\": {}, \"total\": {}, \"imbalance\": {}, \"elapsed\": {}, \
+             \"warnings\": {}, \"last\": {last}}}\n",
+            json_string(&assembly.title),
+            assembly.parts.len(),
+            json_string(&self.method),
+            json_number(assembly.run.seconds),
+            assembly.run.steps(),
+            self.rows,
+            events.join(", "),
+            json_number(self.total[0]),
+            json_number(self.total[1]),
+            json_number(self.imbalance),
+            json_number(elapsed),
+            serde_json::Value::from(findings.to_vec()),
+        )
+    }
+}

@@ -1,0 +1,65 @@
+//! `smartbed settle`: the static equilibrium of a scene of format 2.
+
+use crate::failure::Failure;
+use crate::number::{digits, json_number, json_object, json_string};
+use crate::output;
+use crate::run;
+use crate::world::run::engine;
+use std::fmt::Write as _;
+
+/// Find where a world rests.
+#[derive(clap::Args, Clone, Default, Debug)]
+#[command(after_help = "Example:
+  cargo smartbed settle tile_with_bladder
+  cargo smartbed settle tile_with_bladder --set parts.bladder.gas.gauge=2_kPa --json
+
+`start = \"settled\"` under [run] lets a run begin there. SI units.")]
+pub struct Arguments {
+    /// The scene: a path, or a name under models/scenes.
+    pub scene: String,
+    /// Changes a key of the scene; may be repeated.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong scene, and for one that does not come to rest.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let asked = run::Arguments {
+        model: arguments.scene.clone(),
+        set: arguments.set.clone(),
+        ..run::Arguments::default()
+    };
+    let assembly = run::world(&asked)?;
+    let mut engine = engine(&assembly).map_err(Failure::Wrong)?;
+    let settled = engine.settle().map_err(Failure::Wrong)?;
+    let columns = engine.columns();
+    let state = engine.state().map_err(Failure::Wrong)?;
+    let energies = engine.energies().map_err(Failure::Wrong)?;
+    if arguments.json {
+        let last = json_object(columns.iter().map(|c| c.name.as_str()).zip(state));
+        return output::print(&format!(
+            "{{\"settled\": {}, \"steps\": {}, \"acceleration\": {}, \"total\": {}, \"last\": {last}}}\n",
+            json_string(&assembly.title),
+            settled.steps,
+            json_number(settled.acceleration),
+            json_number(energies.total()),
+        ));
+    }
+    let mut text = format!(
+        "{}: at rest after {} of relaxation, largest acceleration left {:.1e} m/s^2, energy {:.6e} J\n",
+        assembly.title,
+        smartbed_codegen::words::count(settled.steps, "step"),
+        settled.acceleration,
+        energies.total()
+    );
+    for (column, value) in columns.iter().zip(&state).filter(|(column, _)| column.by_default) {
+        let _ = writeln!(text, "{:>24} = {} {}", column.name, digits(*value), column.unit);
+    }
+    output::print(&text)
+}

@@ -1,0 +1,119 @@
+//! The stage of a world: rigid parts as solids, flexible ones as springs and surfaces, the first half-space as ground.
+//!
+//! Numbers of a row: places of all points, part by part, then x and y of what turns; the first one ends with inertias,
+//! gravity and sizes. All as [`Picture`] has them.
+
+use super::stage::{Solid, Stage};
+use crate::world::Assembly;
+use crate::world::assembly::{Kind, Mechanism, Rigid};
+use crate::world::picture::Picture;
+use serde_json::{Value, json};
+use smartbed_runtime::surface::Shape;
+
+/// Solids so far.
+#[derive(Default)]
+struct Draft {
+    names: Vec<String>,
+    hidden: Vec<usize>,
+    bodies: Vec<Solid>,
+    shapes: Vec<(usize, Value, usize)>,
+    links: Vec<Value>,
+    springs: Vec<Value>,
+    edges: Vec<Value>,
+    facets: Vec<[usize; 4]>,
+    ground: Value,
+}
+
+/// The stage.
+#[must_use]
+pub fn stage(assembly: &Assembly) -> Stage {
+    let mut draft = Draft { names: vec!["O".to_owned()], hidden: vec![0], ..Draft::default() };
+    for part in &assembly.parts {
+        match &part.kind {
+            Kind::Rigid(rigid) => solid(&part.name, rigid, &mut draft),
+            Kind::Flexible(body) => {
+                let first = draft.names.len();
+                let n = body.lists.points.len();
+                draft.names.extend((0..n).map(|i| format!("{}.{i}", part.name)));
+                draft.hidden.extend(first..first + n);
+                let springs = body.lists.springs.iter().zip(&body.lists.rest_lengths);
+                draft.edges.extend(springs.map(|([a, b], rest)| json!([a + first, b + first, rest])));
+                draft.facets.extend(body.lists.facets.iter().map(|f| f.map(|p| p + first)));
+            }
+            Kind::Mechanism(own) => mechanism(&part.name, own, &mut draft),
+        }
+    }
+    let frames = draft.bodies.iter().filter(|body| body.has_frame).count();
+    let moving = 3 * (draft.names.len() - 1) + 6 * frames;
+    let fixed = json!({
+        "points": draft.names, "hidden": draft.hidden, "links": draft.links, "springs": draft.springs, "edges": draft.edges,
+        "facets": draft.facets, "ground": draft.ground, "forces": null, "colours": {},
+    });
+    Stage { fixed, bodies: draft.bodies, shapes: draft.shapes, gravity: Some(assembly.gravity), moving }
+}
+
+/// A model's own stage, its numbers counted behind those before.
+fn mechanism(name: &str, mechanism: &Mechanism, draft: &mut Draft) {
+    let own = Stage::of_model(&mechanism.model);
+    let (first, solids) = (draft.names.len(), draft.bodies.len());
+    let moved = |value: &Value| value.as_u64().map_or(Value::Null, |n| json!(n as usize + first));
+    let list = |key: &str| own.fixed[key].as_array().cloned().unwrap_or_default();
+    draft
+        .names
+        .extend(list("points").iter().map(|point| format!("{name}.{}", point.as_str().unwrap_or_default())));
+    draft.hidden.push(first);
+    draft.hidden.extend(list("hidden").iter().filter_map(|n| Some(n.as_u64()? as usize + first)));
+    draft.links.extend(list("links").iter().map(|ends| json!([moved(&ends[0]), moved(&ends[1])])));
+    draft.springs.extend(list("springs").iter().map(|s| json!([moved(&s[0]), moved(&s[1]), s[2]])));
+    draft.bodies.extend(own.bodies.iter().map(|body| {
+        let (own, body) = (format!("{name}.{}", body.name), body.clone());
+        Solid { name: own, centre: body.centre + first, ..body }
+    }));
+    draft.shapes.extend(own.shapes.iter().map(|(body, shape, count)| {
+        let mut shape = shape.clone();
+        shape["at"] = moved(&shape["at"]);
+        (body + solids, shape, *count)
+    }));
+}
+
+fn solid(name: &str, rigid: &Rigid, draft: &mut Draft) {
+    let mut add = |name: String, kind: &str, lengths: usize| {
+        let centre = draft.names.len();
+        draft.shapes.push((draft.bodies.len(), json!({"kind": kind, "axis": 2, "at": null}), lengths));
+        draft.bodies.push(Solid {
+            name: name.clone(),
+            centre,
+            has_frame: true,
+            colour: None,
+            is_hidden: false,
+        });
+        draft.hidden.push(centre);
+        draft.names.push(name);
+    };
+    match rigid.shape {
+        Shape::HalfSpace if draft.ground.is_null() => {
+            let normal: [f64; 3] = rigid.start.attitude.axes()[2];
+            let offset: f64 = (0..3).map(|i| normal[i] * rigid.start.position[i]).sum();
+            draft.ground = json!({"normal": normal, "offset": offset, "shown": true});
+        }
+        Shape::HalfSpace => {}
+        Shape::Sphere(_) => add(name.to_owned(), "ball", 1),
+        Shape::Cuboid(_) => add(name.to_owned(), "box", 3),
+        Shape::Capsule(_) => {
+            add(name.to_owned(), "cylinder", 2);
+            add(format!("{name} above"), "ball", 1);
+            add(format!("{name} below"), "ball", 1);
+        }
+    }
+}
+
+/// A row's places as the stage expects them.
+#[must_use]
+pub fn places(picture: &Picture, assembly: &Assembly) -> Vec<f64> {
+    let mut places: Vec<f64> = picture.points.as_flattened().to_vec();
+    places.extend(picture.axes.as_flattened().as_flattened());
+    places.extend(picture.inertias.as_flattened());
+    places.extend(assembly.gravity);
+    places.extend(&picture.sizes);
+    places
+}

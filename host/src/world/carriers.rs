@@ -1,0 +1,128 @@
+//! What carries flexible parts on the host: mechanisms, floating rigid bodies, frames that stand still.
+
+use super::ported::Ported;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::world::{Carrier, Floating, InverseInertia, Wrench};
+use std::ops::Range;
+
+/// One of them.
+#[derive(Clone, Debug)]
+pub enum HostCarrier {
+    /// A mechanism with the ports in use.
+    Mechanism(Box<Ported>),
+    /// A rigid body, its axes the one port.
+    Floating(Floating<f64>),
+    /// A frame fixed in space.
+    Still(Frame<f64>),
+}
+
+impl Carrier<f64> for HostCarrier {
+    fn n_q(&self) -> usize {
+        match self {
+            Self::Mechanism(own) => own.n_q(),
+            Self::Floating(own) => own.n_q(),
+            Self::Still(_) => 0,
+        }
+    }
+
+    fn n_u(&self) -> usize {
+        match self {
+            Self::Mechanism(own) => own.n_u(),
+            Self::Floating(own) => own.n_u(),
+            Self::Still(_) => 0,
+        }
+    }
+
+    fn n_ports(&self) -> usize {
+        match self {
+            Self::Mechanism(own) => own.n_ports(),
+            Self::Floating(_) | Self::Still(_) => 1,
+        }
+    }
+
+    fn coupled(&self, port: usize) -> Range<usize> {
+        match self {
+            Self::Mechanism(own) => own.coupled(),
+            Self::Floating(own) => own.coupled(port),
+            Self::Still(_) => 0..0,
+        }
+    }
+
+    fn inverse_inertia(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        ports: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        match self {
+            Self::Mechanism(own) => own.inverse_inertia(t, q, u, ports),
+            Self::Floating(own) => own.inverse_inertia(t, q, u, ports),
+            Self::Still(_) => Ok([[0.0; 6]; 6]),
+        }
+    }
+
+    fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
+        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its account.
+        let taken = frames.iter().zip(wrenches).map(|(frame, wrench)| wrench.power(frame)).sum::<f64>();
+        matches!(self, Self::Mechanism(own) if own.n_u() == 0).then_some(-taken)
+    }
+
+    fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+        match self {
+            Self::Mechanism(own) => own.frames(t, q, u, frames),
+            Self::Floating(own) => own.frames(t, q, u, frames),
+            Self::Still(own) => {
+                frames.fill(*own);
+                Ok(())
+            }
+        }
+    }
+
+    fn rates(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        wrenches: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        match self {
+            Self::Mechanism(own) => own.rates(t, (q, u), wrenches, (q_dot, u_dot)),
+            Self::Floating(own) => own.rates(t, q, u, wrenches, q_dot, u_dot),
+            Self::Still(_) => Ok(1.0),
+        }
+    }
+
+    fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+        match self {
+            Self::Mechanism(own) => own.energy(t, q, u),
+            Self::Floating(own) => own.energy(t, q, u),
+            Self::Still(_) => Ok((0.0, 0.0)),
+        }
+    }
+
+    fn project(&mut self, q: &mut [f64]) -> Result<f64, Fault> {
+        match self {
+            Self::Mechanism(own) => own.project(q),
+            Self::Floating(own) => own.project(q),
+            Self::Still(_) => Ok(0.0),
+        }
+    }
+
+    fn set_time(&mut self, t: f64) {
+        if let Self::Mechanism(own) = self {
+            own.set_time(t);
+        }
+    }
+
+    fn projections(&self) -> u8 {
+        match self {
+            Self::Mechanism(own) => own.projections(),
+            Self::Floating(own) => own.projections(),
+            Self::Still(_) => 0,
+        }
+    }
+}

@@ -1,0 +1,348 @@
+//! A mechanism as a carrier: interpreted equations with ports, the laws of its inputs, its accounts.
+//!
+//! In: a model and the ports that a scene uses; only these are derived. The wrench of a port is six inputs behind the
+//! model's own. What the model commands (coordinates in closed form) moves whatever pulls; the drive's power is booked.
+
+use super::assembly::Mechanism;
+use super::picture::{INERTIA, Picture};
+use crate::configuration::Configurations;
+use crate::observers::{LEDGER, Observers};
+use smartbed_codegen::model::{Model, StartRef};
+use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Request, program};
+use smartbed_runtime::mechanism::{Fault, Mechanism as _};
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::vec3;
+use smartbed_runtime::world::{InverseInertia, Wrench};
+use std::ops::Range;
+
+/// Answers of a port.
+const PARTS: [&str; 5] = ["position", "rotation", "twist", "inverse_inertia", "jacobian"];
+
+/// Equations with ports.
+#[derive(Clone, Debug)]
+pub struct Ported {
+    engine: Interpreted<f64>,
+    law: Interpreted<f64>,
+    observer: Interpreted<f64>,
+    places: Interpreted<f64>,
+    law_inputs: Vec<usize>,
+    /// The model's own inputs, then six for each port.
+    inputs: Vec<f64>,
+    own: usize,
+    /// First inputs of each port's wrench.
+    wrenches: Vec<usize>,
+    u_dot: Vec<f64>,
+    /// First numbers of each port's answers, in the order of [`PARTS`].
+    first: Vec<[usize; 5]>,
+    place: [f64; 3],
+    projections: u8,
+    /// Points but the origin, bodies with frames, bodies.
+    counts: [usize; 3],
+    /// Names and units of q and u.
+    pub names: Vec<(String, String)>,
+}
+
+/// Where a mechanism starts.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Start {
+    /// Coordinates.
+    pub q: Vec<f64>,
+    /// Independent speeds.
+    pub u: Vec<f64>,
+}
+
+/// Energies (J) and powers (W) of a state.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Account {
+    /// Kinetic, of weight, of springs (J).
+    pub stored: [f64; 3],
+    /// Into it: actuators, other loads, drives (W).
+    pub driven: f64,
+    /// Out of it: damping (W).
+    pub damped: f64,
+}
+
+impl Ported {
+    /// Derives equations with these ports, and what stands in the model beside them.
+    ///
+    /// # Errors
+    /// What the derivation says, or a start that cannot be assembled.
+    pub fn new(mechanism: &Mechanism, ports: &[String]) -> Result<(Self, Start), String> {
+        let (model, choice) = (&mechanism.model, ParameterChoice::default());
+        let request = |name: &String| format!("port:{name}").parse::<Request>().map_err(|e| e.to_string());
+        let requests = ports.iter().map(request).collect::<Result<Vec<Request>, String>>()?;
+        let functions = match requests.is_empty() {
+            true => Vec::new(),
+            false => vec![Function { name: "ports".to_owned(), requests }],
+        };
+        let asked = Asked::besides(functions);
+        let program = program::derive_asked(model, &choice, program::Settings::default(), &asked)
+            .map_err(|found| found.to_string())?;
+        if program.is_redundant() {
+            return Err("its motion passes dead points of its independent speeds; such mechanisms run alone"
+                .to_owned());
+        }
+        let observers = Observers::derive(model, &choice).map_err(|found| found.to_string())?;
+        let first = answers(&program)?;
+        let wrenches =
+            ports.iter().map(|port| input(&program, &format!("{port}_force_x"))).collect::<Result<_, _>>()?;
+        let start = start(model, &program)?;
+        let quantities = program.q.iter().chain(&program.u);
+        let ported = Self {
+            engine: Interpreted::new(&program),
+            law: Interpreted::new(&observers.laws()),
+            observer: Interpreted::new(&observers.ledger()),
+            places: Interpreted::new(&observers.places()),
+            law_inputs: observers.law_inputs.clone(),
+            inputs: vec![0.0; program.inputs.len()],
+            own: model.inputs.len(),
+            wrenches,
+            u_dot: vec![0.0; program.u_dot.len()],
+            first,
+            place: mechanism.place,
+            projections: u8::from(!program.correction.is_empty()),
+            counts: [
+                model.points.len() - 1,
+                model.bodies.iter().filter(|body| body.frame.is_some()).count(),
+                model.bodies.len(),
+            ],
+            names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
+        };
+        Ok((ported, start))
+    }
+
+    /// Sets the inputs: laws at this state, wrenches at the ports.
+    fn command(&mut self, t: f64, q: &[f64], u: &[f64], wrenches: &[Wrench<f64>]) -> Result<(), Fault> {
+        let commanded = self.law.outputs(t, q, u, &vec![0.0; self.own])?;
+        for (&input, value) in self.law_inputs.iter().zip(commanded) {
+            self.inputs[input] = value;
+        }
+        for (&first, wrench) in self.wrenches.iter().zip(wrenches) {
+            self.inputs[first..first + 3].copy_from_slice(&wrench.force);
+            self.inputs[first + 3..first + 6].copy_from_slice(&wrench.moment);
+        }
+        Ok(())
+    }
+
+    /// All answers of all ports.
+    fn asked(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<Vec<f64>, Fault> {
+        self.engine.function(0, (t, q, u, &self.inputs, &self.u_dot))
+    }
+
+    /// Number of coordinates.
+    #[must_use]
+    pub fn n_q(&self) -> usize {
+        self.engine.n_q()
+    }
+
+    /// Number of independent speeds.
+    #[must_use]
+    pub fn n_u(&self) -> usize {
+        self.engine.n_u()
+    }
+
+    /// Number of ports in use.
+    #[must_use]
+    pub fn n_ports(&self) -> usize {
+        self.first.len()
+    }
+
+    /// Frames of the ports.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn frames(&mut self, t: f64, q: &[f64], u: &[f64], frames: &mut [Frame<f64>]) -> Result<(), Fault> {
+        if self.first.is_empty() {
+            return Ok(());
+        }
+        let answers = self.asked(t, q, u)?;
+        let three = |first: usize| [answers[first], answers[first + 1], answers[first + 2]];
+        for ([position, rotation, twist, ..], frame) in self.first.iter().zip(frames) {
+            let rows = [0, 3, 6].map(|row| three(rotation + row));
+            *frame = Frame {
+                origin: vec3::add(three(*position), self.place),
+                axes: [0, 1, 2].map(|axis| rows.map(|row| row[axis])),
+                velocity: three(*twist),
+                angular_velocity: three(twist + 3),
+            };
+        }
+        Ok(())
+    }
+
+    /// Rates under wrenches at the ports; the worst pivot.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn rates(
+        &mut self,
+        t: f64,
+        (q, u): (&[f64], &[f64]),
+        wrenches: &[Wrench<f64>],
+        (q_dot, u_dot): (&mut [f64], &mut [f64]),
+    ) -> Result<f64, Fault> {
+        self.command(t, q, u, wrenches)?;
+        self.engine.rates(t, q, u, &self.inputs, q_dot, u_dot)
+    }
+
+    /// J M^-1 J': of one port as derived; between two, what a unit wrench at one does to the speeds, seen at the other.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn inverse_inertia(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        [seen, at]: [usize; 2],
+    ) -> Result<InverseInertia<f64>, Fault> {
+        let answers = self.asked(t, q, u)?;
+        let [.., inverse, jacobian] = *self.first.get(seen).ok_or(Fault::Shape)?;
+        if seen == at {
+            return Ok(std::array::from_fn(|i| std::array::from_fn(|j| answers[inverse + 6 * i + j])));
+        }
+        let (n, mut columns) = (self.n_u(), [[0.0; 6]; 6]);
+        let mut accelerations = |wrench: Option<usize>| -> Result<Vec<f64>, Fault> {
+            let mut wrenches = vec![Wrench::zero(); self.n_ports()];
+            if let Some(direction) = wrench {
+                let side = if direction < 3 { &mut wrenches[at].force } else { &mut wrenches[at].moment };
+                side[direction % 3] = 1.0;
+            }
+            let (mut q_dot, mut u_dot) = (vec![0.0; self.n_q()], vec![0.0; n]);
+            self.rates(t, (q, u), &wrenches, (&mut q_dot, &mut u_dot))?;
+            Ok(u_dot)
+        };
+        let free = accelerations(None)?;
+        for (direction, column) in columns.iter_mut().enumerate() {
+            let pushed = accelerations(Some(direction))?;
+            for (row, entry) in column.iter_mut().enumerate() {
+                *entry = (0..n).map(|k| answers[jacobian + n * row + k] * (pushed[k] - free[k])).sum();
+            }
+        }
+        Ok(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))
+    }
+
+    /// The ports that an impulse at one of them moves: all, for they are of one mechanism.
+    #[must_use]
+    pub fn coupled(&self) -> Range<usize> {
+        if self.n_u() == 0 { 0..0 } else { 0..self.n_ports() }
+    }
+
+    /// Kinetic and potential energy (J).
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
+        self.engine.set_time(t);
+        self.engine.energy(q, u)
+    }
+
+    /// Energies and powers at a state under wrenches.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn account(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        u: &[f64],
+        wrenches: &[Wrench<f64>],
+    ) -> Result<Account, Fault> {
+        self.command(t, q, u, wrenches)?;
+        let watched = self.observer.outputs(t, q, u, &self.inputs[..self.own])?;
+        let [gravity, spring, actuator, damping, external]: [f64; LEDGER.len()] =
+            watched.try_into().map_err(|_| Fault::Shape)?;
+        let drive = self.engine.drive(t, q, u, &self.inputs)?;
+        let (kinetic, _) = self.energy(t, q, u)?;
+        Ok(Account {
+            stored: [kinetic, gravity, spring],
+            driven: actuator + external + drive,
+            damped: damping,
+        })
+    }
+
+    /// Its origin and points, axes of bodies, inertias and lengths of shapes, in N.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn picture(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<Picture, Fault> {
+        let numbers = self.places.outputs(t, q, u, &self.inputs[..self.own])?;
+        let [points, frames, bodies] = self.counts;
+        let cut = |first: usize, count: usize| numbers.get(first..first + count).ok_or(Fault::Shape);
+        let (axes, inertias) = (3 * points, 3 * points + 6 * frames);
+        let gravity = inertias + INERTIA * bodies;
+        let three = |x: &[f64]| [x[0], x[1], x[2]];
+        let own = cut(0, axes)?.chunks_exact(3).map(|point| vec3::add(three(point), self.place));
+        let turned = cut(axes, 6 * frames)?.chunks_exact(6).map(|two| [three(two), three(&two[3..])]);
+        let solid = |x: &[f64]| std::array::from_fn(|i| x[i]);
+        Ok(Picture {
+            points: std::iter::once(self.place).chain(own).collect(),
+            axes: turned.collect(),
+            inertias: cut(inertias, INERTIA * bodies)?.chunks_exact(INERTIA).map(solid).collect(),
+            sizes: numbers.get(gravity + 3..).unwrap_or_default().to_vec(),
+        })
+    }
+
+    /// One correction towards the constraints.
+    ///
+    /// # Errors
+    /// The engine's.
+    pub fn project(&mut self, q: &mut [f64]) -> Result<f64, Fault> {
+        self.engine.project(q)
+    }
+
+    /// The time of the next correction.
+    pub fn set_time(&mut self, t: f64) {
+        self.engine.set_time(t);
+    }
+
+    /// Corrections after a step.
+    #[must_use]
+    pub fn projections(&self) -> u8 {
+        self.projections
+    }
+}
+
+/// Where the answers of each port begin.
+fn answers(program: &Program) -> Result<Vec<[usize; 5]>, String> {
+    let (mut first, mut place) = (Vec::new(), 0);
+    let Some(function) = program.functions.first() else { return Ok(first) };
+    for answer in program.answers_of(function) {
+        let mut own = [usize::MAX; 5];
+        for part in &answer.parts {
+            if let Some(which) = PARTS.iter().position(|name| *name == part.name) {
+                own[which] = place;
+            }
+            place += part.values.len();
+        }
+        if own.contains(&usize::MAX) {
+            return Err("a port does not answer where it is and what it yields".to_owned());
+        }
+        first.push(own);
+    }
+    Ok(first)
+}
+
+fn input(program: &Program, name: &str) -> Result<usize, String> {
+    let place = program.inputs.iter().position(|input| input.name == name);
+    place.ok_or_else(|| format!("the derived equations have no input `{name}`"))
+}
+
+/// The model's own start: left-out coordinates nominal, dependent ones solved for.
+fn start(model: &Model, program: &Program) -> Result<Start, String> {
+    let given = |name: &str| {
+        model.start.iter().find_map(|(owner, value)| {
+            let own = match owner {
+                StartRef::Coordinate(id) => &model.coordinates[*id].name,
+                StartRef::Speed(id) => &model.speeds[*id].name,
+            };
+            (own == name).then_some(*value)
+        })
+    };
+    let parameters: Vec<f64> = program.parameters.iter().map(|p| p.value).collect();
+    let wanted: Vec<Option<f64>> = program.q.iter().map(|q| given(&q.name)).collect();
+    let q = Configurations::new(model, program)
+        .solve(&parameters, &wanted)
+        .map_err(|why| format!("the start cannot be assembled: {why}"))?;
+    let u = program.u.iter().map(|u| given(&u.name).unwrap_or(0.0)).collect();
+    Ok(Start { q, u })
+}

@@ -1,0 +1,253 @@
+//! A flexible part: a shape of format 1 with its keys, where it starts, and the gas inside.
+//!
+//! Numbers are read with their units and handed to the reader of format 1, which knows the shapes.
+
+use super::value::{Bound, list, number, scalar};
+use crate::scene::Lists;
+use crate::scene::fields::Fields as Plain;
+use crate::scene::keys::{Choice, READERS, shapes};
+use crate::scene::read::body;
+use crate::world::assembly::Flexible;
+use serde_json::{Map, Value as Json};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Table, Value};
+use smartbed_runtime::gas::{Chamber, Gas, Regulated, Source};
+use smartbed_runtime::world::Content;
+use std::collections::BTreeMap;
+
+/// Keys of shapes and bodies with their units; whole numbers and lists of them have none.
+const UNITS: [(&str, &str); 18] = [
+    ("side", "m"),
+    ("length", "m"),
+    ("height", "m"),
+    ("radius", "m"),
+    ("width", "m"),
+    ("depth", "m"),
+    ("E", "N/m^2"),
+    ("rho", "kg/m^3"),
+    ("A", "m^2"),
+    ("mass", "kg"),
+    ("K", "N/m"),
+    ("C", "N s/m"),
+    ("stretch", ""),
+    ("points", "m"),
+    ("rest_lengths", "m"),
+    ("drop_height", "m"),
+    ("tilt", "rad"),
+    ("initial_velocity", "m/s"),
+];
+
+/// Temperature of gas unless it is given (K).
+const ROOM: f64 = 293.15;
+
+/// Keys of every flexible part, beside those of its shape.
+pub const COMMON: [&str; 4] = ["shape", "fixed", "C", "stretch"];
+/// Keys of this format alone.
+pub const OWN: [&str; 6] = ["start", "air_drag", "gas", "base", "attach", "grid"];
+
+/// Reads it; `offset` is where a copy of a grid stands.
+pub(super) fn read(
+    name: (&str, smartbed_codegen::source::Span),
+    table: &Table,
+    offset: [f64; 3],
+    found: &mut Diagnostics,
+) -> Option<Flexible> {
+    let own = Table {
+        entries: table.entries.iter().filter(|(key, _)| OWN.contains(&key.name.as_str())).cloned().collect(),
+        span: table.span,
+    };
+    let fields = Fields::of(name.0, name.1, &own);
+    let mut plain = Map::new();
+    let allowed = allowed(table);
+    for (key, value) in table.entries.iter().filter(|(key, _)| !OWN.contains(&key.name.as_str())) {
+        if !allowed.iter().any(|a| *a == key.name) {
+            let help = crate::suggest::help(&key.name, allowed.iter().copied().chain(OWN));
+            let error = Diagnostic::error(format!("nothing of `{}` reads `{}`", name.0, key.name));
+            let help = help.trim_start_matches("; ").to_owned();
+            found.push(error.label(key.span, "unknown key of this part").help(help));
+            return None;
+        }
+        plain.insert(key.name.clone(), json(value, &key.name, found)?);
+    }
+    let position = start(&fields, &mut plain, found);
+    let air_drag = number(&fields, "air_drag", "N s/m", Bound::NotNegative, found).unwrap_or(0.0);
+    let base = number(&fields, "base", "m", Bound::Positive, found);
+    let mut lists = match body::read(&Plain::of_map(plain)) {
+        Ok(lists) => lists,
+        Err(message) => {
+            let (key, message) = message.split_once(": ").unwrap_or(("shape", &message));
+            let span = table.entries.iter().find(|(k, _)| k.name == key).map_or(name.1, |(k, _)| k.span);
+            let error = Diagnostic::error(format!("`{key}` of `{}`: {message}", name.0));
+            found.push(error.label(span, "here"));
+            return None;
+        }
+    };
+    if let Some(depth) = base {
+        close_below(&mut lists, depth);
+    }
+    for point in &mut lists.points {
+        *point = [0, 1, 2].map(|i| point[i] + position[i] + offset[i]);
+    }
+    let gas = match fields.table("gas", found) {
+        None => None,
+        Some(table) => Some(gas(table, &lists, found)?),
+    };
+    Some(Flexible { lists, air_drag, gas })
+}
+
+/// Keys that the part's shape reads.
+fn allowed(table: &Table) -> Vec<&'static str> {
+    let shape = match table.get("shape") {
+        Some(Value::Text(text)) => shapes().find(|known| *known == text.text),
+        _ => None,
+    };
+    let choice = shape.map_or(Choice::Lists, Choice::Shape);
+    let keys = READERS.iter().filter(|r| r.choice == choice).flat_map(|r| r.keys.split_whitespace());
+    // Where the body starts and what is inside stand in `start` and `gas` here.
+    keys.filter(|key| !["pressure", "drop_height"].contains(key)).chain(COMMON).collect()
+}
+
+/// A value with units taken off, as format 1 has it.
+fn json(value: &Value, key: &str, found: &mut Diagnostics) -> Option<Json> {
+    let unit = UNITS.iter().find(|(known, _)| *known == key);
+    Some(match (value, unit) {
+        (Value::Text(_), Some((_, unit))) => Json::from(scalar(value, key, unit, Bound::Any, found)?),
+        (Value::Text(text), None) => Json::from(text.text.clone()),
+        (Value::Number(number, _), _) if number.fract() == 0.0 && number.abs() < 1e15 => {
+            Json::from(*number as i64)
+        }
+        (Value::Number(number, _), _) => Json::from(*number),
+        (Value::Boolean(flag, _), _) => Json::from(*flag),
+        (Value::Array(items, _), _) => {
+            let items: Option<Vec<Json>> = items.iter().map(|item| json(item, key, found)).collect();
+            Json::from(items?)
+        }
+        (Value::Table(_) | Value::Date(_), _) => {
+            let error = Diagnostic::error(format!("`{key}` is {}", value.kind()));
+            found.push(error.label(value.span(), "expected a number, a word or a list"));
+            return None;
+        }
+    })
+}
+
+/// `start = { position, height, tilt, velocity }`: the last three are keys of format 1; gives the first.
+fn start(fields: &Fields<'_>, plain: &mut Map<String, Json>, found: &mut Diagnostics) -> [f64; 3] {
+    let Some(table) = fields.table("start", found) else { return [0.0; 3] };
+    let inner = Fields::of("start", table.span, table);
+    let position = inner.get("position").and_then(|value| list(value, "position", "m", found));
+    for (key, plainly, of) in [("height", "drop_height", "m"), ("tilt", "tilt", "rad")] {
+        if let Some(x) = number(&inner, key, of, Bound::Any, found) {
+            plain.insert(plainly.to_owned(), Json::from(x));
+        }
+    }
+    if let Some(value) = inner.get("velocity")
+        && let Some(velocity) = list::<3>(value, "velocity", "m/s", found)
+    {
+        plain.insert("initial_velocity".to_owned(), Json::from(velocity.to_vec()));
+    }
+    inner.finish(found);
+    position.unwrap_or_default()
+}
+
+/// Closes a sheet: a ring of nodes below its rim, walls between the two, and a flat base.
+fn close_below(lists: &mut Lists, depth: f64) {
+    let Some(rim) = ring(lists) else { return };
+    let low: Vec<usize> = rim
+        .iter()
+        .map(|node| {
+            let [x, y, z] = lists.points[*node];
+            let point = lists.point([x, y, z - depth]);
+            (lists.fixed[point], lists.masses[point]) = (true, lists.masses[*node]);
+            lists.velocities.push(lists.velocities[*node]);
+            point
+        })
+        .collect();
+    for k in 0..rim.len() {
+        let next = (k + 1) % rim.len();
+        lists.facets.push([low[k], low[next], rim[next], rim[k]]);
+    }
+    for k in 1..rim.len() - 1 {
+        lists.facets.push([low[0], low[k + 1], low[k], low[k]]);
+    }
+}
+
+/// Edges of facets that no other facet has the other way round, from each node to the next.
+pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
+    let mut edges: BTreeMap<[usize; 2], i32> = BTreeMap::new();
+    for facet in facets {
+        for k in 0..4 {
+            let (a, b) = (facet[k], facet[(k + 1) % 4]);
+            if a != b {
+                *edges.entry([a, b]).or_default() += 1;
+            }
+        }
+    }
+    let open = edges.iter().filter(|([a, b], count)| edges.get(&[*b, *a]) != Some(count));
+    open.map(|([a, b], _)| (*a, *b)).collect()
+}
+
+/// The nodes around an open surface, in the order of its facets; none unless it has one edge all round.
+fn ring(lists: &Lists) -> Option<Vec<usize>> {
+    let open = open_edges(&lists.facets);
+    let first = *open.keys().next()?;
+    let (mut nodes, mut at) = (vec![first], *open.get(&first)?);
+    while at != first && nodes.len() <= open.len() {
+        nodes.push(at);
+        at = *open.get(&at)?;
+    }
+    (nodes.len() == open.len()).then_some(nodes)
+}
+
+/// `gas = { gauge, ambient, sealed, exponent, volume, temperature }`; the last three are of sealed gas.
+fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Content<f64>> {
+    let fields = Fields::of("gas", table.span, table);
+    let gauge = scalar(fields.need("gauge", "\"4_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?;
+    let sealed = fields.boolean("sealed", found).unwrap_or(false);
+    let open = open_edges(&lists.facets);
+    if lists.facets.is_empty() || !open.is_empty() {
+        let (label, help) = match open.iter().next() {
+            Some((a, b)) => (
+                format!("the edge from node {a} to node {b} belongs to one facet only"),
+                "close it: a sheet by base = \"40_mm\", lists by more facets, counter-clockwise seen from outside",
+            ),
+            None => ("the part has no facets".to_owned(), "give it facets, or leave `gas` out"),
+        };
+        found.push(Diagnostic::error("gas needs a closed surface").label(table.span, label).help(help));
+        return None;
+    }
+    let enclosed = volume(lists);
+    let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(101_325.0);
+    let content = if sealed {
+        let exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(1.4);
+        let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
+        let volume = number(&fields, "volume", "m^3", Bound::Positive, found).unwrap_or(enclosed);
+        if !(volume > 0.0 && ambient + gauge > 0.0) {
+            let error = Diagnostic::error("the gas has no volume or no pressure");
+            let label = format!("the facets enclose {enclosed:.3e} m^3");
+            let help = "facets go counter-clockwise seen from outside; or give the `volume` at which `gauge` holds; \
+                        gauge + ambient is above 0";
+            found.push(error.label(table.span, label).help(help));
+            return None;
+        }
+        let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient };
+        let state = chamber.filled(Source { pressure: ambient + gauge, temperature }, volume);
+        Content::Sealed { chamber, state }
+    } else {
+        Content::Regulated(Regulated { gas: Gas::air(), gauge, ambient })
+    };
+    fields.finish(found);
+    Some(content)
+}
+
+/// Volume inside the facets (m^3): a sixth of the sum of the triple products of two triangles each.
+fn volume(lists: &Lists) -> f64 {
+    let p = |n: usize| lists.points[n];
+    let triple = |[a, b, c]: [[f64; 3]; 3]| {
+        a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0])
+    };
+    let of = |[a, b, c, d]: &[usize; 4]| triple([p(*a), p(*b), p(*c)]) + triple([p(*a), p(*c), p(*d)]);
+    lists.facets.iter().map(of).sum::<f64>() / 6.0
+}

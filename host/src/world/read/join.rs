@@ -1,0 +1,308 @@
+//! What joins parts: attachments of nodes to ports and bodies, contacts with their laws.
+
+use super::value::{Bound, number, one_of};
+use crate::world::assembly::{Attachment, Contact, Kind, Law, Part};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Table, Text, Value, wrong_kind};
+use smartbed_codegen::source::Span;
+use smartbed_runtime::rigid::law::{Law as Located, LawFault};
+
+/// Impact laws.
+const IMPACTS: [&str; 5] = ["stronge", "newton", "compensation", "plastic", "moreau"];
+
+/// Numbers of the parts of a name: the part itself, or all copies of its grid.
+pub(super) fn parts_named(name: &str, parts: &[Part]) -> Vec<usize> {
+    let is =
+        |part: &Part| part.name == name || part.name.strip_prefix(name).is_some_and(|r| r.starts_with('['));
+    parts.iter().enumerate().filter(|(_, part)| is(part)).map(|(n, _)| n).collect()
+}
+
+/// A name that no part has.
+fn unknown_part(name: &str, span: Span, parts: &[Part], found: &mut Diagnostics) {
+    let help = crate::suggest::help(name, parts.iter().map(|p| p.name.as_str()));
+    let error = Diagnostic::error(format!("there is no part `{name}`"));
+    found.push(error.label(span, "unknown part").help(help.trim_start_matches("; ").to_owned()));
+}
+
+/// `attach = [{ nodes = "rim", to = "tile.platform" }]` of part `number`; its nodes become fixed and lose their mass.
+pub(super) fn attach(
+    items: &Value,
+    number: usize,
+    parts: &mut [Part],
+    found: &mut Diagnostics,
+) -> Vec<Attachment> {
+    let Value::Array(items, _) = items else {
+        found.push(
+            wrong_kind("attach", "a list of tables", items)
+                .help("attach = [{ nodes = \"rim\", to = \"tile.platform\" }]"),
+        );
+        return Vec::new();
+    };
+    let mut joined = Vec::new();
+    for item in items {
+        let Value::Table(table) = item else {
+            found.push(wrong_kind("attach", "a list of tables", item));
+            continue;
+        };
+        let fields = Fields::of("attach", table.span, table);
+        let nodes = nodes(&fields, table, &parts[number], found);
+        let target = fields.need("to", "\"tile.platform\"", found).and_then(|to| match to {
+            Value::Text(text) => target(text, number, parts, found),
+            other => {
+                found.push(wrong_kind("to", "PART.PORT or a rigid PART in quotes", other));
+                None
+            }
+        });
+        fields.finish(found);
+        let (Some(nodes), Some((to, port))) = (nodes, target) else { continue };
+        if let Kind::Flexible(body) = &mut parts[number].kind {
+            for node in &nodes {
+                (body.lists.fixed[*node], body.lists.masses[*node]) = (true, 0.0);
+            }
+        }
+        joined.push(Attachment { part: number, nodes, to, port });
+    }
+    joined
+}
+
+/// Nodes by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostics) -> Option<Vec<usize>> {
+    let Kind::Flexible(body) = &part.kind else { return None };
+    let (count, lists) = (body.lists.points.len(), &body.lists);
+    let value = match (fields.get("nodes"), fields.get("facets")) {
+        (Some(value), None) | (None, Some(value)) => value,
+        _ => {
+            let error = Diagnostic::error("an attachment names its nodes or its facets");
+            found.push(
+                error
+                    .label(table.span, "one of the two")
+                    .help("nodes = \"rim\", nodes = [0, 3] or facets = \"base\""),
+            );
+            return None;
+        }
+    };
+    let chosen: Vec<usize> = match value {
+        Value::Text(group) => {
+            let base = base_nodes(body);
+            let nodes: Vec<usize> =
+                match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
+                    "base" => base,
+                    _ => (0..count).filter(|n| lists.fixed[*n] && !base.contains(n)).collect(),
+                };
+            if nodes.is_empty() {
+                let error = Diagnostic::error(format!("`{}` has no nodes `{}`", part.name, group.text));
+                let help = "a sheet has a rim, and with base = \"40_mm\" a base; of other shapes name nodes by number: nodes = [0, 1]";
+                found.push(error.label(group.span, "an empty group").help(help));
+                return None;
+            }
+            nodes
+        }
+        Value::Array(items, _) => {
+            let read = |item: &Value| match item {
+                Value::Number(n, _) if n.fract() == 0.0 && *n >= 0.0 && *n < count as f64 => {
+                    Some(*n as usize)
+                }
+                _ => None,
+            };
+            match items.iter().map(read).collect::<Option<Vec<usize>>>() {
+                Some(nodes) => nodes,
+                None => {
+                    let error = Diagnostic::error("`nodes` must be numbers of nodes");
+                    let help = format!("the nodes of `{}` are 0 to {}", part.name, count - 1);
+                    found.push(error.label(value.span(), "one of them is none").help(help));
+                    return None;
+                }
+            }
+        }
+        other => {
+            found.push(wrong_kind("nodes", "\"rim\", \"base\" or a list of numbers", other));
+            return None;
+        }
+    };
+    Some(chosen)
+}
+
+/// Nodes that facets alone touch, no springs: those below a sheet.
+fn base_nodes(body: &crate::world::assembly::Flexible) -> Vec<usize> {
+    let mut lonely = vec![true; body.lists.points.len()];
+    body.lists.springs.iter().flatten().for_each(|node| lonely[*node] = false);
+    let in_facets = |node: &usize| body.lists.facets.iter().any(|corners| corners.contains(node));
+    (0..lonely.len()).filter(|n| lonely[*n] && in_facets(n)).collect()
+}
+
+/// `tile.platform`: a part and its port; of a rigid part its name alone.
+fn target(
+    text: &Text,
+    from: usize,
+    parts: &[Part],
+    found: &mut Diagnostics,
+) -> Option<(usize, Option<String>)> {
+    let (name, port) = match text.text.split_once('.') {
+        Some((name, port)) => (name, Some(port)),
+        None => (text.text.as_str(), None),
+    };
+    // A copy of a grid is attached to the copy beside it.
+    let copy = parts[from].name.find('[').map_or("", |at| &parts[from].name[at..]);
+    let beside = format!("{name}{copy}");
+    let own =
+        parts.iter().position(|p| p.name == beside).or_else(|| parts.iter().position(|p| p.name == name));
+    let Some(number) = own else {
+        unknown_part(name, text.span, parts, found);
+        return None;
+    };
+    match (&parts[number].kind, port) {
+        (Kind::Mechanism(mechanism), Some(port)) => {
+            let ports = &mechanism.model.ports;
+            if ports.iter().any(|p| p.name == port) {
+                return Some((number, Some(port.to_owned())));
+            }
+            let error = Diagnostic::error(format!("the model of `{name}` has no port `{port}`"));
+            let help = crate::suggest::help(port, ports.iter().map(|p| p.name.as_str()));
+            let help =
+                format!("declare it in the model: [ports] {port} = {{ frame = ..., point = ... }}{help}");
+            found.push(error.label(text.span, "missing frame").help(help));
+        }
+        (Kind::Mechanism(mechanism), None) => {
+            let known: Vec<&str> = mechanism.model.ports.iter().map(|p| p.name.as_str()).collect();
+            let error = Diagnostic::error(format!("`{name}` is a mechanism: which of its ports?"));
+            found.push(
+                error
+                    .label(text.span, "a port is missing")
+                    .help(format!("write {name}.PORT; its ports are: {}", known.join(", "))),
+            );
+        }
+        (Kind::Rigid(_), None) => return Some((number, None)),
+        (Kind::Rigid(_), Some(_)) => {
+            let error = Diagnostic::error(format!("`{name}` is a rigid body and has no ports"));
+            found.push(error.label(text.span, "its own axes hold").help(format!("write to = \"{name}\"")));
+        }
+        (Kind::Flexible(_), _) => {
+            let error =
+                Diagnostic::error(format!("`{name}` is flexible: it has no frame that could hold nodes"));
+            found.push(
+                error
+                    .label(text.span, "no frame")
+                    .help("attach to a port of a mechanism, or to a rigid part"),
+            );
+        }
+    }
+    None
+}
+
+/// `on = "arm.tool"` of a rigid part: the port that carries it.
+pub(super) fn on(text: &Value, number: usize, parts: &mut [Part], found: &mut Diagnostics) {
+    let Value::Text(text) = text else {
+        return found.push(wrong_kind("on", "PART.PORT in quotes", text));
+    };
+    match target(text, number, parts, found) {
+        Some((part, Some(port))) => {
+            if let Kind::Rigid(rigid) = &mut parts[number].kind {
+                rigid.on = Some((part, port));
+            }
+        }
+        Some((_, None)) => {
+            let error = Diagnostic::error("a surface stands on a port of a mechanism");
+            found.push(error.label(text.span, "this is a rigid part").help("write on = \"MECHANISM.PORT\""));
+        }
+        None => {}
+    }
+}
+
+/// A `[[contacts]]` table: the pairs it means.
+pub(super) fn contact(table: &Table, parts: &[Part], found: &mut Diagnostics) -> Vec<Contact> {
+    let fields = Fields::of("contacts", table.span, table);
+    let between = fields.need("between", "[\"load\", \"ground\"]", found);
+    let sides = between.and_then(|value| sides(value, parts, found));
+    let law = law(&fields, found);
+    fields.finish(found);
+    let (Some([one, other]), Some(law)) = (sides, law) else { return Vec::new() };
+    let mut pairs = Vec::new();
+    for a in &one {
+        for b in other.iter().filter(|b| *b != a) {
+            if !pairs.iter().any(|c: &Contact| c.between == [*b, *a]) {
+                pairs.push(Contact { between: [*a, *b], law });
+            }
+        }
+    }
+    if pairs.is_empty() {
+        let error = Diagnostic::error("a contact is between two parts");
+        found.push(error.label(fields_span(between, table), "these are one").help("name two parts"));
+    }
+    pairs
+}
+
+fn fields_span(value: Option<&Value>, table: &Table) -> Span {
+    value.map_or(table.span, Value::span)
+}
+
+fn sides(value: &Value, parts: &[Part], found: &mut Diagnostics) -> Option<[Vec<usize>; 2]> {
+    let Value::Array(items, _) = value else {
+        found.push(
+            wrong_kind("between", "the names of two parts", value).help("between = [\"load\", \"ground\"]"),
+        );
+        return None;
+    };
+    let [Value::Text(one), Value::Text(other)] = &items[..] else {
+        let error = Diagnostic::error("`between` must name two parts");
+        found.push(
+            error
+                .label(value.span(), format!("these are {}", items.len()))
+                .help("between = [\"load\", \"ground\"]"),
+        );
+        return None;
+    };
+    let mut side = |text: &Text| {
+        let named = parts_named(&text.text, parts);
+        if named.is_empty() {
+            unknown_part(&text.text, text.span, parts, found);
+        }
+        (!named.is_empty()).then_some(named)
+    };
+    let (one, other) = (side(one), side(other));
+    Some([one?, other?])
+}
+
+/// The law of a contact; a pair without one is refused.
+fn law(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<Law> {
+    let Some(impact) = fields.text("impact", found) else {
+        if fields.get("impact").is_none() {
+            let error = Diagnostic::error("a pair of parts without a law");
+            let help =
+                format!("add impact = \"stronge\" (known: {}), restitution and friction", IMPACTS.join(", "));
+            found.push(error.label(fields.span, "`impact` is missing").help(help));
+        }
+        return None;
+    };
+    let kind = one_of(&impact.text, impact.span, ("law of impact", &IMPACTS), found)?;
+    let friction = number(fields, "friction", "", Bound::NotNegative, found).unwrap_or(0.0);
+    if kind == "moreau" {
+        let restitution = number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0);
+        return Some(Law::Moreau { restitution, friction });
+    }
+    let law = match kind {
+        "stronge" => {
+            Located::stronge(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
+        }
+        "newton" => {
+            Located::newton(number(fields, "restitution", "", Bound::Share, found).unwrap_or(0.0), friction)
+        }
+        "compensation" => {
+            Located::compensation(number(fields, "share", "", Bound::Share, found).unwrap_or(1.0), friction)
+        }
+        _ => Located::stronge(0.0, friction),
+    };
+    law.map(Law::Located)
+        .map_err(|why| {
+            let (message, help) = match why {
+                LawFault::NewtonWithFriction => (
+                    "Newton's restitution with friction can create energy",
+                    "take impact = \"stronge\", or friction = 0",
+                ),
+                LawFault::Restitution => ("restitution is from 0 to 1", "correct the number"),
+                LawFault::Friction => ("friction is 0 or more", "correct the number"),
+            };
+            found.push(Diagnostic::error(message).label(impact.span, "this law").help(help));
+        })
+        .ok()
+}

@@ -1,0 +1,122 @@
+//! A mechanism: a model, what the scene commands, and where its origin stands.
+//!
+//! Commanded coordinates become functions of time in a model that extends the one named: prescribed motion, units and
+//! places in messages are then the model's own.
+
+use super::value::{list, one_of};
+use crate::world::assembly::Mechanism;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::document::{Value, wrong_kind};
+use smartbed_codegen::model::{self, Fields, Model};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+/// The key of `start` that is no coordinate: where the mechanism's origin stands.
+const PLACE: &str = "position";
+
+/// Finds the file of a model by its name, or says that there is none.
+pub type Find<'a> = &'a dyn Fn(&str) -> Result<PathBuf, String>;
+
+/// Reads it; `offset` is where a copy of a grid stands.
+pub(super) fn read(
+    fields: &Fields<'_>,
+    offset: [f64; 3],
+    find: Find<'_>,
+    found: &mut Diagnostics,
+) -> Option<Mechanism> {
+    let name = fields.text("mechanism", found)?;
+    let path = match find(&name.text) {
+        Ok(path) => path,
+        Err(why) => {
+            let error = Diagnostic::error(format!("`{}` has no model: {why}", fields.name));
+            found.push(error.label(name.span, "no such model").help("name a file, or one of models/"));
+            return None;
+        }
+    };
+    let base = match model::read(&path) {
+        Ok(model) => model,
+        Err(wrong) => {
+            let error = Diagnostic::error(format!("the model of `{}` is wrong: {wrong}", fields.name));
+            found.push(
+                error
+                    .label(name.span, "this model")
+                    .help("correct it first: `smartbed check` shows all of it"),
+            );
+            return None;
+        }
+    };
+    let changed = changes(fields, &base, found)?;
+    let place =
+        fields.table("start", found).and_then(|start| list::<3>(start.get(PLACE)?, PLACE, "m", found));
+    let place = place.unwrap_or_default();
+    let place = [0, 1, 2].map(|i| place[i] + offset[i]);
+    let model = if changed.is_empty() { base } else { extended(fields, &path, &changed, found)? };
+    Some(Mechanism { model, place })
+}
+
+/// Sections that take the place of the model's own.
+fn changes(fields: &Fields<'_>, base: &Model, found: &mut Diagnostics) -> Option<String> {
+    let (mut text, mut commanded) = (String::new(), 0);
+    let known: Vec<&str> = base.coordinates.iter().map(|c| c.name.as_str()).collect();
+    if let Some(table) = fields.table("command", found) {
+        text += "[coordinates]\n";
+        for (key, value) in &table.entries {
+            let name = one_of(&key.name, key.span, ("coordinate", &known), found)?;
+            let coordinate = base.coordinates.iter().find(|c| c.name == name)?;
+            let Value::Text(law) = value else {
+                let error = wrong_kind(name, "an expression of the time t in quotes", value);
+                found.push(error.help("for example \"0.005_m*(1 - cos(2*pi*t/20_s))\""));
+                return None;
+            };
+            commanded += usize::from(coordinate.independent);
+            let _ = writeln!(text, "{name} = {{ closed_form = {:?}, independent = false }}", law.text);
+        }
+    }
+    for section in ["parameters", "law", "start"] {
+        let table = match section {
+            "parameters" => fields.table("set", found),
+            "law" => fields.table("law", found),
+            _ => fields.table("start", found),
+        };
+        let entries = table.iter().flat_map(|table| &table.entries);
+        let mut lines = String::new();
+        // Where the whole mechanism stands is no coordinate of its own.
+        for (key, value) in entries.filter(|(key, _)| section != "start" || key.name != PLACE) {
+            let written = match value {
+                Value::Text(text) => format!("{:?}", text.text),
+                Value::Number(number, _) => format!("{number:?}"),
+                other => {
+                    found.push(wrong_kind(&key.name, "a number or an expression in quotes", other));
+                    return None;
+                }
+            };
+            let _ = match section {
+                "parameters" => writeln!(lines, "{} = {{ value = {written} }}", key.name),
+                _ => writeln!(lines, "{} = {written}", key.name),
+            };
+        }
+        if !lines.is_empty() {
+            let _ = write!(text, "[{section}]\n{lines}");
+        }
+    }
+    let dof = base.dof.map(|(dof, _)| dof).filter(|_| commanded > 0);
+    let dof = dof.map_or(String::new(), |dof| format!("dof = {}\n", dof.saturating_sub(commanded)));
+    Some(if text.is_empty() { text } else { dof + &text })
+}
+
+fn extended(fields: &Fields<'_>, path: &Path, changed: &str, found: &mut Diagnostics) -> Option<Model> {
+    let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let name: String = fields.name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+    let text = format!("format = 1\nextends = {file:?}\nname = {name:?}\n{changed}");
+    let shown = path.with_file_name(format!("parts.{}", fields.name));
+    match model::parse(&shown.display().to_string(), &text) {
+        Ok(model) => Some(model),
+        Err(wrong) => {
+            let help = "the keys of `command`, `law`, `set` and `start` are those of the model";
+            let error =
+                Diagnostic::error(format!("what `{}` changes in its model is wrong: {wrong}", fields.name));
+            found.push(error.label(fields.span, "this part").help(help));
+            None
+        }
+    }
+}

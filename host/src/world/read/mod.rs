@@ -1,0 +1,251 @@
+//! Scene text of format 2 -> [`Assembly`]: settings, parts, what joins them, the run; all errors with their places.
+//!
+//! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part each,
+//! `join` attachments and contacts, `overlap` judges where rigid parts start.
+
+mod flexible;
+mod join;
+mod mechanism;
+mod overlap;
+mod rigid;
+mod sensor;
+pub mod settings;
+mod value;
+
+pub use mechanism::Find;
+
+use super::assembly::{Assembly, Kind, Part, Run};
+use crate::scene::fields::is_too_much;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{self, Key, Table, Value, wrong_kind};
+use smartbed_codegen::source::{Source, Span};
+use value::{Bound, count, number, vector};
+
+/// Most copies of a part.
+const MOST_COPIES: usize = 10_000;
+/// Most nodes of all flexible parts; one takes about two kilobytes of memory.
+const MOST_NODES: usize = 200_000;
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e9;
+
+/// Is this text a scene of format 2? Its parts say so; nothing is parsed.
+#[must_use]
+pub fn is_world(text: &str) -> bool {
+    let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
+    text.lines().any(|line| begins(line.trim_start()))
+}
+
+/// Reads a scene; `settings` are `--set`'s, `find` gives the file of a model's name.
+///
+/// # Errors
+/// Everything that is wrong in it.
+pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Result<Assembly, Diagnostics> {
+    let source = Source::new(path, text);
+    let mut found = Diagnostics::new(source.clone());
+    if is_too_much(text) {
+        let error = Diagnostic::error("the scene has more values than there is memory for");
+        found.push(
+            error.label(Span::default(), "").help("repeat parts by `grid`, take shapes in place of lists"),
+        );
+        return Err(found);
+    }
+    let table = match document::parse(text, 0) {
+        Ok(table) => table,
+        Err(items) => return Err(Diagnostics { source, items }),
+    };
+    let table = settings::apply(table, settings, &mut found);
+    let assembly = read(path, &table, find, &mut found);
+    match assembly {
+        Some(assembly) => found.finish(assembly),
+        None => Err(found),
+    }
+}
+
+fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> Option<Assembly> {
+    let scene = Fields::of("scene", table.span, table);
+    match scene.get("format") {
+        Some(Value::Number(2.0, _)) => {}
+        Some(other) => found.push(wrong_kind("format", "2, for it has `parts`", other)),
+        None => found.push(
+            Diagnostic::error("the scene has no `format`").label(table.span, "").help("add format = 2"),
+        ),
+    }
+    let title = scene.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
+    let gravity = vector(&scene, "gravity", "m/s^2", found).unwrap_or([0.0, 0.0, -9.81]);
+    let named = scene.table("parts", found);
+    let (parts, attached) = parts(named.map_or(&[][..], |t| &t.entries), find, found);
+    let mut parts = parts?;
+    let mut attachments = Vec::new();
+    for (number, value) in attached {
+        match parts[number].kind {
+            Kind::Rigid(_) => join::on(&value, number, &mut parts, found),
+            _ => attachments.extend(join::attach(&value, number, &mut parts, found)),
+        }
+    }
+    let mut contacts = Vec::new();
+    for item in scene.array("contacts", found).map_or(&[][..], |(items, _)| items) {
+        match item {
+            Value::Table(table) => contacts.extend(join::contact(table, &parts, found)),
+            other => found.push(wrong_kind("contacts", "tables, each under [[contacts]]", other)),
+        }
+    }
+    let observed = scene.table("sensors", found).map_or(&[][..], |table| &table.entries);
+    let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
+    let run = run(&scene, found);
+    scene.finish(found);
+    let assembly = Assembly { title, gravity, parts, attachments, contacts, sensors, run: run? };
+    let spans = |name: &str| {
+        let own = name.split('[').next().unwrap_or(name);
+        named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
+    };
+    overlap::check(&assembly, spans, found);
+    Some(assembly)
+}
+
+/// What each part with attachments says of them.
+type Attached = Vec<(usize, Value)>;
+
+fn parts(entries: &[(Key, Value)], find: Find<'_>, found: &mut Diagnostics) -> (Option<Vec<Part>>, Attached) {
+    let (mut parts, mut attached, mut whole, mut nodes) = (Vec::new(), Vec::new(), true, 0);
+    for (key, value) in entries {
+        let Value::Table(table) = value else {
+            found.push(wrong_kind(&key.name, "a table of its own: [parts.NAME]", value));
+            whole = false;
+            continue;
+        };
+        if key.name.contains(['[', '.', ' ']) {
+            let error = Diagnostic::error("a part's name is one word");
+            found.push(error.label(key.span, "this is none").help("letters, digits, _ and -"));
+        }
+        let places = copies(key, table, found);
+        for (suffix, offset) in places {
+            match part(key, table, offset, find, found) {
+                Some(kind) => {
+                    nodes += if let Kind::Flexible(body) = &kind { body.lists.points.len() } else { 0 };
+                    if nodes > MOST_NODES {
+                        let error = Diagnostic::error(format!(
+                            "the flexible parts have more than {MOST_NODES} nodes"
+                        ));
+                        found.push(
+                            error
+                                .label(key.span, "with this one")
+                                .help("take coarser bodies, or fewer copies"),
+                        );
+                        return (None, attached);
+                    }
+                    if let Some(value) = table.get("attach").or(table.get("on")) {
+                        attached.push((parts.len(), value.clone()));
+                    }
+                    parts.push(Part { name: format!("{}{suffix}", key.name), kind });
+                }
+                None => {
+                    whole = false;
+                    break;
+                }
+            }
+        }
+    }
+    if entries.is_empty() {
+        let error = Diagnostic::error("the scene has no parts");
+        found.push(error.label(Span::default(), "").help("add [parts.NAME] with rigid, shape or mechanism"));
+        whole = false;
+    }
+    (whole.then_some(parts), attached)
+}
+
+/// Copies of a part by `grid = { count = [7, 4], pitch = ["0.4_m", "0.4_m"] }`: how each is named and where it stands.
+fn copies(key: &Key, table: &Table, found: &mut Diagnostics) -> Vec<(String, [f64; 3])> {
+    let single = vec![(String::new(), [0.0; 3])];
+    let grid = match table.get("grid") {
+        None => return single,
+        Some(Value::Table(grid)) => grid,
+        Some(other) => {
+            let error = wrong_kind("grid", "a table", other);
+            found.push(error.help("grid = { count = [7, 4], pitch = [\"0.4_m\", \"0.4_m\"] }"));
+            return single;
+        }
+    };
+    let fields = Fields::of("grid", grid.span, grid);
+    let count = fields.need("count", "[7, 4]", found).and_then(|v| value::list::<2>(v, "count", "", found));
+    let pitch = fields
+        .need("pitch", "[\"0.4_m\", \"0.4_m\"]", found)
+        .and_then(|v| value::list::<2>(v, "pitch", "m", found));
+    fields.finish(found);
+    let (Some(count), Some(pitch)) = (count, pitch) else { return single };
+    if count.iter().any(|n| *n < 1.0 || n.fract() != 0.0) || count[0] * count[1] > MOST_COPIES as f64 {
+        let error =
+            Diagnostic::error(format!("`{}` is repeated {} x {} times", key.name, count[0], count[1]));
+        found.push(
+            error
+                .label(grid.span, format!("whole numbers >= 1, {MOST_COPIES} copies at most"))
+                .help("correct `count`"),
+        );
+        return single;
+    }
+    let (rows, columns) = (count[0] as usize, count[1] as usize);
+    let copy = |n: usize| {
+        let (i, j) = (n / columns, n % columns);
+        (format!("[{i},{j}]"), [i as f64 * pitch[0], j as f64 * pitch[1], 0.0])
+    };
+    (0..rows * columns).map(copy).collect()
+}
+
+/// One part, by the key that says what it is.
+fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut Diagnostics) -> Option<Kind> {
+    let fields = Fields::of(&key.name, key.span, table);
+    let kinds = ["mechanism", "shape", "points", "rigid"].map(|kind| table.get(kind).is_some());
+    match kinds {
+        [true, false, false, false] => {
+            let read = mechanism::read(&fields, offset, find, found);
+            let _ = fields.get("grid");
+            if read.is_some() {
+                fields.finish(found);
+            }
+            read.map(|m| Kind::Mechanism(Box::new(m)))
+        }
+        [false, false, false, true] => {
+            let read = rigid::read(&fields, offset, found);
+            let _ = fields.get("grid");
+            if read.is_some() {
+                fields.finish(found);
+            }
+            read.map(Kind::Rigid)
+        }
+        [false, true, false, false] | [false, false, true, false] => {
+            // What holds an attached part says where it stands: its copies start in their own frames.
+            let offset = if table.get("attach").is_some() { [0.0; 3] } else { offset };
+            flexible::read((&key.name, key.span), table, offset, found).map(|f| Kind::Flexible(Box::new(f)))
+        }
+        _ => {
+            let error = Diagnostic::error(format!("what is the part `{}`?", key.name));
+            let help = "give it one of: mechanism = \"tile\", shape = \"sheet\" (flexible; or points), rigid = \"sphere\"";
+            found.push(error.label(key.span, "one of the keys that say so, and no more").help(help));
+            None
+        }
+    }
+}
+
+fn run(scene: &Fields<'_>, found: &mut Diagnostics) -> Option<Run> {
+    let mut run = Run { seconds: 1.0, step: 1e-3, every: 1, method: None, settled: false };
+    let Some(table) = scene.table("run", found) else { return Some(run) };
+    let fields = Fields::of("run", table.span, table);
+    run.seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(run.seconds);
+    run.step = number(&fields, "step", "s", Bound::Positive, found).unwrap_or(run.step);
+    run.every = count(&fields, "every", 1, found).unwrap_or(run.every);
+    if let Some(start) = fields.text("start", found) {
+        run.settled = value::one_of(&start.text, start.span, ("start", &["given", "settled"]), found)
+            == Some("settled");
+    }
+    run.method = fields.text("method", found).map(|text| text.text.clone());
+    fields.finish(found);
+    if run.seconds / run.step > MOST_STEPS {
+        let error = Diagnostic::error(format!(
+            "{} s in steps of {} s are more than {MOST_STEPS:e} steps",
+            run.seconds, run.step
+        ));
+        found.push(error.label(table.span, "this run").help("take a larger step"));
+        return None;
+    }
+    Some(run)
+}

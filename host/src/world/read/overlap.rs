@@ -1,0 +1,46 @@
+//! Rigid parts that overlap where they start: no law of touches can undo that.
+
+use crate::world::assembly::{Assembly, Rigid};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::source::Span;
+use smartbed_runtime::rigid::narrow::{Placed, features};
+use smartbed_runtime::rigid::scene::Part;
+
+/// An overlap below this share of the parts' size is rounding of the text's numbers.
+const ROUNDING: f64 = 1e-9;
+
+/// Judges every pair of which one moves.
+pub(super) fn check(assembly: &Assembly, span: impl Fn(&str) -> Option<Span>, found: &mut Diagnostics) {
+    // Where a shape on a port stands is known when the mechanism is.
+    let rigid: Vec<(&str, &Rigid)> = assembly.rigid().filter(|(_, rigid)| rigid.on.is_none()).collect();
+    for (n, (one_name, one)) in rigid.iter().enumerate() {
+        for (other_name, other) in &rigid[n + 1..] {
+            if one.body.is_none() && other.body.is_none() {
+                continue;
+            }
+            let depth = depth(one, other);
+            if depth > ROUNDING {
+                let place = span(one_name).unwrap_or_default();
+                let error = Diagnostic::error(format!(
+                    "`{one_name}` and `{other_name}` overlap by {depth:.3e} m at the start"
+                ));
+                let mut error = error.label(place, "starts inside the other");
+                if let Some(other) = span(other_name).filter(|s| *s != place) {
+                    error = error.label(other, "this one");
+                }
+                found.push(error.help(
+                    "move one of them: start = { position = [x, y, z] } or start = { height = \"20_mm\" }",
+                ));
+            }
+        }
+    }
+}
+
+/// How deep the two are in each other (m); 0 where they are apart.
+fn depth(one: &Rigid, other: &Rigid) -> f64 {
+    let frame = |r: &Rigid| Part { shape: r.shape, body: r.body }.frame(&r.start);
+    let (a, b) = (frame(one), frame(other));
+    let near =
+        features(Placed { shape: &one.shape, frame: &a }, Placed { shape: &other.shape, frame: &b }, 0.0);
+    near.iter().map(|feature| -feature.gap).fold(0.0, f64::max)
+}

@@ -1,0 +1,68 @@
+//! `[sensors.NAME]`: what is read, by which transducer, how coarsely, late and noisily.
+//!
+//! Numbers in quotes are in the unit that `unit` names; plain ones are in SI units.
+
+use super::value::{Bound, count, list, number, one_of};
+use crate::world::assembly::{Sensing, Transducer};
+use smartbed_codegen::diagnostic::Diagnostics;
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Key, Value, wrong_kind};
+
+/// Names of the transducers.
+const KINDS: [&str; 4] = ["plain", "lvdt", "pressure", "switch"];
+
+/// Reads one.
+pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<Sensing> {
+    let Value::Table(table) = value else {
+        found.push(wrong_kind(&key.name, "a table of its own: [sensors.NAME]", value));
+        return None;
+    };
+    let fields = Fields::of(&key.name, key.span, table);
+    let of = match fields.need("of", "\"tile.hA\"", found)? {
+        Value::Text(text) => text.text.clone(),
+        other => {
+            found.push(wrong_kind("of", "the name of a number of the rows in quotes", other));
+            return None;
+        }
+    };
+    let unit = fields.text("unit", found).map_or_else(String::new, |text| text.text.clone());
+    let mut get = |name: &'static str, unit: &str, bound: Bound, left_out: f64| {
+        number(&fields, name, unit, bound, found).unwrap_or(left_out)
+    };
+    let (delay, period) =
+        (get("delay", "s", Bound::NotNegative, 0.0), get("period", "s", Bound::Positive, f64::NAN));
+    let noise = get("noise", &unit, Bound::NotNegative, 0.0);
+    let bias = get("bias", &unit, Bound::NotNegative, 0.0);
+    let drift = get("drift", &unit, Bound::Any, 0.0);
+    let resolution = get("resolution", &unit, Bound::NotNegative, 0.0);
+    let kind = fields.text("kind", found);
+    let kind = match kind {
+        Some(text) => one_of(&text.text, text.span, ("kind of sensor", &KINDS), found)?,
+        None => "plain",
+    };
+    let mut get = |name: &'static str, unit: &str, bound: Bound, left_out: f64| {
+        number(&fields, name, unit, bound, found).unwrap_or(left_out)
+    };
+    let transducer = match kind {
+        "lvdt" => Transducer::Lvdt {
+            reach: get("reach", &unit, Bound::Positive, 1.0),
+            linearity: get("linearity", "", Bound::NotNegative, 0.0),
+        },
+        "pressure" => Transducer::Pressure { lag: get("lag", "s", Bound::NotNegative, 0.0) },
+        "switch" => Transducer::Switch {
+            closes: get("closes", &unit, Bound::Any, 0.0),
+            hysteresis: get("hysteresis", &unit, Bound::NotNegative, 0.0),
+            chatter: get("chatter", "s", Bound::NotNegative, 0.0),
+        },
+        _ => Transducer::Plain,
+    };
+    let range = match fields.get("range") {
+        Some(value) => list(value, "range", &unit, found)?,
+        None => [f64::NEG_INFINITY, f64::INFINITY],
+    };
+    let seed = count(&fields, "seed", 0, found).unwrap_or(0) as u64;
+    fields.finish(found);
+    let period = Some(period).filter(|period| !period.is_nan());
+    let name = key.name.clone();
+    Some(Sensing { name, of, transducer, period, delay, noise, bias, drift, resolution, range, seed })
+}

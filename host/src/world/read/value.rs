@@ -1,0 +1,165 @@
+//! Fields of a scene as numbers, vectors and words: each asked for once, with its unit and its bounds.
+//!
+//! A plain number is in SI units; a text is a number with its unit (`"20_mm"`, `"9.81 m/s^2"`) or an expression.
+
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::document::{Value, wrong_kind};
+use smartbed_codegen::model::unit::{self, Unit};
+use smartbed_codegen::model::{Fields, quantity};
+use smartbed_codegen::source::Span;
+
+/// What a number must be.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Bound {
+    Any,
+    NotNegative,
+    Positive,
+    Share,
+}
+
+impl Bound {
+    fn holds(self, x: f64) -> bool {
+        match self {
+            Bound::Any => true,
+            Bound::NotNegative => x >= 0.0,
+            Bound::Positive => x > 0.0,
+            Bound::Share => (0.0..=1.0).contains(&x),
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Bound::Any => "a number",
+            Bound::NotNegative => "a number >= 0",
+            Bound::Positive => "a number > 0",
+            Bound::Share => "a number from 0 to 1",
+        }
+    }
+}
+
+/// A unit by its text, which the program itself wrote.
+pub(super) fn unit(text: &str) -> Unit {
+    unit::parse(text).map_or(Unit::NONE, |scale| scale.unit)
+}
+
+/// A value as a number.
+pub(super) fn scalar(
+    value: &Value,
+    key: &str,
+    of: &str,
+    bound: Bound,
+    found: &mut Diagnostics,
+) -> Option<f64> {
+    let number = match value {
+        Value::Number(number, _) if number.is_finite() => *number,
+        Value::Text(text) => quantity(text, unit(of), &format!("`{key}`"), found)?,
+        other => {
+            let expected = format!("a number in {}, or a text such as \"2 {of}\"", said(of));
+            found.push(wrong_kind(key, &expected, other).help(format!("{key} takes {}", bound.words())));
+            return None;
+        }
+    };
+    if bound.holds(number) {
+        return Some(number);
+    }
+    let error = Diagnostic::error(format!("`{key}` must be {}", bound.words()));
+    found.push(error.label(value.span(), format!("this is {number}")).help("correct the number or its sign"));
+    None
+}
+
+fn said(of: &str) -> &str {
+    if of.is_empty() { "no unit" } else { of }
+}
+
+/// A number that may be missing.
+pub(super) fn number(
+    fields: &Fields<'_>,
+    key: &'static str,
+    of: &str,
+    bound: Bound,
+    found: &mut Diagnostics,
+) -> Option<f64> {
+    scalar(fields.get(key)?, key, of, bound, found)
+}
+
+/// A number that must be there.
+pub(super) fn needed(
+    fields: &Fields<'_>,
+    key: &'static str,
+    (of, example): (&str, &str),
+    found: &mut Diagnostics,
+) -> Option<f64> {
+    scalar(fields.need(key, example, found)?, key, of, Bound::Positive, found)
+}
+
+/// Numbers of a list of this length.
+pub(super) fn list<const N: usize>(
+    value: &Value,
+    key: &str,
+    of: &str,
+    found: &mut Diagnostics,
+) -> Option<[f64; N]> {
+    let Value::Array(items, _) = value else {
+        found.push(
+            wrong_kind(key, &format!("a list of {N} numbers"), value)
+                .help("write [x, y, z], each with its unit"),
+        );
+        return None;
+    };
+    if items.len() != N {
+        let error = Diagnostic::error(format!("`{key}` must be a list of {N} numbers"));
+        found.push(
+            error.label(value.span(), format!("these are {}", items.len())).help("give one for each axis"),
+        );
+        return None;
+    }
+    let numbers: Vec<Option<f64>> = items.iter().map(|x| scalar(x, key, of, Bound::Any, found)).collect();
+    numbers.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
+}
+
+/// A vector that may be missing.
+pub(super) fn vector(
+    fields: &Fields<'_>,
+    key: &'static str,
+    of: &str,
+    found: &mut Diagnostics,
+) -> Option<[f64; 3]> {
+    list(fields.get(key)?, key, of, found)
+}
+
+/// A whole number of at least `least`.
+pub(super) fn count(
+    fields: &Fields<'_>,
+    key: &'static str,
+    least: usize,
+    found: &mut Diagnostics,
+) -> Option<usize> {
+    match fields.get(key)? {
+        Value::Number(n, _) if n.fract() == 0.0 && *n >= least as f64 && *n <= 1e9 => Some(*n as usize),
+        other => {
+            let expected = format!("a whole number >= {least}");
+            found.push(wrong_kind(key, &expected, other).help("correct the number"));
+            None
+        }
+    }
+}
+
+/// One of several words.
+pub(super) fn one_of<'k>(
+    word: &str,
+    span: Span,
+    (what, known): (&str, &[&'k str]),
+    found: &mut Diagnostics,
+) -> Option<&'k str> {
+    let hit = known.iter().find(|k| **k == word);
+    if hit.is_none() {
+        let help = crate::suggest::help(word, known.iter().copied());
+        let help = if help.is_empty() { format!("known: {}", known.join(", ")) } else { help };
+        found.push(
+            Diagnostic::error(format!("unknown {what} `{word}`"))
+                .label(span, format!("expected one of {}", known.join(", ")))
+                .help(help.trim_start_matches("; ").to_owned()),
+        );
+    }
+    hit.copied()
+}

@@ -1,0 +1,228 @@
+//! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts located, contacts that last held.
+
+use super::assembly::{Assembly, Contact, Kind, Law};
+use super::engine::{Column, Energies, Engine, Event};
+use super::picture::Picture;
+use smartbed_runtime::rigid::RigidState;
+use smartbed_runtime::rigid::attitude::Attitude;
+use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::scene::{Fault, Memory, Pair, Part, RigidScene, Strike, Touching};
+use smartbed_runtime::rigid::several::Struck;
+use smartbed_runtime::vec3;
+
+/// Numbers of one part in a row.
+pub(super) const NUMBERS: [(&str, &str); 13] = [
+    ("x", "m"),
+    ("y", "m"),
+    ("z", "m"),
+    ("e0", ""),
+    ("e1", ""),
+    ("e2", ""),
+    ("e3", ""),
+    ("vx", "m/s"),
+    ("vy", "m/s"),
+    ("vz", "m/s"),
+    ("wx", "rad/s"),
+    ("wy", "rad/s"),
+    ("wz", "rad/s"),
+];
+/// Contacts of one pair at most.
+const CONTACTS: usize = smartbed_runtime::rigid::narrow::CAPACITY;
+
+/// Rigid bodies in motion.
+#[derive(Clone, Debug)]
+pub struct RigidWorld {
+    names: Vec<String>,
+    parts: Vec<Part<f64>>,
+    pairs: Vec<Pair<f64>>,
+    gravity: [f64; 3],
+    states: Vec<RigidState<f64>>,
+    scratch: [Vec<RigidState<f64>>; 3],
+    twists: [Vec<Twist<f64>>; 2],
+    mobilities: Vec<Mobility<f64>>,
+    touching: [Vec<Touching<f64>>; 2],
+    struck: Vec<Struck<f64>>,
+    impact: f64,
+    friction: f64,
+    forced: usize,
+}
+
+impl RigidWorld {
+    /// At its start.
+    ///
+    /// # Errors
+    /// A part that is not rigid, or a method, which these worlds do not choose.
+    pub fn new(assembly: &Assembly) -> Result<Self, String> {
+        if let Some(method) = &assembly.run.method {
+            return Err(format!(
+                "run.method = \"{method}\": rigid bodies have a step of their own, of order 2 between events; leave the key out"
+            ));
+        }
+        let (mut names, mut parts, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        for part in &assembly.parts {
+            let Kind::Rigid(rigid) = &part.kind else { return Err(format!("`{}` is not rigid", part.name)) };
+            names.push(part.name.clone());
+            parts.push(Part { shape: rigid.shape, body: rigid.body });
+            states.push(rigid.start);
+        }
+        let located = |c: &Contact| match c.law {
+            Law::Located(law) => Some(Pair { parts: c.between, law }),
+            Law::Moreau { .. } => None,
+        };
+        let pairs: Vec<Pair<f64>> = assembly.contacts.iter().filter_map(located).collect();
+        let (n, room) = (parts.len(), CONTACTS * pairs.len());
+        let empty = Touching::empty();
+        Ok(RigidWorld {
+            names,
+            gravity: assembly.gravity,
+            scratch: [states.clone(), states.clone(), states.clone()],
+            twists: [vec![Twist::zero(); n], vec![Twist::zero(); n]],
+            mobilities: vec![Mobility::fixed(); n],
+            touching: [vec![empty; room], vec![empty; room]],
+            struck: vec![Struck::new(empty.held.contact, &[] as &[Mobility<f64>]); room],
+            parts,
+            pairs,
+            states,
+            impact: 0.0,
+            friction: 0.0,
+            forced: 0,
+        })
+    }
+}
+
+/// The parts of an impact, pair by pair.
+fn events(strike: &Strike<'_, f64>, pairs: &[Pair<f64>], found: &mut Vec<Event>) {
+    for (number, pair) in pairs.iter().enumerate() {
+        let own = strike.touching.iter().zip(strike.struck).filter(|(t, _)| t.pair == number);
+        let mut event =
+            Event { time: strike.time, parts: pair.parts, points: 0, approach: 0.0, impulse: 0.0 };
+        for (touching, struck) in own {
+            let impulse = struck.contact.impulse[0];
+            event.points += usize::from(impulse > 0.0);
+            event.impulse += impulse;
+            event.approach = event.approach.max(-touching.velocity[0]);
+        }
+        if event.points > 0 {
+            found.push(event);
+        }
+    }
+}
+
+impl Engine for RigidWorld {
+    fn columns(&self) -> Vec<Column> {
+        let moving = self.names.iter().zip(&self.parts).filter(|(_, part)| part.body.is_some());
+        let of = |name: &String| {
+            NUMBERS.map(|(number, unit)| Column {
+                name: format!("{name}.{number}"),
+                unit: unit.to_owned(),
+                by_default: ["x", "y", "z"].contains(&number),
+            })
+        };
+        moving.flat_map(|(name, _)| of(name)).collect()
+    }
+
+    fn state(&mut self) -> Result<Vec<f64>, String> {
+        let mut values = Vec::new();
+        for (part, state) in self.parts.iter().zip(&self.states) {
+            let Some(body) = &part.body else { continue };
+            values.extend(state.position);
+            values.extend(state.attitude.parameters());
+            values.extend(state.velocity);
+            values.extend(body.angular_velocity(state));
+        }
+        Ok(values)
+    }
+
+    fn energies(&mut self) -> Result<Energies, String> {
+        let mut energies = Energies { impact: self.impact, friction: self.friction, ..Energies::default() };
+        for (part, state) in self.parts.iter().zip(&self.states) {
+            let Some(body) = &part.body else { continue };
+            energies.kinetic += body.kinetic(state);
+            energies.gravity -= body.mass * vec3::dot(self.gravity, state.position);
+        }
+        Ok(energies)
+    }
+
+    fn picture(&mut self) -> Result<Picture, String> {
+        let mut picture = Picture::default();
+        for (part, state) in self.parts.iter().zip(&self.states) {
+            picture.solid(&part.shape, state.position, state.attitude.axes());
+        }
+        Ok(picture)
+    }
+
+    fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
+        let scene = RigidScene { parts: &self.parts, pairs: &self.pairs, gravity: self.gravity };
+        let [a, b, c] = &mut self.scratch;
+        let [twists, spare] = &mut self.twists;
+        let [touching, along] = &mut self.touching;
+        let mut memory = Memory {
+            states: [a, b, c],
+            twists,
+            spare,
+            mobilities: &mut self.mobilities,
+            touching,
+            along,
+            struck: &mut self.struck,
+        };
+        let pairs = &self.pairs;
+        let done =
+            scene.step_watched(&mut self.states, h, &mut memory, |strike| events(&strike, pairs, found));
+        let report = done.map_err(said)?;
+        self.impact += report.impact_loss;
+        self.friction += report.friction_loss;
+        self.forced += usize::from(report.forced);
+        Ok(())
+    }
+
+    fn save(&self) -> Vec<f64> {
+        let mut numbers = vec![self.impact, self.friction];
+        for state in &self.states {
+            numbers.extend(state.position);
+            numbers.extend(state.attitude.parameters());
+            numbers.extend(state.velocity);
+            numbers.extend(state.angular_momentum);
+        }
+        numbers
+    }
+
+    fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
+        if numbers.len() != 2 + 13 * self.states.len() {
+            return Err(super::engine::other_world());
+        }
+        [self.impact, self.friction] = [numbers[0], numbers[1]];
+        for (state, n) in self.states.iter_mut().zip(numbers[2..].chunks_exact(13)) {
+            state.position = [n[0], n[1], n[2]];
+            state.attitude = Attitude::restored([n[3], n[4], n[5], n[6]]);
+            state.velocity = [n[7], n[8], n[9]];
+            state.angular_momentum = [n[10], n[11], n[12]];
+        }
+        Ok(())
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        if self.forced == 0 {
+            return Vec::new();
+        }
+        vec![format!(
+            "{} held more events than a step is split at: the rest of each went with e = 0; take a smaller step",
+            smartbed_codegen::words::count(self.forced, "step")
+        )]
+    }
+
+    fn method(&self) -> String {
+        "rigid bodies: events located, order 2 between them".to_owned()
+    }
+}
+
+fn said(fault: Fault) -> String {
+    match fault {
+        Fault::TooManyContacts => "more contacts at once than there is room for".to_owned(),
+        Fault::WrongSizes => "the parts do not fit together".to_owned(),
+        Fault::Jammed => {
+            "friction jams a sliding body (Painleve's paradox): no contact force goes on; take less friction"
+                .to_owned()
+        }
+        Fault::TooFast => "a part turns too far in one step; take a smaller step".to_owned(),
+    }
+}

@@ -1,0 +1,126 @@
+//! A world in motion: rows of its state and energies, events as they happen.
+//!
+//! In: an [`Assembly`]. Out: rows to a caller, step by step. What moves is an [`Engine`]; this file is the same for all.
+
+use super::assembly::Assembly;
+use super::carried::CarriedWorld;
+use super::engine::{Energies, Engine, Event};
+use super::rigid::RigidWorld;
+use super::sensors::Probes;
+
+/// The engine of a world.
+///
+/// # Errors
+/// Why none moves it, in words.
+pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
+    if assembly.is_rigid() {
+        return Ok(Box::new(RigidWorld::new(assembly)?));
+    }
+    Ok(Box::new(CarriedWorld::new(assembly)?))
+}
+
+/// A row.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Row<'a> {
+    /// Time (s).
+    pub t: f64,
+    /// The state, as [`Engine::columns`] says.
+    pub state: &'a [f64],
+    /// Energies.
+    pub energies: &'a Energies,
+    /// What the sensors show, in the scene's order.
+    pub readings: &'a [f64],
+    /// Energy at the start (J).
+    pub start: f64,
+}
+
+/// What a run goes on from: the world behind a whole number of steps.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Checkpoint {
+    /// Steps behind it.
+    pub steps: usize,
+    /// Energy at the start of all (J).
+    pub start: f64,
+    /// The engine's numbers.
+    pub state: Vec<f64>,
+}
+
+impl Checkpoint {
+    /// As text; every number comes back bit for bit.
+    #[must_use]
+    pub fn text(&self) -> String {
+        serde_json::json!({"steps": self.steps, "start": self.start, "state": self.state}).to_string() + "\n"
+    }
+
+    /// From [`Checkpoint::text`]; none for any other text.
+    #[must_use]
+    pub fn read(text: &str) -> Option<Self> {
+        let value: serde_json::Value = serde_json::from_str(text).ok()?;
+        let state = value["state"].as_array()?.iter().map(serde_json::Value::as_f64);
+        Some(Self {
+            steps: usize::try_from(value["steps"].as_u64()?).ok()?,
+            start: value["start"].as_f64()?,
+            state: state.collect::<Option<Vec<f64>>>()?,
+        })
+    }
+}
+
+/// Runs to the end, handing each row to `emit` with the engine, for pictures; returns the events. From a checkpoint it goes
+/// on with the step behind it, bit for bit as the run that made it would have.
+///
+/// # Errors
+/// Why it could not go on, with the time; or the caller's own.
+pub fn run<E: From<String>>(
+    assembly: &Assembly,
+    engine: &mut dyn Engine,
+    from: Option<&Checkpoint>,
+    mut emit: impl FnMut(&Row<'_>, &mut dyn Engine) -> Result<(), E>,
+    mut stepped: impl FnMut(f64) -> Result<(), E>,
+) -> Result<Vec<Event>, E> {
+    let at = |t: f64, why: String| format!("t = {t:.6} s: {why}");
+    let (first, start) = match from {
+        Some(checkpoint) => {
+            if checkpoint.steps > assembly.run.steps() {
+                return Err(E::from(format!(
+                    "the checkpoint stands behind {} steps, the run ends with {}; give more seconds",
+                    checkpoint.steps,
+                    assembly.run.steps()
+                )));
+            }
+            engine.load(&checkpoint.state)?;
+            (checkpoint.steps, checkpoint.start)
+        }
+        None => {
+            if assembly.run.settled {
+                engine.settle()?;
+            }
+            (0, engine.energies().map_err(|why| at(0.0, why))?.total())
+        }
+    };
+    let mut probes = Probes::new(assembly, &engine.columns())?;
+    if first > 0 && !probes.is_empty() {
+        return Err(E::from("a run with sensors is not resumed: what they have seen is not kept".to_owned()));
+    }
+    let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
+    for n in first..=assembly.run.steps() {
+        if n > first {
+            let before = events.len();
+            let h = assembly.run.length(n);
+            engine.step(h, &mut events).map_err(|why| at(t, why))?;
+            events[before..].iter_mut().for_each(|event| event.time += t);
+            // Not a sum, whose rounding would grow.
+            t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
+        }
+        if !probes.is_empty() {
+            probes.observe(n as u64, &engine.state().map_err(|why| at(t, why))?);
+        }
+        if n % assembly.run.every == 0 || n == assembly.run.steps() {
+            let (state, energies) = (engine.state(), engine.energies());
+            let (state, energies) = (state.map_err(|why| at(t, why))?, energies.map_err(|why| at(t, why))?);
+            let readings = probes.readings(n as u64);
+            emit(&Row { t, state: &state, energies: &energies, readings: &readings, start }, engine)?;
+        }
+        stepped(t)?;
+    }
+    Ok(events)
+}

@@ -1,0 +1,88 @@
+//! Static equilibrium by damped relaxation.
+//!
+//! In: a world at its start. Out: the same at rest, where nothing accelerates. Time stands still; free motion by small steps
+//! gives its kinetic energy up wherever it begins to fall, when velocities are set to 0 (kinetic damping: Cundall 1976,
+//! Barnes 1999). Frames that a law moves hold where they start.
+
+use super::engine::Settled;
+use smartbed_runtime::mechanism::Fault;
+
+/// Steps at most.
+const MOST_STEPS: usize = 500_000;
+/// Acceleration that counts as none, as a share of gravity; without gravity of the largest at the start.
+const REST: f64 = 1e-10;
+/// A frame slower than this (m/s, rad/s) stands still.
+const STILL: f64 = 1e-9;
+/// A speed counts as an acceleration over this many steps.
+const SLOW: f64 = 1e-3;
+
+/// What can be relaxed: its state x is coordinates, then speeds.
+pub(super) trait Relaxing {
+    /// The state.
+    fn vector(&self) -> Vec<f64>;
+    /// Where speeds begin in it.
+    fn split(&self) -> usize;
+    /// Masses that belong to the speeds.
+    fn masses(&self) -> Vec<f64>;
+    /// Largest speed of a frame at the start (m/s or rad/s).
+    fn fastest_frame(&self) -> f64;
+    /// Length of gravity (m/s^2).
+    fn gravity(&self) -> f64;
+    /// Goes a step of free motion at the time of the start; `low` is what rounding left out. Returns the step (s).
+    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault>;
+    /// Begins anew at a state.
+    fn restart(&mut self, x: Vec<f64>);
+}
+
+/// Relaxes it.
+///
+/// # Errors
+/// What moves as commanded at the start, or does not come to rest, in words.
+pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
+    let words = |fault: Fault| format!("settle: {}", fault.reason());
+    let (mut x, n_q, masses) = (world.vector(), world.split(), world.masses());
+    x[n_q..].fill(0.0);
+    let first = acceleration(world, &x, n_q).map_err(words)?;
+    if world.fastest_frame() > STILL {
+        return Err(
+            "settle: a frame moves as commanded at the start; begin with a law that starts at rest, such as \
+                    1 - cos(w*t)"
+                .to_owned(),
+        );
+    }
+    let rest = REST * if world.gravity() > 0.0 { world.gravity() } else { first };
+    let mut low = vec![0.0; x.len()];
+    let mut left = first;
+    for step in 0..MOST_STEPS {
+        if left <= rest {
+            let mut still = x.clone();
+            still[n_q..].fill(0.0);
+            left = acceleration(world, &still, n_q).map_err(words)?;
+            if left <= rest {
+                world.restart(still);
+                return Ok(Settled { steps: step, acceleration: left });
+            }
+        }
+        let before = x[n_q..].to_vec();
+        let h = world.advance(&mut x, &mut low).map_err(words)?;
+        let (mut power, mut largest) = (0.0, 0.0_f64);
+        for ((now, before), mass) in x[n_q..].iter().zip(&before).zip(&masses) {
+            power += mass * now * (now - before);
+            largest = largest.max(((now - before) / h).abs()).max((now / h).abs() * SLOW);
+        }
+        left = largest;
+        if power < 0.0 {
+            x[n_q..].fill(0.0);
+        }
+    }
+    Err(format!(
+        "settle: after {MOST_STEPS} steps something still accelerates at {left:.1e} m/s^2; is every part held or carried?"
+    ))
+}
+
+/// Largest acceleration from a state at rest: what a step makes of it.
+fn acceleration(world: &mut impl Relaxing, x: &[f64], n_q: usize) -> Result<f64, Fault> {
+    let (mut tried, mut low) = (x.to_vec(), vec![0.0; x.len()]);
+    let h = world.advance(&mut tried, &mut low)?;
+    Ok(tried[n_q..].iter().fold(0.0, |largest, speed| (speed / h).abs().max(largest)))
+}

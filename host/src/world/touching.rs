@@ -1,0 +1,167 @@
+//! Contacts of a world whose parts are not rigid alone: what can be touched, which pairs, and the memory of the step.
+//!
+//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them, without
+//! splitting (Moreau 1988): impacts and lasting contacts are one.
+
+use super::assembly::{Assembly, Kind, Law};
+use super::engine::Event;
+use smartbed_runtime::rigid::contact::Twist;
+use smartbed_runtime::rigid::narrow::CAPACITY;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::vec3::Vec3;
+use smartbed_runtime::world::{Coupling, Inertias, InverseInertia, Pair, Place, StepMemory, Thing, Touch};
+use std::ops::Range;
+
+/// Share of a body's thickness, or of two of its facets, to which something may be below a facet.
+const DEPTH: f64 = 0.25;
+
+/// Things, pairs and memory.
+#[derive(Clone, Debug)]
+pub(super) struct Touching {
+    pub(super) things: Vec<Thing<f64>>,
+    pub(super) pairs: Vec<Pair<f64>>,
+    /// Parts of each pair.
+    parts: Vec<[usize; 2]>,
+    /// Was the pair in touch behind the last step?
+    active: Vec<bool>,
+    scratch: Vec<f64>,
+    frames: [Vec<Frame<f64>>; 2],
+    twists: [Vec<Twist<f64>>; 3],
+    normals: Vec<Vec3<f64>>,
+    couplings: Vec<Coupling>,
+    answers: Vec<InverseInertia<f64>>,
+    yields: Vec<f64>,
+    touches: [Vec<Touch<f64>>; 2],
+    counts: [usize; 2],
+}
+
+/// What a part is to contacts.
+#[derive(Clone, Debug)]
+pub(super) enum Touchable {
+    /// A shape on a port, or fixed in space.
+    Shape(Option<usize>, Frame<f64>),
+    /// Nodes and facets.
+    Mesh(Range<usize>, Range<usize>),
+    /// Nothing of it can be touched.
+    Nothing,
+}
+
+impl Touching {
+    /// For the assembly's contacts; `of` says what each part is, `size` the numbers of ports, nodes, answers and state.
+    pub(super) fn new(assembly: &Assembly, of: &[Touchable], size: [usize; 4]) -> Result<Self, String> {
+        let (mut things, mut numbers) = (Vec::new(), vec![usize::MAX; of.len()]);
+        for (number, (part, touchable)) in assembly.parts.iter().zip(of).enumerate() {
+            let thing = match (touchable, &part.kind) {
+                (Touchable::Shape(port, frame), Kind::Rigid(rigid)) => Thing::Rigid {
+                    shape: rigid.shape,
+                    port: *port,
+                    place: Place { origin: frame.origin, axes: frame.axes },
+                },
+                (Touchable::Mesh(nodes, facets), Kind::Flexible(body)) => Thing::Mesh {
+                    nodes: [nodes.start, nodes.end],
+                    facets: [facets.start, facets.end],
+                    depth: depth(&body.lists.points, &body.lists.facets),
+                },
+                _ => continue,
+            };
+            numbers[number] = things.len();
+            things.push(thing);
+        }
+        let (mut pairs, mut room) = (Vec::new(), 0);
+        for contact in &assembly.contacts {
+            let [one, other] = contact.between.map(|part| &assembly.parts[part].name);
+            let things_of = contact.between.map(|part| numbers[part]);
+            if let Some(k) = (0..2).find(|k| things_of[*k] == usize::MAX) {
+                let name = &assembly.parts[contact.between[k]].name;
+                return Err(format!(
+                    "the contact of `{one}` and `{other}`: `{name}` is a mechanism, which has no surface; give it one by a rigid \
+                     part with on = \"{name}.PORT\""
+                ));
+            }
+            let Law::Moreau { restitution, friction } = contact.law else {
+                return Err(format!(
+                    "the contact of `{one}` and `{other}`: in a world with flexible parts or mechanisms take impact = \"moreau\" \
+                     (restitution, friction); the other laws are those of rigid parts alone"
+                ));
+            };
+            let nodes = |k: usize| match &of[contact.between[k]] {
+                Touchable::Mesh(nodes, _) => nodes.len() + CAPACITY,
+                _ => CAPACITY,
+            };
+            room += nodes(0) + nodes(1);
+            pairs.push(Pair { things: things_of, friction, restitution });
+        }
+        let [ports, points, answers, n] = size;
+        let twists = vec![Twist::zero(); ports + points];
+        Ok(Touching {
+            parts: assembly.contacts.iter().map(|contact| contact.between).collect(),
+            active: vec![false; pairs.len()],
+            things,
+            pairs,
+            scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
+            frames: [vec![Frame::inertial(); ports], vec![Frame::inertial(); ports]],
+            twists: [twists.clone(), twists.clone(), twists],
+            normals: vec![[0.0; 3]; points],
+            couplings: vec![Coupling::default(); ports],
+            answers: vec![[[0.0; 6]; 6]; answers],
+            yields: vec![0.0; points],
+            touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
+            counts: [0, 0],
+        })
+    }
+
+    /// The memory of a step; [`Touching::after`] takes the counts back.
+    pub(super) fn memory(&mut self) -> (&[Thing<f64>], &[Pair<f64>], StepMemory<'_, f64>) {
+        let [first, last] = &mut self.frames;
+        let [start, free, end] = &mut self.twists;
+        let [now, before] = &mut self.touches;
+        let memory = StepMemory {
+            scratch: &mut self.scratch,
+            frames: [first, last],
+            twists: [start, free, end],
+            normals: &mut self.normals,
+            inertias: Inertias {
+                couplings: &mut self.couplings,
+                answers: &mut self.answers,
+                nodes: &mut self.yields,
+            },
+            touches: [now, before],
+            counts: self.counts,
+        };
+        (&self.things, &self.pairs, memory)
+    }
+
+    /// Books the contacts of a step of length h: pairs that came into touch are events.
+    pub(super) fn after(
+        &mut self,
+        h: f64,
+        counts: [usize; 2],
+        contacts: &[(usize, f64)],
+        found: &mut Vec<Event>,
+    ) {
+        self.counts = counts;
+        for (pair, parts) in self.parts.iter().enumerate() {
+            let own = contacts.iter().filter(|(of, impulse)| *of == pair && *impulse > 0.0);
+            let (points, impulse) = own.fold((0, 0.0), |(n, sum), (_, impulse)| (n + 1, sum + impulse));
+            if points > 0 && !self.active[pair] {
+                found.push(Event { time: h, parts: *parts, points, approach: f64::NAN, impulse });
+            }
+            self.active[pair] = points > 0;
+        }
+    }
+}
+
+/// How deep something may be below a facet of a body.
+fn depth(points: &[Vec3<f64>], facets: &[[usize; 4]]) -> f64 {
+    let (mut low, mut high, mut edges) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3], (0.0, 0));
+    for facet in facets {
+        let [a, b, ..] = facet.map(|node| points[node]);
+        edges = (edges.0 + (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt(), edges.1 + 1);
+        for point in facet.map(|node| points[node]) {
+            (0..3).for_each(|i| (low[i], high[i]) = (low[i].min(point[i]), high[i].max(point[i])));
+        }
+    }
+    let mean = edges.0 / f64::from(edges.1.max(1));
+    let thick = (0..3).map(|i| high[i] - low[i]).filter(|x| *x > 1e-9 * mean).fold(f64::INFINITY, f64::min);
+    DEPTH * thick.min(2.0 * mean)
+}
