@@ -213,7 +213,7 @@ def table(changes, verdicts, reasons):
         for row in (change["area"], "all"):
             counts[row][fate] += 1
     print(f"| where | drawn | {' | '.join(columns)} |\n|---{'|---' * 5}|")
-    for row, count in counts.items():
+    for row, count in sorted(counts.items(), key=lambda row: (row[0] == "all", row[0])):
         print(f"| {row} | {count.total()} | {' | '.join(str(count[c]) for c in columns)} |")
     judged = counts["all"].total() - counts["all"]["waiting"]
     return counts["all"]["unexplained"] / max(judged, 1)
