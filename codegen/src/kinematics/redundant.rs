@@ -30,6 +30,8 @@ const HALVINGS: usize = 40;
 const DEAD: f64 = 1e-6;
 /// Beside a dead point less than this share of a nominal pivot is left, or its sign has changed.
 const HEALTHY: f64 = 0.05;
+/// Pivots that keep this share of their largest size at all samples lead to no dead point.
+const STEADY: f64 = 0.5;
 /// A range ends this share of its width farther out.
 const ROUNDING: f64 = 1e-9;
 /// Dead points that are kept as samples.
@@ -41,10 +43,11 @@ const KEPT: usize = 4;
 pub fn solve(
     model: &Model,
     k: &Kinematics,
+    table: &mut SampleTable,
     minimal: Option<&Solution>,
 ) -> Option<(Kinematics, Solution, SampleTable)> {
     let dependent = k.dependent_unknowns();
-    if dependent.is_empty() {
+    if dependent.is_empty() || minimal.is_some_and(|solution| is_steady(k, table, &solution.pivots)) {
         return None;
     }
     let mut k = k.clone();
@@ -70,6 +73,17 @@ pub fn solve(
     let mut table = eliminate::sample_table(model, &k);
     let solution = between_speeds(&mut k, &mut table, rows)?;
     Some((k, solution, table))
+}
+
+/// Do the pivots hardly vary over the samples? Towards a dead point within the ranges one of them falls to nothing, as the
+/// square root of the way at least.
+fn is_steady(k: &Kinematics, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
+    pivots.iter().all(|pivot| {
+        let values = table.values(&k.dag, pivot.value).iter();
+        let (least, most) =
+            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(*x), m.max(*x)));
+        least > STEADY * most && least > 0.0 || most < STEADY * least && most < 0.0
+    })
 }
 
 /// Do the pivots keep their signs, and a good part of their nominal size, along the walk?

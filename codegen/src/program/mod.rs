@@ -206,7 +206,7 @@ pub fn derive_asked(
 /// moves with it there, all speeds as state.
 fn constraints(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
     let minimal = eliminate::solve(model, k, table);
-    if let Some((mut all, solution, mut samples)) = redundant::solve(model, k, minimal.as_ref().ok()) {
+    if let Some((mut all, solution, mut samples)) = redundant::solve(model, k, table, minimal.as_ref().ok()) {
         let moved = model.bodies.is_empty() || dynamics::is_inert(model, &mut all, &solution, &mut samples);
         if moved || minimal.is_err() {
             (*k, *table) = (all, samples);
