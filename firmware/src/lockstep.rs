@@ -1,7 +1,7 @@
 //! Controller and simulated tile, a tick at a time, for a host that takes [`turns`](crate::turns).
 //!
 //! In: the host's bytes. Out: ours. The same code on host and chip, so the same bytes.
-//! [`controller_tick`] is a symbol of the image, so that the emulator can count it: line, node and nothing of the plant.
+//! `controller_tick` is a symbol of the image, so that the emulator can count it: line, node and nothing of the plant.
 
 use crate::defect::NAMED;
 use crate::link::serial::{BYTES, Line};

@@ -5,8 +5,8 @@
 `places.py` lists what may be changed, from the syntax tree: operators, signs, whole functions, and calls that build
 expressions (`pip install tree-sitter tree-sitter-rust`); `areas.py` says where, and which tests can notice it. A seed
 draws from the list, `switched.py` builds all that is drawn at once. Each mutant is then a run of the test programs
-that can kill it, until one fails, stage by stage. Verdicts go to target/mutants/verdicts-SEED.jsonl as they are found: a run that was
-stopped goes on where it was; `--again` runs those anew that survived, `--so-far` runs none and tells what is known.
+that can kill it, until one fails, stage by stage. Verdicts go to verdicts-SEED.jsonl beside this file as they are found: a run that
+was stopped goes on where it was; `--again` runs those anew that survived, `--so-far` runs none and tells what is known.
 
 Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not.
 """
@@ -184,7 +184,7 @@ def main():
     start = time.time()
     reasons = dict(line.split("\t", 1) for line in (HERE / "survivors.tsv").read_text().splitlines()[1:] if line)
     switched.WORK.mkdir(parents=True, exist_ok=True)
-    verdicts = Verdicts(switched.WORK / f"verdicts-{asked.seed}.jsonl")
+    verdicts = Verdicts(HERE / f"verdicts-{asked.seed}.jsonl")
     if asked.again:
         verdicts.found = {key: found for key, found in verdicts.found.items() if found[1]}
     stage = areas.STAGES if asked.so_far else 0

@@ -1,8 +1,8 @@
 //! `smartbed equilibrium`: where a mechanism stays, or moves steadily, and how it moves near there.
 //!
 //! In: a model, what is held, where the search starts. Out: coordinates and speeds at which nothing accelerates
-//! ([`search`]), and the eigenvalues and shapes of the motion near them ([`modes`]), as text or JSON. Laws close the loop:
-//! they stand in the equations ([`Model::closed_loop`]) before these are derived.
+//! (`search`), and the eigenvalues and shapes of the motion near them (`modes`), as text or JSON. Laws close the loop:
+//! they stand in the equations ([`smartbed_codegen::model::Model::closed_loop`]) before these are derived.
 
 mod modes;
 mod search;

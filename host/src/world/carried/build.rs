@@ -1,0 +1,297 @@
+//! A world of flexible parts at its start: carriers, one body of all flexible parts, attachments, contacts.
+//!
+//! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
+
+use super::{CarriedWorld, Fixed, Place, Room, words};
+use crate::scene::{Lists, Simulation, Surroundings};
+use crate::suggest;
+use crate::world::assembly::{Assembly, Kind, Rigid};
+use crate::world::carriers::HostCarrier;
+use crate::world::ported::Ported;
+use crate::world::touching::{Touchable, Touching};
+use smartbed_runtime::flexible::{PressureForm, Spring};
+use smartbed_runtime::ode::{Method, Ode};
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::vec3;
+use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Wrench};
+
+/// Methods by name.
+const METHODS: [(&str, Method); 3] =
+    [("euler", Method::ExplicitEuler), ("semi-implicit", Method::SemiImplicitEuler), ("rk4", Method::Rk4)];
+
+impl CarriedWorld {
+    /// At its start.
+    ///
+    /// # Errors
+    /// What cannot be derived, assembled or stepped, in words.
+    pub fn new(assembly: &Assembly) -> Result<Self, String> {
+        let name = assembly.run.method.as_deref().unwrap_or("rk4");
+        let method = METHODS.iter().find(|(known, _)| *known == name).copied();
+        let method = method.ok_or_else(|| {
+            let known = METHODS.map(|(known, _)| known);
+            format!("run.method = \"{name}\": no method of worlds{}", suggest::help(name, known))
+        })?;
+        let mut world = CarriedWorld {
+            names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
+            places: Vec::new(),
+            carriers: Vec::new(),
+            fixed: Fixed { gravity: assembly.gravity, ..Fixed::default() },
+            room: Room::default(),
+            x: Vec::new(),
+            low: Vec::new(),
+            scratch: Vec::new(),
+            method,
+            h: assembly.run.step,
+            starts: Vec::new(),
+            t: 0.0,
+            drive: 0.0,
+            damping: 0.0,
+            impact: 0.0,
+            friction: 0.0,
+            touching: None,
+            unsettled: 0,
+        };
+        let starts = world.carriers(assembly)?;
+        world.flexible(assembly)?;
+        world.join(assembly, &starts)?;
+        check_step(assembly, &world.fixed)?;
+        world.touch(assembly)?;
+        Ok(world)
+    }
+
+    /// Carriers in the order of the parts; their starts.
+    fn carriers(&mut self, assembly: &Assembly) -> Result<[Vec<f64>; 2], String> {
+        let [mut q, mut u] = [Vec::new(), Vec::new()];
+        for (number, part) in assembly.parts.iter().enumerate() {
+            let carrier = match &part.kind {
+                Kind::Mechanism(mechanism) => {
+                    let ports = ports(assembly, number);
+                    let (ported, start) =
+                        Ported::new(mechanism, &ports).map_err(|why| format!("`{}`: {why}", part.name))?;
+                    q.extend(start.q);
+                    u.extend(start.u);
+                    HostCarrier::Mechanism(Box::new(ported))
+                }
+                Kind::Rigid(rigid) if rigid.on.is_some() => {
+                    // Its port has a number when all carriers are there.
+                    self.places.push(Place::Shape(usize::MAX, standing(rigid), rigid.shape));
+                    continue;
+                }
+                Kind::Rigid(rigid) => match rigid.body {
+                    Some(body) => {
+                        q.extend(rigid.start.position);
+                        q.extend(rigid.start.attitude.parameters());
+                        u.extend(rigid.start.velocity);
+                        u.extend(rigid.start.angular_momentum);
+                        HostCarrier::Floating(Floating { body, gravity: assembly.gravity })
+                    }
+                    None => HostCarrier::Still(standing(rigid)),
+                },
+                Kind::Flexible(_) => {
+                    self.places.push(Place::Nodes(0..0, 0..0, None));
+                    continue;
+                }
+            };
+            let shape = if let Kind::Rigid(rigid) = &part.kind { Some(rigid.shape) } else { None };
+            self.places.push(Place::Carrier(self.carriers.len(), shape));
+            self.carriers.push(carrier);
+        }
+        for (number, part) in assembly.parts.iter().enumerate() {
+            let Kind::Rigid(Rigid { on: Some((mechanism, name)), .. }) = &part.kind else { continue };
+            let port = self.port(assembly, *mechanism, Some(name));
+            if let Place::Shape(own, ..) = &mut self.places[number] {
+                *own = port;
+            }
+        }
+        let n: usize = self.carriers.iter().map(Carrier::n_ports).sum();
+        self.room.frames = vec![Frame::inertial(); n];
+        self.room.wrenches = vec![Wrench::zero(); n];
+        Ok([q, u])
+    }
+
+    /// All flexible parts as one body.
+    fn flexible(&mut self, assembly: &Assembly) -> Result<(), String> {
+        let mut drag = None;
+        for (part, place) in assembly.parts.iter().zip(&mut self.places) {
+            let Kind::Flexible(body) = &part.kind else { continue };
+            if drag.is_some_and(|drag| drag != body.air_drag) {
+                return Err(format!("`{}`: flexible parts of one scene have one air_drag", part.name));
+            }
+            drag = Some(body.air_drag);
+            let (first, first_facet, fixed) =
+                (self.fixed.mass.len(), self.fixed.facets.len(), &mut self.fixed);
+            let lists = &body.lists;
+            fixed.mass.extend(&lists.masses);
+            fixed.held.extend(&lists.fixed);
+            fixed.springs.extend(springs(lists, first));
+            fixed.facets.extend(lists.facets.iter().map(|corners| corners.map(|node| node + first)));
+            let cell = body.gas.map(|content| {
+                let facets = [first_facet, fixed.facets.len()];
+                fixed.cells.push(Cell { facets, content, form: PressureForm::Exact });
+                fixed.cells.len() - 1
+            });
+            self.room.pos.extend(&lists.points);
+            self.room.vel.extend(&lists.velocities);
+            *place = Place::Nodes(first..fixed.mass.len(), first_facet..fixed.facets.len(), cell);
+        }
+        self.fixed.air_drag = drag.unwrap_or(0.0);
+        let n = self.room.pos.len();
+        [self.room.elastic, self.room.viscous] = [vec![[0.0; 3]; n], vec![[0.0; 3]; n]];
+        Ok(())
+    }
+
+    /// Puts attached parts into the frames that hold them, and writes the first state.
+    fn join(&mut self, assembly: &Assembly, [q, u]: &[Vec<f64>; 2]) -> Result<(), String> {
+        let mut frames = std::mem::take(&mut self.room.frames);
+        Group { members: &mut self.carriers }.frames(0.0, q, u, &mut frames).map_err(words)?;
+        self.room.frames = frames;
+        self.starts = self.commanded();
+        let mut placed = vec![false; assembly.parts.len()];
+        for attachment in &assembly.attachments {
+            let Place::Nodes(nodes, ..) = self.places[attachment.part].clone() else { continue };
+            let port = self.port(assembly, attachment.to, attachment.port.as_deref());
+            let frame = self.room.frames[port];
+            // The part's own places are those in the frame of its first attachment.
+            if !std::mem::replace(&mut placed[attachment.part], true) {
+                for node in nodes.clone() {
+                    let point = frame.point(self.room.pos[node]);
+                    let own = frame.to_inertial(self.room.vel[node]);
+                    self.room.pos[node] = point;
+                    self.room.vel[node] = vec3::add(frame.velocity_at(point), own);
+                }
+            }
+            for node in &attachment.nodes {
+                let node = nodes.start + node;
+                let place = frame.place(self.room.pos[node]);
+                self.fixed.attachments.push(Attachment { node, port, place });
+            }
+        }
+        let mut x = Vec::new();
+        self.with(|mut island| {
+            x = vec![0.0; island.n_x()];
+            island.load(q, u, &mut x)?;
+            island.place(0.0, &x)
+        })
+        .map_err(words)?;
+        self.low = vec![0.0; x.len()];
+        self.scratch = vec![0.0; self.method.1.scratch(x.len())];
+        self.x = x;
+        Ok(())
+    }
+
+    /// Contacts, where the assembly has some.
+    fn touch(&mut self, assembly: &Assembly) -> Result<(), String> {
+        if assembly.contacts.is_empty() {
+            return Ok(());
+        }
+        if let Some(method) = &assembly.run.method {
+            return Err(format!(
+                "run.method = \"{method}\": a world with contacts has a step of its own (Moreau, order 2 where nothing touches); \
+                 leave the key out"
+            ));
+        }
+        let mut port = 0;
+        let mut touchable = Vec::new();
+        for (place, part) in self.places.iter().zip(&assembly.parts) {
+            touchable.push(match (place, &part.kind) {
+                (Place::Carrier(..), Kind::Rigid(rigid)) if rigid.body.is_some() => {
+                    Touchable::Shape(Some(port), Frame::inertial())
+                }
+                (Place::Carrier(..), Kind::Rigid(rigid)) => Touchable::Shape(None, standing(rigid)),
+                (Place::Shape(port, frame, _), _) => Touchable::Shape(Some(*port), *frame),
+                (Place::Nodes(nodes, facets, _), _) => Touchable::Mesh(nodes.clone(), facets.clone()),
+                _ => Touchable::Nothing,
+            });
+            if let Place::Carrier(number, _) = place {
+                port += self.carriers[*number].n_ports();
+            }
+        }
+        let answers = Inertias::answers(&Group { members: &mut self.carriers });
+        let size = [self.room.frames.len(), self.room.pos.len(), answers, self.x.len()];
+        self.touching = Some(Touching::new(assembly, &touchable, size)?);
+        self.method.0 =
+            "moreau, touches not located: of order 2 where nothing touches, 1 where something does";
+        Ok(())
+    }
+
+    /// Frames of the ports of mechanisms that time alone moves.
+    fn commanded(&self) -> Vec<Frame<f64>> {
+        let (mut port, mut frames) = (0, Vec::new());
+        for carrier in &self.carriers {
+            let next = port + carrier.n_ports();
+            if carrier.n_u() == 0 {
+                frames.extend(&self.room.frames[port..next]);
+            }
+            port = next;
+        }
+        frames
+    }
+
+    /// Number of a port among all.
+    fn port(&self, assembly: &Assembly, part: usize, name: Option<&str>) -> usize {
+        let Place::Carrier(number, _) = self.places[part] else { return usize::MAX };
+        let first: usize = self.carriers[..number].iter().map(Carrier::n_ports).sum();
+        let own = name.and_then(|name| ports(assembly, part).iter().position(|port| port == name));
+        first + own.unwrap_or(0)
+    }
+}
+
+/// The frame of a rigid part that does not move.
+fn standing(rigid: &Rigid) -> Frame<f64> {
+    let (origin, axes) = (rigid.start.position, rigid.start.attitude.axes());
+    Frame { origin, axes, velocity: [0.0; 3], angular_velocity: [0.0; 3] }
+}
+
+/// Springs with their ends counted from `first`.
+fn springs(lists: &Lists, first: usize) -> impl Iterator<Item = Spring<f64>> + '_ {
+    (0..lists.springs.len()).map(move |n| Spring {
+        tail: lists.springs[n][0] + first,
+        head: lists.springs[n][1] + first,
+        stiffness: lists.stiffness[n],
+        damping: lists.damping[n],
+        rest_length: lists.rest_lengths[n],
+    })
+}
+
+/// Ports of a mechanism that attachments and surfaces use, each once.
+fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
+    let mut ports: Vec<String> = Vec::new();
+    let attached = assembly.attachments.iter().filter(|a| a.to == part).filter_map(|a| a.port.as_ref());
+    let shapes = assembly.parts.iter().filter_map(|p| match &p.kind {
+        Kind::Rigid(rigid) => rigid.on.as_ref().filter(|(to, _)| *to == part).map(|(_, name)| name),
+        _ => None,
+    });
+    for name in attached.chain(shapes) {
+        if !ports.contains(name) {
+            ports.push(name.clone());
+        }
+    }
+    ports
+}
+
+/// Refuses a step that a flexible part's fastest motion is too fast for.
+fn check_step(assembly: &Assembly, fixed: &Fixed) -> Result<(), String> {
+    for part in &assembly.parts {
+        let Kind::Flexible(body) = &part.kind else { continue };
+        let around =
+            Surroundings { gravity: fixed.gravity, air_drag: fixed.air_drag, ground: None, inflation: None };
+        let method = smartbed_runtime::ode::nodes::Method::Verlet;
+        // Attached nodes have no mass and do not move: any will do.
+        let mut lists = body.lists.clone();
+        lists
+            .masses
+            .iter_mut()
+            .zip(&lists.fixed)
+            .filter(|(_, fixed)| **fixed)
+            .for_each(|(mass, _)| *mass = 1.0);
+        let probe = Simulation::<f64>::new(&lists, &around, method)
+            .map_err(|e| format!("`{}`: {}", part.name, crate::scene::run::describe(&e)))?;
+        if let Some(largest) = probe.largest_stable_step().filter(|largest| assembly.run.step > *largest) {
+            return Err(format!(
+                "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s; take a smaller one",
+                assembly.run.step, part.name
+            ));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,209 @@
+//! Worlds of flexible parts on mechanisms, rigid bodies and fixed frames, as one set of equations.
+//!
+//! In: an assembly (`build`). Out: an [`Engine`](super::engine::Engine) over the runtime's [`Island`], which borrows the lists kept here: all flexible
+//! parts as one body, all carriers as one group. Where something can touch, the runtime's `World` steps it and keeps the
+//! accounts; elsewhere works (drives, damping) are integrals of powers by Simpson's rule over each step.
+
+mod build;
+mod rest;
+mod rows;
+
+use super::carriers::HostCarrier;
+use super::engine::Event;
+use super::ported::Ported;
+use super::touching::Touching;
+use smartbed_runtime::flexible::{Body, Massless, Spring};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::{Method, Ode, State};
+use smartbed_runtime::surface::{Frame, Shape};
+use smartbed_runtime::vec3::{self, Vec3};
+use smartbed_runtime::world::{Accounts, Attachment, Carrier, Cell, Group, Island, Memory, World, Wrench};
+use std::ops::Range;
+
+/// What never changes.
+#[derive(Clone, Debug, Default)]
+struct Fixed {
+    mass: Vec<f64>,
+    held: Vec<bool>,
+    springs: Vec<Spring<f64>>,
+    facets: Vec<[usize; 4]>,
+    cells: Vec<Cell<f64>>,
+    attachments: Vec<Attachment<f64>>,
+    gravity: Vec3<f64>,
+    air_drag: f64,
+}
+
+/// Memory that an island borrows.
+#[derive(Clone, Debug, Default)]
+struct Room {
+    pos: Vec<Vec3<f64>>,
+    vel: Vec<Vec3<f64>>,
+    elastic: Vec<Vec3<f64>>,
+    viscous: Vec<Vec3<f64>>,
+    frames: Vec<Frame<f64>>,
+    wrenches: Vec<Wrench<f64>>,
+}
+
+/// A part of the assembly within the lists.
+#[derive(Clone, Debug)]
+enum Place {
+    /// Number of its carrier.
+    Carrier(usize, Option<Shape<f64>>),
+    /// A shape on a port, its place there.
+    Shape(usize, Frame<f64>, Shape<f64>),
+    /// Nodes, facets, and its gas.
+    Nodes(Range<usize>, Range<usize>, Option<usize>),
+}
+
+/// Powers (W) at a state.
+#[derive(Clone, Copy, Default, Debug)]
+struct Powers {
+    driven: f64,
+    damped: f64,
+}
+
+/// Flexible parts on carriers.
+#[derive(Clone, Debug)]
+pub struct CarriedWorld {
+    names: Vec<String>,
+    places: Vec<Place>,
+    carriers: Vec<HostCarrier>,
+    fixed: Fixed,
+    room: Room,
+    x: Vec<f64>,
+    low: Vec<f64>,
+    scratch: Vec<f64>,
+    method: (&'static str, Method),
+    h: f64,
+    /// Commanded frames at the start, with their motion.
+    starts: Vec<Frame<f64>>,
+    t: f64,
+    drive: f64,
+    damping: f64,
+    impact: f64,
+    friction: f64,
+    touching: Option<Touching>,
+    unsettled: usize,
+}
+
+fn words(fault: Fault) -> String {
+    format!("{}; take a smaller step, or look at the load", fault.reason())
+}
+
+impl CarriedWorld {
+    /// A step of a world with contacts; pairs that come into touch are events.
+    fn step_touching(
+        &mut self,
+        h: f64,
+        (x, low): (&mut [f64], &mut [f64]),
+        found: &mut Vec<Event>,
+    ) -> Result<Accounts<f64>, Fault> {
+        let (t, old) = (self.t, x.to_vec());
+        let mut touching = self.touching.take().ok_or(Fault::Shape)?;
+        let (things, pairs, mut memory) = touching.memory();
+        let done = self.with(|island| {
+            let mut state = State::resume(x, low)?;
+            let report = World { island, things, pairs }.step(t, h, &mut state, &mut memory)?;
+            Ok(report)
+        });
+        let contacts: Vec<(usize, f64)> =
+            memory.contacts().iter().map(|touch| (touch.pair, touch.contact.impulse[0])).collect();
+        let counts = memory.counts;
+        touching.after(h, counts, &contacts, found);
+        self.touching = Some(touching);
+        let report = done?;
+        self.unsettled += usize::from(!report.settled);
+        // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
+        let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
+        let mut accounts = report.accounts;
+        self.each_mechanism(&middle, |ported, q, u, wrenches| {
+            let none = vec![Wrench::zero(); wrenches.len()];
+            let account = ported.account(t + 0.5 * h, q, u, &none)?;
+            accounts.drive += h * account.driven;
+            accounts.damping += h * account.damped;
+            Ok(())
+        })?;
+        Ok(accounts)
+    }
+
+    /// Does something with the island that the lists are.
+    fn with<T>(
+        &mut self,
+        act: impl FnOnce(Island<'_, f64, Group<'_, HostCarrier>>) -> Result<T, Fault>,
+    ) -> Result<T, Fault> {
+        let (fixed, room) = (&self.fixed, &mut self.room);
+        let memory = Memory {
+            pos: &mut room.pos,
+            vel: &mut room.vel,
+            elastic: &mut room.elastic,
+            viscous: &mut room.viscous,
+            frames: &mut room.frames,
+            wrenches: &mut room.wrenches,
+        };
+        let group = Group { members: &mut self.carriers };
+        act(Island::new(group, fixed.body(), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
+    }
+
+    /// Rates of a state; forces and wrenches of it are in memory then.
+    fn rates(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
+        let mut dot = vec![0.0; x.len()];
+        self.with(|mut island| island.rates(t, x, &mut dot))?;
+        Ok(dot)
+    }
+
+    /// Powers at the state whose rates were asked for last.
+    fn powers(&mut self, t: f64, x: &[f64]) -> Result<Powers, Fault> {
+        let mut powers = Powers::default();
+        let forces = self.room.viscous.iter().zip(&self.room.vel);
+        powers.damped = -forces.map(|(force, velocity)| vec3::dot(*force, *velocity)).sum::<f64>();
+        self.each_mechanism(x, |ported, q, u, wrenches| {
+            let account = ported.account(t, q, u, wrenches)?;
+            powers.driven += account.driven;
+            powers.damped += account.damped;
+            Ok(())
+        })?;
+        Ok(powers)
+    }
+
+    /// Shows each mechanism with its part of the state and the wrenches at its ports.
+    fn each_mechanism(
+        &mut self,
+        x: &[f64],
+        mut show: impl FnMut(&mut Ported, &[f64], &[f64], &[Wrench<f64>]) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let n_q = self.split();
+        let (mut q, mut u, mut port) = (0, n_q, 0);
+        for carrier in &mut self.carriers {
+            let (next_q, next_u, next) = (q + carrier.n_q(), u + carrier.n_u(), port + carrier.n_ports());
+            if let HostCarrier::Mechanism(ported) = carrier {
+                show(ported, &x[q..next_q], &x[u..next_u], &self.room.wrenches[port..next])?;
+            }
+            (q, u, port) = (next_q, next_u, next);
+        }
+        Ok(())
+    }
+
+    /// Where speeds begin in the state.
+    fn split(&self) -> usize {
+        self.carriers.iter().map(Carrier::n_q).sum::<usize>() + 3 * self.free()
+    }
+
+    fn free(&self) -> usize {
+        self.fixed.held.iter().filter(|held| !**held).count()
+    }
+}
+
+impl Fixed {
+    fn body(&self) -> Body<'_, f64> {
+        Body {
+            mass: &self.mass,
+            fixed: &self.held,
+            springs: &self.springs,
+            gravity: self.gravity,
+            air_drag: self.air_drag,
+            facets: &self.facets,
+            inflation: None,
+            massless: Massless::default(),
+        }
+    }
+}

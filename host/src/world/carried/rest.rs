@@ -1,0 +1,57 @@
+//! Relaxation towards rest: what `settle::relax` asks of a world of flexible parts.
+
+use super::CarriedWorld;
+use crate::world::settle::Relaxing;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::{Method, State};
+use smartbed_runtime::vec3;
+use smartbed_runtime::world::Carrier;
+
+/// The method of free motion while a world without contacts is relaxed.
+const RELAXED: Method = Method::SemiImplicitEuler;
+
+impl Relaxing for CarriedWorld {
+    fn vector(&self) -> Vec<f64> {
+        self.x.clone()
+    }
+
+    fn split(&self) -> usize {
+        self.split()
+    }
+
+    fn masses(&self) -> Vec<f64> {
+        // The speeds of carriers are of many kinds: they count as 1 kg moves.
+        let carriers = self.carriers.iter().map(Carrier::n_u).sum::<usize>();
+        let free = self.fixed.mass.iter().zip(&self.fixed.held).filter(|(_, held)| !**held);
+        std::iter::repeat_n(1.0, carriers).chain(free.flat_map(|(mass, _)| [*mass; 3])).collect()
+    }
+
+    fn fastest_frame(&self) -> f64 {
+        let speeds =
+            self.starts.iter().flat_map(|f| [vec3::norm(f.velocity), vec3::norm(f.angular_velocity)]);
+        speeds.fold(0.0, f64::max)
+    }
+
+    fn gravity(&self) -> f64 {
+        vec3::norm(self.fixed.gravity)
+    }
+
+    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault> {
+        let h = self.h;
+        if self.touching.is_some() {
+            self.step_touching(h, (x, low), &mut Vec::new())?;
+            return Ok(h);
+        }
+        let mut scratch = vec![0.0; RELAXED.scratch(x.len())];
+        self.with(|mut island| {
+            let mut state = State::resume(x, low)?;
+            RELAXED.step(&mut island, 0.0, h, &mut state, &mut scratch).map(|_| h)
+        })
+    }
+
+    fn restart(&mut self, x: Vec<f64>) {
+        self.low = vec![0.0; x.len()];
+        (self.x, self.t) = (x, 0.0);
+        [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
+    }
+}

@@ -1,0 +1,243 @@
+//! Rows, energies, pictures and steps of a world of flexible parts.
+
+use super::{CarriedWorld, Place, words};
+use crate::world::carriers::HostCarrier;
+use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
+use crate::world::picture::Picture;
+use crate::world::settle::relax;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::world::Carrier;
+
+impl Engine for CarriedWorld {
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = Vec::new();
+        let mut add = |name: String, unit: &str, by_default: bool| {
+            columns.push(Column { name, unit: unit.to_owned(), by_default });
+        };
+        for (name, place) in self.names.iter().zip(&self.places) {
+            match place {
+                Place::Carrier(number, _) => match &self.carriers[*number] {
+                    HostCarrier::Mechanism(ported) => {
+                        let n_q = ported.n_q();
+                        for (n, (own, unit)) in ported.names.iter().enumerate() {
+                            add(format!("{name}.{own}"), unit, n < n_q);
+                        }
+                    }
+                    HostCarrier::Floating(_) => {
+                        crate::world::rigid::NUMBERS.iter().for_each(|(own, unit)| {
+                            add(format!("{name}.{own}"), unit, ["x", "y", "z"].contains(own))
+                        })
+                    }
+                    HostCarrier::Still(_) => {}
+                },
+                Place::Shape(..) => {}
+                Place::Nodes(nodes, _, cell) => {
+                    add(format!("{name}.top"), "m", true);
+                    if cell.is_some() {
+                        add(format!("{name}.volume"), "m^3", true);
+                        add(format!("{name}.gauge"), "Pa", true);
+                    }
+                    for node in 0..nodes.len() {
+                        ["x", "y", "z"]
+                            .iter()
+                            .for_each(|axis| add(format!("{name}.{axis}{node}"), "m", false));
+                    }
+                }
+            }
+        }
+        columns
+    }
+
+    fn state(&mut self) -> Result<Vec<f64>, String> {
+        let (t, x) = (self.t, self.x.clone());
+        self.with(|mut island| island.place(t, &x)).map_err(words)?;
+        let n_q = self.split();
+        let (mut q, mut u, mut values) = (0, n_q, Vec::new());
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        for carrier in &self.carriers {
+            let (own_q, own_u) = (&x[q..q + carrier.n_q()], &x[u..u + carrier.n_u()]);
+            rows.push(match carrier {
+                HostCarrier::Floating(floating) => {
+                    let state = floating.state(own_q, own_u).map_err(words)?;
+                    let spin = floating.body.angular_velocity(&state);
+                    [own_q, &own_u[..3], &spin[..]].concat()
+                }
+                _ => [own_q, own_u].concat(),
+            });
+            (q, u) = (q + carrier.n_q(), u + carrier.n_u());
+        }
+        for place in &self.places {
+            match place {
+                Place::Carrier(number, _) => values.extend(&rows[*number]),
+                Place::Shape(..) => {}
+                Place::Nodes(nodes, _, cell) => {
+                    let pos = &self.room.pos[nodes.clone()];
+                    values.push(pos.iter().map(|p| p[2]).fold(f64::NEG_INFINITY, f64::max));
+                    if let Some(cell) = cell.map(|cell| self.fixed.cells[cell]) {
+                        let volume = cell.volume(&self.fixed.facets, &self.room.pos);
+                        values.push(volume);
+                        values.push(cell.content.gauge_pressure(volume).unwrap_or(f64::NAN));
+                    }
+                    values.extend(pos.as_flattened());
+                }
+            }
+        }
+        Ok(values)
+    }
+
+    fn energies(&mut self) -> Result<Energies, String> {
+        let (t, x) = (self.t, self.x.clone());
+        let island = self.with(|mut island| island.energy(t, &x)).map_err(words)?;
+        let mut energies = Energies {
+            kinetic: island.body.kinetic,
+            gravity: island.body.gravity,
+            spring: island.body.spring,
+            gas: island.body.pressure,
+            drive: self.drive,
+            damping: self.damping,
+            impact: self.impact,
+            friction: self.friction,
+        };
+        self.each_mechanism(&x, |ported, q, u, wrenches| {
+            let [kinetic, gravity, spring] = ported.account(t, q, u, wrenches)?.stored;
+            energies.kinetic += kinetic;
+            energies.gravity += gravity;
+            energies.spring += spring;
+            Ok(())
+        })
+        .map_err(words)?;
+        let n_q = self.split();
+        let (mut q, mut u) = (0, n_q);
+        for carrier in &mut self.carriers {
+            let (next_q, next_u) = (q + carrier.n_q(), u + carrier.n_u());
+            if let HostCarrier::Floating(own) = carrier {
+                let (kinetic, gravity) = own.energy(t, &x[q..next_q], &x[u..next_u]).map_err(words)?;
+                energies.kinetic += kinetic;
+                energies.gravity += gravity;
+            }
+            (q, u) = (next_q, next_u);
+        }
+        Ok(energies)
+    }
+
+    fn picture(&mut self) -> Result<Picture, String> {
+        let (t, x) = (self.t, self.x.clone());
+        self.with(|mut island| island.place(t, &x)).map_err(words)?;
+        let mut mechanisms = Vec::new();
+        self.each_mechanism(&x, |ported, q, u, _| {
+            mechanisms.push(ported.picture(t, q, u)?);
+            Ok(())
+        })
+        .map_err(words)?;
+        let (mut picture, mut next, mut port) = (Picture::default(), mechanisms.into_iter(), 0);
+        for place in &self.places {
+            match place {
+                Place::Shape(port, place, shape) => {
+                    let frame = self.room.frames[*port];
+                    picture.solid(
+                        shape,
+                        frame.point(place.origin),
+                        place.axes.map(|axis| frame.to_inertial(axis)),
+                    );
+                }
+                Place::Nodes(nodes, ..) => picture.points.extend(&self.room.pos[nodes.clone()]),
+                Place::Carrier(number, shape) => {
+                    let frame = self.room.frames.get(port);
+                    port += self.carriers[*number].n_ports();
+                    match (shape, frame) {
+                        (Some(shape), Some(frame)) => picture.solid(shape, frame.origin, frame.axes),
+                        (Some(_), None) => {}
+                        (None, _) => {
+                            if let Some(own) = next.next() {
+                                picture.append(&own);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        Ok(picture)
+    }
+
+    fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
+        if self.touching.is_some() {
+            let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
+            let done = self.step_touching(h, (&mut x, &mut low), found);
+            (self.x, self.low) = (x, low);
+            let accounts = done.map_err(words)?;
+            self.drive += accounts.drive;
+            self.damping += accounts.damping + accounts.drag;
+            self.impact += accounts.impact;
+            self.friction += accounts.friction;
+            self.t += h;
+            return Ok(());
+        }
+        let (t, old) = (self.t, self.x.clone());
+        let before = self.rates(t, &old).map_err(words)?;
+        let first = self.powers(t, &old).map_err(words)?;
+        let (mut x, mut low, mut scratch) =
+            (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
+        let method = self.method.1;
+        // Where time gives everything there is nothing to integrate.
+        let done = if x.is_empty() {
+            Ok(())
+        } else {
+            self.with(|mut island| {
+                let mut state = State::resume(&mut x, &mut low)?;
+                method.step(&mut island, t, h, &mut state, &mut scratch).map(|_| ())
+            })
+        };
+        (self.x, self.low, self.scratch) = (x, low, scratch);
+        done.map_err(words)?;
+        let new = self.x.clone();
+        let after = self.rates(t + h, &new).map_err(words)?;
+        let last = self.powers(t + h, &new).map_err(words)?;
+        let ends = old.iter().zip(&new).zip(before.iter().zip(&after));
+        let middle: Vec<f64> = ends.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * h * (da - db)).collect();
+        self.rates(t + 0.5 * h, &middle).map_err(words)?;
+        let between = self.powers(t + 0.5 * h, &middle).map_err(words)?;
+        self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
+        self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
+        self.t = t + h;
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Settled, String> {
+        relax(self)
+    }
+
+    fn save(&self) -> Vec<f64> {
+        let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
+        [&accounts[..], &self.x, &self.low].concat()
+    }
+
+    fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
+        let n = self.x.len();
+        if numbers.len() != 5 + 2 * n {
+            return Err(engine::other_world());
+        }
+        let (accounts, state) = numbers.split_at(5);
+        [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];
+        [self.impact, self.friction] = [accounts[3], accounts[4]];
+        self.x.copy_from_slice(&state[..n]);
+        self.low.copy_from_slice(&state[n..]);
+        Ok(())
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        if self.unsettled == 0 {
+            return Vec::new();
+        }
+        vec![format!(
+            "{}: the sweeps over the contacts were cut short; take a smaller step",
+            smartbed_codegen::words::count(self.unsettled, "step")
+        )]
+    }
+
+    fn method(&self) -> String {
+        match self.touching {
+            Some(_) => self.method.0.to_owned(),
+            None => format!("{}, flexible parts and what carries them as one", self.method.0),
+        }
+    }
+}
