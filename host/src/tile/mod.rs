@@ -34,7 +34,7 @@ pub struct Arguments {
     /// Run the tiles as programs of this machine instead of emulated chips: the same bytes, at once.
     #[arg(long)]
     pub native: bool,
-    /// The emulated chip: a Cortex-M4F as on the board; M7 and M33 are experimental.
+    /// The emulated chip: a Cortex-M4F as on the board, an M7 or an M33.
     #[arg(long, value_name = "CORE", default_value = "m4", value_parser = ["m4", "m7", "m33"], conflicts_with = "native")]
     pub machine: String,
     /// Tiles on the bus.

@@ -51,7 +51,6 @@ fn chip_and_host_send_the_same_bytes() {
 }
 
 #[test]
-#[ignore = "the images of these cores have not been seen to run yet"]
 fn other_cores_send_the_same_bytes_too() {
     let ticks = std::env::var("SMARTBED_TICKS").map_or(FEWER_TICKS, |n| n.parse().expect("a number"));
     let here = session(&build(Kind::Native).unwrap_or_else(|e| panic!("{e}")), ticks);
