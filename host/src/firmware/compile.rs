@@ -253,6 +253,21 @@ pub fn image(
     Ok(own)
 }
 
+/// Builds the controller as a library, without the programs of a chip, for any target.
+///
+/// # Errors
+/// [`Failure::Wrong`] if it does not build.
+pub fn library(toolchain: &Toolchain, workspace: &Path, folder: &Path, target: &str) -> Result<(), Failure> {
+    let mut cargo = toolchain.cargo();
+    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--lib", "--no-default-features"]);
+    cargo.args(["--features", "controller", "--profile", "firmware", "--target", target, "--target-dir"]);
+    cargo.arg(folder).current_dir(workspace);
+    if toolchain.core_from_source {
+        cargo.arg("-Zbuild-std=core");
+    }
+    succeed(cargo, &format!("the controller does not build for {target}"))
+}
+
 /// Builds and runs the same simulation on the host; returns what it prints.
 ///
 /// # Errors

@@ -143,6 +143,19 @@ pub fn board() -> Result<PathBuf, Failure> {
     compile::image(&toolchain, &workspace, &folder, &STM32F405, &Settings::controller(Subject::Board))
 }
 
+/// Builds the controller's library for a target that has no program of its own here.
+///
+/// # Errors
+/// Status 1 if it does not build, status 2 where a tool is missing.
+pub fn library(target: &str) -> Result<(), Failure> {
+    let workspace = workspace()?;
+    let toolchain = toolchain::toolchain(target)?;
+    let folder = workspace.join("target/image");
+    let _lock = lock(&folder)?;
+    output::say(&format!("building the controller for {target} with {}", toolchain.describe()));
+    compile::library(&toolchain, &workspace, &folder, target)
+}
+
 /// Applies the rules to an image that was built elsewhere.
 fn judge(elf: &Path, as_json: bool) -> Result<(), Failure> {
     let image = read(elf)?;

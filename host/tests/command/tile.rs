@@ -4,6 +4,7 @@
 
 use crate::support::smartbed;
 use smartbed::firmware::chip::{M7, M33, STM32F405};
+use smartbed::firmware::library;
 use smartbed::tile::bus::{Bus, Said};
 use smartbed::tile::machine::{Kind, Machine, Program, build};
 use smartbed::tile::{budget, order};
@@ -59,6 +60,11 @@ fn other_cores_send_the_same_bytes_too() {
         assert!(there.0.len() > 15_000, "{} bytes", there.0.len());
         assert!(there.0 == here.0, "{}: the bytes differ: {:?} {:?}", chip.name, there.1, here.1);
     }
+}
+
+#[test]
+fn the_controller_builds_for_risc_v() {
+    library("riscv32imafc-unknown-none-elf").unwrap_or_else(|e| panic!("{e}"));
 }
 
 #[test]
