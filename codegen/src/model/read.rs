@@ -17,8 +17,8 @@ use crate::source::{Source, Span};
 
 /// Largest model text in bytes.
 const LARGEST_TEXT: usize = 1 << 20;
-/// Most marks of values, keys and lines in it: some nine for each of the entries that are allowed.
-const MOST_MARKS: usize = 90_000;
+/// Most marks of values, keys and lines in it: some eight for each of the entries that are allowed.
+const MOST_MARKS: usize = 80_000;
 
 /// A model may extend a model that extends a model ... at most this often.
 const LONGEST_CHAIN: usize = 8;

@@ -168,7 +168,7 @@ fn the_largest_texts_stay_within_twenty_times_their_size() {
         (
             MODEL,
             "no field",
-            check(filled("fewer.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], 178_000)),
+            check(filled("fewer.toml", [&format!("{model}[run]\nx = ["), "1,", "]\n"], 158_000)),
         ),
         (MODEL, large, check(filled("large.toml", [model, "#", "\n"], MODEL + 9))),
         (SCENE, many, run(filled("points.toml", ["format = 1\npoints = [", "[0,0,1],", "]\n"], SCENE))),
