@@ -113,16 +113,16 @@ pub fn print_warnings(program: &Program) {
     }
 }
 
-/// A `NAME=NUMBER` of the command line.
+/// A `NAME=NUMBER` behind an option of the command line.
 ///
 /// # Errors
 /// [`Failure::Wrong`] if it is none.
-pub fn assignment(text: &str) -> Result<(String, f64), Failure> {
+pub fn assignment(option: &str, text: &str) -> Result<(String, f64), Failure> {
     let parts = text.split_once('=').map(|(name, value)| (name.trim(), value.trim().parse::<f64>()));
     match parts {
         Some((name, Ok(value))) if !name.is_empty() && value.is_finite() => Ok((name.to_owned(), value)),
         _ => Err(Failure::Wrong(format!(
-            "--set {text}: expected NAME=NUMBER in SI units, for example --set M=8"
+            "{option} {text}: expected NAME=NUMBER in SI units, for example {option} M=8"
         ))),
     }
 }
@@ -157,9 +157,9 @@ mod tests {
 
     #[test]
     fn assignments() {
-        assert_eq!(assignment("M=8"), Ok(("M".to_owned(), 8.0)));
+        assert_eq!(assignment("--set", "M=8"), Ok(("M".to_owned(), 8.0)));
         for wrong in ["M", "M=", "=3", "M=heavy", "M=nan", "M=1e999"] {
-            let failure = assignment(wrong).expect_err(wrong);
+            let failure = assignment("--set", wrong).expect_err(wrong);
             assert!(failure.to_string().contains("NAME=NUMBER"), "{wrong}");
         }
     }

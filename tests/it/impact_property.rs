@@ -8,28 +8,7 @@ use smartbed_runtime::contact::{ContactLaw, Ground, System, friction};
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
-
-/// SplitMix64 (Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        a + (b - a) * self.unit()
-    }
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n as u64) as usize
-    }
-}
+use smartbed_tests::random::Random;
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -206,7 +185,7 @@ fn balances<S: Scalar>(
 }
 
 fn survey<S: Scalar>(bodies: usize, decades: f64, seed: u64) -> Worst {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut worst = Worst { energy: 0.0, momentum: 0.0, angular: 0.0, impulses: 0.0, cone: 0.0 };
     for _ in 0..bodies {
         let case = random_case(&mut random, decades);

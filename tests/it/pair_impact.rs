@@ -3,24 +3,9 @@
 
 use smartbed_runtime::contact::pair::{Touch, apply};
 use smartbed_runtime::flexible::{Body, Massless, Spring};
+use smartbed_tests::random::Random;
 
 type Vector = [f64; 3];
-
-/// SplitMix64 (Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, a: f64, b: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        a + (b - a) * (((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64)
-    }
-    fn vector(&mut self, size: f64) -> Vector {
-        [0; 3].map(|_| self.between(-size, size))
-    }
-}
 
 fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
@@ -51,7 +36,7 @@ fn largest(a: Vector, b: Vector) -> f64 {
 
 #[test]
 fn random_pairs_conserve() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let mut worst = [0.0_f64; 4];
     for _ in 0..20_000 {
         // Point 0 touches, 1 to 4 are the facet; 5 and 6 belong to the point, 7 and 8 to the facet.

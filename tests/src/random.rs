@@ -20,9 +20,23 @@ impl Random {
         z ^ (z >> 31)
     }
 
+    /// Uniform from 0 to 1.
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
     /// Uniform between two bounds.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        let unit = (self.bits() >> 11) as f64 / (1u64 << 53) as f64;
-        low + (high - low) * unit
+        low + (high - low) * self.unit()
+    }
+
+    /// One of the numbers below n, > 0.
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.bits() % n as u64) as usize
+    }
+
+    /// Components between -size and size.
+    pub fn vector(&mut self, size: f64) -> [f64; 3] {
+        std::array::from_fn(|_| self.between(-size, size))
     }
 }

@@ -241,7 +241,7 @@ fn report(
 fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failure> {
     let mut choice = ParameterChoice { keep: arguments.keep.clone(), ..Default::default() };
     for change in &arguments.set {
-        let (name, value) = model_argument::assignment(change)?;
+        let (name, value) = model_argument::assignment("--set", change)?;
         choice.values.insert(name, value);
     }
     let known = || model.parameters.iter().map(|p| p.name.as_str());

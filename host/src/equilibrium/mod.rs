@@ -86,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// What the command line holds, and what is looked for.
 fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result<(), Failure> {
     for given in &arguments.input {
-        let (name, value) = assignment("--input", given)?;
+        let (name, value) = model_argument::assignment("--input", given)?;
         let names = program.inputs.iter().map(|i| i.name.as_str());
         let Some(place) = program.inputs.iter().position(|i| i.name == name) else {
             return Err(unknown("--input", given, "an input of the model", &name, names));
@@ -99,7 +99,7 @@ fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result
         search.set_input(place, value);
     }
     for given in &arguments.hold {
-        let (name, value) = assignment("--hold", given)?;
+        let (name, value) = model_argument::assignment("--hold", given)?;
         if !search.hold(&name, value) {
             let names = search.state_names();
             let names = names.iter().map(String::as_str);
@@ -108,14 +108,6 @@ fn hold(arguments: &Arguments, program: &Program, search: &mut Search) -> Result
     }
     search.look_for(if arguments.trim { Unknown::Inputs } else { Unknown::State });
     Ok(())
-}
-
-fn assignment(option: &str, text: &str) -> Result<(String, f64), Failure> {
-    model_argument::assignment(text).map_err(|_| {
-        Failure::Wrong(format!(
-            "{option} {text}: expected NAME=NUMBER in SI units, for example {option} q=0.5"
-        ))
-    })
 }
 
 fn unknown<'a>(

@@ -200,13 +200,12 @@ impl<'p> Search<'p> {
 
     /// Dependent coordinates for those that are held elsewhere than they started.
     fn assemble_held(&mut self) -> Result<(), String> {
-        let given: Vec<Option<f64>> = self.q.iter().map(|q| Some(*q)).collect();
         let held = self.state.iter().any(|entry| !entry.is_speed && entry.is_held);
         if !held {
             return Ok(());
         }
         let independent =
-            given.iter().enumerate().map(|(i, q)| q.filter(|_| self.configurations.is_independent(i)));
+            self.q.iter().enumerate().map(|(i, q)| self.configurations.is_independent(i).then_some(*q));
         let parameters: Vec<f64> = self.program.parameters.iter().map(|p| p.value).collect();
         let solved = self.configurations.solve(&parameters, &independent.collect::<Vec<_>>());
         self.q =

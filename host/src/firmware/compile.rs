@@ -231,10 +231,7 @@ pub fn image(
 ) -> Result<PathBuf, Failure> {
     let target = chip.target.to_uppercase().replace(['-', '.'], "_");
     let mut cargo = build(toolchain, workspace, folder, settings)?;
-    cargo.args(["--target", chip.target]);
-    if toolchain.core_from_source {
-        cargo.arg("-Zbuild-std=core");
-    }
+    for_target(&mut cargo, toolchain, chip.target);
     if let Some(linker) = &toolchain.linker {
         cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
     }
@@ -258,13 +255,9 @@ pub fn image(
 /// # Errors
 /// [`Failure::Wrong`] if it does not build.
 pub fn library(toolchain: &Toolchain, workspace: &Path, folder: &Path, target: &str) -> Result<(), Failure> {
-    let mut cargo = toolchain.cargo();
-    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--lib", "--no-default-features"]);
-    cargo.args(["--features", "controller", "--profile", "firmware", "--target", target, "--target-dir"]);
-    cargo.arg(folder).current_dir(workspace);
-    if toolchain.core_from_source {
-        cargo.arg("-Zbuild-std=core");
-    }
+    let mut cargo = package(toolchain, workspace, folder);
+    cargo.args(["--lib", "--features", "controller"]);
+    for_target(&mut cargo, toolchain, target);
     succeed(cargo, &format!("the controller does not build for {target}"))
 }
 
@@ -305,16 +298,26 @@ fn build(
     folder: &Path,
     settings: &Settings,
 ) -> Result<Command, Failure> {
-    let mut cargo = toolchain.cargo();
-    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--bin", settings.program()]);
-    // What a program does not need is not derived.
-    cargo
-        .arg("--no-default-features")
-        .args(["--profile", "firmware", "--target-dir"])
-        .arg(folder)
-        .current_dir(workspace);
+    let mut cargo = package(toolchain, workspace, folder);
+    cargo.args(["--bin", settings.program()]);
     settings.export(&mut cargo, folder)?;
     Ok(cargo)
+}
+
+/// A build of the firmware's package. What a program does not need is not derived.
+fn package(toolchain: &Toolchain, workspace: &Path, folder: &Path) -> Command {
+    let mut cargo = toolchain.cargo();
+    cargo.args(["build", "--quiet", "--package", "smartbed-firmware", "--no-default-features"]);
+    cargo.args(["--profile", "firmware", "--target-dir"]).arg(folder).current_dir(workspace);
+    cargo
+}
+
+/// Makes it one for a target, with core from source where the toolchain has none.
+fn for_target(cargo: &mut Command, toolchain: &Toolchain, target: &str) {
+    cargo.args(["--target", target]);
+    if toolchain.core_from_source {
+        cargo.arg("-Zbuild-std=core");
+    }
 }
 
 /// Runs a build; its messages go to standard error.

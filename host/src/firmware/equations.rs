@@ -75,7 +75,7 @@ impl Equations {
 
 /// Operations of the rates without sines and cosines, and angles.
 fn rates_of(settings: &Settings) -> Result<(u64, u64), Failure> {
-    let values = settings.set.iter().map(|change| assignment(change)).collect::<Result<_, _>>()?;
+    let values = settings.set.iter().map(|change| assignment("--set", change)).collect::<Result<_, _>>()?;
     let derived = model::read(&settings.model).and_then(|model| {
         let tunable = model.parameters.iter().filter(|_| settings.everything);
         let keep = tunable.map(|p| p.name.clone()).collect();

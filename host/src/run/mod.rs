@@ -31,6 +31,7 @@ use simulate::{Row, Setup, Summary, columns};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::kinematics::Unreachable;
 use smartbed_codegen::model::{Model, StartRef};
+use smartbed_codegen::program::Quantity;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{Program, program};
 use std::fmt::Write as _;
@@ -231,19 +232,24 @@ pub(crate) fn start(model: &Model, program: &Program, settings: &Settings) -> Re
     let mut x = configurations
         .solve(&parameters, &given)
         .map_err(|unreachable| start_unreachable(model, settings, &unreachable))?;
-    for ((quantity, given), found) in program.q.iter().zip(&given).zip(&x) {
+    let why = "it is dependent and follows from the independent coordinates";
+    note_replaced(&program.q, &given, &x, why);
+    let speeds = start_speeds(model, program, settings, (&x, &parameters))?;
+    x.extend(speeds);
+    Ok(x)
+}
+
+/// Says which of the start values that were given are others now, and why.
+fn note_replaced(quantities: &[Quantity], given: &[Option<f64>], found: &[f64], why: &str) {
+    for ((quantity, given), found) in quantities.iter().zip(given).zip(found) {
         let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
         if let Some(given) = replaced {
             output::say(&format!(
-                "note: the start value {} = {given} is replaced by {found:.6}: it is dependent and follows from the \
-                 independent coordinates",
+                "note: the start value {} = {given} is replaced by {found:.6}: {why}",
                 quantity.name
             ));
         }
     }
-    let speeds = start_speeds(model, program, settings, (&x, &parameters))?;
-    x.extend(speeds);
-    Ok(x)
 }
 
 /// Speeds at the start: as given, made to meet the constraints where all of them are state.
@@ -265,16 +271,8 @@ fn start_speeds(
     let independent = |i: usize| model.speeds.iter().any(|s| s.independent && s.name == program.u[i].name);
     let speeds = speeds::complete(program, (0.0, q, parameters), &given, &independent)
         .map_err(|fault| Failure::Wrong(format!("the start: {fault}")))?;
-    for ((quantity, given), found) in program.u.iter().zip(&given).zip(&speeds) {
-        let replaced = given.filter(|given| (given - found).abs() > REPLACED * given.abs().max(1.0));
-        if let Some(given) = replaced {
-            output::say(&format!(
-                "note: the start value {} = {given} is replaced by {found:.6}: the constraints and the other start \
-                 values do not allow it",
-                quantity.name
-            ));
-        }
-    }
+    let why = "the constraints and the other start values do not allow it";
+    note_replaced(&program.u, &given, &speeds, why);
     Ok(speeds)
 }
 

@@ -94,7 +94,7 @@ impl Settings {
         }
         let mut names = Vec::new();
         for change in &arguments.set {
-            let (name, value) = model_argument::assignment(change)?;
+            let (name, value) = model_argument::assignment("--set", change)?;
             if names.contains(&name) {
                 return Err(Failure::Wrong(format!(
                     "--set {change}: `{name}` is set twice; leave one of them out"

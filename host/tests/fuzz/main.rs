@@ -11,6 +11,7 @@ mod models;
 mod random;
 mod scenes;
 mod states;
+mod worlds;
 
 use clap::Parser;
 use random::Random;

@@ -1,7 +1,5 @@
 //! Scenes of format 2: what is wrong in them is said with its place; worlds of rigid bodies against closed forms.
 
-mod fuzz;
-
 use smartbed::world::{Assembly, read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

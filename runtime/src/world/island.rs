@@ -46,6 +46,14 @@ pub struct Memory<'a, S> {
     pub wrenches: &'a mut [Wrench<S>],
 }
 
+impl<'a, S> Memory<'a, S> {
+    /// Of a world without flexible parts.
+    #[must_use]
+    pub fn without_nodes(frames: &'a mut [Frame<S>], wrenches: &'a mut [Wrench<S>]) -> Self {
+        Memory { pos: &mut [], vel: &mut [], elastic: &mut [], viscous: &mut [], frames, wrenches }
+    }
+}
+
 /// Kinetic and potential energy of the carrier and energies of the body (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IslandEnergy<S> {

@@ -534,14 +534,7 @@ impl Carrier<f64> for Twice {
 fn speeds_of_carriers_in_a_group_are_put_back_on_their_constraints() {
     let mut members = [Twice, Twice];
     let (mut frames, mut wrenches) = ([Frame::inertial(); 2], [Wrench::zero(); 2]);
-    let memory = Memory {
-        pos: &mut [],
-        vel: &mut [],
-        elastic: &mut [],
-        viscous: &mut [],
-        frames: &mut frames,
-        wrenches: &mut wrenches,
-    };
+    let memory = Memory::without_nodes(&mut frames, &mut wrenches);
     let island = Island::new(Group { members: &mut members }, Body::none(), &[], memory);
     let mut island = island.expect("an island");
     let mut x = [0.0; 6];

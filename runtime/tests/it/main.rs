@@ -9,6 +9,7 @@ mod layering;
 mod narrow;
 mod random;
 mod rigid_scene;
+mod scenery;
 mod sensor;
 mod several;
 mod sides;

@@ -1,7 +1,9 @@
 //! Scene texts of format 2 with values exchanged, keys left out and letters broken: no panic, and every refusal has its place.
 //!
-//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test world -- fuzz`; the seed is fixed, case n is always the same.
+//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- worlds`; the seed is fixed, case n is always the same.
 
+use crate::random::Random;
+use smartbed::model_argument::find;
 use smartbed::world::{read, run::engine};
 use std::path::Path;
 
@@ -77,27 +79,6 @@ const KEYS: [&str; 24] = [
     "gravity",
 ];
 
-/// Numbers that are always the same (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
-
-    fn of<'a>(&mut self, list: &[&'a str]) -> &'a str {
-        list[self.below(list.len())]
-    }
-}
-
 fn mutated(text: &str, random: &mut Random) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     for _ in 0..1 + random.below(3) {
@@ -135,9 +116,10 @@ fn fuzzed_worlds_are_read_or_refused_with_their_place() {
         .collect();
     let (mut refused, mut stepped) = (0, 0);
     for case in 0..cases {
-        let mut random = Random(case);
+        let mut random = Random::new(case);
         let text = mutated(&texts[random.below(texts.len())], &mut random);
-        let found = match read::parse("fuzz.toml", &text, &[], &crate::find) {
+        let found = match read::parse("fuzz.toml", &text, &[], &|name| find(name).map_err(|e| e.to_string()))
+        {
             Err(found) => {
                 let said = found.to_string();
                 assert!(
