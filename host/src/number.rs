@@ -8,6 +8,12 @@ pub fn digits(x: f64) -> String {
     format!("{x:.16e}")
 }
 
+/// For people: six places behind the point, or an exponent where these would tell too little or too much.
+#[must_use]
+pub fn short(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e7).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.6e}") }
+}
+
 /// `{"name": value, ...}` in the given order; what is not finite becomes `null`.
 pub fn json_object<'a>(entries: impl IntoIterator<Item = (&'a str, f64)>) -> String {
     let mut text = String::from("{");
@@ -55,6 +61,12 @@ mod tests {
             assert_eq!(digits(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
         }
         assert_eq!(digits(0.1), "1.0000000000000001e-1");
+    }
+
+    #[test]
+    fn short_numbers_have_their_points_below_one_another() {
+        let texts = [0.0, -1.25, 1e-5, 2e9, f64::NAN].map(short);
+        assert_eq!(texts, ["0.000000", "-1.250000", "1.000000e-5", "2.000000e9", "NaN"]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `smartbed settle`: the static equilibrium of a scene of format 2.
 
 use crate::failure::Failure;
-use crate::number::{digits, json_number, json_object, json_string};
+use crate::number::{json_number, json_object, json_string, short};
 use crate::output;
 use crate::run;
 use crate::world::run::engine;
@@ -58,8 +58,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         settled.acceleration,
         energies.total()
     );
+    let width = columns.iter().filter(|c| c.by_default).map(|c| c.name.len()).max().unwrap_or(0);
     for (column, value) in columns.iter().zip(&state).filter(|(column, _)| column.by_default) {
-        let _ = writeln!(text, "{:>24} = {} {}", column.name, digits(*value), column.unit);
+        let _ = writeln!(text, "  {:width$} {:>16} {}", column.name, short(*value), column.unit);
     }
     output::print(&text)
 }

@@ -2,7 +2,7 @@
 
 use super::modes::{Fate, Mode};
 use super::search::{Found, Search};
-use crate::number::{json_number, json_object, json_string};
+use crate::number::{json_number, json_object, json_string, short};
 use smartbed_codegen::Program;
 use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
@@ -73,7 +73,7 @@ impl Answer<'_> {
             for (name, value, unit) in list {
                 let value = if value.abs() <= NOISE * largest { 0.0 } else { *value };
                 let unit = if *unit == "1" { "" } else { unit };
-                let line = format!("  {name:width$} {value:>14.6e} {unit}");
+                let line = format!("  {name:width$} {:>16} {unit}", short(value));
                 let _ = writeln!(text, "{}", line.trim_end());
             }
         }

@@ -35,6 +35,8 @@ const MARKS: usize = 9;
 const MARK: f64 = 3.6;
 /// Curves closer than this share of a panel's height are one to the eye.
 const ALIKE: f64 = 0.004;
+/// Curves on each other that are all named; of more the first and the last.
+const NAMED: usize = 6;
 /// Most events drawn over the whole height; more are ticks at the upper edge.
 const MOST_EVENTS: usize = 40;
 
@@ -145,7 +147,11 @@ fn draw_panel(
     let lines: usize = legend.iter().map(Vec::len).sum();
     let least = if low < high { PANEL } else { FLAT };
     let bottom = top + least.max(LEADING * lines as f64 + 12.0).max(font::width(&panel.label, LARGE));
-    let y = Axis::around([low, high].iter(), (bottom, top), (bottom - top) / 32.0, 0.08);
+    let mut y = Axis::around([low, high].iter(), (bottom, top), (bottom - top) / 32.0, 0.08);
+    // Labels wider than the margin would stand on the panel's own: motion that small beside its size is flat.
+    while widest_label(&y) > LEFT - 8.0 - 18.0 - LARGE && y.high - y.low < 0.01 * low.abs().max(high.abs()) {
+        y = y.widened();
+    }
     grid(x, &y, is_last, items);
     events(chart.events, x, &y, items);
     if is_last {
@@ -168,6 +174,10 @@ fn draw_panel(
     bottom
 }
 
+fn widest_label(y: &Axis) -> f64 {
+    y.ticks().map(|tick| font::width(&y.label(tick), SMALL)).fold(0.0, f64::max)
+}
+
 /// Curves that lie on each other, each list in order; the first of a list is drawn.
 fn groups(panel: &Panel, distance: f64) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -183,8 +193,12 @@ fn groups(panel: &Panel, distance: f64) -> Vec<Vec<usize>> {
 /// Names of curves that lie on each other, as lines that fit.
 fn legend_lines(panel: &Panel, group: &[usize]) -> Vec<String> {
     let names: Vec<&str> = group.iter().map(|&n| panel.curves[n].name.as_str()).collect();
+    let names = match names.as_slice() {
+        [first, .., last] if names.len() > NAMED => format!("{first} to {last} ({} alike)", names.len()),
+        _ => names.join(", "),
+    };
     let zero = if panel.curves[group[0]].is_zero() { " = 0" } else { "" };
-    font::wrapped(&format!("{}{zero}", names.join(", ")), SMALL, RIGHT - 50.0)
+    font::wrapped(&format!("{names}{zero}"), SMALL, RIGHT - 50.0)
 }
 
 fn grid(x: &Axis, y: &Axis, is_last: bool, items: &mut Vec<Item>) {
@@ -322,6 +336,17 @@ mod tests {
             Panel { label: "angle [rad]".to_owned(), curves: many(8) },
             Panel { label: "length [m]".to_owned(), curves: vec![curve("still", &[0.2; 50])] },
             Panel {
+                label: "energy [J]".to_owned(),
+                curves: vec![curve(
+                    "total",
+                    &wave(0).iter().map(|v| 1918.207 + 1e-5 * v).collect::<Vec<_>>(),
+                )],
+            },
+            Panel {
+                label: "length [m]".to_owned(),
+                curves: vec![curve("x", &wave(0).iter().map(|v| 0.02 + 1e-9 * v).collect::<Vec<_>>())],
+            },
+            Panel {
                 label: "tiny [m]".to_owned(),
                 curves: vec![curve("x", &wave(0).iter().map(|v| 1e-7 * v).collect::<Vec<_>>())],
             },
@@ -359,6 +384,9 @@ mod tests {
         let groups = groups(&panel, ALIKE);
         assert_eq!(groups, [vec![0, 1], vec![2, 3]]);
         assert_eq!(legend_lines(&panel, &groups[1]), ["c, d = 0"]);
+        let curves = (0..28).map(|n| curve(&format!("top{n}"), &[0.0, 1.0])).collect();
+        let many = Panel { label: "length [m]".to_owned(), curves };
+        assert_eq!(legend_lines(&many, &(0..28).collect::<Vec<_>>()), ["top0 to top27 (28 alike)"]);
     }
 
     #[test]

@@ -78,7 +78,7 @@ pub(crate) struct Column<'a> {
     /// SI units in one of it.
     pub(crate) factor: f64,
     /// Natural size in SI units; 0 if unknown.
-    natural: f64,
+    pub(crate) natural: f64,
     by_default: bool,
 }
 

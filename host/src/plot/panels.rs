@@ -106,6 +106,8 @@ pub(crate) fn label(unit: &str) -> String {
         "rad/s" | "deg/s" | "1/s" => "rate",
         "N" | "kN" => "force",
         "N m" => "torque",
+        "m^3" => "volume",
+        "Pa" | "kPa" => "pressure",
         "J" => "energy",
         "W" => "power",
         unit => return format!("[{unit}]"),

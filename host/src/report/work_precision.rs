@@ -1,5 +1,5 @@
-//! Error against cost, both as powers of ten: a line per method, squares full in f64, open in f32, crosses for other
-//! simulators, the front in amber.
+//! Error against cost, both as powers of ten: a line per method with marks of its own, full in f64, open in f32, arms for
+//! other simulators, the front in amber.
 
 use super::point::{Point, Section};
 use crate::plot::chart::{line, text};
@@ -133,12 +133,12 @@ pub fn plot(section: &Section, (label, cost): Cost) -> Option<Plot<'_>> {
             }
             let way = places.iter().map(|(at, _)| *at).collect();
             let mut items = vec![line(way, color, if scalar == "f64" { 1.6 } else { 0.8 })];
-            let mark = if is_peer(&points, method) { Mark::Cross } else { Mark::of_scalar(scalar) };
+            let mark = Mark::of(n, scalar, is_peer(&points, method));
             places.iter().for_each(|(at, _)| items.extend(marker(*at, color, mark)));
             layers.push(Layer { method, scalar, items, places });
         }
         let at = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * n as f64);
-        items.extend(marker(at, color, if is_peer(&points, method) { Mark::Cross } else { Mark::Full }));
+        items.extend(marker(at, color, Mark::of(n, "f64", is_peer(&points, method))));
         items.push(text((at.0 + 12.0, at.1), method, SMALL, Anchor::Start));
     }
     legend(methods.len(), points.iter().any(|p| p.0.is_peer), &mut items);
@@ -178,12 +178,12 @@ fn legend(methods: usize, has_peers: bool, items: &mut Vec<Item>) {
     let (left, top) = (WIDTH - RIGHT + 18.0, TOP + 10.0 + 20.0 * methods as f64 + 14.0);
     let band = |y: f64| vec![line(vec![(left - 6.0, y), (left + 6.0, y)], FRONT, 12.0)];
     let mut rows = vec![
-        (marker((left, top), INK, Mark::Full), "f64"),
-        (marker((left, top + 20.0), INK, Mark::Open), "f32"),
+        (marker((left, top), INK, Mark::Full(1)), "f64"),
+        (marker((left, top + 20.0), INK, Mark::Open(1)), "f32"),
         (band(top + 40.0), "front, by time"),
     ];
     if has_peers {
-        rows.push((marker((left, top + 60.0), INK, Mark::Cross), "other simulator"));
+        rows.push((marker((left, top + 60.0), INK, Mark::Arms(0)), "other simulator"));
     }
     for (n, (mark, words)) in rows.into_iter().enumerate() {
         items.extend(mark);
@@ -191,20 +191,44 @@ fn legend(methods: usize, has_peers: bool, items: &mut Vec<Item>) {
     }
 }
 
-/// How a point is drawn.
+/// Corners of the marks of our methods (degrees), told apart by shape where colours are not.
+const SHAPES: [&[f64]; 9] = [
+    &[0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 300.0, 330.0],
+    &[45.0, 135.0, 225.0, 315.0],
+    &[90.0, 210.0, 330.0],
+    &[30.0, 150.0, 270.0],
+    &[0.0, 90.0, 180.0, 270.0],
+    &[0.0, 120.0, 240.0],
+    &[60.0, 180.0, 300.0],
+    &[18.0, 90.0, 162.0, 234.0, 306.0],
+    &[20.0, 160.0, 200.0, 340.0],
+];
+/// Arms of those of other simulators.
+const ARMS: [&[f64]; 4] = [
+    &[45.0, 135.0, 225.0, 315.0],
+    &[0.0, 90.0, 180.0, 270.0],
+    &[30.0, 90.0, 150.0, 210.0, 270.0, 330.0],
+    &[90.0, 210.0, 330.0],
+];
+
+/// How a point is drawn; the number is the method's.
 #[derive(Clone, Copy)]
 enum Mark {
-    /// A full square: f64.
-    Full,
-    /// An open square: f32.
-    Open,
+    /// Full: f64.
+    Full(usize),
+    /// Open: f32.
+    Open(usize),
     /// Another simulator.
-    Cross,
+    Arms(usize),
 }
 
 impl Mark {
-    fn of_scalar(scalar: &str) -> Self {
-        if scalar == "f64" { Self::Full } else { Self::Open }
+    fn of(number: usize, scalar: &str, is_peer: bool) -> Self {
+        match scalar {
+            _ if is_peer => Self::Arms(number),
+            "f64" => Self::Full(number),
+            _ => Self::Open(number),
+        }
     }
 }
 
@@ -213,10 +237,21 @@ fn is_peer(points: &[(&Point, f64)], method: &str) -> bool {
 }
 
 fn marker((x, y): (f64, f64), color: Color, mark: Mark) -> Vec<Item> {
-    let (l, r, t, b) = (x - MARK, x + MARK, y - MARK, y + MARK);
+    let at = |angle: &f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        (x + 1.35 * MARK * cos, y - 1.35 * MARK * sin)
+    };
     match mark {
-        Mark::Full => vec![line(vec![(l, y), (r, y)], color, 2.0 * MARK)],
-        Mark::Open => vec![line(vec![(l, t), (r, t), (r, b), (l, b), (l, t), (r, t)], color, 1.4)],
-        Mark::Cross => vec![line(vec![(l, t), (r, b)], color, 2.0), line(vec![(l, b), (r, t)], color, 2.0)],
+        Mark::Full(n) => {
+            vec![Item::Area { points: SHAPES[n % SHAPES.len()].iter().map(at).collect(), color }]
+        }
+        Mark::Open(n) => {
+            let corners = SHAPES[n % SHAPES.len()];
+            vec![line(corners.iter().chain(&corners[..2]).map(at).collect(), color, 1.4)]
+        }
+        Mark::Arms(n) => {
+            let arms = ARMS[n % ARMS.len()].iter();
+            arms.map(|angle| line(vec![(x, y), at(angle)], color, 2.0)).collect()
+        }
     }
 }

@@ -163,8 +163,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
                 let [kinetic, gravity, spring, pressure] = row.energy.stored;
                 let energies = [kinetic, gravity, spring, pressure, row.energy.total, row.energy.imbalance];
                 let values = row.pos.iter().take(HEIGHTS).map(|x| x[2]).chain(energies);
-                let places: Vec<f64> = row.pos.as_flattened().iter().chain(&row.ground).copied().collect();
-                film.push(row.t, &places, values.chain(row.energy.accounts));
+                film.push(row.t, row.pos.as_flattened(), &row.ground, values.chain(row.energy.accounts));
             }
             total = [if rows == 0 { row.energy.total } else { total[0] }, row.energy.total];
             let energy = &row.energy;

@@ -15,7 +15,7 @@ use crate::configuration::Configurations;
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind};
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::number::{digits, json_number, json_object};
+use crate::number::{digits, json_number, json_object, short};
 use crate::observers::Observers;
 use crate::output::{self, Output};
 use crate::plot::Recording;
@@ -38,6 +38,8 @@ use std::fmt::Write as _;
 
 /// A dependent start value counts as replaced where the solution differs by more than this, relative to it.
 const REPLACED: f64 = 1e-6;
+/// Last values below this share of the largest of their unit are rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Simulate a mechanism or a scene.
 #[derive(clap::Args, Clone, Default, Debug)]
@@ -319,7 +321,7 @@ fn record<S: EngineScalar>(
         }
         if let Some(film) = &mut film {
             events.row(&row.values);
-            film.push(row.values[0], &row.places, shown.iter().map(|n| row.values[*n]));
+            film.push(row.values[0], &row.places, &[], shown.iter().map(|n| row.values[*n]));
         }
         rows += 1;
         Ok(())
@@ -416,22 +418,30 @@ fn report(arguments: &Arguments, model: &Model, setup: Setup<'_>, summary: &Summ
         );
     }
     let _ = writeln!(text, "energy: largest imbalance of the ledger {:.1e} J", summary.imbalance);
-    let width = names.iter().map(String::len).max().unwrap_or(0);
     let shown = 1 + setup.program.q.len() + setup.observers.closed.len() + setup.program.speeds.len();
-    for (name, value) in names.iter().zip(&summary.last).take(shown) {
-        let line = format!("  {name:width$} {value:>14.6e} {}", unit_of(model, name));
+    text + &last_row(model, settings.seconds, &names[..shown.min(names.len())], &summary.last)
+}
+
+/// Time, coordinates and speeds at the end, in the model's units; what is rounding beside others of its unit is 0.
+fn last_row(model: &Model, seconds: f64, names: &[String], last: &[f64]) -> String {
+    let columns = motion::columns(model, seconds);
+    let of = |name: &String, value: &f64| match columns.iter().find(|column| column.name == name) {
+        Some(column) => (value / column.factor, column.unit.as_str(), column.natural / column.factor),
+        None if name == "t" => (*value, "s", 0.0),
+        None => (*value, "", 0.0),
+    };
+    let rows: Vec<(f64, &str, f64)> = names.iter().zip(last).map(|(name, value)| of(name, value)).collect();
+    let size = |unit: &str| {
+        let alike = rows.iter().filter(|(_, other, _)| *other == unit);
+        alike.map(|(value, _, natural)| value.abs().max(*natural)).fold(0.0, f64::max)
+    };
+    let width = names.iter().map(String::len).max().unwrap_or(0);
+    let mut text = String::new();
+    for (name, (value, unit, _)) in names.iter().zip(&rows) {
+        let told = if value.abs() <= ROUNDING * size(unit) { 0.0 } else { *value };
+        let unit = if *unit == "1" { "" } else { unit };
+        let line = format!("  {name:width$} {:>16} {unit}", short(told));
         let _ = writeln!(text, "{}", line.trim_end());
     }
     text
-}
-
-/// Unit of a column; blank for a number without one.
-fn unit_of<'a>(model: &'a Model, name: &str) -> &'a str {
-    let coordinate = model.coordinates.iter().find(|c| c.name == name).map(|c| c.unit.as_str());
-    let speed = || model.speeds.iter().find(|s| s.name == name).map(|s| s.unit.as_str());
-    match coordinate.or_else(speed) {
-        None if name == "t" => "s",
-        None | Some("1") => "",
-        Some(unit) => unit,
-    }
 }

@@ -24,8 +24,8 @@ use std::path::Path;
 
 /// Events named in the summary; the rest is counted.
 const TOLD: usize = 12;
-/// What rounding leaves of a number of size 1.
-const NOISE: f64 = 1e-12;
+/// What rounding leaves of a number of size 1: a touch is located to eps^(2/3) of the parts' size, and a run has many.
+const NOISE: f64 = 1e-8;
 
 /// Reads it, with the command line's settings.
 ///
@@ -127,7 +127,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
                 let picture = engine.picture().map_err(Failure::Wrong)?;
                 let curves = columns.iter().zip(row.state).filter(|(c, _)| c.by_default).map(|(_, x)| *x);
                 let curves: Vec<f64> = curves.chain(row.energies.numbers(row.start)).collect();
-                film.push(row.t, &stage::places(&picture, assembly), curves);
+                film.push(row.t, &stage::places(&picture, assembly), &picture.forces, curves);
             }
             let energies = row.energies;
             total = [row.start, energies.total()];

@@ -9,6 +9,7 @@ use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Event, Flow, Observer};
 
+use super::contact_force::ContactForce;
 use super::read::Scene;
 use super::simulation::Simulation;
 
@@ -113,8 +114,8 @@ pub struct Row {
     pub pos: Vec<[f64; 3]>,
     /// Velocities (m/s).
     pub vel: Vec<[f64; 3]>,
-    /// Normal forces of the ground (N).
-    pub ground: Vec<f64>,
+    /// Forces of the ground.
+    pub ground: Vec<ContactForce>,
     /// Energies.
     pub energy: EnergyRow,
     /// Touches so far.
@@ -209,7 +210,7 @@ fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
         t: simulation.t().to_f64(),
         pos: widen(simulation.pos()),
         vel: widen(simulation.vel()),
-        ground: simulation.ground_forces().into_iter().map(Scalar::to_f64).collect(),
+        ground: simulation.ground_forces(),
         energy: EnergyRow {
             stored: [energies.kinetic, energies.gravity, energies.spring, energies.pressure]
                 .map(Scalar::to_f64),

@@ -13,6 +13,7 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
 use smartbed_runtime::vec3::{self, Vec3};
 
+use super::contact_force::ContactForce;
 use super::lists::Lists;
 
 /// What surrounds a body: constants in f64.
@@ -250,19 +251,39 @@ impl<S: Scalar> Simulation<S> {
         &self.modes
     }
 
-    /// Normal force of the ground on every point (N): what holds it, or what a ground that gives way exerts.
+    /// Forces of the ground on the points that it pushes: what holds them, or what a ground that gives way exerts.
     #[must_use]
-    pub fn ground_forces(&self) -> Vec<S> {
+    pub fn ground_forces(&self) -> Vec<ContactForce> {
         let (n, system) = (self.mass.len(), self.system());
         let of = |i: usize| {
             let ground = self.ground.as_ref()?;
-            let soft = soft::normal_force(ground, self.motion[i], self.motion[2 * n + i]).0;
+            let (place, velocity) = (self.motion[i], self.motion[2 * n + i]);
             let held = self.modes[i].is_held() && !self.fixed.get(i).is_some_and(|f| *f);
             let [elastic, viscous] = [4, 5].map(|row| self.motion[row * n + i]);
-            let force = system.normal_force(vec3::add(elastic, viscous)).max(S::ZERO);
-            Some(if held { force } else { soft })
+            let load = vec3::add(elastic, viscous);
+            let size = match held {
+                true => system.normal_force(load).max(S::ZERO),
+                false => soft::normal_force(ground, place, velocity).0,
+            };
+            // Coulomb: what sticks is held against its load, what slides is slowed.
+            let across = match self.modes[i] {
+                ContactState::Stuck if held => vec3::tangential(load, ground.normal),
+                ContactState::Held if held => {
+                    let (way, _) = vec3::direction(vec3::tangential(velocity, ground.normal));
+                    vec3::scale(way, ground.friction * size)
+                }
+                _ => vec3::zero(),
+            };
+            let widen = |x: Vec3<S>| x.map(Scalar::to_f64);
+            let force = ContactForce {
+                point: widen(place),
+                normal: widen(vec3::scale(ground.normal, size)),
+                friction: widen(vec3::scale(across, -S::ONE)),
+                on_both: false,
+            };
+            (size > S::ZERO).then_some(force)
         };
-        (0..n).map(|i| of(i).unwrap_or(S::ZERO)).collect()
+        (0..n).filter_map(of).collect()
     }
 
     /// Time (s).

@@ -9,9 +9,18 @@ function words(text) {
   return out;
 }
 
+// Numbers of 32 bits, as base64.
+function floats(text) { return new Float32Array(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer); }
+
+// The least of 1, 2, 5 times a power of ten that is not below x > 0.
+function round(x) { const power = 10 ** Math.floor(Math.log10(x)); return power * [1, 2, 5, 10].find((n) => n * power >= x * (1 - 1e-9)); }
+
 class Film {
   constructor(data) {
     Object.assign(this, data);
+    this.forces = floats(data.forces);
+    this.starts = [0];
+    for (const count of data.contacts) this.starts.push(this.starts[this.starts.length - 1] + count);
     this.motion = words(data.motion);
     this.width = data.low.length;
     this.end = this.times.length ? this.times[this.times.length - 1] : 0;
@@ -31,8 +40,11 @@ class Film {
         this.room.low[axis] = Math.min(this.room.low[axis], this.low[3 * centre - 3 + axis] - reach);
         this.room.high[axis] = Math.max(this.room.high[axis], this.high[3 * centre - 3 + axis] + reach);
       }
-    this.usual = this.forces === null ? 0 : this.usual_force();
-    this.size = Math.hypot(...[0, 1, 2].map((axis) => this.box.high[axis] - this.box.low[axis])) || 1;
+    this.usual = this.usual_force();
+    // Solids are what a world is as large as.
+    const { low, high } = this.bones === "bare" ? this.room : this.box;
+    this.size = Math.hypot(...[0, 1, 2].map((axis) => high[axis] - low[axis])) || 1;
+    this.full = this.full_strain();
   }
 
   value(frame, n) { return this.low[n] + (this.high[n] - this.low[n]) * this.motion[frame * this.width + n] / 65535; }
@@ -56,20 +68,39 @@ class Film {
     return this.times.map((_, f) => new THREE.Vector3(this.value(f, 3 * n - 3), this.value(f, 3 * n - 2), this.value(f, 3 * n - 1)));
   }
 
-  // Three times the median of the ground's forces (N): a blow is many times what carries the weight, and its arrow is cut.
-  usual_force() {
-    const found = [], every = Math.ceil(this.times.length / 200);
-    for (let frame = 0; frame < this.times.length; frame += every)
-      for (let n = 0; n < this.points.length - 1; n++) {
-        const force = this.value(frame, this.forces + n);
-        if (force > 1e-4 * this.high[this.forces + n]) found.push(force);
-      }
-    found.sort((a, b) => a - b);
-    return found.length ? 3 * found[found.length >> 1] : 0;
+  // Contacts of the frame before a time: where, forces (N) along and across the normal, whether both are pushed.
+  touching(time) {
+    const frame = this.place(time)[time < this.end ? 0 : 1], found = [];
+    const three = (at) => new THREE.Vector3(...this.forces.subarray(at, at + 3));
+    for (let n = this.starts[frame]; n < this.starts[frame + 1]; n++)
+      found.push({ point: three(10 * n), normal: three(10 * n + 3), friction: three(10 * n + 6), both: this.forces[10 * n + 9] > 0 });
+    return found;
   }
 
-  // The ground's force on a point of a scene (N).
-  force(n) { return n > 0 && this.forces !== null ? this.now[this.forces + n - 1] : 0; }
+  // Three times the median of the normal forces (N): a blow is many times what carries the weight, and its arrow is cut.
+  usual_force() {
+    const found = [];
+    for (let at = 0; at < this.forces.length; at += 10) found.push(Math.hypot(...this.forces.subarray(at + 3, at + 6)));
+    const largest = found.reduce((most, force) => Math.max(most, force), 0), told = found.filter((force) => force > 1e-4 * largest).sort((a, b) => a - b);
+    return told.length ? 3 * told[told.length >> 1] : 0;
+  }
+
+  // By how much a spring is longer than at rest, as a part of that.
+  strain(spring) {
+    const [a, b, rest] = this.edges[spring];
+    return rest > 0 ? this.point(a).distanceTo(this.point(b)) / rest - 1 : 0;
+  }
+
+  // What gets the full colour: a round strain that two of a hundred exceed, over all time.
+  full_strain() {
+    const found = [], every = Math.ceil(this.times.length / 24), spring = Math.ceil(this.edges.length / 2000);
+    for (let frame = 0; frame < this.times.length; frame += every) {
+      this.seek(this.times[frame]);
+      for (let n = 0; n < this.edges.length; n += spring) found.push(Math.abs(this.strain(n)));
+    }
+    found.sort((a, b) => a - b);
+    return round(Math.max(found.length ? found[Math.floor(0.98 * (found.length - 1))] : 0.1, 1e-6));
+  }
 
   // The turn of a body: its frame's x and y axes stand behind the points; null for a particle.
   turn(turn) {

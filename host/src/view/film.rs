@@ -4,12 +4,15 @@
 //! below 2 MB however long the run.
 
 use super::stage::Stage;
+use crate::scene::contact_force::ContactForce;
 use serde_json::{Value, json};
 
 /// Numbers of all frames together; 16 bits are 8/3 letters of base64.
-const NUMBERS: usize = 400_000;
+const NUMBERS: usize = 300_000;
 /// Most and fewest frames.
 const FRAMES: [usize; 2] = [1200, 60];
+/// Contacts of all frames together, ten numbers each, and the fewest of one frame: the strongest are kept.
+const CONTACTS: [usize; 2] = [6000, 5];
 
 /// A curve beside the motion.
 #[derive(Clone, Debug)]
@@ -22,13 +25,21 @@ pub struct Series {
     pub factor: f64,
 }
 
+/// A moment.
+#[derive(Clone, Debug)]
+struct Frame {
+    t: f64,
+    numbers: Vec<f64>,
+    forces: Vec<ContactForce>,
+}
+
 /// Frames so far.
 #[derive(Clone, Debug)]
 pub struct Film {
     stage: Stage,
     series: Vec<Series>,
     first: Vec<f64>,
-    frames: Vec<(f64, Vec<f64>)>,
+    frames: Vec<Frame>,
     most: usize,
     stride: usize,
     seen: usize,
@@ -43,15 +54,22 @@ impl Film {
         Self { stage, series, first: Vec::new(), frames: Vec::new(), most, stride: 1, seen: 0 }
     }
 
-    /// Adds a frame: time, places as the stage expects them, a value for every curve.
-    pub fn push(&mut self, t: f64, places: &[f64], values: impl IntoIterator<Item = f64>) {
+    /// Adds a frame: time, places as the stage expects them, contacts, a value for every curve.
+    pub fn push(
+        &mut self,
+        t: f64,
+        places: &[f64],
+        forces: &[ContactForce],
+        values: impl IntoIterator<Item = f64>,
+    ) {
         if self.seen == 0 {
             self.first = places.to_vec();
         }
         if self.seen.is_multiple_of(self.stride) {
-            let mut frame = places[..self.stage.moving.min(places.len())].to_vec();
-            frame.extend(values.into_iter().zip(&self.series).map(|(x, s)| x / s.factor));
-            self.frames.push((t, frame));
+            let mut numbers = places[..self.stage.moving.min(places.len())].to_vec();
+            numbers.extend(values.into_iter().zip(&self.series).map(|(x, s)| x / s.factor));
+            let forces = if self.stage.has_forces() { forces.to_vec() } else { Vec::new() };
+            self.frames.push(Frame { t, numbers, forces });
         }
         self.seen += 1;
         if self.frames.len() > self.most {
@@ -86,18 +104,37 @@ impl Film {
         data["title"] = json!(title);
         data["note"] = json!(note);
         data["events"] = json!(events);
-        data["times"] = self.frames.iter().map(|(t, _)| json!(t)).collect();
+        data["times"] = self.frames.iter().map(|frame| json!(frame.t)).collect();
         data["low"] = places.iter().map(|c| json!(c.low)).collect();
         data["high"] = places.iter().map(|c| json!(c.high)).collect();
         data["motion"] = json!(base64(&motion));
         data["series"] = Value::Array(series.collect());
+        (data["contacts"], data["forces"]) = self.contacts();
         data.to_string()
+    }
+
+    /// How many contacts each frame has; of each the point, forces along and across its normal, 1 where both are pushed.
+    fn contacts(&self) -> (Value, Value) {
+        let most = (CONTACTS[0] / self.frames.len().max(1)).max(CONTACTS[1]);
+        let (mut counts, mut bytes) = (Vec::new(), Vec::new());
+        for frame in &self.frames {
+            let mut forces = frame.forces.clone();
+            forces.sort_by(|a, b| b.size().total_cmp(&a.size()));
+            forces.truncate(most);
+            counts.push(forces.len());
+            for force in &forces {
+                let numbers = [force.point, force.normal, force.friction];
+                let both = f64::from(u8::from(force.on_both));
+                let all = numbers.as_flattened().iter().copied().chain([both]);
+                bytes.extend(all.flat_map(|x| (x as f32).to_le_bytes()));
+            }
+        }
+        (json!(counts), json!(base64(&bytes)))
     }
 
     /// A number over all frames; what is not finite is drawn at 0.
     fn column(&self, n: usize) -> Column {
-        let value =
-            |frame: &(f64, Vec<f64>)| frame.1.get(n).copied().filter(|x| x.is_finite()).unwrap_or(0.0);
+        let value = |frame: &Frame| frame.numbers.get(n).copied().filter(|x| x.is_finite()).unwrap_or(0.0);
         let range = self.frames.iter().map(value);
         let (low, high) = range.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
         let (low, high) = if low <= high { (low, high) } else { (0.0, 0.0) };

@@ -2,7 +2,7 @@
 //!
 //! In: places of points and turns of bodies over time, curves, events. Out: a page that shows them with three.js
 //! (`three/`, committed with its licence and the script that makes it; no build needs npm): [`film`] keeps the
-//! frames, `film.js`, `stage.js` and `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
+//! frames, `film.js` to `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
 
 pub mod ellipsoid;
 pub mod film;
@@ -23,7 +23,13 @@ const PAGE: &str = include_str!("page.html");
 /// The library.
 pub const THREE: &str = include_str!("three/three.min.js");
 /// Our own scripts, in order.
-const SCRIPTS: [&str; 3] = [include_str!("film.js"), include_str!("stage.js"), include_str!("player.js")];
+const SCRIPTS: [&str; 5] = [
+    include_str!("film.js"),
+    include_str!("solids.js"),
+    include_str!("skin.js"),
+    include_str!("stage.js"),
+    include_str!("player.js"),
+];
 
 /// The page's text for data as [`Film::data`] gives them.
 #[must_use]

@@ -33,6 +33,8 @@ pub struct Stage {
     pub(super) gravity: Option<[f64; 3]>,
     /// Numbers of a row that move: places of points, then x and y of every body's frame.
     pub moving: usize,
+    /// Are forces of contacts shown?
+    pub(super) forces: bool,
 }
 
 impl Stage {
@@ -78,30 +80,32 @@ impl Stage {
                 "hidden": hidden_points,
                 "links": links,
                 "springs": springs.collect::<Vec<_>>(),
-                "edges": [], "facets": [], "ground": null, "forces": null, "colours": {},
+                "edges": [], "facets": [], "held": [], "surfaces": [], "bones": "all", "ground": null, "colours": {},
             }),
             bodies,
             shapes: shapes.collect(),
             gravity: None,
             moving: 3 * (model.points.len() - 1) + 6 * frames,
+            forces: false,
         }
     }
 
-    /// For a scene; a row's places are those of its points, then the ground's force on each.
+    /// For a scene; a row's places are those of its points.
     #[must_use]
     pub fn of_scene(scene: &Scene) -> Self {
         let n = scene.lists.points.len();
         // Point 0 of a film is the origin.
         let shown = |part: &str| !scene.view.hidden.contains(&part);
-        let springs = scene.lists.springs.iter().zip(&scene.lists.rest_lengths).filter(|_| shown("springs"));
+        let springs = scene.lists.springs.iter().zip(&scene.lists.rest_lengths);
         let edges: Vec<Value> = springs.map(|([a, b], rest)| json!([a + 1, b + 1, rest])).collect();
         let facets = scene.lists.facets.iter().filter(|_| shown("surface"));
         let facets: Vec<[usize; 4]> = facets.map(|f| f.map(|p| p + 1)).collect();
+        let held: Vec<usize> =
+            (0..n).filter(|i| scene.lists.fixed.get(*i).is_some_and(|f| *f)).map(|i| i + 1).collect();
         let ground = scene
             .around
             .ground
             .map(|g| json!({"normal": g.normal, "offset": g.offset, "shown": shown("ground")}));
-        let forces = (ground.is_some() && shown("forces")).then_some(3 * n);
         let hidden: Vec<usize> = (0..=n).filter(|i| *i == 0 || !shown("points")).collect();
         let colours: serde_json::Map<String, Value> =
             scene.view.colours.iter().map(|(part, rgb)| ((*part).to_owned(), json!(rgb))).collect();
@@ -110,13 +114,21 @@ impl Stage {
             fixed: json!({
                 "points": names.collect::<Vec<_>>(),
                 "links": [], "springs": [], "edges": edges, "facets": facets, "ground": ground,
-                "hidden": hidden, "forces": forces, "colours": colours,
+                "hidden": hidden, "colours": colours, "held": held, "surfaces": [],
+                "bones": if shown("springs") { "all" } else { "none" },
             }),
             bodies: Vec::new(),
             shapes: Vec::new(),
             gravity: Some(scene.around.gravity),
-            moving: 4 * n,
+            moving: 3 * n,
+            forces: shown("forces"),
         }
+    }
+
+    /// Are forces of contacts shown?
+    #[must_use]
+    pub fn has_forces(&self) -> bool {
+        self.forces
     }
 
     /// As the page reads it; `first` is the first row's places.

@@ -26,6 +26,29 @@ pub struct Assembly {
     pub sensors: Vec<Sensing>,
     /// How it is run.
     pub run: Run,
+    /// What pictures show.
+    pub view: View,
+}
+
+/// What pictures of a world leave out, and their colours.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct View {
+    /// Parts left out.
+    pub hidden: Vec<usize>,
+    /// Are the forces of contacts left out?
+    pub hides_forces: bool,
+    /// Colours (red, green, blue) by part.
+    pub colours: Vec<(usize, [u8; 3])>,
+    /// Are facets coloured by the pressure inside, not by stretch?
+    pub by_pressure: bool,
+}
+
+impl View {
+    /// The colour of a part, if one is chosen.
+    #[must_use]
+    pub fn colour(&self, part: usize) -> Option<[u8; 3]> {
+        self.colours.iter().find(|(of, _)| *of == part).map(|(_, rgb)| *rgb)
+    }
 }
 
 /// A part with its name.
@@ -35,6 +58,14 @@ pub struct Part {
     pub name: String,
     /// What it is.
     pub kind: Kind,
+}
+
+impl Part {
+    /// Can it move, or is it fixed in space?
+    #[must_use]
+    pub fn can_move(&self) -> bool {
+        !matches!(&self.kind, Kind::Rigid(Rigid { body: None, on: None, .. }))
+    }
 }
 
 /// What a part is.

@@ -1,5 +1,6 @@
 //! Where everything of a world stands, as pages show it: points, axes of what turns, sizes of solids.
 
+use crate::scene::contact_force::ContactForce;
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::vec3;
 
@@ -17,6 +18,8 @@ pub struct Picture {
     pub inertias: Vec<[f64; INERTIA]>,
     /// Lengths of the shapes.
     pub sizes: Vec<f64>,
+    /// Where parts touch.
+    pub forces: Vec<ContactForce>,
 }
 
 impl Picture {

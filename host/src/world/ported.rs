@@ -279,6 +279,7 @@ impl Ported {
             axes: turned.collect(),
             inertias: cut(inertias, INERTIA * bodies)?.chunks_exact(INERTIA).map(solid).collect(),
             sizes: numbers.get(gravity + 3..).unwrap_or_default().to_vec(),
+            forces: Vec::new(),
         })
     }
 

@@ -3,6 +3,7 @@
 use super::assembly::{Assembly, Contact, Kind, Law};
 use super::engine::{Column, Energies, Engine, Event};
 use super::picture::Picture;
+use crate::scene::contact_force::ContactForce;
 use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};
@@ -45,6 +46,8 @@ pub struct RigidWorld {
     impact: f64,
     friction: f64,
     forced: usize,
+    /// Contacts that press behind the last step.
+    held: usize,
 }
 
 impl RigidWorld {
@@ -86,7 +89,21 @@ impl RigidWorld {
             impact: 0.0,
             friction: 0.0,
             forced: 0,
+            held: 0,
         })
+    }
+
+    /// Forces of the contacts that press behind the last step: the first ones along its last way that do.
+    fn forces(&self) -> Vec<ContactForce> {
+        let pressing = self.touching[1].iter().filter(|along| along.held.contact.impulse[0] > 0.0);
+        let force = |along: &Touching<f64>| {
+            let contact = &along.held.contact;
+            let at = contact.sides.iter().flat_map(|side| side.points()).next()?;
+            let point = vec3::add(self.states[at.body].position, at.arm);
+            let moves = self.pairs[along.pair].parts.map(|part| self.parts[part].body.is_some());
+            ContactForce::between(moves, point, contact.axes, contact.impulse)
+        };
+        pressing.take(self.held).filter_map(force).collect()
     }
 }
 
@@ -148,6 +165,7 @@ impl Engine for RigidWorld {
         for (part, state) in self.parts.iter().zip(&self.states) {
             picture.solid(&part.shape, state.position, state.attitude.axes());
         }
+        picture.forces = self.forces();
         Ok(picture)
     }
 
@@ -172,6 +190,7 @@ impl Engine for RigidWorld {
         self.impact += report.impact_loss;
         self.friction += report.friction_loss;
         self.forced += usize::from(report.forced);
+        self.held = report.held;
         Ok(())
     }
 

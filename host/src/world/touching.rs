@@ -5,6 +5,7 @@
 
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
+use crate::scene::contact_force::ContactForce;
 use smartbed_runtime::rigid::contact::Twist;
 use smartbed_runtime::rigid::narrow::CAPACITY;
 use smartbed_runtime::surface::Frame;
@@ -22,8 +23,12 @@ pub(super) struct Touching {
     pub(super) pairs: Vec<Pair<f64>>,
     /// Parts of each pair.
     parts: Vec<[usize; 2]>,
+    /// Which of each pair can move.
+    moves: Vec<[bool; 2]>,
     /// Was the pair in touch behind the last step?
     active: Vec<bool>,
+    /// Mean forces of the last step.
+    pub(super) forces: Vec<ContactForce>,
     scratch: Vec<f64>,
     frames: [Vec<Frame<f64>>; 2],
     twists: [Vec<Twist<f64>>; 3],
@@ -95,7 +100,13 @@ impl Touching {
         let twists = vec![Twist::zero(); ports + points];
         Ok(Touching {
             parts: assembly.contacts.iter().map(|contact| contact.between).collect(),
+            moves: assembly
+                .contacts
+                .iter()
+                .map(|c| c.between.map(|n| assembly.parts[n].can_move()))
+                .collect(),
             active: vec![false; pairs.len()],
+            forces: Vec::new(),
             things,
             pairs,
             scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
@@ -131,18 +142,27 @@ impl Touching {
         (&self.things, &self.pairs, memory)
     }
 
-    /// Books the contacts of a step of length h: pairs that came into touch are events.
+    /// Books the contacts of a step of length h: their forces; pairs that came into touch are events.
     pub(super) fn after(
         &mut self,
         h: f64,
         counts: [usize; 2],
-        contacts: &[(usize, f64)],
+        contacts: &[Touch<f64>],
         found: &mut Vec<Event>,
     ) {
         self.counts = counts;
+        let force = |touch: &Touch<f64>| {
+            let contact = &touch.contact;
+            let force = contact.impulse.map(|impulse| impulse / h);
+            ContactForce::between(self.moves[touch.pair], touch.point, contact.axes, force)
+        };
+        self.forces = contacts.iter().filter_map(force).collect();
         for (pair, parts) in self.parts.iter().enumerate() {
-            let own = contacts.iter().filter(|(of, impulse)| *of == pair && *impulse > 0.0);
-            let (points, impulse) = own.fold((0, 0.0), |(n, sum), (_, impulse)| (n + 1, sum + impulse));
+            let own =
+                contacts.iter().filter(|touch| touch.pair == pair).map(|touch| touch.contact.impulse[0]);
+            let (points, impulse) = own
+                .filter(|impulse| *impulse > 0.0)
+                .fold((0, 0.0), |(n, sum), impulse| (n + 1, sum + impulse));
             if points > 0 && !self.active[pair] {
                 found.push(Event { time: h, parts: *parts, points, approach: f64::NAN, impulse });
             }

@@ -96,12 +96,23 @@ fn every_command_of_the_guide_does_what_it_says() {
     assert!(commands >= 25, "{commands}");
 }
 
+/// The name of a heading in links: small letters, words joined by hyphens.
+fn anchor(line: &str) -> String {
+    let words = line.strip_prefix('#').map_or("", |rest| rest.trim_start_matches('#').trim());
+    let kept = words.to_lowercase().replace(' ', "-");
+    kept.chars().filter(|c| c.is_alphanumeric() || *c == '-').collect()
+}
+
 #[test]
 fn links_of_the_guide_lead_somewhere() {
     let mut links = 0;
     for (name, text) in pages() {
         for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
-            assert!(guide().join(link).exists(), "{name}: {link}");
+            let (page, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = guide().join(page);
+            assert!(target.exists(), "{name}: {link}");
+            let there = || std::fs::read_to_string(&target).expect("text");
+            assert!(heading.is_empty() || there().lines().any(|l| anchor(l) == heading), "{name}: {link}");
             links += 1;
         }
     }

@@ -22,3 +22,4 @@ mod settings;
 mod support;
 mod tile;
 mod view;
+mod view_world;

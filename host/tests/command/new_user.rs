@@ -51,7 +51,7 @@ fn the_first_mechanism_is_checked_run_and_plotted() {
         assert!(plot.contains(part), "{part}");
     }
     assert!(std::fs::read_to_string(folder.join("press.html")).expect("a page").contains("<canvas"));
-    assert!(printed[1].contains("rad/s") && printed[2].contains("press: 1 s"), "{printed:?}");
+    assert!(printed[1].contains("deg/s") && printed[2].contains("press: 1 s"), "{printed:?}");
     // What moves is a four-bar linkage: the loop closes by its plain equation, and the energy that the motor
     // has put in is there.
     let table = std::fs::read_to_string(folder.join("press.csv")).expect("rows");

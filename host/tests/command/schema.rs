@@ -4,6 +4,15 @@
 
 use crate::support::{file, smartbed, written};
 use serde_json::Value;
+use smartbed::firmware::Arguments;
+use smartbed::firmware::compile::Settings;
+use smartbed::firmware::emulator::Count;
+use smartbed::firmware::equations::Equations;
+use smartbed::firmware::image::rules::{Finding, Rule};
+use smartbed::firmware::image::size::Size;
+use smartbed::firmware::image::stack::Stack;
+use smartbed::firmware::report::{Outcome, Report};
+use std::path::Path;
 
 fn schema() -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/json.schema.json");
@@ -84,6 +93,53 @@ fn what_commands_print_is_what_the_schema_says() {
         let done = smartbed(arguments);
         assert_eq!(done.status, 0, "{done:?}");
         holds(name, &done.json());
+    }
+}
+
+/// A report of an image that has run, and of one that breaks a rule.
+#[test]
+fn what_firmware_prints_is_what_the_schema_says() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let arguments = Arguments { set: vec!["M=8".to_owned()], ..Arguments::default() };
+    let settings = Settings::new(&root, &arguments).expect("settings");
+    let count = |name: &str| Count {
+        name: name.to_owned(),
+        calls: 10,
+        instructions: [1, 2, 3],
+        cycles: [4, 5],
+        most_cycles: 6,
+    };
+    let equations = Equations {
+        operations: 400,
+        angles: 3,
+        sin_cos: 60,
+        apart: 640,
+        apart_with_constants: 650,
+        bytes: 4000,
+    };
+    let ran = Outcome {
+        digest: "0".to_owned(),
+        host_digest: None,
+        state: vec![0.5],
+        instructions: 1000,
+        step: count("step"),
+        rates: Some(count("rates")),
+        equations: Some(equations),
+    };
+    let scene = Outcome { rates: None, equations: None, ..ran.clone() };
+    let broken = Finding { rule: Rule::ALL[0], what: "__aeabi_dadd".to_owned() };
+    for (findings, run) in [(vec![], Some(ran)), (vec![], Some(scene)), (vec![broken], None)] {
+        let stack = Stack { bytes: 100, path: vec![("main".to_owned(), 40)], recursive: [].into() };
+        let report = Report {
+            settings: settings.clone(),
+            toolchain: "rustc".to_owned(),
+            elf: "image".into(),
+            size: Size { flash: 1000, ram: 10 },
+            stack,
+            findings,
+            run,
+        };
+        holds("firmware", &serde_json::from_str(&report.json()).expect("JSON"));
     }
 }
 

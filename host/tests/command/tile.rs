@@ -74,6 +74,13 @@ fn the_controller_keeps_to_its_budget() {
     assert!(report.failures.is_empty(), "{}\n{}", report.failures.join("\n"), report.text);
 }
 
+#[test]
+fn the_verdict_on_an_image_is_what_the_schema_says() {
+    let program = build(Kind::Emulated(STM32F405)).unwrap_or_else(|e| panic!("{e}"));
+    let done = smartbed(&["firmware", "--elf", &program.file.display().to_string(), "--json"]);
+    crate::schema::holds("image", &done.json());
+}
+
 /// After an undefined instruction the first thing that is written to a port is ENABLE's line, low.
 #[test]
 fn a_hard_fault_turns_the_drives_off_first() {

@@ -130,7 +130,7 @@ fn what_moves_is_seen_to_move() {
 
 #[test]
 fn springs_and_bodies_in_space_are_drawn() {
-    let picture = seen(&page("tile", "0.5"), "0.2");
+    let picture = seen(&page("arm6", "0.5"), "0.2");
     let (links, bodies) = (middle(&picture, is_covered_link).2, middle(&picture, is_body).2);
     assert!(links > 1000 && bodies > 3000, "{links} {bodies}");
     let model = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/fourbar.toml"));
@@ -222,8 +222,8 @@ fn shapes_colours_and_what_to_leave_out_are_the_model_s() {
 const LOOK: &str = r#"<p id="look"></p><script>
 play(false); wind(film.end);
 let sum = 0;
-film.points.forEach((_, n) => { sum += film.force(n); });
-const arrows = stage.shafts.count, buttons = element("events").querySelectorAll("button");
+film.touching(time).forEach(({ normal }) => { sum += normal.length(); });
+const arrows = stage.normals.count, buttons = element("events").querySelectorAll("button");
 if (buttons.length > 1) buttons[1].click();
 element("look").textContent = [sum, arrows, buttons.length, buttons.length > 1 ? time - film.events[1][0] : 0].join(" ");
 </script></body>"#;

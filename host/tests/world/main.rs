@@ -128,6 +128,10 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
         ),
         (format!("{TILE}{SHEET}gas = {{ gauge = \"4_kg\" }}"), "`gauge` must be", 9),
         (format!("{TILE}grid = {{ count = [0, 4], pitch = [1, 1] }}"), "is repeated 0 x 4 times", 4),
+        (format!("{GROUND}[view]\nhide = [\"grund\"]"), "there is no part `grund`", 5),
+        (format!("{GROUND}[view]\nsurfaces = \"strain\""), "unknown colouring of surfaces `strain`", 5),
+        (format!("{GROUND}[view]\ncolours = {{ ground = \"red\" }}"), "unknown colour `red`", 5),
+        (format!("{TILE}[view]\ncolours = {{ tile = \"sky\" }}"), "`tile` is a mechanism of many bodies", 5),
         (format!("{GROUND}[run]\nmethode = \"rk4\""), "`run` has no field `methode`", 5),
     ];
     for (text, words, line) in cases {

@@ -106,9 +106,7 @@ impl CarriedWorld {
             let report = World { island, things, pairs }.step(t, h, &mut state, &mut memory)?;
             Ok(report)
         });
-        let contacts: Vec<(usize, f64)> =
-            memory.contacts().iter().map(|touch| (touch.pair, touch.contact.impulse[0])).collect();
-        let counts = memory.counts;
+        let (counts, contacts) = (memory.counts, memory.contacts().to_vec());
         touching.after(h, counts, &contacts, found);
         self.touching = Some(touching);
         let report = done?;

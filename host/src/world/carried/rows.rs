@@ -156,6 +156,7 @@ impl Engine for CarriedWorld {
                 }
             }
         }
+        picture.forces = self.touching.as_ref().map(|touching| touching.forces.clone()).unwrap_or_default();
         Ok(picture)
     }
 

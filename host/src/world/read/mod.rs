@@ -1,7 +1,7 @@
 //! Scene text of format 2 -> [`Assembly`]: settings, parts, what joins them, the run; all errors with their places.
 //!
 //! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part each,
-//! `join` attachments and contacts, `overlap` judges where rigid parts start.
+//! `join` attachments and contacts, `view` what pictures show, `overlap` judges where rigid parts start.
 
 mod flexible;
 mod join;
@@ -11,6 +11,7 @@ mod rigid;
 mod sensor;
 pub mod settings;
 mod value;
+mod view;
 
 pub use mechanism::Find;
 
@@ -93,8 +94,9 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
     let observed = scene.table("sensors", found).map_or(&[][..], |table| &table.entries);
     let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
     let run = run(&scene, found);
+    let view = scene.table("view", found).map(|table| view::read(table, &parts, found)).unwrap_or_default();
     scene.finish(found);
-    let assembly = Assembly { title, gravity, parts, attachments, contacts, sensors, run: run? };
+    let assembly = Assembly { title, gravity, parts, attachments, contacts, sensors, run: run?, view };
     let spans = |name: &str| {
         let own = name.split('[').next().unwrap_or(name);
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)
