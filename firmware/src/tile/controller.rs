@@ -179,7 +179,8 @@ impl Controller {
                 let seeks = matches!(&self.way, Way::Homing(homing) if homing.seeks());
                 let patient = Real::min(load(self.sense.pressure()), PAYLOAD);
                 self.loads = loads(&wanted, patient);
-                Doing::Follow { wanted, sign, seeks, loads: self.loads }
+                let retreats = self.mode == Mode::Retreat;
+                Doing::Follow { wanted, sign, seeks, retreats, loads: loads(&wanted, PAYLOAD) }
             }
             None => Doing::Rest(self.rest),
         };

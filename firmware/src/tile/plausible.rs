@@ -35,7 +35,9 @@ pub enum Doing {
         sign: [f32; 3],
         /// Are the lower switches looked for?
         seeks: bool,
-        /// What the screws should carry (N).
+        /// Do the legs go back from an obstacle?
+        retreats: bool,
+        /// What the screws carry under the heaviest patient (N).
         loads: [f32; 3],
     },
 }
@@ -56,10 +58,22 @@ struct Push {
     learnt: (f32, f32),
     least: f32,
     most: f32,
+    /// Ticks in which the leg went its way: one that sticks winds up its current until it breaks away.
     ticks: u16,
     /// Ticks in a row in which the leg is to move quickly enough.
     quick: u16,
     sign: f32,
+}
+
+/// How a leg goes.
+#[derive(Clone, Copy)]
+struct Pace {
+    /// Is it to go quickly enough for its current to be a measure?
+    is_quick: bool,
+    /// Does it go as it is to go?
+    moves: bool,
+    /// Does it go back from an obstacle?
+    retreats: bool,
 }
 
 impl Watch {
@@ -71,7 +85,7 @@ impl Watch {
         pneumatic(&mut raw, readings, sense);
         match doing {
             Doing::Rest(at) => self.rest(&mut raw, sense, at),
-            Doing::Follow { wanted, sign, loads, .. } => self.follow(&mut raw, sense, wanted, sign, loads),
+            Doing::Follow { .. } => self.follow(&mut raw, sense, doing),
         }
         self.last(raw)
     }
@@ -96,14 +110,8 @@ impl Watch {
     }
 
     /// Drives are on: legs are where they should be, as fast as they should, and push no more than so far.
-    fn follow(
-        &mut self,
-        raw: &mut Faults,
-        sense: &Sense,
-        wanted: &[Along; 3],
-        sign: &[f32; 3],
-        loads: &[f32; 3],
-    ) {
+    fn follow(&mut self, raw: &mut Faults, sense: &Sense, doing: &Doing) {
+        let Doing::Follow { wanted, sign, retreats, loads, .. } = doing else { return };
         self.off = 0;
         let legs = wanted.iter().zip(sign).zip(sense.heights.iter().zip(&sense.speeds));
         let legs = legs.zip(sense.measured.current.iter().zip(&mut self.push).zip(loads));
@@ -116,8 +124,12 @@ impl Watch {
             raw.set(Fault::Obstruction, raw.has(Fault::Obstruction) || (!lags && blocked));
             raw.set(Fault::Runaway, raw.has(Fault::Runaway) || (!lags && !blocked) || is_fast);
             let inertial = wanted.acceleration * DRIVE.inertia * DRIVE.gear() / DRIVE.constant;
-            let is_quick = Real::abs(wanted.speed) > SLOWEST;
-            let pushes = push.take((current - inertial) * sign, *load, *sign, is_quick);
+            let pace = Pace {
+                is_quick: Real::abs(wanted.speed) > SLOWEST,
+                moves: speed * sign >= wanted.speed * sign / 2.0,
+                retreats: *retreats,
+            };
+            let pushes = push.take((current - inertial) * sign, *load, *sign, pace);
             raw.set(Fault::Obstruction, raw.has(Fault::Obstruction) || pushes);
         }
         raw.set(Fault::Overload, self.weight(sense) > MOST_WEIGHT);
@@ -137,17 +149,19 @@ impl Watch {
 }
 
 impl Push {
-    /// Takes the current that pushes a leg its way (A) and the load that it should carry (N); does it push more than the
-    /// motion took so far? Whatever friction is, the current goes with the load: as much more, or less, as the model
-    /// makes of the current that was learnt is no obstacle.
-    /// Going down it is also an obstacle if the motor has less to push: the obstacle carries the load. A screw that
-    /// hardly turns sticks and slips, so what it takes then is no measure.
-    fn take(&mut self, current: f32, load: f32, sign: f32, is_quick: bool) -> bool {
+    /// Takes the current that pushes a leg its way (A) and the load that it carries under the heaviest patient (N); does it push
+    /// more than the motion took so far? Whatever friction and patient are, the current goes with the load: as much more, or
+    /// less, as the model makes of the current that was learnt is no obstacle. The heaviest patient changes it most; an empty
+    /// bladder does not say who lies on it.
+    /// Going down it is also an obstacle if the motor has less to push: the obstacle carries the load. On the way back from one
+    /// it is the obstacle that lets go. A screw that hardly turns sticks and slips, so what it takes then is no measure.
+    fn take(&mut self, current: f32, load: f32, sign: f32, pace: Pace) -> bool {
+        let Pace { is_quick, moves, retreats } = pace;
         if sign != self.sign {
             *self = Self { sign, ..Self::default() };
         }
         self.smooth += CURRENT_SHARE * (current - self.smooth);
-        self.ticks = self.ticks.saturating_add(1);
+        self.ticks = self.ticks.saturating_add(u16::from(moves));
         self.quick = if is_quick { self.quick.saturating_add(1) } else { 0 };
         // A leg that has just become quick shows what it takes to become so.
         let is_known = self.quick > LEARN.1;
@@ -166,7 +180,8 @@ impl Push {
         match () {
             () if sign == 0.0 => false,
             () if sign < 0.0 && is_known => {
-                !below(rise, share(RISE_DOWN, self.least)) || !below(fall, share(FALL_DOWN, self.most))
+                let is_carried = !retreats && !below(fall, share(FALL_DOWN, self.most));
+                !below(rise, share(RISE_DOWN, self.least)) || is_carried
             }
             () => self.ticks > LEARN.0 && !below(rise, CURRENT_RISE),
         }
