@@ -14,6 +14,9 @@ use std::fs;
 use std::path::Path;
 
 const STEPS: &str = "10000";
+/// Behind the constants lies their checksum and that of the code.
+const CHECKSUM: &str =
+    "\nSECTIONS { .checksum : ALIGN(4) { KEEP(*(.checksum)) } > FLASH } INSERT AFTER .rodata;\n";
 /// The chip, by the name of its file in `chips/`.
 const CHIP: &str = "m4";
 
@@ -53,8 +56,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=inject=\"{inject}\"");
     }
     if env::var("CARGO_CFG_TARGET_OS")? == "none" {
-        fs::copy(&memory, out.join("memory.x"))
-            .map_err(|e| format!("SMARTBED_CHIP={chip}: {memory}: {e}"))?;
+        let text = fs::read_to_string(&memory).map_err(|e| format!("SMARTBED_CHIP={chip}: {memory}: {e}"))?;
+        fs::write(out.join("memory.x"), text + CHECKSUM)?;
         println!("cargo::rustc-link-search={}", out.display());
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
     }

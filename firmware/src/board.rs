@@ -1,4 +1,4 @@
-//! The controller of a real tile: an STM32F405 with the pins of `docs/controller.md`.
+//! The controller of a real tile on a serial line: an STM32F405 with the pins of `docs/controller.md`.
 //!
 //! Only its set-up stands here and in `chip/board`; what it does each millisecond is the library's (`station.rs`), the same
 //! that runs in the emulator and on a host.
@@ -10,6 +10,10 @@ fn main() -> std::process::ExitCode {
     std::process::ExitCode::FAILURE
 }
 
+#[cfg(target_os = "none")]
+#[expect(unsafe_code, reason = "registers, and memory that is written by DMA, are reached by address")]
+#[path = "chip/uart.rs"]
+mod bus;
 #[cfg(target_os = "none")]
 #[expect(unsafe_code, reason = "registers, and memory that is written by DMA, are reached by address")]
 #[path = "chip/board.rs"]

@@ -4,7 +4,7 @@
 //! `controller_tick` is a symbol of the image, so that the emulator can count it: line, node and nothing of the plant.
 
 use crate::defect::NAMED;
-use crate::link::serial::{BYTES, Line};
+use crate::link::serial::{BYTES, Line, Serial};
 use crate::node::Node;
 use crate::plant::Tile;
 use crate::plant::flash::{Flash, provided};
@@ -56,19 +56,24 @@ impl Line for Ends {
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
-fn controller_tick(station: &mut Station<Flash, Ends>, readings: &Readings, program: &[u8]) -> Outputs {
+fn controller_tick(
+    station: &mut Station<Flash, Serial<Ends>>,
+    readings: &Readings,
+    program: &[u8],
+) -> Outputs {
     station.tick(readings, program)
 }
 
-/// Takes turns until the host ends it; `program` is what the controller checks of itself.
-pub fn serve(host: &mut impl Host, program: &[u8]) -> Last {
+/// Takes turns until the host ends it; the controller checks `program` against its checksum.
+pub fn serve(host: &mut impl Host, program: &[u8], checksum: u32) -> Last {
     host.write(HELLO);
     let Some(number) = host.read() else { return Last::End };
     let margin = DRIVE.with_friction(true).locking_margin() * 1000.0;
     (margin as u16).to_le_bytes().into_iter().for_each(|byte| host.write(byte));
     let (heights, mass, offset) = START;
     let Ok(mut tile) = Tile::loaded(mass, offset, heights, DRIVE) else { return Last::Refused };
-    let mut station = Station::new(Node::new(number, provided(KEY), 0), Ends::default());
+    let mut station =
+        Station::new(Node::new(number, provided(KEY), 0), Serial::<Ends>::default(), program, checksum);
     loop {
         let ticks = match host.read() {
             None | Some(END) => return Last::End,
@@ -82,7 +87,7 @@ pub fn serve(host: &mut impl Host, program: &[u8]) -> Last {
                 for _ in 0..turn {
                     let Some(byte) = host.read() else { return Last::End };
                     // A line that is never read loses what comes.
-                    let _ = station.line.down.push_back(byte);
+                    let _ = station.bus.line.down.push_back(byte);
                 }
                 1
             }
@@ -93,9 +98,9 @@ pub fn serve(host: &mut impl Host, program: &[u8]) -> Last {
             if tile.advance(&outputs).is_err() {
                 return Last::Refused;
             }
-            host.write(station.line.up.len() as u8);
-            station.line.up.iter().for_each(|byte| host.write(*byte));
-            station.line.up.clear();
+            host.write(station.bus.line.up.len() as u8);
+            station.bus.line.up.iter().for_each(|byte| host.write(*byte));
+            station.bus.line.up.clear();
         }
     }
 }

@@ -24,7 +24,7 @@ fn main() -> std::process::ExitCode {
     }
 
     let mut pipes = Pipes(BufReader::new(stdin()), BufWriter::new(stdout()));
-    let last = serve(&mut pipes, &[]);
+    let last = serve(&mut pipes, &[], 0);
     0_u32.to_le_bytes().into_iter().for_each(|byte| pipes.write(byte));
     let is_done = pipes.1.flush().is_ok() && last == Last::End;
     if is_done { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }

@@ -38,6 +38,8 @@ pub struct Node<F> {
     is_damaged: bool,
     /// Did the clocks run apart in this tick?
     is_apart: bool,
+    /// Has a stop without a body come?
+    is_halted: bool,
     log: Log,
     /// The next entry that was asked for.
     asked: Option<u32>,
@@ -66,6 +68,7 @@ impl<F: NorFlash> Node<F> {
             clock: Clock::default(),
             is_damaged: false,
             is_apart: false,
+            is_halted: false,
             log,
             asked: None,
             inbox: Deque::new(),
@@ -80,6 +83,13 @@ impl<F: NorFlash> Node<F> {
     /// Hands over a body that has come; false if too many wait.
     pub fn deliver(&mut self, body: Body) -> bool {
         self.inbox.push_back(body).is_ok()
+    }
+
+    /// Stops in the next tick, whoever says so; what came before is dropped.
+    pub fn halt(&mut self) {
+        self.inbox.clear();
+        self.waiting.clear();
+        self.is_halted = true;
     }
 
     /// A body to be sent.
@@ -117,10 +127,11 @@ impl<F: NorFlash> Node<F> {
     /// One millisecond; returns what the board is to set.
     pub fn tick(&mut self, readings: &Readings) -> &Outputs {
         self.now = self.now.wrapping_add(1);
-        let accepted = self.accept().or_else(|| self.due());
+        let is_halted = core::mem::take(&mut self.is_halted);
+        let accepted = if is_halted { None } else { self.accept().or_else(|| self.due()) };
         let outside = self.outside();
         let before = self.controller.mode();
-        let command = accepted.as_ref().map(|a| &a.command);
+        let command = if is_halted { Some(&Command::Stop) } else { accepted.as_ref().map(|a| &a.command) };
         let (new, outcome) = self.controller.tick(readings, outside, command);
         if !new.is_empty() {
             self.log.add(self.now, Event::Faults(new.bits()));
@@ -187,7 +198,7 @@ impl<F: NorFlash> Node<F> {
         }
         outside.set(Fault::Silence, is_silent);
         outside.set(Fault::Clock, core::mem::take(&mut self.is_apart));
-        outside.set(Fault::Memory, self.is_damaged);
+        outside.set(Fault::Program, self.is_damaged);
         outside.set(Fault::Storage, self.record.is_none());
         outside
     }

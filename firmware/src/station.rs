@@ -1,27 +1,26 @@
-//! What runs on every board, once a millisecond: serial line and node.
+//! What runs on every board, once a millisecond: bus and node.
 //!
-//! In: readings. Out: what is to be set. Boards differ in their [`Line`] and their flash alone.
+//! In: readings. Out: what is to be set. Boards differ in their [`Bus`] and their flash alone.
 
-use crate::link::serial::{Line, Serial};
+use crate::link::bus::{Arrival, Bus};
 use crate::node::Node;
 use crate::tile::board::{Outputs, Readings};
 use crate::tile::integrity::Integrity;
 use embedded_storage::nor_flash::NorFlash;
 
-/// A node on its line.
+/// A node on its bus.
 #[derive(Clone, Debug)]
-pub struct Station<F, L> {
+pub struct Station<F, B> {
     node: Node<F>,
-    serial: Serial,
     integrity: Integrity,
-    /// The line.
-    pub line: L,
+    /// The bus.
+    pub bus: B,
 }
 
-impl<F: NorFlash, L: Line> Station<F, L> {
-    /// This node on this line.
-    pub fn new(node: Node<F>, line: L) -> Self {
-        Self { node, serial: Serial::default(), integrity: Integrity::default(), line }
+impl<F: NorFlash, B: Bus> Station<F, B> {
+    /// This node on this bus; `program` is checked against the checksum that it was built with.
+    pub fn new(node: Node<F>, bus: B, program: &[u8], checksum: u32) -> Self {
+        Self { node, integrity: Integrity::new(program, checksum), bus }
     }
 
     /// The node.
@@ -34,17 +33,20 @@ impl<F: NorFlash, L: Line> Station<F, L> {
     // A function of its own: its tables of jumps stay short enough for the checks of an image to follow.
     #[inline(never)]
     pub fn tick(&mut self, readings: &Readings, program: &[u8]) -> Outputs {
-        let Self { node, serial, integrity, line } = self;
+        let Self { node, integrity, bus } = self;
         if !integrity.take(program) {
             node.report_damage();
         }
-        serial.receive(line, |body| {
-            node.deliver(body);
+        let now = node.now();
+        bus.receive(now, |arrival| match arrival {
+            Arrival::Body(body) => {
+                node.deliver(body);
+            }
+            Arrival::Stop => node.halt(),
         });
-        let losses = serial.losses();
-        node.count_lost(losses.cut.saturating_add(losses.long).saturating_add(losses.corrupt));
+        node.count_lost(bus.lost());
         let outputs = *node.tick(readings);
-        serial.transmit(line, || node.collect());
+        bus.transmit(now, || node.collect());
         outputs
     }
 }

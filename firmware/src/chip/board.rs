@@ -1,15 +1,14 @@
 //! The board's program: set up, then a tick each millisecond, drives off whatever goes wrong.
 //!
-//! One interrupt counts milliseconds; bytes and conversions are carried by DMA. So handlers never nest but for a fault,
+//! One interrupt counts milliseconds; bytes and conversions are carried by DMA, frames wait in their controller. So handlers never nest but for a fault,
 //! and the order of a tick is the text's.
 
 mod inputs;
 mod outputs;
-mod pins;
+pub mod pins;
 mod power;
 mod program;
 mod sectors;
-mod uart;
 mod watchdog;
 
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -33,11 +32,12 @@ fn main() -> ! {
 
 /// Ticks for ever.
 fn run(board: Board) -> ! {
-    let Board { mut sensors, mut actuators, line, flash, mut watchdog, mut alive, number, reason, mut clock } =
+    let Board { mut sensors, mut actuators, bus, flash, mut watchdog, mut alive, number, reason, mut clock } =
         board;
     let store = Store::new(flash, sectors::PAGES, sectors::PAGE);
     // The boot is counted in flash, which may have to be erased: the watchdogs begin behind it.
-    let mut station = Station::new(Node::new(number, store, reason), line);
+    let mut station =
+        Station::new(Node::new(number, store, reason), bus, program::bytes(), program::checksum());
     clock.enable_interrupt();
     clock.enable_counter();
     watchdog.start();
@@ -53,7 +53,6 @@ fn run(board: Board) -> ! {
         readings.overrun = now.wrapping_sub(last) > 1 && !sectors::has_stalled();
         last = now;
         let outputs = station.tick(&readings, program::bytes());
-        station.line.flush();
         if actuators.set(&outputs) {
             watchdog.feed();
             alive.toggle();

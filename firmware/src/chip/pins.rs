@@ -3,13 +3,13 @@
 use super::inputs::{Converters, Inputs};
 use super::outputs::Pwm;
 use super::sectors::Sectors;
-use super::uart::Uart;
 use super::watchdog::Watchdog;
+use crate::bus::{self, Bus};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use smartbed_firmware::tile::board::Lines;
-use stm32f4xx_hal::gpio::{AnyPin, Output};
-use stm32f4xx_hal::pac::Peripherals;
+use stm32f4xx_hal::gpio::{AnyPin, Output, PB6, PB7, PB8, PB9};
+use stm32f4xx_hal::pac::{CAN1, DMA2, Peripherals, USART1};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::qei::Qei;
 use stm32f4xx_hal::rcc::Config;
@@ -28,7 +28,7 @@ pub struct Board {
     /// Sets the hardware.
     pub actuators: Lines<Pwm, AnyPin<Output>>,
     /// The bus.
-    pub line: Uart,
+    pub bus: Bus,
     /// Pages of the store.
     pub flash: Sectors,
     /// Starts the chip anew if a tick is late by 50 ms.
@@ -41,6 +41,23 @@ pub struct Board {
     pub reason: u8,
     /// The timer of ticks, ready but not running.
     pub clock: SYST,
+}
+
+/// What a bus may need; each image has one.
+#[expect(dead_code, reason = "an image uses what its own bus needs")]
+pub struct Wires {
+    /// The serial line's controller.
+    pub usart: USART1,
+    /// Its pins: to send, to receive.
+    pub serial: (PB6, PB7),
+    /// The CAN bus's controller.
+    pub can: CAN1,
+    /// Its pins: to receive, to send.
+    pub pair: (PB8, PB9),
+    /// Carries bytes.
+    pub dma: DMA2,
+    /// The tile's number.
+    pub number: u8,
 }
 
 /// Sets everything up; nothing if it has been taken before.
@@ -94,8 +111,6 @@ pub fn take() -> Option<Board> {
             b.pb14.into_pull_up_input().erase(),
         ],
     };
-    let line = Uart::start(chip.USART1, (b.pb6, b.pb7), chip.DMA2, &mut rcc)?;
-
     let straps = [
         d.pd8.into_pull_up_input().erase(),
         d.pd9.into_pull_up_input().erase(),
@@ -105,11 +120,15 @@ pub fn take() -> Option<Board> {
     ];
     let number = straps.iter().rev().fold(0, |number, strap| number << 1 | u8::from(strap.is_high()));
 
+    let (usart, can, dma) = (chip.USART1, chip.CAN1, chip.DMA2);
+    let wires = Wires { usart, serial: (b.pb6, b.pb7), can, pair: (b.pb8, b.pb9), dma, number };
+    let bus = bus::start(wires, &mut rcc)?;
+
     let mut clock = core.SYST;
     clock.set_clock_source(SystClkSource::Core);
     clock.set_reload(CLOCK / 1000 - 1);
     clock.clear_current();
     let actuators = Lines { drives, enable, supply, vent };
     let (flash, watchdog) = (Sectors::new(chip.FLASH), Watchdog::new(chip.IWDG));
-    Some(Board { sensors, actuators, line, flash, watchdog, alive, number, reason, clock })
+    Some(Board { sensors, actuators, bus, flash, watchdog, alive, number, reason, clock })
 }

@@ -1,12 +1,16 @@
 //! The serial line: DMA carries bytes both ways, so no byte is lost while a tick computes.
 
+use crate::chip::pins::Wires;
 use core::sync::atomic::{AtomicU8, Ordering};
-use smartbed_firmware::link::serial::Line;
+use smartbed_firmware::link::serial::{Line, Serial};
 use stm32f4xx_hal::gpio::{PB6, PB7};
 use stm32f4xx_hal::pac::{DMA2, USART1};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::Rcc;
 use stm32f4xx_hal::serial::config::{Config, DmaConfig};
+
+/// The node's bus.
+pub type Bus = Serial<Uart>;
 
 /// What has come, round and round: 22 ms of a full line.
 static RECEIVED: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
@@ -27,13 +31,18 @@ pub struct Uart {
     dma: DMA2,
     /// Bytes that have been read, as far as the ring goes.
     read: u8,
-    /// Bytes that wait for [`Self::flush`].
+    /// Bytes that wait for [`Line::flush`].
     filled: usize,
+}
+
+/// The line with its two streams.
+pub fn start(wires: Wires, rcc: &mut Rcc) -> Option<Bus> {
+    Uart::start(wires.usart, wires.serial, wires.dma, rcc).map(Serial::new)
 }
 
 impl Uart {
     /// 115,200 baud; nothing if that cannot be set.
-    pub fn start(usart: USART1, pins: (PB6, PB7), dma: DMA2, rcc: &mut Rcc) -> Option<Self> {
+    fn start(usart: USART1, pins: (PB6, PB7), dma: DMA2, rcc: &mut Rcc) -> Option<Self> {
         let data = usart.dr().as_ptr().addr() as u32;
         let config = Config::default().baudrate(115_200.bps()).dma(DmaConfig::TxRx);
         let _line = usart.serial::<u8>(pins, config, rcc).ok()?;
@@ -52,21 +61,6 @@ impl Uart {
 
     fn is_sending(&self) -> bool {
         self.dma.st(SEND).cr().read().bits() & ON != 0
-    }
-
-    /// Sends what was written since the last time.
-    pub fn flush(&mut self) {
-        if self.filled == 0 || self.is_sending() {
-            return;
-        }
-        let send = self.dma.st(SEND);
-        // SAFETY: as above; flags of the last transfer are cleared before the next.
-        unsafe {
-            self.dma.hifcr().write(|w| w.bits(0x0F40_0000));
-            send.ndtr().write(|w| w.bits(self.filled as u32));
-            send.cr().write(|w| w.bits(CHANNEL | ADVANCE | FROM_MEMORY | ON));
-        }
-        self.filled = 0;
     }
 }
 
@@ -91,5 +85,20 @@ impl Line for Uart {
         place.store(byte, Ordering::Relaxed);
         self.filled += 1;
         true
+    }
+
+    /// Sends what was written since the last time.
+    fn flush(&mut self) {
+        if self.filled == 0 || self.is_sending() {
+            return;
+        }
+        let send = self.dma.st(SEND);
+        // SAFETY: as above; flags of the last transfer are cleared before the next.
+        unsafe {
+            self.dma.hifcr().write(|w| w.bits(0x0F40_0000));
+            send.ndtr().write(|w| w.bits(self.filled as u32));
+            send.cr().write(|w| w.bits(CHANNEL | ADVANCE | FROM_MEMORY | ON));
+        }
+        self.filled = 0;
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! In: bytes of a serial line, or frames of a CAN bus. Out: commands that may be done, and reports.
 //! From the wire inwards: [`cobs`] and [`frame`] find bodies, [`message`] says what they mean, [`tag`] and
-//! [`session`] decide whose they are; [`clock`] compares clocks, [`log`] keeps what happened; [`serial`] and [`can`] carry
-//! bodies over a line, or in frames of eight bytes.
+//! [`session`] decide whose they are; [`clock`] compares clocks, [`log`] keeps what happened; [`serial`] carries
+//! bodies over a line, [`can`] and [`isotp`] in frames of eight bytes; to the node both are a [`bus`].
 
+pub mod bus;
 pub mod can;
 pub mod clock;
 pub mod cobs;
 pub mod frame;
+pub mod isotp;
 pub mod log;
 pub mod message;
 pub mod serial;

@@ -2,7 +2,8 @@
 //!
 //! In: bytes of a [`Line`]. Out: bodies for the node, and the frames of what it reports.
 
-use super::frame::{Body, Decoder, Frame, Losses, encode};
+use super::bus::{Arrival, Bus};
+use super::frame::{Body, Decoder, Frame, encode};
 
 /// Most bytes read, and written, in a tick: 115,200 baud bring 11.5.
 pub const BYTES: usize = 16;
@@ -13,29 +14,27 @@ pub trait Line {
     fn read(&mut self) -> Option<u8>;
     /// Sends a byte; false if there is no room, and then it is not sent.
     fn write(&mut self, byte: u8) -> bool;
+    /// A tick's bytes have been written: for lines that carry them together.
+    fn flush(&mut self) {}
 }
 
-/// What is under way on a line.
+/// A line, and what is under way on it.
 #[derive(Clone, Debug, Default)]
-pub struct Serial {
+pub struct Serial<L> {
     decoder: Decoder,
     frame: Frame,
     sent: usize,
+    /// The line.
+    pub line: L,
 }
 
-impl Serial {
-    /// Reads what has come in this tick and hands over every good body.
-    pub fn receive(&mut self, line: &mut impl Line, mut deliver: impl FnMut(Body)) {
-        for _ in 0..BYTES {
-            let Some(byte) = line.read() else { return };
-            if let Some(body) = self.decoder.take(byte) {
-                deliver(body);
-            }
-        }
+impl<L: Line> Serial<L> {
+    /// Nothing is under way.
+    pub fn new(line: L) -> Self {
+        Self { decoder: Decoder::default(), frame: Frame::default(), sent: 0, line }
     }
 
-    /// Sends as much as the line takes.
-    pub fn transmit(&mut self, line: &mut impl Line, mut collect: impl FnMut() -> Option<Body>) {
+    fn fill(&mut self, mut collect: impl FnMut() -> Option<Body>) {
         for _ in 0..BYTES {
             let byte = match self.frame.get(self.sent) {
                 Some(byte) => *byte,
@@ -45,16 +44,31 @@ impl Serial {
                     0
                 }
             };
-            if !line.write(byte) {
+            if !self.line.write(byte) {
                 return;
             }
             self.sent += 1;
         }
     }
+}
 
-    /// Frames lost so far.
-    #[must_use]
-    pub fn losses(&self) -> Losses {
-        self.decoder.losses()
+impl<L: Line> Bus for Serial<L> {
+    fn receive(&mut self, _now: u32, mut take: impl FnMut(Arrival)) {
+        for _ in 0..BYTES {
+            let Some(byte) = self.line.read() else { return };
+            if let Some(body) = self.decoder.take(byte) {
+                take(Arrival::Body(body));
+            }
+        }
+    }
+
+    fn transmit(&mut self, _now: u32, collect: impl FnMut() -> Option<Body>) {
+        self.fill(collect);
+        self.line.flush();
+    }
+
+    fn lost(&self) -> u32 {
+        let losses = self.decoder.losses();
+        losses.cut.saturating_add(losses.long).saturating_add(losses.corrupt)
     }
 }

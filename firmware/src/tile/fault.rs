@@ -90,12 +90,14 @@ faults! {
     Settling: Hold, true;
     /// A tick took too long, or a task did not report.
     Overrun: Off, true;
-    /// A value that safety rests on differs from its copy, or the program from its checksum.
+    /// A value that safety rests on differs from its copy.
     Memory: Off, false;
     /// Calibration or boot counter could not be read or stored.
     Storage: Off, false;
     /// A computed value is not finite.
     NonFinite: Off, true;
+    /// The program differs from the checksum that it was built with.
+    Program: Off, false;
 }
 
 /// A set of faults.

@@ -1,7 +1,7 @@
-//! The program checks itself: its checksum is taken anew all the time, a slice a tick.
+//! The program checks itself: all of it at its start, then all the time, a slice a tick.
 //!
-//! In: the program's bytes. Out: are they still those of the first round? CRC-32 as in `link::frame`, four bits at a
-//! time: every flipped bit changes it.
+//! In: the program's bytes, and the checksum that it was built with. Out: does the one belong to the other? CRC-32 as in
+//! `link::frame`, four bits at a time: every flipped bit changes it.
 
 use super::guarded::Guarded;
 
@@ -15,42 +15,38 @@ const REMAINDERS: [u32; 16] = remainders();
 pub struct Integrity {
     place: usize,
     sum: u32,
-    /// The checksum of the first round.
-    first: Option<Guarded<1>>,
+    expected: Guarded<1>,
     is_sound: bool,
 }
 
-impl Default for Integrity {
-    fn default() -> Self {
-        Self { place: 0, sum: u32::MAX, first: None, is_sound: true }
-    }
-}
-
 impl Integrity {
-    /// Goes on by a slice; is the program still what it was? What was once wrong stays so.
+    /// Checks the whole program once.
+    #[must_use]
+    pub fn new(program: &[u8], expected: u32) -> Self {
+        let is_sound = !checksum(u32::MAX, program.iter()) == expected;
+        Self { place: 0, sum: u32::MAX, expected: Guarded::new([expected]), is_sound }
+    }
+
+    /// Goes on by a slice; is the program what it was built as? What was once wrong stays so.
     pub fn take(&mut self, program: &[u8]) -> bool {
-        for byte in program.iter().skip(self.place).take(SLICE) {
-            for part in [*byte, *byte >> 4] {
-                let remainder = REMAINDERS.get(usize::from((self.sum as u8 ^ part) & 15));
-                self.sum = self.sum >> 4 ^ remainder.copied().unwrap_or(0);
-            }
-        }
+        self.sum = checksum(self.sum, program.iter().skip(self.place).take(SLICE));
         self.place = self.place.saturating_add(SLICE);
         if self.place >= program.len() {
-            match &self.first {
-                None => self.first = Some(Guarded::new([self.sum])),
-                Some(first) => self.is_sound &= first.get() == Some([self.sum]),
-            }
+            self.is_sound &= self.expected.get() == Some([!self.sum]);
             (self.place, self.sum) = (0, u32::MAX);
         }
         self.is_sound
     }
+}
 
-    /// The checksum of the first round, once it is over.
-    #[must_use]
-    pub fn checksum(&self) -> Option<u32> {
-        self.first.as_ref()?.get().map(|[sum]| !sum)
-    }
+/// Goes on with a checksum over these bytes.
+fn checksum<'a>(sum: u32, bytes: impl Iterator<Item = &'a u8>) -> u32 {
+    bytes.fold(sum, |sum, byte| {
+        [*byte, *byte >> 4].into_iter().fold(sum, |sum, part| {
+            let remainder = REMAINDERS.get(usize::from((sum as u8 ^ part) & 15));
+            sum >> 4 ^ remainder.copied().unwrap_or(0)
+        })
+    })
 }
 
 const fn remainders() -> [u32; 16] {
@@ -75,6 +71,10 @@ mod tests {
 
     const PROGRAM: [u8; 100] = [0x5A; 100];
 
+    fn built(program: &[u8]) -> u32 {
+        u32::from_le_bytes(checksum(program))
+    }
+
     /// Rounds of this program.
     fn rounds(integrity: &mut Integrity, program: &[u8], count: usize) -> bool {
         (0..count * program.len().div_ceil(SLICE)).fold(true, |_, _| integrity.take(program))
@@ -82,27 +82,26 @@ mod tests {
 
     #[test]
     fn the_checksum_is_that_of_frames() {
-        let mut integrity = Integrity::default();
         let program: [u8; 77] = core::array::from_fn(|n| (n * n) as u8);
-        assert!(rounds(&mut integrity, &program, 1));
-        assert_eq!(integrity.checksum().map(u32::to_le_bytes), Some(checksum(&program)));
+        assert!(rounds(&mut Integrity::new(&program, built(&program)), &program, 3));
+        assert!(!Integrity::new(&program, built(&program) ^ 1).take(&program));
     }
 
     #[test]
-    fn every_flipped_bit_is_found_within_two_rounds() {
+    fn every_flipped_bit_is_found_within_two_rounds_and_at_a_start_at_once() {
         for bit in 0..8 * PROGRAM.len() {
-            let (mut integrity, mut program) = (Integrity::default(), PROGRAM);
+            let (mut integrity, mut program) = (Integrity::new(&PROGRAM, built(&PROGRAM)), PROGRAM);
             assert!(rounds(&mut integrity, &program, 3));
             program[bit / 8] ^= 1 << (bit % 8);
             assert!(!rounds(&mut integrity, &program, 2), "bit {bit}");
             // A second flip does not mend it.
             assert!(!rounds(&mut integrity, &PROGRAM, 2), "bit {bit}");
+            assert!(!Integrity::new(&program, built(&PROGRAM)).take(&program), "bit {bit}");
         }
     }
 
     #[test]
     fn no_program_is_sound() {
-        assert!(rounds(&mut Integrity::default(), &[0], 5));
-        assert!((0..5).all(|_| Integrity::default().take(&[])));
+        assert!((0..5).all(|_| Integrity::new(&[], 0).take(&[])));
     }
 }

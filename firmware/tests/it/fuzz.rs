@@ -83,8 +83,8 @@ fn no_frame_without_a_fresh_tag_moves_anything() {
     for count in 0..frames {
         let bytes = frame(&mut dice, &old);
         // As fast as the line brings them.
-        wire.ends.down.extend(bytes);
-        while !wire.ends.down.is_empty() {
+        wire.serial.line.down.extend(bytes);
+        while !wire.serial.line.down.is_empty() {
             wire.tick();
             assert!(!wire.is_enabled(), "frame {count}");
         }

@@ -1,7 +1,9 @@
 //! A supervisor talks to a tile over a line.
 
 use crate::wire::{Ends, KEY, Wire};
+use smartbed_firmware::link::frame::checksum;
 use smartbed_firmware::link::message::{Command, Event, Outcome, Refusal, Report, Target, Trim};
+use smartbed_firmware::link::serial::Serial;
 use smartbed_firmware::link::session::SILENCE;
 use smartbed_firmware::node::Node;
 use smartbed_firmware::plant::flash::provided;
@@ -114,6 +116,13 @@ fn wrong_orders_are_refused_and_change_nothing() {
         assert_eq!(wire.order(&command), Some(Outcome::Refused(why)), "{command:?}");
         assert_eq!((wire.mode(), wire.is_enabled()), (Mode::Unhomed, false));
     }
+    // Each stands in the log, with its reason.
+    wire.order(&Command::Log(0));
+    wire.run(200);
+    let logged: Vec<Refusal> = (wire.reports.iter())
+        .filter_map(|r| if let Report::Entry(_, _, Event::Refused(_, why)) = r { Some(*why) } else { None })
+        .collect();
+    assert_eq!(logged, cases.map(|(_, why)| why));
     wire.order(&Command::Stop);
     let wide = Trim { height: [3e-3, 0.0, 0.0], pressure: 0.0 };
     assert_eq!(wire.order(&Command::Calibrate(wide)), Some(Outcome::Refused(Refusal::Trim)));
@@ -159,11 +168,13 @@ fn a_tile_without_a_key_moves_for_nobody() {
     assert_eq!(*wire.node.controller().outputs(), Outputs::default());
 }
 
-/// The program's checksum of the first round is kept; a bit that flips later puts the tile off within two rounds, for good.
+/// A bit of the program that flips puts the tile off within two rounds, for good.
 #[test]
 fn a_flipped_bit_of_the_program_is_off() {
     let node = Node::new(5, provided(KEY), 0);
-    let (mut station, mut program) = (Station::new(node, Ends::default()), vec![0xA5_u8; 4000]);
+    let mut program = vec![0xA5_u8; 4000];
+    let sum = u32::from_le_bytes(checksum(&program));
+    let mut station = Station::new(node, Serial::<Ends>::default(), &program, sum);
     let readings = Readings::at_rest();
     for _ in 0..1000 {
         station.tick(&readings, &program);
@@ -174,5 +185,13 @@ fn a_flipped_bit_of_the_program_is_off() {
         station.tick(&readings, &program);
     }
     let controller = station.node().controller();
-    assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Memory));
+    assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Program));
+    // What has flipped while the tile was without power is found before the first tick.
+    let node = Node::new(5, provided(KEY), 0);
+    let mut station = Station::new(node, Serial::<Ends>::default(), &program, sum);
+    for _ in 0..1000 {
+        assert_eq!(station.tick(&readings, &program), Outputs::default());
+        let controller = station.node().controller();
+        assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Program));
+    }
 }

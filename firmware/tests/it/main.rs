@@ -2,6 +2,7 @@
 
 mod bench;
 mod campaign;
+mod can;
 mod fuzz;
 mod link;
 mod motion;

@@ -1,5 +1,6 @@
 //! A supervisor, a serial line, a node and its tile, a millisecond at a time.
 
+use smartbed_firmware::link::bus::{Arrival, Bus};
 use smartbed_firmware::link::frame::{Body, Decoder, encode};
 use smartbed_firmware::link::message::{Command, Outcome, Report, Target, read};
 use smartbed_firmware::link::serial::{Line, Serial};
@@ -36,8 +37,7 @@ impl Line for Ends {
 pub struct Wire {
     pub tile: Tile,
     pub node: Node<Flash>,
-    pub serial: Serial,
-    pub ends: Ends,
+    pub serial: Serial<Ends>,
     pub peer: Peer,
     pub reports: Vec<Report>,
     decoder: Decoder,
@@ -62,7 +62,6 @@ impl Wire {
             tile,
             node: Node::new(5, provided(KEY), 0),
             serial: Serial::default(),
-            ends: Ends::default(),
             peer: Peer::new(5, Key::new(KEY)),
             reports: Vec::new(),
             decoder: Decoder::default(),
@@ -87,7 +86,7 @@ impl Wire {
         if self.corrupt {
             frame[3] ^= 4;
         }
-        self.ends.down.extend(frame);
+        self.serial.line.down.extend(frame);
     }
 
     pub fn set(&mut self, defect: Defect) {
@@ -107,13 +106,14 @@ impl Wire {
             beat.iter().for_each(|body| self.send(body));
         }
         let readings = self.tile.read();
-        let Self { serial, ends, node, .. } = self;
-        serial.receive(ends, |body| {
+        let Self { serial, node, .. } = self;
+        serial.receive(node.now(), |arrival| {
+            let Arrival::Body(body) = arrival else { panic!("a line has no other stop") };
             node.deliver(body);
         });
         self.tile.advance(node.tick(&readings)).expect("a step");
-        serial.transmit(ends, || node.collect());
-        while let Some(byte) = self.ends.up.pop_front() {
+        serial.transmit(node.now(), || node.collect());
+        while let Some(byte) = self.serial.line.up.pop_front() {
             if let Some(body) = self.decoder.take(byte) {
                 self.reports.extend(self.peer.take(&body, self.now));
             }

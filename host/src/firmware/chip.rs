@@ -19,6 +19,10 @@ pub struct Chip {
     pub ram: u64,
     /// Clock (Hz).
     pub clock: u64,
+    /// Has its floating-point unit what a Cortex-M4F's lacks (FPv5)?
+    pub has_fpv5: bool,
+    /// Does it compute double precision itself?
+    pub has_double: bool,
 }
 
 /// STM32F405: Cortex-M4F at 168 MHz. Its 64 KiB of core-coupled RAM are not used: the emulator lacks them.
@@ -31,6 +35,8 @@ pub const STM32F405: Chip = Chip {
     flash: 1024 * 1024,
     ram: 128 * 1024,
     clock: 168_000_000,
+    has_fpv5: false,
+    has_double: false,
 };
 
 /// A Cortex-M7 of Arm's prototyping board MPS2 (application note 500).
@@ -40,6 +46,8 @@ pub const M7: Chip = Chip {
     cpu: "cortex-m7",
     machine: "mps2-an500",
     clock: 25_000_000,
+    has_fpv5: true,
+    has_double: true,
     ..STM32F405
 };
 
@@ -51,6 +59,7 @@ pub const M33: Chip = Chip {
     cpu: "cortex-m33",
     machine: "mps2-an505",
     clock: 20_000_000,
+    has_fpv5: true,
     ..STM32F405
 };
 

@@ -8,6 +8,7 @@
 use super::Arguments;
 use super::chip::Chip;
 use super::equations::{RATES, SIN_COS};
+use super::image::checksum;
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
@@ -51,8 +52,17 @@ pub enum Subject {
     Scene(String),
     /// The controller with the tile that it is tried on.
     Loop,
-    /// The controller on a real chip's pins.
-    Board,
+    /// The controller on a real chip's pins, on this bus.
+    Board(Bus),
+}
+
+/// What a board talks over.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Bus {
+    /// A serial line.
+    Serial,
+    /// A CAN bus.
+    Can,
 }
 
 impl Settings {
@@ -122,7 +132,8 @@ impl Settings {
             Subject::Mechanism => "tile",
             Subject::Scene(_) => "scene",
             Subject::Loop => "loop",
-            Subject::Board => "board",
+            Subject::Board(Bus::Serial) => "board",
+            Subject::Board(Bus::Can) => "board-can",
         }
     }
 
@@ -141,7 +152,7 @@ impl Settings {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
         match &self.subject {
-            Subject::Loop | Subject::Board => {
+            Subject::Loop | Subject::Board(_) => {
                 command.args(["--features", if self.subject == Subject::Loop { "plant" } else { "board" }]);
                 command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
             }
@@ -239,14 +250,17 @@ pub fn image(
     cargo.env("SMARTBED_CHIP", chip.short);
     succeed(cargo, "the image does not build")?;
     let built = folder.join(chip.target).join("firmware").join(settings.program());
-    if settings.subject != Subject::Loop {
+    if !matches!(settings.subject, Subject::Loop | Subject::Board(_)) {
         return Ok(built);
     }
-    // Chips of one target take turns in one place: an image that somebody is about to start gets a name of its own.
+    // Chips of one target take turns in one place: an image that somebody is about to start gets a name of its own, and
+    // what it is checked by.
     let own = folder.join(format!("{}-{}", chip.short, settings.program()));
     let fresh = own.with_extension("new");
-    let copied = fs::copy(&built, &fresh).and_then(|_| fs::rename(&fresh, &own));
-    copied.map_err(|e| Failure::Wrong(format!("{}: {e}", own.display())))?;
+    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", own.display()));
+    let mut elf = fs::read(&built).map_err(wrong)?;
+    checksum::write(&mut elf).map_err(|why| Failure::Wrong(format!("{}: {why}", built.display())))?;
+    fs::write(&fresh, elf).and_then(|()| fs::rename(&fresh, &own)).map_err(wrong)?;
     Ok(own)
 }
 

@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::progress::Waiting;
 use chip::STM32F405;
-use compile::{Settings, Subject};
+use compile::{Bus, Settings, Subject};
 use image::{Image, rules};
 use report::Report;
 use smartbed_codegen::words::count;
@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 /// Generate, build for the microcontroller, check, and run in the emulator.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board"
+    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board\n  cargo smartbed firmware --board=can"
 )]
 pub struct Arguments {
     /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
@@ -49,9 +49,11 @@ pub struct Arguments {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
-    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins.
-    #[arg(long, conflicts_with_all = ["model", "steps", "set", "everything", "inject", "elf"])]
-    pub board: bool,
+    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks over a
+    /// serial line, with `--board=can` over a CAN bus.
+    #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
+        conflicts_with_all = ["model", "steps", "set", "everything", "inject", "elf"])]
+    pub board: Option<Bus>,
     /// Judge this image instead of building one: size, stack bound, and every rule of an image.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "inject"])]
     pub elf: Option<PathBuf>,
@@ -69,8 +71,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(elf) = &arguments.elf {
         return judge(elf, arguments.json);
     }
-    if arguments.board {
-        return judge(&board()?, arguments.json);
+    if let Some(bus) = arguments.board {
+        return judge(&board(bus)?, arguments.json);
     }
     let report = measure(arguments)?;
     let text = if arguments.json { report.json() } else { report.text() };
@@ -132,7 +134,7 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
 ///
 /// # Errors
 /// Status 1 if it does not build, status 2 where a tool is missing.
-pub fn board() -> Result<PathBuf, Failure> {
+pub fn board(bus: Bus) -> Result<PathBuf, Failure> {
     let workspace = workspace()?;
     toolchain::announce(STM32F405.target);
     let toolchain = toolchain::toolchain(STM32F405.target)?;
@@ -140,7 +142,7 @@ pub fn board() -> Result<PathBuf, Failure> {
     let _lock = lock(&folder)?;
     output::say(&format!("building the board's program with {}", toolchain.describe()));
     let _waiting = Waiting::new("building the image");
-    compile::image(&toolchain, &workspace, &folder, &STM32F405, &Settings::controller(Subject::Board))
+    compile::image(&toolchain, &workspace, &folder, &STM32F405, &Settings::controller(Subject::Board(bus)))
 }
 
 /// Builds the controller's library for a target that has no program of its own here.

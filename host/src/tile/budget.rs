@@ -1,28 +1,31 @@
-//! What the controller costs on the chip, held against its limits.
+//! What the controller costs on each core, held against its limits.
 //!
-//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions and cycles of a tick, and a failure where one is too
-//! much. A nominal session and sessions with faults run in the emulator with the counting plug-in; the most of all of them counts.
+//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick, on the board's core cycles too, and a
+//! failure where one is too much. A nominal session and sessions with faults run in the emulator with the counting plug-in;
+//! the most of all of them counts.
 
 use super::bus::Bus;
-use super::machine::{self, Kind, Machine};
+use super::machine::{self, Kind, Machine, Program};
 use super::order;
 use crate::failure::Failure;
-use crate::firmware::chip::STM32F405;
+use crate::firmware::chip::{Chip, M7, M33, STM32F405};
+use crate::firmware::compile::Bus as Wires;
 use crate::firmware::emulator::{count_option, plugin, read_counts};
 use crate::firmware::image::Image;
 use crate::firmware::image::rules::{self, Rule};
-use crate::firmware::image::stack::Stack;
 use crate::firmware::{board, lock, read, toolchain, workspace};
 use crate::output;
 use std::fmt::Write;
 
-/// Flash of the loop's image: the board's less its drivers, and the simulated tile with its gas (bytes).
-const FLASH: u64 = 60 * 1024;
 /// Flash of control and equations: the image of a real board (bytes).
 const CONTROL: u64 = 40 * 1024;
-/// Static RAM and the stack's bound together, of either image (bytes).
+/// Flash of the loop's image: the board's less its drivers, and the simulated tile with its gas (bytes).
+const LOOP: u64 = 60 * 1024;
+/// Static RAM and the stack's bound together, of any image (bytes).
 const RAM: u64 = 16 * 1024;
-/// Cycles of a tick, upper end of the interval: a tenth of a millisecond.
+/// Instructions of a tick on any core.
+const INSTRUCTIONS: u64 = 9500;
+/// Cycles of a tick on the board's core, upper end of the interval: a tenth of a millisecond.
 const CYCLES: u64 = 16_800;
 /// The function that is counted.
 const TICK: &str = "controller_tick";
@@ -55,10 +58,26 @@ pub struct Report {
 
 impl Report {
     fn hold(&mut self, name: &str, value: u64, limit: u64, unit: &str) {
-        let _ = writeln!(self.text, "{name:<36}{value} of {limit} {unit}");
+        let _ = writeln!(self.text, "{name:<40}{value} of {limit} {unit}");
         if value > limit {
             self.failures.push(format!("{name}: {value} {unit}, at most {limit} are allowed"));
         }
+    }
+
+    /// Holds an image against its rules and limits; returns the bound of its stack.
+    fn judge(&mut self, name: &str, image: &Image, chip: &Chip, flash: u64) -> Result<u64, Failure> {
+        let stack = image.stack().map_err(Failure::Wrong)?;
+        let findings = rules::findings(image, &stack, chip);
+        let broken: Vec<&str> =
+            Rule::ALL.into_iter().filter(|r| findings.iter().any(|f| f.rule == *r)).map(Rule::name).collect();
+        let outcome =
+            if broken.is_empty() { "kept".to_owned() } else { format!("FAILED: {}", broken.join(", ")) };
+        let _ = writeln!(self.text, "{:<40}{outcome}", format!("{name}: {} rules", Rule::ALL.len()));
+        self.failures.extend(findings.iter().map(|finding| format!("{name}: {finding}")));
+        self.hold(&format!("{name}: flash"), image.size.flash, flash, "bytes");
+        let stack = u64::from(stack.bytes);
+        self.hold(&format!("{name}: static RAM and stack bound"), image.size.ram + stack, RAM, "bytes");
+        Ok(stack)
     }
 }
 
@@ -67,53 +86,59 @@ impl Report {
 /// # Errors
 /// As [`run`], except that what is too much is in the report.
 pub fn measure() -> Result<Report, Failure> {
-    let program = machine::build(Kind::Emulated(STM32F405))?;
-    let image = read(&program.file)?;
-    let stack = image.stack().map_err(Failure::Wrong)?;
     let mut report = Report::default();
-    let board = read(&board()?)?;
-    let board_stack = board.stack().map_err(Failure::Wrong)?;
-    for (image, stack, name) in [(&board, &board_stack, "board"), (&image, &stack, "loop")] {
-        let findings = rules::findings(image, stack, &STM32F405);
-        for rule in Rule::ALL {
-            let broken = findings.iter().filter(|finding| finding.rule == rule).count();
-            let outcome = if broken == 0 { "ok".to_owned() } else { format!("FAILED ({broken})") };
-            let _ = writeln!(report.text, "{name}: check {:<23}{outcome}", rule.name());
-        }
-        report.failures.extend(findings.iter().map(ToString::to_string));
+    for (bus, name) in [(Wires::Serial, "board"), (Wires::Can, "board on CAN")] {
+        report.judge(name, &read(&board(bus)?)?, &STM32F405, CONTROL)?;
     }
-    let ram = |image: &Image, stack: &Stack| image.size.ram + u64::from(stack.bytes);
-    report.hold("board: flash", board.size.flash, CONTROL, "bytes");
-    report.hold("board: static RAM and stack bound", ram(&board, &board_stack), RAM, "bytes");
-    report.hold("loop: flash", image.size.flash, FLASH, "bytes");
-    report.hold("loop: static RAM and stack bound", ram(&image, &stack), RAM, "bytes");
+    for chip in [STM32F405, M7, M33] {
+        let name = format!("loop on {}", chip.short);
+        let program = machine::build(Kind::Emulated(chip))?;
+        let image = read(&program.file)?;
+        let bound = report.judge(&name, &image, &chip, LOOP)?;
+        let used = sessions(&program, &image)?;
+        report.hold(&format!("{name}: stack used, painted"), used.stack, bound, "bytes");
+        let _ = writeln!(report.text, "{:<40}{}", format!("{name}: ticks counted"), used.ticks);
+        report.hold(&format!("{name}: a tick"), used.instructions, INSTRUCTIONS, "instructions");
+        if chip == STM32F405 {
+            report.hold(&format!("{name}: a tick, by model"), used.cycles, CYCLES, "cycles");
+        }
+    }
+    Ok(report)
+}
 
+/// The most that sessions used.
+#[derive(Clone, Copy, Default)]
+struct Used {
+    stack: u64,
+    ticks: u64,
+    instructions: u64,
+    cycles: u64,
+}
+
+/// Runs all sessions with the counting plug-in.
+fn sessions(program: &Program, image: &Image) -> Result<Used, Failure> {
     let workspace = workspace()?;
     let folder = workspace.join("target/image");
     let plugin = {
         let _lock = lock(&folder)?;
         plugin(&toolchain::toolchain(STM32F405.target)?, &workspace, &folder)?
     };
-    let (mut used, mut instructions, mut cycles, mut calls) = (0, 0, 0, 0);
+    let mut used = Used::default();
     for (number, session) in SESSIONS.iter().enumerate() {
         let counts = folder.join(format!("controller-{number}.counts"));
-        let option = count_option(&plugin, &counts, &image, &[TICK]);
-        let machine = Machine::start(&program, 0, Some(&["-plugin", &option]))?;
+        let option = count_option(&plugin, &counts, image, &[TICK]);
+        let machine = Machine::start(program, 0, Some(&["-plugin", &option]))?;
         let mut bus = Bus::new(vec![machine]);
         for order in order::read(session)? {
             // With a fault some orders are refused: that is part of what is counted.
             let _ = bus.take(&order, &mut |_| Ok(()));
         }
-        used = used.max(bus.depth()?);
+        used.stack = used.stack.max(bus.depth()?.into());
         let (_, found) = read_counts(&counts)?;
         let tick = found.first().ok_or_else(|| Failure::Wrong(format!("no call of {TICK} was counted")))?;
-        instructions = instructions.max(tick.instructions[2]);
-        cycles = cycles.max(tick.most_cycles);
-        calls += tick.calls;
+        used.instructions = used.instructions.max(tick.instructions[2]);
+        used.cycles = used.cycles.max(tick.most_cycles);
+        used.ticks += tick.calls;
     }
-    report.hold("stack used, painted", u64::from(used), u64::from(stack.bytes), "bytes");
-    let _ = writeln!(report.text, "{:<36}{calls}", "ticks counted");
-    let _ = writeln!(report.text, "{:<36}{instructions} at most", "instructions of a tick");
-    report.hold("cycles of a tick, by model", cycles, CYCLES, "cycles");
-    Ok(report)
+    Ok(used)
 }

@@ -95,7 +95,11 @@ impl Typed {
         std::thread::spawn(move || {
             std::io::stdin().lock().lines().try_for_each(|line| sender.send(line)).unwrap_or_default();
         });
-        Self { lines, waiting: VecDeque::new(), is_terminal: std::io::stdin().is_terminal() }
+        Self::of(lines, std::io::stdin().is_terminal())
+    }
+
+    fn of(lines: Receiver<std::io::Result<String>>, is_terminal: bool) -> Self {
+        Self { lines, waiting: VecDeque::new(), is_terminal }
     }
 
     fn take(&mut self, line: std::io::Result<String>) -> Result<(), Failure> {
@@ -122,5 +126,35 @@ impl Typed {
         let place = place.filter(|_| self.is_terminal);
         place.into_iter().for_each(|place| drop(self.waiting.drain(..=place)));
         Ok(place.is_some())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Order, Typed, channel};
+    use smartbed_firmware::link::message::Command;
+
+    /// What is read after these lines, and whether a stop was seen between the first and the second.
+    fn typed(lines: [&str; 2], is_terminal: bool) -> (bool, Vec<Order>) {
+        let (sender, receiver) = channel();
+        let send = |line: &str| sender.send(Ok(line.to_owned())).expect("somebody reads");
+        let mut typed = Typed::of(receiver, is_terminal);
+        send(lines[0]);
+        assert!(typed.next().expect("an order").is_some());
+        assert!(!typed.is_stopped().expect("orders"), "nothing was typed meanwhile");
+        send(lines[1]);
+        let is_stopped = typed.is_stopped().expect("orders");
+        drop(sender);
+        (is_stopped, std::iter::from_fn(|| typed.next().expect("orders")).collect())
+    }
+
+    #[test]
+    fn a_stop_is_taken_at_once_on_a_terminal_and_in_its_order_in_a_script() {
+        let [home, stop, status] = [Command::Home, Command::Stop, Command::Status].map(Order::Send);
+        let lines = ["move 5_mm; home", "home; stop; status"];
+        // What was typed before the stop is dropped with it.
+        assert_eq!(typed(lines, true), (true, vec![status]));
+        assert_eq!(typed(lines, false), (false, vec![home, home, stop, status]));
+        assert_eq!(typed(["move 5_mm", "status"], true), (false, vec![status]));
     }
 }

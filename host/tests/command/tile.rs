@@ -3,12 +3,15 @@
 //! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that installs them.
 
 use crate::support::smartbed;
+use object::{Object, ObjectSection, ObjectSymbol};
 use smartbed::firmware::chip::{M7, M33, STM32F405};
 use smartbed::firmware::library;
 use smartbed::tile::bus::{Bus, Said};
 use smartbed::tile::machine::{Kind, Machine, Program, build};
 use smartbed::tile::{budget, order};
 use smartbed_firmware::link::message::Report;
+use smartbed_firmware::tile::fault::Fault;
+use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::turns::FAULT;
 use std::fs;
 
@@ -98,6 +101,44 @@ fn a_hard_fault_turns_the_drives_off_first() {
     let _ = fs::remove_file(&log);
 }
 
+/// A byte of the image that has changed while there was no power is found before the first tick, and told: here in the
+/// handler of hard faults, which nothing but a fault executes.
+#[test]
+fn an_image_with_a_changed_byte_moves_nothing_and_says_why() {
+    let program = build(Kind::Emulated(STM32F405)).unwrap_or_else(|e| panic!("{e}"));
+    let mut elf = fs::read(&program.file).expect("an image");
+    let file = object::File::parse(&*elf).expect("an ELF file");
+    let handler = file.symbols().find(|s| s.name() == Ok("HardFault")).expect("a handler").address() & !1;
+    let code = file.sections().find(|s| (s.address()..s.address() + s.size()).contains(&handler));
+    let (offset, _) = code.as_ref().and_then(|s| s.file_range()).expect("code");
+    let place = (offset + handler - code.expect("code").address()) as usize;
+    let orders = |elf: &[u8]| {
+        let file = std::env::temp_dir().join(format!("smartbed-changed-{}", std::process::id()));
+        fs::write(&file, elf).expect("an image");
+        let machine = Machine::start(&Program { file: file.clone(), ..program.clone() }, 0, None);
+        let mut bus = Bus::new(vec![machine.unwrap_or_else(|e| panic!("{e}"))]);
+        let mut last = None;
+        let mut listen = |said: Said| {
+            if let Report::State(state) = said.report {
+                last = Some(state);
+            }
+            Ok(())
+        };
+        let orders = order::read("status; enable; move 5_mm").expect("orders");
+        let done = orders.iter().try_for_each(|order| bus.take(order, &mut listen));
+        let _ = fs::remove_file(&file);
+        (done, last.expect("a state"))
+    };
+    let (done, state) = orders(&elf);
+    assert!(done.is_ok() && state.faults == 0, "{done:?} {state:?}");
+    elf[place] ^= 0x10;
+    let (done, state) = orders(&elf);
+    assert!(done.is_err_and(|why| why.to_string().contains("Faulted")));
+    // Drives and valves are off, motion is not allowed, and nothing but the program is wrong.
+    assert_eq!((state.faults, state.flags), (1 << Fault::Program as u32, 0));
+    assert_eq!(state.mode, Mode::Off as u8);
+}
+
 #[test]
 fn a_session_is_told_in_words() {
     let orders = "enable; move 0_mm; tile 1; identify; status; tile 0; status; log";
@@ -108,6 +149,18 @@ fn a_session_is_told_in_words() {
         ["screws hold their load", "tile 0  unhomed: heave -0.0", "tile 1  unhomed: heave -20.0", "log 3 at"]
     {
         assert!(out.contains(expected), "`{expected}` is not in\n{out}");
+    }
+}
+
+#[test]
+fn several_emulators_share_a_bus_and_heights_are_drawn() {
+    let orders = "enable; move -15_mm; status; tile 1; status";
+    let done = smartbed(&["tile", "--tiles", "3", "--plot", orders]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let drawn = done.out.lines().filter(|line| line.contains("tile 0  |") && line.contains("| ")).count();
+    assert!(drawn >= 20, "ten lines a second while it moves: {drawn}\n{}", done.out);
+    for expected in ["tile 0  unhomed: heave -15.0", "tile 1  unhomed: heave -20.0"] {
+        assert!(done.out.contains(expected), "`{expected}` is not in\n{}", done.out);
     }
 }
 
@@ -129,6 +182,35 @@ fn a_motion_that_is_not_waited_for_can_be_stopped() {
         smartbed(&["tile", "--native", "enable; move 10_mm &; wait 1_s; status; stop; wait 200_ms; status"]);
     assert_eq!(done.status, 0, "{done:?}");
     assert!(done.out.contains("moving: heave") && done.out.contains("hold: heave -1"), "{done:?}");
+}
+
+/// As when `stop` is typed on a terminal: `Typed` says so (its own test), and the bus ends the motion that it waits for.
+#[test]
+fn a_motion_that_is_waited_for_ends_when_stop_is_typed() {
+    let program = build(Kind::Native).unwrap_or_else(|e| panic!("{e}"));
+    let mut bus = Bus::new(vec![Machine::start(&program, 0, None).unwrap_or_else(|e| panic!("{e}"))]);
+    let mut last = None;
+    let mut listen = |said: Said| {
+        if let Report::State(state) = said.report {
+            last = Some(state);
+        }
+        Ok(())
+    };
+    let (mut asked, mut moves) = (0, 0);
+    for order in order::read("enable; move 10_mm; status").expect("orders") {
+        let start = bus.now();
+        let mut interrupt = || {
+            asked += 1;
+            Ok(asked == 20)
+        };
+        bus.take_until(&order, &mut listen, &mut interrupt).unwrap_or_else(|e| panic!("{order:?}: {e}"));
+        moves = moves.max(bus.now() - start);
+    }
+    // The way of 30 mm takes 20 s at half speed.
+    assert!(moves < 3000, "{moves} ms");
+    let state = last.expect("a state");
+    assert_eq!((state.mode, state.flags & 1, state.faults), (Mode::Hold as u8, 0, 0));
+    assert!(state.heights.iter().all(|height| (-0.0199..0.0).contains(height)), "{state:?}");
 }
 
 #[test]

@@ -5,6 +5,7 @@
 //! Invariant: an address is decoded as an instruction only where the mapping symbols ($t, $d) of
 //! the ABI say that it is code.
 
+pub mod checksum;
 pub mod rules;
 pub mod size;
 pub mod stack;

@@ -84,9 +84,11 @@ impl Rule {
             Self::Format => "formatting brings kilobytes and indirect calls: write bytes instead",
             Self::Heap => "the controller must not allocate",
             Self::Double => {
-                "a Cortex-M4F computes double precision in software, 100 instructions each: look for an f64 literal or libm's f32 trigonometry"
+                "the core computes double precision in software, 100 instructions each: look for an f64 literal or libm's f32 trigonometry"
             }
-            Self::Unit => "the instruction is undefined on a Cortex-M4F: build with target-cpu=cortex-m4",
+            Self::Unit => {
+                "the instruction is undefined on the core: build with its target-cpu, cortex-m4 for a Cortex-M4F"
+            }
             Self::Fused => {
                 "it rounds once where the host rounds twice, so host and chip would differ: do not use mul_add"
             }
@@ -125,13 +127,13 @@ pub fn findings(image: &Image, stack: &Stack, chip: &Chip) -> Vec<Finding> {
         add(Rule::Recursion, name.clone());
     }
     for symbol in &image.symbols {
-        if let Some(rule) = forbidden(symbol) {
+        if let Some(rule) = forbidden(symbol).filter(|rule| binds(*rule, chip)) {
             add(rule, format!("symbol `{symbol}`{}", callers(image, symbol)));
         }
     }
     for function in &image.functions {
         for (address, kind) in &function.effects {
-            if let Some(rule) = hazard(image, *kind) {
+            if let Some(rule) = hazard(image, *kind).filter(|rule| binds(*rule, chip)) {
                 add(rule, format!("`{}` at {address:#010x}", function.name));
             }
         }
@@ -147,6 +149,15 @@ fn callers(image: &Image, name: &str) -> String {
     let names: Vec<String> =
         (0..image.functions.len()).filter(calls).map(|f| format!("`{}`", image.functions[f].name)).collect();
     if names.is_empty() { String::new() } else { format!(" called by {}", names.join(", ")) }
+}
+
+/// Some cores have what others lack.
+fn binds(rule: Rule, chip: &Chip) -> bool {
+    match rule {
+        Rule::Double => !chip.has_double,
+        Rule::Unit => !chip.has_fpv5,
+        _ => true,
+    }
 }
 
 /// The rule that an instruction breaks.
@@ -203,7 +214,7 @@ fn is_double_routine(symbol: &str) -> bool {
 mod tests {
     use super::super::tests::image;
     use super::*;
-    use crate::firmware::chip::STM32F405;
+    use crate::firmware::chip::{M7, M33, STM32F405};
 
     fn rules(functions: &[(&str, &[u16])]) -> Vec<Rule> {
         findings(&image(functions), &Stack::default(), &STM32F405).into_iter().map(|f| f.rule).collect()
@@ -248,6 +259,16 @@ mod tests {
         assert_eq!(rules(&[("f", &[0xFE80, 0x0A00])]), [Rule::Unit]);
         assert_eq!(rules(&[("f", &[0xE7F0])]), [Rule::Stack], "a jump to nowhere");
         assert_eq!(rules(&[("f", &[0xB510, 0xBD10])]), []);
+    }
+
+    #[test]
+    fn cores_differ_in_their_units() {
+        let image = image(&[("double", &[0xEE30, 0x0B01]), ("fpv5", &[0xFE80, 0x0A00])]);
+        let rules =
+            |chip| findings(&image, &Stack::default(), chip).into_iter().map(|f| f.rule).collect::<Vec<_>>();
+        assert_eq!(rules(&STM32F405), [Rule::Double, Rule::Unit]);
+        assert_eq!(rules(&M33), [Rule::Double]);
+        assert_eq!(rules(&M7), []);
     }
 
     #[test]

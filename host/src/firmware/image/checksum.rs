@@ -1,0 +1,51 @@
+//! The checksum that a controller's image carries behind its constants, and by which it checks itself.
+//!
+//! In: an ELF of the controller. Out: the same with the checksum of all bytes from the begin of the code to the end of the
+//! constants in its section `.checksum`; the linker cannot compute it. An image without it refuses to move anything.
+
+use object::{Object, ObjectSection, ObjectSymbol};
+use smartbed_firmware::link::frame;
+
+/// The section that holds it.
+const SECTION: &str = ".checksum";
+/// The linker's names for the begin and the end of what is summed.
+const BOUNDS: [&str; 2] = ["__stext", "__erodata"];
+
+/// Writes the checksum.
+///
+/// # Errors
+/// A text if the ELF has no place for it, or what is to be summed has gaps.
+pub fn write(elf: &mut [u8]) -> Result<(), String> {
+    let file = object::File::parse(&*elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
+    let bound = |name: &str| {
+        let found = file.symbols().find(|s| s.name() == Ok(name)).map(|s| s.address());
+        found.ok_or_else(|| format!("the image has no symbol {name}"))
+    };
+    let (begin, end) = (bound(BOUNDS[0])?, bound(BOUNDS[1])?);
+    let mut sections: Vec<_> =
+        file.sections().filter(|s| (begin..end).contains(&s.address()) && s.size() > 0).collect();
+    sections.sort_by_key(ObjectSection::address);
+    let mut program = Vec::new();
+    for section in sections {
+        let here = begin + program.len() as u64;
+        if section.address() != here {
+            let name = section.name().unwrap_or("?");
+            return Err(format!("{name} begins at {:#x}, behind a gap from {here:#x} on", section.address()));
+        }
+        program.extend_from_slice(section.data().map_err(|e| format!("a section of the program: {e}"))?);
+    }
+    if begin + program.len() as u64 != end {
+        return Err(format!(
+            "the program ends {} bytes before {}",
+            end - begin - program.len() as u64,
+            BOUNDS[1]
+        ));
+    }
+    let place = file.section_by_name(SECTION).and_then(|section| section.file_range());
+    let (offset, _) = place.ok_or_else(|| format!("the image has no section {SECTION}"))?;
+    let offset = usize::try_from(offset).map_err(|e| e.to_string())?;
+    let sum = frame::checksum(&program);
+    let word = elf.get_mut(offset..).and_then(|rest| rest.first_chunk_mut::<4>());
+    *word.ok_or_else(|| format!("{SECTION} is shorter than a checksum"))? = sum;
+    Ok(())
+}
