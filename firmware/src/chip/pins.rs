@@ -61,6 +61,8 @@ pub struct Wires {
 }
 
 /// Sets everything up; nothing if it has been taken before.
+// A function of its own: only what is not inlined itself has all of the clocks' set-up inlined, which leaves no panic.
+#[inline(never)]
 pub fn take() -> Option<Board> {
     let (chip, core) = (Peripherals::take()?, cortex_m::Peripherals::take()?);
     let reason = (chip.RCC.csr().read().bits() >> REASON) as u8;
