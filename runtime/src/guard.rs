@@ -1,9 +1,9 @@
 //! When does a point touch or leave? Guards cross zero downwards at an event (thesis 4.4, the event function).
 //!
-//! Free point: gap. Departing point: gap + tolerance (asleep against rounding). Held point: N h^2/m, the
+//! On rigid ground: free point: gap. Departing point: gap + tolerance (asleep against rounding). Held point: N h^2/m, the
 //! way its normal force would move it in a step h. With friction also: of a sliding point v.d0 h - mu N tau h/m, what
 //! friction leaves of its slip along d0, the slip's first direction; of a stuck one (mu N - |T|) h^2/m, what friction
-//! could still take. The smallest guard of all points decides; its root is located by trying steps of different
+//! could still take; ground that gives way has these two alone. The smallest guard of all points decides; its root is located by trying steps of different
 //! lengths, so the state there is a state of the method itself.
 
 use crate::contact::{ContactState, Ground, Repertoire, Start, System, advance};
@@ -56,6 +56,7 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
         }
         let gap = ground.gap(vec3::at(motion.pos, i));
         let guard = match mode {
+            _ if R::SOFT && !ground.is_rigid() => friction_guard(system, ground, start, motion, i, (tau, h)),
             ContactState::Free => gap,
             ContactState::Departing if armed == Some(i) => gap,
             // Going away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
@@ -87,17 +88,19 @@ fn friction_guard<S: Scalar, R: Repertoire<S>>(
         return asleep;
     }
     let per_mass = ground.friction * system.body.inverse_mass(i) * h;
-    let force = motion.force(i);
-    if start.modes.get(i) == Some(&ContactState::Stuck) {
-        let side = vec3::norm(vec3::tangential(force, ground.normal));
-        return per_mass * h * (system.normal_force(force) - side / ground.friction);
+    let mode = start.modes.get(i).copied().unwrap_or_default();
+    let push = |motion| system.pressure(motion, i, mode);
+    if mode == ContactState::Stuck {
+        let side = vec3::norm(vec3::tangential(motion.force(i), ground.normal));
+        return per_mass * h * (push(motion) - side / ground.friction);
     }
     let slip = vec3::tangential(vec3::at(start.motion.vel, i), ground.normal);
     let (d0, speed) = vec3::direction(slip);
-    if speed <= S::ZERO {
+    let pushes = [start.motion, motion].map(|m| push(m).max(S::ZERO));
+    // What comes down within the step is braked for a part of it that is of its own order.
+    if speed <= S::ZERO || pushes[0] <= S::ZERO {
         return asleep;
     }
-    let pushes = [start.motion.force(i), force].map(|f| system.normal_force(f).max(S::ZERO));
     let mean = S::from_f64(0.5) * (pushes[0] + pushes[1]);
     vec3::dot(vec3::at(motion.vel, i), d0) * h - per_mass * mean * tau
 }
@@ -154,7 +157,9 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
         }
         return Ok((Some(whole), 1));
     }
-    if let Some(bottom) = find_dip(ground, start, h, &work.end) {
+    if ground.is_rigid()
+        && let Some(bottom) = find_dip(ground, start, h, &work.end)
+    {
         advance(system, start, bottom, method, work)?;
         let guard_hi = guard(&work.end, bottom, None);
         if guard_hi < S::ZERO {
@@ -172,6 +177,9 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
 /// below the surface: exact for Verlet, whose positions are parabolas of the step.
 fn first_crossing<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let mut first: Option<S> = None;
+    if !ground.is_rigid() {
+        return first;
+    }
     for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
         let g0 = ground.gap(vec3::at(start.motion.pos, i));
         let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
@@ -290,7 +298,7 @@ fn locate<S: Scalar, R: Repertoire<S>>(
         search.take(tau, guard + shift);
     }
     advance(system, start, negative, method, work)?;
-    if positive > S::ZERO && jumps(system, ground, start, &work.end) {
+    if ground.is_rigid() && positive > S::ZERO && jumps(system, ground, start, &work.end) {
         advance(system, start, positive, method, work)?;
         return Ok(Shortened { tau: positive, is_event: false, trials: TRIALS });
     }

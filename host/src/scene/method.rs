@@ -76,8 +76,8 @@ const fn row(law: &'static str, damped: bool, entries: [Entry; METHODS.len()]) -
 }
 
 /// Friction is taken from the speeds after each stretch, which ends where a point sticks, turns round or slips: no
-/// method keeps a higher order with it. On a ground that gives way these are not located: order 1.
-const FRICTION_ORDERS: [(&str, u32); 3] = [("penalty", 1), ("hunt_crossley", 1), ("", 2)];
+/// method keeps a higher order with it.
+const FRICTION_ORDER: u32 = 2;
 /// w_max h from which energy compensation is given the energy-momentum method: with all others an undamped body may gain
 /// energy from impact to impact (bar of 50 masses, 20 bounces: `tests/it/bar_on_wall.rs`).
 pub const COARSE: f64 = 0.4;
@@ -126,9 +126,7 @@ impl Situation {
         let column = METHODS.iter().position(|(known, ..)| *known == name);
         let entry = row.zip(column).and_then(|(row, column)| row.entries.get(column).copied());
         let order = entry.unwrap_or(OWN)?;
-        let largest =
-            FRICTION_ORDERS.iter().find(|(law, _)| [self.law, ""].contains(law)).map_or(order, |(_, n)| *n);
-        Ok(if self.friction { order.min(largest) } else { order })
+        Ok(if self.friction { order.min(FRICTION_ORDER) } else { order })
     }
 
     /// Methods that are not refused here: name, order, whether it chooses its own steps.

@@ -258,7 +258,9 @@ impl<S: Scalar> Simulation<S> {
         let of = |i: usize| {
             let ground = self.ground.as_ref()?;
             let (place, velocity) = (self.motion[i], self.motion[2 * n + i]);
-            let held = self.modes[i].is_held() && !self.fixed.get(i).is_some_and(|f| *f);
+            let fixed = self.fixed.get(i).is_some_and(|f| *f);
+            let held = ground.is_rigid() && self.modes[i].is_held() && !fixed;
+            let rubbed = held || (!ground.is_rigid() && !fixed);
             let [elastic, viscous] = [4, 5].map(|row| self.motion[row * n + i]);
             let load = vec3::add(elastic, viscous);
             let size = match held {
@@ -267,8 +269,8 @@ impl<S: Scalar> Simulation<S> {
             };
             // Coulomb: what sticks is held against its load, what slides is slowed.
             let across = match self.modes[i] {
-                ContactState::Stuck if held => vec3::tangential(load, ground.normal),
-                ContactState::Held if held => {
+                ContactState::Stuck if rubbed => vec3::tangential(load, ground.normal),
+                _ if rubbed => {
                     let (way, _) = vec3::direction(vec3::tangential(velocity, ground.normal));
                     vec3::scale(way, ground.friction * size)
                 }

@@ -4,7 +4,8 @@
 //! Every case ends with an answer or with a message that names a place. The cases run in a child process
 //! whose address space is limited to 1 GiB. The seed is fixed, so that case n is always the same:
 //! `SMARTBED_FUZZ_CASES=1000000 cargo test -p smartbed --test fuzz`, and `SMARTBED_FUZZ_FIRST=n
-//! SMARTBED_FUZZ_CASES=1` for case n alone.
+//! SMARTBED_FUZZ_CASES=1` for case n alone. `SMARTBED_FUZZ_KIND=scene` draws only kinds whose names begin so: scenes' texts
+//! and command lines.
 
 mod arguments;
 mod models;
@@ -69,6 +70,8 @@ struct Case {
 type Run = Box<dyn FnOnce() -> Result<Outcome, String>>;
 
 const KINDS: [&str; 5] = ["models", "states", "arguments", "scenes", "scene lines"];
+/// How many of 28 cases are of each kind.
+const SHARES: [usize; KINDS.len()] = [12, 4, 4, 4, 4];
 
 fn number(name: &str) -> Option<u64> {
     std::env::var(name).ok().and_then(|n| n.parse().ok())
@@ -97,7 +100,7 @@ fn cases() {
     let cases = number("SMARTBED_FUZZ_CASES").unwrap_or(CASES);
     let first = number("SMARTBED_FUZZ_FIRST").unwrap_or(0);
     let at = std::fs::File::create(folder().join("fuzz.case")).expect("a file");
-    let shipped = models::shipped();
+    let (shares, shipped) = (shares(), models::shipped());
     let started: &'static AtomicU64 = Box::leak(Box::new(AtomicU64::new(first)));
     watch(started);
     // By kind: cases, those read, those answered.
@@ -107,7 +110,7 @@ fn cases() {
         let _ = at.write_at(format!("{case:>20}").as_bytes(), 0);
         started.store(case + 1, Ordering::Relaxed);
         let start = processor_time();
-        let done = run_case(case, &shipped);
+        let done = run_case(case, &shares, &shipped);
         let took = processor_time().saturating_sub(start);
         let outcome = done.outcome.unwrap_or_else(|e| panic!("case {case}: {e}\n{}", done.text));
         let limit = if done.text.contains("--error") { CALIBRATED } else { LIMIT };
@@ -155,32 +158,55 @@ fn watch(started: &'static AtomicU64) {
     });
 }
 
-fn run_case(case: u64, shipped: &[String]) -> Case {
+/// The shares of the kinds that the environment names, all if it names none.
+fn shares() -> [usize; KINDS.len()] {
+    let begin = std::env::var("SMARTBED_FUZZ_KIND").unwrap_or_default();
+    let shares = std::array::from_fn(|k| if KINDS[k].starts_with(&begin) { SHARES[k] } else { 0 });
+    assert!(shares.iter().any(|&n| n > 0), "SMARTBED_FUZZ_KIND=`{begin}` begins none of {KINDS:?}");
+    shares
+}
+
+/// One of the kinds, as often as its share.
+fn drawn(shares: &[usize; KINDS.len()], random: &mut Random) -> usize {
+    let mut left = random.below(shares.iter().sum());
+    shares
+        .iter()
+        .position(|&n| {
+            left < n || {
+                left -= n;
+                false
+            }
+        })
+        .expect("less than their sum")
+}
+
+fn run_case(case: u64, shares: &[usize; KINDS.len()], shipped: &[String]) -> Case {
     let mut random = Random::new(case);
-    let (kind, text, run): (usize, String, Run) = match random.below(28) {
-        24..=27 => {
-            let csv = folder().join("fuzz.csv").display().to_string();
-            let line = scenes::line(&mut random, &csv);
-            (4, format!("{line:?}"), Box::new(move || run_scene_line(&line, &csv)))
-        }
-        20..=23 => {
-            let (text, settings) = (scenes::text(&mut random), scenes::settings(&mut random));
-            let own = text.clone();
-            (3, format!("{settings:?}\n{text}"), Box::new(move || run_scene(&own, &settings)))
-        }
-        0..=11 => {
+    let kind = drawn(shares, &mut random);
+    let (text, run): (String, Run) = match kind {
+        0 => {
             let text = models::text(&mut random, shipped);
             let own = text.clone();
-            (0, text, Box::new(move || run_model(&own, case)))
+            (text, Box::new(move || run_model(&own, case)))
         }
-        12..=15 => {
+        1 => {
             let (subject, text) = states::file(&mut random);
             let own = text.clone();
-            (1, format!("{}: {text}", subject.model), Box::new(move || run_states(subject.model, &own)))
+            (format!("{}: {text}", subject.model), Box::new(move || run_states(subject.model, &own)))
+        }
+        2 => {
+            let line = arguments::line(&mut random, &folder().display().to_string());
+            (format!("{line:?}"), Box::new(move || run_line(&line)))
+        }
+        3 => {
+            let (text, settings) = (scenes::text(&mut random), scenes::settings(&mut random));
+            let own = text.clone();
+            (format!("{settings:?}\n{text}"), Box::new(move || run_scene(&own, &settings)))
         }
         _ => {
-            let line = arguments::line(&mut random, &folder().display().to_string());
-            (2, format!("{line:?}"), Box::new(move || run_line(&line)))
+            let csv = folder().join("fuzz.csv").display().to_string();
+            let line = scenes::line(&mut random, &csv);
+            (format!("{line:?}"), Box::new(move || run_scene_line(&line, &csv)))
         }
     };
     let outcome = catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| Err("panics".to_owned()));

@@ -2,7 +2,8 @@
 //!
 //! gap = n.x - offset, > 0 apart; gap rate = n.v, < 0 closing; n is the outward normal of the ground.
 //! A point is free, departing (just let go: its guard sleeps until the gap is clearly open), held
-//! (gap rate 0, the ground pushes) or stuck (held, and friction holds it sideways too).
+//! (gap rate 0, the ground pushes) or stuck (held, and friction holds it sideways too). In a ground that gives way it is
+//! free or, held sideways alone, stuck.
 
 pub mod compensation;
 pub mod friction;
@@ -15,6 +16,7 @@ pub mod soft;
 pub mod stable_step;
 
 use crate::flexible::Body;
+use crate::ode::nodes::Motion;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 use core::marker::PhantomData;
@@ -85,7 +87,7 @@ pub enum ContactState {
     Departing,
     /// On the surface, sliding or without friction.
     Held,
-    /// On the surface and held sideways by friction.
+    /// On the surface, or in a ground that gives way, and held sideways by friction.
     Stuck,
 }
 
@@ -115,6 +117,13 @@ impl<S: Scalar> Ground<S> {
     #[must_use]
     pub fn gap_rate(&self, v: Vec3<S>) -> S {
         vec3::dot(self.normal, v)
+    }
+
+    /// Is there no slip but what rounding makes of the speed along a sloping normal?
+    #[must_use]
+    pub fn is_still(&self, v: Vec3<S>) -> bool {
+        let rounding = S::from_f64(4.0) * S::EPSILON * self.gap_rate(v).abs();
+        vec3::norm(vec3::tangential(v, self.normal)) <= rounding
     }
 
     /// True where touch and release are located in time and the step is split there.
@@ -185,6 +194,13 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         self.ground.filter(|ground| R::FRICTION && ground.friction > S::ZERO)
     }
 
+    /// The ground, if the step is split where something happens on it: touch and release, or where friction holds a
+    /// point in a ground that gives way, turns it round or lets it slip.
+    #[must_use]
+    pub fn watched_ground(&self) -> Option<Ground<S>> {
+        self.event_ground().or_else(|| self.soft_ground().and(self.rough_ground()))
+    }
+
     /// Acceleration of point i (m/s^2) under a force, after what holds it has taken its part.
     #[must_use]
     pub fn acceleration(&self, i: usize, mode: ContactState, force: Vec3<S>) -> Vec3<S> {
@@ -197,6 +213,9 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         match (mode, &self.ground) {
             (ContactState::Free | ContactState::Departing, _) | (_, None) => a,
             (ContactState::Held, Some(ground)) => vec3::tangential(a, ground.normal),
+            (ContactState::Stuck, Some(ground)) if R::SOFT && !ground.is_rigid() => {
+                vec3::scale(ground.normal, vec3::dot(a, ground.normal))
+            }
             (ContactState::Stuck, _) => vec3::zero(),
         }
     }
@@ -211,5 +230,16 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
     #[must_use]
     pub fn normal_force(&self, force: Vec3<S>) -> S {
         self.ground.map_or(S::ZERO, |ground| -vec3::dot(force, ground.normal))
+    }
+
+    /// What friction rubs point i with (N): the force that holds it, < 0 if the ground would have to pull, or the push of
+    /// a ground that gives way.
+    #[must_use]
+    pub fn pressure(&self, motion: &Motion<S>, i: usize, mode: ContactState) -> S {
+        match self.soft_ground() {
+            Some(ground) => soft::normal_force(&ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
+            None if mode.is_held() => self.normal_force(motion.force(i)),
+            None => S::ZERO,
+        }
     }
 }

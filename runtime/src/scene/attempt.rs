@@ -4,7 +4,7 @@
 //! adaptive step plan by their error; an implicit step that does not settle is halved.
 
 use super::State;
-use crate::contact::{Repertoire, Start, System, advance};
+use crate::contact::{Ground, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
 use crate::guard::{self, Shortened};
 use crate::ode::nodes::{Step, Workspace};
@@ -27,6 +27,7 @@ pub(super) struct Attempt<S> {
 /// through length 0 turn their force at once, and the iteration follows only a shorter way.
 pub(super) fn attempt<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
+    watched: Option<&Ground<S>>,
     state: &State<S>,
     tau: S,
     method: R::Method,
@@ -34,16 +35,17 @@ pub(super) fn attempt<S: Scalar, R: Repertoire<S>>(
 ) -> Result<Attempt<S>, BodyError<S>> {
     let mut tau = tau;
     for _ in 0..HALVINGS {
-        match attempt_once(system, state, tau, method, work) {
+        match attempt_once(system, watched, state, tau, method, work) {
             Err(BodyError::NotConverged { .. }) => tau = S::from_f64(0.5) * tau,
             done => return done,
         }
     }
-    attempt_once(system, state, tau, method, work)
+    attempt_once(system, watched, state, tau, method, work)
 }
 
 fn attempt_once<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
+    watched: Option<&Ground<S>>,
     state: &State<S>,
     length: S,
     method: R::Method,
@@ -51,7 +53,7 @@ fn attempt_once<S: Scalar, R: Repertoire<S>>(
 ) -> Result<Attempt<S>, BodyError<S>> {
     let start = || Start { motion: &state.motion, modes: state.modes };
     let error = advance(system, start(), length, method, work)?;
-    let shortened = match &system.event_ground() {
+    let shortened = match watched {
         Some(ground) if error <= S::ONE => {
             guard::shorten_to_event(system, ground, start(), length, method, work)?
         }

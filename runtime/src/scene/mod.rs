@@ -176,6 +176,8 @@ impl<S: Scalar> State<'_, S> {
                 *mode = if on_ground && still { ContactState::Held } else { ContactState::Free };
             }
             resolve(system, ground, self, (h, method), work, observer)?;
+        } else if let Some(ground) = &system.watched_ground() {
+            settle_modes(system, ground, self);
         }
         Ok(())
     }
@@ -213,14 +215,18 @@ pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     let (mut report, before) = (StepReport::default(), work.evaluations);
     let mut remaining = h;
     while remaining > S::ZERO {
-        if report.events >= MAX_EVENTS || report.substeps >= MAX_SUBSTEPS {
-            report.cut_short = true;
+        let spent = report.events >= MAX_EVENTS;
+        report.cut_short |= spent || report.substeps >= MAX_SUBSTEPS;
+        // Ground that gives way needs no events to keep points off it: the method goes on without them.
+        if report.substeps >= MAX_SUBSTEPS || spent && system.soft_ground().is_none() {
             stepping::finish(system, state, remaining, work, observer)?;
             break;
         }
+        let watched = system.watched_ground().filter(|_| !spent);
         report.substeps += 1;
         let tau = try_length(state, remaining, h, method);
-        let Attempt { length, error, shortened } = attempt(system, state, tau, method, work)?;
+        let Attempt { length, error, shortened } =
+            attempt(system, watched.as_ref(), state, tau, method, work)?;
         control_step(state, length, error, remaining, method);
         if error > S::ONE {
             continue;
@@ -233,8 +239,13 @@ pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
         refuse_through_ground(system, work.end.pos)?;
         accept(system, state, tau, work, observer)?;
         remaining = remaining - tau;
-        if let (true, Some(ground)) = (is_event, &system.ground) {
+        if let (true, Some(ground)) = (is_event, &watched) {
             report.events += 1;
+            if !ground.is_rigid() {
+                stop_creeping(system, ground, state, h);
+                settle_modes(system, ground, state);
+                continue;
+            }
             // A method that chooses its steps leaves out bounces by their lengths, not by the caller's.
             let length = if method.control_order() == 0 { h } else { state.next_step.min(h) };
             resolve(system, ground, state, (length, method), work, observer)?;
@@ -279,7 +290,7 @@ fn take_over<S: Scalar, R: Repertoire<S>>(
 ) {
     state.motion.copy_from(&work.end);
     state.pass(tau);
-    if let Some(ground) = system.event_ground() {
+    if let Some(ground) = system.watched_ground() {
         settle_modes(system, &ground, state);
     }
 }
@@ -331,12 +342,13 @@ fn settle_modes<S: Scalar, R: Repertoire<S>>(
             ContactState::Departing if ground.gap(vec3::at(state.motion.pos, i)) > ground.tolerance => {
                 *mode = ContactState::Free;
             }
-            ContactState::Held | ContactState::Stuck if R::FRICTION && ground.friction > S::ZERO => {
-                let force = state.motion.force(i);
-                let side = vec3::norm(vec3::tangential(force, ground.normal));
-                let still = vec3::at(state.motion.vel, i) == vec3::zero();
-                let sticks = still && side <= ground.friction * system.normal_force(force);
-                *mode = if sticks { ContactState::Stuck } else { ContactState::Held };
+            _ if R::FRICTION && ground.friction > S::ZERO && (mode.is_held() || !ground.is_rigid()) => {
+                let push = system.pressure(&state.motion, i, *mode);
+                let side = vec3::norm(vec3::tangential(state.motion.force(i), ground.normal));
+                let still = ground.is_still(vec3::at(state.motion.vel, i));
+                let sticks = still && push > S::ZERO && side <= ground.friction * push;
+                let slides = if ground.is_rigid() { ContactState::Held } else { ContactState::Free };
+                *mode = if sticks { ContactState::Stuck } else { slides };
             }
             _ => {}
         }
@@ -344,12 +356,22 @@ fn settle_modes<S: Scalar, R: Repertoire<S>>(
 }
 
 /// Takes the slip that the location of an event has left, its rounding: what is slower would end the next stretch at once.
-fn stop_creeping<S: Scalar>(ground: &Ground<S>, state: &mut State<S>, h: S) {
+fn stop_creeping<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    state: &mut State<S>,
+    h: S,
+) {
     let slowest = S::from_f64(4.0) * S::EPSILON * (S::ONE + ground.offset.abs()) / h;
-    for (mode, v) in state.modes.iter().zip(state.motion.vel.iter_mut()) {
-        let slip = vec3::tangential(*v, ground.normal);
-        if *mode == ContactState::Held && vec3::norm(slip) <= slowest {
-            *v = vec3::sub(*v, slip);
+    for (i, mode) in state.modes.iter().enumerate() {
+        let v = vec3::at(state.motion.vel, i);
+        let slip = vec3::tangential(v, ground.normal);
+        let slides = *mode != ContactState::Stuck && system.pressure(&state.motion, i, *mode) > S::ZERO;
+        if slides
+            && vec3::norm(slip) <= slowest
+            && let Some(kept) = state.motion.vel.get_mut(i)
+        {
+            *kept = vec3::sub(v, slip);
         }
     }
 }
@@ -378,7 +400,7 @@ fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     }
     let released = release(system, state);
     if system.rough_ground().is_some() {
-        stop_creeping(ground, state, h);
+        stop_creeping(system, ground, state, h);
     }
     settle_modes(system, ground, state);
     let event = Event { time: state.t(), impact, points: state.impacts, modes: state.modes, released };

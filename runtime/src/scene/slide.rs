@@ -8,7 +8,7 @@
 //! Invariant: friction takes energy out or does nothing.
 
 use super::State;
-use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction, massless, soft};
+use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction, massless};
 use crate::flexible::BodyError;
 use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
@@ -89,19 +89,16 @@ fn brake<S: Scalar, R: Repertoire<S>>(
 ) -> S {
     let half = S::from_f64(0.5);
     let push = |motion: &Motion<S>, i: usize, mode: ContactState| match mode {
-        ContactState::Held => system.normal_force(motion.force(i)).max(S::ZERO),
         ContactState::Stuck => S::ZERO,
-        _ if !R::SOFT => S::ZERO,
-        _ => soft::normal_force(ground, vec3::at(motion.pos, i), vec3::at(motion.vel, i)).0,
+        _ => system.pressure(motion, i, mode).max(S::ZERO),
     };
     let mut braked = S::ZERO;
     for (i, mode) in state.modes.iter().enumerate() {
         let mean = half * (push(&state.motion, i, *mode) + push(&work.end, i, *mode));
         let mass = system.body.mass.get(i).copied().unwrap_or(S::ZERO);
         let (start, before) = (vec3::at(state.motion.vel, i), vec3::at(work.stages, i));
-        let stuck = again
-            && vec3::at(work.dv, i) != vec3::zero()
-            && vec3::tangential(vec3::at(work.end.vel, i), ground.normal) == vec3::zero();
+        let stuck =
+            again && vec3::at(work.dv, i) != vec3::zero() && ground.is_still(vec3::at(work.end.vel, i));
         let impulse = if stuck { S::ONE / S::EPSILON } else { tau * mean };
         let mut v = before;
         let loss = friction::apply_over(&mut v, start, ground.normal, mass, ground.friction, impulse);

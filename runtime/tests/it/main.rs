@@ -1,6 +1,7 @@
 //! Everything of the runtime that can be judged from outside.
 
 mod double_double;
+mod flexible;
 mod functions;
 mod gas;
 mod integrator;

@@ -457,3 +457,39 @@ fn a_rod_falls_on_rough_ground_and_sticks_or_turns_back() {
     }
     assert!(stuck > 20 && reversed > 5, "{stuck} stuck, {reversed} reversed");
 }
+
+/// Two balls that strike the floor at the same instant by laws of their own: each rebounds by its own.
+#[test]
+fn laws_of_contacts_at_the_same_instant_stay_apart() {
+    let [bouncy, dull] = [Law::newton(1.0, 0.0).expect("a law"), stronge(0.2, 0.0)];
+    let balls = [-1.0, 1.0].map(|x| (ball(1.0, 0.1), RigidState::at_rest([x, 0.0, 0.6])));
+    for laws in [[bouncy, dull], [dull, bouncy]] {
+        let mut world = World::new(0.0, bouncy, &balls);
+        for pair in &mut world.pairs {
+            pair.law = if pair.parts[0] == 2 { laws[1] } else { laws[0] };
+        }
+        let (fall, h) = ((2.0 * 0.5 / G).sqrt(), 1e-2);
+        let steps = (fall / h).ceil();
+        (0..steps as usize).for_each(|_| assert!(world.step(h).impacts <= 1));
+        for (state, law) in world.states[1..].iter().zip(laws) {
+            let (since, speed) = (steps * h - fall, law.restitution() * G * fall);
+            close(state.position[2], 0.1 + speed * since - 0.5 * G * since * since, 1e-10);
+        }
+    }
+}
+
+/// Two balls that overlap at the start and part: nothing strikes, nothing is split.
+#[test]
+fn bodies_that_overlap_and_part_fly_freely() {
+    let moving =
+        |x: f64, v: f64| RigidState { velocity: [v, 0.0, 0.0], ..RigidState::at_rest([x, 0.0, 5.0]) };
+    let balls = [(ball(1.0, 0.1), moving(-0.095, -0.02)), (ball(2.0, 0.1), moving(0.095, 0.03))];
+    let mut world = World::new(0.0, stronge(0.5, 0.3), &balls);
+    for n in 1..=50 {
+        let report = world.step(1e-2);
+        let t = f64::from(n) * 1e-2;
+        assert_eq!((report.impacts, report.splits, report.held), (0, 1, 0), "{t}");
+        close(world.states[1].position[0], -0.095 - 0.02 * t, 1e-12);
+        close(world.states[2].position[0], 0.095 + 0.03 * t, 1e-12);
+    }
+}

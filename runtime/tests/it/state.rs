@@ -52,6 +52,47 @@ fn roots_are_bracketed_tightly() {
     assert_eq!(locate(hole, 0.0, 1.0, 1e-9), Err(RootFault::NonFinite));
 }
 
+/// Work is what the search is for: smooth guards take few evaluations, steep and kinked ones too, a wide bracket none more.
+#[test]
+fn roots_of_smooth_guards_take_few_evaluations() {
+    let mean = |guard: fn(f64, f64) -> f64, width: f64| {
+        let mut all = 0;
+        for n in 0..1000 {
+            let root = (f64::from(n) + 0.5) / 1000.0;
+            let mut count = 0;
+            let counted = |t: f64| {
+                count += 1;
+                guard(t, root)
+            };
+            let (low, high) = locate(counted, 0.0, 1.0, width).unwrap();
+            assert!(low <= root + 1e-13 && root - 1e-13 <= high, "{root} is not within {low} and {high}");
+            assert!(high - low <= width, "{width} {low} {high}");
+            all += count;
+        }
+        f64::from(all) / 1000.0
+    };
+    let parabola: fn(f64, f64) -> f64 = |t, root| (root - t) * (1.0 + root + t);
+    let exponential: fn(f64, f64) -> f64 = |t, root| (3.0 * root).exp() - (3.0 * t).exp();
+    let kinked: fn(f64, f64) -> f64 = |t, root| if t < root { root - t } else { 1e3 * (root - t) };
+    let jump: fn(f64, f64) -> f64 = |t, root| if t < root { 1.0 } else { 100.0 * (root - t) };
+    for (name, guard, width, most) in [
+        ("parabola", parabola, 1e-12, 12.6),
+        ("exponential", exponential, 1e-12, 13.9),
+        ("kink", kinked, 1e-12, 10.9),
+        ("jump", jump, 1e-12, 21.6),
+        ("exponential, wide", exponential, 1e-3, 8.5),
+    ] {
+        let found = mean(guard, width);
+        println!("{name}: {found} evaluations");
+        assert!(found <= most, "{name}: {found} evaluations");
+    }
+    // A guard that ends at 0 has its root there.
+    for sign in [1.0, -1.0] {
+        let (low, high) = locate(|t: f64| sign * (t - 1.0), 0.0, 1.0, 1e-9).unwrap();
+        assert!(high == 1.0 && low >= 1.0 - 1e-9, "{low} {high}");
+    }
+}
+
 proptest! {
     #[test]
     fn the_sum_of_two_is_exact(a in -1e6_f32..1e6, b in -1e6_f32..1e6) {
