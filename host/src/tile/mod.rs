@@ -119,11 +119,13 @@ impl Typed {
 
     /// Has `stop` been typed meanwhile? What was typed before it is dropped.
     fn is_stopped(&mut self) -> Result<bool, Failure> {
-        while let Some(line) = self.lines.try_recv().ok().filter(|_| self.is_terminal) {
+        if !self.is_terminal {
+            return Ok(false);
+        }
+        while let Ok(line) = self.lines.try_recv() {
             self.take(line)?;
         }
         let place = self.waiting.iter().rposition(|order| *order == Order::Send(Command::Stop));
-        let place = place.filter(|_| self.is_terminal);
         place.into_iter().for_each(|place| drop(self.waiting.drain(..=place)));
         Ok(place.is_some())
     }
