@@ -11,7 +11,7 @@ pub fn digits(x: f64) -> String {
 /// For people: six places behind the point, or an exponent where these would tell too little or too much.
 #[must_use]
 pub fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e7).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.6e}") }
+    if x == 0.0 || (1e-2..1e7).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.6e}") }
 }
 
 /// `{"name": value, ...}` in the given order; what is not finite becomes `null`.
