@@ -480,3 +480,43 @@ fn adaptive_methods_are_worth_their_work() {
         }
     }
 }
+
+/// A tolerance finer than the scalar's rounding is met as well as rounding lets it be, not by ever shorter steps.
+#[test]
+fn a_tolerance_below_rounding_shortens_no_step() {
+    let springs = [Spring { tail: 0, head: 1, stiffness: 100.0_f32, damping: 0.0, rest_length: 1.0 }];
+    let body = Body {
+        mass: &[1.0, 1.0],
+        fixed: &[false, true],
+        springs: &springs,
+        gravity: [0.0; 3],
+        air_drag: 0.0,
+        facets: &[],
+        inflation: None,
+        massless: Massless { points: &[], first: &[0], springs: &[] },
+    };
+    let work_at = |tolerance: f32| {
+        let method = Method::Dop853(Dop853 { tolerance, longest: 10.0 });
+        let system = System::new(body, None);
+        let mut memory = [[0.0_f32; 3]; 2 * MOTION_ROWS];
+        let mut scratch = vec![[0.0_f32; 3]; workspace_len(2, method.stages())];
+        let (mut modes, mut impacts) = ([ContactState::Free; 2], [PointImpact::none(); 2]);
+        let (motion, _) = Motion::cut(&mut memory, 2).expect("room");
+        motion.pos[0] = [1.3, 0.0, 0.0];
+        let (time, next_step, anchor) = ([0.0; 2], 0.0, 0.0);
+        let mut state = State { motion, modes: &mut modes, impacts: &mut impacts, time, next_step, anchor };
+        let mut work = Workspace::new(&mut scratch, 2, method.stages()).expect("room");
+        state.begin(&system, 0.1, method, &mut work, &mut ()).expect("a start");
+        let mut evaluations = 0;
+        for _ in 0..20 {
+            let report = step(&system, &mut state, 0.1, method, &mut work, &mut ()).expect("a step");
+            assert!(!report.cut_short, "{tolerance:e}");
+            evaluations += report.evaluations;
+        }
+        let error = state.motion.pos[0][0] - 1.0 - 0.3 * 20.0_f32.cos();
+        assert!(error.abs() <= 1e-4, "{tolerance:e}: {error:e}");
+        evaluations
+    };
+    let [coarse, fine] = [1e-5, 1e-12].map(work_at);
+    assert!(fine <= 3 * coarse, "{fine} evaluations for nothing, {coarse} before");
+}

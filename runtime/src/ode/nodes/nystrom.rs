@@ -84,6 +84,8 @@ fn error_estimate<S: Scalar, const K: usize>(
     if tableau.error.b.iter().all(|e| S::constant(*e) == S::ZERO) {
         return S::ZERO;
     }
+    // Finer than rounding no step is, however short (Hairer's DOP853 asks for ten units): it would be shortened in vain.
+    let tolerance = tolerance.max(S::from_f64(10.0) * S::EPSILON);
     let (mut fine, mut coarse) = (S::ZERO, S::ZERO);
     for i in 0..n {
         let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
