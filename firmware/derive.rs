@@ -45,9 +45,13 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
     if has_law {
         options.answers = vec!["law".to_owned()];
     }
-    let (mechanism, program) = smartbed_codegen::build_program(model, &options);
+    let (_, program) = smartbed_codegen::build_program(model, &options);
     let start = start(&read, &program)?;
-    let text = alias(&fs::read_to_string(mechanism)?)? + &start + &command(has_law);
+    let alias = format!(
+        "/// The equations of motion with their parameters.\npub type Model = {};\n",
+        smartbed_codegen::rust::struct_name(&program)
+    );
+    let text = alias + &start + &command(has_law);
     fs::write(out.join("model.rs"), text)?;
     Ok(())
 }
@@ -138,11 +142,4 @@ fn derive_plant() {
         options.parameters.values = NUMBERS.into_iter().chain(more).map(|(n, v)| (n.to_owned(), v)).collect();
         smartbed_codegen::build(MODEL, &options);
     }
-}
-
-/// The same name for the equations of every model.
-fn alias(mechanism: &str) -> Result<String, &'static str> {
-    let name = mechanism.lines().find_map(|line| line.split_once("Mechanism<S> for ")?.1.split(' ').next());
-    let name = name.ok_or("the generated file implements no Mechanism")?;
-    Ok(format!("/// The equations of motion with their parameters.\npub type Model = {name};\n"))
 }

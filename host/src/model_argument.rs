@@ -6,7 +6,8 @@
 use crate::failure::Failure;
 use crate::grouped;
 use crate::output::{self, Stream};
-use crate::{input, suggest, world};
+use crate::world::{self, Assembly};
+use crate::{input, suggest};
 use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
 use std::path::{Path, PathBuf};
@@ -78,6 +79,17 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
     model::read(&path).map_err(|errors| wrong(&errors))
 }
 
+/// Reads a scene of format 2, with settings `path = value` on top.
+///
+/// # Errors
+/// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if there is no such file.
+pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure> {
+    let name = path.display().to_string();
+    let find = |model: &str| find(model).map_err(|failure| failure.to_string());
+    let text = input::text(&name)?;
+    world::read::parse(&name, &text, settings, &find).map_err(|found| wrong(&found))
+}
+
 /// Refuses a scene of format 2 where models or scenes of format 1 are taken.
 ///
 /// # Errors
@@ -85,7 +97,7 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
 pub fn refuse_world(path: &Path) -> Result<(), Failure> {
     match is_world(path) {
         true => Err(Failure::Wrong(format!(
-            "{}: a scene of format 2; expected a model or a scene of format 1: `run` and `view` take worlds",
+            "{}: a scene of format 2; expected a model or a scene of format 1: `run`, `settle`, `view` and `firmware` take worlds",
             path.display()
         ))),
         false => Ok(()),

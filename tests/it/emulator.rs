@@ -3,9 +3,13 @@
 //! These tests fail, and never skip, where the toolchain or the emulator is missing; the message
 //! names the command that installs it.
 
+use smartbed::firmware::compile::Subject;
+use smartbed::firmware::fit::RAM;
 use smartbed::firmware::image::rules::Rule;
 use smartbed::firmware::report::{Outcome, Report};
 use smartbed::firmware::{Arguments, chip, measure, toolchain};
+use smartbed::world::carried::CarriedWorld;
+use smartbed::world::engine::Engine as _;
 use smartbed_codegen::model::StartRef;
 use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Settings, program};
 use smartbed_firmware::simulation::Simulation;
@@ -112,6 +116,66 @@ fn the_law_and_the_start_of_a_model_act_on_the_chip() {
             assert!((f64::from(*found) - expected).abs() < 1e-4, "{name}: {found} against {expected}");
         }
     }
+}
+
+/// The last state [q, x; u, v] of a world after so many of its steps, by the host in f64.
+fn world_by_host(name: &str, set: &[String], steps: usize) -> Vec<f64> {
+    let asked = smartbed::run::Arguments {
+        model: name.to_owned(),
+        set: set.to_vec(),
+        ..smartbed::run::Arguments::default()
+    };
+    let assembly = smartbed::run::world(&asked).unwrap_or_else(|failure| panic!("{failure}"));
+    let mut world = CarriedWorld::new(&assembly).expect("a world");
+    for _ in 0..steps {
+        world.step(assembly.run.step, &mut Vec::new()).expect("a step");
+    }
+    world.numbers().to_vec()
+}
+
+#[test]
+fn a_world_as_fine_as_ram_carries_runs_on_the_chip_bit_for_bit() {
+    let _image = one_at_a_time();
+    let steps = 100;
+    let arguments =
+        Arguments { model: Some("tile_with_bladder".to_owned()), steps: Some(steps), ..Arguments::default() };
+    let report = report(&arguments);
+    let Subject::World(world) = &report.settings.subject else { panic!("a world") };
+    let rows = world.rows.expect("its sheet is as fine as RAM carries");
+    // Stack and static data keep to the RAM; a row more would not.
+    let taken = usize::try_from(report.size.ram).expect("bytes") + report.stack.bytes as usize;
+    let finer = world.demand.with([2 * rows + 9, 2 * rows + 1]);
+    assert!(taken <= RAM, "{taken}");
+    assert!(taken - world.demand.bytes() + finer.bytes() > RAM, "{rows} rows, {taken} bytes");
+    assert!(world.demand.nodes >= 500, "{} nodes", world.demand.nodes);
+    let set = ["rows", "columns"].map(|key| format!("parts.bladder.{key}={rows}"));
+    let chip = report.run.expect("the image keeps its rules and runs");
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "bits");
+    assert_eq!(chip.step.calls, u64::from(steps));
+    let expected = world_by_host("tile_with_bladder", &set, steps as usize);
+    assert_eq!(chip.state.len(), expected.len());
+    let places = 3 * rows * rows;
+    let off = chip.state.iter().zip(&expected).take(places).map(|(a, b)| (f64::from(*a) - b).abs());
+    let off = off.fold(0.0, f64::max);
+    println!("{rows} x {rows}: {} nodes, {taken} bytes, {off:.1e} m from the host's f64", world.demand.nodes);
+    assert!(off < 2e-6, "single precision is {off:e} m off");
+}
+
+#[test]
+fn a_small_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
+    let _image = one_at_a_time();
+    let spring = Arguments {
+        model: Some("single_spring".to_owned()),
+        steps: Some(1000),
+        small: true,
+        ..Arguments::default()
+    };
+    let report = report(&spring);
+    let flash = report.size.flash;
+    let chip = report.run.expect("the image keeps its rules and runs");
+    println!("{flash} bytes of flash, {} instructions a step", chip.step.instructions[1]);
+    assert!(flash <= 20 * 1024, "{flash} bytes");
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
 }
 
 /// Bars of the tile's equations on the chip.

@@ -156,7 +156,10 @@ impl Field {
             values.push(match part.shape {
                 Shape::Number => own.concat(),
                 Shape::List(_) => list(own),
-                Shape::Matrix(_, columns) => list(&own.chunks(columns.max(1)).map(list).collect::<Vec<_>>()),
+                // A row may be empty: of a Jacobian, where nothing but time moves.
+                Shape::Matrix(rows, columns) => list(
+                    &(0..rows).map(|row| list(&own[row * columns..(row + 1) * columns])).collect::<Vec<_>>(),
+                ),
             });
         }
         match &self.structure {

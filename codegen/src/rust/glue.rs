@@ -226,6 +226,12 @@ fn keeps_time(program: &Program) -> bool {
     roots.into_iter().any(|root| program.dag.symbols_of(root).contains(&program.time))
 }
 
+/// The name of the struct that implements `Mechanism` in the emitted file.
+#[must_use]
+pub fn struct_name(program: &Program) -> String {
+    name::type_name(&program.name)
+}
+
 /// `pub struct Tile` and its `impl Mechanism<S>`; `fields` are those of `Parameters`.
 pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, scalar: &ScalarType) -> String {
     let doc = match program.doc.trim().is_empty() {
@@ -253,7 +259,7 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
         text.replace(place, if keeps { kept } else { not_kept })
     });
     let text = timed
-        .replace("$name", &name::type_name(&program.name))
+        .replace("$name", &struct_name(program))
         .replace("$getters", &arms(&" ".repeat(16), "self.parameters"))
         .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))
         .replace("$project", &method("fn project", &["&mut self", "q: &mut [S]"], "S"))

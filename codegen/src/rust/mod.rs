@@ -20,4 +20,5 @@ mod schedule;
 mod statement;
 
 pub use file::emit;
+pub use glue::struct_name;
 pub use options::{Core, EmitOptions, ScalarType};

@@ -8,6 +8,7 @@
 use super::Arguments;
 use super::chip::Chip;
 use super::equations::{RATES, SIN_COS};
+use super::fit::Fitted;
 use super::image::checksum;
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
@@ -39,6 +40,8 @@ pub struct Settings {
     pub inject: Option<String>,
     /// Every parameter of a mechanism tunable, every answer in every step.
     pub everything: bool,
+    /// Optimised for size.
+    pub small: bool,
     /// What of the firmware is built.
     pub subject: Subject,
 }
@@ -50,6 +53,8 @@ pub enum Subject {
     Mechanism,
     /// A scene, by its constant tables in Rust.
     Scene(String),
+    /// A world, by its tables and equations in Rust.
+    World(Box<Fitted>),
     /// The controller with the tile that it is tried on.
     Loop,
     /// The controller on a real chip's pins, on this bus.
@@ -72,8 +77,11 @@ impl Settings {
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
-        model_argument::refuse_world(&model)?;
-        let (subject, steps) = if scene::read::is_scene(&model) {
+        let (subject, steps) = if model_argument::is_world(&model) {
+            let world = Fitted::new(&model, &arguments.set)?;
+            let steps = world.steps;
+            (Subject::World(Box::new(world)), steps)
+        } else if scene::read::is_scene(&model) {
             let (tables, steps) = print_scene(&model, &arguments.set)?;
             (Subject::Scene(tables), steps)
         } else {
@@ -87,8 +95,8 @@ impl Settings {
             return Err(Failure::Wrong(format!("{why}; turn on what it lacks with --set")));
         }
         let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
-        let everything = arguments.everything;
-        Ok(Self { model, steps, set, inject, everything, subject })
+        let (everything, small) = (arguments.everything, arguments.small);
+        Ok(Self { model, steps, set, inject, everything, small, subject })
     }
 
     /// The controller: with the tile that it is tried on, or on a real chip's pins.
@@ -100,6 +108,7 @@ impl Settings {
             set: Vec::new(),
             inject: None,
             everything: false,
+            small: false,
             subject,
         }
     }
@@ -126,11 +135,26 @@ impl Settings {
         }
     }
 
+    /// Fits a world anew to the RAM that an image of it takes, stack and static data (bytes); true if that changed it.
+    ///
+    /// # Errors
+    /// As [`Fitted::new`].
+    pub fn refit(&mut self, taken: u64) -> Result<bool, Failure> {
+        let Subject::World(world) = &self.subject else { return Ok(false) };
+        let better = world.again(&self.model, &self.set, usize::try_from(taken).unwrap_or(usize::MAX))?;
+        let is_better = better.is_some();
+        if let Some(better) = better {
+            self.subject = Subject::World(Box::new(better));
+        }
+        Ok(is_better)
+    }
+
     /// Name of the program that is built.
     fn program(&self) -> &'static str {
         match self.subject {
             Subject::Mechanism => "tile",
             Subject::Scene(_) => "scene",
+            Subject::World(_) => "world",
             Subject::Loop => "loop",
             Subject::Board(Bus::Serial) => "board",
             Subject::Board(Bus::Can) => "board-can",
@@ -143,6 +167,7 @@ impl Settings {
     pub fn counted(&self) -> (&'static str, &'static [&'static str]) {
         match self.subject {
             Subject::Scene(_) => ("scene_step", &[]),
+            Subject::World(_) => ("world_step", &[]),
             _ => ("tile_step", &[RATES, SIN_COS]),
         }
     }
@@ -160,11 +185,16 @@ impl Settings {
                 command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
                 command.args(["--features", if self.everything { "everything" } else { "model" }]);
             }
-            Subject::Scene(tables) => {
+            Subject::Scene(_) | Subject::World(_) => {
+                let (feature, tables) = match &self.subject {
+                    Subject::World(world) => ("world", &world.tables),
+                    Subject::Scene(tables) => ("scene", tables),
+                    _ => return Ok(()),
+                };
                 let file = folder.join("scene.rs");
                 std::fs::write(&file, tables)
                     .map_err(|e| Failure::Wrong(format!("{}: {e}", file.display())))?;
-                command.args(["--features", "scene"]).env("SMARTBED_SCENE", file);
+                command.args(["--features", feature]).env("SMARTBED_SCENE", file);
                 command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
             }
         }
@@ -314,6 +344,10 @@ fn build(
 ) -> Result<Command, Failure> {
     let mut cargo = package(toolchain, workspace, folder);
     cargo.args(["--bin", settings.program()]);
+    if settings.small {
+        // The program's crate alone: what is generic is compiled there, and nothing else is built anew.
+        cargo.args(["--config", "profile.firmware.package.smartbed-firmware.opt-level=\"s\""]);
+    }
     settings.export(&mut cargo, folder)?;
     Ok(cargo)
 }

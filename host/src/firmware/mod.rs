@@ -1,7 +1,7 @@
 //! `smartbed firmware`: model in; image, its checks, its cost and its trajectory's digest out.
 //!
 //! A scene of a flexible body goes the same way: its constant tables are printed for the firmware from
-//! the value that the host steps.
+//! the value that the host steps. So does a world ([`fit`]): with the equations of its mechanisms, its sheets as fine as RAM carries.
 //! Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
 //! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
 //! plug-in ([`emulator`]), compare the digests of chip and host, set the counts against the operations
@@ -12,6 +12,7 @@ pub mod compile;
 pub mod cycles;
 pub mod emulator;
 pub mod equations;
+pub mod fit;
 pub mod image;
 pub mod process;
 pub mod report;
@@ -32,7 +33,7 @@ use std::path::{Path, PathBuf};
 /// Generate, build for the microcontroller, check, and run in the emulator.
 #[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
 #[command(
-    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board\n  cargo smartbed firmware --board=can"
+    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware tile_with_bladder\n  cargo smartbed firmware single_spring --small\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board\n  cargo smartbed firmware --board=can"
 )]
 pub struct Arguments {
     /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
@@ -46,16 +47,19 @@ pub struct Arguments {
     /// Every parameter of a mechanism tunable, every answer computed in every step: what leaving out saves.
     #[arg(long)]
     pub everything: bool,
+    /// Optimise for size: a scene takes a third less flash and a quarter more instructions.
+    #[arg(long)]
+    pub small: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
     /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks over a
     /// serial line, with `--board=can` over a CAN bus.
     #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
-        conflicts_with_all = ["model", "steps", "set", "everything", "inject", "elf"])]
+        conflicts_with_all = ["model", "steps", "set", "everything", "small", "inject", "elf"])]
     pub board: Option<Bus>,
     /// Judge this image instead of building one: size, stack bound, and every rule of an image.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "inject"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "small", "inject"])]
     pub elf: Option<PathBuf>,
     /// Build a defect into the image, which the checks must then find.
     #[arg(long, hide = true, value_parser = ["panic", "double", "recursion", "indirect"])]
@@ -101,7 +105,7 @@ pub fn cost(arguments: &Arguments) -> Result<Report, Failure> {
 
 fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let workspace = workspace()?;
-    let settings = Settings::new(&workspace, arguments)?;
+    let mut settings = Settings::new(&workspace, arguments)?;
     toolchain::announce(STM32F405.target);
     settings.note_what_nothing_commands();
     let toolchain = toolchain::toolchain(STM32F405.target)?;
@@ -113,8 +117,13 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let waiting = Waiting::new("building the image");
     let elf = compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?;
     drop(waiting);
-    let image = read(&elf)?;
-    let stack = image.stack().map_err(Failure::Wrong)?;
+    let mut image = read(&elf)?;
+    let mut stack = image.stack().map_err(Failure::Wrong)?;
+    if settings.refit(image.size.ram + u64::from(stack.bytes))? {
+        let _waiting = Waiting::new("building the image");
+        image = read(&compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?)?;
+        stack = image.stack().map_err(Failure::Wrong)?;
+    }
     let findings = rules::findings(&image, &stack, &STM32F405);
     let mut report = Report::new(&toolchain, &settings, &elf, &image, stack, findings);
     if report.findings.is_empty() {

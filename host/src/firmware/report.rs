@@ -1,9 +1,10 @@
 //! What `smartbed firmware` has found out, as text for people and as JSON for machines.
 
 use super::chip::STM32F405;
-use super::compile::Settings;
+use super::compile::{Settings, Subject};
 use super::emulator::{Count, Run};
 use super::equations::{Equations, RATES, SIN_COS};
+use super::fit::RAM;
 use super::image::Image;
 use super::image::rules::{Finding, Rule};
 use super::image::size::Size;
@@ -137,6 +138,12 @@ impl Report {
         let path: Vec<String> =
             self.stack.path.iter().map(|(name, frame)| format!("{name} {frame}")).collect();
         line("  deepest path", path.join(" > "));
+        if let Subject::World(world) = &self.settings.subject {
+            let sheets = world.rows.map_or(String::new(), |rows| {
+                format!(", in sheets of {rows} x {rows}: the finest that {} KB of RAM carry", RAM / 1024)
+            });
+            line("nodes", format!("{}{sheets}", world.demand.nodes));
+        }
         if let Some(run) = &self.run {
             line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest));
             let compared = match &run.host_digest {
@@ -228,6 +235,7 @@ impl Report {
                 })),
             })
         });
+        let world = if let Subject::World(world) = &self.settings.subject { Some(world) } else { None };
         let report = json!({
             "model": self.settings.model,
             "set": self.settings.set,
@@ -238,6 +246,8 @@ impl Report {
             "flash": self.size.flash,
             "ram": self.size.ram,
             "stack": { "bytes": self.stack.bytes, "path": self.stack.path },
+            "nodes": world.map(|world| world.demand.nodes),
+            "rows": world.and_then(|world| world.rows),
             "checks": checks,
             "findings": findings,
             "run": run,

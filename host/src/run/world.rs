@@ -13,9 +13,9 @@ use crate::plot::{Recording, pattern};
 use crate::progress::Progress;
 use crate::view::film::Series;
 use crate::view::{Film, world as stage};
+use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
 use crate::world::run::{Checkpoint, engine, run};
-use crate::world::{Assembly, read};
 use crate::{input, interrupt, model_argument, plot};
 use smartbed_codegen::words::count;
 use std::collections::BTreeMap;
@@ -51,10 +51,7 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
     set("run.method", arguments.method.as_ref().map(|m| format!("{m:?}")));
     set("run.every", arguments.every.map(|n| n.to_string()));
     settings.extend(arguments.set.iter().cloned());
-    let name = path.display().to_string();
-    let find = |model: &str| model_argument::find(model).map_err(|failure| failure.to_string());
-    let text = input::text(&name)?;
-    read::parse(&name, &text, &settings, &find).map_err(|found| model_argument::wrong(&found))
+    model_argument::open_world(path, &settings)
 }
 
 /// Runs it; gives the summary, and the data of `--view`.

@@ -3,7 +3,7 @@
 use super::ported::Ported;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::surface::Frame;
-use smartbed_runtime::world::{Carrier, Floating, InverseInertia, Wrench};
+use smartbed_runtime::world::{Carrier, Floating, InverseInertia, Still, Wrench};
 use std::ops::Range;
 
 /// One of them.
@@ -14,7 +14,7 @@ pub enum HostCarrier {
     /// A rigid body, its axes the one port.
     Floating(Floating<f64>),
     /// A frame fixed in space.
-    Still(Frame<f64>),
+    Still(Still<f64>),
 }
 
 impl Carrier<f64> for HostCarrier {
@@ -22,7 +22,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.n_q(),
             Self::Floating(own) => own.n_q(),
-            Self::Still(_) => 0,
+            Self::Still(own) => own.n_q(),
         }
     }
 
@@ -30,14 +30,15 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.n_u(),
             Self::Floating(own) => own.n_u(),
-            Self::Still(_) => 0,
+            Self::Still(own) => own.n_u(),
         }
     }
 
     fn n_ports(&self) -> usize {
         match self {
             Self::Mechanism(own) => own.n_ports(),
-            Self::Floating(_) | Self::Still(_) => 1,
+            Self::Floating(own) => own.n_ports(),
+            Self::Still(own) => own.n_ports(),
         }
     }
 
@@ -45,7 +46,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.coupled(),
             Self::Floating(own) => own.coupled(port),
-            Self::Still(_) => 0..0,
+            Self::Still(own) => own.coupled(port),
         }
     }
 
@@ -59,7 +60,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.inverse_inertia(t, q, u, ports),
             Self::Floating(own) => own.inverse_inertia(t, q, u, ports),
-            Self::Still(_) => Ok([[0.0; 6]; 6]),
+            Self::Still(own) => own.inverse_inertia(t, q, u, ports),
         }
     }
 
@@ -73,10 +74,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.frames(t, q, u, frames),
             Self::Floating(own) => own.frames(t, q, u, frames),
-            Self::Still(own) => {
-                frames.fill(*own);
-                Ok(())
-            }
+            Self::Still(own) => own.frames(t, q, u, frames),
         }
     }
 
@@ -92,7 +90,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.rates(t, (q, u), wrenches, (q_dot, u_dot)),
             Self::Floating(own) => own.rates(t, q, u, wrenches, q_dot, u_dot),
-            Self::Still(_) => Ok(1.0),
+            Self::Still(own) => own.rates(t, q, u, wrenches, q_dot, u_dot),
         }
     }
 
@@ -100,7 +98,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.energy(t, q, u),
             Self::Floating(own) => own.energy(t, q, u),
-            Self::Still(_) => Ok((0.0, 0.0)),
+            Self::Still(own) => own.energy(t, q, u),
         }
     }
 
@@ -108,7 +106,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.project(q),
             Self::Floating(own) => own.project(q),
-            Self::Still(_) => Ok(0.0),
+            Self::Still(own) => own.project(q),
         }
     }
 
@@ -122,7 +120,7 @@ impl Carrier<f64> for HostCarrier {
         match self {
             Self::Mechanism(own) => own.projections(),
             Self::Floating(own) => own.projections(),
-            Self::Still(_) => 0,
+            Self::Still(own) => own.projections(),
         }
     }
 }

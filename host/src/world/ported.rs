@@ -35,6 +35,8 @@ pub struct Ported {
     /// First numbers of each port's answers, in the order of [`PARTS`].
     first: Vec<[usize; 5]>,
     place: [f64; 3],
+    /// The ports in use.
+    pub ports: Vec<String>,
     projections: u8,
     /// Points but the origin, bodies with frames, bodies.
     counts: [usize; 3],
@@ -100,6 +102,7 @@ impl Ported {
             u_dot: vec![0.0; program.u_dot.len()],
             first,
             place: mechanism.place,
+            ports: ports.to_vec(),
             projections: u8::from(!program.correction.is_empty()),
             counts: [
                 model.points.len() - 1,

@@ -1,8 +1,8 @@
 //! Static equilibrium by damped relaxation.
 //!
 //! In: a world at its start. Out: the same at rest, where nothing accelerates. Time stands still; free motion by small steps
-//! gives its kinetic energy up wherever it begins to fall, when velocities are set to 0 (kinetic damping: Cundall 1976,
-//! Barnes 1999). Frames that a law moves hold where they start.
+//! gives a part's kinetic energy up wherever it begins to fall, when that part's velocities are set to 0 (kinetic damping:
+//! Cundall 1976, Barnes 1999): what swings slowly is not stopped by what swings fast. Frames that a law moves hold where they start.
 
 use super::engine::Settled;
 use smartbed_runtime::mechanism::Fault;
@@ -24,6 +24,8 @@ pub(super) trait Relaxing {
     fn split(&self) -> usize;
     /// Masses that belong to the speeds.
     fn masses(&self) -> Vec<f64>;
+    /// The part, by number from 0, that each speed belongs to.
+    fn owners(&self) -> Vec<usize>;
     /// Largest speed of a frame at the start (m/s or rad/s).
     fn fastest_frame(&self) -> f64;
     /// Length of gravity (m/s^2).
@@ -40,7 +42,8 @@ pub(super) trait Relaxing {
 /// What moves as commanded at the start, or does not come to rest, in words.
 pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     let words = |fault: Fault| format!("settle: {}", fault.reason());
-    let (mut x, n_q, masses) = (world.vector(), world.split(), world.masses());
+    let (mut x, n_q, masses, owners) = (world.vector(), world.split(), world.masses(), world.owners());
+    let mut power = vec![0.0; owners.iter().max().map_or(0, |last| last + 1)];
     x[n_q..].fill(0.0);
     let first = acceleration(world, &x, n_q).map_err(words)?;
     if world.fastest_frame() > STILL {
@@ -65,14 +68,14 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
         }
         let before = x[n_q..].to_vec();
         let h = world.advance(&mut x, &mut low).map_err(words)?;
-        let (mut power, mut largest) = (0.0, 0.0_f64);
-        for ((now, before), mass) in x[n_q..].iter().zip(&before).zip(&masses) {
-            power += mass * now * (now - before);
-            largest = largest.max(((now - before) / h).abs()).max((now / h).abs() * SLOW);
+        power.fill(0.0);
+        left = 0.0_f64;
+        for (n, (now, before)) in x[n_q..].iter().zip(&before).enumerate() {
+            power[owners[n]] += masses[n] * now * (now - before);
+            left = left.max(((now - before) / h).abs()).max((now / h).abs() * SLOW);
         }
-        left = largest;
-        if power < 0.0 {
-            x[n_q..].fill(0.0);
+        for (speed, owner) in x[n_q..].iter_mut().zip(&owners) {
+            *speed = if power[*owner] < 0.0 { 0.0 } else { *speed };
         }
     }
     Err(format!(

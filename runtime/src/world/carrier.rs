@@ -173,6 +173,46 @@ impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
     }
 }
 
+/// A frame that stands still: space, a rigid part fixed in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Still<S>(pub Frame<S>);
+
+impl<S: Scalar> Carrier<S> for Still<S> {
+    fn n_q(&self) -> usize {
+        0
+    }
+    fn n_u(&self) -> usize {
+        0
+    }
+    fn n_ports(&self) -> usize {
+        1
+    }
+    fn coupled(&self, _: usize) -> Range<usize> {
+        0..0
+    }
+    fn inverse_inertia(&mut self, _: S, _: &[S], _: &[S], _: [usize; 2]) -> Result<InverseInertia<S>, Fault> {
+        Ok([[S::ZERO; 6]; 6])
+    }
+    fn frames(&mut self, _: S, _: &[S], _: &[S], frames: &mut [Frame<S>]) -> Result<(), Fault> {
+        frames.fill(self.0);
+        Ok(())
+    }
+    fn rates(
+        &mut self,
+        _: S,
+        _: &[S],
+        _: &[S],
+        _: &[Wrench<S>],
+        _: &mut [S],
+        _: &mut [S],
+    ) -> Result<S, Fault> {
+        Ok(S::ONE)
+    }
+    fn energy(&mut self, _: S, _: &[S], _: &[S]) -> Result<(S, S), Fault> {
+        Ok((S::ZERO, S::ZERO))
+    }
+}
+
 /// A rigid body that floats, its axes and centre of mass the one port.
 ///
 /// q = [position, Euler parameters], u = [velocity, angular momentum in N]; e_dot = (e, W)/2 with W in body axes.

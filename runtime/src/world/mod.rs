@@ -21,7 +21,7 @@ mod sweep;
 mod thing;
 
 pub use accounts::Accounts;
-pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Wrench};
+pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Still, Wrench};
 pub use cell::{Cell, Content};
 pub use detect::Touch;
 pub use group::Group;

@@ -13,7 +13,7 @@ use smartbed_runtime::flexible::{PressureForm, Spring};
 use smartbed_runtime::ode::{Method, Ode};
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
-use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Wrench};
+use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Still, Wrench};
 
 /// Methods by name.
 const METHODS: [(&str, Method); 3] =
@@ -85,7 +85,7 @@ impl CarriedWorld {
                         u.extend(rigid.start.angular_momentum);
                         HostCarrier::Floating(Floating { body, gravity: assembly.gravity })
                     }
-                    None => HostCarrier::Still(standing(rigid)),
+                    None => HostCarrier::Still(Still(standing(rigid))),
                 },
                 Kind::Flexible(_) => {
                     self.places.push(Place::Nodes(0..0, 0..0, None));

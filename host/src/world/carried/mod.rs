@@ -7,6 +7,7 @@
 mod build;
 mod rest;
 mod rows;
+pub mod tables;
 
 use super::carriers::HostCarrier;
 use super::engine::Event;
@@ -91,6 +92,12 @@ fn words(fault: Fault) -> String {
 }
 
 impl CarriedWorld {
+    /// The state: coordinates of the carriers, places of the free nodes; speeds of the carriers, velocities of the nodes.
+    #[must_use]
+    pub fn numbers(&self) -> &[f64] {
+        &self.x
+    }
+
     /// A step of a world with contacts; pairs that come into touch are events.
     fn step_touching(
         &mut self,

@@ -1,6 +1,6 @@
 //! Relaxation towards rest: what `settle::relax` asks of a world of flexible parts.
 
-use super::CarriedWorld;
+use super::{CarriedWorld, Place};
 use crate::world::settle::Relaxing;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
@@ -24,6 +24,18 @@ impl Relaxing for CarriedWorld {
         let carriers = self.carriers.iter().map(Carrier::n_u).sum::<usize>();
         let free = self.fixed.mass.iter().zip(&self.fixed.held).filter(|(_, held)| !**held);
         std::iter::repeat_n(1.0, carriers).chain(free.flat_map(|(mass, _)| [*mass; 3])).collect()
+    }
+
+    fn owners(&self) -> Vec<usize> {
+        let carriers = self.carriers.iter().enumerate();
+        let mut owners: Vec<usize> =
+            carriers.flat_map(|(number, carrier)| std::iter::repeat_n(number, carrier.n_u())).collect();
+        for (number, place) in self.places.iter().enumerate() {
+            let Place::Nodes(nodes, ..) = place else { continue };
+            let free = self.fixed.held[nodes.clone()].iter().filter(|held| !**held).count();
+            owners.extend(std::iter::repeat_n(self.carriers.len() + number, 3 * free));
+        }
+        owners
     }
 
     fn fastest_frame(&self) -> f64 {

@@ -1,0 +1,161 @@
+//! Carriers of a world on the chip: the types that its scene has, and no others.
+//!
+//! In: modules of derived equations. Out: [`derived!`], a carrier of such equations with the ports in use, and
+//! [`carriers!`], one type for all carriers of a scene, so that a group of them is a list. No call goes through a pointer.
+
+/// A carrier of the equations in `$module`. A port is the function that answers it, and the place of its wrench, six numbers,
+/// among the inputs; `command` of the module gives the inputs as the model's law commands them.
+macro_rules! derived {
+    ($name:ident: $module:ident::$equations:ident, ports: [$($function:ident => $first:literal),*]) => {
+        /// Derived equations, with the inputs held last and the place of their origin (m).
+        pub struct $name {
+            equations: $module::$equations,
+            inputs: [f32; $module::N_INPUTS],
+            place: Vec3<f32>,
+        }
+
+        impl $name {
+            /// With all inputs 0.
+            pub fn at(place: Vec3<f32>) -> Self {
+                Self { equations: $module::$equations::default(), inputs: [0.0; $module::N_INPUTS], place }
+            }
+        }
+
+        impl Carrier<f32> for $name {
+            fn n_q(&self) -> usize {
+                $module::NQ
+            }
+            fn n_u(&self) -> usize {
+                $module::NU
+            }
+            fn n_ports(&self) -> usize {
+                const FIRST: &[usize] = &[$($first),*];
+                FIRST.len()
+            }
+            fn inverse_inertia(
+                &mut self,
+                _: f32,
+                _: &[f32],
+                _: &[f32],
+                _: [usize; 2],
+            ) -> Result<InverseInertia<f32>, Fault> {
+                // Impacts ask for it: images have none.
+                Err(Fault::Shape)
+            }
+            fn frames(&mut self, t: f32, q: &[f32], u: &[f32], frames: &mut [Frame<f32>]) -> Result<(), Fault> {
+                let (Ok(q), Ok(u)) =
+                    (<&[f32; $module::NQ]>::try_from(q), <&[f32; $module::NU]>::try_from(u))
+                else {
+                    return Err(Fault::Shape);
+                };
+                let mut frames = frames.iter_mut();
+                $(
+                    let port = $module::$function(t, q, u, &self.inputs, self.equations.prepared());
+                    let [a, b, c] = port.rotation;
+                    let [vx, vy, vz, wx, wy, wz] = port.twist;
+                    *frames.next().ok_or(Fault::Shape)? = Frame {
+                        origin: vec3::add(port.position, self.place),
+                        axes: [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]],
+                        velocity: [vx, vy, vz],
+                        angular_velocity: [wx, wy, wz],
+                    };
+                )*
+                Ok(())
+            }
+            fn rates(
+                &mut self,
+                t: f32,
+                q: &[f32],
+                u: &[f32],
+                wrenches: &[Wrench<f32>],
+                q_dot: &mut [f32],
+                u_dot: &mut [f32],
+            ) -> Result<f32, Fault> {
+                let (Ok(own_q), Ok(own_u)) =
+                    (<&[f32; $module::NQ]>::try_from(q), <&[f32; $module::NU]>::try_from(u))
+                else {
+                    return Err(Fault::Shape);
+                };
+                self.inputs = $module::command(t, own_q, own_u, &self.inputs, self.equations.prepared());
+                for (first, wrench) in [$($first),*].into_iter().zip(wrenches) {
+                    let first: usize = first;
+                    let own = self.inputs.iter_mut().skip(first);
+                    own.zip(wrench.force.iter().chain(&wrench.moment)).for_each(|(to, from)| *to = *from);
+                }
+                self.equations.rates(t, q, u, &self.inputs, q_dot, u_dot)
+            }
+            fn energy(&mut self, _: f32, q: &[f32], u: &[f32]) -> Result<(f32, f32), Fault> {
+                self.equations.energy(q, u)
+            }
+            fn project(&mut self, q: &mut [f32]) -> Result<f32, Fault> {
+                self.equations.project(q)
+            }
+            fn set_time(&mut self, t: f32) {
+                self.equations.set_time(t);
+            }
+            fn projections(&self) -> u8 {
+                u8::from(!$module::CORRECTED.is_empty())
+            }
+        }
+    };
+}
+
+/// One type for carriers of several types: each variant of `$name` holds one.
+macro_rules! carriers {
+    ($name:ident { $($variant:ident: $type:ty),* }) => {
+        /// A carrier of this scene.
+        pub enum $name {
+            $(
+                /// One of its types.
+                $variant($type),
+            )*
+        }
+
+        impl Carrier<f32> for $name {
+            fn n_q(&self) -> usize {
+                match self { $(Self::$variant(own) => own.n_q(),)* }
+            }
+            fn n_u(&self) -> usize {
+                match self { $(Self::$variant(own) => own.n_u(),)* }
+            }
+            fn n_ports(&self) -> usize {
+                match self { $(Self::$variant(own) => own.n_ports(),)* }
+            }
+            fn inverse_inertia(
+                &mut self,
+                t: f32,
+                q: &[f32],
+                u: &[f32],
+                ports: [usize; 2],
+            ) -> Result<InverseInertia<f32>, Fault> {
+                match self { $(Self::$variant(own) => own.inverse_inertia(t, q, u, ports),)* }
+            }
+            fn frames(&mut self, t: f32, q: &[f32], u: &[f32], frames: &mut [Frame<f32>]) -> Result<(), Fault> {
+                match self { $(Self::$variant(own) => own.frames(t, q, u, frames),)* }
+            }
+            fn rates(
+                &mut self,
+                t: f32,
+                q: &[f32],
+                u: &[f32],
+                wrenches: &[Wrench<f32>],
+                q_dot: &mut [f32],
+                u_dot: &mut [f32],
+            ) -> Result<f32, Fault> {
+                match self { $(Self::$variant(own) => own.rates(t, q, u, wrenches, q_dot, u_dot),)* }
+            }
+            fn energy(&mut self, t: f32, q: &[f32], u: &[f32]) -> Result<(f32, f32), Fault> {
+                match self { $(Self::$variant(own) => own.energy(t, q, u),)* }
+            }
+            fn project(&mut self, q: &mut [f32]) -> Result<f32, Fault> {
+                match self { $(Self::$variant(own) => own.project(q),)* }
+            }
+            fn set_time(&mut self, t: f32) {
+                match self { $(Self::$variant(own) => own.set_time(t),)* }
+            }
+            fn projections(&self) -> u8 {
+                match self { $(Self::$variant(own) => own.projections(),)* }
+            }
+        }
+    };
+}

@@ -1,0 +1,131 @@
+//! A world on the chip: flexible parts on derived mechanisms and other carriers, in steps of fixed length.
+//!
+//! In: the tables and equations that `smartbed firmware SCENE` prints for a scene of format 2. Out: the [`Digest`] of the
+//! state after each step; on the host the last state too. What steps is the runtime's [`Island`], as on the host.
+//! [`world_step`] is a symbol of the image so that the emulator can count it.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[macro_use]
+mod carriers;
+
+use smartbed_firmware::{STEPS, digest::Digest};
+use smartbed_runtime::flexible::{Body, Massless};
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::State;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::world::{Group, Island, Memory, Wrench};
+
+/// The world.
+#[allow(clippy::all, unused_imports, dead_code, reason = "generated: what a scene names depends on it")]
+mod table {
+    use smartbed_runtime::flexible::{PressureForm::*, Spring};
+    use smartbed_runtime::gas::{Chamber, Gas, GasState, Regulated};
+    use smartbed_runtime::mechanism::{Fault, Mechanism};
+    use smartbed_runtime::ode::Method::{self, *};
+    use smartbed_runtime::rigid::RigidBody;
+    use smartbed_runtime::surface::Frame;
+    use smartbed_runtime::vec3::{self, Vec3};
+    use smartbed_runtime::world::Content::*;
+    use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, InverseInertia, Still, Wrench};
+
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
+}
+use table::{
+    AIR_DRAG, ATTACHMENTS, CELLS, FACETS, GRAVITY, HELD, MASS, METHOD, Member, NODES, NUMBERS, PORTS, POS,
+    SPRINGS, START, STEP, members,
+};
+
+/// Carriers, nodes and memory joined.
+type World<'a> = Island<'a, f32, Group<'a, Member>>;
+
+/// Takes all steps; the digest, and the last state to `show`.
+fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
+    let body = Body {
+        mass: &MASS,
+        fixed: &HELD,
+        springs: &SPRINGS,
+        gravity: GRAVITY,
+        air_drag: AIR_DRAG,
+        facets: &FACETS,
+        inflation: None,
+        massless: Massless::default(),
+    };
+    let (mut pos, mut vel) = (POS, [[0.0; 3]; NODES]);
+    let [mut elastic, mut viscous] = [[[0.0; 3]; NODES]; 2];
+    let (mut frames, mut wrenches) = ([Frame::inertial(); PORTS], [Wrench::zero(); PORTS]);
+    let memory = Memory {
+        pos: &mut pos,
+        vel: &mut vel,
+        elastic: &mut elastic,
+        viscous: &mut viscous,
+        frames: &mut frames,
+        wrenches: &mut wrenches,
+    };
+    let mut carriers = members();
+    let group = Group { members: &mut carriers };
+    let mut world = Island::new(group, body, &ATTACHMENTS, memory)?.with_cells(&CELLS)?;
+    let (mut x, mut low) = (START, [0.0; NUMBERS]);
+    let mut state = State::resume(&mut x, &mut low)?;
+    let mut scratch = [0.0; METHOD.scratch(NUMBERS)];
+    let mut digest = Digest::default();
+    for n in 0..STEPS {
+        world_step(&mut world, n as f32 * STEP, &mut state, &mut scratch)?;
+        digest.add(state.x());
+    }
+    show(state.x());
+    Ok(digest)
+}
+
+/// One step of the scene's length from `t`.
+///
+/// # Errors
+/// What the method refuses; the state is then the last good one.
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+fn world_step(
+    world: &mut World<'_>,
+    t: f32,
+    state: &mut State<'_, f32>,
+    scratch: &mut [f32],
+) -> Result<(), Fault> {
+    METHOD.step(world, t, STEP, state, scratch).map(|_| ())
+}
+
+/// Runs all steps and hands the report to `write`; false if a step was refused.
+fn demonstrate_with(mut write: impl FnMut(&[u8]), show: impl FnOnce(&[f32])) -> bool {
+    match simulate(show) {
+        Ok(digest) => {
+            write(b"digest ");
+            write(&digest.hex());
+            write(b"\n");
+            true
+        }
+        Err(_) => {
+            write(b"a step was refused\n");
+            false
+        }
+    }
+}
+
+/// On the host the last state stands behind the digest, to be compared with other simulations.
+#[cfg(not(target_os = "none"))]
+fn main() -> std::process::ExitCode {
+    use std::io::Write;
+    let (mut text, mut last) = (Vec::new(), Vec::new());
+    let done = demonstrate_with(|bytes| text.extend_from_slice(bytes), |x| last = x.to_vec());
+    let state: String = last.iter().map(|x| format!(" {x:e}")).collect();
+    let mut out = std::io::stdout();
+    let written = out.write_all(&text).and_then(|()| writeln!(out, "state{state}")).is_ok();
+    if done && written { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }
+}
+
+/// Runs all steps and hands the report to `write`; false if a step was refused.
+#[cfg(target_os = "none")]
+fn demonstrate(write: impl FnMut(&[u8])) -> bool {
+    demonstrate_with(write, |_| ())
+}
+
+#[cfg(target_os = "none")]
+#[expect(unsafe_code, reason = "cortex-m-rt asks for an unsafe handler: a hard fault may come anywhere")]
+mod chip;

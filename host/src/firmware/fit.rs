@@ -1,0 +1,127 @@
+//! A world for the chip, its sheets as fine as RAM carries.
+//!
+//! In: a scene of format 2, the settings of the command line, the bytes that an image takes beside the world. Out: tables of
+//! the finest world that fits. A sheet whose `rows` or `columns` the command line sets, and every other part, stays as it is.
+
+use crate::failure::Failure;
+use crate::world::assembly::{Assembly, Kind};
+use crate::world::carried::CarriedWorld;
+use crate::world::carried::tables::Demand;
+use crate::world::engine::Engine as _;
+use crate::{input, model_argument, output};
+use smartbed_codegen::model::document::{self, Table, Value};
+use std::path::Path;
+
+/// RAM for a world, stack and static data (bytes): the rest of the chip's is the controller's.
+pub const RAM: usize = 96 * 1024;
+/// What an image takes beside the world, before one has been built (bytes).
+const BESIDE: usize = 4 * 1024;
+
+/// A world as the chip takes it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fitted {
+    /// Constant tables and equations in Rust.
+    pub tables: String,
+    /// Steps of the scene.
+    pub steps: u32,
+    /// What it needs of memory.
+    pub demand: Demand,
+    /// Rows and columns of its sheets, where they were chosen here.
+    pub rows: Option<usize>,
+}
+
+impl Fitted {
+    /// The finest that fits.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] for a wrong scene, and for one that the chip does not step.
+    pub fn new(path: &Path, set: &[String]) -> Result<Self, Failure> {
+        Self::beside(path, set, BESIDE)
+    }
+
+    /// The finest that fits, if an image takes so many bytes beside the world.
+    fn beside(path: &Path, set: &[String], bytes: usize) -> Result<Self, Failure> {
+        let wrong = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
+        let sheets: Vec<String> = sheets(path)?.into_iter().filter(|name| !is_set(set, name)).collect();
+        let read = |rows: Option<usize>| {
+            let mut set = set.to_vec();
+            for (name, rows) in rows.iter().flat_map(|rows| sheets.iter().map(move |name| (name, rows))) {
+                set.extend(["rows", "columns"].map(|key| format!("parts.{name}.{key}={rows}")));
+            }
+            model_argument::open_world(path, &set)
+        };
+        let mut rows = None;
+        if !sheets.is_empty() {
+            // What carries the sheets stays: only nodes are counted anew.
+            let written = read(None)?;
+            let plain = CarriedWorld::new(&written).map_err(wrong)?.demand().without(nodes(&written));
+            for finer in 1.. {
+                if plain.with(nodes(&read(Some(finer))?)).bytes() + bytes > RAM {
+                    break;
+                }
+                rows = Some(finer);
+            }
+            if rows.is_none() {
+                let why =
+                    format!("not even sheets of one node fit into {} KB of RAM; leave parts out", RAM / 1024);
+                return Err(wrong(why));
+            }
+        }
+        let assembly = read(rows)?;
+        let mut world = CarriedWorld::new(&assembly).map_err(wrong)?;
+        if assembly.run.settled {
+            world.settle().map_err(wrong)?;
+        }
+        if !assembly.sensors.is_empty() {
+            output::say("note: the image leaves out sensors: they change no bit of the motion");
+        }
+        let (all, whole) = (assembly.run.steps(), |n: usize| assembly.run.length(n) == assembly.run.step);
+        let steps = if all > 0 && !whole(all) { all - 1 } else { all };
+        Ok(Self {
+            tables: world.tables(&assembly).map_err(wrong)?,
+            steps: u32::try_from(steps).unwrap_or(u32::MAX),
+            demand: world.demand(),
+            rows,
+        })
+    }
+
+    /// As an image of it was measured: a better one, if there is one. `taken` is the image's RAM, stack and static data.
+    ///
+    /// # Errors
+    /// As [`Fitted::new`].
+    pub fn again(&self, path: &Path, set: &[String], taken: usize) -> Result<Option<Self>, Failure> {
+        let better = Self::beside(path, set, taken.saturating_sub(self.demand.bytes()))?;
+        Ok((self.rows.is_some() && better.rows != self.rows).then_some(better))
+    }
+}
+
+/// Nodes of a world: all, and those that are free.
+fn nodes(assembly: &Assembly) -> [usize; 2] {
+    let bodies = assembly.parts.iter().filter_map(|part| match &part.kind {
+        Kind::Flexible(body) => Some(&body.lists.fixed),
+        _ => None,
+    });
+    bodies.fold([0, 0], |[all, free], fixed| {
+        [all + fixed.len(), free + fixed.iter().filter(|fixed| !**fixed).count()]
+    })
+}
+
+/// Names of the scene's sheets.
+fn sheets(path: &Path) -> Result<Vec<String>, Failure> {
+    let text = input::text(&path.display().to_string())?;
+    // What is wrong in the text is said where it is read as a scene.
+    let Ok(table) = document::parse(&text, 0) else { return Ok(Vec::new()) };
+    let Some(Value::Table(parts)) = table.get("parts") else { return Ok(Vec::new()) };
+    let is_sheet =
+        |part: &Table| matches!(part.get("shape"), Some(Value::Text(shape)) if shape.text == "sheet");
+    let sheets =
+        parts.entries.iter().filter(|(_, value)| matches!(value, Value::Table(part) if is_sheet(part)));
+    Ok(sheets.map(|(key, _)| key.name.clone()).collect())
+}
+
+/// Does the command line set how fine this sheet is?
+fn is_set(set: &[String], name: &str) -> bool {
+    let keys = ["rows", "columns"].map(|key| format!("parts.{name}.{key}"));
+    set.iter()
+        .any(|change| change.split('=').next().is_some_and(|path| keys.iter().any(|key| key == path.trim())))
+}

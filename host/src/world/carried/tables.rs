@@ -1,0 +1,183 @@
+//! A world as Rust for the firmware: constant tables, derived equations, its carriers.
+//!
+//! In: a world at its start. Out: the text of a Rust file in single precision, which the firmware's program `world` includes.
+//! `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that reads back to it:
+//! the compiler rounds it once to single precision, for chip and host alike.
+
+use super::{CarriedWorld, Place};
+use crate::world::assembly::{Assembly, Kind, Mechanism};
+use crate::world::carriers::HostCarrier;
+use smartbed_codegen::{
+    Asked, Effort, EmitOptions, Function, ParameterChoice, Program, ScalarType, program, rust,
+};
+use smartbed_runtime::ode::Method;
+use std::fmt::{Debug, Write as _};
+
+/// What a world needs of the chip's memory, in single precision.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Demand {
+    /// Nodes.
+    pub nodes: usize,
+    /// Numbers of the state.
+    numbers: usize,
+    method: Method,
+}
+
+impl Demand {
+    /// Bytes: state and what its sums have rounded away, the method's memory; places, velocities and two forces of each node.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of::<f32>() * (2 * self.numbers + self.method.scratch(self.numbers) + 4 * 3 * self.nodes)
+    }
+
+    /// Without these nodes, so many of all and of the free ones.
+    #[must_use]
+    pub fn without(self, [all, free]: [usize; 2]) -> Self {
+        Demand { nodes: self.nodes - all, numbers: self.numbers - 6 * free, ..self }
+    }
+
+    /// With these nodes more.
+    #[must_use]
+    pub fn with(self, [all, free]: [usize; 2]) -> Self {
+        Demand { nodes: self.nodes + all, numbers: self.numbers + 6 * free, ..self }
+    }
+}
+
+impl CarriedWorld {
+    /// The tables.
+    ///
+    /// # Errors
+    /// What the chip does not do, or what cannot be derived.
+    pub fn tables(&self, assembly: &Assembly) -> Result<String, String> {
+        if self.touching.is_some() {
+            return Err("the chip steps worlds without contacts; leave [[contacts]] out".to_owned());
+        }
+        let fixed = &self.fixed;
+        let mut text = String::new();
+        let mut constant = |name: &str, kind: &str, value: &dyn Debug| {
+            let _ = writeln!(text, "pub const {name}: {kind} = {value:?};");
+        };
+        constant("NODES", "usize", &fixed.mass.len());
+        constant("PORTS", "usize", &self.room.frames.len());
+        constant("NUMBERS", "usize", &self.x.len());
+        constant("STEP", "f32", &self.h);
+        constant("METHOD", "Method", &self.method.1);
+        constant("GRAVITY", "Vec3<f32>", &fixed.gravity);
+        constant("AIR_DRAG", "f32", &fixed.air_drag);
+        constant("POS", "[Vec3<f32>; NODES]", &self.room.pos);
+        constant("START", "[f32; NUMBERS]", &self.x);
+        let mut table = |name: &str, kind: &str, length: usize, values: &dyn Debug| {
+            let _ = writeln!(text, "pub static {name}: [{kind}; {length}] = {values:?};");
+        };
+        table("MASS", "f32", fixed.mass.len(), &fixed.mass);
+        table("HELD", "bool", fixed.held.len(), &fixed.held);
+        table("SPRINGS", "Spring<f32>", fixed.springs.len(), &fixed.springs);
+        table("FACETS", "[usize; 4]", fixed.facets.len(), &fixed.facets);
+        table("CELLS", "Cell<f32>", fixed.cells.len(), &fixed.cells);
+        table("ATTACHMENTS", "Attachment<f32>", fixed.attachments.len(), &fixed.attachments);
+        representable(&text)?;
+        Ok(text + &self.members(assembly)?)
+    }
+
+    /// What it needs.
+    #[must_use]
+    pub fn demand(&self) -> Demand {
+        Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.method.1 }
+    }
+
+    /// Equations of mechanisms, those of copies once, and the list of carriers.
+    fn members(&self, assembly: &Assembly) -> Result<String, String> {
+        let (mut text, mut equations, mut variants, mut members) =
+            (String::new(), Vec::<String>::new(), Vec::<String>::new(), Vec::<String>::new());
+        for (part, place) in assembly.parts.iter().zip(&self.places) {
+            let Place::Carrier(number, _) = place else { continue };
+            let mut member = |kind: &str, value: String| {
+                let variant = kind.split('<').next().unwrap_or(kind);
+                let named = format!("{variant}: {kind}");
+                if !variants.contains(&named) {
+                    variants.push(named);
+                }
+                members.push(format!("Member::{variant}({value})"));
+            };
+            match (&self.carriers[*number], &part.kind) {
+                (HostCarrier::Mechanism(ported), Kind::Mechanism(mechanism)) => {
+                    let (module, carrier) =
+                        emitted(mechanism, &ported.ports).map_err(|why| format!("`{}`: {why}", part.name))?;
+                    let known = equations.iter().position(|known| *known == module);
+                    let own = known.unwrap_or(equations.len());
+                    if known.is_none() {
+                        let _ = writeln!(text, "pub mod equations_{own} {{\n{module}}}");
+                        let _ = writeln!(text, "{}", carrier.replace('#', &own.to_string()));
+                        equations.push(module);
+                    }
+                    member(&format!("Derived{own}"), format!("Derived{own}::at({:?})", mechanism.place));
+                }
+                (HostCarrier::Floating(body), _) => member("Floating<f32>", format!("{body:?}")),
+                (HostCarrier::Still(frame), _) => member("Still<f32>", format!("{frame:?}")),
+                (HostCarrier::Mechanism(_), _) => {}
+            }
+        }
+        if members.is_empty() {
+            variants.push("Still: Still<f32>".to_owned());
+        }
+        let _ = writeln!(text, "carriers!(Member {{ {} }});", variants.join(", "));
+        let n = members.len();
+        let _ = writeln!(text, "pub fn members() -> [Member; {n}] {{\n    [{}]\n}}", members.join(", "));
+        Ok(text)
+    }
+}
+
+/// Refuses what single precision has no number for.
+fn representable(tables: &str) -> Result<(), String> {
+    let numbers = tables.split(|c: char| !(c.is_ascii_alphanumeric() || ".-".contains(c)));
+    let large = numbers.filter_map(|word| word.parse::<f64>().ok()).find(|x| !(*x as f32).is_finite());
+    match large {
+        Some(x) => Err(format!("{x:e} is beyond single precision; choose other units")),
+        None => Ok(()),
+    }
+}
+
+/// Rust of a mechanism's equations with these ports, and its carrier, `#` for its number.
+fn emitted(mechanism: &Mechanism, ports: &[String]) -> Result<(String, String), String> {
+    let model = &mechanism.model;
+    let mut functions = Vec::new();
+    for (n, port) in ports.iter().enumerate() {
+        functions.push(Function::parse(&format!("port_{n}=port:{port}"), n)?);
+    }
+    let has_law = !model.laws.is_empty();
+    functions.extend(has_law.then(|| Function::each(&["law"])).into_iter().flatten());
+    let asked = Asked::besides(functions);
+    let program = program::derive_asked(model, &ParameterChoice::default(), Effort::All, &asked)
+        .map_err(|found| found.to_string())?;
+    if let Some(why) = program.beyond_single() {
+        return Err(format!("{why}; choose other units"));
+    }
+    let emit = EmitOptions { scalar: ScalarType::F32, ..EmitOptions::default() };
+    let module = rust::emit(&program, &emit) + &command(&program, has_law);
+    let places: Vec<String> = ports.iter().enumerate().map(|(n, port)| wrench(&program, n, port)).collect();
+    let name = rust::struct_name(&program);
+    let carrier = format!("derived!(Derived#: equations_#::{name}, ports: [{}]);", places.join(", "));
+    Ok((module, carrier))
+}
+
+/// The function of a port, and where its wrench begins among the inputs.
+fn wrench(program: &Program, n: usize, port: &str) -> String {
+    let first = format!("{port}_force_x");
+    let place = program.inputs.iter().position(|input| input.name == first);
+    format!("port_{n} => {}", place.unwrap_or(program.inputs.len()))
+}
+
+/// The model's law as a function of the state; without one the inputs stay as they are.
+fn command(program: &Program, has_law: bool) -> String {
+    let (underscore, body) = match has_law {
+        true => ("", "law(t, q, u, inputs, p).inputs"),
+        false => ("_", "*inputs"),
+    };
+    let [t, q, u, p] = ["t", "q", "u", "p"].map(|name| format!("{underscore}{name}"));
+    let [nq, nu, n] = [program.q.len(), program.u.len(), program.inputs.len()];
+    format!(
+        "/// Inputs as the model's law commands them.\n#[must_use]\n\
+         pub fn command({t}: f32, {q}: &[f32; {nq}], {u}: &[f32; {nu}], inputs: &[f32; {n}], {p}: &Prepared) \
+         -> [f32; {n}] {{\n    {body}\n}}\n"
+    )
+}
