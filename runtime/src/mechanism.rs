@@ -15,6 +15,10 @@ pub enum Fault {
     NonFinite,
     /// An adaptive method cut its step, or used up its steps, without meeting the tolerance.
     StepSize,
+    /// More contacts at once than their lists have room for.
+    TooManyContacts,
+    /// Forces of contacts that last were not found: friction jams a sliding body (Painleve's paradox).
+    Jammed,
 }
 
 impl Fault {
@@ -26,6 +30,8 @@ impl Fault {
             Self::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
             Self::NonFinite => "a value has become infinite or not a number",
             Self::StepSize => "the tolerance is not met even with the smallest step",
+            Self::TooManyContacts => "there are more contacts at once than there is room for",
+            Self::Jammed => "forces of contacts that last were not found: friction jams what slides",
         }
     }
 }

@@ -240,7 +240,7 @@ fn refused(t: f64, fault: Fault) -> Failure {
         Fault::NonFinite | Fault::StepSize => {
             "; try a smaller --step or another --method; `smartbed check` says where a model is singular"
         }
-        Fault::Shape => "",
+        Fault::Shape | Fault::TooManyContacts | Fault::Jammed => "",
     };
     Failure::Wrong(format!("t = {t:.6} s: {}{hint}", explain(fault)))
 }

@@ -1,16 +1,23 @@
 //! Contacts of a world whose parts are not rigid alone: what can be touched, which pairs, and the memory of the step.
 //!
-//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them, without
-//! splitting (Moreau 1988): impacts and lasting contacts are one.
+//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them: without
+//! splitting (Moreau 1988; impacts and lasting contacts are one), or with touches located in time and the laws of impact.
 
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
 use crate::scene::contact_force::ContactForce;
-use smartbed_runtime::rigid::contact::Twist;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::{Method, State};
+use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::law::Kind as Impact;
 use smartbed_runtime::rigid::narrow::CAPACITY;
+use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
-use smartbed_runtime::world::{Coupling, Inertias, InverseInertia, Pair, Place, StepMemory, Thing, Touch};
+use smartbed_runtime::world::{
+    Accounts, Carrier, Coupling, Inertias, InverseInertia, Island, LocatedMemory, Pair, Place, Pressing,
+    StepMemory, Thing, Touch, World,
+};
 use std::ops::Range;
 
 /// Share of a body's thickness, or of two of its facets, to which something may be below a facet.
@@ -38,6 +45,28 @@ pub(super) struct Touching {
     yields: Vec<f64>,
     touches: [Vec<Touch<f64>>; 2],
     counts: [usize; 2],
+    located: Option<Located>,
+}
+
+/// Memory of steps with located touches.
+#[derive(Clone, Debug)]
+struct Located {
+    method: Method,
+    /// Law of each pair.
+    kinds: Vec<Impact>,
+    scratch: Vec<f64>,
+    pressing: Vec<Pressing<f64>>,
+    struck: [Vec<Struck<f64>>; 2],
+}
+
+/// What a step did that is counted or told.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stepped {
+    pub(super) accounts: Accounts<f64>,
+    /// Were impulses found to rounding?
+    pub(super) settled: bool,
+    /// Were splits used up?
+    pub(super) forced: bool,
 }
 
 /// What a part is to contacts.
@@ -53,7 +82,12 @@ pub(super) enum Touchable {
 
 impl Touching {
     /// For the assembly's contacts; `of` says what each part is, `size` the numbers of ports, nodes, answers and state.
-    pub(super) fn new(assembly: &Assembly, of: &[Touchable], size: [usize; 4]) -> Result<Self, String> {
+    pub(super) fn new(
+        assembly: &Assembly,
+        of: &[Touchable],
+        size: [usize; 4],
+        method: Method,
+    ) -> Result<Self, String> {
         let (mut things, mut numbers) = (Vec::new(), vec![usize::MAX; of.len()]);
         for (number, (part, touchable)) in assembly.parts.iter().zip(of).enumerate() {
             let thing = match (touchable, &part.kind) {
@@ -72,7 +106,7 @@ impl Touching {
             numbers[number] = things.len();
             things.push(thing);
         }
-        let (mut pairs, mut room) = (Vec::new(), 0);
+        let (mut pairs, mut kinds, mut room) = (Vec::new(), Vec::new(), 0);
         for contact in &assembly.contacts {
             let [one, other] = contact.between.map(|part| &assembly.parts[part].name);
             let things_of = contact.between.map(|part| numbers[part]);
@@ -83,11 +117,12 @@ impl Touching {
                      part with on = \"{name}.PORT\""
                 ));
             }
-            let Law::Moreau { restitution, friction } = contact.law else {
-                return Err(format!(
-                    "the contact of `{one}` and `{other}`: in a world with flexible parts or mechanisms take impact = \"moreau\" \
-                     (restitution, friction); the other laws are those of rigid parts alone"
-                ));
+            let (restitution, friction) = match contact.law {
+                Law::Moreau { restitution, friction } => (restitution, friction),
+                Law::Located(law) => {
+                    kinds.push(law.kind());
+                    (law.restitution(), law.friction())
+                }
             };
             let nodes = |k: usize| match &of[contact.between[k]] {
                 Touchable::Mesh(nodes, _) => nodes.len() + CAPACITY,
@@ -96,7 +131,20 @@ impl Touching {
             room += nodes(0) + nodes(1);
             pairs.push(Pair { things: things_of, friction, restitution });
         }
+        if !kinds.is_empty() && kinds.len() < pairs.len() {
+            return Err("some contacts have impact = \"moreau\", others a law of impact: one world locates its touches or does not; \
+                        take moreau for all or for none"
+                .to_owned());
+        }
         let [ports, points, answers, n] = size;
+        let none: &[Mobility<f64>] = &[];
+        let located = (!kinds.is_empty()).then(|| Located {
+            method,
+            kinds,
+            scratch: vec![0.0; LocatedMemory::<f64>::scratch(method, n)],
+            pressing: vec![Pressing::empty(); room],
+            struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
+        });
         let twists = vec![Twist::zero(); ports + points];
         Ok(Touching {
             parts: assembly.contacts.iter().map(|contact| contact.between).collect(),
@@ -118,15 +166,28 @@ impl Touching {
             yields: vec![0.0; points],
             touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
             counts: [0, 0],
+            located,
         })
     }
 
-    /// The memory of a step; [`Touching::after`] takes the counts back.
-    pub(super) fn memory(&mut self) -> (&[Thing<f64>], &[Pair<f64>], StepMemory<'_, f64>) {
+    /// Are touches located in time?
+    pub(super) fn is_located(&self) -> bool {
+        self.located.is_some()
+    }
+
+    /// A step of an island; pairs that come into touch are events. `at_rest` for relaxation: nothing is located then.
+    pub(super) fn step(
+        &mut self,
+        island: Island<'_, f64, impl Carrier<f64>>,
+        (t, h): (f64, f64),
+        state: &mut State<'_, f64>,
+        at_rest: bool,
+        found: &mut Vec<Event>,
+    ) -> Result<Stepped, Fault> {
         let [first, last] = &mut self.frames;
         let [start, free, end] = &mut self.twists;
         let [now, before] = &mut self.touches;
-        let memory = StepMemory {
+        let mut memory = StepMemory {
             scratch: &mut self.scratch,
             frames: [first, last],
             twists: [start, free, end],
@@ -139,18 +200,51 @@ impl Touching {
             touches: [now, before],
             counts: self.counts,
         };
-        (&self.things, &self.pairs, memory)
-    }
-
-    /// Books the contacts of a step of length h: their forces; pairs that came into touch are events.
-    pub(super) fn after(
-        &mut self,
-        h: f64,
-        counts: [usize; 2],
-        contacts: &[Touch<f64>],
-        found: &mut Vec<Event>,
-    ) {
-        self.counts = counts;
+        let mut world = World { island, things: &self.things, pairs: &self.pairs };
+        if let Some(own) = self.located.as_mut().filter(|_| !at_rest) {
+            let [struck, lifts] = &mut own.struck;
+            let mut memory = LocatedMemory {
+                step: memory,
+                scratch: &mut own.scratch,
+                pressing: &mut own.pressing,
+                struck: [struck, lifts],
+            };
+            let parts = &self.parts;
+            let report =
+                world.step_located(&own.kinds, own.method, (t, h), state, &mut memory, |strike| {
+                    for (pair, parts) in parts.iter().enumerate() {
+                        let own =
+                            strike.touches.iter().zip(strike.struck).filter(|(touch, _)| touch.pair == pair);
+                        let mut event = Event {
+                            time: strike.time,
+                            parts: *parts,
+                            points: 0,
+                            approach: 0.0,
+                            impulse: 0.0,
+                        };
+                        for (touch, struck) in own {
+                            let impulse = struck.contact.impulse[0];
+                            event.points += usize::from(impulse > 0.0);
+                            event.impulse += impulse;
+                            event.approach = event.approach.max(-touch.velocity()[0]);
+                        }
+                        if event.points > 0 {
+                            found.push(event);
+                        }
+                    }
+                })?;
+            let pressing = memory.pressing.iter().take(report.pressing);
+            let force = |own: &Pressing<f64>| {
+                let contact = &own.held.contact;
+                ContactForce::between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
+            };
+            self.forces = pressing.filter_map(force).collect();
+            return Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: report.forced });
+        }
+        let done = world.step(t, h, state, &mut memory);
+        self.counts = memory.counts;
+        let report = done?;
+        let contacts = memory.contacts();
         let force = |touch: &Touch<f64>| {
             let contact = &touch.contact;
             let force = contact.impulse.map(|impulse| impulse / h);
@@ -158,16 +252,15 @@ impl Touching {
         };
         self.forces = contacts.iter().filter_map(force).collect();
         for (pair, parts) in self.parts.iter().enumerate() {
-            let own =
-                contacts.iter().filter(|touch| touch.pair == pair).map(|touch| touch.contact.impulse[0]);
-            let (points, impulse) = own
-                .filter(|impulse| *impulse > 0.0)
-                .fold((0, 0.0), |(n, sum), impulse| (n + 1, sum + impulse));
+            let impulses = contacts.iter().filter(|touch| touch.pair == pair).map(|t| t.contact.impulse[0]);
+            let (points, impulse) =
+                impulses.filter(|impulse| *impulse > 0.0).fold((0, 0.0), |(n, sum), own| (n + 1, sum + own));
             if points > 0 && !self.active[pair] {
                 found.push(Event { time: h, parts: *parts, points, approach: f64::NAN, impulse });
             }
             self.active[pair] = points > 0;
         }
+        Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false })
     }
 }
 

@@ -187,8 +187,15 @@ fn every_error_of_a_model_has_its_cause_and_cure() {
 
 #[test]
 fn every_error_of_a_run_has_its_cause_and_cure() {
-    let faults =
-        [Fault::Shape, Fault::Singular, Fault::NonFinite, Fault::StepSize].map(|f| explain(f).to_owned());
+    let faults = [
+        Fault::Shape,
+        Fault::Singular,
+        Fault::NonFinite,
+        Fault::StepSize,
+        Fault::TooManyContacts,
+        Fault::Jammed,
+    ]
+    .map(|f| explain(f).to_owned());
     let bodies = [
         BodyError::Empty,
         BodyError::Length { expected: 2, found: 1 },

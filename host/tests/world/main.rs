@@ -140,6 +140,23 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
 }
 
 #[test]
+fn laws_that_locate_touches_and_moreau_are_not_mixed() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mixed.toml");
+    let contact = |impact: &str, part: &str| {
+        format!("[[contacts]]\nbetween = [\"{part}\", \"ground\"]\nimpact = \"{impact}\"\n")
+    };
+    let cube = "[parts.cube]\nshape = \"cube\"\nstart = { height = 1 }\n";
+    let text = format!(
+        "{GROUND}{BALL}start = {{ height = 1 }}\n{cube}{}{}",
+        contact("moreau", "ball"),
+        contact("plastic", "cube")
+    );
+    std::fs::write(&file, text).expect("a file");
+    let said = fails(&["run", file.to_str().expect("a path")]);
+    assert!(said.contains("take moreau for all or for none"), "{said}");
+}
+
+#[test]
 fn units_expressions_and_plain_numbers_say_the_same() {
     let ball = |radius: &str, mass: &str| {
         let text = format!(
@@ -410,6 +427,38 @@ fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
     let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
     let row = |line: &str| line.split(',').map(|x| x.parse().expect("a number")).collect();
     (names, lines.map(row).collect())
+}
+
+/// A cube that falls on its edge, written in either format.
+const CUBE: [&str; 2] = [
+    "format = 1\ntitle = \"cube\"\nshape = \"cube\"\nside = 0.4\ndrop_height = 0.1\ntilt = 0.2\nK = 2000\nC = 0.5\nmass = 0.25\n\
+     T = 0.5\nstep = 5e-4\nmethod = \"rk4\"\nevery = 100\n",
+    "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.cube]\nshape = \"cube\"\nside = 0.4\nmass = 0.25\nK = 2000\nC = 0.5\n\
+     start = { height = 0.1, tilt = 0.2 }\n[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"compensation\"\n\
+     [run]\nseconds = 0.5\nstep = 5e-4\nevery = 100\n",
+];
+
+#[test]
+fn a_cube_of_a_world_falls_as_that_of_a_scene_of_its_own() {
+    let runs = [0, 1].map(|k| {
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cube{k}.toml"));
+        std::fs::write(&file, CUBE[k]).expect("a file");
+        rows(&[file.to_str().expect("a path")])
+    });
+    let mut off = 0.0_f64;
+    for node in 0..8 {
+        for axis in ["x", "y", "z"] {
+            let names = [format!("{axis}{node}"), format!("cube.{axis}{node}")];
+            let [one, other] =
+                [0, 1].map(|k| runs[k].0.iter().position(|n| *n == names[k]).expect("a column"));
+            for (a, b) in runs[0].1.iter().zip(&runs[1].1) {
+                assert!((a[0] - b[0]).abs() < 1e-12);
+                off = off.max((a[one] - b[other]).abs());
+            }
+        }
+    }
+    println!("off by {off:e} m");
+    assert!(runs[0].1.len() > 9 && off < 1e-9, "{off:e}");
 }
 
 #[test]

@@ -191,10 +191,15 @@ impl<S: Scalar> Contact<S> {
     }
 
     /// All points, those of the second side with the opposite sense.
-    fn points(&self) -> impl Iterator<Item = (S, &Point<S>)> {
+    pub(crate) fn points(&self) -> impl Iterator<Item = (S, &Point<S>)> {
         let [one, other] = &self.sides;
         let theirs = other.points().map(|point| (-point.weight, point));
         one.points().map(|point| (point.weight, point)).chain(theirs)
+    }
+
+    /// Is a point of this body part of it?
+    pub(crate) fn touches_body(&self, body: usize) -> bool {
+        self.points().any(|(_, point)| point.body == body)
     }
 
     /// K (1/kg): the change of the relative velocity under unit impulses along n, t1, t2.

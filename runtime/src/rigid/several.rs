@@ -63,6 +63,11 @@ impl<S: Scalar> Struck<S> {
         Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece, before, ratio }
     }
 
+    /// The speed that its normal impulse takes out by itself (m/s).
+    pub(crate) fn stopped(&self) -> S {
+        self.contact.impulse[0] * self.inverse_mass[0][0]
+    }
+
     /// Does it press, or start to?
     fn active(&self, closing: S) -> bool {
         self.stored > S::ZERO || self.before[0] < -closing
@@ -369,7 +374,7 @@ pub fn compensate_all<S: Scalar>(
 
 /// Friction within mu J of impulses already known, with what it takes to keep the bodies apart: each turn lowers the
 /// kinetic energy. False: the sweeps were not enough.
-fn rub_within<S: Scalar>(
+pub(crate) fn rub_within<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),
     twists: &mut [Twist<S>],

@@ -41,6 +41,18 @@ impl<S: Scalar> Accounts<S> {
         }
     }
 
+    /// A multiple of all.
+    #[must_use]
+    pub fn times(&self, factor: S) -> Accounts<S> {
+        Accounts {
+            damping: factor * self.damping,
+            drag: factor * self.drag,
+            impact: factor * self.impact,
+            friction: factor * self.friction,
+            drive: factor * self.drive,
+        }
+    }
+
     /// What has left the world (J).
     #[must_use]
     pub fn lost(&self) -> S {

@@ -30,7 +30,7 @@ const CREASE: f64 = 0.85;
 
 /// A foot with more than this share of one corner is that corner: two contacts there would share one load in any way, which
 /// sweeps find slowly.
-const AT_NODE: f64 = 0.75;
+pub(super) const AT_NODE: f64 = 0.75;
 
 /// A contact of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +52,12 @@ pub struct Touch<S> {
 }
 
 impl<S: Scalar> Touch<S> {
+    /// Relative velocity n, t1, t2 (m/s) at the start of the step, or before an impact.
+    #[must_use]
+    pub fn velocity(&self) -> Vec3<S> {
+        self.start
+    }
+
     /// A place for one.
     #[must_use]
     pub fn empty() -> Touch<S> {
@@ -73,7 +79,15 @@ pub(super) struct Scenery<'a, S> {
     pub(super) normals: &'a [Vec3<S>],
     /// Gaps up to this (m) count as near.
     pub(super) margin: S,
+    /// Feet with more than this share of one corner are left to the corner's own contact.
+    pub(super) at_node: S,
 }
+
+/// A place of touch: gap, point, contact.
+type Place<S> = (S, Vec3<S>, Contact<S>);
+
+/// A shape, the port that carries it, its frame.
+type Standing<S> = (Shape<S>, Option<usize>, Frame<S>);
 
 /// The list while it is filled.
 pub(super) struct Found<'a, S> {
@@ -124,10 +138,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 }
             }
         }
-        if found.full { Err(Fault::Shape) } else { Ok(found.count) }
+        if found.full { Err(Fault::TooManyContacts) } else { Ok(found.count) }
     }
 
-    fn rigid(&self, thing: &Thing<S>) -> Option<(Shape<S>, Option<usize>, Frame<S>)> {
+    fn rigid(&self, thing: &Thing<S>) -> Option<Standing<S>> {
         let Thing::Rigid { shape, port, place } = thing else { return None };
         let frame = match port {
             Some(port) => place.in_frame(self.frames.get(*port)?),
@@ -178,8 +192,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     fn shapes(
         &self,
         pair: (usize, &Pair<S>),
-        (shape, port, frame): (Shape<S>, Option<usize>, Frame<S>),
-        (other, other_port, other_frame): (Shape<S>, Option<usize>, Frame<S>),
+        (shape, port, frame): Standing<S>,
+        (other, other_port, other_frame): Standing<S>,
         found: &mut Found<S>,
     ) {
         let one = Placed { shape: &shape, frame: &frame };
@@ -194,33 +208,57 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         &self,
         pair: (usize, &Pair<S>),
         mesh: &Thing<S>,
-        (shape, port, frame): (Shape<S>, Option<usize>, Frame<S>),
+        shape: Standing<S>,
         found: &mut Found<S>,
     ) {
         let Some(mesh) = self.mesh(mesh) else { return };
         for (id, node) in (0..).zip(mesh.nodes[0]..mesh.nodes[1]) {
-            let x = vec3::at(self.pos, node);
-            let near = shape.nearest(frame.place(x));
-            if near.gap <= self.margin {
-                let sides = [self.side_of_node(node), self.side_of_port(port, x)];
-                let contact = Contact::between(sides, frame.to_inertial(near.normal));
-                found.push(pair, id, near.gap, x, contact);
+            let (gap, point, contact) = self.node_over_shape(node, &shape);
+            if gap <= self.margin {
+                found.push(pair, id, gap, point, contact);
             }
         }
-        let (points, count, radius) = core_points(&shape);
-        for (id, point) in (OF_SHAPE..).zip(points.iter().take(count)) {
-            let centre = frame.point(*point);
-            let Some((facet, near)) = self.facet_below(&mesh, centre, radius) else { continue };
-            // Over a node the node's own contact says the same.
-            if near.weights.iter().any(|weight| *weight > S::from_f64(AT_NODE)) {
-                continue;
+        let (_, count, _) = core_points(&shape.0);
+        for (id, number) in (OF_SHAPE..).zip(0..count) {
+            if let Some((gap, point, contact)) = self.shape_over_mesh(&shape, number, &mesh) {
+                found.push(pair, id, gap, point, contact);
             }
-            let sides = [self.side_of_port(port, near.foot), self.side_of_facet(facet, &near)];
-            found.push(pair, id, near.gap - radius, near.foot, Contact::between(sides, near.normal));
         }
     }
 
-    fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<S>, found: &mut Found<S>) {
+    /// A node over the surface of a shape.
+    fn node_over_shape(&self, node: usize, (shape, port, frame): &Standing<S>) -> Place<S> {
+        let x = vec3::at(self.pos, node);
+        let near = shape.nearest(frame.place(x));
+        let sides = [self.side_of_node(node), self.side_of_port(*port, x)];
+        (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
+    }
+
+    /// A point of a shape's core over the facet below it.
+    fn shape_over_mesh(
+        &self,
+        (shape, port, frame): &Standing<S>,
+        number: usize,
+        mesh: &Mesh<'a, S>,
+    ) -> Option<Place<S>> {
+        let (points, _, radius) = core_points(shape);
+        let (facet, near) = self.facet_below(mesh, frame.point(*points.get(number)?), radius)?;
+        if near.weights.iter().any(|weight| *weight > self.at_node) {
+            return None;
+        }
+        let sides = [self.side_of_port(*port, near.foot), self.side_of_facet(facet, &near)];
+        Some((near.gap - radius, near.foot, Contact::between(sides, near.normal)))
+    }
+
+    /// A node over the facet below it.
+    fn node_over_mesh(&self, node: usize, mesh: &Mesh<'a, S>) -> Option<Place<S>> {
+        let x = vec3::at(self.pos, node);
+        let (facet, near) = self.facet_below(mesh, x, S::ZERO)?;
+        let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
+        Some((near.gap, x, Contact::between(sides, near.normal)))
+    }
+
+    fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
         let Some((low, high)) = self.bounds(&other) else { return };
         let far = self.margin.max(other.depth);
         let base = if own.nodes[0] < other.nodes[0] { 0 } else { OF_SHAPE };
@@ -229,10 +267,42 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             if !(0..3).all(|i| low[i] - far <= x[i] && x[i] <= high[i] + far) {
                 continue;
             }
-            let Some((facet, near)) = self.facet_below(&other, x, S::ZERO) else { continue };
-            let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
-            found.push(pair, id, near.gap, x, Contact::between(sides, near.normal));
+            if let Some((gap, point, contact)) = self.node_over_mesh(node, &other) {
+                found.push(pair, id, gap, point, contact);
+            }
         }
+    }
+
+    /// A contact found before, where things stand now: gap, point, sides and axes. None where it is no more.
+    pub(super) fn again(&self, pair: &Pair<S>, id: u32) -> Option<Place<S>> {
+        let [one, other] = pair.things.map(|thing| self.things.get(thing));
+        let (one, other) = (one?, other?);
+        let number = (id % OF_SHAPE) as usize;
+        let (gap, point, contact) = match (self.rigid(one), self.rigid(other)) {
+            (Some(a), Some(b)) => {
+                let (first, second) =
+                    (Placed { shape: &a.0, frame: &a.2 }, Placed { shape: &b.0, frame: &b.2 });
+                let feature = features(first, second, self.margin).iter().find(|feature| feature.id == id)?;
+                let sides = [a.1, b.1].map(|port| self.side_of_port(port, feature.point));
+                (feature.gap, feature.point, Contact::between(sides, feature.normal))
+            }
+            (None, None) => {
+                let (a, b) = (self.mesh(one)?, self.mesh(other)?);
+                let (low, high) = if a.nodes[0] < b.nodes[0] { (a, b) } else { (b, a) };
+                let (own, below) = if id < OF_SHAPE { (low, high) } else { (high, low) };
+                self.node_over_mesh(own.nodes[0] + number, &below)?
+            }
+            (Some(shape), None) | (None, Some(shape)) => {
+                let mesh = self.mesh(one).or_else(|| self.mesh(other))?;
+                if id < OF_SHAPE {
+                    self.node_over_shape(mesh.nodes[0] + number, &shape)
+                } else {
+                    self.shape_over_mesh(&shape, number, &mesh)?
+                }
+            }
+        };
+        let (friction, restitution) = (pair.friction, pair.restitution);
+        Some((gap, point, Contact { friction, restitution, ..contact }))
     }
 
     /// The facet to whose surface a ball about this point is nearest, not deeper than the mesh allows.

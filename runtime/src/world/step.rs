@@ -13,7 +13,7 @@
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
-use super::detect::{Scenery, Touch};
+use super::detect::{AT_NODE, Scenery, Touch};
 use super::inertia::Inertias;
 use super::island::{Cut, Island};
 use super::sweep::{self, sweep};
@@ -260,20 +260,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if self.pairs.is_empty() {
             return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
         }
+        self.turn_normals(normals);
+        let count = self.scenery(normals, margin, S::from_f64(AT_NODE)).find(self.pairs, now)?;
         let island = &mut self.island;
-        if !normals.is_empty() {
-            vertex_normals(island.body.facets, island.memory.pos, normals);
-        }
-        let scenery = Scenery {
-            things: self.things,
-            body: &island.body,
-            attachments: island.attachments,
-            frames: island.memory.frames,
-            pos: island.memory.pos,
-            normals,
-            margin,
-        };
-        let count = scenery.find(self.pairs, now)?;
         counts[0] = count;
         if count == 0 {
             return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
@@ -314,6 +303,28 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(sweeps)
     }
 
+    /// Normals at the nodes where they were placed last; none where no facet is touched.
+    pub(super) fn turn_normals(&self, normals: &mut [Vec3<S>]) {
+        if !normals.is_empty() {
+            vertex_normals(self.island.body.facets, self.island.memory.pos, normals);
+        }
+    }
+
+    /// Everything where it was placed last.
+    pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S, at_node: S) -> Scenery<'s, S> {
+        let island = &self.island;
+        Scenery {
+            things: self.things,
+            body: &island.body,
+            attachments: island.attachments,
+            frames: island.memory.frames,
+            pos: island.memory.pos,
+            normals,
+            margin,
+            at_node,
+        }
+    }
+
     /// How near a step may bring what is apart (m).
     fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
         let (mut low, mut high) = (vec3::zero::<S>(), vec3::zero::<S>());
@@ -332,7 +343,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Largest shape's radius about its port (m).
-    fn largest(&self) -> S {
+    pub(super) fn largest(&self) -> S {
         use crate::surface::Shape;
         self.things.iter().fold(S::ZERO, |most, thing| {
             let Thing::Rigid { shape, place, .. } = thing else { return most };

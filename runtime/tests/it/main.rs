@@ -2,11 +2,13 @@
 
 mod double_double;
 mod flexible;
+mod flexible_impact;
 mod functions;
 mod gas;
 mod integrator;
 mod island;
 mod layering;
+mod located;
 mod narrow;
 mod random;
 mod rigid_scene;

@@ -4,14 +4,17 @@ use crate::island::Platform;
 use smartbed_runtime::flexible::{Body, Massless, PressureForm, Spring};
 use smartbed_runtime::gas::{Gas, Regulated};
 use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::ode::{Ode, State};
+use smartbed_runtime::ode::{Method, Ode, State};
 use smartbed_runtime::rigid::RigidBody;
-use smartbed_runtime::rigid::contact::Twist;
+use smartbed_runtime::rigid::contact::{Mobility, Twist};
+use smartbed_runtime::rigid::law::Kind;
+use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{
     Accounts, Attachment, Carrier, Cell, Commanded, Content, Coupling, Floating, Group, Inertias,
-    InverseInertia, Island, Memory, Pair, Place, StepMemory, StepReport, Thing, Touch, World, Wrench,
+    InverseInertia, Island, LocatedMemory, LocatedReport, Memory, Pair, Place, Pressing, StepMemory,
+    StepReport, Thing, Touch, World, Wrench,
 };
 use std::ops::Range;
 
@@ -238,13 +241,11 @@ impl Scene {
         self.thing(Thing::Mesh { nodes: [first, first + n * n], facets: [facet, sheet], depth: 0.05 })
     }
 
-    /// Runs; `see(report, contacts, state)` after each step.
-    pub fn run(
+    /// Puts the world together; its state after `act`.
+    pub fn with<T>(
         &mut self,
-        h: f64,
-        steps: u32,
-        mut see: impl FnMut(&StepReport<f64>, &[Touch<f64>], &[f64]),
-    ) -> (Vec<f64>, f64, Accounts<f64>) {
+        act: impl FnOnce(&mut World<'_, f64, Group<'_, Part>>, &mut State<'_, f64>, StepMemory<'_, f64>) -> T,
+    ) -> (Vec<f64>, T) {
         let n = self.pos.len();
         let candidate = Body {
             mass: &self.mass,
@@ -288,7 +289,7 @@ impl Scene {
         let [a, b, c] = &mut twists;
         let [now, before] = &mut touches;
         let inertias = Inertias { couplings: &mut couplings, answers: &mut answers, nodes: &mut nodes };
-        let mut memory = StepMemory {
+        let memory = StepMemory {
             scratch: &mut scratch,
             frames: [first, last],
             twists: [a, b, c],
@@ -298,20 +299,65 @@ impl Scene {
             counts: [0; 2],
         };
         let mut low = vec![0.0; x.len()];
-        let start = world.island.energy(0.0, &x).expect("energy").total();
-        let mut accounts = Accounts::empty();
         let mut state = State::new(&mut x, &mut low).expect("a state");
-        let mut energy = start;
-        for step in 0..steps {
-            let report = world.step(f64::from(step) * h, h, &mut state, &mut memory).expect("a step");
-            accounts = accounts.plus(&report.accounts);
-            assert!(
-                report.accounts.impact + report.accounts.friction >= -1e-13 * (1.0 + start.abs()),
-                "{step}"
-            );
-            energy = world.island.energy(f64::from(step + 1) * h, state.x()).expect("energy").total();
-            see(&report, memory.contacts(), state.x());
-        }
-        (x, energy - start + accounts.lost(), accounts)
+        let done = act(&mut world, &mut state, memory);
+        (x, done)
+    }
+
+    /// Runs; `see(report, contacts, state)` after each step.
+    pub fn run(
+        &mut self,
+        h: f64,
+        steps: u32,
+        mut see: impl FnMut(&StepReport<f64>, &[Touch<f64>], &[f64]),
+    ) -> (Vec<f64>, f64, Accounts<f64>) {
+        let (x, (imbalance, accounts)) = self.with(|world, state, mut memory| {
+            let start = world.island.energy(0.0, state.x()).expect("energy").total();
+            let (mut accounts, mut energy) = (Accounts::empty(), start);
+            for step in 0..steps {
+                let report = world.step(f64::from(step) * h, h, state, &mut memory).expect("a step");
+                accounts = accounts.plus(&report.accounts);
+                assert!(
+                    report.accounts.impact + report.accounts.friction >= -1e-13 * (1.0 + start.abs()),
+                    "{step}"
+                );
+                energy = world.island.energy(f64::from(step + 1) * h, state.x()).expect("energy").total();
+                see(&report, memory.contacts(), state.x());
+            }
+            (energy - start + accounts.lost(), accounts)
+        });
+        (x, imbalance, accounts)
+    }
+
+    /// Runs with touches located, one law for all pairs; `see(report, contacts that press, state)` after each step.
+    pub fn run_located(
+        &mut self,
+        kind: Kind,
+        (h, steps): (f64, u32),
+        mut see: impl FnMut(&LocatedReport<f64>, &[Pressing<f64>], &[f64]),
+    ) -> (Vec<f64>, f64, Accounts<f64>) {
+        let (room, kinds) = (self.room, vec![kind; self.pairs.len()]);
+        let (x, (imbalance, accounts)) = self.with(|world, state, step| {
+            let mut scratch = vec![0.0; LocatedMemory::<f64>::scratch(Method::Rk4, state.x().len())];
+            let mut pressing = vec![Pressing::empty(); room];
+            let none: &[Mobility<f64>] = &[];
+            let mut struck = [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]);
+            let [one, other] = &mut struck;
+            let mut memory =
+                LocatedMemory { step, scratch: &mut scratch, pressing: &mut pressing, struck: [one, other] };
+            let start = world.island.energy(0.0, state.x()).expect("energy").total();
+            let (mut accounts, mut energy) = (Accounts::empty(), start);
+            for step in 0..steps {
+                let t = f64::from(step) * h;
+                let report = world
+                    .step_located(&kinds, Method::Rk4, (t, h), state, &mut memory, |_| {})
+                    .expect("a step");
+                accounts = accounts.plus(&report.accounts);
+                energy = world.island.energy(t + h, state.x()).expect("energy").total();
+                see(&report, &memory.pressing[..report.pressing], state.x());
+            }
+            (energy - start + accounts.lost(), accounts)
+        });
+        (x, imbalance, accounts)
     }
 }

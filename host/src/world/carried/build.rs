@@ -50,6 +50,7 @@ impl CarriedWorld {
             friction: 0.0,
             touching: None,
             unsettled: 0,
+            forced: 0,
         };
         let starts = world.carriers(assembly)?;
         world.flexible(assembly)?;
@@ -184,12 +185,6 @@ impl CarriedWorld {
         if assembly.contacts.is_empty() {
             return Ok(());
         }
-        if let Some(method) = &assembly.run.method {
-            return Err(format!(
-                "run.method = \"{method}\": a world with contacts has a step of its own (Moreau, order 2 where nothing touches); \
-                 leave the key out"
-            ));
-        }
         let mut port = 0;
         let mut touchable = Vec::new();
         for (place, part) in self.places.iter().zip(&assembly.parts) {
@@ -208,9 +203,18 @@ impl CarriedWorld {
         }
         let answers = Inertias::answers(&Group { members: &mut self.carriers });
         let size = [self.room.frames.len(), self.room.pos.len(), answers, self.x.len()];
-        self.touching = Some(Touching::new(assembly, &touchable, size)?);
-        self.method.0 =
-            "moreau, touches not located: of order 2 where nothing touches, 1 where something does";
+        let touching = Touching::new(assembly, &touchable, size, self.method.1)?;
+        if !touching.is_located() {
+            if let Some(method) = &assembly.run.method {
+                return Err(format!(
+                    "run.method = \"{method}\": a world with contacts has a step of its own (Moreau, order 2 where nothing touches); \
+                     leave the key out"
+                ));
+            }
+            self.method.0 =
+                "moreau, touches not located: of order 2 where nothing touches, 1 where something does";
+        }
+        self.touching = Some(touching);
         Ok(())
     }
 

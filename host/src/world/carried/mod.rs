@@ -18,7 +18,7 @@ use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, Ode, State};
 use smartbed_runtime::surface::{Frame, Shape};
 use smartbed_runtime::vec3::{self, Vec3};
-use smartbed_runtime::world::{Accounts, Attachment, Carrier, Cell, Group, Island, Memory, World, Wrench};
+use smartbed_runtime::world::{Accounts, Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
 use std::ops::Range;
 
 /// What never changes.
@@ -85,6 +85,7 @@ pub struct CarriedWorld {
     friction: f64,
     touching: Option<Touching>,
     unsettled: usize,
+    forced: usize,
 }
 
 fn words(fault: Fault) -> String {
@@ -98,26 +99,24 @@ impl CarriedWorld {
         &self.x
     }
 
-    /// A step of a world with contacts; pairs that come into touch are events.
+    /// A step of a world with contacts; pairs that come into touch are events. `at_rest` while it is relaxed.
     fn step_touching(
         &mut self,
         h: f64,
         (x, low): (&mut [f64], &mut [f64]),
+        at_rest: bool,
         found: &mut Vec<Event>,
     ) -> Result<Accounts<f64>, Fault> {
         let (t, old) = (self.t, x.to_vec());
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
-        let (things, pairs, mut memory) = touching.memory();
         let done = self.with(|island| {
             let mut state = State::resume(x, low)?;
-            let report = World { island, things, pairs }.step(t, h, &mut state, &mut memory)?;
-            Ok(report)
+            touching.step(island, (t, h), &mut state, at_rest, found)
         });
-        let (counts, contacts) = (memory.counts, memory.contacts().to_vec());
-        touching.after(h, counts, &contacts, found);
         self.touching = Some(touching);
         let report = done?;
         self.unsettled += usize::from(!report.settled);
+        self.forced += usize::from(report.forced);
         // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
         let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
         let mut accounts = report.accounts;

@@ -51,7 +51,7 @@ impl Relaxing for CarriedWorld {
     fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault> {
         let h = self.h;
         if self.touching.is_some() {
-            self.step_touching(h, (x, low), &mut Vec::new())?;
+            self.step_touching(h, (x, low), true, &mut Vec::new())?;
             return Ok(h);
         }
         let mut scratch = vec![0.0; RELAXED.scratch(x.len())];

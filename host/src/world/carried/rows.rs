@@ -163,7 +163,7 @@ impl Engine for CarriedWorld {
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
         if self.touching.is_some() {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
-            let done = self.step_touching(h, (&mut x, &mut low), found);
+            let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
             let accounts = done.map_err(words)?;
             self.drive += accounts.drive;
@@ -226,17 +226,27 @@ impl Engine for CarriedWorld {
     }
 
     fn warnings(&self) -> Vec<String> {
-        if self.unsettled == 0 {
-            return Vec::new();
+        let steps = |count: usize| smartbed_codegen::words::count(count, "step");
+        let mut said = Vec::new();
+        if self.unsettled > 0 {
+            let count = steps(self.unsettled);
+            said.push(format!("{count}: the sweeps over the contacts were cut short; take a smaller step"));
         }
-        vec![format!(
-            "{}: the sweeps over the contacts were cut short; take a smaller step",
-            smartbed_codegen::words::count(self.unsettled, "step")
-        )]
+        if self.forced > 0 {
+            said.push(format!(
+                "{} held more events than a step is split at: the rest of each went with e = 0 and nothing located; take a \
+                 smaller step, or impact = \"moreau\"",
+                steps(self.forced)
+            ));
+        }
+        said
     }
 
     fn method(&self) -> String {
-        match self.touching {
+        match &self.touching {
+            Some(touching) if touching.is_located() => {
+                format!("{}, touches located in time", self.method.0)
+            }
             Some(_) => self.method.0.to_owned(),
             None => format!("{}, flexible parts and what carries them as one", self.method.0),
         }

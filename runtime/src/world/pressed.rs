@@ -1,0 +1,400 @@
+//! Equations of motion of an island under contacts that last: they push so that nothing moves into another.
+//!
+//! In: an island, contacts that last and how each goes (held, sliding), a state. Out: rates, forces of the contacts;
+//! states put back onto them.
+//! ```text
+//! G lambda = -(d/dt W v)      N at every contact, T where friction holds;  T = -mu N w_t/|w_t| where it slides
+//! d/dt W v                    along the motion without these forces: a central difference over a short way
+//! ```
+//! The difference sees everything that turns a gap's rate: curved and moving surfaces, facets that bend, commanded frames.
+//! Its error is 1e-9 of the accelerations, none at rest; gaps and rates are put back to 0 after every step.
+
+use super::accounts::Accounts;
+use super::carrier::Carrier;
+use super::island::{Island, free_nodes};
+use super::step::{StepMemory, World};
+use crate::mechanism::Fault;
+use crate::ode::Ode;
+use crate::real::Scalar;
+use crate::rigid::contact::{Twist, solve_tangential};
+use crate::rigid::hold::Held;
+use crate::vec3::{self, Vec3};
+
+/// Sweeps over the contacts at most.
+const SWEEPS: usize = 2000;
+/// What sweeps may leave, as a share of the largest force, where contacts outnumber what determines them.
+const LEFT: f64 = 1e-10;
+/// A sliding contact whose normal force moves its own normal acceleration less than this share of K_nn jams (Painleve).
+const JAMMED: f64 = 1e-3;
+
+/// A contact that lasts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pressing<S> {
+    /// Number of its pair.
+    pub pair: usize,
+    /// Which of the pair's contacts.
+    pub id: u32,
+    /// Gap (m).
+    pub gap: S,
+    /// Place in N (m).
+    pub place: Vec3<S>,
+    /// Sides, axes, force (N), yields.
+    pub held: Held<S>,
+    /// Direction of slip in N; None where friction holds it. Zero without friction.
+    pub slip: Option<Vec3<S>>,
+    /// Relative velocity in N (m/s).
+    pub(super) velocity: Vec3<S>,
+    /// Speed of slip at the start of the way (m/s).
+    pub(super) speed: S,
+    /// Changes per second of the gap's rate and of the relative velocity in N, without the forces of contacts.
+    pub(super) change: (S, Vec3<S>),
+    /// Impulse or displacement of a correction: n, t1, t2.
+    pub(super) correction: Vec3<S>,
+}
+
+impl<S> AsMut<Held<S>> for Pressing<S> {
+    fn as_mut(&mut self) -> &mut Held<S> {
+        &mut self.held
+    }
+}
+
+impl<S: Scalar> Pressing<S> {
+    /// A place for one.
+    #[must_use]
+    pub fn empty() -> Pressing<S> {
+        let (zero, touch) = (vec3::zero(), super::Touch::empty());
+        let held = Held { contact: touch.contact, inverse_mass: [zero; 3], bias: zero, slip: None };
+        let (slip, change) = (None, (S::ZERO, zero));
+        Pressing {
+            pair: 0,
+            id: 0,
+            gap: S::ZERO,
+            place: zero,
+            held,
+            slip,
+            velocity: zero,
+            speed: S::ZERO,
+            change,
+            correction: zero,
+        }
+    }
+
+    /// Slip as components t1, t2 for the forces: its direction, that of the start where it has turned back.
+    fn directed(&self, rate: S) -> Option<[S; 2]> {
+        let first = self.slip?;
+        let axes = &self.held.contact.axes;
+        let slips = vec3::dot(self.velocity, first) > rate;
+        let [_, x, y] = vec3::apply(axes, if slips { self.velocity } else { first });
+        let ([_, x, y], _) = vec3::direction([S::ZERO, x, y]);
+        Some([x, y])
+    }
+}
+
+/// An island under contacts that last.
+pub(super) struct Pressed<'w, 'a, 'm, S, C> {
+    pub(super) world: &'w mut World<'a, S, C>,
+    pub(super) memory: &'w mut StepMemory<'m, S>,
+    pub(super) list: &'w mut [Pressing<S>],
+    /// Numbers of one state each.
+    pub(super) spare: [&'w mut [S]; 3],
+    /// Half the way of the difference (s).
+    pub(super) span: S,
+    /// How far a contact may be from where it was found (m), and what speed counts as none (m/s).
+    pub(super) rounding: [S; 2],
+    /// Time of the next projection.
+    pub(super) t: S,
+}
+
+impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
+    /// Velocities of ports and nodes where they were placed last.
+    pub(super) fn read_twists(world: &World<'_, S, C>, twists: &mut [Twist<S>]) {
+        let own = &world.island.memory;
+        let ports = own.frames.iter().map(|f| Twist { velocity: f.velocity, angular: f.angular_velocity });
+        let nodes = own.vel.iter().map(|v| Twist { velocity: *v, angular: vec3::zero() });
+        twists.iter_mut().zip(ports.chain(nodes)).for_each(|(to, from)| *to = from);
+    }
+
+    /// Puts everything where a state says and shows each contact there: its gap's rate and relative velocity in N.
+    fn look(
+        &mut self,
+        t: S,
+        x: &[S],
+        mut see: impl FnMut(&mut Pressing<S>, S, Vec3<S>),
+    ) -> Result<(), Fault> {
+        self.world.island.place(t, x)?;
+        let StepMemory { twists: [_, twists, _], normals, .. } = &mut *self.memory;
+        self.world.turn_normals(normals);
+        Self::read_twists(self.world, twists);
+        let scenery = self.world.scenery(normals, self.rounding[0], S::ONE + S::ONE);
+        for own in self.list.iter_mut() {
+            let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
+            if let Some((gap, place, mut contact)) = scenery.again(pair, own.id) {
+                // Axes turn with the normal: what was across it comes as near as it can.
+                let old = own.held.contact;
+                let [_, x, y] = vec3::apply(&contact.axes, old.to_inertial(old.impulse));
+                contact.impulse = [old.impulse[0], x, y];
+                (own.gap, own.place, own.held.contact) = (gap, place, contact);
+            }
+            let [n, x, y] = own.held.contact.relative(twists);
+            let velocity = own.held.contact.to_inertial([n, x, y]);
+            see(own, n, velocity);
+        }
+        Ok(())
+    }
+
+    /// d/dt W v along the rates `dot`; contacts, yields and biases at (t, x) then.
+    fn bend(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
+        let one = S::ONE / (self.span + self.span);
+        self.list.iter_mut().for_each(|own| own.change = (S::ZERO, vec3::zero()));
+        for sign in [S::ONE, -S::ONE] {
+            let (way, part) = (sign * self.span, sign * one);
+            let shifted = core::mem::take(&mut self.spare[0]);
+            for ((to, from), rate) in shifted.iter_mut().zip(x).zip(dot) {
+                *to = *from + way * *rate;
+            }
+            let looked = self.look(t + way, shifted, |own, rate, velocity| {
+                own.change.0 = own.change.0 + part * rate;
+                own.change.1 = vec3::axpy(own.change.1, part, velocity);
+            });
+            self.spare[0] = shifted;
+            looked?;
+        }
+        let rate = self.rounding[1];
+        self.look(t, x, |own, _, velocity| {
+            own.velocity = velocity;
+            let [_, x, y] = vec3::apply(&own.held.contact.axes, own.change.1);
+            own.held.bias = [own.change.0, x, y];
+            own.held.slip = own.directed(rate);
+        })?;
+        self.ask(t, x)
+    }
+
+    /// What the contacts yield.
+    fn ask(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
+        let list = &*self.list;
+        let touched = |port: usize| list.iter().any(|own| own.held.contact.touches_body(port));
+        let inertias = &mut self.memory.inertias;
+        self.world.island.ask_yields(t, x, inertias, touched)?;
+        for own in self.list.iter_mut() {
+            own.held.inverse_mass = own.held.contact.inverse_mass(inertias);
+        }
+        Ok(())
+    }
+
+    /// Rates without the forces of contacts, and what these have to balance; the worst pivot.
+    pub(super) fn prepare(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<S, Fault> {
+        let island = &mut self.world.island;
+        island.place(t, x)?;
+        island.load_seams()?;
+        let pivot = island.accelerate(t, x, dot)?;
+        if !self.list.is_empty() {
+            self.bend(t, x, dot)?;
+        }
+        Ok(pivot)
+    }
+
+    /// Forces that keep every contact as it goes, pulling where they must: the caller looks for the time of release.
+    fn balance(&mut self) -> Result<(), Fault> {
+        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
+        gained.fill(Twist::zero());
+        let mut scale = S::ZERO;
+        for Held { contact, bias, inverse_mass, .. } in self.list.iter().map(|own| &own.held) {
+            contact.push(inertias, gained, contact.impulse);
+            scale = scale.max(vec3::norm(*bias) / inverse_mass[0][0]).max(vec3::norm(contact.impulse));
+        }
+        let mut left = S::ZERO;
+        for _ in 0..SWEEPS {
+            left = S::ZERO;
+            for held in self.list.iter_mut().map(|own| &mut own.held) {
+                let ([k, kx, ky], before) = (held.inverse_mass[0], held.contact.impulse);
+                let rate = vec3::add(held.contact.relative(gained), held.bias);
+                let (slide, mu) = (held.slip, held.contact.friction);
+                let yields = slide.map_or(k, |[x, y]| k - mu * (kx * x + ky * y));
+                if yields <= S::from_f64(JAMMED) * k {
+                    return Err(Fault::Jammed);
+                }
+                let normal = before[0] - rate[0] / yields;
+                let along =
+                    slide.map_or([before[1], before[2]], |[x, y]| [-(mu * normal * x), -(mu * normal * y)]);
+                let mut force = [normal, along[0], along[1]];
+                held.contact.push(inertias, gained, vec3::sub(force, before));
+                if slide.is_none() {
+                    let [_, x, y] = vec3::add(held.contact.relative(gained), held.bias);
+                    let [x, y] = solve_tangential(&held.inverse_mass, [x, y]);
+                    held.contact.push(inertias, gained, [S::ZERO, -x, -y]);
+                    force = vec3::sub(force, [S::ZERO, x, y]);
+                }
+                held.contact.impulse = force;
+                left = left.max(vec3::norm(vec3::sub(force, before)));
+                scale = scale.max(vec3::norm(force));
+            }
+            if left <= S::from_f64(4.0) * S::EPSILON * scale {
+                return Ok(());
+            }
+        }
+        // Where contacts outnumber what determines them, rounding keeps moving forces that cancel.
+        if left <= S::from_f64(LEFT).max(S::EPSILON.sqrt() * S::from_f64(1e-2)) * scale {
+            Ok(())
+        } else {
+            Err(Fault::Jammed)
+        }
+    }
+
+    /// Adds the contacts' forces to those of the nodes and the wrenches of the ports.
+    fn load(&mut self) {
+        let own = &mut self.world.island.memory;
+        let ports = own.frames.len();
+        for contact in self.list.iter().map(|own| &own.held.contact) {
+            contact.deal(contact.impulse, |body, arm, force| {
+                if body >= ports {
+                    vec3::add_at(own.elastic, body - ports, force);
+                } else if let Some(wrench) = own.wrenches.get_mut(body) {
+                    wrench.force = vec3::add(wrench.force, force);
+                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
+                }
+            });
+        }
+    }
+
+    /// Powers by their ways at a state (W), and its rates.
+    fn powers(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<Accounts<S>, Fault> {
+        self.rates(t, x, dot)?;
+        let Island { carrier, body, memory: own, .. } = &mut self.world.island;
+        let mut powers = Accounts::empty();
+        for (viscous, velocity) in own.viscous.iter().zip(own.vel.iter()) {
+            let drag = vec3::scale(*velocity, -body.air_drag);
+            powers.drag = powers.drag - vec3::dot(drag, *velocity);
+            powers.damping = powers.damping - vec3::dot(vec3::sub(*viscous, drag), *velocity);
+        }
+        for own in self.list.iter() {
+            let [_, x, y] = own.held.contact.impulse;
+            let force = own.held.contact.to_inertial([S::ZERO, x, y]);
+            powers.friction = powers.friction - vec3::dot(force, own.velocity);
+        }
+        powers.drive = carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
+        Ok(powers)
+    }
+
+    /// Works over a way of this length between two states, by Simpson's rule; three lists of memory.
+    pub(super) fn works(
+        &mut self,
+        (t, length): (S, S),
+        [old, new]: [&[S]; 2],
+        [first, last, between]: [&mut [S]; 3],
+    ) -> Result<Accounts<S>, Fault> {
+        let half = S::from_f64(0.5);
+        let start = self.powers(t, old, first)?;
+        let end = self.powers(t + length, new, last)?;
+        // Half the way by Hermite's interpolation.
+        let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
+        for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
+            *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
+        }
+        let inside = self.powers(t + half * length, between, first)?;
+        let sum = start.plus(&end).plus(&inside.times(S::from_f64(4.0)));
+        Ok(sum.times(length / S::from_f64(6.0)))
+    }
+
+    /// Corrections that give each contact the change `wanted` of its relative velocity (or gap), held ones across too.
+    fn correct(&mut self, across: bool, wanted: impl Fn(&Pressing<S>) -> Vec3<S>) {
+        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
+        gained.fill(Twist::zero());
+        let mut scale = S::ZERO;
+        for own in self.list.iter_mut() {
+            own.correction = vec3::zero();
+            scale = scale.max(vec3::norm(wanted(own)));
+        }
+        for _ in 0..SWEEPS {
+            let mut left = S::ZERO;
+            for own in self.list.iter_mut() {
+                let (aim, k) = (wanted(own), own.held.inverse_mass);
+                let contact = &own.held.contact;
+                let off = aim[0] - contact.relative(gained)[0];
+                let mut more = [off / k[0][0], S::ZERO, S::ZERO];
+                contact.push(inertias, gained, more);
+                left = left.max(off.abs());
+                if across && own.slip.is_none() {
+                    let [_, x, y] = vec3::sub(aim, contact.relative(gained));
+                    left = left.max(x.abs()).max(y.abs());
+                    let [x, y] = solve_tangential(&k, [x, y]);
+                    contact.push(inertias, gained, [S::ZERO, x, y]);
+                    (more[1], more[2]) = (x, y);
+                }
+                own.correction = vec3::add(own.correction, more);
+            }
+            if left <= S::from_f64(4.0) * S::EPSILON * scale {
+                break;
+            }
+        }
+    }
+
+    /// What the corrections do: `places` as displacements, else as impulses.
+    fn move_by_corrections(&mut self, t: S, x: &mut [S], places: bool) -> Result<(), Fault> {
+        let ports = self.world.island.memory.frames.len();
+        let impulses = self.list.iter().map(|own| (&own.held.contact, own.correction));
+        self.world.island.load_impulses(impulses);
+        let island = &mut self.world.island;
+        let gained = self.memory.twists[0].get(ports..).unwrap_or_default();
+        let parts = island.parts_mut(x)?;
+        let rows = if places { parts.pos } else { parts.vel };
+        for (node, row) in free_nodes(&island.body).zip(rows.chunks_exact_mut(3)) {
+            let change = gained.get(node).map_or_else(vec3::zero, |twist| twist.velocity);
+            row.iter_mut().zip(change).for_each(|(x, change)| *x = *x + change);
+        }
+        let on_ports = |port: usize| self.list.iter().any(|own| own.held.contact.touches_body(port));
+        if island.carrier.n_u() == 0 || !(0..ports).any(on_ports) {
+            return Ok(());
+        }
+        let [pushed, free, moved] = &mut self.spare;
+        island.push_carrier(t, x, [&mut **pushed, &mut **free, &mut **moved], places)
+    }
+}
+
+impl<S: Scalar, C: Carrier<S>> Ode<S> for Pressed<'_, '_, '_, S, C> {
+    fn n_x(&self) -> usize {
+        self.world.island.n_x()
+    }
+
+    fn n_q(&self) -> usize {
+        self.world.island.n_q()
+    }
+
+    fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        let pivot = self.prepare(t, x, x_dot)?;
+        if self.list.is_empty() {
+            return Ok(pivot);
+        }
+        self.balance()?;
+        self.load();
+        self.world.island.accelerate(t, x, x_dot)
+    }
+
+    fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {
+        let mut residual = S::ZERO;
+        if self.world.island.projections() > 0 {
+            residual = self.world.island.project(x)?;
+        }
+        if self.list.is_empty() {
+            return Ok(residual);
+        }
+        let t = self.t;
+        self.look(t, x, |_, _, _| {})?;
+        self.ask(t, x)?;
+        self.correct(false, |own| [-own.gap, S::ZERO, S::ZERO]);
+        self.move_by_corrections(t, x, true)?;
+        self.look(t, x, |own, _, velocity| own.velocity = velocity)?;
+        self.ask(t, x)?;
+        self.correct(true, |own| vec3::scale(vec3::apply(&own.held.contact.axes, own.velocity), -S::ONE));
+        self.move_by_corrections(t, x, false)?;
+        Ok(residual)
+    }
+
+    fn set_time(&mut self, t: S) {
+        self.t = t;
+        self.world.island.set_time(t);
+    }
+
+    fn projections(&self) -> u8 {
+        self.world.island.projections().max(u8::from(!self.list.is_empty()))
+    }
+}
