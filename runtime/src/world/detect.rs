@@ -49,6 +49,9 @@ pub struct Touch<S> {
     pub(super) inverse_mass: InverseMass<S>,
     /// Relative velocity at the start of the step, n, t1, t2.
     pub(super) start: Vec3<S>,
+    /// What the last sweep changed of the impulse, and the way of all sweeps.
+    pub(super) change: Vec3<S>,
+    pub(super) way: Vec3<S>,
 }
 
 impl<S: Scalar> Touch<S> {
@@ -64,7 +67,17 @@ impl<S: Scalar> Touch<S> {
         let zero = vec3::zero();
         let contact = Contact::between([Side::fixed(); 2], [S::ZERO, S::ZERO, S::ONE]);
         let inverse_mass = [zero; 3];
-        Touch { pair: 0, id: 0, gap: S::ZERO, point: zero, contact, inverse_mass, start: zero }
+        Touch {
+            pair: 0,
+            id: 0,
+            gap: S::ZERO,
+            point: zero,
+            contact,
+            inverse_mass,
+            start: zero,
+            change: zero,
+            way: zero,
+        }
     }
 }
 

@@ -92,7 +92,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0.
     ///
     /// # Errors
-    /// [`Fault::Shape`] for lists of wrong length or more contacts than there is room for; [`Fault::Singular`] or
+    /// [`Fault::Shape`] for lists of wrong length, [`Fault::TooManyContacts`] where there is no room for them; [`Fault::Singular`] or
     /// [`Fault::NonFinite`] if the middle or the end is. The state is then unchanged.
     pub fn step(
         &mut self,

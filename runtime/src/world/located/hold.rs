@@ -1,0 +1,104 @@
+//! Contacts that last, at the start of a way: which press, and whether they hold or slide.
+
+use super::{Sight, Way};
+use crate::mechanism::Fault;
+use crate::ode::Ode;
+use crate::real::Scalar;
+use crate::rigid::contact::Twist;
+use crate::rigid::hold::hold;
+use crate::vec3;
+use crate::world::carrier::Carrier;
+use crate::world::detect::Touch;
+use crate::world::pressed::Pressing;
+use crate::world::step::{StepMemory, World};
+
+/// Forces below this share of the largest one count as none.
+pub(super) const LIGHT: f64 = 1e-9;
+/// A slip that turns back with less than this share of its speed has come to rest.
+const SLOW: f64 = 0.1;
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// Puts to rest what has slid and turned back: towards the end of a slip its direction is known less and less, and what is
+    /// left of it is the method's error.
+    fn stop(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+        let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
+        let list = way.pressing.get_mut(..way.held).unwrap_or_default();
+        let mut stopped = 0;
+        for k in 0..list.len() {
+            let Some(own) = list.get_mut(k) else { continue };
+            let Some(first) = own.slip.filter(|_| own.held.contact.friction > S::ZERO) else { continue };
+            let same = |touch: &&Touch<S>| touch.pair == own.pair && touch.id == own.id;
+            let Some(touch) = touches.iter().find(same) else { continue };
+            let slip = touch.contact.to_inertial([S::ZERO, touch.start[1], touch.start[2]]);
+            if vec3::dot(slip, first) <= S::ZERO && vec3::norm(slip) <= S::from_f64(SLOW) * own.speed {
+                (own.slip, own.held.contact) = (None, touch.contact);
+                list.swap(stopped, k);
+                stopped += 1;
+            }
+        }
+        way.held = stopped;
+        if stopped == 0 {
+            return Ok(());
+        }
+        let (mut pressed, Sight { now: [x, _], .. }) = way.pressed(self);
+        pressed.set_time(t);
+        pressed.project(x)?;
+        self.find_touches(t, way)
+    }
+
+    /// Which contacts press from here on, and how each goes.
+    pub(super) fn hold_at_start(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+        self.stop(t, way)?;
+        let rate = way.rounding.rate;
+        way.held = 0;
+        for touch in way.memory.touches[0].iter().take(way.known).filter(|touch| touch.start[0].abs() <= rate)
+        {
+            let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
+            *own = Pressing { pair: touch.pair, id: touch.id, ..Pressing::empty() };
+            own.held.contact = touch.contact;
+            let [_, x, y] = touch.start;
+            own.velocity = touch.contact.to_inertial([S::ZERO, x, y]);
+            own.speed = vec3::norm(own.velocity);
+            let ([_, x, y], speed) = vec3::direction([S::ZERO, x, y]);
+            let smooth = touch.contact.friction <= S::ZERO;
+            own.slip = match (smooth, speed > rate) {
+                (true, _) => Some(vec3::zero()),
+                (false, true) => Some(touch.contact.to_inertial([S::ZERO, x, y])),
+                (false, false) => None,
+            };
+            way.held += 1;
+        }
+        if way.held == 0 {
+            return Ok(());
+        }
+        let dot = core::mem::take(&mut way.dots[0]);
+        let (mut pressed, Sight { now: [x, _], .. }) = way.pressed(self);
+        let prepared = pressed.prepare(t, x, dot);
+        way.dots[0] = dot;
+        prepared?;
+        let StepMemory { twists: [gained, ..], inertias, .. } = &mut *way.memory;
+        gained.fill(Twist::zero());
+        let list = way.pressing.get_mut(..way.held).unwrap_or_default();
+        if !hold(list, &*inertias, gained) {
+            return Err(Fault::Jammed);
+        }
+        let largest = list.iter().fold(S::ZERO, |most, own| most.max(own.held.contact.impulse[0]));
+        let mut held = 0;
+        for k in 0..list.len() {
+            let Some(own) = list.get_mut(k) else { continue };
+            let ([n, x, y], mu) = (own.held.contact.impulse, own.held.contact.friction);
+            if n <= S::from_f64(LIGHT) * largest {
+                continue;
+            }
+            // On the rim friction holds no longer: it starts to slide the other way.
+            let ([_, x, y], rub) = vec3::direction([S::ZERO, x, y]);
+            if own.slip.is_none() && rub >= mu * n * (S::ONE - S::from_f64(LIGHT)) {
+                own.slip = Some(own.held.contact.to_inertial([S::ZERO, -x, -y]));
+            }
+            list.swap(held, k);
+            held += 1;
+        }
+        way.held = held;
+        Ok(())
+    }
+}

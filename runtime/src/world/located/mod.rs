@@ -1,0 +1,275 @@
+//! The step of a world with touches located in time: methods keep their order through contact.
+//!
+//! In: state [q, x; u, v] at t, a method, a law of impact for each pair. Out: the state at t + h, accounts.
+//! ```text
+//! strike      if some of what touches closes: impact of all that touches (`impact`)
+//! hold        contacts that last: they press or let go, hold or slide, by their forces at the start of the way
+//! advance     the method's step of the equations under these contacts (`pressed`)
+//! shorten     to the first new touch, to where a force would pull, a slip stops, or friction no longer holds
+//! ```
+//! and again until h is gone. A step is split at most [`SPLITS`] times; the rest goes without locating anything, as in `step`,
+//! and the report says so: many contacts are for that step. Gaps and speeds of rounding follow from sizes and speeds at hand.
+
+mod hold;
+mod shorten;
+mod strike;
+
+use super::accounts::Accounts;
+use super::carrier::Carrier;
+use super::detect::{AT_NODE, Touch};
+use super::pressed::{Pressed, Pressing};
+use super::step::{StepMemory, World};
+use crate::mechanism::Fault;
+use crate::ode::{Method, Ode, State};
+use crate::real::Scalar;
+use crate::rigid::law::Kind;
+use crate::rigid::several::Struck;
+use crate::vec3;
+
+/// Splits of one step at most.
+pub const SPLITS: usize = 64;
+/// Half the way of the differences as a part of the step: errors of rounding and of curvature are alike.
+const SPAN: f64 = 1e-4;
+/// How far a contact that lasts may drift off in a step, as a part of the world's size.
+const DRIFT: f64 = 0.01;
+/// Acceleration (m/s^2) at which speeds are those of rounding: of the order of gravity's.
+const USUAL: f64 = 10.0;
+
+/// Working memory of a step with located touches.
+#[derive(Debug)]
+pub struct LocatedMemory<'a, S> {
+    /// That of a step without locating, for the rest of a step that has used up its splits.
+    pub step: StepMemory<'a, S>,
+    /// [`LocatedMemory::scratch`] numbers.
+    pub scratch: &'a mut [S],
+    /// Contacts that last: as many as there may be touches.
+    pub pressing: &'a mut [Pressing<S>],
+    /// Contacts of an impact, twice.
+    pub struck: [&'a mut [Struck<S>]; 2],
+}
+
+/// An impact within a step, shown while it happens.
+#[derive(Clone, Copy, Debug)]
+pub struct Strike<'a, S> {
+    /// Time since the start of the step (s).
+    pub time: S,
+    /// What touched, with the velocities before.
+    pub touches: &'a [Touch<S>],
+    /// The same with their impulses.
+    pub struck: &'a [Struck<S>],
+}
+
+/// What a step did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocatedReport<S> {
+    /// Impacts.
+    pub impacts: usize,
+    /// Pieces the step was split into.
+    pub pieces: usize,
+    /// Contacts that press at the end.
+    pub pressing: usize,
+    /// Splits were used up: the rest of the step went without locating, with e = 0.
+    pub forced: bool,
+    /// Was every impact found to rounding? What is left ends as by e = 0.
+    pub settled: bool,
+    /// Energy by its ways in this step.
+    pub accounts: Accounts<S>,
+}
+
+/// What counts as nothing.
+#[derive(Clone, Copy)]
+struct Rounding<S> {
+    /// Length (m).
+    gap: S,
+    /// How far a contact that lasts may be from where it was found (m).
+    drift: S,
+    /// Speed (m/s).
+    rate: S,
+}
+
+/// What of a way stands beside its equations: the state so far, that on trial, the method's memory.
+struct Sight<'p, S> {
+    now: [&'p mut [S]; 2],
+    trial: [&'p mut [S]; 2],
+    room: &'p mut [S],
+}
+
+/// A step under way: where it has come to, and the memory it works with.
+struct Way<'w, 'm, S> {
+    /// State so far and what rounding left out; the same on trial.
+    now: [&'w mut [S]; 2],
+    trial: [&'w mut [S]; 2],
+    /// Rates at the start, the end and in between.
+    dots: [&'w mut [S]; 3],
+    spare: [&'w mut [S]; 3],
+    /// The method's memory.
+    room: &'w mut [S],
+    memory: &'w mut StepMemory<'m, S>,
+    pressing: &'w mut [Pressing<S>],
+    struck: [&'w mut [Struck<S>]; 2],
+    /// How many touch at the start of the piece, and how many of them press.
+    known: usize,
+    held: usize,
+    span: S,
+    rounding: Rounding<S>,
+}
+
+impl<'m, S: Scalar> LocatedMemory<'m, S> {
+    /// Numbers of scratch memory for a state of `n` entries.
+    #[must_use]
+    pub const fn scratch(method: Method, n: usize) -> usize {
+        10 * n + method.scratch(n)
+    }
+
+    /// The same, ordered for a step of h from a state.
+    fn way<'w>(&'w mut self, h: S, state: &State<'_, S>) -> Result<Way<'w, 'm, S>, Fault> {
+        let n = state.x().len();
+        let (rows, room) = self.scratch.split_at_mut_checked(10 * n).ok_or(Fault::Shape)?;
+        let mut rows = rows.chunks_exact_mut(n.max(1));
+        let [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), Some(g), Some(i), Some(j), Some(k)] =
+            core::array::from_fn(|_| rows.next())
+        else {
+            return Err(Fault::Shape);
+        };
+        a.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
+        b.iter_mut().zip(state.low()).for_each(|(to, from)| *to = *from);
+        let [struck, lifts] = &mut self.struck;
+        Ok(Way {
+            now: [a, b],
+            trial: [c, d],
+            dots: [e, f, g],
+            spare: [i, j, k],
+            room,
+            memory: &mut self.step,
+            pressing: self.pressing,
+            struck: [struck, lifts],
+            known: 0,
+            held: 0,
+            span: S::from_f64(SPAN) * h,
+            rounding: Rounding { gap: S::ZERO, drift: S::ZERO, rate: S::ZERO },
+        })
+    }
+}
+
+impl<'m, S: Scalar> Way<'_, 'm, S> {
+    /// The equations under the contacts that press; the states on trial and the method's memory beside them.
+    fn pressed<'p, 'a, C>(
+        &'p mut self,
+        world: &'p mut World<'a, S, C>,
+    ) -> (Pressed<'p, 'a, 'm, S, C>, Sight<'p, S>) {
+        let ([x, low], [from, from_low], [a, b, c]) = (&mut self.trial, &mut self.now, &mut self.spare);
+        let pressed = Pressed {
+            world,
+            memory: &mut *self.memory,
+            list: self.pressing.get_mut(..self.held).unwrap_or_default(),
+            spare: [a, b, c],
+            span: self.span,
+            rounding: [self.rounding.drift, self.rounding.rate],
+            t: S::ZERO,
+        };
+        (pressed, Sight { now: [from, from_low], trial: [x, low], room: self.room })
+    }
+
+    /// What touches at the start of the piece.
+    fn touches(&self) -> &[Touch<S>] {
+        self.memory.touches[0].get(..self.known).unwrap_or_default()
+    }
+}
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// Advances the state from t by h (s), > 0; `kinds` has the law of each pair (e and mu are the pair's own, e of compensation
+    /// the root of its share), `watch` sees every impact, those of a step refused in the end too.
+    ///
+    /// # Errors
+    /// [`Fault::TooManyContacts`], [`Fault::Jammed`] where friction jams what slides; [`Fault::Shape`] for lists of wrong length;
+    /// the method's faults. The state is then unchanged.
+    pub fn step_located(
+        &mut self,
+        kinds: &[Kind],
+        method: Method,
+        (t, h): (S, S),
+        state: &mut State<'_, S>,
+        memory: &mut LocatedMemory<'_, S>,
+        mut watch: impl FnMut(Strike<'_, S>),
+    ) -> Result<LocatedReport<S>, Fault> {
+        if state.x().len() != self.island.n_x() || state.x().is_empty() || kinds.len() != self.pairs.len() {
+            return Err(Fault::Shape);
+        }
+        let mut report = LocatedReport {
+            impacts: 0,
+            pieces: 0,
+            pressing: 0,
+            forced: false,
+            settled: true,
+            accounts: Accounts::empty(),
+        };
+        let way = &mut memory.way(h, state)?;
+        let mut left = h;
+        for _ in 0..SPLITS {
+            let start = t + (h - left);
+            self.measure(start, way)?;
+            self.strike(kinds, start, way, &mut report, |touches, struck| {
+                watch(Strike { time: h - left, touches, struck });
+            })?;
+            self.hold_at_start(start, way)?;
+            let length = self.shorten(method, (start, left), way)?;
+            report.accounts = report.accounts.plus(&self.works(start, length, way)?);
+            for (now, trial) in way.now.iter_mut().zip(&way.trial) {
+                now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
+            }
+            (report.pieces, report.pressing) = (report.pieces + 1, way.held);
+            left = if length < left { left - length } else { S::ZERO };
+            if left <= S::ZERO {
+                break;
+            }
+        }
+        if left > S::ZERO {
+            report.forced = true;
+            let [x, low] = &mut way.now;
+            way.memory.counts = [0; 2];
+            let rest = self.step(t + (h - left), left, &mut State::resume(x, low)?, way.memory)?;
+            report.accounts = report.accounts.plus(&rest.accounts);
+        }
+        for ((x, low), (now, now_low)) in state.entries().zip(way.now[0].iter().zip(way.now[1].iter())) {
+            (*x, *low) = (*now, *now_low);
+        }
+        Ok(report)
+    }
+
+    /// What counts as nothing, by sizes and speeds at the state so far.
+    fn measure(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+        self.island.place(t, way.now[0])?;
+        let StepMemory { twists: [_, twists, _], .. } = &mut *way.memory;
+        Pressed::read_twists(self, twists);
+        let own = &self.island.memory;
+        let origins = own.frames.iter().map(|frame| frame.origin);
+        let reach = self.largest();
+        let farthest = origins.chain(own.pos.iter().copied()).fold(S::ZERO, |m, x| m.max(vec3::norm(x)));
+        let size = reach + farthest;
+        let speed = twists.iter().fold(S::ZERO, |most, twist| {
+            most.max(vec3::norm(twist.velocity) + reach * vec3::norm(twist.angular))
+        });
+        // A speed whose bounce is as high as lengths are rounded; epsilon^(2/3): halfway to nothing.
+        let lowest = S::from_f64(4.0) * (S::EPSILON * S::from_f64(USUAL) * size).sqrt();
+        way.rounding = Rounding {
+            gap: (S::from_f64(2.0 / 3.0) * S::EPSILON.ln()).exp() * size,
+            drift: S::from_f64(DRIFT) * size,
+            rate: lowest + S::from_f64(64.0) * S::EPSILON * speed,
+        };
+        Ok(())
+    }
+
+    /// Finds what touches at the state so far, with its velocity.
+    fn find_touches(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
+        self.island.place(t, way.now[0])?;
+        let StepMemory { twists: [_, twists, _], normals, touches: [now, _], counts, .. } = &mut *way.memory;
+        self.turn_normals(normals);
+        Pressed::read_twists(self, twists);
+        let count = self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, now)?;
+        for touch in now.iter_mut().take(count) {
+            touch.start = touch.contact.relative(twists);
+        }
+        (counts[0], way.known) = (count, count);
+        Ok(())
+    }
+}

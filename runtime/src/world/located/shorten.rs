@@ -1,0 +1,107 @@
+//! The way to the first event: the method's step under contacts that last, and what is left at its end.
+
+use super::hold::LIGHT;
+use super::{Sight, Way};
+use crate::mechanism::Fault;
+use crate::ode::root::locate;
+use crate::ode::{Method, Ode, State};
+use crate::real::Scalar;
+use crate::vec3;
+use crate::world::accounts::Accounts;
+use crate::world::carrier::Carrier;
+use crate::world::detect::AT_NODE;
+use crate::world::pressed::Pressing;
+use crate::world::step::{StepMemory, World};
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// Goes a length from the state so far into that on trial.
+    fn advance(&mut self, method: Method, (t, length): (S, S), way: &mut Way<S>) -> Result<(), Fault> {
+        let (mut pressed, Sight { now: [from, from_low], trial: [x, low], room }) = way.pressed(self);
+        x.iter_mut().zip(from.iter()).for_each(|(to, from)| *to = *from);
+        low.iter_mut().zip(from_low.iter()).for_each(|(to, from)| *to = *from);
+        method.step(&mut pressed, t, length, &mut State::resume(x, low)?, room).map(|_| ())
+    }
+
+    /// Goes all that is left, or to the first event: how far.
+    pub(super) fn shorten(
+        &mut self,
+        method: Method,
+        (t, left): (S, S),
+        way: &mut Way<S>,
+    ) -> Result<S, Fault> {
+        self.advance(method, (t, left), way)?;
+        if self.clearance(t + left, way)? >= S::ZERO {
+            return Ok(left);
+        }
+        let mut fault = None;
+        let guard = |length: S| {
+            // At the start nothing new touches, pulls or has turned back.
+            if length <= S::ZERO {
+                return S::ZERO;
+            }
+            let gone = self.advance(method, (t, length), way).and_then(|()| self.clearance(t + length, way));
+            gone.unwrap_or_else(|why| {
+                fault = Some(why);
+                S::ZERO
+            })
+        };
+        let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
+        if let Some(why) = fault {
+            return Err(why);
+        }
+        // To the far side: what touches does so within rounding, what pulls has let go.
+        let length = found.map_or(left, |(_, beyond)| beyond);
+        self.advance(method, (t, length), way)?;
+        Ok(length)
+    }
+
+    /// What is left until the first event, at the end on trial; below 0 beyond it. Each part is measured by its rounding.
+    fn clearance(&mut self, t: S, way: &mut Way<S>) -> Result<S, Fault> {
+        let dot = core::mem::take(&mut way.dots[1]);
+        let (mut pressed, Sight { trial: [x, _], .. }) = way.pressed(self);
+        let gone = pressed.rates(t, x, dot);
+        way.dots[1] = dot;
+        gone?;
+        let list = way.pressing.get(..way.held).unwrap_or_default();
+        let StepMemory { normals, touches: [known, found], .. } = &mut *way.memory;
+        self.turn_normals(normals);
+        let count = self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, found)?;
+        let known = known.get(..way.known).unwrap_or_default();
+        let mut clear = S::ONE;
+        for touch in found.iter().take(count) {
+            let same = |pair: usize, id: u32| pair == touch.pair && id == touch.id;
+            if !list.iter().any(|own| same(own.pair, own.id)) {
+                // What overlaps already and parts is met anew only where it goes deeper.
+                let before = known.iter().find(|own| same(own.pair, own.id));
+                let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
+                clear = clear.min((touch.gap - depth) / way.rounding.gap + S::ONE);
+            }
+        }
+        let force = |own: &Pressing<S>| own.held.contact.impulse;
+        let largest = list.iter().fold(S::ZERO, |most, own| most.max(force(own)[0].abs()));
+        let light = S::from_f64(LIGHT) * largest;
+        for own in list {
+            let ([n, x, y], mu) = (force(own), own.held.contact.friction);
+            clear = clear.min(n / light + S::ONE);
+            match own.slip {
+                Some(first) if mu > S::ZERO => {
+                    // Half of what counts as rest, so that what has stopped is found at rest.
+                    let rest = S::from_f64(0.5) * way.rounding.rate;
+                    clear = clear.min(vec3::dot(own.velocity, first) / rest + S::ONE);
+                }
+                Some(_) => {}
+                None => clear = clear.min((mu * n - (x * x + y * y).sqrt()) / light + S::ONE),
+            }
+        }
+        Ok(clear)
+    }
+
+    /// Energy by its ways over the piece from the state so far to that on trial: powers by Simpson's rule.
+    pub(super) fn works(&mut self, t: S, length: S, way: &mut Way<S>) -> Result<Accounts<S>, Fault> {
+        let [first, last, between] = core::mem::take(&mut way.dots);
+        let (mut pressed, Sight { now: [old, _], trial: [new, _], .. }) = way.pressed(self);
+        let sum = pressed.works((t, length), [old, new], [&mut *first, &mut *last, &mut *between]);
+        way.dots = [first, last, between];
+        sum
+    }
+}

@@ -1,0 +1,65 @@
+//! Impact of everything that touches at an instant, put into the state.
+
+use super::{LocatedReport, Way};
+use crate::mechanism::Fault;
+use crate::ode::Ode;
+use crate::real::Scalar;
+use crate::rigid::law::Kind;
+use crate::rigid::several::Struck;
+use crate::world::carrier::Carrier;
+use crate::world::detect::Touch;
+use crate::world::impact::{Setting, Spare};
+use crate::world::step::{StepMemory, World};
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// Impact of all that touches, if some of it closes.
+    pub(super) fn strike(
+        &mut self,
+        kinds: &[Kind],
+        t: S,
+        way: &mut Way<S>,
+        report: &mut LocatedReport<S>,
+        show: impl FnOnce(&[Touch<S>], &[Struck<S>]),
+    ) -> Result<(), Fault> {
+        self.find_touches(t, way)?;
+        if !way.touches().iter().any(|touch| touch.start[0] < -way.rounding.rate) {
+            return Ok(());
+        }
+        let before = self.island.energy(t, way.now[0])?.total();
+        let StepMemory { twists: [one, twists, other], inertias, touches: [touches, _], .. } =
+            &mut *way.memory;
+        let touches = touches.get(..way.known).unwrap_or_default();
+        let [struck, lifts] = &mut way.struck;
+        let struck = struck.get_mut(..touches.len()).ok_or(Fault::TooManyContacts)?;
+        let touched = |port: usize| touches.iter().any(|own| own.contact.touches_body(port));
+        self.island.ask_yields(t, way.now[0], inertias, touched)?;
+        for (s, touch) in struck.iter_mut().zip(touches) {
+            *s = Struck::new(touch.contact, inertias);
+        }
+        let law_of = |touch: &Touch<S>| Some((*kinds.get(touch.pair)?, touch.contact.restitution));
+        let law =
+            touches.first().and_then(law_of).filter(|law| touches.iter().all(|t| law_of(t) == Some(*law)));
+        let island = &self.island;
+        let ports = island.memory.frames.len();
+        let setting = Setting { body: &island.body, pos: island.memory.pos, ports, inertia: &*inertias };
+        let settled = setting.strike(struck, law, twists, &mut Spare { lifts, twists: [one, other] });
+        report.settled &= settled;
+        show(touches, struck);
+        let [x, low] = &mut way.now;
+        let [a, b, c] = &mut way.spare;
+        let contacts = struck.iter().map(|s| (&s.contact, s.contact.impulse));
+        self.island.load_impulses(contacts);
+        self.island.set_speeds(x, twists)?;
+        self.island.push_carrier(t, x, [&mut **a, &mut **b, &mut **c], false)?;
+        if self.island.projections() > 0 {
+            self.island.set_time(t);
+            self.island.project(x)?;
+        }
+        let n_q = self.island.n_q();
+        low.iter_mut().skip(n_q).for_each(|low| *low = S::ZERO);
+        let after = self.island.energy(t, x)?.total();
+        report.impacts += 1;
+        report.accounts.impact = report.accounts.impact + (before - after);
+        self.find_touches(t, way)
+    }
+}
