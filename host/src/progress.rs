@@ -5,7 +5,7 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{IsTerminal, Write};
-use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -78,7 +78,8 @@ fn bar(what: &str, template: &str) -> ProgressBar {
     bar
 }
 
-/// Work of which nobody knows how far it is: on a terminal, what it is and for how long, from its second on.
+/// Work of which nobody knows how far it is: what it is and for how long, from its second on; elsewhere than on a terminal
+/// only if it has stages.
 #[derive(Debug)]
 pub struct Waiting {
     done: Option<Sender<()>>,
@@ -89,18 +90,26 @@ impl Waiting {
     /// Begins to wait, until it is dropped.
     #[must_use]
     pub fn new(what: &str) -> Self {
-        if !std::io::stderr().is_terminal() {
+        Self::begin(what, None)
+    }
+
+    /// Begins to wait for equations, the stage of whose derivation is shown.
+    #[must_use]
+    pub fn deriving() -> Self {
+        Self::begin("deriving the equations", Some(smartbed_codegen::program::stage::current))
+    }
+
+    fn begin(what: &str, stage: Option<fn() -> &'static str>) -> Self {
+        let is_terminal = std::io::stderr().is_terminal();
+        if !is_terminal && stage.is_none() {
             return Self { done: None, thread: None };
         }
         let (done, ended) = mpsc::channel::<()>();
         let what = what.to_owned();
-        let show = move || {
-            if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-                let bar = bar(&what, "{spinner} {prefix} {elapsed}");
-                bar.enable_steady_tick(INTERVALS[0]);
-                let _ = ended.recv();
-                bar.finish_and_clear();
-            }
+        let show = move || match stage {
+            _ if ended.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) => {}
+            Some(stage) if !is_terminal => list(&mut std::io::stderr(), &what, stage, &ended),
+            _ => spin(&what, stage, &ended),
         };
         Self { done: Some(done), thread: std::thread::Builder::new().spawn(show).ok() }
     }
@@ -111,6 +120,37 @@ impl Drop for Waiting {
         drop(self.done.take());
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
+        }
+    }
+}
+
+/// What is waited for, its stage and its time in one line that moves, and vanishes at the end.
+fn spin(what: &str, stage: Option<fn() -> &'static str>, ended: &Receiver<()>) {
+    let bar = bar(what, "{spinner} {prefix}{msg} {elapsed}");
+    loop {
+        if let Some(stage) = stage {
+            bar.set_message(format!(": {}", stage()));
+        }
+        bar.tick();
+        if ended.recv_timeout(INTERVALS[0]) != Err(RecvTimeoutError::Timeout) {
+            break;
+        }
+    }
+    bar.finish_and_clear();
+}
+
+/// A line for each stage that is begun after the first second.
+fn list(to: &mut dyn Write, what: &str, stage: fn() -> &'static str, ended: &Receiver<()>) {
+    let mut last = "";
+    loop {
+        let now = stage();
+        if now != last {
+            // Nobody reading is no reason to stop.
+            let _ = writeln!(to, "{what}: {now}");
+            last = now;
+        }
+        if ended.recv_timeout(INTERVALS[0]) != Err(RecvTimeoutError::Timeout) {
+            break;
         }
     }
 }
@@ -128,7 +168,27 @@ fn left(elapsed: f64, done: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::left;
+    use super::{left, list};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::sync::mpsc;
+
+    #[test]
+    fn a_line_for_each_stage_in_turn() {
+        static LOOKS: AtomicUsize = AtomicUsize::new(0);
+        // Each look at it but the second is at a new stage; the end comes after the third.
+        let (done, ended) = mpsc::channel::<()>();
+        let lines = std::thread::spawn(move || {
+            let mut lines = Vec::new();
+            let stage = || ["rows", "rows", "sums", "sums"][LOOKS.fetch_add(1, Ordering::SeqCst).min(3)];
+            list(&mut lines, "deriving", stage, &ended);
+            String::from_utf8(lines).expect("text")
+        });
+        while LOOKS.load(Ordering::SeqCst) < 3 {
+            std::thread::sleep(std::time::Duration::from_millis(1));
+        }
+        drop(done);
+        assert_eq!(lines.join().expect("an end"), "deriving: rows\nderiving: sums\n");
+    }
 
     #[test]
     fn the_time_left_goes_by_what_is_done() {

@@ -14,7 +14,7 @@ EQUATIONS = [
     [("smartbed-codegen", "lib", ()),
      ("smartbed-codegen", "it", ("--skip", "example_crate", "--skip", "hostile", "--skip", "emitted_bytes",
                                  "--skip", "layering", "--skip", "import_circles"))],
-    [(TOGETHER, "it", ("random_mechanisms", "hard_mechanisms", "implied_parameter", "agreement::"))],
+    [(TOGETHER, "it", ("random_mechanisms", "hard_mechanisms", "dead_points", "implied_parameter", "agreement::"))],
     [(TOGETHER, "it", ("every_field", "accuracy::", "energy::", "cost::all", "cost::closed", "cost::differences",
                        "bicycle_benchmark", "closed_forms", "--skip", "flexible"))],
 ]

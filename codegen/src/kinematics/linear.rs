@@ -125,4 +125,12 @@ mod tests {
         assert_eq!((x, rank), (vec![2.0, 1.0], 2));
         assert_eq!(solve(&[0.0; 4], &mut [0.0; 2], 2).1, 0);
     }
+
+    #[test]
+    fn the_rank_does_not_hang_on_the_scale() {
+        for scale in [1e-9, 1.0, 1e9] {
+            let rank = |last: f64| solve(&[1.0, 1.0, 1.0, last].map(|x| x * scale), &mut [0.0; 2], 2).1;
+            assert_eq!([rank(1.0 + 1e-14), rank(1.0 + 1e-6)], [1, 2], "{scale}");
+        }
+    }
 }

@@ -6,7 +6,8 @@
 //! need no more than rows of full rank.
 //!
 //! At a dead point the Jacobian has full rank, but its columns of the dependent unknowns are singular: their determinant
-//! changes its sign there. The motion is walked along in small steps of all coordinates at once, within their ranges.
+//! changes its sign there. The motion is walked along in small steps of all coordinates at once, and of the time that drives
+//! them, within their ranges.
 
 use super::assemble::Random;
 use super::eliminate::{self, Pivot, Solution, System, table_at};
@@ -129,24 +130,32 @@ fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
     })
 }
 
-/// Configurations along the motion, each a small step of all coordinates from the one before.
+/// Configurations along the motion, each a small step of all coordinates, and of time where it drives them, from the one
+/// before.
 fn walk(model: &Model, k: &mut Kinematics) -> Vec<Sample> {
     let mut assembly = Assembly::free(model, k);
     let ranges = ranges(model, k);
     let mut random = Random(0xDEAD_9017);
-    let mut here = k.samples[0].clone();
-    let mut found = vec![Sample { q: here.clone(), t: 0.0 }];
+    let mut here = Sample { q: k.samples[0].clone(), t: 0.0 };
+    let mut found = vec![here.clone()];
     for _ in 0..STEPS * ATTEMPTS {
         if found.len() > STEPS {
             break;
         }
         let mut next = here.clone();
-        for (q, (low, high)) in next.iter_mut().zip(&ranges) {
+        if k.clock.is_some() {
+            let stride = STRIDE.0 * model.run.seconds;
+            next.t = (here.t + random.between((-stride, stride))).clamp(0.0, model.run.seconds);
+            assembly.set_time(here.t);
+            let Ok(q) = assembly.continue_in_time(&here.q, next.t) else { continue };
+            next.q = q;
+        }
+        for (q, (low, high)) in next.q.iter_mut().zip(&ranges) {
             let stride = (STRIDE.0 * (high - low)).min(STRIDE.1);
             *q += random.between((-stride, stride));
         }
-        if assembly.correct(&mut next).is_ok() && is_inside(&ranges, &next) {
-            found.push(Sample { q: next.clone(), t: 0.0 });
+        if assembly.correct(&mut next.q).is_ok() && is_inside(&ranges, &next.q) {
+            found.push(next.clone());
             here = next;
         }
     }
@@ -174,17 +183,18 @@ fn dead_points(
         if signs[0] == signs[1] || found.len() == KEPT {
             continue;
         }
-        let (mut from, mut to) = (pair[0].q.clone(), pair[1].q.clone());
+        let [mut from, mut to] = [pair[0].clone(), pair[1].clone()];
         for _ in 0..HALVINGS {
-            let mut middle: Vec<f64> = from.iter().zip(&to).map(|(a, b)| 0.5 * (a + b)).collect();
-            if assembly.correct(&mut middle).is_err() {
+            let q = from.q.iter().zip(&to.q).map(|(a, b)| 0.5 * (a + b)).collect();
+            let mut place = Sample { q, t: 0.5 * (from.t + to.t) };
+            assembly.set_time(place.t);
+            if assembly.correct(&mut place.q).is_err() {
                 break;
             }
-            let place = Sample { q: middle, t: 0.0 };
-            if sign(&place) == signs[0] { from = place.q } else { to = place.q }
+            if sign(&place) == signs[0] { from = place } else { to = place }
         }
-        if is_inside(&ranges, &to) {
-            found.push(Sample { q: to, t: 0.0 });
+        if is_inside(&ranges, &to.q) {
+            found.push(to);
         }
     }
     if found.is_empty() {

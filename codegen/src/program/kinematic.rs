@@ -1,9 +1,10 @@
 //! The kinematic form: speeds, outputs, projection, motions of places, of a model whose masses are unknown or missing.
 //!
 //! In: a model, with or without bodies. Out: a program of which only the answers that need no mass mean anything:
-//! those of [`KINEMATIC`](super::answer::KINEMATIC), and those on request whose [`Needs`](super::answer::Needs) say so.
+//! those of [`Program::kinematic`], and those on request whose [`Needs`](super::answer::Needs) say so.
 
 use super::answer::{self, Asked, Stages};
+use super::stage::{self, Stage};
 use super::{Effort, Program, assemble, constraints, mark_angles, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
@@ -31,11 +32,14 @@ pub(super) fn derive(
     asked: &Asked,
 ) -> Result<Program, Diagnostics> {
     let requests = answer::resolve(model, asked)?;
+    stage::begin(Stage::Kinematics);
     let mut k = kinematics::derive(model, choice, Optimise::default())?;
+    stage::begin(Stage::Constraints);
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = constraints(model, &mut k, &mut table)?;
-    let dynamics = dynamics::without_mass(&mut k, &solution, &mut table);
+    let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
+    stage::begin(Stage::Answers);
     let given = (model.inputs.len(), false);
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
@@ -43,6 +47,7 @@ pub(super) fn derive(
     let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
+    stage::begin(Stage::Values);
     shorten::answers(&mut program, &mut table, effort);
     mark_angles(&mut program);
     Ok(program)

@@ -10,9 +10,11 @@ mod kinematic;
 pub mod limits;
 mod prepared;
 mod reciprocal;
+mod relative;
 mod reorder;
 mod roots;
 mod shorten;
+pub mod stage;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::dynamics::{self, Augmented, Dynamics};
@@ -21,6 +23,7 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
+use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
@@ -28,6 +31,7 @@ use crate::value::Effort;
 pub use answer::{Answer, Asked, Function, Request};
 use answer::{Answered, Stages};
 pub use kinematic::derive_kinematic;
+use stage::Stage;
 
 impl Program {
     /// Are all speeds state, tied by the constraints, because the motion passes dead points of the independent ones?
@@ -178,15 +182,20 @@ pub fn derive_asked(
     }
     let own_inputs = model.inputs.len();
     let model = &*answer::with_wrenches(model, &requests)?;
+    stage::begin(Stage::Kinematics);
     let mut k = kinematics::derive(model, choice, optimise)?;
+    let sizes = Sizes::new(model, &k);
     let mut warnings = implausible(model, &k)?;
+    stage::begin(Stage::Constraints);
     let mut table = eliminate::sample_table(model, &k);
     warnings.items.extend(kinematics::diagnose::check(model, &mut k, &mut table)?.items);
     let solution = constraints(model, &mut k, &mut table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
+    stage::begin(Stage::Dynamics);
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
     let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, (optimise, with_augmented))?;
+    stage::begin(Stage::Answers);
     let given = (own_inputs, answer::holds_u_dot(&requests));
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
@@ -194,10 +203,13 @@ pub fn derive_asked(
     let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
+    stage::begin(Stage::Values);
     shorten::answers(&mut program, &mut table, effort);
+    stage::begin(Stage::Sums);
     if effort != Effort::None {
         reorder::sums(&mut program, &mut table);
     }
+    relative::to_parameters(&mut program, &sizes);
     mark_angles(&mut program);
     Ok(program)
 }

@@ -26,7 +26,7 @@ pub(super) fn text<'a>(
         "// {}: {}, {}, {}, {}; scalar {scalar}.",
         escape::line(&program.name),
         count(program.q.len(), "coordinate"),
-        count(program.u.len(), "independent speed"),
+        count(program.u.len(), if program.is_redundant() { "speed" } else { "independent speed" }),
         count(program.inputs.len(), "input"),
         count(program.parameters.len(), "tunable parameter")
     );

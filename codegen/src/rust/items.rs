@@ -21,14 +21,22 @@ pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
     let mut text = String::new();
     let sizes = [
         ("NQ", "Number of coordinates q.", nq),
-        ("NU", "Number of independent speeds u.", program.u.len()),
+        (
+            "NU",
+            if program.is_redundant() { "Number of speeds u." } else { "Number of independent speeds u." },
+            program.u.len(),
+        ),
         ("N_INPUTS", "Number of inputs.", program.inputs.len()),
     ];
     for (name, doc, size) in sizes {
         text += &format!("/// {doc}\npub const {name}: usize = {size}usize;\n");
     }
     text += &names("Q_NAMES", "Coordinates in order.", &of(&program.q));
-    text += &names("U_NAMES", "Independent speeds in order.", &of(&program.u));
+    let speeds = match program.is_redundant() {
+        true => "Speeds in order: all of them are state, tied by the constraints.",
+        false => "Independent speeds in order.",
+    };
+    text += &names("U_NAMES", speeds, &of(&program.u));
     text += &names("INPUT_NAMES", "Inputs in order.", &of(&program.inputs));
     text += &names("PARAMETER_NAMES", "Tunable parameters in order.", &of(&program.parameters));
     text += &names("SPEED_NAMES", "All speeds in order.", &firsts(&program.speeds));

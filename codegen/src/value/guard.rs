@@ -133,6 +133,19 @@ mod tests {
         }
     }
 
+    /// To first order: the derivative times the operand's error.
+    #[test]
+    fn functions_hand_on_the_error_of_their_operand() {
+        for (function, x, slope) in
+            [(Unary::Sqrt, 4.0, 0.25), (Unary::Sin, 0.3, 0.3_f64.cos()), (Unary::Cos, 1.0, 1.0_f64.sin())]
+        {
+            let found = Estimate::unary(function, Estimate { value: x, error: 1e-9, cancels: false });
+            assert!((found.error / (slope * 1e-9) - 1.0).abs() < 1e-3, "{function:?}: {found:?}");
+        }
+        // The root is steep without bound at 0, where it is exact.
+        assert_eq!(Estimate::unary(Unary::Sqrt, Estimate::exact(0.0)).error, 0.0);
+    }
+
     #[test]
     fn away_from_zero_both_forms_are_admitted() {
         let x = 2.0;

@@ -292,3 +292,20 @@ fn forty_hinges_in_space() {
         assert!(sum.abs() <= DIFFERENCES * size, "q{k}: {sum:e} of terms {size:e}");
     }
 }
+
+/// Forces are divided by the masses that they move: without one of these the chain's equations are singular.
+#[test]
+fn a_chain_watches_its_masses() {
+    let program = derived(&pendulum(5));
+    assert!(is_chain(&program));
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    let (q, u) = (vec![0.3; program.q.len()], vec![0.1; program.u.len()]);
+    let mut pivot = |mass: f64| {
+        let values: Vec<f64> =
+            program.parameters.iter().map(|p| if p.name == "m2" { mass } else { p.value }).collect();
+        mechanism.set_parameters(&values);
+        let (mut q_dot, mut u_dot) = (q.clone(), u.clone());
+        mechanism.rates(0.0, &q, &u, &[], &mut q_dot, &mut u_dot).expect("lengths fit")
+    };
+    assert!(pivot(1.0) > 0.1 && pivot(1e-9) < 1e-8);
+}

@@ -4,7 +4,7 @@
 //! `UPDATE_EMITTED=1 cargo test -p smartbed-codegen --test it -- emitted_bytes` renews the file.
 
 use crate::models::shipped;
-use smartbed_codegen::program::{answer, derive_asked, derive_kinematic};
+use smartbed_codegen::program::{derive_asked, derive_kinematic};
 use smartbed_codegen::{
     Asked, Diagnostics, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, ScalarType,
     Settings, rust,
@@ -73,7 +73,7 @@ fn of_model(name: &str) -> String {
         }
     }
     let program = located(name, derive_kinematic(&model, &choice, Effort::Default));
-    record(&mut lines, &program, "default", "kinematic", &Function::each(&answer::KINEMATIC));
+    record(&mut lines, &program, "default", "kinematic", &Function::each(&program.kinematic()));
     lines
 }
 

@@ -5,7 +5,7 @@
 //! `SMARTBED_HOSTILE=1000 cargo test -p smartbed-codegen --test it -- hostile`
 
 use smartbed_codegen::model::{self, Model};
-use smartbed_codegen::program::{answer, derive_asked, derive_kinematic};
+use smartbed_codegen::program::{derive_asked, derive_kinematic};
 use smartbed_codegen::{
     Asked, Core, Effort, EmitOptions, Function, ParameterChoice, Program, ScalarType, rust,
 };
@@ -178,19 +178,14 @@ fn emitted(model: &Model, n: u64) -> Result<(Program, EmitOptions), String> {
     let form = n / 4 % 4;
     let effort = [Effort::Default, Effort::None][(n / 16 % 2) as usize];
     let core = [None, Some(Core::Host), Some(Core::CortexM4)][(n % 3) as usize];
-    let functions = match form {
-        0 | 1 => Vec::new(),
-        2 => Function::each(&["augmented"]),
-        _ => Function::each(&answer::KINEMATIC),
-    };
+    let asked = if form == 2 { Function::each(&["augmented"]) } else { Vec::new() };
     let program = match form {
         3 => derive_kinematic(model, &choice, effort),
-        _ => derive_asked(model, &choice, effort, &Asked::besides(functions.clone())),
+        _ => derive_asked(model, &choice, effort, &Asked::besides(asked.clone())),
     };
-    Ok((
-        program.map_err(|e| e.to_string())?,
-        EmitOptions { scalar, functions, core, ..EmitOptions::default() },
-    ))
+    let program = program.map_err(|e| e.to_string())?;
+    let functions = if form == 3 { Function::each(&program.kinematic()) } else { asked };
+    Ok((program, EmitOptions { scalar, functions, core, ..EmitOptions::default() }))
 }
 
 /// A model without anything hostile, at rest or moved by time.

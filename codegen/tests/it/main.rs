@@ -1,6 +1,7 @@
 //! Tests of the generator, one binary.
 
 mod answers;
+mod assembly;
 mod augmented;
 mod carried;
 mod chain;
@@ -27,6 +28,7 @@ mod redundant;
 mod regular;
 mod rejected;
 mod rolling;
+mod sizes;
 mod speeds;
 mod textbook;
 mod units;

@@ -17,7 +17,6 @@ use rank::Rank;
 use serde_json::{Value, json};
 use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::program::answer::KINEMATIC;
 use smartbed_codegen::{Diagnostics, Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
 /// Constraints of whose conditioning less than this share of nominal is left somewhere are worth a warning.
@@ -62,7 +61,7 @@ pub(crate) struct Report {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let model = model_argument::read(&arguments.model)?;
     let choice = ParameterChoice::default();
-    let waiting = Waiting::new("deriving, and searching for singular configurations");
+    let waiting = Waiting::deriving();
     // Without bodies there are no forces to ask for: what is checked is the kinematics.
     let program = match model.bodies.is_empty() {
         true => program::derive_kinematic(&model, &choice, Effort::default()),
@@ -71,6 +70,8 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     let mut kinematics =
         kinematics::derive(&model, &choice, Optimise::default()).map_err(|e| model_argument::wrong(&e))?;
+    drop(waiting);
+    let waiting = Waiting::new("searching for singular configurations");
     let nearest = near_singular::search(&model, &program, (&kinematics.samples, &kinematics.sample_times));
     let samples = kinematics.samples.len();
     // What the search has found is looked at like a sample.
@@ -182,7 +183,7 @@ fn units(model: &Model, program: &Program) -> Value {
 }
 
 fn cost(model: &Model, program: &Program) -> Value {
-    let answers = if model.bodies.is_empty() { KINEMATIC.to_vec() } else { program.standing() };
+    let answers = if model.bodies.is_empty() { program.kinematic() } else { program.standing() };
     let costs = answers.iter().map(|answer| {
         let roots = program.roots_of(answer);
         json!({

@@ -6,7 +6,7 @@ use crate::progress::Waiting;
 use crate::{answers, crate_folder, limits, model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
-use smartbed_codegen::program::answer::{CATALOGUE, KINEMATIC, Needs, find};
+use smartbed_codegen::program::answer::{CATALOGUE, Needs, find};
 use smartbed_codegen::words::count;
 use smartbed_codegen::{
     Asked, Core, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, Request, ScalarType,
@@ -175,7 +175,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let choice = choice(arguments, &model)?;
     let settings = Settings { effort: arguments.effort.effort(), optimise: arguments.optimise.optimise() };
     let functions = functions(arguments, &model)?;
-    let waiting = Waiting::new("deriving the equations");
+    let waiting = Waiting::deriving();
     let program = match (arguments.form, arguments.answers.is_empty()) {
         (Form::Kinematic, true) => program::derive_kinematic(&model, &choice, settings.effort),
         (_, true) if functions.is_empty() => program::derive_with(&model, &choice, settings),
@@ -184,6 +184,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(waiting);
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
+    let functions = match (arguments.form, functions.is_empty()) {
+        (Form::Kinematic, true) => Function::each(&program.kinematic()),
+        _ => functions,
+    };
     let asks = |name: &str| functions.iter().flat_map(|f| &f.requests).any(|r| r.answer == name);
     if asks("drive") && program.drive.is_none() {
         return Err(Failure::Wrong(format!(
@@ -288,7 +292,6 @@ fn functions(arguments: &Arguments, model: &Model) -> Result<Vec<Function>, Fail
                         names.join(", ")
                     )))
                 }
-                None if asked.is_empty() => Ok(Function::each(&KINEMATIC)),
                 None => Ok(asked),
             }
         }

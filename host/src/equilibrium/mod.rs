@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         ..run::Arguments::default()
     };
     let settings = Settings::new(model, &asked)?;
-    let waiting = Waiting::new("deriving the equations");
+    let waiting = Waiting::deriving();
     let function = Function { name: "near".to_owned(), requests: vec![Request::new("linearisation")] };
     let asked = Asked::besides(vec![function]);
     let program = program::derive_asked(model, &settings.choice, program::Settings::default(), &asked)

@@ -11,7 +11,7 @@ use crate::engine::{self, Engine, EngineKind, EngineScalar, ScalarKind, explain}
 use crate::failure::Failure;
 use crate::limits::{Angles, check_numbers, less_turns};
 use crate::observers::Observers;
-use crate::progress::Progress;
+use crate::progress::{Progress, Waiting};
 use crate::{answers, model_argument, output, speeds};
 use smartbed_codegen::model::Model;
 use smartbed_codegen::program::answer;
@@ -72,7 +72,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let requests: Vec<Request> =
         answers::functions(&arguments.answers)?.into_iter().flat_map(|f| f.requests).collect();
     let asked = Asked::besides(on_request(&requests));
+    let waiting = Waiting::deriving();
     let program = program::derive_asked(&model, &choice, Settings::default(), &asked);
+    drop(waiting);
     let program = program.map_err(|e| model_argument::wrong(&e))?;
     model_argument::print_warnings(&program);
     let closed = match model.coordinates.iter().any(|c| c.closed_form.is_some()) {

@@ -180,7 +180,7 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     let model = model_argument::read(&arguments.model)?;
     let settings = Settings::new(&model, arguments)?;
     let wrong = |e| model_argument::wrong(&e);
-    let waiting = Waiting::new("deriving the equations");
+    let waiting = Waiting::deriving();
     let program = program::derive(&model, &settings.choice).map_err(wrong)?;
     drop(waiting);
     model_argument::print_warnings(&program);

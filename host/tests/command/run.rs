@@ -317,3 +317,26 @@ fn coordinates_in_closed_form_have_columns() {
         assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 2e-8), "{name}");
     }
 }
+
+/// The shipped slider-crank by its piston: the crank turns on through both dead points of each turn.
+#[test]
+fn a_run_goes_through_dead_points() {
+    let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml");
+    let text = std::fs::read_to_string(shipped).expect("it is shipped");
+    let text = text
+        .replace("q = { unit = \"rad\", independent = true, nominal", "q = { unit = \"rad\", nominal")
+        .replace("x = { unit = \"m\", nominal", "x = { unit = \"m\", independent = true, nominal");
+    let path = written("slider_crank_by_its_piston.toml", &text);
+    let done = smartbed(&["run", &path, "--seconds", "2", "--strict", "--every", "10", "--csv", "-"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let table = table(&done.out);
+    let [q, b, x, imbalance] = ["q", "b", "x", "imbalance"].map(|name| column(&table, name));
+    assert!(*q.last().expect("rows") > 4.0 * std::f64::consts::TAU, "{q:?}");
+    for (row, q) in q.iter().enumerate() {
+        let rod = -(0.1 * q.sin() / 0.3).asin();
+        let piston = 0.1 * q.cos() + 0.3 * rod.cos();
+        assert!((b[row] - rod).abs() < 1e-9 && (x[row] - piston).abs() < 1e-9, "{q}: {} {}", b[row], x[row]);
+    }
+    // The crank turns with some 4 J.
+    assert!(imbalance.iter().all(|x| x.abs() < 1e-5), "{imbalance:?}");
+}

@@ -126,9 +126,6 @@ pub const CATALOGUE: &[Kind] = &[
         "Pose, twist, bias acceleration, Jacobian and inverse inertia of a port; its wrench is six more inputs."),
 ];
 
-/// Names of the answers that need no mass and that every program has.
-pub const KINEMATIC: [&str; 3] = ["speeds", "outputs", "projection"];
-
 /// The entry of a name.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Kind> {
@@ -404,5 +401,12 @@ impl Program {
             _ => true,
         };
         standing.map(|kind| kind.name).filter(is_there).collect()
+    }
+
+    /// Names of those among them that need no mass.
+    #[must_use]
+    pub fn kinematic(&self) -> Vec<&'static str> {
+        let needs_no_mass = |name: &&str| find(name).is_some_and(|kind| kind.needs == Needs::Motion);
+        self.standing().into_iter().filter(needs_no_mass).collect()
     }
 }
