@@ -38,7 +38,7 @@ pub(super) fn derive(
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = constraints(model, &mut k, &mut table)?;
-    let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
+    let dynamics = dynamics::without_mass(&mut k, &solution, &mut table);
     stage::begin(Stage::Answers);
     let given = (model.inputs.len(), false);
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);

@@ -10,7 +10,6 @@ mod kinematic;
 pub mod limits;
 mod prepared;
 mod reciprocal;
-mod relative;
 mod reorder;
 mod roots;
 mod shorten;
@@ -23,7 +22,6 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
@@ -184,7 +182,6 @@ pub fn derive_asked(
     let model = &*answer::with_wrenches(model, &requests)?;
     stage::begin(Stage::Kinematics);
     let mut k = kinematics::derive(model, choice, optimise)?;
-    let sizes = Sizes::new(model, &k);
     let mut warnings = implausible(model, &k)?;
     stage::begin(Stage::Constraints);
     let mut table = eliminate::sample_table(model, &k);
@@ -209,7 +206,6 @@ pub fn derive_asked(
     if effort != Effort::None {
         reorder::sums(&mut program, &mut table);
     }
-    relative::to_parameters(&mut program, &sizes);
     mark_angles(&mut program);
     Ok(program)
 }

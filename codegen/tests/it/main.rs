@@ -28,7 +28,6 @@ mod redundant;
 mod regular;
 mod rejected;
 mod rolling;
-mod sizes;
 mod speeds;
 mod textbook;
 mod units;
