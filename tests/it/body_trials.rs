@@ -65,6 +65,23 @@ fn speeds_whose_squares_are_no_numbers_are_refused() {
     }
 }
 
+/// Places and speeds are numbers, energies are not: no row is given.
+#[test]
+fn masses_whose_energies_are_no_numbers_are_refused() {
+    let cases = [
+        ("truss", &["mass=1e308", "T=0"][..], "gravity"),
+        ("cube", &["K=1e308", "stretch=1.5", "T=0"], "spring"),
+    ];
+    for (name, settings, which) in cases {
+        let scene = named(name, settings).expect("it is read");
+        let message = rows(&scene).expect_err("energies are no numbers");
+        assert!(
+            message.contains("t = 0.000000 s") && message.contains(&format!("the {which} energy left")),
+            "{message}"
+        );
+    }
+}
+
 #[test]
 fn a_cluster_wider_than_the_body_is_refused() {
     let message = named("cube", &["cluster_tolerance=10"]).expect_err("all points would touch in mid-air");

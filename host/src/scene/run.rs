@@ -182,18 +182,37 @@ pub fn run_until<S: Scalar, E: From<String>>(
     let ledger = open_ledger(&simulation);
     let mut watch = Watch { ledger, events: Vec::new(), touches: 0, cut_short: 0 };
     simulation.begin(h, &mut watch).map_err(|e| explain(0.0, e))?;
-    emit(&row(&simulation, &watch))?;
+    let mut emit = |row: Row| {
+        counted(&row)?;
+        emit(&row)
+    };
+    emit(row(&simulation, &watch))?;
     let steps = scene.steps();
     for n in 1..=steps {
         let h = if n == steps { S::from_f64(scene.last_step()) } else { h };
         let report = simulation.step(h, &mut watch).map_err(|e| explain(simulation.t().to_f64(), e))?;
         watch.cut_short += usize::from(report.cut_short);
         if n % scene.every == 0 || n == steps {
-            emit(&row(&simulation, &watch))?;
+            emit(row(&simulation, &watch))?;
         }
         stepped(simulation.t().to_f64())?;
     }
     Ok(watch.events)
+}
+
+/// Refuses a row whose energies are no numbers: places and speeds may be, of masses or springs so large.
+fn counted(row: &Row) -> Result<(), String> {
+    let energy = &row.energy;
+    if energy.total.is_finite() && energy.imbalance.is_finite() {
+        return Ok(());
+    }
+    let names = ["kinetic", "gravity", "spring", "pressure"];
+    let which =
+        names.iter().zip(energy.stored).find(|(_, e)| !e.is_finite()).map_or("total", |(name, _)| *name);
+    Err(format!(
+        "t = {:.6} s: the {which} energy left the numbers; take smaller masses, stiffnesses or heights",
+        row.t
+    ))
 }
 
 pub(crate) fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {
