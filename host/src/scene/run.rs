@@ -209,10 +209,13 @@ fn counted(row: &Row) -> Result<(), String> {
     let names = ["kinetic", "gravity", "spring", "pressure"];
     let which =
         names.iter().zip(energy.stored).find(|(_, e)| !e.is_finite()).map_or("total", |(name, _)| *name);
-    Err(format!(
-        "t = {:.6} s: the {which} energy left the numbers; take smaller masses, stiffnesses or heights",
-        row.t
-    ))
+    Err(format!("t = {:.6} s: {}", row.t, no_number(which)))
+}
+
+/// Says that an energy is no number.
+#[must_use]
+pub fn no_number(energy: &str) -> String {
+    format!("the {energy} energy left the numbers; take smaller masses, stiffnesses or heights")
 }
 
 pub(crate) fn open_ledger<S: Scalar>(simulation: &Simulation<S>) -> Ledger<S> {

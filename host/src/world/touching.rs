@@ -241,7 +241,10 @@ impl Touching {
             self.forces = pressing.filter_map(force).collect();
             return Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: report.forced });
         }
-        let done = world.step(t, h, state, &mut memory);
+        let done = match at_rest {
+            true => world.relax(t, h, state, &mut memory),
+            false => world.step(t, h, state, &mut memory),
+        };
         self.counts = memory.counts;
         let report = done?;
         let contacts = memory.contacts();

@@ -5,7 +5,7 @@
 
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
-use smartbed::scene::run::describe;
+use smartbed::scene::run::{describe, no_number};
 use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};
@@ -219,7 +219,8 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
             BodyError::NotConverged { .. } => {}
         }
     }
-    let found: Vec<String> = faults.into_iter().chain(bodies.iter().map(describe)).collect();
+    let bodies = bodies.iter().map(describe);
+    let found: Vec<String> = faults.into_iter().chain(bodies).chain([no_number("spring")]).collect();
     same(&found, &messages("## While it runs", None));
 }
 

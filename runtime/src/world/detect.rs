@@ -49,6 +49,8 @@ pub struct Touch<S> {
     pub(super) inverse_mass: InverseMass<S>,
     /// Relative velocity at the start of the step, n, t1, t2.
     pub(super) start: Vec3<S>,
+    /// Normal velocity (m/s) that an overlap is left with, at least.
+    pub(super) out: S,
     /// What the last sweep changed of the impulse, and the way of all sweeps.
     pub(super) change: Vec3<S>,
     pub(super) way: Vec3<S>,
@@ -75,6 +77,7 @@ impl<S: Scalar> Touch<S> {
             contact,
             inverse_mass,
             start: zero,
+            out: S::ZERO,
             change: zero,
             way: zero,
         }

@@ -11,6 +11,7 @@
 
 use super::accounts::Accounts;
 use super::carrier::Carrier;
+use super::detect::Touch;
 use super::island::{Island, free_nodes};
 use super::step::{StepMemory, World};
 use crate::mechanism::Fault;
@@ -62,7 +63,7 @@ impl<S: Scalar> Pressing<S> {
     /// A place for one.
     #[must_use]
     pub fn empty() -> Pressing<S> {
-        let (zero, touch) = (vec3::zero(), super::Touch::empty());
+        let (zero, touch) = (vec3::zero(), Touch::empty());
         let held = Held { contact: touch.contact, inverse_mass: [zero; 3], bias: zero, slip: None };
         let (slip, change) = (None, (S::ZERO, zero));
         Pressing {

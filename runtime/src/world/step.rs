@@ -25,6 +25,9 @@ use crate::rigid::contact::Twist;
 use crate::surface::{Frame, facet::vertex_normals};
 use crate::vec3::{self, Vec3};
 
+/// Share of an overlap that a step of a relaxation takes away.
+const OUT: f64 = 0.2;
+
 /// Parts that move together, what of them can be touched, and by which laws.
 #[derive(Debug)]
 pub struct World<'a, S, C> {
@@ -101,19 +104,43 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
-        let scratch = core::mem::take(&mut memory.scratch);
-        let report = self.step_with(t, h, state, scratch, memory);
-        memory.scratch = scratch;
-        report
+        self.step_with((t, h), state, memory, S::ZERO)
     }
 
-    fn step_with(
+    /// A step on the way to rest: parts leave one another where they overlap. It keeps no energy.
+    ///
+    /// # Errors
+    /// As [`World::step`].
+    pub fn relax(
         &mut self,
         t: S,
         h: S,
         state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<StepReport<S>, Fault> {
+        self.step_with((t, h), state, memory, S::from_f64(OUT))
+    }
+
+    fn step_with(
+        &mut self,
+        times: (S, S),
+        state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+        out: S,
+    ) -> Result<StepReport<S>, Fault> {
+        let scratch = core::mem::take(&mut memory.scratch);
+        let report = self.step_within(times, state, scratch, memory, out);
+        memory.scratch = scratch;
+        report
+    }
+
+    fn step_within(
+        &mut self,
+        (t, h): (S, S),
+        state: &mut State<'_, S>,
         scratch: &mut [S],
         memory: &mut StepMemory<'_, S>,
+        out: S,
     ) -> Result<StepReport<S>, Fault> {
         let n = self.island.n_x();
         let mut cuts = scratch.chunks_exact_mut(n.max(1));
@@ -147,7 +174,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         // Contacts become forces of the middle.
         self.fill_twists([t, t + h], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts(t_middle, h, middle, memory)?;
+        let sweeps = self.contacts((t_middle, h), middle, memory, out)?;
         let active = self.load_contacts(h, memory);
         if active > 0 {
             self.island.accelerate(t_middle, middle, dot)?;
@@ -241,13 +268,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Finds contacts and their impulses; the last of the twists have them.
+    /// Finds contacts and their impulses, which take away a share `out` of overlaps; the last of the twists have them.
     fn contacts(
         &mut self,
-        t: S,
-        h: S,
+        (t, h): (S, S),
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
+        out: S,
     ) -> Result<sweep::Sweeps<S>, Fault> {
         memory.touches.swap(0, 1);
         memory.counts.swap(0, 1);
@@ -282,6 +309,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in now.iter_mut() {
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
             touch.start = touch.contact.relative(start);
+            touch.out = out * (-touch.gap).max(S::ZERO) / h;
             // Both lists are in the order of detection: the same contact is seldom far.
             let same = |old: &Touch<S>| old.pair == touch.pair && old.id == touch.id;
             let later = before.get(seen..).unwrap_or_default().iter().position(same).map(|k| k + seen);
@@ -296,7 +324,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             }
         }
         let sweeps = sweep(now, h, inertias, end);
-        sweep::take_no_more(now, free, inertias, end);
+        if out <= S::ZERO {
+            sweep::take_no_more(now, free, inertias, end);
+        }
         // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
         end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
         now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));

@@ -37,6 +37,9 @@ pub(super) struct Sweeps<S> {
 
 /// The normal velocity that the end must reach; None where the contact does not act.
 fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
+    if touch.out > S::ZERO {
+        return Some(touch.out);
+    }
     let (came, e) = (touch.start[0], touch.contact.restitution);
     let closed = touch.gap <= S::ZERO;
     if e <= S::ZERO {
