@@ -32,6 +32,19 @@ impl Digest {
     }
 }
 
+/// Writes how a simulation ended: its digest, or that a step was refused. True if there is a digest.
+pub fn report(digest: Option<Digest>, mut write: impl FnMut(&[u8])) -> bool {
+    match digest {
+        Some(digest) => {
+            write(b"digest ");
+            write(&digest.hex());
+            write(b"\n");
+        }
+        None => write(b"a step was refused\n"),
+    }
+    digest.is_some()
+}
+
 #[cfg(test)]
 mod tests {
     use super::Digest;

@@ -2,23 +2,14 @@
 //! standard output. The same library, so the same digest.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use smartbed_firmware::{STEPS, simulation::Simulation};
+use smartbed_firmware::{STEPS, digest::report, simulation::Simulation};
 
 /// Runs all steps and hands the report to `write`; none if a step was refused.
-fn simulate(mut write: impl FnMut(&[u8])) -> Option<Simulation> {
+fn simulate(write: impl FnMut(&[u8])) -> Option<Simulation> {
     let run = |mut simulation: Simulation| simulation.run(STEPS).map(|digest| (digest, simulation));
-    match Simulation::new().map_err(|fault| (0, fault)).and_then(run) {
-        Ok((digest, simulation)) => {
-            write(b"digest ");
-            write(&digest.hex());
-            write(b"\n");
-            Some(simulation)
-        }
-        Err(_) => {
-            write(b"a step was refused\n");
-            None
-        }
-    }
+    let done = Simulation::new().map_err(|fault| (0, fault)).and_then(run).ok();
+    report(done.as_ref().map(|(digest, _)| *digest), write);
+    done.map(|(_, simulation)| simulation)
 }
 
 /// On the host the last state stands behind the digest, to be compared with other simulations.

@@ -5,7 +5,10 @@
 //! [`scene_step`] is a symbol of the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use smartbed_firmware::{STEPS, digest::Digest};
+use smartbed_firmware::{
+    STEPS,
+    digest::{Digest, report},
+};
 use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{ContactState, System};
 use smartbed_runtime::flexible::{Body, BodyError, Massless};
@@ -88,19 +91,8 @@ pub fn scene_step(
 }
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.
-fn demonstrate(mut write: impl FnMut(&[u8])) -> bool {
-    match simulate() {
-        Ok(digest) => {
-            write(b"digest ");
-            write(&digest.hex());
-            write(b"\n");
-            true
-        }
-        Err(_) => {
-            write(b"a step was refused\n");
-            false
-        }
-    }
+fn demonstrate(write: impl FnMut(&[u8])) -> bool {
+    report(simulate().ok(), write)
 }
 
 #[cfg(not(target_os = "none"))]

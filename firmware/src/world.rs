@@ -8,7 +8,10 @@
 #[macro_use]
 mod carriers;
 
-use smartbed_firmware::{STEPS, digest::Digest};
+use smartbed_firmware::{
+    STEPS,
+    digest::{Digest, report},
+};
 use smartbed_runtime::flexible::{Body, Massless};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::State;
@@ -93,19 +96,8 @@ fn world_step(
 }
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.
-fn demonstrate_with(mut write: impl FnMut(&[u8]), show: impl FnOnce(&[f32])) -> bool {
-    match simulate(show) {
-        Ok(digest) => {
-            write(b"digest ");
-            write(&digest.hex());
-            write(b"\n");
-            true
-        }
-        Err(_) => {
-            write(b"a step was refused\n");
-            false
-        }
-    }
+fn demonstrate_with(write: impl FnMut(&[u8]), show: impl FnOnce(&[f32])) -> bool {
+    report(simulate(show).ok(), write)
 }
 
 /// On the host the last state stands behind the digest, to be compared with other simulations.

@@ -175,7 +175,8 @@ impl Touching {
         self.located.is_some()
     }
 
-    /// A step of an island; pairs that come into touch are events. `at_rest` for relaxation: nothing is located then.
+    /// A step of an island; pairs that come into touch are events. `at_rest` for relaxation: nothing is located then,
+    /// and parts leave one another where they overlap.
     pub(super) fn step(
         &mut self,
         island: Island<'_, f64, impl Carrier<f64>>,
