@@ -111,32 +111,52 @@ impl<S: Scalar> Point<'_, '_, S> {
         vec3::axpy(vec3::axpy(origin, -above, self.ground.normal), part, way)
     }
 
-    /// From the foot along the surface, as far as the springs overcome friction.
+    /// From the foot along the surface, as far as the springs overcome friction: Newton's method for T = mu N d, in which
+    /// the normal force and the direction d of the way follow the place; half of a step is taken back where it led to
+    /// more that is left over.
     fn slide(&self, pos: &mut [Vec3<S>], foot: Vec3<S>) {
-        let ground = self.ground;
+        let (ground, n) = (self.ground, self.ground.normal);
         self.put(pos, foot);
-        let mut direction = vec3::zero();
-        for n in 0..SLIDES {
-            let (force, _) = self.balance(pos, false);
-            let largest = ground.friction * (-vec3::dot(force, ground.normal)).max(S::ZERO);
-            let side = vec3::tangential(force, ground.normal);
-            if n == 0 {
+        let (mut direction, mut way) = (vec3::zero(), S::ZERO);
+        let (mut least, mut step) = (None, vec3::zero());
+        for correction in 0..SLIDES {
+            let (force, whole) = self.balance(pos, false);
+            let largest = ground.friction * (-vec3::dot(force, n)).max(S::ZERO);
+            let side = vec3::tangential(force, n);
+            if correction == 0 {
                 let (along, pull) = vec3::direction(side);
                 if pull <= largest {
                     return;
                 }
                 direction = along;
             }
-            let (_, stiffness) = self.balance(pos, true);
-            let excess = vec3::axpy(side, -largest, direction);
-            let correction = vec3::tangential(solve(stiffness, excess), ground.normal);
-            vec3::add_at(pos, self.i, correction);
-            let moved = vec3::tangential(vec3::sub(vec3::at(pos, self.i), foot), ground.normal);
-            let (along, way) = vec3::direction(moved);
-            if way > S::ZERO {
-                direction = along;
+            let (_, mut stiffness) = self.balance(pos, true);
+            let turn = if way > S::ZERO { largest / way } else { S::ZERO };
+            let normal = if largest > S::ZERO { ground.friction } else { S::ZERO };
+            let grown = vec3::scale(vec3::tangential(vec3::apply(&whole, n), n), normal);
+            let axes = [[S::ONE, S::ZERO, S::ZERO], [S::ZERO, S::ONE, S::ZERO], [S::ZERO, S::ZERO, S::ONE]];
+            for ((row, axis), along) in stiffness.iter_mut().zip(axes).zip(direction) {
+                let across = vec3::axpy(vec3::tangential(axis, n), -along, direction);
+                *row = vec3::axpy(vec3::axpy(*row, turn, across), along, grown);
             }
-            if self.is_small(pos, correction) {
+            let excess = vec3::axpy(side, -largest, direction);
+            let left = vec3::norm(excess);
+            let change = if least.is_some_and(|least| left > least) {
+                step = vec3::scale(step, S::from_f64(0.5));
+                vec3::scale(step, -S::ONE)
+            } else {
+                // At the foot friction takes any direction: what is left over there says nothing.
+                least = (way > S::ZERO).then_some(left);
+                step = vec3::tangential(solve(stiffness, excess), n);
+                step
+            };
+            vec3::add_at(pos, self.i, change);
+            let moved = vec3::tangential(vec3::sub(vec3::at(pos, self.i), foot), n);
+            (direction, way) = match vec3::direction(moved) {
+                (along, way) if way > S::ZERO => (along, way),
+                _ => (direction, S::ZERO),
+            };
+            if self.is_small(pos, change) {
                 return;
             }
         }

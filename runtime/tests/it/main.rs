@@ -9,6 +9,7 @@ mod integrator;
 mod island;
 mod layering;
 mod located;
+mod massless;
 mod narrow;
 mod random;
 mod rigid_scene;
