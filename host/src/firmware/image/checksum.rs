@@ -49,3 +49,46 @@ pub fn write(elf: &mut [u8]) -> Result<(), String> {
     *word.ok_or_else(|| format!("{SECTION} is shorter than a checksum"))? = sum;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::handmade::{Section, Symbol, elf};
+    use super::*;
+
+    const CODE: [u8; 6] = [1, 2, 3, 4, 5, 6];
+    const CONSTANTS: [u8; 2] = [7, 8];
+
+    /// A program of code and constants that begin at an address; its checksum lies behind its bounds.
+    fn program(constants: u32) -> Vec<u8> {
+        elf(
+            &[
+                Section(".rodata", constants, 2, &CONSTANTS),
+                Section(".text", 0x100, 6, &CODE),
+                Section(".init", 0x103, 6, &[]),
+                Section(SECTION, 0x108, 2, &[0xFF; 4]),
+                Section(".data", 0x2000_0000, 3, &[9; 4]),
+            ],
+            &[Symbol("__stext", 0x100, 0, 0, true), Symbol("__erodata", 0x108, 0, 0, true)],
+        )
+    }
+
+    #[test]
+    fn the_sum_is_that_of_code_and_constants_in_order() {
+        let mut written = program(0x106);
+        let before = written.clone();
+        write(&mut written).unwrap();
+        let sum = frame::checksum(&[&CODE[..], &CONSTANTS].concat());
+        let changed: Vec<_> = (0..written.len()).filter(|&i| written[i] != before[i]).collect();
+        let first = changed[0];
+        assert_eq!(written[first..first + 4], sum);
+        assert!(changed.iter().all(|i| (first..first + 4).contains(i)));
+    }
+
+    #[test]
+    fn a_gap_or_an_overlap_is_refused() {
+        let refused = |constants| write(&mut program(constants)).unwrap_err();
+        assert!(refused(0x107).contains(".rodata begins at 0x107, behind a gap from 0x106 on"));
+        assert!(refused(0x105).contains(".rodata begins at 0x105"));
+        assert!(refused(0x200).contains("ends 2 bytes before __erodata"));
+    }
+}

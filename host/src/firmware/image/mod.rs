@@ -6,6 +6,8 @@
 //! the ABI say that it is code.
 
 pub mod checksum;
+#[cfg(test)]
+mod handmade;
 pub mod rules;
 pub mod size;
 pub mod stack;
@@ -172,6 +174,7 @@ fn decode_section(base: u32, code: &[u8], marks: &BTreeMap<u32, bool>, functions
 
 #[cfg(test)]
 pub(crate) mod tests {
+    use super::handmade::{Section, Symbol};
     use super::*;
 
     /// An image of functions given by halfwords, laid out from 0x0800_0000 in order.
@@ -202,6 +205,33 @@ pub(crate) mod tests {
         decode_section(0, &code, &marks, &mut functions);
         assert_eq!(functions[0].effects, [(0, Kind::Stack(8))]);
         assert_eq!(functions[1].effects, [(12, Kind::Stack(8))], "padding between functions is not code");
+    }
+
+    #[test]
+    fn functions_are_defined_symbols_of_code() {
+        const CODE: u8 = 2;
+        let executable = u32::try_from(SHF_EXECINSTR.0).unwrap();
+        let code = [0x10, 0xB5, 0x10, 0xBD, 0x00, 0xBF];
+        let table = [0x0000_0400_u32, 0x41, 0, 0x43].map(u32::to_le_bytes).concat();
+        let file = handmade::elf(
+            &[Section(".text", 0x40, executable, &code), Section(".vector_table", 0, 0, &table)],
+            &[
+                Symbol("$t", 0x40, 0, 0, true),
+                Symbol("second", 0x45, 0, CODE, true),
+                Symbol("first", 0x41, 4, CODE, true),
+                Symbol("alias", 0x41, 2, CODE, true),
+                Symbol("elsewhere", 0x43, 2, CODE, false),
+                Symbol("table", 0x42, 2, 1, true),
+                Symbol("$t.7", 0x43, 2, CODE, true),
+                Symbol("", 0x43, 2, CODE, true),
+            ],
+        );
+        let image = Image::read(&file).unwrap();
+        let found: Vec<_> = image.functions.iter().map(|f| (f.name.as_str(), f.address, f.end)).collect();
+        assert_eq!(found, [("alias", 0x40, 0x44), ("second", 0x44, u32::MAX)]);
+        assert_eq!(image.functions[0].effects, [(0x40, Kind::Stack(8))]);
+        assert_eq!(image.symbols, ["", "$t", "$t.7", "alias", "first", "second", "table"]);
+        assert_eq!(image.vectors, [0x40, 0x42]);
     }
 
     #[test]
