@@ -56,7 +56,8 @@ pub trait Mechanism<S: Real> {
     /// Number of inputs.
     fn n_inputs(&self) -> usize;
     /// Writes q_dot (`n_q`) and u_dot (`n_u`) and returns the worst pivot of the eliminations
-    /// (dimensionless, relative to its value at the nominal configuration; 1 without elimination).
+    /// (dimensionless, relative to its value at the nominal configuration, carried over to the parameters that are set;
+    /// 1 without elimination).
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.

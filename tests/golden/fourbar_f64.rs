@@ -6,7 +6,7 @@
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
-// Cost of prepare: 28 operations (4 add, 2 div, 22 mul).
+// Cost of prepare: 80 operations (12 abs, 11 add, 7 div, 3 max, 47 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -139,10 +139,16 @@ pub struct Prepared {
     pub k19: S,
     ///Of parameters alone.
     pub k20: S,
+    ///Of parameters alone.
+    pub k21: S,
+    ///Of parameters alone.
+    pub k22: S,
+    ///Of parameters alone.
+    pub k23: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///28 operations.
+///80 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -151,46 +157,98 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let l1 = p.l1;
-    let t1 = 0.5_f64 * l1;
     let l2 = p.l2;
-    let t2 = 1.0_f64 / l2;
+    let t1 = Real::abs(l2);
     let l3 = p.l3;
-    let t3 = 1.0_f64 / l3;
-    let t4 = 0.5_f64 * l2;
-    let t5 = 0.5_f64 * l3;
-    let t6 = t1 * t1;
-    let t7 = l1 * l1;
-    let m1 = p.m1;
-    let t8 = m1 * t6;
-    let t9 = t4 * t4;
-    let t10 = t5 * t5;
-    let g = p.g;
-    let t11 = g * t1;
-    let t12 = l1 * t4;
-    let t13 = g * t5;
+    let t2 = Real::abs(l3);
     let m2 = p.m2;
-    let t14 = m2 * t7;
-    let I1 = p.I1;
-    let t15 = I1 + t8;
-    let t16 = m2 * t9;
-    let m3 = p.m3;
-    let t17 = m3 * t10;
-    let t18 = m1 * t11;
-    let t19 = l1 * g;
-    let t20 = g * t4;
-    let t21 = m2 * t12;
-    let t22 = m3 * t13;
-    let t23 = t14 + t15;
+    let t3 = Real::abs(m2);
+    let l1 = p.l1;
+    let t4 = Real::abs(l1);
     let I2 = p.I2;
-    let t24 = I2 + t16;
+    let t5 = Real::abs(I2);
+    let m1 = p.m1;
+    let t6 = Real::abs(m1);
+    let m3 = p.m3;
+    let t7 = Real::abs(m3);
+    let t8 = 1.0_f64 / t1;
+    let t9 = 0.5_f64 * t1;
+    let I1 = p.I1;
+    let t10 = Real::abs(I1);
     let I3 = p.I3;
-    let t25 = I3 + t17;
-    let t26 = l2 * g;
-    let t27 = l1 * t2;
-    let t28 = l1 * t3;
+    let t11 = Real::abs(I3);
+    let t12 = t9 * t9;
+    let t13 = 1.0_f64 / t2;
+    let t14 = 0.5_f64 * t4;
+    let t15 = t3 * t12;
+    let t16 = t4 * t9;
+    let t17 = 0.5_f64 * t2;
+    let t18 = t14 * t14;
+    let t19 = t5 + t15;
+    let t20 = t4 * t8;
+    let t21 = t3 * t16;
+    let t22 = t17 * t17;
+    let t23 = t4 * t4;
+    let t24 = t6 * t18;
+    let t25 = t19 * t20;
+    let t26 = 4.0_f64 * t21;
+    let t27 = t7 * t22;
+    let t28 = t3 * t23;
+    let t29 = t10 + t24;
+    let t30 = t26 + t25;
+    let t31 = t11 + t27;
+    let t32 = t4 * t13;
+    let t33 = t28 + t29;
+    let t34 = t20 * t30;
+    let t35 = t31 * t32;
+    let t36 = t33 + t34;
+    let t37 = t32 * t35;
+    let t38 = 2.0_f64 * t1;
+    let t39 = 2.0_f64 * t2;
+    let t40 = t37 + t36;
+    let t41 = Real::abs(t38);
+    let t42 = Real::abs(t39);
+    let t43 = Real::abs(t40);
+    let t44 = 0.22727272727272727_f64 * t41;
+    let t45 = 0.2777777777777778_f64 * t42;
+    let t46 = 0.1164166132600554_f64 * t43;
+    let t47 = 0.5_f64 * l1;
+    let t48 = 1.0_f64 / l2;
+    let t49 = 1.0_f64 / l3;
+    let t50 = Real::max(t44, 1e-24_f64);
+    let t51 = Real::max(t45, 1e-24_f64);
+    let t52 = Real::max(t46, 1e-24_f64);
+    let t53 = 0.5_f64 * l2;
+    let t54 = 0.5_f64 * l3;
+    let t55 = t47 * t47;
+    let t56 = 0.6062967032112268_f64 / t50;
+    let t57 = 0.7410293039248327_f64 / t51;
+    let t58 = 0.41205789559162753_f64 / t52;
+    let t59 = l1 * l1;
+    let t60 = m1 * t55;
+    let t61 = t53 * t53;
+    let t62 = t54 * t54;
+    let g = p.g;
+    let t63 = g * t47;
+    let t64 = l1 * t53;
+    let t65 = g * t54;
+    let t66 = m2 * t59;
+    let t67 = I1 + t60;
+    let t68 = m2 * t61;
+    let t69 = m3 * t62;
+    let t70 = m1 * t63;
+    let t71 = l1 * g;
+    let t72 = g * t53;
+    let t73 = m2 * t64;
+    let t74 = m3 * t65;
+    let t75 = t66 + t67;
+    let t76 = I2 + t68;
+    let t77 = I3 + t69;
+    let t78 = l2 * g;
+    let t79 = l1 * t48;
+    let t80 = l1 * t49;
     let l4 = p.l4;
-    Prepared { l1, l2, l3, l4, m2, m3, k6: t2, k7: t3, k8: t18, k9: t12, k10: t19, k11: t20, k12: t21, k13: t13, k14: t22, k15: t23, k16: t24, k17: t25, k18: t26, k19: t27, k20: t28 }
+    Prepared { l1, l2, l3, l4, m2, m3, k6: t48, k7: t49, k8: t70, k9: t64, k10: t71, k11: t72, k12: t73, k13: t65, k14: t74, k15: t75, k16: t76, k17: t77, k18: t78, k19: t79, k20: t80, k21: t56, k22: t57, k23: t58 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
@@ -239,82 +297,82 @@ pub fn rates(
     let t18 = cos_q1 * cos_q3;
     let t19 = sin_q1 * sin_q3;
     let t20 = u1 * u1;
+    let t21 = cos_q1 * cos_q2;
+    let t22 = sin_q1 * sin_q2;
     let l3 = p.l3;
-    let t21 = l3 * t15;
-    let t22 = t17 * t16;
-    let t23 = t18 + t19;
+    let t23 = l3 * t15;
+    let t24 = t17 * t16;
+    let t25 = t18 + t19;
     let l1 = p.l1;
-    let t24 = l1 * t20;
-    let t25 = cos_q1 * cos_q2;
-    let t26 = sin_q1 * sin_q2;
+    let t26 = l1 * t20;
     let t27 = t21 + t22;
-    let t28 = t24 * t23;
-    let t29 = t25 + t26;
-    let t30 = t28 + t27;
-    let k9 = p.k9;
-    let t31 = t20 * k9;
+    let t28 = t23 + t24;
+    let t29 = t26 * t25;
     let k12 = p.k12;
-    let t32 = t29 * k12;
-    let k6 = p.k6;
-    let t33 = k6 * t30;
-    let t34 = t7 * t31;
-    let k11 = p.k11;
-    let t35 = cos_q2 * k11;
-    let t36 = t17 * t21;
+    let t30 = t27 * k12;
+    let t31 = t29 + t28;
+    let k9 = p.k9;
+    let t32 = t20 * k9;
     let k16 = p.k16;
-    let t37 = k16 * t8;
-    let t38 = 2.0_f64 * t32;
-    let t39 = t2 * t33;
-    let t40 = t35 - t34;
-    let t41 = t36 + t16;
-    let t42 = t24 * t29;
-    let t43 = t38 - t37;
-    let t44 = k16 * t39;
-    let m2 = p.m2;
-    let t45 = m2 * t40;
-    let t46 = t42 + t41;
+    let t33 = k16 * t8;
+    let t34 = 2.0_f64 * t30;
+    let k6 = p.k6;
+    let t35 = k6 * t31;
+    let t36 = t7 * t32;
+    let k11 = p.k11;
+    let t37 = cos_q2 * k11;
+    let t38 = t17 * t23;
+    let t39 = t34 - t33;
+    let t40 = t2 * t35;
+    let t41 = t37 - t36;
+    let t42 = t38 + t16;
+    let t43 = t26 * t27;
     let k17 = p.k17;
-    let t47 = k17 * t11;
-    let t48 = t8 * t43;
-    let t49 = t44 - t45;
-    let t50 = k9 * t12;
-    let k7 = p.k7;
-    let t51 = k7 * t46;
-    let t52 = t11 * t47;
+    let t44 = k17 * t11;
+    let t45 = t8 * t39;
+    let t46 = k16 * t40;
+    let m2 = p.m2;
+    let t47 = m2 * t41;
+    let t48 = t43 + t42;
+    let t49 = t11 * t44;
     let k15 = p.k15;
-    let t53 = k15 - t48;
-    let t54 = l2 * t1;
-    let t55 = l3 * t1;
-    let t56 = t8 * t49;
+    let t50 = k15 - t45;
+    let t51 = t46 - t47;
+    let t52 = k9 * t12;
+    let k7 = p.k7;
+    let t53 = k7 * t48;
+    let mass_u1_u1 = t49 + t50;
+    let t54 = l3 * t1;
+    let t55 = t8 * t51;
     let k8 = p.k8;
-    let t57 = cos_q1 * k8;
-    let t58 = t32 * t39;
-    let t59 = t7 * t50;
+    let t56 = cos_q1 * k8;
+    let t57 = t30 * t40;
+    let t58 = t7 * t52;
     let k10 = p.k10;
-    let t60 = cos_q1 * k10;
-    let u3_dot_bias = t2 * t51;
-    let mass_u1_u1 = t52 + t53;
+    let t59 = cos_q1 * k10;
+    let u3_dot_bias = t2 * t53;
+    let t60 = Real::abs(mass_u1_u1);
     let t61 = Real::abs(t54);
-    let t62 = Real::abs(t55);
-    let t63 = t57 + t56;
+    let t62 = l2 * t1;
+    let t63 = t56 + t55;
     let T = inputs[0];
-    let t64 = T + t58;
-    let t65 = t60 + t59;
+    let t64 = T + t57;
+    let t65 = t59 + t58;
     let t66 = k17 * u3_dot_bias;
     let k14 = p.k14;
     let t67 = cos_q3 * k14;
-    let t68 = Real::abs(mass_u1_u1);
+    let t68 = Real::abs(t62);
     let t69 = t63 - t64;
     let t70 = m2 * t65;
     let t71 = t67 - t66;
     let t72 = t70 + t69;
     let forcing_u1 = t11 * t71 - t72;
     let t73 = forcing_u1 / mass_u1_u1;
-    let t74 = 0.6062967032112268_f64 * t61;
-    let t75 = 0.7410293039248327_f64 * t62;
-    let t76 = 0.41205789559162753_f64 * t68;
-    let t77 = Real::min(Real::min(t74, t75), t76);
-    ([u1, -t10, u3], [t73], t77)
+    let k23 = p.k23;
+    let k22 = p.k22;
+    let k21 = p.k21;
+    let t74 = Real::min(Real::min(t60 * k23, t61 * k22), t68 * k21);
+    ([u1, -t10, u3], [t73], t74)
 }
 ///Kinetic and potential energy (J).
 ///

@@ -1,12 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f32.
 // Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 48 operations (1 abs, 6 add, 3 cos, 1 div, 1 min, 28 mul, 3 sin, 5 sub).
+// Cost of rates: 54 operations (1 abs, 6 add, 3 cos, 1 div, 7 min, 28 mul, 3 sin, 5 sub).
 // Cost of energy: 46 operations (12 add, 3 cos, 28 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 43 operations (7 abs, 4 add, 7 div, 6 min, 19 mul).
+// Cost of prepare: 79 operations (15 abs, 8 add, 19 div, 8 max, 29 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -123,10 +123,24 @@ pub struct Prepared {
     pub k23: S,
     ///Of parameters alone.
     pub k24: S,
+    ///Of parameters alone.
+    pub k25: S,
+    ///Of parameters alone.
+    pub k26: S,
+    ///Of parameters alone.
+    pub k27: S,
+    ///Of parameters alone.
+    pub k28: S,
+    ///Of parameters alone.
+    pub k29: S,
+    ///Of parameters alone.
+    pub k30: S,
+    ///Of parameters alone.
+    pub k31: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///43 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -135,42 +149,63 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
+    let l0 = p.l0;
+    let t1 = Real::abs(l0);
+    let t2 = t1 * (1.0_f32 / Real::max(Real::abs(t1), 1e-24_f32));
+    let l1 = p.l1;
+    let t3 = Real::abs(l1);
+    let t4 = t3 * (1.0_f32 / Real::max(Real::abs(t3), 1e-24_f32));
+    let l2 = p.l2;
+    let t5 = Real::abs(l2);
+    let t6 = t5 * (1.0_f32 / Real::max(Real::abs(t5), 1e-24_f32));
+    let t7 = l1 * l1;
     let m1 = p.m1;
     let m2 = p.m2;
-    let t1 = m1 + m2;
+    let t8 = m1 + m2;
+    let mass_u1_u1 = t8 * t7;
+    let t9 = t8 * (l0 * l1);
     let m0 = p.m0;
-    let l0 = p.l0;
-    let mass_u0_u0 = (m0 + t1) * (l0 * l0);
-    let l1 = p.l1;
-    let mass_u1_u1 = t1 * (l1 * l1);
-    let t2 = t1 * (l0 * l1);
-    let l2 = p.l2;
+    let mass_u0_u0 = (m0 + t8) * (l0 * l0);
+    let t10 = Real::abs(m2);
+    let t11 = t10 * (1.0_f32 / Real::max(Real::abs(t10), 1e-24_f32));
+    let t12 = 1.0_f32 / t10;
+    let t13 = 1.0_f32 / m2;
+    let t14 = 1.0_f32 / m1;
+    let t15 = t14 + t13;
+    let t16 = Real::abs(m1);
+    let t17 = t16 * (1.0_f32 / Real::max(Real::abs(t16), 1e-24_f32));
+    let t18 = 1.0_f32 / t16;
+    let t19 = t18 + t12;
+    let t20 = 0.5_f32 / Real::max(0.5_f32 * Real::abs(t19), 1e-24_f32);
+    let t21 = Real::abs(t15) * t20;
+    let t22 = Real::abs(m0);
+    let t23 = t22 * (1.0_f32 / Real::max(Real::abs(t22), 1e-24_f32));
+    let t24 = 1.0_f32 / t22;
+    let t25 = t18 * (t18 * (1.0_f32 / t19));
+    let t26 = t24 + t18;
+    let t27 = t26 + (t24 + t25);
     let mass_u2_u2 = m2 * (l2 * l2);
-    let t3 = m2 * (l1 * l2);
-    let t4 = m2 * (l0 * l2);
+    let t28 = m2 * (l1 * l2);
+    let t29 = m2 * (l0 * l2);
+    let t30 = 1.0_f32 / t15;
+    let t31 = t14 * t30;
+    let t32 = l2 * t30;
+    let t33 = 1.0_f32 / l2;
     let g = p.g;
-    let t5 = l0 * g;
-    let t6 = m0 * t5;
-    let t7 = l1 * g;
-    let t8 = l2 * g;
-    let t9 = 1.0_f32 / m0;
-    let t10 = 1.0_f32 / m1;
-    let t11 = t9 + t10;
-    let t12 = Real::min(Real::min(Real::min(Real::min(Real::abs(m0), Real::abs(m1)), Real::abs(m2)), Real::abs(l0)), Real::abs(l1));
-    let t13 = Real::min(t12, Real::abs(l2));
-    let t14 = t10 + 1.0_f32 / m2;
-    let t15 = Real::min(t13, 0.5_f32 * Real::abs(t14));
-    let t16 = 1.0_f32 / t14;
-    let t17 = t10 * t16;
-    let t18 = l2 * t16;
-    let t19 = 1.0_f32 / l2;
-    let t20 = 1.0_f32 / l1;
-    let t21 = 1.0_f32 / l0;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t2, prepared_mass_u2_u2: mass_u2_u2, k10: t3, k11: t4, k12: t5, k13: t6, k14: t7, k15: t8, k16: t9, k17: t10, k18: t11, k19: t15, k20: t17, k21: t18, k22: t19, k23: t20, k24: t21 }
+    let t34 = l2 * g;
+    let t35 = 2.0_f32 / Real::max(0.2857143_f32 * Real::abs(t27), 1e-24_f32);
+    let t36 = 1.0_f32 / l0;
+    let t37 = 1.0_f32 / l1;
+    let t38 = 1.0_f32 / m0;
+    let t39 = t38 + t14;
+    let t40 = l0 * g;
+    let t41 = m0 * t40;
+    let t42 = l1 * g;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t9, prepared_mass_u2_u2: mass_u2_u2, k10: t28, k11: t29, k12: t40, k13: t41, k14: t42, k15: t34, k16: t38, k17: t14, k18: t39, k19: t31, k20: t32, k21: t33, k22: t37, k23: t36, k24: t23, k25: t17, k26: t11, k27: t2, k28: t4, k29: t6, k30: t21, k31: t35 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///48 operations.
+///54 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -203,31 +238,38 @@ pub fn rates(
     let k17 = p.k17;
     let t5 = k17 * cos_angle14;
     let u2 = u[2];
-    let k21 = p.k21;
-    let t6 = u2 * u2 * k21;
+    let k20 = p.k20;
+    let t6 = u2 * u2 * k20;
     let t7 = t5 * t6;
     let l1 = p.l1;
     let u1 = u[1];
     let t8 = t4 + (l1 * (u1 * u1) + t7);
     let t9 = cos_angle9 * t3;
-    let k20 = p.k20;
-    let t10 = cos_angle14 * k20;
+    let k19 = p.k19;
+    let t10 = cos_angle14 * k19;
     let k18 = p.k18;
     let t11 = k18 - (t9 + t5 * t10);
     let force_mass1_y = t8 / t11;
     let t12 = k16 * sin_angle9;
-    let k24 = p.k24;
-    let t13 = k24 * (t12 * force_mass1_y - g * sin_q0);
+    let k23 = p.k23;
+    let t13 = k23 * (t12 * force_mass1_y - g * sin_q0);
     let force_mass0_y = t2 + cos_angle9 * force_mass1_y;
     let t14 = t12 * force_mass0_y;
     let force_mass2_y = t6 + t10 * force_mass1_y;
     let t15 = k17 * sin_angle14;
-    let k23 = p.k23;
-    let t16 = k23 * (t14 - t15 * force_mass2_y);
     let k22 = p.k22;
-    let t17 = k22 * (t15 * force_mass1_y);
-    let k19 = p.k19;
-    let t18 = Real::min(k19, 2.0_f32 * Real::abs(t11));
+    let t16 = k22 * (t14 - t15 * force_mass2_y);
+    let k21 = p.k21;
+    let t17 = k21 * (t15 * force_mass1_y);
+    let k31 = p.k31;
+    let k30 = p.k30;
+    let k29 = p.k29;
+    let k28 = p.k28;
+    let k27 = p.k27;
+    let k26 = p.k26;
+    let k25 = p.k25;
+    let k24 = p.k24;
+    let t18 = Real::min(Real::min(Real::min(Real::min(Real::min(Real::min(Real::min(Real::abs(t11) * k31, k30), k29), k28), k27), k26), k25), k24);
     ([u0, u1, u2], [t13, -t16, -t17], t18)
 }
 ///Kinetic and potential energy (J).

@@ -1,12 +1,12 @@
 // Generated from models/pendulum3.toml by smartbed-codegen 0.1.0; do not edit, change the model instead.
 // pendulum3: 3 coordinates, 3 independent speeds, 0 inputs, 7 tunable parameters; scalar f64.
 // Pivots: 8; the worst over 65 sampled configurations is 1.000 of its nominal size.
-// Cost of rates: 48 operations (1 abs, 6 add, 3 cos, 1 div, 1 min, 28 mul, 3 sin, 5 sub).
+// Cost of rates: 54 operations (1 abs, 6 add, 3 cos, 1 div, 7 min, 28 mul, 3 sin, 5 sub).
 // Cost of energy: 46 operations (12 add, 3 cos, 28 mul, 3 sin).
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 43 operations (7 abs, 4 add, 7 div, 6 min, 19 mul).
+// Cost of prepare: 79 operations (15 abs, 8 add, 19 div, 8 max, 29 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -123,10 +123,24 @@ pub struct Prepared {
     pub k23: S,
     ///Of parameters alone.
     pub k24: S,
+    ///Of parameters alone.
+    pub k25: S,
+    ///Of parameters alone.
+    pub k26: S,
+    ///Of parameters alone.
+    pub k27: S,
+    ///Of parameters alone.
+    pub k28: S,
+    ///Of parameters alone.
+    pub k29: S,
+    ///Of parameters alone.
+    pub k30: S,
+    ///Of parameters alone.
+    pub k31: S,
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///43 operations.
+///79 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -136,59 +150,95 @@ pub struct Prepared {
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
     let m1 = p.m1;
-    let t1 = 1.0_f64 / m1;
+    let t1 = Real::abs(m1);
     let m2 = p.m2;
-    let t2 = 1.0_f64 / m2;
+    let t2 = Real::abs(m2);
+    let t3 = 1.0_f64 / t1;
+    let t4 = 1.0_f64 / t2;
     let m0 = p.m0;
-    let t3 = Real::abs(m0);
-    let t4 = Real::abs(m1);
-    let t5 = Real::abs(m2);
+    let t5 = Real::abs(m0);
+    let t6 = t3 + t4;
+    let t7 = 1.0_f64 / t6;
+    let t8 = 1.0_f64 / t5;
     let l0 = p.l0;
-    let t6 = Real::abs(l0);
+    let t9 = Real::abs(l0);
     let l1 = p.l1;
-    let t7 = Real::abs(l1);
-    let t8 = t1 + t2;
+    let t10 = Real::abs(l1);
     let l2 = p.l2;
-    let t9 = Real::abs(l2);
-    let t10 = Real::abs(t8);
-    let t11 = Real::min(Real::min(t3, t4), t5);
-    let t12 = 1.0_f64 / m0;
-    let t13 = 1.0_f64 / t8;
-    let t14 = Real::min(t11, t6);
-    let t15 = 1.0_f64 / l2;
-    let t16 = 1.0_f64 / l1;
-    let t17 = 1.0_f64 / l0;
-    let t18 = m1 + m2;
-    let t19 = Real::min(t14, t7);
-    let t20 = m0 + t18;
-    let t21 = l0 * l0;
-    let t22 = l1 * l1;
-    let t23 = l0 * l1;
-    let t24 = l2 * l2;
-    let t25 = l1 * l2;
-    let t26 = l0 * l2;
+    let t11 = Real::abs(l2);
+    let t12 = t3 * (t3 * t7);
+    let t13 = t8 + t3;
+    let t14 = t8 + t12;
+    let t15 = Real::abs(t6);
+    let t16 = t13 + t14;
+    let t17 = 1.0_f64 / m1;
+    let t18 = 1.0_f64 / m2;
+    let t19 = Real::abs(t5);
+    let t20 = Real::abs(t1);
+    let t21 = Real::abs(t2);
+    let t22 = Real::abs(t9);
+    let t23 = Real::abs(t10);
+    let t24 = Real::abs(t11);
+    let t25 = Real::abs(t16);
+    let t26 = t17 + t18;
+    let t27 = 0.5_f64 * t15;
+    let t28 = Real::abs(t26);
+    let t29 = Real::max(t19, 1e-24_f64);
+    let t30 = Real::max(t20, 1e-24_f64);
+    let t31 = Real::max(t21, 1e-24_f64);
+    let t32 = Real::max(t22, 1e-24_f64);
+    let t33 = Real::max(t23, 1e-24_f64);
+    let t34 = Real::max(t24, 1e-24_f64);
+    let t35 = Real::max(t27, 1e-24_f64);
+    let t36 = 0.2857142857142857_f64 * t25;
+    let t37 = 1.0_f64 / m0;
+    let t38 = 1.0_f64 / t26;
+    let t39 = 1.0_f64 / t29;
+    let t40 = 1.0_f64 / t30;
+    let t41 = 1.0_f64 / t31;
+    let t42 = 1.0_f64 / t32;
+    let t43 = 1.0_f64 / t33;
+    let t44 = 1.0_f64 / t34;
+    let t45 = 0.5_f64 / t35;
+    let t46 = Real::max(t36, 1e-24_f64);
+    let t47 = 1.0_f64 / l2;
+    let t48 = 1.0_f64 / l1;
+    let t49 = 1.0_f64 / l0;
+    let t50 = 2.0_f64 / t46;
+    let t51 = m1 + m2;
+    let t52 = m0 + t51;
+    let t53 = l0 * l0;
+    let t54 = l1 * l1;
+    let t55 = l0 * l1;
+    let t56 = l2 * l2;
+    let t57 = l1 * l2;
+    let t58 = l0 * l2;
     let g = p.g;
-    let t27 = l0 * g;
-    let t28 = Real::min(t19, t9);
-    let t29 = 0.5_f64 * t10;
-    let mass_u0_u0 = t20 * t21;
-    let mass_u1_u1 = t18 * t22;
-    let t30 = t18 * t23;
-    let mass_u2_u2 = m2 * t24;
-    let t31 = m2 * t25;
-    let t32 = m2 * t26;
-    let t33 = m0 * t27;
-    let t34 = l1 * g;
-    let t35 = l2 * g;
-    let t36 = t12 + t1;
-    let t37 = Real::min(t28, t29);
-    let t38 = t1 * t13;
-    let t39 = l2 * t13;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t30, prepared_mass_u2_u2: mass_u2_u2, k10: t31, k11: t32, k12: t27, k13: t33, k14: t34, k15: t35, k16: t12, k17: t1, k18: t36, k19: t37, k20: t38, k21: t39, k22: t15, k23: t16, k24: t17 }
+    let t59 = l0 * g;
+    let mass_u0_u0 = t52 * t53;
+    let mass_u1_u1 = t51 * t54;
+    let t60 = t51 * t55;
+    let mass_u2_u2 = m2 * t56;
+    let t61 = m2 * t57;
+    let t62 = m2 * t58;
+    let t63 = m0 * t59;
+    let t64 = l1 * g;
+    let t65 = l2 * g;
+    let t66 = t37 + t17;
+    let t67 = t17 * t38;
+    let t68 = l2 * t38;
+    let t69 = t5 * t39;
+    let t70 = t1 * t40;
+    let t71 = t2 * t41;
+    let t72 = t9 * t42;
+    let t73 = t10 * t43;
+    let t74 = t11 * t44;
+    let t75 = t28 * t45;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t60, prepared_mass_u2_u2: mass_u2_u2, k10: t61, k11: t62, k12: t59, k13: t63, k14: t64, k15: t65, k16: t37, k17: t17, k18: t66, k19: t67, k20: t68, k21: t47, k22: t48, k23: t49, k24: t69, k25: t70, k26: t71, k27: t72, k28: t73, k29: t74, k30: t75, k31: t50 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
-///48 operations.
+///54 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -203,67 +253,77 @@ pub fn rates(
     _inputs: &[S; 0usize],
     p: &Prepared,
 ) -> ([S; 3usize], [S; 3usize], S) {
-    let q0 = q[0];
     let q1 = q[1];
-    let [(sin_q0, cos_q0), (sin_angle2, cos_angle2)] = Real::sin_cos_of_two(q0, q1 - q0);
+    let q0 = q[0];
+    let t1 = q1 - q0;
     let q2 = q[2];
-    let (sin_angle4, cos_angle4) = Real::sin_cos(q2 - q1);
-    let l0 = p.l0;
-    let u0 = u[0];
-    let t1 = l0 * (u0 * u0);
-    let g = p.g;
-    let t2 = g * cos_q0;
-    let u2 = u[2];
-    let t3 = u2 * u2;
-    let t4 = t1 + t2;
+    let t2 = q2 - q1;
+    let [(sin_q0, cos_q0), (sin_t1, cos_t1)] = Real::sin_cos_of_two(q0, t1);
+    let (sin_t2, cos_t2) = Real::sin_cos(t2);
     let k16 = p.k16;
-    let t5 = k16 * cos_angle2;
+    let t3 = k16 * cos_t1;
     let k17 = p.k17;
-    let t6 = k17 * cos_angle4;
-    let k21 = p.k21;
-    let t7 = t3 * k21;
-    let u1 = u[1];
-    let t8 = u1 * u1;
-    let k20 = p.k20;
-    let t9 = cos_angle4 * k20;
-    let m0 = p.m0;
-    let t10 = m0 * t4;
-    let t11 = t6 * t7;
-    let l1 = p.l1;
-    let t12 = l1 * t8;
-    let t13 = cos_angle2 * t5;
-    let t14 = t6 * t9;
-    let t15 = t5 * t10;
-    let t16 = t12 + t11;
-    let t17 = t13 + t14;
-    let t18 = t15 + t16;
-    let k18 = p.k18;
-    let t19 = k18 - t17;
-    let force_mass1_y = t18 / t19;
-    let t20 = Real::abs(t19);
-    let t21 = cos_angle2 * force_mass1_y;
-    let t22 = t9 * force_mass1_y;
-    let t23 = k16 * sin_angle2;
-    let force_mass0_y = t10 + t21;
-    let force_mass2_y = t7 + t22;
-    let t24 = k17 * sin_angle4;
-    let t25 = t23 * force_mass1_y;
-    let t26 = g * sin_q0;
-    let t27 = t23 * force_mass0_y;
-    let t28 = t24 * force_mass2_y;
-    let t29 = t25 - t26;
-    let t30 = t27 - t28;
-    let t31 = t24 * force_mass1_y;
-    let t32 = 2.0_f64 * t20;
-    let k24 = p.k24;
-    let t33 = k24 * t29;
-    let k23 = p.k23;
-    let t34 = k23 * t30;
-    let k22 = p.k22;
-    let t35 = k22 * t31;
+    let t4 = k17 * cos_t2;
     let k19 = p.k19;
-    let t36 = Real::min(k19, t32);
-    ([u0, u1, u2], [t33, -t34, -t35], t36)
+    let t5 = cos_t2 * k19;
+    let t6 = cos_t1 * t3 + t4 * t5;
+    let u0 = u[0];
+    let t7 = u0 * u0;
+    let k18 = p.k18;
+    let t8 = k18 - t6;
+    let l0 = p.l0;
+    let t9 = l0 * t7;
+    let g = p.g;
+    let t10 = g * cos_q0;
+    let u2 = u[2];
+    let t11 = u2 * u2;
+    let t12 = Real::abs(t8);
+    let t13 = t9 + t10;
+    let k20 = p.k20;
+    let t14 = t11 * k20;
+    let u1 = u[1];
+    let t15 = u1 * u1;
+    let m0 = p.m0;
+    let t16 = m0 * t13;
+    let t17 = t4 * t14;
+    let l1 = p.l1;
+    let t18 = l1 * t15;
+    let t19 = t3 * t16;
+    let force_mass1_y = (t19 + (t18 + t17)) / t8;
+    let k31 = p.k31;
+    let k30 = p.k30;
+    let k29 = p.k29;
+    let t20 = Real::min(Real::min(t12 * k31, k30), k29);
+    let t21 = cos_t1 * force_mass1_y;
+    let t22 = t5 * force_mass1_y;
+    let k28 = p.k28;
+    let t23 = Real::min(t20, k28);
+    let t24 = k16 * sin_t1;
+    let force_mass0_y = t16 + t21;
+    let force_mass2_y = t14 + t22;
+    let t25 = k17 * sin_t2;
+    let k27 = p.k27;
+    let t26 = Real::min(t23, k27);
+    let t27 = t24 * force_mass1_y;
+    let t28 = g * sin_q0;
+    let t29 = t24 * force_mass0_y;
+    let t30 = t25 * force_mass2_y;
+    let k26 = p.k26;
+    let t31 = Real::min(t26, k26);
+    let t32 = t27 - t28;
+    let t33 = t29 - t30;
+    let t34 = t25 * force_mass1_y;
+    let k25 = p.k25;
+    let t35 = Real::min(t31, k25);
+    let k23 = p.k23;
+    let t36 = k23 * t32;
+    let k22 = p.k22;
+    let t37 = k22 * t33;
+    let k21 = p.k21;
+    let t38 = k21 * t34;
+    let k24 = p.k24;
+    let t39 = Real::min(t35, k24);
+    ([u0, u1, u2], [t36, -t37, -t38], t39)
 }
 ///Kinetic and potential energy (J).
 ///

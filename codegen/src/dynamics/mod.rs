@@ -173,7 +173,7 @@ fn tied(
     (mass, forcing): (&[Vec<ExprId>], &[ExprId]),
 ) -> Result<Solved, Diagnostics> {
     let rows = &solution.ties;
-    let Some(found) = redundant::solve(k, table, (rows, values), mass, forcing) else {
+    let Some(found) = redundant::solve(model, k, table, (rows, values), (mass, forcing)) else {
         return Err(solve::still_masses(model));
     };
     let of_ties = redundant::power_of_drive(k, rows, &found.multipliers);
@@ -206,15 +206,20 @@ pub(crate) fn is_inert(
     let values = unknown_values(k, solution);
     let Reduced { mass, .. } = reduce::reduce(k, solution, parts);
     let forcing = vec![k.dag.zero(); mass.len()];
-    redundant::solve(k, table, (&solution.ties, &values), &mass, &forcing).is_some()
+    redundant::solve(model, k, table, (&solution.ties, &values), (&mass, &forcing)).is_some()
 }
 
 /// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
-pub(crate) fn without_mass(k: &mut Kinematics, solution: &Solution, table: &mut SampleTable) -> Dynamics {
+pub(crate) fn without_mass(
+    model: &Model,
+    k: &mut Kinematics,
+    solution: &Solution,
+    table: &mut SampleTable,
+) -> Dynamics {
     let values = unknown_values(k, solution);
     let speed_correction = match solution.ties.is_empty() {
         true => Vec::new(),
-        false => redundant::shortest_correction(k, table, &solution.ties).unwrap_or_default(),
+        false => redundant::shortest_correction(model, k, table, &solution.ties).unwrap_or_default(),
     };
     let (zero, n_u) = (k.dag.zero(), k.independent_unknowns().len());
     Dynamics {

@@ -11,7 +11,9 @@ use super::solve::{Factors, NO_INERTIA};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::kinematics::eliminate::{Pivot, pivot_of};
+use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{Kinematics, Row};
+use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 
 /// u' of redundant speeds, and what keeps them on their rows.
@@ -35,15 +37,17 @@ struct Ties {
 
 /// Solves for u'; none where some motion that the rows allow moves no mass.
 pub(super) fn solve(
+    model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
     (rows, values): (&[Row], &HashMap<SymbolId, ExprId>),
-    mass: &[Vec<ExprId>],
-    forcing: &[ExprId],
+    (mass, forcing): (&[Vec<ExprId>], &[ExprId]),
 ) -> Option<Redundant> {
     let Ties { jacobian, rate, bias } = ties(k, rows, values);
-    let scales = scales(&k.dag, table, mass, &jacobian);
+    let sizes = Sizes::new(model, k);
+    let growths = sizes.growth_of_speeds(model, k);
     let dag = &mut k.dag;
+    let scales = scales(dag, table, (&sizes, &growths), mass, &jacobian);
     let a = stiffened(dag, mass, &jacobian, &scales);
     let factors = Factors::new(dag, &a);
     let mut pivots = Vec::new();
@@ -78,7 +82,6 @@ pub(super) fn solve(
     }
     let (u_dot, mut multipliers) = along(dag, Some(&free), &missing);
     for ((lambda, &b), &scale) in multipliers.iter_mut().zip(&bias).zip(&scales) {
-        let scale = dag.constant(scale);
         let term = dag.mul(scale, b);
         *lambda = dag.add(*lambda, term);
     }
@@ -89,6 +92,7 @@ pub(super) fn solve(
 
 /// Correction of the speeds of a model without masses: the shortest.
 pub(super) fn shortest_correction(
+    model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
     rows: &[Row],
@@ -98,7 +102,7 @@ pub(super) fn shortest_correction(
     let (zero, one) = (k.dag.zero(), k.dag.one());
     let unit = |i: usize| (0..n).map(|j| if i == j { one } else { zero }).collect();
     let identity: Vec<Vec<ExprId>> = (0..n).map(unit).collect();
-    solve(k, table, (rows, &values), &identity, &vec![zero; n]).map(|found| found.correction)
+    solve(model, k, table, (rows, &values), (&identity, &vec![zero; n])).map(|found| found.correction)
 }
 
 /// lambda' j: the power that the rows' parts without speeds take from what drives the mechanism.
@@ -130,15 +134,31 @@ fn ties(k: &mut Kinematics, rows: &[Row], values: &HashMap<SymbolId, ExprId>) ->
     ties
 }
 
-/// s, one a row: powers of two that make J' s J about as large as M at the nominal configuration.
-fn scales(dag: &Dag, table: &mut SampleTable, mass: &[Vec<ExprId>], jacobian: &[Vec<ExprId>]) -> Vec<f64> {
-    let mut nominal = |e: ExprId| table.values(dag, e)[0];
-    let diagonal: f64 = (0..mass.len()).map(|i| nominal(mass[i][i])).sum();
-    let mut scales = Vec::new();
+/// s, one a row: powers of two that make J' s J about as large as M at the nominal configuration and parameters, times
+/// what M has grown more than J' J for the parameters that are set, both by the sums of their diagonals over speeds of
+/// one unit.
+fn scales(
+    dag: &mut Dag,
+    table: &mut SampleTable,
+    (sizes, growths): (&Sizes, &[ExprId]),
+    mass: &[Vec<ExprId>],
+    jacobian: &[Vec<ExprId>],
+) -> Vec<ExprId> {
+    let diagonal: Vec<ExprId> = (0..mass.len()).map(|i| mass[i][i]).collect();
+    let squares: Vec<ExprId> = growths.iter().map(|&growth| dag.mul(growth, growth)).collect();
+    let mut sums = vec![dot(dag, &diagonal, &squares)];
     for row in jacobian {
-        let square: f64 = row.iter().map(|&e| nominal(e).powi(2)).sum();
-        let scale = (diagonal / square).log2().round().exp2();
-        scales.push(if scale.is_finite() && scale > 0.0 { scale } else { 1.0 });
+        let grown: Vec<ExprId> = row.iter().zip(growths).map(|(&entry, &g)| dag.mul(entry, g)).collect();
+        sums.push(dot(dag, &grown, &grown));
+    }
+    let growth = sizes.growth(dag, &sums);
+    let nominal: Vec<f64> = sums.iter().map(|&sum| table.values(dag, sum)[0]).collect();
+    let mut scales = Vec::new();
+    for row in 1..sums.len() {
+        let scale = (nominal[0] / nominal[row]).log2().round().exp2();
+        let scale = dag.constant(if scale.is_finite() && scale > 0.0 { scale } else { 1.0 });
+        let growth = dag.div(growth[0], growth[row]);
+        scales.push(dag.mul(growth, scale));
     }
     scales
 }
@@ -148,11 +168,10 @@ fn stiffened(
     dag: &mut Dag,
     mass: &[Vec<ExprId>],
     jacobian: &[Vec<ExprId>],
-    scales: &[f64],
+    scales: &[ExprId],
 ) -> Vec<Vec<ExprId>> {
     let mut a = mass.to_vec();
     for (row, &scale) in jacobian.iter().zip(scales) {
-        let scale = dag.constant(scale);
         for i in 0..row.len() {
             let scaled = dag.mul(scale, row[i]);
             for j in 0..=i {

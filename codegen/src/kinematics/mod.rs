@@ -25,6 +25,7 @@ pub mod projection;
 mod rank;
 pub mod redundant;
 mod regular;
+pub mod sizes;
 mod slopes;
 pub(crate) mod sparse;
 mod speed_map;

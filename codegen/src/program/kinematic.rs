@@ -5,10 +5,11 @@
 
 use super::answer::{self, Asked, Stages};
 use super::stage::{self, Stage};
-use super::{Effort, Program, assemble, constraints, mark_angles, shorten};
+use super::{Effort, Program, assemble, constraints, mark_angles, relative, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
+use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
 use crate::model::Model;
 
@@ -38,17 +39,19 @@ pub(super) fn derive(
     let mut table = eliminate::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = constraints(model, &mut k, &mut table)?;
-    let dynamics = dynamics::without_mass(&mut k, &solution, &mut table);
+    let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
     stage::begin(Stage::Answers);
     let given = (model.inputs.len(), false);
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
+    let sizes = Sizes::new(model, &k);
     let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);
     shorten::answers(&mut program, &mut table, effort);
+    relative::to_parameters(&mut program, &sizes);
     mark_angles(&mut program);
     Ok(program)
 }

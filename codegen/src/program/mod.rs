@@ -10,6 +10,7 @@ mod kinematic;
 pub mod limits;
 mod prepared;
 mod reciprocal;
+mod relative;
 mod reorder;
 mod roots;
 mod shorten;
@@ -22,6 +23,7 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
+use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed};
 use crate::value::Effort;
@@ -197,6 +199,7 @@ pub fn derive_asked(
     let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
+    let sizes = Sizes::new(model, &k);
     let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
     program.warnings = warnings;
     program.keep_only(asked);
@@ -206,6 +209,7 @@ pub fn derive_asked(
     if effort != Effort::None {
         reorder::sums(&mut program, &mut table);
     }
+    relative::to_parameters(&mut program, &sizes);
     mark_angles(&mut program);
     Ok(program)
 }

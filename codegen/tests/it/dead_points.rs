@@ -13,7 +13,7 @@ const EXACT: f64 = 1e-12;
 const STATES: usize = 1000;
 
 /// The shipped slider-crank, but for its independent coordinate.
-fn slider_crank() -> String {
+pub fn slider_crank() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/slider_crank.toml");
     let text = std::fs::read_to_string(path).expect("it is shipped");
     let changed = text

@@ -28,6 +28,7 @@ mod redundant;
 mod regular;
 mod rejected;
 mod rolling;
+mod sizes;
 mod speeds;
 mod textbook;
 mod units;

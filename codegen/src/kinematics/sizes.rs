@@ -1,0 +1,121 @@
+//! How large expressions of the configuration are for the parameters that are set.
+//!
+//! In: expressions. Out: for each a size that depends on parameters alone, so that it is prepared: terms of a sum count by
+//! absolute value, sines and cosines as 1, a coordinate by its nominal value, grown as the model's lengths have where it is
+//! a length. What was measured at the nominal parameters is carried over to others by the quotient of two sizes.
+
+use super::{Kinematics, UnknownKind};
+use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
+use crate::model::Model;
+use crate::model::unit::{self, Unit};
+use rustc_hash::FxHashMap as HashMap;
+
+/// A size this small beside that at the nominal parameters counts as so large: no mass at all divides by nothing.
+const LEAST: f64 = 1e-24;
+
+/// Sizes of the symbols of a model.
+pub struct Sizes {
+    /// Parameters by their nominal values.
+    parameters: HashMap<SymbolId, f64>,
+    /// Coordinates by their nominal values, and whether they are lengths.
+    coordinates: HashMap<SymbolId, (f64, bool)>,
+    /// The lengths among the parameters.
+    lengths: Vec<ExprId>,
+}
+
+impl Sizes {
+    /// Of a model at its nominal configuration and parameters.
+    #[must_use]
+    pub fn new(model: &Model, k: &Kinematics) -> Self {
+        let symbols: Vec<_> = (model.parameters.ids())
+            .filter_map(|id| Some((id, k.dag.as_symbol(k.parameters[id])?)))
+            .collect();
+        let state = model.coordinates.enumerate().filter_map(|(id, c)| Some((c, k.coordinate_symbol(id)?)));
+        let nominal = k.samples.first().map_or(&[][..], Vec::as_slice);
+        Self {
+            parameters: symbols.iter().map(|&(id, symbol)| (symbol, k.parameter_values[id])).collect(),
+            coordinates: state
+                .zip(nominal)
+                .map(|((c, symbol), &q)| (symbol, (q, is_length(&c.unit))))
+                .collect(),
+            lengths: symbols
+                .into_iter()
+                .filter(|&(id, _)| is_length(&model.parameters[id].unit))
+                .map(|(id, _)| k.parameters[id])
+                .collect(),
+        }
+    }
+
+    /// How many times as large each expression is as at the nominal parameters.
+    pub fn growth(&self, dag: &mut Dag, exprs: &[ExprId]) -> Vec<ExprId> {
+        let lengths = self.growth_of_lengths(dag);
+        let mut sizes: HashMap<ExprId, ExprId> = HashMap::default();
+        for id in dag.reachable(exprs) {
+            let size = self.size(dag, id, lengths, &|operand| sizes[&operand]);
+            sizes.insert(id, size);
+        }
+        exprs.iter().map(|expr| self.relative(dag, sizes[expr])).collect()
+    }
+
+    /// How many times as large the independent speeds are: as the lengths, or as ever.
+    pub fn growth_of_speeds(&self, model: &Model, k: &mut Kinematics) -> Vec<ExprId> {
+        let (one, lengths) = (k.dag.one(), self.growth_of_lengths(&mut k.dag));
+        let kinds = k.independent_unknowns().into_iter().map(|unknown| k.unknowns[unknown].kind);
+        let moves_along =
+            |kind| matches!(kind, UnknownKind::Independent(id) if is_velocity(&model.speeds[id].unit));
+        kinds.map(|kind| if moves_along(kind) { lengths } else { one }).collect()
+    }
+
+    /// The size of an expression from those of its operands.
+    fn size(&self, dag: &mut Dag, id: ExprId, lengths: ExprId, of: &dyn Fn(ExprId) -> ExprId) -> ExprId {
+        match dag.node(id) {
+            Node::Number(number) => dag.constant(number.to_f64().abs()),
+            Node::Pi => id,
+            Node::Symbol(symbol) if self.parameters.contains_key(&symbol) => dag.unary(Unary::Abs, id),
+            Node::Symbol(symbol) => match self.coordinates.get(&symbol) {
+                Some(&(nominal, true)) if nominal != 0.0 => {
+                    let nominal = dag.constant(nominal.abs());
+                    dag.mul(nominal, lengths)
+                }
+                Some((_, true)) => lengths,
+                _ => dag.one(),
+            },
+            Node::Negate(a) => of(a),
+            Node::Unary(function @ (Unary::Sqrt | Unary::Abs), a) => dag.unary(function, of(a)),
+            Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => dag.one(),
+            Node::Binary(Binary::Add | Binary::Sub, a, b) => dag.add(of(a), of(b)),
+            Node::Binary(Binary::Min | Binary::Max, a, b) => dag.binary(Binary::Max, of(a), of(b)),
+            Node::Binary(operator, a, b) => dag.binary(operator, of(a), of(b)),
+        }
+    }
+
+    /// A size over its value at the nominal parameters.
+    fn relative(&self, dag: &mut Dag, size: ExprId) -> ExprId {
+        let nominal = self.at_nominal(dag, size);
+        if dag.is_constant(size) || !(nominal.is_finite() && nominal > 0.0) {
+            return dag.one();
+        }
+        let (nominal, least) = (dag.constant(nominal), dag.constant(LEAST));
+        let relative = dag.div(size, nominal);
+        dag.binary(Binary::Max, relative, least)
+    }
+
+    /// The sum of the model's lengths over its nominal value; 1 where there are none.
+    fn growth_of_lengths(&self, dag: &mut Dag) -> ExprId {
+        let lengths: Vec<ExprId> = self.lengths.iter().map(|&length| dag.unary(Unary::Abs, length)).collect();
+        let sum = dag.sum(&lengths);
+        self.relative(dag, sum)
+    }
+
+    fn at_nominal(&self, dag: &Dag, size: ExprId) -> f64 {
+        dag.evaluate(&[size], &|symbol| self.parameters[&symbol])[0]
+    }
+}
+
+fn is_velocity(text: &str) -> bool {
+    unit::parse(text.trim()).is_ok_and(|scale| Some(scale.unit) == Unit::LENGTH.per(Unit::TIME))
+}
+
+fn is_length(text: &str) -> bool {
+    unit::parse(text.trim()).is_ok_and(|scale| scale.unit == Unit::LENGTH)
+}
