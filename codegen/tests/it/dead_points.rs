@@ -106,6 +106,33 @@ fn a_slider_crank_closed_in_its_pin_moves_through_dead_points() {
     moves_as_its_crank_says(&closed_in_its_pin());
 }
 
+/// Off the loop by 1 mm and 0.01 rad, at dead points and elsewhere; no coordinate is held.
+#[test]
+fn a_correction_of_all_coordinates_is_the_shortest_and_quadratic() {
+    let program = derived(&slider_crank());
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    for state in 0..STATES {
+        let [place, ..] = follow(angle(state), 0.0, 0.0);
+        let off = |k: usize| 0.01 * ((state * 3 + k) as f64).sin();
+        let mut q = [place[0] + off(0), place[1] + off(1), place[2] + 0.1 * off(2)];
+        let before = q;
+        let residuals =
+            |q: [f64; 3]| [0.1 * q[0].cos() + 0.3 * q[1].cos() - q[2], 0.1 * q[0].sin() + 0.3 * q[1].sin()];
+        mechanism.project(&mut q).expect("lengths fit");
+        let left = residuals(q).map(f64::abs);
+        assert!(left[0].max(left[1]) < 1e-4, "{state}: {left:?}");
+        // The shortest way is a combination of the rows: perpendicular to the one motion that they allow.
+        let [x, y, z] = [0, 1, 2].map(|i| q[i] - before[i]);
+        let motion = {
+            let [sin, cos] = [before[0].sin(), before[0].cos()].map(|v| 0.1 * v);
+            let [sin_b, cos_b] = [before[1].sin(), before[1].cos()].map(|v| 0.3 * v);
+            [-cos_b, cos, sin * cos_b - cos * sin_b]
+        };
+        let along = x * motion[0] + y * motion[1] + z * motion[2];
+        assert!(along.abs() < 1e-12, "{state}: {along:e} along the motion");
+    }
+}
+
 /// The lower end of the piston's range is its dead point.
 #[test]
 fn a_dead_point_at_the_end_of_a_range_is_found() {

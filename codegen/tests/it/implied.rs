@@ -40,23 +40,38 @@ fn pins(crank: f64) -> [[f64; 2]; 2] {
     })
 }
 
-/// All the way round the crank, with the guesses of the README: of two ways to close, the one nearer to the guesses.
+/// Of two ways to close, the one nearer to the guesses (rad).
+fn closes_the_nearer_way(crank: f64, guess: [f64; 2]) {
+    let text = press(crank).replace("nominal = 35", &format!("nominal = {}", guess[0]));
+    let program = derived(&text.replace("nominal = 90", &format!("nominal = {}", guess[1])));
+    let guess = guess.map(f64::to_radians);
+    let [q1, q2, q3] = program.nominal[..] else { panic!("three coordinates") };
+    let turns = |x: f64| (x / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+    let ways = pins(q1).map(|pin| {
+        let a = [0.1 * q1.cos(), 0.1 * q1.sin()];
+        let angles = [(pin[1] - a[1]).atan2(pin[0] - a[0]), pin[1].atan2(pin[0] - 0.3)];
+        let near = [0, 1].map(|i| angles[i] - turns(angles[i] - guess[i]));
+        ((near[0] - guess[0]).hypot(near[1] - guess[1]), near)
+    });
+    let nearer = if ways[0].0 < ways[1].0 { ways[0].1 } else { ways[1].1 };
+    let off = (q2 - nearer[0]).abs().max((q3 - nearer[1]).abs());
+    assert!(off < 1e-9, "{crank} deg, {guess:?}: {q2}, {q3} instead of {nearer:?}");
+}
+
+/// All the way round the crank, with the guesses of the README.
 #[test]
 fn the_press_assembles_at_every_angle_of_its_crank() {
     for degrees in (0..360).step_by(10) {
-        let program = derived(&press(f64::from(degrees)));
-        let [q1, q2, q3] = program.nominal[..] else { panic!("three coordinates") };
-        let guess = [35.0_f64.to_radians(), 90.0_f64.to_radians()];
-        let turns = |x: f64| (x / std::f64::consts::TAU).round() * std::f64::consts::TAU;
-        let ways = pins(q1).map(|pin| {
-            let a = [0.1 * q1.cos(), 0.1 * q1.sin()];
-            let angles = [(pin[1] - a[1]).atan2(pin[0] - a[0]), pin[1].atan2(pin[0] - 0.3)];
-            let near = [0, 1].map(|i| angles[i] - turns(angles[i] - guess[i]));
-            ((near[0] - guess[0]).hypot(near[1] - guess[1]), near)
-        });
-        let nearer = if ways[0].0 < ways[1].0 { ways[0].1 } else { ways[1].1 };
-        let off = (q2 - nearer[0]).abs().max((q3 - nearer[1]).abs());
-        assert!(off < 1e-9, "{degrees} deg: {q2}, {q3} instead of {nearer:?}");
+        closes_the_nearer_way(f64::from(degrees), [35.0, 90.0]);
+    }
+}
+
+#[test]
+fn the_press_closes_the_nearer_way_from_any_guess() {
+    for coupler in (-180..180).step_by(37) {
+        for rocker in (-180..180).step_by(41) {
+            closes_the_nearer_way(60.0, [f64::from(coupler), f64::from(rocker)]);
+        }
     }
 }
 

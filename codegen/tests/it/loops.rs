@@ -155,6 +155,17 @@ fn the_worst_pivot_is_the_smallest_of_all() {
     }
 }
 
+/// In a chain that is solved for the forces between its links too.
+#[test]
+fn what_a_chain_divides_by_is_watched() {
+    for name in ["pendulum3", "pendulum10", "arm6"] {
+        let program =
+            program::derive(&shipped(name), &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"));
+        let read = program.dag.symbols_of(program.rates.worst_pivot);
+        assert!(program.q.iter().any(|q| read.contains(&q.symbol)), "{name}: its pivots vary with q");
+    }
+}
+
 #[test]
 fn a_fixed_vector_may_be_a_definition_that_nothing_else_needs() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models/tile.toml");
