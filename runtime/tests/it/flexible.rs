@@ -394,6 +394,32 @@ fn moreaus_accounts_of_a_thrown_point_close() {
     close(impact, 0.7 * G * 0.3, 5e-3 * start, "impacts");
 }
 
+/// Moreau's friction on a point that a spring draws to and fro: never more than mu of the push, never work that is put in,
+/// also in steps in which the slip turns round.
+#[test]
+fn moreaus_friction_takes_energy_alone() {
+    let (mu, k, h) = (0.2, 20.0, 0.01);
+    let mut turned = 0;
+    for amplitude in 0..50 {
+        let x = 0.4 + 0.01 * f64::from(amplitude);
+        let mut trial = Trial::point([x, 0.0, 0.0], [0.0, 0.3, 0.0]).anchored([0.0; 3]);
+        (trial.gravity, trial.friction, trial.springs) = (G, mu, vec![spring([0, 1], k, 0.0, 0.0)]);
+        trial.law = Some(ContactLaw::Moreau { restitution: 0.0 });
+        let (mut place, mut v) = (trial.pos[0], trial.vel[0]);
+        for row in trial.run(Method::SymplecticEuler, h, 1.5) {
+            let after = row.vel[0];
+            // The spring acts where the point is half a step on.
+            let impulse = [0, 1].map(|i| after[i] - v[i] + h * k * (place[i] + 0.5 * h * v[i]));
+            let work = impulse[0] * (v[0] + after[0]) + impulse[1] * (v[1] + after[1]);
+            assert!(work <= 1e-15, "{amplitude}, {}: friction puts in {work:e}", row.t);
+            assert!(impulse[0].hypot(impulse[1]) <= mu * G * h * (1.0 + 1e-12), "{amplitude}: {impulse:?}");
+            turned += usize::from(v[0] * after[0] + v[1] * after[1] < 0.0);
+            (place, v) = (row.pos[0], after);
+        }
+    }
+    assert!(turned >= 40, "{turned} turns");
+}
+
 /// One mass thrown at a ground N = k d^1.5: by its energy it comes d deep, 2/5 k d^2.5 = m v^2/2 + m g h, where the
 /// ground's slope is 3/2 k d^0.5 and the step at most 2 sqrt(m/slope).
 #[test]
