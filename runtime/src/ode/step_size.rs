@@ -23,7 +23,7 @@ const LEAST_NORM: f64 = 1e-4;
 pub struct Tolerance<S> {
     /// In the units of x.
     pub absolute: S,
-    /// As a share of |x|.
+    /// As a share of |x|; ten units of rounding are taken for what is finer, which no step meets, however short.
     pub relative: S,
 }
 
@@ -31,8 +31,9 @@ impl<S: Scalar> Tolerance<S> {
     /// The norm of `errors`, given (old, new) values of the same entries; NaN if anything is.
     pub fn norm(&self, errors: impl Iterator<Item = S>, values: impl Iterator<Item = (S, S)>) -> S {
         let start = (S::ZERO, S::ZERO);
+        let relative = self.relative.max(S::from_f64(10.0) * S::EPSILON);
         let (sum, count) = errors.zip(values).fold(start, |(sum, count), (error, (old, new))| {
-            let scale = self.absolute + self.relative * old.abs().max(new.abs());
+            let scale = self.absolute + relative * old.abs().max(new.abs());
             let share = error / scale;
             (sum + share * share, count + S::ONE)
         });

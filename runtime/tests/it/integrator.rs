@@ -217,6 +217,32 @@ fn the_error_follows_the_tolerance() {
     }
 }
 
+/// An orbit in f32: what is asked for beyond its rounding costs no steps, and what it can give is had.
+#[test]
+fn a_tolerance_finer_than_rounding_costs_no_steps() {
+    let steps = |tolerance: f32| {
+        let (mut x, mut low) = (kepler_exact(0.5, 0.0).map(|x| x as f32), [0.0; 4]);
+        let mut memory = [0.0; dormand_prince::scratch(4)];
+        let both = Tolerance { absolute: tolerance, relative: tolerance };
+        let mut solver = DormandPrince::new(4, both, 1e-3, &mut memory).unwrap();
+        let mut state = State::new(&mut x, &mut low).unwrap();
+        let f = |_: f32, x: &[f32], x_dot: &mut [f32]| {
+            let r = x[0].hypot(x[1]);
+            (x_dot[0], x_dot[1]) = (x[2], x[3]);
+            (x_dot[2], x_dot[3]) = (-x[0] / (r * r * r), -x[1] / (r * r * r));
+            Ok(1.0)
+        };
+        let (mut t, end) = (0.0, core::f32::consts::TAU);
+        let steps = solver.advance_to(&mut Flow { n: 4, n_q: 2, f }, &mut t, end, 10_000, &mut state);
+        let off = state.x().iter().zip(kepler_exact(0.5, 0.0)).map(|(x, y)| (f64::from(*x) - y).abs());
+        assert!(off.fold(0.0, f64::max) < 1e-3, "{tolerance:e}");
+        steps.unwrap()
+    };
+    let [rounding, finer] = [10.0 * f32::EPSILON, 1e-14].map(steps);
+    println!("{rounding} steps at ten units of rounding, {finer} at 1e-14");
+    assert!(finer < 2 * rounding, "{finer} steps, {rounding} at ten units of rounding");
+}
+
 #[test]
 fn a_stiff_decay_is_followed_at_the_stability_limit() {
     /// Stability alone asks for 606 steps (3.3 / 200 s each); DOPRI5's control, written independently in
