@@ -14,9 +14,12 @@ use std::fs;
 use std::path::Path;
 
 const STEPS: &str = "10000";
-/// Behind the constants lies their checksum and that of the code.
-const CHECKSUM: &str =
-    "\nSECTIONS { .checksum : ALIGN(4) { KEEP(*(.checksum)) } > FLASH } INSERT AFTER .rodata;\n";
+/// Behind the constants lies the checksum of vectors, code and constants.
+const CHECKSUM: &str = "
+__svectors = ADDR(.vector_table);
+__evectors = ADDR(.vector_table) + SIZEOF(.vector_table);
+SECTIONS { .checksum : ALIGN(4) { KEEP(*(.checksum)) } > FLASH } INSERT AFTER .rodata;
+";
 /// The chip, by the name of its file in `chips/`.
 const CHIP: &str = "m4";
 
@@ -26,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let chip = option("SMARTBED_CHIP", CHIP);
     let memory = format!("chips/{chip}.x");
     println!("cargo::rerun-if-changed={memory}");
-    println!("cargo::rustc-check-cfg=cfg(chip, values(\"m4\", \"m7\", \"m33\"))");
+    println!("cargo::rustc-check-cfg=cfg(chip, values(\"m4\", \"m7\", \"m33\", \"rv32\"))");
     println!("cargo::rustc-cfg=chip=\"{chip}\"");
     println!(
         "cargo::rustc-check-cfg=cfg(inject, values(none(), \"panic\", \"double\", \"recursion\", \"indirect\"))"
@@ -55,7 +58,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=inject");
         println!("cargo::rustc-cfg=inject=\"{inject}\"");
     }
-    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
+    let is_bare = env::var("CARGO_CFG_TARGET_OS")? == "none";
+    if is_bare && env::var("CARGO_CFG_TARGET_ARCH")? != "arm" {
+        // A program that is measured alone has a layout, and no start.
+        println!("cargo::rustc-link-arg-bins=-T{}/{memory}", env::var("CARGO_MANIFEST_DIR")?);
+    } else if is_bare {
         let text = fs::read_to_string(&memory).map_err(|e| format!("SMARTBED_CHIP={chip}: {memory}: {e}"))?;
         fs::write(out.join("memory.x"), text + CHECKSUM)?;
         println!("cargo::rustc-link-search={}", out.display());

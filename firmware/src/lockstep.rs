@@ -11,6 +11,7 @@ use crate::plant::flash::{Flash, provided};
 use crate::station::Station;
 use crate::tile::board::{Outputs, Readings, Sensors};
 use crate::tile::drive::DRIVE;
+use crate::tile::integrity::Program;
 use crate::turns::{BREAK, END, FAULT, HELLO, KEY, TICKS};
 use heapless::{Deque, Vec};
 
@@ -59,13 +60,13 @@ impl Line for Ends {
 fn controller_tick(
     station: &mut Station<Flash, Serial<Ends>>,
     readings: &Readings,
-    program: &[u8],
+    program: Program,
 ) -> Outputs {
     station.tick(readings, program)
 }
 
 /// Takes turns until the host ends it; the controller checks `program` against its checksum.
-pub fn serve(host: &mut impl Host, program: &[u8], checksum: u32) -> Last {
+pub fn serve(host: &mut impl Host, program: Program, checksum: u32) -> Last {
     host.write(HELLO);
     let Some(number) = host.read() else { return Last::End };
     let margin = DRIVE.with_friction(true).locking_margin() * 1000.0;

@@ -5,6 +5,7 @@
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
     use smartbed_firmware::lockstep::{Host, Last, serve};
+    use smartbed_firmware::tile::integrity::Program;
     use std::io::{BufReader, BufWriter, Read, Stdin, Stdout, Write, stdin, stdout};
 
     /// Pipes; what is written goes out before it is waited.
@@ -24,7 +25,7 @@ fn main() -> std::process::ExitCode {
     }
 
     let mut pipes = Pipes(BufReader::new(stdin()), BufWriter::new(stdout()));
-    let last = serve(&mut pipes, &[], 0);
+    let last = serve(&mut pipes, Program::default(), 0);
     0_u32.to_le_bytes().into_iter().for_each(|byte| pipes.write(byte));
     let is_done = pipes.1.flush().is_ok() && last == Last::End;
     if is_done { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }

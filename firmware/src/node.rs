@@ -23,8 +23,10 @@ const INBOX: usize = 4;
 const WAITING: usize = 8;
 /// Reports that wait to be sent.
 const OUTBOX: usize = 8;
-/// The state is reported so often while a supervisor is there (ticks).
+/// The state is reported so often while a supervisor is there (ticks), by each tile so much after the one before it: on one bus
+/// reports never come in a heap.
 const TELEMETRY: u32 = 100;
+const STAGGER: u32 = 7;
 
 /// A tile on its bus.
 #[derive(Clone, Debug)]
@@ -46,6 +48,8 @@ pub struct Node<F> {
     inbox: Deque<Body, INBOX>,
     waiting: Vec<Accepted, WAITING>,
     outbox: Deque<Body, OUTBOX>,
+    /// When the state is reported (ms).
+    phase: u32,
     /// The tile's time (ms).
     now: u32,
     sequence: u32,
@@ -74,6 +78,7 @@ impl<F: NorFlash> Node<F> {
             inbox: Deque::new(),
             waiting: Vec::new(),
             outbox: Deque::new(),
+            phase: STAGGER * u32::from(tile),
             now: 0,
             sequence: 0,
             lost: 0,
@@ -111,6 +116,11 @@ impl<F: NorFlash> Node<F> {
     #[must_use]
     pub fn controller(&self) -> &Controller {
         &self.controller
+    }
+
+    /// The store: what outlives a life.
+    pub fn store_mut(&mut self) -> &mut Store<F> {
+        &mut self.store
     }
 
     /// The controller, to break something in it.
@@ -238,7 +248,8 @@ impl<F: NorFlash> Node<F> {
                 number.wrapping_add(1)
             });
         }
-        if has_room && self.now.is_multiple_of(TELEMETRY) && !self.session.is_silent(self.now) {
+        let is_time = self.now.wrapping_add(self.phase).is_multiple_of(TELEMETRY);
+        if has_room && is_time && !self.session.is_silent(self.now) {
             self.send(&Report::State(self.controller.state()));
         }
     }

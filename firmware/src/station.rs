@@ -5,7 +5,7 @@
 use crate::link::bus::{Arrival, Bus};
 use crate::node::Node;
 use crate::tile::board::{Outputs, Readings};
-use crate::tile::integrity::Integrity;
+use crate::tile::integrity::{Integrity, Program};
 use embedded_storage::nor_flash::NorFlash;
 
 /// A node on its bus.
@@ -19,7 +19,7 @@ pub struct Station<F, B> {
 
 impl<F: NorFlash, B: Bus> Station<F, B> {
     /// This node on this bus; `program` is checked against the checksum that it was built with.
-    pub fn new(node: Node<F>, bus: B, program: &[u8], checksum: u32) -> Self {
+    pub fn new(node: Node<F>, bus: B, program: Program, checksum: u32) -> Self {
         Self { node, integrity: Integrity::new(program, checksum), bus }
     }
 
@@ -32,7 +32,7 @@ impl<F: NorFlash, B: Bus> Station<F, B> {
     /// Takes what has come, does a tick, and sends what is to be sent; `program` is checked on the way.
     // A function of its own: its tables of jumps stay short enough for the checks of an image to follow.
     #[inline(never)]
-    pub fn tick(&mut self, readings: &Readings, program: &[u8]) -> Outputs {
+    pub fn tick(&mut self, readings: &Readings, program: Program) -> Outputs {
         let Self { node, integrity, bus } = self;
         if !integrity.take(program) {
             node.report_damage();

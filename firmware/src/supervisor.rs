@@ -17,6 +17,8 @@ use smartbed_runtime::real::Real;
 
 /// Beats are this far apart (ms): two may be lost before a tile falls silent.
 pub const BEAT: u32 = 150;
+/// Beats of one tile are so much later than those of the tile before it (ms): on one bus they never come in a heap.
+const STAGGER: u32 = 7;
 /// Tiles that may move at once, but for resuscitation: what the power supply gives.
 pub const MOST_MOVING: usize = 8;
 
@@ -29,7 +31,8 @@ pub struct Peer {
     /// The tile's time less ours (ms).
     ahead: u32,
     sequence: u32,
-    beat: u32,
+    /// Number of the last beat.
+    beat: Option<u32>,
     state: Option<State>,
     /// Where it was last sent.
     target: Target,
@@ -39,7 +42,16 @@ impl Peer {
     /// A tile that has not yet said who it is.
     #[must_use]
     pub fn new(tile: u8, key: Key) -> Self {
-        Self { tile, key, boot: None, ahead: 0, sequence: 0, beat: 0, state: None, target: Target::default() }
+        Self {
+            tile,
+            key,
+            boot: None,
+            ahead: 0,
+            sequence: 0,
+            beat: None,
+            state: None,
+            target: Target::default(),
+        }
     }
 
     /// The body of a command that is to be done `later` ms from now; none before the tile has said who it is,
@@ -60,12 +72,12 @@ impl Peer {
         sign(&header, command, &self.key)
     }
 
-    /// A beat, if one is due; the question who is there, while nobody has answered.
+    /// A beat, if one is due, to be sent at once; the question who is there, while nobody has answered.
     pub fn beat(&mut self, now: u32) -> Option<Body> {
-        if now.wrapping_sub(self.beat) < BEAT && self.beat != 0 {
+        let number = now.wrapping_add(STAGGER * u32::from(self.tile)) / BEAT;
+        if self.beat.replace(number) == Some(number) {
             return None;
         }
-        self.beat = now.max(1);
         let command = if self.boot.is_some() { Command::Beat(now) } else { Command::Identify };
         self.command(&command, now, 0)
     }

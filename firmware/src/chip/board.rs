@@ -37,7 +37,7 @@ fn run(board: Board) -> ! {
     let store = Store::new(flash, sectors::PAGES, sectors::PAGE);
     // The boot is counted in flash, which may have to be erased: the watchdogs begin behind it.
     let mut station =
-        Station::new(Node::new(number, store, reason), bus, program::bytes(), program::checksum());
+        Station::new(Node::new(number, store, reason), bus, program::all(), program::checksum());
     clock.enable_interrupt();
     clock.enable_counter();
     watchdog.start();
@@ -52,7 +52,7 @@ fn run(board: Board) -> ! {
         // Milliseconds that were spent in storing, drives off, are no fault.
         readings.overrun = now.wrapping_sub(last) > 1 && !sectors::has_stalled();
         last = now;
-        let outputs = station.tick(&readings, program::bytes());
+        let outputs = station.tick(&readings, program::all());
         if actuators.set(&outputs) {
             watchdog.feed();
             alive.toggle();

@@ -6,7 +6,8 @@
 use crate::chip::pins::Wires;
 use embedded_can::nb::Can;
 use embedded_can::{ErrorKind, Frame, Id};
-use smartbed_firmware::link::can::{COMMANDS, Classic, Controller, End, STOP, frame};
+use smartbed_firmware::link::can::{Classic, Controller, End, STOP, frame};
+use smartbed_firmware::link::talk::COMMANDS;
 use stm32f4xx_hal::pac::CAN1;
 use stm32f4xx_hal::rcc::{Enable, Rcc, Reset};
 

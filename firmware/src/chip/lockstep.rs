@@ -29,7 +29,7 @@ fn main() -> ! {
     let here = core::ptr::from_ref(&bottom).addr();
     paint(bottom, here.saturating_sub(MARGIN));
     let mut usart = Usart::start();
-    let last = serve(&mut usart, program::bytes(), program::checksum());
+    let last = serve(&mut usart, program::all(), program::checksum());
     if last == Last::Fault {
         cortex_m::asm::udf();
     }

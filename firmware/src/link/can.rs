@@ -1,21 +1,17 @@
-//! A node on a CAN bus: bodies by ISO-TP (`isotp.rs`) under two identifiers, and a frame of its own that stops.
+//! A tile on a CAN bus: its talk with the supervisor (`talk.rs`), and a frame of its own that stops.
 //!
 //! In: frames of any controller behind embedded-can's traits. Out: frames; bodies for the node, and what stops it.
-//! Commands to tile n have the identifier 0x100 + n, its reports 0x200 + n, flow control for the one goes under the other.
 //! A controller that has left the bus after too many errors comes back after a pause, never sooner.
 
 use super::bus::{Arrival, Bus};
 use super::frame::Body;
-use super::isotp::{Data, Receiver, Sender, Step};
+use super::isotp::Data;
+use super::talk::Talk;
 use embedded_can::{Frame, Id, StandardId, nb::Can};
 
 /// Identifier of the frame that stops; lower than all others, so it goes first: every tile without data, else the tiles
 /// whose numbers are its bytes.
 pub const STOP: u16 = 0x010;
-/// Identifier of commands to tile 0.
-pub const COMMANDS: u16 = 0x100;
-/// Identifier of reports of tile 0.
-pub const REPORTS: u16 = 0x200;
 /// Most frames read, and sent, in a tick: 500 kbit/s bring five.
 pub const FRAMES: usize = 8;
 /// A controller stays off the bus for so long (ms): the standard asks for 128 times 11 bits, 2.8 ms.
@@ -67,89 +63,53 @@ pub fn frame<F: Frame>(id: u16, data: &[u8]) -> Option<F> {
     F::new(StandardId::new(id)?, data)
 }
 
-/// Is it a data frame of this identifier?
-fn is_of(frame: &impl Frame, id: u16) -> bool {
-    frame.is_data_frame() && matches!(frame.id(), Id::Standard(standard) if standard.as_raw() == id)
+/// Its identifier, if it is one of eleven bits.
+pub fn raw(frame: &impl Frame) -> Option<u16> {
+    match frame.id() {
+        Id::Standard(id) => Some(id.as_raw()),
+        Id::Extended(_) => None,
+    }
 }
 
 /// Does this frame stop the tile?
 #[must_use]
 pub fn stops(frame: &impl Frame, tile: u8) -> bool {
-    is_of(frame, STOP) && (frame.data().is_empty() || frame.data().contains(&tile))
+    let is_stop = frame.is_data_frame() && raw(frame) == Some(STOP);
+    is_stop && (frame.data().is_empty() || frame.data().contains(&tile))
 }
 
-/// One end of the talk between a supervisor and a tile.
+/// A controller, and what becomes of it.
 #[derive(Clone, Debug)]
-pub struct End<C> {
-    /// The controller.
-    pub controller: C,
-    /// The tile that a frame may stop: this end, if it is one.
-    tile: Option<u8>,
-    hears: u16,
-    says: u16,
-    receiver: Receiver,
-    sender: Option<Sender>,
-    /// Flow control that is to be sent.
-    answer: Option<Data>,
-    /// A frame of the sender's for which there was no room.
-    kept: Option<Data>,
+pub struct Port<C> {
+    controller: C,
     /// When the controller was last seen to be off the bus, or let come back.
     off: Option<u32>,
     lost: u32,
 }
 
-impl<C: Controller> End<C> {
-    /// The end of tile `number`.
-    pub fn of_tile(controller: C, number: u8) -> Self {
-        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
-        Self::new(controller, Some(number), commands, reports)
+impl<C: Controller> Port<C> {
+    /// This controller.
+    pub fn new(controller: C) -> Self {
+        Self { controller, off: None, lost: 0 }
     }
 
-    /// The supervisor's end towards tile `number`.
-    pub fn of_supervisor(controller: C, number: u8) -> Self {
-        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
-        Self::new(controller, None, reports, commands)
-    }
-
-    fn new(controller: C, tile: Option<u8>, hears: u16, says: u16) -> Self {
-        let receiver = Receiver::default();
-        let (sender, answer, kept, off) = (None, None, None, None);
-        Self { controller, tile, hears, says, receiver, sender, answer, kept, off, lost: 0 }
-    }
-
-    /// What a frame brings.
-    fn take(&mut self, frame: &C::Frame, now: u32) -> Option<Arrival> {
-        if self.tile.is_some_and(|tile| stops(frame, tile)) {
-            return Some(Arrival::Stop);
-        }
-        if !is_of(frame, self.hears) {
-            return None;
-        }
-        if let Some(0x30..=0x3F) = frame.data().first() {
-            if let Some(sender) = &mut self.sender {
-                sender.flow(frame.data());
+    /// Hands over the frames that have come.
+    pub fn receive(&mut self, mut take: impl FnMut(&C::Frame)) {
+        for _ in 0..FRAMES {
+            match self.controller.receive() {
+                Ok(frame) => take(&frame),
+                Err(nb::Error::WouldBlock) => return,
+                Err(nb::Error::Other(_)) => self.lost = self.lost.saturating_add(1),
             }
-            return None;
-        }
-        match self.receiver.take(frame.data(), now) {
-            Step::Body(body) => Some(Arrival::Body(body)),
-            Step::Answer(flow) => {
-                self.answer = Some(flow);
-                None
-            }
-            Step::Nothing => None,
         }
     }
 
     /// Is the controller on the bus? One that is not comes back after [`REST`]; what was under way is lost.
-    fn is_on(&mut self, now: u32) -> bool {
+    pub fn is_on(&mut self, now: u32) -> bool {
         if !self.controller.is_off() {
             self.off = None;
             return true;
         }
-        let is_under_way = self.sender.take().is_some() || self.kept.take().is_some();
-        self.lost = self.lost.saturating_add(u32::from(is_under_way));
-        self.answer = None;
         if now.wrapping_sub(*self.off.get_or_insert(now)) >= REST {
             self.controller.restart();
             self.off = Some(now);
@@ -157,60 +117,79 @@ impl<C: Controller> End<C> {
         false
     }
 
-    /// The data of the next frame; a new body is begun when the last one is over.
-    fn next(&mut self, now: u32, mut collect: impl FnMut() -> Option<Body>) -> Option<Data> {
-        if let Some(data) = self.answer.take().or_else(|| self.kept.take()) {
-            return Some(data);
+    /// Sends a frame; false if there is no room for it now.
+    pub fn send(&mut self, id: u16, data: &[u8]) -> bool {
+        let Some(frame) = frame::<C::Frame>(id, data) else { return true };
+        match self.controller.transmit(&frame) {
+            Ok(None) => (),
+            Err(nb::Error::WouldBlock) => return false,
+            // A frame of another message was pushed aside, or this one is lost.
+            Ok(Some(_)) | Err(nb::Error::Other(_)) => self.lost = self.lost.saturating_add(1),
         }
-        if self.sender.as_ref().is_some_and(|sender| !sender.is_done() && sender.is_late(now)) {
-            self.sender = None;
-            self.lost = self.lost.saturating_add(1);
-        }
-        if self.sender.as_ref().is_none_or(Sender::is_done) {
-            self.sender = Some(Sender::new(&collect()?, now));
-        }
-        self.sender.as_mut()?.send(now)
+        true
+    }
+
+    /// Frames lost so far.
+    #[must_use]
+    pub fn lost(&self) -> u32 {
+        self.lost
+    }
+}
+
+/// A tile's end of the bus.
+#[derive(Clone, Debug)]
+pub struct End<C> {
+    port: Port<C>,
+    tile: u8,
+    talk: Talk,
+}
+
+impl<C: Controller> End<C> {
+    /// The end of tile `number`.
+    pub fn of_tile(controller: C, number: u8) -> Self {
+        Self { port: Port::new(controller), tile: number, talk: Talk::of_tile(number) }
     }
 }
 
 impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
-        for _ in 0..FRAMES {
-            match self.controller.receive() {
-                Ok(frame) => self.take(&frame, now).map_or((), &mut take),
-                Err(nb::Error::WouldBlock) => return,
-                Err(nb::Error::Other(_)) => self.lost = self.lost.saturating_add(1),
+        let Self { port, tile, talk } = self;
+        port.receive(|frame| {
+            let is_ours = frame.is_data_frame() && raw(frame) == Some(talk.hears());
+            let arrival = match is_ours {
+                true => talk.take(frame.data(), now).map(Arrival::Body),
+                false => stops(frame, *tile).then_some(Arrival::Stop),
+            };
+            if let Some(arrival) = arrival {
+                take(arrival);
             }
-        }
+        });
     }
 
     fn transmit(&mut self, now: u32, mut collect: impl FnMut() -> Option<Body>) {
-        if !self.is_on(now) {
+        let Self { port, talk, .. } = self;
+        if !port.is_on(now) {
+            talk.break_off();
             return;
         }
         for _ in 0..FRAMES {
-            let Some(data) = self.next(now, &mut collect) else { return };
-            let Some(frame) = frame::<C::Frame>(self.says, &data) else { return };
-            match self.controller.transmit(&frame) {
-                Ok(None) => (),
-                Err(nb::Error::WouldBlock) => {
-                    self.kept = Some(data);
-                    return;
-                }
-                // A frame of another message was pushed aside, or this one is lost.
-                Ok(Some(_)) | Err(nb::Error::Other(_)) => self.lost = self.lost.saturating_add(1),
+            let Some(data) = talk.next(now, &mut collect) else { return };
+            if !port.send(talk.says(), &data) {
+                talk.keep(data);
+                return;
             }
         }
     }
 
     fn lost(&self) -> u32 {
-        self.lost.saturating_add(self.receiver.lost())
+        self.port.lost().saturating_add(self.talk.lost())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{COMMANDS, Classic, STOP, frame, stops};
+    use super::{Classic, STOP, frame, stops};
+    use crate::link::talk::COMMANDS;
     use embedded_can::{ExtendedId, Frame};
 
     #[test]

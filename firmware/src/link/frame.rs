@@ -4,14 +4,12 @@
 //! A frame begins and ends with 0, so whatever came before it - noise, half a frame, a wrong length - is over
 //! when it begins: no good frame is lost after a corrupt one.
 
+use super::checksum::{CHECKSUM, checked, checksum};
 use super::cobs::{self, Unstuffed, Unstuffer};
-use crc::{CRC_32_ISO_HDLC, Crc, Table};
 use heapless::Vec;
 
 /// Most bytes of a body.
 pub const MAX_BODY: usize = 96;
-/// Bytes of the checksum, lowest first.
-pub const CHECKSUM: usize = 4;
 /// Most bytes of body and checksum.
 pub const MAX_CHECKED: usize = MAX_BODY + CHECKSUM;
 /// Most bytes of a frame: two zeros, and one code for each 254 bytes begun and one at the end.
@@ -21,22 +19,6 @@ pub const MAX_FRAME: usize = MAX_CHECKED + 4;
 pub type Body = Vec<u8, MAX_BODY>;
 /// A frame.
 pub type Frame = Vec<u8, MAX_FRAME>;
-
-/// The checksum of the catalogue under this name, also zlib's.
-const CRC: Crc<u32, Table<1>> = Crc::<u32, Table<1>>::new(&CRC_32_ISO_HDLC);
-
-/// The checksum of a body, as sent.
-#[must_use]
-pub fn checksum(body: &[u8]) -> [u8; CHECKSUM] {
-    CRC.checksum(body).to_le_bytes()
-}
-
-/// The body of bytes that end with its checksum, if that is right.
-#[must_use]
-pub fn checked(bytes: &[u8]) -> Option<&[u8]> {
-    let (body, sum) = bytes.split_last_chunk::<CHECKSUM>()?;
-    (*sum == checksum(body)).then_some(body)
-}
 
 /// The frame of a body.
 #[must_use]
@@ -115,14 +97,9 @@ impl Decoder {
 
 #[cfg(test)]
 mod tests {
-    use super::{Body, Decoder, Losses, MAX_BODY, MAX_FRAME, checksum, encode};
+    use super::{Body, Decoder, Losses, MAX_BODY, MAX_FRAME, encode};
     use proptest::collection::vec;
     use proptest::prelude::{Just, any, prop_oneof, proptest};
-
-    #[test]
-    fn the_checksum_is_the_published_one() {
-        assert_eq!(u32::from_le_bytes(checksum(b"123456789")), 0xCBF4_3926);
-    }
 
     #[test]
     fn the_longest_body_fits() {

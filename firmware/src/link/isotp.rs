@@ -4,7 +4,8 @@
 //! Up to 7 bytes go in one frame; more begin with a first frame, wait for the receiver's flow control, and go on
 //! in consecutive frames numbered modulo 16, as many and as often as the receiver allows.
 
-use super::frame::{Body, CHECKSUM, MAX_CHECKED, checked, checksum};
+use super::checksum::{CHECKSUM, checked, checksum};
+use super::frame::{Body, MAX_CHECKED};
 use heapless::Vec;
 
 /// Who waits for the other gives up after this time (ms): `N_Cr` and `N_Bs`, for which the standard allows a second; a tile

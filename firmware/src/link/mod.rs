@@ -1,18 +1,22 @@
 //! The link between a supervisor and a tile: see `docs/protocol.md`.
 //!
 //! In: bytes of a serial line, or frames of a CAN bus. Out: commands that may be done, and reports.
-//! From the wire inwards: [`cobs`] and [`frame`] find bodies, [`message`] says what they mean, [`tag`] and
+//! From the wire inwards: [`cobs`], [`checksum`] and [`frame`] find bodies, [`message`] says what they mean, [`tag`] and
 //! [`session`] decide whose they are; [`clock`] compares clocks, [`log`] keeps what happened; [`serial`] carries
-//! bodies over a line, [`can`] and [`isotp`] in frames of eight bytes; to the node both are a [`bus`].
+//! bodies over a line, [`can`], [`talk`] and [`isotp`] in frames of eight bytes; to the node both are a [`bus`]; [`hub`] is the
+//! supervisor's side of a CAN bus.
 
 pub mod bus;
 pub mod can;
+pub mod checksum;
 pub mod clock;
 pub mod cobs;
 pub mod frame;
+pub mod hub;
 pub mod isotp;
 pub mod log;
 pub mod message;
 pub mod serial;
 pub mod session;
 pub mod tag;
+pub mod talk;

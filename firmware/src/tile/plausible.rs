@@ -21,6 +21,8 @@ use smartbed_runtime::real::Real;
 const LEARN: (u16, u16) = (300, 60);
 /// Share of a new reading in the smoothed current.
 const CURRENT_SHARE: f32 = 0.125;
+/// Rise of the current on a way down that is not carried on to the next one (A).
+const UNTOLD: f32 = 4e-3;
 
 /// What the legs are doing.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -63,6 +65,9 @@ struct Push {
     /// Ticks in a row in which the leg is to move quickly enough.
     quick: u16,
     sign: f32,
+    /// Rise of the current that no load explains (A): of this motion and those before it that way, and of those before.
+    pressed: f32,
+    before: f32,
 }
 
 /// How a leg goes.
@@ -102,7 +107,7 @@ impl Watch {
 
     /// Drives are off: nothing moves and no current flows.
     fn rest(&mut self, raw: &mut Faults, sense: &Sense, at: &Heights) {
-        self.push = [Push::default(); 3];
+        self.push = self.push.map(Push::rested);
         self.off = self.off.saturating_add(1);
         raw.set(Fault::Runaway, !near(sense.heights, *at, CREEP));
         let flows = !sense.measured.current.iter().all(|i| Real::abs(*i) < CURRENT_OFF);
@@ -149,6 +154,12 @@ impl Watch {
 }
 
 impl Push {
+    /// After a motion. What a leg leaned on and did not take for an obstacle is still there: the next way in that direction begins
+    /// with it, else many short ones would push harder and harder. A way back lets go.
+    fn rested(self) -> Self {
+        Self { sign: self.sign, pressed: self.pressed, before: self.pressed, ..Self::default() }
+    }
+
     /// Takes the current that pushes a leg its way (A) and the load that it carries under the heaviest patient (N); does it push
     /// more than the motion took so far? Whatever friction and patient are, the current goes with the load: as much more, or
     /// less, as the model makes of the current that was learnt is no obstacle. The heaviest patient changes it most; an empty
@@ -176,6 +187,11 @@ impl Push {
         let change = if then > LEAST_LOAD { LOAD_MARGIN * learnt * (load - then) / then } else { 0.0 };
         let (more, less) = (Real::max(change, 0.0), Real::max(-change, 0.0));
         let (rise, fall) = (self.smooth - self.least - more, self.most - self.smooth - less);
+        let rise = rise + self.before;
+        if moves && self.ticks > LEARN.0 && (sign > 0.0 || is_known) {
+            // Going down a motor that is hardly loaded tells less: a little is lost on every way.
+            self.pressed = Real::max(rise - if sign < 0.0 { UNTOLD } else { 0.0 }, 0.0);
+        }
         let share = |(share, least): (f32, f32), of: f32| Real::max(share * of, least);
         match () {
             () if sign == 0.0 => false,

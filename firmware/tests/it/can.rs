@@ -1,173 +1,97 @@
-//! Two tiles and their supervisors on one simulated CAN bus: frames lost, a controller off the bus, a stop.
+//! Tiles and their supervisor on one simulated CAN bus: frames lost, a controller off the bus, a stop.
 
+use crate::can_bus::{Carrier, Pin, RATE};
 use crate::wire::KEY;
-use embedded_can::nb::Can;
-use embedded_can::{ErrorKind, Frame, Id};
-use smartbed_firmware::link::bus::{Arrival, Bus};
-use smartbed_firmware::link::can::{Classic, Controller, End, FRAMES, REPORTS, REST, STOP, frame};
+use smartbed_firmware::link::bus::Bus;
+use smartbed_firmware::link::can::{Classic, End, FRAMES, REST, frame};
+use smartbed_firmware::link::frame::Body;
+use smartbed_firmware::link::hub::Hub;
 use smartbed_firmware::link::message::{Command, Outcome, Report, Target, read};
 use smartbed_firmware::link::tag::Key;
+use smartbed_firmware::link::talk::{REPORTS, Talk};
 use smartbed_firmware::node::Node;
 use smartbed_firmware::plant::Tile;
 use smartbed_firmware::plant::flash::{Flash, provided};
 use smartbed_firmware::station::Station;
-use smartbed_firmware::supervisor::Peer;
+use smartbed_firmware::supervisor::{self, Denied, MOST_MOVING, Peer};
 use smartbed_firmware::tile::board::Sensors;
 use smartbed_firmware::tile::drive::DRIVE;
 use smartbed_firmware::tile::fault::Fault;
+use smartbed_firmware::tile::integrity::Program;
 use smartbed_firmware::tile::mode::Mode;
-use std::cell::RefCell;
 use std::collections::VecDeque;
-use std::rc::Rc;
 
-/// Frames that a controller holds each way, as bxCAN does.
-const DEPTH: usize = 3;
-/// Frames that 500 kbit/s carry in a millisecond.
-const RATE: usize = 4;
+/// Number of the first tile.
+const FIRST: u8 = 3;
+/// Tiles in a row of the bed.
+const COLUMNS: usize = 4;
 
-/// What a controller holds.
-#[derive(Default)]
-struct Chip {
-    waiting: VecDeque<Classic>,
-    come: VecDeque<Classic>,
-    has_overrun: bool,
-    is_off: bool,
-    restarts: u32,
-}
-
-/// A controller on the bus.
-#[derive(Clone, Default)]
-struct Pin(Rc<RefCell<Chip>>);
-
-#[derive(Debug)]
-struct Overrun;
-
-impl embedded_can::Error for Overrun {
-    fn kind(&self) -> ErrorKind {
-        ErrorKind::Overrun
-    }
-}
-
-impl Can for Pin {
-    type Frame = Classic;
-    type Error = Overrun;
-    fn transmit(&mut self, frame: &Classic) -> nb::Result<Option<Classic>, Overrun> {
-        let mut chip = self.0.borrow_mut();
-        if chip.waiting.len() == DEPTH || chip.is_off {
-            return Err(nb::Error::WouldBlock);
-        }
-        chip.waiting.push_back(frame.clone());
-        Ok(None)
-    }
-    fn receive(&mut self) -> nb::Result<Classic, Overrun> {
-        let mut chip = self.0.borrow_mut();
-        if std::mem::take(&mut chip.has_overrun) {
-            return Err(nb::Error::Other(Overrun));
-        }
-        chip.come.pop_front().ok_or(nb::Error::WouldBlock)
-    }
-}
-
-impl Controller for Pin {
-    fn is_off(&self) -> bool {
-        self.0.borrow().is_off
-    }
-    fn restart(&mut self) {
-        let mut chip = self.0.borrow_mut();
-        chip.restarts += 1;
-        chip.waiting.clear();
-        chip.is_off = false;
-    }
-}
-
-type Board = (Tile, Station<Flash, End<Pin>>, Pin);
-
-/// The bed's side of one tile.
-struct Talk {
-    peer: Peer,
-    end: End<Pin>,
+/// A tile with its end of the bus.
+struct Board {
+    tile: Tile,
+    station: Station<Flash, End<Pin>>,
     pin: Pin,
-    out: VecDeque<smartbed_firmware::link::frame::Body>,
-    reports: Vec<Report>,
 }
 
-struct Bed {
+impl Board {
+    fn new(number: u8) -> Self {
+        let pin = Pin::default();
+        let node = Node::new(number, provided(KEY), 0);
+        let tile = Tile::loaded(20.0, [0.0; 2], [0.0; 3], DRIVE).expect("a start");
+        let end = End::of_tile(pin.clone(), number);
+        Self { tile, station: Station::new(node, end, Program::default(), 0), pin }
+    }
+}
+
+/// Tiles, and a supervisor with one controller for all of them.
+struct Bed<'a> {
     boards: Vec<Board>,
-    talks: Vec<Talk>,
+    peers: Vec<Peer>,
+    hub: Hub<'a, Pin>,
+    /// The hub's controller.
+    pin: Pin,
+    /// Bodies that wait for each tile, and what each has said.
+    out: Vec<VecDeque<Body>>,
+    reports: Vec<Vec<Report>>,
+    carrier: Carrier,
     now: u32,
-    /// Every so many frames one is lost; 0: none.
-    lossy: u32,
-    carried: u32,
-    /// Most frames of a tick, and of all ticks.
-    busiest: usize,
 }
 
-impl Bed {
-    fn new() -> Self {
-        let numbers = [3_u8, 4];
-        let boards = numbers.map(|number| {
-            let pin = Pin::default();
-            let node = Node::new(number, provided(KEY), 0);
-            let tile = Tile::loaded(20.0, [0.0; 2], [0.0; 3], DRIVE).expect("a start");
-            (tile, Station::new(node, End::of_tile(pin.clone(), number), &[], 0), pin)
-        });
-        let talks = numbers.map(|number| {
-            let pin = Pin::default();
-            let end = End::of_supervisor(pin.clone(), number);
-            let (out, reports) = (VecDeque::new(), Vec::new());
-            Talk { peer: Peer::new(number, Key::new(KEY)), end, pin, out, reports }
-        });
-        Self { boards: boards.into(), talks: talks.into(), now: 50_000, lossy: 0, carried: 0, busiest: 0 }
-    }
+/// The supervisor's talks with so many tiles.
+fn talks(tiles: u8) -> Vec<Talk> {
+    (FIRST..FIRST + tiles).map(Talk::of_supervisor).collect()
+}
 
-    fn pins(&self) -> Vec<Pin> {
-        let boards = self.boards.iter().map(|(_, _, pin)| pin);
-        boards.chain(self.talks.iter().map(|talk| &talk.pin)).cloned().collect()
-    }
-
-    /// The lowest identifier goes first; every other controller hears it, as far as it has room.
-    fn carry(&mut self) {
-        let pins = self.pins();
-        for count in 0..RATE {
-            let raw = |id: Id| match id {
-                Id::Standard(id) => id.as_raw(),
-                Id::Extended(_) => u16::MAX,
-            };
-            let first = |pin: &Pin| pin.0.borrow().waiting.front().map(|frame| raw(frame.id()));
-            let Some(from) =
-                (0..pins.len()).filter(|i| first(&pins[*i]).is_some()).min_by_key(|i| first(&pins[*i]))
-            else {
-                return;
-            };
-            let Some(frame) = pins[from].0.borrow_mut().waiting.pop_front() else { return };
-            self.carried += 1;
-            self.busiest = self.busiest.max(count + 1);
-            if self.lossy > 0 && self.carried.is_multiple_of(self.lossy) {
-                continue;
-            }
-            for (_, pin) in pins.iter().enumerate().filter(|(i, pin)| *i != from && !pin.0.borrow().is_off) {
-                let mut chip = pin.0.borrow_mut();
-                if chip.come.len() < 2 * DEPTH {
-                    chip.come.push_back(frame.clone())
-                } else {
-                    chip.has_overrun = true
-                }
-            }
+impl<'a> Bed<'a> {
+    /// Started, known, and all may move.
+    fn ready(talks: &'a mut [Talk]) -> Self {
+        let (count, pin) = (talks.len(), Pin::default());
+        let numbers = || (FIRST..).take(count);
+        let mut bed = Self {
+            boards: numbers().map(Board::new).collect(),
+            peers: numbers().map(|number| Peer::new(number, Key::new(KEY))).collect(),
+            hub: Hub::new(pin.clone(), talks),
+            pin,
+            out: vec![VecDeque::new(); count],
+            reports: vec![Vec::new(); count],
+            carrier: Carrier::default(),
+            now: 50_000,
+        };
+        bed.run(700);
+        for place in 0..count {
+            assert_eq!(bed.order(place, &Command::Enable), Some(Outcome::Done), "{place}");
         }
+        bed
     }
 
     fn tick(&mut self) {
-        for Talk { peer, end, out, reports, .. } in &mut self.talks {
-            out.extend(peer.beat(self.now));
-            end.receive(self.now, |arrival| {
-                let Arrival::Body(body) = arrival else { panic!("a supervisor is not stopped") };
-                reports.extend(peer.take(&body, self.now));
-            });
-            end.transmit(self.now, || out.pop_front());
-        }
-        self.carry();
-        for (tile, station, _) in &mut self.boards {
-            let outputs = station.tick(&tile.read(), &[]);
+        let Self { peers, hub, out, reports, now, .. } = self;
+        hub.receive(*now, |place, body| reports[place].extend(peers[place].take(&body, *now)));
+        hub.transmit(*now, |place| out[place].pop_front().or_else(|| peers[place].beat(*now)));
+        let pins: Vec<Pin> = self.boards.iter().map(|b| &b.pin).chain([&self.pin]).cloned().collect();
+        self.carrier.carry(&pins);
+        for Board { tile, station, .. } in &mut self.boards {
+            let outputs = station.tick(&tile.read(), Program::default());
             tile.advance(&outputs).expect("a step");
         }
         self.now += 1;
@@ -177,104 +101,128 @@ impl Bed {
         (0..ticks).for_each(|_| self.tick());
     }
 
-    fn order(&mut self, talk: usize, command: &Command) -> Option<Outcome> {
-        let body = self.talks[talk].peer.command(command, self.now, 0)?;
+    /// Sends a command and waits for what becomes of it.
+    fn order(&mut self, place: usize, command: &Command) -> Option<Outcome> {
+        let body = self.peers[place].command(command, self.now, 0)?;
         let sequence = match read(&body) {
             Ok(received) => received.header.sequence,
             Err((header, _)) => header.sequence,
         };
-        self.talks[talk].reports.clear();
-        self.talks[talk].out.push_back(body);
+        self.reports[place].clear();
+        self.out[place].push_back(body);
         self.run(250);
-        self.talks[talk].reports.iter().find_map(|report| match report {
+        self.reports[place].iter().find_map(|report| match report {
             Report::Answer(to, outcome) if *to == sequence => Some(*outcome),
             _ => None,
         })
     }
 
-    fn mode(&self, board: usize) -> Mode {
-        self.boards[board].1.node().controller().mode()
+    fn mode(&self, place: usize) -> Mode {
+        self.boards[place].station.node().controller().mode()
     }
 
-    /// Started, known, and both may move.
-    fn ready() -> Self {
-        let mut bed = Self::new();
-        bed.run(500);
-        for talk in 0..2 {
-            assert_eq!(bed.order(talk, &Command::Enable), Some(Outcome::Done));
-        }
-        bed
+    fn modes(&self) -> Vec<Mode> {
+        (0..self.boards.len()).map(|place| self.mode(place)).collect()
+    }
+
+    fn has(&self, place: usize, fault: Fault) -> bool {
+        self.boards[place].station.node().controller().latched().has(fault)
     }
 }
 
 const UP: Command = Command::Move(Target { heave: 0.004, slope_x: 0.0, slope_y: 0.0 });
 
+/// Sixteen tiles in four rows, eight of which may move at once.
 #[test]
-fn two_tiles_are_moved_one_after_the_other_over_one_bus() {
-    let mut bed = Bed::ready();
-    assert_eq!(bed.order(0, &UP), Some(Outcome::Done));
+fn a_supervisor_moves_sixteen_tiles_over_one_controller() {
+    let mut talks = talks(16);
+    let mut bed = Bed::ready(&mut talks);
+    let Command::Move(target) = UP else { panic!("a motion") };
+    for place in 0..MOST_MOVING {
+        let mut all = supervisor::Bed { peers: &mut bed.peers, columns: COLUMNS };
+        let body = all.order(place, target, bed.now, 0).expect("it may move");
+        bed.out[place].push_back(body);
+    }
+    bed.run(250);
+    let moving = (0..16).filter(|place| bed.mode(*place) == Mode::Moving).count();
+    assert_eq!(moving, MOST_MOVING);
+    let mut all = supervisor::Bed { peers: &mut bed.peers, columns: COLUMNS };
+    assert_eq!(all.order(9, target, bed.now, 0), Err(Denied::Power));
     bed.run(4000);
-    let height = |bed: &Bed, board: usize| bed.boards[board].0.heights()[0];
-    assert!((height(&bed, 0) - 0.004).abs() < 3e-4 && height(&bed, 1).abs() < 1e-5);
-    assert_eq!(bed.order(1, &UP), Some(Outcome::Done));
-    bed.run(4000);
-    assert!((height(&bed, 1) - 0.004).abs() < 3e-4);
-    for (_, station, pin) in &bed.boards {
+    for (place, Board { tile, station, pin }) in bed.boards.iter().enumerate() {
+        let expected = if place < MOST_MOVING { 0.004 } else { 0.0 };
+        assert!(tile.heights().iter().all(|height| (height - expected).abs() < 3e-4), "{place}");
         assert_eq!((station.bus.lost(), pin.0.borrow().restarts), (0, 0));
         assert!(station.node().controller().latched().is_empty());
     }
-    assert!(bed.talks.iter().all(|talk| talk.peer.state().is_some() && talk.end.lost() == 0));
-    println!("{} frames in {} ms, {} in a millisecond at most", bed.carried, bed.now - 50_000, bed.busiest);
+    assert!(bed.peers.iter().all(|peer| peer.state().is_some()));
+    assert_eq!(bed.hub.lost(), 0);
+    let ticks = bed.now - 50_000;
+    let Carrier { carried, busiest, .. } = bed.carrier;
+    println!("16 tiles: {carried} frames in {ticks} ms, {busiest} in a millisecond at most");
 }
 
 #[test]
-fn one_frame_stops_both_and_nothing_that_came_before_moves_them() {
-    let mut bed = Bed::ready();
-    for talk in 0..2 {
-        assert_eq!(bed.order(talk, &UP), Some(Outcome::Done));
+fn one_frame_stops_all_and_nothing_that_came_before_moves_them() {
+    let mut talks = talks(2);
+    let mut bed = Bed::ready(&mut talks);
+    for place in 0..2 {
+        assert_eq!(bed.order(place, &UP), Some(Outcome::Done));
     }
-    assert_eq!([0, 1].map(|board| bed.mode(board)), [Mode::Moving; 2]);
+    assert_eq!(bed.modes(), [Mode::Moving; 2]);
     // Orders for later, which the stop drops.
-    for talk in 0..2 {
-        let again = bed.talks[talk].peer.command(&UP, bed.now, 300).expect("it fits");
-        bed.talks[talk].out.push_back(again);
+    for place in 0..2 {
+        let again = bed.peers[place].command(&UP, bed.now, 300).expect("it fits");
+        bed.out[place].push_back(again);
     }
     bed.run(100);
-    let stop = frame::<Classic>(STOP, &[]).expect("a frame");
-    bed.talks[0].pin.0.borrow_mut().waiting.push_front(stop);
+    assert!(bed.hub.stop(&[]));
     bed.run(2);
-    assert_eq!([0, 1].map(|board| bed.mode(board)), [Mode::Hold; 2]);
+    assert_eq!(bed.modes(), [Mode::Hold; 2]);
     bed.run(1000);
-    assert_eq!([0, 1].map(|board| bed.mode(board)), [Mode::Hold; 2]);
-    // A stop for one of them leaves the other alone.
-    for talk in 0..2 {
-        assert_eq!(bed.order(talk, &Command::Enable), Some(Outcome::Done));
+    assert_eq!(bed.modes(), [Mode::Hold; 2]);
+    // A stop for one of them leaves the other alone; more numbers than a frame holds are refused.
+    for place in 0..2 {
+        assert_eq!(bed.order(place, &Command::Enable), Some(Outcome::Done));
     }
-    bed.talks[0].pin.0.borrow_mut().waiting.push_front(frame(STOP, &[4]).expect("a frame"));
+    assert!(bed.hub.stop(&[FIRST + 1]) && !bed.hub.stop(&[9; 9]));
     bed.run(3);
-    assert_eq!([bed.mode(0), bed.mode(1)], [Mode::Unhomed, Mode::Hold]);
+    assert_eq!(bed.modes(), [Mode::Unhomed, Mode::Hold]);
+    // A second stop before the first is out never stops less.
+    assert_eq!(bed.order(1, &Command::Enable), Some(Outcome::Done));
+    assert!(bed.hub.stop(&[FIRST]) && bed.hub.stop(&[FIRST + 1]));
+    bed.run(3);
+    assert_eq!(bed.modes(), [Mode::Hold; 2]);
 }
 
 #[test]
 fn lost_frames_cost_their_message_alone() {
-    let mut bed = Bed::ready();
-    bed.lossy = 53;
+    let mut talks = talks(4);
+    let mut bed = Bed::ready(&mut talks);
+    bed.carrier.lossy = 53;
     // A frame lost costs an order or its answer; a later one finds its way.
-    let done = (0..40).filter(|_| bed.order(0, &Command::Enable) == Some(Outcome::Done)).count();
-    bed.lossy = 0;
-    let lost: u32 = bed.boards.iter().map(|(_, station, _)| station.bus.lost()).sum();
+    let done = (0..40).filter(|n| bed.order(n % 4, &Command::Enable) == Some(Outcome::Done)).count();
+    bed.carrier.lossy = 0;
+    let lost = bed.boards.iter().map(|b| b.station.bus.lost()).sum::<u32>() + bed.hub.lost();
     println!("{done} orders of 40 done, {lost} messages lost");
     assert!(lost > 5 && done > 20, "{lost} lost, {done} done");
     bed.run(200);
-    assert_eq!(bed.order(0, &Command::Enable), Some(Outcome::Done), "a whole message gets through at once");
+    for place in 0..4 {
+        let outcome = bed.order(place, &Command::Enable);
+        assert_eq!(outcome, Some(Outcome::Done), "a whole message gets through at once");
+    }
 }
 
-/// Off the bus: nothing is sent, motion ends by silence, and the controller comes back each [`REST`] at most.
+/// Off the bus: nothing is sent, motion ends by silence, the controller comes back each [`REST`] at most, and the other tiles of
+/// the bus are moved on.
 #[test]
-fn a_controller_off_the_bus_comes_back_at_most_every_rest() {
-    let mut bed = Bed::ready();
-    assert_eq!(bed.order(0, &UP), Some(Outcome::Done));
-    let pin = bed.boards[0].2.clone();
+fn a_tile_off_the_bus_leaves_the_others_alone_and_comes_back() {
+    let mut talks = talks(4);
+    let mut bed = Bed::ready(&mut talks);
+    for place in [0, 2] {
+        assert_eq!(bed.order(place, &UP), Some(Outcome::Done));
+    }
+    let pin = bed.boards[0].pin.clone();
     let start = bed.now;
     for _ in 0..1000 {
         // It finds errors again as soon as it is back.
@@ -283,8 +231,10 @@ fn a_controller_off_the_bus_comes_back_at_most_every_rest() {
     }
     let restarts = pin.0.borrow().restarts;
     assert!((5..=(bed.now - start) / REST + 1).contains(&restarts), "{restarts}");
-    let controller = bed.boards[0].1.node().controller();
-    assert!(controller.latched().has(Fault::Silence) && bed.mode(0) == Mode::Hold);
+    assert!(bed.has(0, Fault::Silence));
+    assert_eq!(bed.modes(), [Mode::Hold, Mode::Unhomed, Mode::Moving, Mode::Unhomed]);
+    pin.0.borrow_mut().is_off = true;
+    assert_eq!(bed.order(1, &UP), Some(Outcome::Done), "another tile is ordered about meanwhile");
     // Mended, it comes back by itself.
     bed.run(2 * REST + 200);
     assert!(!pin.0.borrow().is_off);
@@ -292,10 +242,28 @@ fn a_controller_off_the_bus_comes_back_at_most_every_rest() {
     assert_eq!(bed.order(0, &Command::Enable), Some(Outcome::Done));
 }
 
+/// The supervisor's own controller off the bus: what moves holds, and all is well again when it is back.
+#[test]
+fn a_supervisor_off_the_bus_is_silence() {
+    let mut talks = talks(2);
+    let mut bed = Bed::ready(&mut talks);
+    assert_eq!(bed.order(1, &UP), Some(Outcome::Done));
+    for _ in 0..800 {
+        bed.pin.0.borrow_mut().is_off = true;
+        bed.tick();
+    }
+    assert_eq!(bed.modes(), [Mode::Unhomed, Mode::Hold]);
+    assert!(bed.has(1, Fault::Silence));
+    bed.run(2 * REST + 200);
+    assert_eq!(bed.order(1, &Command::Clear(1 << Fault::Silence as u32)), Some(Outcome::Done));
+    assert_eq!(bed.order(1, &Command::Enable), Some(Outcome::Done));
+}
+
 /// Frames that nobody should send: no tile moves, and a good message gets through.
 #[test]
 fn noise_on_the_bus_moves_nothing() {
-    let mut bed = Bed::ready();
+    let mut talks = talks(2);
+    let mut bed = Bed::ready(&mut talks);
     let mut state = 7_u64;
     let mut dice = || {
         state ^= state << 13;
@@ -308,10 +276,10 @@ fn noise_on_the_bus_moves_nothing() {
         // Not the identifier that stops: whoever sends it is obeyed.
         let id = [0x103, 0x104, REPORTS + 3, 0x7FF][(dice() % 4) as usize];
         let noise = frame::<Classic>(id, &data[..(dice() % 9) as usize]).expect("a frame");
-        bed.talks[0].pin.0.borrow_mut().waiting.push_back(noise);
+        bed.pin.0.borrow_mut().waiting.push_back(noise);
         bed.tick();
-        for (_, station, _) in &bed.boards {
-            assert!(!station.node().controller().outputs().enable);
+        for board in &bed.boards {
+            assert!(!board.station.node().controller().outputs().enable);
         }
     }
     bed.run(200);

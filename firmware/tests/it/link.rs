@@ -1,16 +1,16 @@
 //! A supervisor talks to a tile over a line.
 
 use crate::wire::{Ends, KEY, Wire};
-use smartbed_firmware::link::frame::checksum;
+use smartbed_firmware::link::checksum::checksum;
 use smartbed_firmware::link::message::{Command, Event, Outcome, Refusal, Report, Target, Trim};
 use smartbed_firmware::link::serial::Serial;
 use smartbed_firmware::link::session::SILENCE;
 use smartbed_firmware::node::Node;
 use smartbed_firmware::plant::flash::provided;
 use smartbed_firmware::station::Station;
-use smartbed_firmware::tile::board::{Outputs, Readings, Sensors};
+use smartbed_firmware::tile::board::{Outputs, Readings};
 use smartbed_firmware::tile::fault::Fault;
-use smartbed_firmware::tile::integrity::SLICE;
+use smartbed_firmware::tile::integrity::{Program, SLICE};
 use smartbed_firmware::tile::mode::Mode;
 
 const UP: Command = Command::Move(Target { heave: 0.004, slope_x: 0.0, slope_y: 0.0 });
@@ -141,22 +141,6 @@ fn a_calibration_outlives_the_power() {
     }
 }
 
-/// A reset in the middle of anything: the outputs of a new life are off until it is told otherwise.
-#[test]
-fn a_reset_disables_the_drives() {
-    let mut wire = Wire::ready(20.0);
-    wire.order(&UP);
-    for _ in 0..20 {
-        wire.run(97);
-        let mut node = Node::new(5, provided(KEY), 1);
-        for _ in 0..1000 {
-            let readings = wire.tile.read();
-            let outputs = *node.tick(&readings);
-            assert!(!outputs.enable && !outputs.supply && !outputs.vent, "{outputs:?}");
-        }
-    }
-}
-
 #[test]
 fn a_tile_without_a_key_moves_for_nobody() {
     let mut wire = Wire::new(20.0);
@@ -168,30 +152,41 @@ fn a_tile_without_a_key_moves_for_nobody() {
     assert_eq!(*wire.node.controller().outputs(), Outputs::default());
 }
 
-/// A bit of the program that flips puts the tile off within two rounds, for good.
+/// A bit of the program that flips, in its code or its vectors, puts the tile off within two rounds, for good.
 #[test]
 fn a_flipped_bit_of_the_program_is_off() {
-    let node = Node::new(5, provided(KEY), 0);
-    let mut program = vec![0xA5_u8; 4000];
-    let sum = u32::from_le_bytes(checksum(&program));
-    let mut station = Station::new(node, Serial::<Ends>::default(), &program, sum);
+    let station = |bytes: &[u8], sum: u32| {
+        let node = Node::new(5, provided(KEY), 0);
+        Station::new(node, Serial::<Ends>::default(), program(bytes), sum)
+    };
+    let bytes = vec![0xA5_u8; 4000];
+    let sum = u32::from_le_bytes(checksum(&bytes));
     let readings = Readings::at_rest();
-    for _ in 0..1000 {
-        station.tick(&readings, &program);
-    }
-    assert_eq!(station.node().controller().mode(), Mode::Unhomed);
-    program[3999] ^= 0x80;
-    for _ in 0..2 * program.len() / SLICE + 2 {
-        station.tick(&readings, &program);
-    }
-    let controller = station.node().controller();
-    assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Program));
-    // What has flipped while the tile was without power is found before the first tick.
-    let node = Node::new(5, provided(KEY), 0);
-    let mut station = Station::new(node, Serial::<Ends>::default(), &program, sum);
-    for _ in 0..1000 {
-        assert_eq!(station.tick(&readings, &program), Outputs::default());
-        let controller = station.node().controller();
+    for place in [0, VECTORS - 1, VECTORS, bytes.len() - 1] {
+        let (mut sound, mut changed) = (station(&bytes, sum), bytes.clone());
+        for _ in 0..1000 {
+            sound.tick(&readings, program(&bytes));
+        }
+        assert_eq!(sound.node().controller().mode(), Mode::Unhomed);
+        changed[place] ^= 0x80;
+        for _ in 0..2 * bytes.len() / SLICE + 4 {
+            sound.tick(&readings, program(&changed));
+        }
+        let controller = sound.node().controller();
         assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Program));
+        // What has flipped while the tile was without power is found before the first tick.
+        let mut station = station(&changed, sum);
+        for _ in 0..1000 {
+            assert_eq!(station.tick(&readings, program(&changed)), Outputs::default());
+            let controller = station.node().controller();
+            assert!(controller.mode() == Mode::Off && controller.latched().has(Fault::Program));
+        }
     }
+}
+
+const VECTORS: usize = 392;
+
+fn program(bytes: &[u8]) -> Program<'_> {
+    let (vectors, code) = bytes.split_at(VECTORS);
+    Program { vectors, code }
 }

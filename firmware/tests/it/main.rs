@@ -3,9 +3,11 @@
 mod bench;
 mod campaign;
 mod can;
+mod can_bus;
 mod fuzz;
 mod link;
 mod motion;
+mod reset;
 mod safety;
 mod unpowered;
 mod wire;

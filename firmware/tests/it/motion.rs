@@ -142,6 +142,53 @@ fn an_obstruction_is_left_alone() {
     }
 }
 
+/// Steps up or down of one length until the tile holds, or so many are done: the mode and the largest force of an obstacle.
+fn steps(bench: &mut Bench, step: f32, count: u32) -> (Mode, f32) {
+    let mut hardest = 0.0_f32;
+    for n in 1..=count {
+        bench.order(target(step * n as f32, 0.0, 0.0));
+        while matches!(bench.controller.mode(), Mode::Moving | Mode::Retreat) {
+            bench.tick(None);
+            hardest = bench.tile.contacts().iter().fold(hardest, |most, force| most.max(force.abs()));
+        }
+        if bench.controller.mode() != Mode::Ready {
+            break;
+        }
+        bench.run(50);
+    }
+    (bench.controller.mode(), hardest)
+}
+
+/// Many short ways lean on an obstacle no harder than a long one; without an obstacle they are taken for none.
+#[test]
+fn an_obstruction_is_not_leaned_on_step_by_step() {
+    // Going down, ways below half a millimetre are too short to be measured: `docs/safety.md`, B7.
+    let ways = [0.2e-3_f32, 0.5e-3, -0.5e-3, 1e-3, -1e-3, 3e-3, -3e-3].map(|step| (step, step > 0.0));
+    let kinds = FRICTIONS.into_iter().flat_map(|f| [0.0, 25.0].map(|mass| (f, mass)));
+    let mut wrong = Vec::new();
+    for ((friction, mass), (step, above)) in kinds.flat_map(|kind| ways.map(move |way| (kind, way))) {
+        for is_free in [false, true] {
+            let mut bench = Bench::homed(mass, [0.02, -0.01], drive(friction));
+            bench.order(target(0.0, 0.0, 0.0));
+            bench.until(Mode::Ready, 30_000);
+            if !is_free {
+                let height = step.signum() * 5e-4;
+                bench.tile.set_defect(Some(Defect::Block { leg: 1, height, above }));
+            }
+            let count = (if is_free { 12e-3 } else { 6e-3 } / step.abs()) as u32;
+            let (mode, hardest) = steps(&mut bench, step, count);
+            let expected = if is_free { Mode::Ready } else { Mode::Hold };
+            if mode != expected || hardest > 150.0 {
+                let found = bench.faults();
+                wrong.push(format!(
+                    "{friction:?}, {mass} kg, {step} m, free {is_free}: {mode:?}, {hardest} N, {found:?}"
+                ));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn resuscitation_levels_lowers_and_vents_in_thirty_seconds() {
     let steep = Pose { zc: 0.004, tx: 0.26, ty: 0.0 };

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Behaviours of the bed, rules of the firmware, and its check of itself.
 const ROWS: usize = 20 + 16 + 1;
 /// What tests and generator need and no image links.
-const NOT_LINKED: [&str; 4] = ["cobs 0.5.1", "proptest", "smartbed-codegen", "smartbed-runtime"];
+const NOT_LINKED: [&str; 5] = ["cobs 0.5.1", "crc", "proptest", "smartbed-codegen", "smartbed-runtime"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")

@@ -2,7 +2,7 @@
 
 use smartbed_firmware::link::bus::{Arrival, Bus};
 use smartbed_firmware::link::frame::{Body, Decoder, encode};
-use smartbed_firmware::link::message::{Command, Outcome, Report, Target, read};
+use smartbed_firmware::link::message::{Command, Outcome, Report, Target, Trim, read};
 use smartbed_firmware::link::serial::{Line, Serial};
 use smartbed_firmware::link::tag::Key;
 use smartbed_firmware::node::Node;
@@ -93,11 +93,26 @@ impl Wire {
         self.tile.set_defect(Some(defect));
     }
 
-    /// A signed order to go nowhere.
-    pub fn command_nonsense(&mut self) {
-        let target = Target { heave: f32::NAN, slope_x: f32::INFINITY, slope_y: 0.0 };
-        let body = self.peer.command(&Command::Move(target), self.now, 0).expect("it fits");
+    /// A signed order of numbers that are none, one kind after the other.
+    pub fn command_nonsense(&mut self, kind: u32) {
+        let target = Target { heave: 0.001, slope_x: 0.01, slope_y: 0.0 };
+        let nonsense = [
+            Command::Move(Target { heave: f32::NAN, ..target }),
+            Command::Move(Target { slope_x: f32::INFINITY, ..target }),
+            Command::Move(Target { slope_y: f32::NAN, ..target }),
+            Command::Pressure(f32::NAN),
+            Command::Pressure(f32::NEG_INFINITY),
+            Command::Calibrate(Trim { height: [0.0, f32::NAN, 0.0], pressure: 0.0 }),
+            Command::Calibrate(Trim { height: [0.0; 3], pressure: f32::NAN }),
+        ];
+        let command = &nonsense[kind as usize % nonsense.len()];
+        let body = self.peer.command(command, self.now, 0).expect("it fits");
         self.send(&body);
+    }
+
+    /// The power is cut and comes back: what was stored is there, no more.
+    pub fn restart(&mut self) {
+        self.node = Node::new(5, provided(KEY), 1);
     }
 
     pub fn tick(&mut self) {

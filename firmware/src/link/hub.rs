@@ -1,0 +1,85 @@
+//! A supervisor's CAN controller: one bus, several tiles, a talk with each.
+//!
+//! In: frames, which their identifiers lead to the tile's talk; bodies for tiles. Out: frames, a turn for every tile, and bodies with
+//! the tile that they are from. A stop goes before everything else. Storage is the caller's: as many talks as tiles.
+
+use super::can::{Controller, FRAMES, Port, STOP, raw};
+use super::frame::Body;
+use super::isotp::Data;
+use super::talk::Talk;
+use embedded_can::Frame;
+
+/// A controller and what is said over it.
+#[derive(Debug)]
+pub struct Hub<'a, C> {
+    port: Port<C>,
+    talks: &'a mut [Talk],
+    /// Whose turn is first.
+    first: usize,
+    /// Data of a stop that is to be sent.
+    stop: Option<Data>,
+}
+
+impl<'a, C: Controller> Hub<'a, C> {
+    /// This controller, and a talk with each tile.
+    pub fn new(controller: C, talks: &'a mut [Talk]) -> Self {
+        Self { port: Port::new(controller), talks, first: 0, stop: None }
+    }
+
+    /// Stops the tiles of these numbers, eight at most, or all of them if there is none; goes out before anything else. False if
+    /// there are more.
+    #[must_use]
+    pub fn stop(&mut self, tiles: &[u8]) -> bool {
+        let data = Data::from_slice(tiles).ok();
+        let fits = data.is_some();
+        // Two stops at once are one of all: never less than was asked for.
+        self.stop = if self.stop.is_some() && fits { Some(Data::new()) } else { data.or(self.stop.take()) };
+        fits
+    }
+
+    /// Hands over what has come until now (ms), with the place of its tile's talk.
+    pub fn receive(&mut self, now: u32, mut take: impl FnMut(usize, Body)) {
+        let Self { port, talks, .. } = self;
+        port.receive(|frame| {
+            let mut places = talks.iter_mut().enumerate();
+            let talk = places.find(|(_, talk)| frame.is_data_frame() && raw(frame) == Some(talk.hears()));
+            if let Some((place, body)) =
+                talk.and_then(|(place, talk)| Some((place, talk.take(frame.data(), now)?)))
+            {
+                take(place, body);
+            }
+        });
+    }
+
+    /// Sends what goes now (ms) of what `collect` brings for each talk: a frame of each, in turns.
+    pub fn transmit(&mut self, now: u32, mut collect: impl FnMut(usize) -> Option<Body>) {
+        if !self.port.is_on(now) {
+            self.talks.iter_mut().for_each(Talk::break_off);
+            return;
+        }
+        if let Some(data) = self.stop.take()
+            && !self.port.send(STOP, &data)
+        {
+            self.stop = Some(data);
+            return;
+        }
+        let count = self.talks.len();
+        let mut sent = 0;
+        for place in (self.first..count).chain(0..self.first.min(count)) {
+            let Some(talk) = self.talks.get_mut(place) else { return };
+            let Some(data) = talk.next(now, || collect(place)) else { continue };
+            if sent == FRAMES || !self.port.send(talk.says(), &data) {
+                talk.keep(data);
+                self.first = place;
+                return;
+            }
+            sent += 1;
+        }
+    }
+
+    /// Messages lost so far, and frames that the controller lost.
+    #[must_use]
+    pub fn lost(&self) -> u32 {
+        self.talks.iter().fold(self.port.lost(), |sum, talk| sum.saturating_add(talk.lost()))
+    }
+}

@@ -1,0 +1,108 @@
+//! What a supervisor and one tile say to each other on a CAN bus: bodies by ISO-TP (`isotp.rs`), one way and the other.
+//!
+//! In: data of frames that have come, bodies to send. Out: bodies, data of frames to send. It knows no controller: a tile has one
+//! talk (`can.rs`), a supervisor one for each tile (`hub.rs`).
+
+use super::frame::Body;
+use super::isotp::{Data, Receiver, Sender, Step};
+
+/// Identifier of commands to tile 0.
+pub const COMMANDS: u16 = 0x100;
+/// Identifier of reports of tile 0.
+pub const REPORTS: u16 = 0x200;
+
+/// One side of the talk.
+#[derive(Clone, Debug)]
+pub struct Talk {
+    hears: u16,
+    says: u16,
+    receiver: Receiver,
+    sender: Option<Sender>,
+    /// Flow control that is to be sent.
+    answer: Option<Data>,
+    /// A frame for which there was no room.
+    kept: Option<Data>,
+    lost: u32,
+}
+
+impl Talk {
+    /// The side of tile `number`.
+    #[must_use]
+    pub fn of_tile(number: u8) -> Self {
+        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
+        Self::new(commands, reports)
+    }
+
+    /// The supervisor's side towards tile `number`.
+    #[must_use]
+    pub fn of_supervisor(number: u8) -> Self {
+        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
+        Self::new(reports, commands)
+    }
+
+    fn new(hears: u16, says: u16) -> Self {
+        Self { hears, says, receiver: Receiver::default(), sender: None, answer: None, kept: None, lost: 0 }
+    }
+
+    /// The identifier of what it hears.
+    #[must_use]
+    pub fn hears(&self) -> u16 {
+        self.hears
+    }
+
+    /// The identifier of what it says.
+    #[must_use]
+    pub fn says(&self) -> u16 {
+        self.says
+    }
+
+    /// Takes a frame's data; a body if it ends one.
+    pub fn take(&mut self, data: &[u8], now: u32) -> Option<Body> {
+        if let Some(0x30..=0x3F) = data.first() {
+            if let Some(sender) = &mut self.sender {
+                sender.flow(data);
+            }
+            return None;
+        }
+        match self.receiver.take(data, now) {
+            Step::Body(body) => return Some(body),
+            Step::Answer(flow) => self.answer = Some(flow),
+            Step::Nothing => (),
+        }
+        None
+    }
+
+    /// The data of the next frame; a new body is begun when the last one is over.
+    pub fn next(&mut self, now: u32, mut collect: impl FnMut() -> Option<Body>) -> Option<Data> {
+        if let Some(data) = self.answer.take().or_else(|| self.kept.take()) {
+            return Some(data);
+        }
+        if self.sender.as_ref().is_some_and(|sender| !sender.is_done() && sender.is_late(now)) {
+            self.sender = None;
+            self.lost = self.lost.saturating_add(1);
+        }
+        if self.sender.as_ref().is_none_or(Sender::is_done) {
+            self.sender = Some(Sender::new(&collect()?, now));
+        }
+        self.sender.as_mut()?.send(now)
+    }
+
+    /// Keeps a frame for which there was no room: it is the next one.
+    pub fn keep(&mut self, data: Data) {
+        self.kept = Some(data);
+    }
+
+    /// Forgets what is under way, and counts it.
+    pub fn break_off(&mut self) {
+        let is_under_way = self.sender.take().is_some_and(|sender| !sender.is_done());
+        let is_kept = self.kept.take().is_some();
+        self.lost = self.lost.saturating_add(u32::from(is_under_way || is_kept));
+        self.answer = None;
+    }
+
+    /// Messages lost so far, both ways.
+    #[must_use]
+    pub fn lost(&self) -> u32 {
+        self.lost.saturating_add(self.receiver.lost())
+    }
+}
