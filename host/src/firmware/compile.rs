@@ -59,6 +59,8 @@ pub enum Subject {
     Loop,
     /// The controller on a real chip's pins, on this bus.
     Board(Bus),
+    /// The controller without a board, to be measured.
+    Bare,
 }
 
 /// What a board talks over.
@@ -158,6 +160,7 @@ impl Settings {
             Subject::Loop => "loop",
             Subject::Board(Bus::Serial) => "board",
             Subject::Board(Bus::Can) => "board-can",
+            Subject::Bare => "bare",
         }
     }
 
@@ -177,8 +180,13 @@ impl Settings {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
         match &self.subject {
-            Subject::Loop | Subject::Board(_) => {
-                command.args(["--features", if self.subject == Subject::Loop { "plant" } else { "board" }]);
+            Subject::Loop | Subject::Board(_) | Subject::Bare => {
+                let feature = match self.subject {
+                    Subject::Loop => "plant",
+                    Subject::Board(_) => "board",
+                    _ => "controller",
+                };
+                command.args(["--features", feature]);
                 command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
             }
             Subject::Mechanism => {
@@ -276,7 +284,10 @@ pub fn image(
     if let Some(linker) = &toolchain.linker {
         cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
     }
-    cargo.env(format!("CARGO_TARGET_{target}_RUSTFLAGS"), format!("-Ctarget-cpu={}", chip.cpu));
+    cargo.env(
+        format!("CARGO_TARGET_{target}_RUSTFLAGS"),
+        format!("-Ctarget-cpu={} {}", chip.cpu, chip.options),
+    );
     cargo.env("SMARTBED_CHIP", chip.short);
     succeed(cargo, "the image does not build")?;
     let built = folder.join(chip.target).join("firmware").join(settings.program());
@@ -292,17 +303,6 @@ pub fn image(
     checksum::write(&mut elf).map_err(|why| Failure::Wrong(format!("{}: {why}", built.display())))?;
     fs::write(&fresh, elf).and_then(|()| fs::rename(&fresh, &own)).map_err(wrong)?;
     Ok(own)
-}
-
-/// Builds the controller as a library, without the programs of a chip, for any target.
-///
-/// # Errors
-/// [`Failure::Wrong`] if it does not build.
-pub fn library(toolchain: &Toolchain, workspace: &Path, folder: &Path, target: &str) -> Result<(), Failure> {
-    let mut cargo = package(toolchain, workspace, folder);
-    cargo.args(["--lib", "--features", "controller"]);
-    for_target(&mut cargo, toolchain, target);
-    succeed(cargo, &format!("the controller does not build for {target}"))
 }
 
 /// Builds and runs the same simulation on the host; returns what it prints.

@@ -16,13 +16,14 @@ pub mod fit;
 pub mod image;
 pub mod process;
 pub mod report;
+pub mod riscv;
 pub mod thumb;
 pub mod toolchain;
 
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Waiting;
-use chip::STM32F405;
+use chip::{Chip, STM32F405};
 use compile::{Bus, Settings, Subject};
 use image::{Image, rules};
 use report::Report;
@@ -154,17 +155,17 @@ pub fn board(bus: Bus) -> Result<PathBuf, Failure> {
     compile::image(&toolchain, &workspace, &folder, &STM32F405, &Settings::controller(Subject::Board(bus)))
 }
 
-/// Builds the controller's library for a target that has no program of its own here.
+/// Builds the controller for a core without a board; returns its image.
 ///
 /// # Errors
 /// Status 1 if it does not build, status 2 where a tool is missing.
-pub fn library(target: &str) -> Result<(), Failure> {
+pub fn bare(chip: &Chip) -> Result<PathBuf, Failure> {
     let workspace = workspace()?;
-    let toolchain = toolchain::toolchain(target)?;
+    let toolchain = toolchain::toolchain(chip.target)?;
     let folder = workspace.join("target/image");
     let _lock = lock(&folder)?;
-    output::say(&format!("building the controller for {target} with {}", toolchain.describe()));
-    compile::library(&toolchain, &workspace, &folder, target)
+    output::say(&format!("building the controller for {} with {}", chip.target, toolchain.describe()));
+    compile::image(&toolchain, &workspace, &folder, chip, &Settings::controller(Subject::Bare))
 }
 
 /// Applies the rules to an image that was built elsewhere.

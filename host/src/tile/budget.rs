@@ -1,19 +1,19 @@
 //! What the controller costs on each core, held against its limits.
 //!
 //! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick, on the board's core cycles too, and a
-//! failure where one is too much. A nominal session and sessions with faults run in the emulator with the counting plug-in;
+//! failure where one is too much; for RISC-V what the image shows alone. A nominal session and sessions with faults run in the emulator with the counting plug-in;
 //! the most of all of them counts.
 
 use super::bus::Bus;
 use super::machine::{self, Kind, Machine, Program};
 use super::order;
 use crate::failure::Failure;
-use crate::firmware::chip::{Chip, M7, M33, STM32F405};
+use crate::firmware::chip::{Chip, M7, M33, RV32, STM32F405};
 use crate::firmware::compile::Bus as Wires;
 use crate::firmware::emulator::{count_option, plugin, read_counts};
 use crate::firmware::image::Image;
 use crate::firmware::image::rules::{self, Rule};
-use crate::firmware::{board, lock, read, toolchain, workspace};
+use crate::firmware::{bare, board, lock, read, toolchain, workspace};
 use crate::output;
 use std::fmt::Write;
 
@@ -90,6 +90,7 @@ pub fn measure() -> Result<Report, Failure> {
     for (bus, name) in [(Wires::Serial, "board"), (Wires::Can, "board on CAN")] {
         report.judge(name, &read(&board(bus)?)?, &STM32F405, CONTROL)?;
     }
+    report.judge(&format!("controller on {}", RV32.short), &read(&bare(&RV32)?)?, &RV32, CONTROL)?;
     for chip in [STM32F405, M7, M33] {
         let name = format!("loop on {}", chip.short);
         let program = machine::build(Kind::Emulated(chip))?;

@@ -11,6 +11,7 @@ use std::io::{BufReader, Read, Write};
 use std::os::unix::net::UnixListener;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// An emulator that has not called by then will not.
@@ -34,11 +35,23 @@ pub struct Program {
     pub file: PathBuf,
 }
 
-/// Builds the loop of controller and simulated tile.
+/// Builds the loop of controller and simulated tile; once for each kind in the life of a process, because chips of one target take turns
+/// in one place, and each turn builds anew.
 ///
 /// # Errors
 /// Status 1 if it does not build, status 2 where a tool is missing.
 pub fn build(kind: Kind) -> Result<Program, Failure> {
+    static BUILT: Mutex<Vec<(Kind, Program)>> = Mutex::new(Vec::new());
+    let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, program)) = built.iter().find(|(known, _)| *known == kind) {
+        return Ok(program.clone());
+    }
+    let program = build_anew(kind)?;
+    built.push((kind, program.clone()));
+    Ok(program)
+}
+
+fn build_anew(kind: Kind) -> Result<Program, Failure> {
     let workspace = workspace()?;
     let chip = if let Kind::Emulated(chip) = kind { chip } else { STM32F405 };
     let toolchain = toolchain::toolchain(chip.target)?;

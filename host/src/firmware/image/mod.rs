@@ -1,8 +1,8 @@
-//! An ELF image of a Cortex-M4F: what is in it, what it needs, and whether it may be shipped.
+//! An ELF image of a Cortex-M, or a RISC-V core: what is in it, what it needs, and whether it may be shipped.
 //!
 //! In: the bytes of the ELF. Out: [`Image`] (functions decoded once), then [`size::Size`],
 //! [`stack::Stack`] and the list of broken rules ([`rules::findings`]).
-//! Invariant: an address is decoded as an instruction only where the mapping symbols ($t, $d) of
+//! Invariant: an address is decoded as an instruction only where the mapping symbols ($t, $x, $d) of
 //! the ABI say that it is code.
 
 pub mod checksum;
@@ -12,10 +12,14 @@ pub mod rules;
 pub mod size;
 pub mod stack;
 
-use super::thumb::{self, Kind};
+use super::riscv;
+use super::thumb::{self, Instruction, Kind};
 use object::elf::SHF_EXECINSTR;
-use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
+use object::{Architecture, Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
 use std::collections::BTreeMap;
+
+/// Where a program without vectors begins.
+const ENTRY: &str = "_start";
 
 /// A function of the image with everything that its instructions do.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -51,13 +55,14 @@ impl Image {
     pub fn read(elf: &[u8]) -> Result<Self, String> {
         let file = object::File::parse(elf).map_err(|e| format!("the image is not an ELF file: {e}"))?;
         let marks = marks(&file);
+        let decode = if file.architecture() == Architecture::Riscv32 { riscv::decode } else { arm };
         let mut functions = functions(&file);
         for section in file.sections() {
             let SectionFlags::Elf { sh_flags, .. } = section.flags() else { continue };
             if sh_flags.0 & SHF_EXECINSTR.0 != 0 {
                 let code = section.data().map_err(|e| format!("section of code: {e}"))?;
                 let base = word(section.address());
-                decode_section(base, code, &marks, &mut functions);
+                decode_section(base, code, decode, &marks, &mut functions);
             }
         }
         let mut symbols: Vec<String> = file
@@ -70,7 +75,8 @@ impl Image {
         Ok(Self { functions, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
     }
 
-    /// The stack bound from the vector table's reset handler and its other handlers.
+    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no board
+    /// starts, from its entry, without the exceptions that a board would have.
     ///
     /// # Errors
     /// A text if there is no vector table, or an entry is no function.
@@ -80,7 +86,10 @@ impl Image {
             Some([entry, unmaskable, fault, others @ ..]) => {
                 Ok(stack::bound(self, *entry, &[others, &[*fault], &[*unmaskable]]))
             }
-            _ => Err("the image has no vector table of known functions".to_owned()),
+            _ => match self.find(ENTRY).filter(|_| self.vectors.is_empty()) {
+                Some(entry) => Ok(stack::bound(self, entry, &[])),
+                None => Err("the image has no vector table of known functions".to_owned()),
+            },
         }
     }
 
@@ -135,8 +144,8 @@ fn functions(file: &object::File) -> Vec<Function> {
 fn marks(file: &object::File) -> BTreeMap<u32, bool> {
     file.symbols()
         .filter_map(|s| Some((word(s.address()), s.name().ok()?)))
-        .filter(|(_, name)| name.starts_with("$t") || name.starts_with("$d") || name.starts_with("$a"))
-        .map(|(address, name)| (address & !1, name.starts_with("$t")))
+        .filter(|(_, name)| ["$t", "$x", "$d", "$a"].iter().any(|mark| name.starts_with(mark)))
+        .map(|(address, name)| (address & !1, name.starts_with("$t") || name.starts_with("$x")))
         .collect()
 }
 
@@ -154,8 +163,21 @@ fn owner(functions: &[Function], address: u32) -> Option<usize> {
     functions.get(last).filter(|f| address < f.end).map(|_| last)
 }
 
-fn decode_section(base: u32, code: &[u8], marks: &BTreeMap<u32, bool>, functions: &mut [Function]) {
+/// Decodes the instruction at the begin of these bytes, which lie at this address.
+type Decode = fn(u32, &[u8]) -> Instruction;
+
+fn arm(address: u32, code: &[u8]) -> Instruction {
     let half = |at: usize| code.get(at..at + 2).map_or(0, |b| u16::from_le_bytes([b[0], b[1]]));
+    thumb::decode(address, half(0), half(2))
+}
+
+fn decode_section(
+    base: u32,
+    code: &[u8],
+    decode: Decode,
+    marks: &BTreeMap<u32, bool>,
+    functions: &mut [Function],
+) {
     let mut at = 0;
     while at + 2 <= code.len() {
         let address = base.saturating_add(u32::try_from(at).unwrap_or(u32::MAX));
@@ -164,7 +186,7 @@ fn decode_section(base: u32, code: &[u8], marks: &BTreeMap<u32, bool>, functions
             at += 2;
             continue;
         };
-        let instruction = thumb::decode(address, half(at), half(at + 2));
+        let instruction = decode(address, &code[at..]);
         at += instruction.size as usize;
         if instruction.kind != Kind::Other {
             functions[function].effects.push((address, instruction.kind));
@@ -190,7 +212,7 @@ pub(crate) mod tests {
             address = end;
             code.extend(halves.iter().flat_map(|h| h.to_le_bytes()));
         }
-        decode_section(0x0800_0000, &code, &marks, &mut decoded);
+        decode_section(0x0800_0000, &code, arm, &marks, &mut decoded);
         let symbols = functions.iter().map(|(name, _)| (*name).to_owned()).collect();
         Image { functions: decoded, symbols, vectors: Vec::new(), size: size::Size::default() }
     }
@@ -202,7 +224,7 @@ pub(crate) mod tests {
         let halves = [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0, 0xD4D4, 0xD4D4, 0xB510];
         let code: Vec<u8> = halves.iter().flat_map(|h| h.to_le_bytes()).collect();
         let marks = BTreeMap::from([(0, true), (4, false), (8, true)]);
-        decode_section(0, &code, &marks, &mut functions);
+        decode_section(0, &code, arm, &marks, &mut functions);
         assert_eq!(functions[0].effects, [(0, Kind::Stack(8))]);
         assert_eq!(functions[1].effects, [(12, Kind::Stack(8))], "padding between functions is not code");
     }
