@@ -179,3 +179,62 @@ fn a_fixed_vector_may_be_a_definition_that_nothing_else_needs() {
     };
     assert_eq!(operations(&named), operations(&text));
 }
+
+/// A bracket fixed askew on an arm that turns about two axes, stated by its directions and by what is fixed in it: twice
+/// along the sum of two axes of the arm, which is no axis of it.
+#[test]
+fn a_frame_stated_by_sums_of_axes_is_turned_by_half_a_right_angle() {
+    let text = |bracket: &str| {
+        format!(
+            r#"
+format = 1
+name = "bracket"
+dof = 2
+gravity = "-g*N.z"
+
+[parameters]
+g = {{ value = 9.81, unit = "m/s^2" }}
+m = {{ value = 2, unit = "kg" }}
+a = {{ value = 0.1, unit = "m" }}
+
+[coordinates]
+q1 = {{ unit = "rad" }}
+q2 = {{ unit = "rad" }}
+
+[frames]
+arm = {{ rotations = [["z", "q1"], ["y", "q2"]] }}
+bracket = {{ {bracket} }}
+
+[points]
+P = "5*a*bracket.x + 2*a*bracket.y"
+
+[bodies]
+plate = {{ centre = "P", mass = "m", frame = "bracket", inertia = {{ Ixx = "5*m*a*a", Iyy = "10*m*a*a", Izz = "12*m*a*a", Ixy = "m*a*a" }} }}
+"#
+        )
+    };
+    let turned = text("parent = \"arm\", rotations = [[\"z\", \"pi/4\"]]");
+    let stated = text(
+        "x = \"(arm.x + arm.y)/sqrt(2)\", y = \"(arm.y - arm.x)/sqrt(2)\", z = \"arm.z\", fixed = [\
+         { vector = \"arm.x + arm.y\", components = [\"sqrt(2)\", \"0\", \"0\"] }, \
+         { vector = \"arm.y - arm.x\", components = [\"0\", \"sqrt(2)\", \"0\"] }, \
+         { vector = \"arm.z\", components = [\"0\", \"0\", \"1\"] }]",
+    );
+    let [turned, stated] = [turned, stated].map(|text| {
+        let model = model::parse("bracket.toml", &text).unwrap_or_else(|e| panic!("{e}"));
+        program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+    });
+    for k in 0..100 {
+        let at = |i: usize| 2.0 * ((7 * k + 3 * i) as f64).sin();
+        let accelerations = |program: &Program| {
+            let (mut q_dot, mut u_dot) = ([0.0; 2], [0.0; 2]);
+            let (q, u) = ([at(0), at(1)], [at(2), at(3)]);
+            let mut mechanism = Interpreted::<f64>::new(program);
+            mechanism.rates(0.0, &q, &u, &[], &mut q_dot, &mut u_dot).expect("lengths fit");
+            u_dot
+        };
+        let (one, other) = (accelerations(&turned), accelerations(&stated));
+        let size = one[0].abs().max(one[1].abs());
+        assert!((0..2).all(|i| (one[i] - other[i]).abs() <= 1e-12 * size), "{k}: {one:?} {other:?}");
+    }
+}
