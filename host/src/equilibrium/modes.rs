@@ -5,7 +5,7 @@
 
 use super::search::Slopes;
 use nalgebra::linalg::{Schur, balancing};
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, ComplexField, DMatrix};
 
 /// Sweeps of the eigenvalues' iteration.
 const SWEEPS: usize = 10_000;
@@ -52,7 +52,7 @@ impl Mode {
 
     /// zeta = -Re/|lambda|.
     pub fn damping_ratio(&self) -> f64 {
-        let size = self.eigenvalue.norm();
+        let size = self.eigenvalue.modulus();
         if size > 0.0 && self.fate != Fate::Persists { -self.eigenvalue.re / size } else { 0.0 }
     }
 }
@@ -66,10 +66,10 @@ pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
     balancing::balance_parlett_reinsch(&mut balanced);
     let schur = Schur::try_new(balanced, f64::EPSILON, SWEEPS)?;
     let eigenvalues = schur.complex_eigenvalues();
-    let largest = eigenvalues.iter().fold(0.0_f64, |most, l| most.max(l.norm()));
+    let largest = eigenvalues.iter().fold(0.0_f64, |most, l| most.max(l.modulus()));
     let mut modes: Vec<Mode> = Vec::new();
     for value in eigenvalues.iter() {
-        let is_zero = value.norm() <= NEUTRAL * largest;
+        let is_zero = value.modulus() <= NEUTRAL * largest;
         if value.im < 0.0 && !is_zero {
             continue;
         }
@@ -82,7 +82,7 @@ pub(super) fn of(slopes: &Slopes, names: &[String]) -> Option<Vec<Mode>> {
         let shape = if is_zero { Vec::new() } else { shape(&slopes.a, eigenvalue, names) };
         modes.push(Mode { eigenvalue, fate, shape });
     }
-    modes.sort_by(|a, b| b.eigenvalue.norm().total_cmp(&a.eigenvalue.norm()));
+    modes.sort_by(|a, b| b.eigenvalue.modulus().total_cmp(&a.eigenvalue.modulus()));
     Some(modes)
 }
 
@@ -93,10 +93,11 @@ fn shape(a: &DMatrix<f64>, eigenvalue: Complex<f64>, names: &[String]) -> Vec<(S
     let Some(rows) = svd.v_t else { return Vec::new() };
     let (least, _) = svd.singular_values.argmin();
     let vector: Vec<Complex<f64>> = rows.row(least).iter().map(Complex::conj).collect();
-    let largest = vector.iter().copied().max_by(|x, y| x.norm().total_cmp(&y.norm())).unwrap_or_default();
+    let largest =
+        vector.iter().copied().max_by(|x, y| x.modulus().total_cmp(&y.modulus())).unwrap_or_default();
     let relative = vector.iter().zip(names).map(|(x, name)| (name.clone(), x / largest));
     let parts = relative.map(|(name, x)| {
-        (name, x.norm(), if x.im == 0.0 && x.re < 0.0 { std::f64::consts::PI } else { x.arg() })
+        (name, x.modulus(), if x.im == 0.0 && x.re < 0.0 { std::f64::consts::PI } else { x.argument() })
     });
     parts.filter(|(_, size, _)| *size > SMALL).collect()
 }

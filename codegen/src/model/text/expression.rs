@@ -58,6 +58,11 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
     }
     let result = match syn::parse_str::<syn::Expr>(&text.text) {
         Ok(syntax) => reader.expression(&syntax),
+        // A keyword of Rust that the parser is built without.
+        Err(error) if error.to_string().starts_with("unsupported expression") => {
+            found.push(foreign_notation(text.place(error.span().byte_range())));
+            None
+        }
         Err(error) => {
             found.push(
                 Diagnostic::error(format!("not an expression: {error}"))
@@ -69,6 +74,13 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
     };
     forget_spans();
     result
+}
+
+/// Rust that no expression of a model has.
+fn foreign_notation(place: Span) -> Diagnostic {
+    Diagnostic::error("this notation is not part of the expression language")
+        .label(place, "not understood")
+        .help("expressions consist of names, numbers, + - * / ( ) , and calls such as sin(q)")
 }
 
 /// Stack of the thread that reads expressions (bytes): nesting is bounded by [`lexing::DEEPEST`].
@@ -148,12 +160,10 @@ impl Reader<'_> {
             syn::Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => {
                 self.refuse(unary.span(), "unexpected `*`".to_owned(), "here", "powers are written x.powi(2)")
             }
-            other => self.refuse(
-                other.span(),
-                "this notation is not part of the expression language".to_owned(),
-                "not understood",
-                "expressions consist of names, numbers, + - * / ( ) , and calls such as sin(q)",
-            ),
+            other => {
+                self.found.push(foreign_notation(self.place(other.span())));
+                None
+            }
         }
     }
 
