@@ -105,7 +105,9 @@ fn tip(point: &Point) -> String {
 
 fn table(table: &Table) -> String {
     let mut text = format!("<h3>{}</h3>\n<table>\n<tr>", escaped(&table.title));
-    table.columns.iter().for_each(|c| text += &format!("<th>{}</th>", escaped(c)));
+    // Methods' names may break, so that a table of all of them is no wider than the page.
+    let heads = table.columns.iter().map(|c| escaped(c).replace('_', "_<wbr>"));
+    heads.for_each(|head| text += &format!("<th>{head}</th>"));
     text += "</tr>\n";
     for row in &table.rows {
         let standing = row.iter().find(|cell| ["front", "peer", "front, peer"].contains(&cell.as_str()));

@@ -2,7 +2,7 @@
 const COLORS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
 // Marks on a curve.
 const MARKS = 5;
-const ENERGY = { kinetic: "#e69f00", gravity: "#cc79a7", spring: "#d55e00", pressure: "#6e6e6e", gas: "#6e6e6e", potential: "#009e73", total: "#0072b2" };
+const ENERGY = { kinetic: "#e69f00", gravity: "#cc79a7", spring: "#d55e00", pressure: "#56b4e9", gas: "#56b4e9", potential: "#009e73", total: "#0072b2" };
 // Without WebGL nothing can be drawn: say so, and stop.
 const stage = (() => {
   try { return new Stage(element("stage")); } catch (error) { element("fault").textContent = "this browser draws nothing in 3-D (no WebGL)"; throw error; }
@@ -123,7 +123,7 @@ function plot(canvas, list) {
   const [ink, width, height] = pen(canvas), left = 52, bottom = height - 18, across = (t) => left + (width - left - 6) * (film.end ? t / film.end : 0);
   let [low, high] = [Math.min(...list.map((one) => one.low)), Math.max(...list.map((one) => one.high))];
   if (!list.length) return;
-  if (!(high > low)) [low, high] = [low - (Math.abs(low) || 1), high + (Math.abs(high) || 1)];
+  if (!(high - low > 1e-6 * Math.max(-low, high))) [low, high] = [low - (Math.abs(low) || 1), high + (Math.abs(high) || 1)];
   const up = (value) => bottom - (bottom - 8) * (value - low) / (high - low);
   ink.strokeStyle = "#ccc"; ink.lineWidth = 1; ink.strokeRect(left, 8, width - left - 6, bottom - 8);
   ink.fillStyle = "#282828"; ink.textAlign = "right";
@@ -181,14 +181,17 @@ element("play").onclick = () => play(!playing);
 element("time").oninput = () => wind(element("time").value * film.end);
 element("group").onchange = element("paint").onchange = element("paths").onchange = element("names").onchange = () => draw();
 element("reset").onclick = () => { stage.look(); draw(); };
-window.onresize = () => { stage.resize(); draw(); };
+window.onresize = () => { stage.resized(); draw(); };
 document.onkeydown = (event) => { if (event.key === " " && event.target === document.body) play(!playing); };
 
 load(JSON.parse(element("data").textContent), false);
 // page.html#t=0.5 opens at 0.5 s and waits; page.html#t=0.5,still shows nothing but the picture.
 const asked = location.hash.match(/^#t=([0-9.eE+-]+)(,still)?$/);
 if (asked) {
-  if (asked[2]) { document.body.className = "still"; stage.look(); }
+  if (asked[2]) {
+    document.body.className = "still"; stage.look();
+    element("note").textContent = film.note + ", t = " + Number(asked[1]) + " s";
+  }
   play(false); wind(Number(asked[1]));
 }
 draw();

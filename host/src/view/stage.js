@@ -20,7 +20,9 @@ class Stage {
     this.sun = new THREE.DirectionalLight(0xffffff, 1.6);
     this.scene.add(this.sun);
     this.thick = 0.006 * film.size;
-    this.links = film.links.filter(([a, b]) => !film.rests(a) || !film.rests(b));
+    // Rods of the ground are left out, unless everything is at rest.
+    const moving = film.links.filter(([a, b]) => !film.rests(a) || !film.rests(b));
+    this.links = moving.length ? moving : film.links;
     this.rods = this.many(new THREE.CylinderGeometry(1, 1, 1, 8, 1, true), this.links.length, LINK);
     const skinned = new Set(film.facets.flat());
     this.bones = film.edges.map((edge, n) => n).filter((n) => film.bones === "all" || (film.bones === "bare" && !film.edges[n].slice(0, 2).every((p) => skinned.has(p))));
@@ -138,7 +140,12 @@ class Stage {
     this.control.target.copy(middle);
     this.control.update();
     this.control.addEventListener("change", () => { this.turned = true; });
+    this.chosen = false;
+    this.control.addEventListener("start", () => { this.chosen = true; });
   }
+
+  // In a window of another size all fits again, unless the viewer has chosen where to look from.
+  resized() { if (this.chosen) this.resize(); else this.look(); }
 
   resize() {
     const [width, height] = [this.host.clientWidth, this.host.clientHeight];
