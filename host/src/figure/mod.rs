@@ -8,6 +8,7 @@ mod rod;
 mod setting;
 
 use crate::failure::Failure;
+use crate::number::json_string;
 use crate::{output, plot, run};
 use setting::name_of;
 use std::fmt::Write as _;
@@ -32,6 +33,9 @@ pub struct Arguments {
     /// List all figures and what each shows.
     #[arg(long)]
     pub list: bool,
+    /// For machines: after the run's line one of the figure; with --list one line of all.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// How a figure is made.
@@ -114,7 +118,7 @@ pub const FIGURES: [Figure; 37] = [
 /// [`Failure::Wrong`] for an unknown figure, one that cannot be made, or a wrong setting.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Some(number) = arguments.number.as_ref().filter(|_| !arguments.list) else {
-        return output::print(&list());
+        return output::print(&if arguments.json { list_json() } else { list() });
     };
     let Some(figure) = FIGURES.iter().find(|f| f.number == number) else {
         return Err(Failure::Wrong(format!(
@@ -132,15 +136,40 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             let changed = |s: &String| arguments.set.iter().any(|own| name_of(own) == name_of(s));
             let set = set.filter(|s| !changed(s)).chain(arguments.set.iter().cloned()).collect();
             let model = model.to_owned();
-            run::run(&run::Arguments { model, plot: Some(file.clone()), set, ..Default::default() })?;
+            run::run(&run::Arguments {
+                model,
+                plot: Some(file.clone()),
+                set,
+                json: arguments.json,
+                ..Default::default()
+            })?;
         }
         Recipe::Rest => plot::write(&file, &rest::Ball::new(&arguments.set)?.draw()?)?,
         Recipe::WorkImpulse => plot::write(&file, &rod::Rod::new(&arguments.set)?.draw())?,
     }
+    if arguments.json {
+        let (file, caption) = (json_string(&file), json_string(figure.caption));
+        return output::print(&format!(
+            "{{\"figure\": \"{number}\", \"file\": {file}, \"caption\": {caption}}}\n"
+        ));
+    }
     output::print(&format!("{file}: figure {number}, {}\n", figure.caption))
 }
 
-/// The value of a setting NAME=NUMBER.
+/// All figures as one line of JSON.
+fn list_json() -> String {
+    let one = |figure: &Figure| {
+        let missing = match figure.recipe {
+            Recipe::Missing(what) => json_string(what),
+            _ => "null".to_owned(),
+        };
+        let caption = json_string(figure.caption);
+        format!("{{\"figure\": \"{}\", \"caption\": {caption}, \"missing\": {missing}}}", figure.number)
+    };
+    format!("{{\"figures\": [{}]}}\n", FIGURES.iter().map(one).collect::<Vec<_>>().join(", "))
+}
+
+/// All figures and how each is made.
 fn list() -> String {
     let mut text = String::new();
     for Figure { number, caption, recipe } in FIGURES {

@@ -74,7 +74,8 @@ fn judge(rule: &Value, value: &Value, at: &str, faults: &mut Vec<String>) {
 fn what_commands_print_is_what_the_schema_says() {
     let states = written("schema_states.json", r#"{"states": [{"q": {"q1": 1}, "u": {"u1": 2}}]}"#);
     let out = file("schema_fourbar.rs").display().to_string();
-    let commands: [(&str, &[&str]); 12] = [
+    let picture = file("schema_figure.svg").display().to_string();
+    let commands: [(&str, &[&str]); 14] = [
         ("check", &["check", "fourbar", "--json", "--rounding"]),
         ("check", &["check", "free_body", "--json"]),
         ("derive", &["derive", "fourbar", "-o", &out, "--json"]),
@@ -86,6 +87,8 @@ fn what_commands_print_is_what_the_schema_says() {
         ("scene", &["run", "truss", "--seconds", "0.5", "--json"]),
         ("scene", &["run", "bladder", "--seconds", "0.002", "--json"]),
         ("world", &["run", "box_bounce", "--seconds", "0.5", "--json"]),
+        ("figure", &["figure", "4.2", "-o", &picture, "--json"]),
+        ("figures", &["figure", "--list", "--json"]),
         ("settled", &["settle", "damper_mass_fixed_end", "--json"]),
         ("world", &["run", "damper_mass_fixed_end", "--seconds", "0.01", "--json"]),
     ];
