@@ -1,6 +1,9 @@
 // The motion in space: links, springs, forces, ground, gravity, beside solids and surfaces; seen by a camera that circles and nears.
 const LINK = 0x0072b2, SPRING = 0x009e73, BODY = 0xd55e00, JOINT = 0x282828, TRACE = 0xe8c8a8, TOUCH = 0xe69f00, REST = 0x828282, FORCE = 0xcc79a7, FRICTION = 0x56b4e9;
 
+// The longest arrow of a force, over the picture's size.
+const LONGEST = 0.2;
+
 class Stage {
   constructor(host) {
     this.host = host;
@@ -131,6 +134,12 @@ class Stage {
     };
     for (const [{ low, high }, air] of [[film.box, 1.2], [film.room, film.bodies.some((body) => body.shape && !body.hidden) ? 1.05 : 0.8]])
       for (let n = 0; n < 8; n++) fit(new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? high : low)[axis])), air);
+    // Arrows of forces come from under the ground.
+    if (film.ground && film.forces.length)
+      for (let n = 0; n < 8; n++) {
+        const corner = new THREE.Vector3(...[0, 1, 2].map((axis) => (n >> axis & 1 ? film.box.high : film.box.low)[axis]));
+        fit(corner.addScaledVector(new THREE.Vector3(...film.ground.normal), -LONGEST * film.size), 1.02);
+      }
     if (this.fall) [this.fall.corner, this.fall.tip].forEach((place) => fit(place, 1.08));
     this.camera.position.copy(middle).addScaledVector(from, distance);
     [this.camera.near, this.camera.far] = [0.005 * distance, 40 * distance];
@@ -202,7 +211,7 @@ class Stage {
   // Forces where things touch: along the normal with the tip where they act, across it beginning there; where both can move
   // each on its own side, against one another. None is longer than a fifth of the picture.
   push(touching, ball) {
-    const { film } = this, longest = 0.2 * film.size, still = new THREE.Quaternion();
+    const { film } = this, longest = LONGEST * film.size, still = new THREE.Quaternion();
     let [dots, along, across] = [0, 0, 0];
     this.strongest = null;
     for (const { point, normal, friction, both } of touching) {
