@@ -8,6 +8,12 @@ pub fn digits(x: f64) -> String {
     format!("{x:.16e}")
 }
 
+/// Six digits of a number: a third of a hundredth is written 0.00333333.
+#[must_use]
+pub fn six_digits(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
 /// For people: six places behind the point, or an exponent where these would tell too little or too much.
 #[must_use]
 pub fn short(x: f64) -> String {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// Folders of the library.
 const LIBRARY: [&str; 3] = ["scene", "world", "engine"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 11] = [
+const ALLOWED: [&str; 12] = [
     "configuration",
     "engine",
     "failure",
@@ -15,6 +15,7 @@ const ALLOWED: [&str; 11] = [
     "input",
     "json",
     "limits",
+    "number",
     "observers",
     "scene",
     "suggest",

@@ -1,7 +1,7 @@
 //! Drawings of a scene's run: colours, labels, number of points, nothing that is not a number.
 
-use smartbed::plot::{png, svg};
-use smartbed::scene::graph::{Album, ENERGIES};
+use smartbed::plot::{energies, png, svg};
+use smartbed::scene::graph::Album;
 use smartbed::scene::run::{EventRecord, run};
 use smartbed::scene::{Scene, open};
 
@@ -48,7 +48,7 @@ fn energies_have_the_colours_of_the_thesis() {
         let value = |c: usize| u8::from_str_radix(&color[1 + 2 * c..3 + 2 * c], 16).expect("hex");
         let [low, middle, high] = channels.map(value);
         assert!(low <= middle && middle <= high, "{name}");
-        assert!(ENERGIES.iter().any(|(n, rgb)| *n == name && *rgb == [0, 1, 2].map(value)), "{name}");
+        assert_eq!(energies::color(name), Some([0, 1, 2].map(value)), "{name}");
     }
     for label in
         ["time [s]", "height [m]", "energy [J]", "taken out [J]", "impulse [N s]", "work [J]", "z [m]"]

@@ -1,5 +1,8 @@
 //! An axis: values on pixels, round numbers as ticks, as many digits as they need.
 
+/// An axis shows no range narrower than this share of its numbers' size.
+pub(crate) const NARROWEST: f64 = 1e-6;
+
 /// Values from `low` to `high` on pixels from `from` to `to`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Axis {
@@ -24,7 +27,7 @@ impl Axis {
         // A constant still needs a range, wide enough for its ticks to differ in print.
         let size = low.abs().max(high.abs());
         let constant = if size > 0.0 { 0.2 * size } else { 1.0 };
-        let spread = if high > low { (high - low).max(1e-6 * size) } else { constant };
+        let spread = if high > low { (high - low).max(NARROWEST * size) } else { constant };
         let middle = 0.5 * (low + high);
         let half = 0.5 * spread * (1.0 + pad);
         Self { low: middle - half, high: middle + half, from, to, tick: round_step(spread / ticks) }
@@ -58,6 +61,9 @@ impl Axis {
     pub(crate) fn label(&self, value: f64) -> String {
         let value = if value.abs() < 1e-9 * self.tick { 0.0 } else { value };
         let largest = self.low.abs().max(self.high.abs());
+        if value == 0.0 && largest < 1e-3 {
+            return "0".to_owned();
+        }
         if !(1e-3..1e5).contains(&largest) {
             let digits = (largest.log10().floor() - self.tick.log10().floor()).clamp(0.0, 9.0) as usize;
             return format!("{value:.digits$e}");

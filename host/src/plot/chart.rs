@@ -4,7 +4,7 @@
 //! own widths, a panel is as high as its legend, ticks keep their distance. Curves that cannot be told apart
 //! share one entry of the legend.
 
-use super::axis::Axis;
+use super::axis::{Axis, NARROWEST};
 use super::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 use super::font;
 
@@ -59,6 +59,19 @@ impl Curve {
     pub fn range(&self) -> (f64, f64) {
         let finite = self.values.iter().copied().filter(|x| x.is_finite());
         finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
+    }
+
+    /// Largest absolute value.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.values.iter().filter(|x| x.is_finite()).fold(0.0, |most, x| most.max(x.abs()))
+    }
+
+    /// From the least to the largest value; 0 where no axis would show the difference.
+    #[must_use]
+    pub fn motion(&self) -> f64 {
+        let (low, high) = self.range();
+        if high - low > NARROWEST * self.size() { high - low } else { 0.0 }
     }
 
     /// Do the two lie on each other, to within a distance?
@@ -145,7 +158,8 @@ fn draw_panel(
     let groups = groups(panel, ALIKE * (high - low));
     let legend: Vec<Vec<String>> = groups.iter().map(|g| legend_lines(panel, g)).collect();
     let lines: usize = legend.iter().map(Vec::len).sum();
-    let least = if low < high { PANEL } else { FLAT };
+    let is_flat = groups.len() <= 1 && panel.curves.iter().all(|c| c.motion() == 0.0);
+    let least = if is_flat { FLAT } else { PANEL };
     let bottom = top + least.max(LEADING * lines as f64 + 12.0).max(font::width(&panel.label, LARGE));
     let mut y = Axis::around([low, high].iter(), (bottom, top), (bottom - top) / 32.0, 0.08);
     // Labels wider than the margin would stand on the panel's own: motion that small beside its size is flat.

@@ -6,6 +6,7 @@
 mod axis;
 pub mod chart;
 pub mod drawing;
+pub mod energies;
 pub mod font;
 pub mod motion;
 pub mod panels;

@@ -2,24 +2,17 @@
 //! and the energies of the ledger.
 
 use super::chart::{self, Chart, Curve};
-use super::drawing::{Color, Drawing};
+use super::drawing::Drawing;
+use super::energies;
 use super::panels::{self, Shown};
 use super::pattern;
 use super::{Recording, chart::Panel};
 use crate::failure::Failure;
 use smartbed_codegen::model::{Coordinate, Model, SpeedMeaning};
 
-/// Entries of the ledger in the thesis' colours (chapter 5) as Okabe & Ito have them.
-pub const ENERGIES: [(&str, Color); 8] = [
-    ("kinetic", [230, 159, 0]),
-    ("gravity", [204, 121, 167]),
-    ("spring", [213, 94, 0]),
-    ("damping", [110, 110, 110]),
-    ("actuator", [86, 180, 233]),
-    ("external", [0, 0, 0]),
-    ("drive", [120, 60, 20]),
-    ("total", [0, 114, 178]),
-];
+/// Entries of the ledger that are drawn.
+pub const ENERGIES: [&str; 8] =
+    ["kinetic", "gravity", "spring", "damping", "actuator", "external", "drive", "total"];
 
 /// What a chart of a run needs beside the rows.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +25,8 @@ pub struct Motion<'a> {
     pub recording: &'a Recording,
     /// How it was made.
     pub note: &'a str,
+    /// Times at which a coordinate leaves its declared range or returns.
+    pub crossings: &'a [f64],
     /// Patterns of `--show`; nothing for coordinates and outputs.
     pub show: Option<&'a str>,
     /// What rounding leaves of a number of size 1.
@@ -60,9 +55,13 @@ pub fn draw(motion: &Motion<'_>) -> Result<Drawing, Failure> {
         Some(Shown { curve, unit: column.unit.clone(), natural: column.natural / column.factor })
     });
     let mut panels = panels::of(shown.collect(), motion.noise);
-    panels.extend(energies(motion));
+    panels.extend(accounts(motion));
     let title = if model.doc.is_empty() { &model.name } else { &model.doc };
-    let (note, events) = (motion.note, &[]);
+    let note = match motion.crossings {
+        [] => motion.note.to_owned(),
+        _ => format!("{}; grey: a coordinate leaves its range or returns", motion.note),
+    };
+    let (note, events) = (note.as_str(), motion.crossings);
     Ok(chart::draw(&Chart { title, note, across: "time [s]", time: &time, panels: &panels, events }))
 }
 
@@ -100,7 +99,10 @@ pub(crate) fn columns(model: &Model, seconds: f64) -> Vec<Column<'_>> {
         }
         SpeedMeaning::Combination(_) => plain(&s.name, &s.unit, false),
     });
-    let outputs = model.outputs.iter().map(|o| plain(&o.name, &o.unit, true));
+    // An output may repeat a coordinate in closed form.
+    let is_coordinate = |name: &str| model.coordinates.iter().any(|c| c.name == name);
+    let outputs = model.outputs.iter().filter(|o| !is_coordinate(&o.name));
+    let outputs = outputs.map(|o| plain(&o.name, &o.unit, true));
     let inputs = model.inputs.iter().map(|i| plain(&i.name, &i.unit, false));
     coordinates.chain(speeds).chain(outputs).chain(inputs).collect()
 }
@@ -111,11 +113,11 @@ fn plain<'a>(name: &'a str, unit: &str, by_default: bool) -> Column<'a> {
 }
 
 /// The accounts that something was booked to.
-fn energies(motion: &Motion<'_>) -> Vec<Panel> {
-    let curve = |(name, color): (&str, Color)| {
+fn accounts(motion: &Motion<'_>) -> Vec<Panel> {
+    let curve = |name: &str| {
         let values = motion.recording.column(index(motion, name)?);
         let told = values.iter().any(|x| *x != 0.0);
-        let curve = Curve { name: name.to_owned(), values, color: Some(color), across: None };
+        let curve = Curve { name: name.to_owned(), values, color: energies::color(name), across: None };
         told.then(|| Shown { curve, unit: "J".to_owned(), natural: 0.0 })
     };
     panels::of(ENERGIES.into_iter().filter_map(curve).collect(), motion.noise)

@@ -8,8 +8,9 @@ use super::chart::{Curve, Panel};
 const FLATTENED: f64 = 15.0;
 /// Different curves in one panel that a reader can tell apart: as many as there are marks.
 const CURVES: usize = 7;
-/// Motion below this share of a curve's size is none.
-const STILL: f64 = 1e-9;
+
+/// Curves closer than this share of their size are one look.
+const ALIKE: f64 = 1e-9;
 
 /// A curve and its unit as shown, with what counts as noise in it.
 #[derive(Clone, Debug)]
@@ -37,10 +38,9 @@ pub fn of(shown: Vec<Shown>, noise: f64) -> Vec<Panel> {
 
 /// The curves of one unit, noise set to 0: what is small beside the largest of them and beside its nature.
 fn quiet(list: Vec<Shown>, noise: f64) -> Vec<Curve> {
-    let size = |c: &Curve| c.values.iter().filter(|x| x.is_finite()).fold(0.0_f64, |m, x| m.max(x.abs()));
-    let largest = list.iter().map(|s| size(&s.curve).max(s.natural)).fold(0.0, f64::max);
+    let largest = list.iter().map(|s| s.curve.size().max(s.natural)).fold(0.0, f64::max);
     let silence = |mut curve: Curve| {
-        if size(&curve) <= noise * largest {
+        if curve.size() <= noise * largest {
             curve.values.iter_mut().filter(|x| x.is_finite()).for_each(|x| *x = 0.0);
         }
         curve
@@ -50,19 +50,15 @@ fn quiet(list: Vec<Shown>, noise: f64) -> Vec<Curve> {
 
 /// Panels in which every motion is at least a fifteenth of the height; curves at rest join where they fit.
 fn of_unit(label: &str, curves: Vec<Curve>) -> Vec<Panel> {
-    let motion = |c: &Curve| {
-        let (low, high) = c.range();
-        if high - low > STILL * low.abs().max(high.abs()) { high - low } else { 0.0 }
-    };
     // The largest motions first: what they leave over is finer.
     let mut order: Vec<usize> = (0..curves.len()).collect();
-    order.sort_by(|&a, &b| motion(&curves[b]).total_cmp(&motion(&curves[a])));
+    order.sort_by(|&a, &b| curves[b].motion().total_cmp(&curves[a].motion()));
     let mut panels: Vec<Vec<usize>> = Vec::new();
     for number in order {
         let fits = |members: &Vec<usize>| {
             let all = || members.iter().chain([&number]).map(|&n| &curves[n]);
             let (low, high) = all().map(Curve::range).fold((f64::INFINITY, f64::NEG_INFINITY), union);
-            let least = all().map(motion).filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
+            let least = all().map(Curve::motion).filter(|m| *m > 0.0).fold(f64::INFINITY, f64::min);
             high - low <= FLATTENED * least
         };
         match panels.iter_mut().find(|p| fits(p)) {
@@ -77,7 +73,7 @@ fn of_unit(label: &str, curves: Vec<Curve>) -> Vec<Panel> {
         members.sort_unstable();
         let mut looks: Vec<Vec<Curve>> = Vec::new();
         for curve in members.iter().filter_map(|&n| curves[n].take()) {
-            let distance = STILL * motion(&curve);
+            let distance = ALIKE * curve.size();
             match looks.iter_mut().find(|l| l[0].is_alike(&curve, distance)) {
                 Some(look) => look.push(curve),
                 None => looks.push(vec![curve]),
@@ -105,7 +101,10 @@ pub(crate) fn label(unit: &str) -> String {
         "m/s" | "mm/s" | "cm/s" | "km/s" => "speed",
         "rad/s" | "deg/s" | "1/s" => "rate",
         "N" | "kN" => "force",
+        "m/s^2" => "acceleration",
         "N m" => "torque",
+        "N s" | "kg m/s" => "momentum",
+        "kg m^2/s" => "angular momentum",
         "m^3" => "volume",
         "Pa" | "kPa" => "pressure",
         "J" => "energy",

@@ -288,6 +288,7 @@ impl Subject for Mechanism {
             names: &names,
             recording: &recording,
             note: &settings.note(),
+            crossings: &[],
             show: None,
             noise: ScalarKind::F64.noise(),
         };

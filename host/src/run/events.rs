@@ -1,4 +1,4 @@
-//! Events of a mechanism's motion for the page of `--view`: an independent coordinate turns back, a coordinate
+//! Events of a mechanism's motion for the page of `--view`, and for plots: an independent coordinate turns back, a coordinate
 //! leaves its declared range or returns.
 //!
 //! In: rows one after the other. Out: times and words. Between rows a speed is taken as linear, so that a turn lies
@@ -34,6 +34,7 @@ pub struct Events {
     watched: Vec<Watched>,
     last: Vec<f64>,
     found: Vec<(f64, String)>,
+    crossings: Vec<f64>,
 }
 
 impl Events {
@@ -59,17 +60,27 @@ impl Events {
                 turned: None,
             })
         });
-        Self { watched: watched.collect(), last: Vec::new(), found: Vec::new() }
+        Self { watched: watched.collect(), last: Vec::new(), found: Vec::new(), crossings: Vec::new() }
     }
 
     /// The next row.
     pub fn row(&mut self, values: &[f64]) {
         for watched in &mut self.watched {
             self.found.extend(watched.turn(&self.last, values));
-            self.found.extend(watched.range(values));
+            let crossing = watched.range(values);
+            self.crossings.extend(crossing.iter().map(|(t, _)| *t));
+            self.found.extend(crossing);
         }
         self.last.clear();
         self.last.extend_from_slice(values);
+    }
+
+    /// When a coordinate left its declared range or returned, in order; some of them where they are many.
+    #[must_use]
+    pub fn crossings(&self) -> Vec<f64> {
+        let mut times: Vec<f64> = self.crossings.iter().copied().take(MOST).collect();
+        times.dedup();
+        times
     }
 
     /// The events in order of time.

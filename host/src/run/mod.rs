@@ -308,6 +308,7 @@ fn record<S: EngineScalar>(
     let (series, shown) = series(model, &names);
     let mut film = arguments.view.as_ref().map(|_| Film::new(Stage::of_model(model), series));
     let mut events = Events::new(model, &names, &simulate::ranges(setup));
+    let drawn = film.is_some() || recording.is_some();
     if csv.is_some() {
         interrupt::watch();
     }
@@ -319,8 +320,10 @@ fn record<S: EngineScalar>(
         if let Some(recording) = &mut recording {
             recording.push(&row.values);
         }
-        if let Some(film) = &mut film {
+        if drawn {
             events.row(&row.values);
+        }
+        if let Some(film) = &mut film {
             film.push(row.values[0], &row.places, &[], shown.iter().map(|n| row.values[*n]));
         }
         rows += 1;
@@ -340,6 +343,7 @@ fn record<S: EngineScalar>(
             names: &names,
             recording,
             note: &noted(setup.settings.note(), arguments),
+            crossings: &events.crossings(),
             show: arguments.show.as_deref(),
             noise: arguments.scalar.noise(),
         };
@@ -354,7 +358,7 @@ fn record<S: EngineScalar>(
 fn series(model: &Model, names: &[String]) -> (Vec<Series>, Vec<usize>) {
     let columns = motion::columns(model, 1.0).into_iter();
     let curves = columns.map(|c| (c.name.to_owned(), panels::label(&c.unit), c.factor));
-    let energies = motion::ENERGIES.into_iter().map(|(name, _)| (name.to_owned(), panels::label("J"), 1.0));
+    let energies = motion::ENERGIES.into_iter().map(|name| (name.to_owned(), panels::label("J"), 1.0));
     let accounts = ["imbalance", "damping", "actuator", "external", "drive"];
     let accounts = accounts.map(|name| (name.to_owned(), "ledger".to_owned(), 1.0));
     let all = curves.chain(energies).chain(accounts);

@@ -3,6 +3,7 @@
 use super::Arguments;
 use super::health::Range;
 use crate::failure::Failure;
+use crate::number::six_digits;
 use crate::{model_argument, suggest};
 use clap::ValueEnum;
 use smartbed_codegen::ParameterChoice;
@@ -162,7 +163,7 @@ impl Settings {
     #[must_use]
     pub fn note(&self) -> String {
         match self.method.fixed() {
-            Some(_) => format!("{}, step {} s", self.method.name(), self.step),
+            Some(_) => format!("{}, step {} s", self.method.name(), six_digits(self.step)),
             None => format!("{}, tolerance {:e}", self.method.name(), self.tolerance),
         }
     }

@@ -5,9 +5,10 @@ use super::simulate::interrupted;
 use super::{Arguments, Outcome, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
-use crate::number::{json_number, json_object, json_string, worst};
+use crate::number::{json_number, json_object, json_string, six_digits, worst};
 use crate::output::{self, Output};
 use crate::plot::chart::{self, Chart, Curve};
+use crate::plot::energies;
 use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
 use crate::progress::Progress;
@@ -162,7 +163,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         let checkpoint = Checkpoint { steps: assembly.run.steps(), start: total[0], state: engine.save() };
         output::write(file, checkpoint.text().as_bytes())?;
     }
-    let note = noted(format!("{method}, step {} s", assembly.run.step), arguments);
+    let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
         draw(file, assembly, &columns, &shown, recording, &note, &events)?;
     }
@@ -211,7 +212,12 @@ fn draw(
     events: &[Event],
 ) -> Result<(), Failure> {
     let curve = |name: &str, index: usize, unit: &str| Shown {
-        curve: Curve { name: name.to_owned(), values: recording.column(index), color: None, across: None },
+        curve: Curve {
+            name: name.to_owned(),
+            values: recording.column(index),
+            color: energies::color(name),
+            across: None,
+        },
         unit: unit.to_owned(),
         natural: 0.0,
     };
@@ -221,9 +227,10 @@ fn draw(
     let told = |shown: &Shown| shown.unit != "J" || shown.curve.values.iter().any(|x| *x != 0.0);
     let panels = panels::of(state.chain(energies).filter(told).collect(), NOISE);
     let times: Vec<f64> = events.iter().map(|event| event.time).collect();
+    let note = if times.is_empty() { note.to_owned() } else { format!("{note}; grey: touches") };
     let chart = Chart {
         title: &assembly.title,
-        note,
+        note: &note,
         across: "time [s]",
         time: &recording.column(0),
         panels: &panels,

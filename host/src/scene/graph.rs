@@ -9,19 +9,13 @@ use super::run::{EventRecord, Row};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::plot::chart::{self, Chart, Curve, Panel};
-use crate::plot::drawing::{Color, Drawing};
+use crate::plot::drawing::Drawing;
+use crate::plot::energies;
 use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
 
-/// Energies of the graph: name and colour, back to front; the thesis' colours as Okabe & Ito have them.
-pub const ENERGIES: [(&str, Color); 6] = [
-    ("pressure", [110, 110, 110]),
-    ("spring", [213, 94, 0]),
-    ("gravity", [204, 121, 167]),
-    ("potential", [0, 158, 115]),
-    ("kinetic", [230, 159, 0]),
-    ("total", [0, 114, 178]),
-];
+/// Energies of the graph, back to front.
+const ENERGIES: [&str; 6] = ["pressure", "spring", "gravity", "potential", "kinetic", "total"];
 /// Accounts of what left the body.
 const ACCOUNTS: [&str; 5] = ["damping", "drag", "impact", "friction", "actuator"];
 /// Most points whose height is plotted unasked.
@@ -107,19 +101,18 @@ impl Album {
 
     /// Heights or what was asked for, energies, losses over time; touches as events.
     fn charts(&self, scene: &Scene, events: &[EventRecord]) -> Drawing {
-        let column = |name: &str, index: usize, color: Option<Color>| {
+        let column = |name: &str, index: usize| {
             let values = self.recording.column(index);
-            Curve { name: name.to_owned(), values, color, across: None }
+            Curve { name: name.to_owned(), values, color: energies::color(name), across: None }
         };
         let curves = self.curves.iter().enumerate().map(|(n, (name, unit, _))| {
-            let curve = column(name, 1 + n, None);
+            let curve = column(name, 1 + n);
             Shown { curve, unit: (*unit).to_owned(), natural: 0.0 }
         });
         let first = 1 + self.curves.len();
-        let energies =
-            ENERGIES.iter().enumerate().map(|(n, (name, color))| column(name, first + n, Some(*color)));
+        let energies = ENERGIES.iter().enumerate().map(|(n, name)| column(name, first + n));
         let first = first + ENERGIES.len();
-        let accounts = ACCOUNTS.iter().enumerate().map(|(n, name)| column(name, first + n, None));
+        let accounts = ACCOUNTS.iter().enumerate().map(|(n, name)| column(name, first + n));
         // An account that nothing was booked to tells nothing.
         let told = |c: &Curve| c.values.iter().any(|x| *x != 0.0);
         let mut panels = panels::of(curves.collect(), ScalarKind::F64.noise());

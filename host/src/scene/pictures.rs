@@ -104,14 +104,7 @@ impl Pictures {
     /// All of them.
     #[must_use]
     pub fn draw(&self, scene: &Scene) -> Drawing {
-        let named = [
-            ("start", &self.start),
-            ("first touch", &self.touch),
-            ("compressed", &self.compressed),
-            ("end", &self.end),
-        ];
-        let frames: Vec<(&str, &Frame)> =
-            named.into_iter().filter_map(|(name, frame)| Some((name, frame.as_ref()?))).collect();
+        let frames = self.frames();
         let ground = scene.around.ground.filter(|g| g.normal[2] > 0.0);
         let seen = Projection::along(ground.as_ref());
         let places = frames.iter().flat_map(|(_, f)| f.pos.iter().map(|p| seen.place(p)));
@@ -147,6 +140,20 @@ impl Pictures {
         let middle = 0.5 * (LEFT + WIDTH);
         items.push(text((middle, TOP + height + 42.0), "x [m]", 16.0, Anchor::Middle));
         Drawing { width: WIDTH as usize, height: (TOP + height + BOTTOM) as usize, items }
+    }
+
+    /// Pictures of different times, each with its name.
+    fn frames(&self) -> Vec<(&str, &Frame)> {
+        // A touch or an end at the same time says more than that a spring was shortest then.
+        let others = [&self.start, &self.touch, &self.end].map(|frame| frame.as_ref().map(|f| f.time));
+        let compressed = self.compressed.as_ref().filter(|f| !others.contains(&Some(f.time)));
+        let named = [
+            ("start", self.start.as_ref()),
+            ("first touch", self.touch.as_ref()),
+            ("compressed", compressed),
+            ("end", self.end.as_ref()),
+        ];
+        named.into_iter().filter_map(|(name, frame)| Some((name, frame?))).collect()
     }
 
     fn draw_springs(&self, frame: &Frame, seen: Projection, x: &Axis, z: &Axis, items: &mut Vec<Item>) {

@@ -15,6 +15,7 @@ use super::method::{self, Chosen, Situation};
 use super::run::describe;
 use super::simulation::{Simulation, Surroundings};
 use crate::input;
+use crate::number::six_digits;
 
 /// Everything that a run needs.
 #[derive(Clone, Debug)]
@@ -62,7 +63,7 @@ impl Scene {
     /// Method and step in words.
     #[must_use]
     pub fn note(&self) -> String {
-        format!("{}, step {} s", self.chosen.name, self.step)
+        format!("{}, step {} s", self.chosen.name, six_digits(self.step))
     }
 }
 
