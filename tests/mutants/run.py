@@ -8,7 +8,8 @@ draws from the list, `switched.py` builds all that is drawn at once. Each mutant
 that can kill it, until one fails, stage by stage. Verdicts go to verdicts-SEED.jsonl beside this file as they are found: a run that
 was stopped goes on where it was; `--again` runs those anew that survived, `--so-far` runs none and tells what is known.
 
-Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not.
+Survivors must stand in survivors.tsv with a reason: status 1 where more than 5 % of the mutants do not. One that has a
+reason is run through its first stage alone.
 """
 
 import argparse
@@ -149,10 +150,10 @@ class Verdicts:
     def refused(self):
         return {key for key, (_, killer) in self.found.items() if killer == REFUSED}
 
-    def waits(self, change, stage):
-        """Did it survive all stages before this one, and not yet go through this one?"""
+    def waits(self, change, stage, reasons):
+        """Did it survive all stages before this one without a reason, and not yet go through this one?"""
         last, killer = self.found.get(change["key"], (-1, None))
-        return killer is None and last < stage
+        return killer is None and last < stage and not (last >= 0 and change["key"] in reasons)
 
 
 def judge(changes, waiting, stage, verdicts, jobs):
@@ -190,7 +191,7 @@ def main():
     stage = areas.STAGES if asked.so_far else 0
     changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
     while stage < areas.STAGES:
-        waiting = [c for c in changes if verdicts.waits(c, stage)]
+        waiting = [c for c in changes if verdicts.waits(c, stage, reasons)]
         if not waiting or judge(changes, waiting, stage, verdicts, asked.jobs):
             stage += 1
         changes = draw(asked.seed, asked.count, asked.only, verdicts.refused())
@@ -206,7 +207,7 @@ def table(changes, verdicts, reasons):
     for change in changes:
         stage, killer = verdicts.found.get(change["key"], (-1, None))
         fate = "killed" if killer else "explained" if change["key"] in reasons else "unexplained"
-        if not killer and stage < areas.STAGES - 1:
+        if not killer and (stage < 0 or fate == "unexplained" and stage < areas.STAGES - 1):
             fate = "waiting"
         if fate == "unexplained":
             print(f"UNEXPLAINED\t{change['key']}")

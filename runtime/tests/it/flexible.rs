@@ -433,6 +433,11 @@ fn the_stable_step_knows_how_deep_a_fall_goes() {
     let longest = 2.0 * (m / (1.5 * k * depth.sqrt())).sqrt();
     let found = largest_stable_step(&trial.system(), &trial.pos, &trial.vel, &mut [Sums::none()]);
     close(found.expect("a bound"), longest, 1e-3 * longest, "the ground's spring");
+    // Pressed in as deep already and let go.
+    let mut pressed = Trial::point([0.0, 0.0, -depth], [0.0; 3]);
+    (pressed.mass[0], pressed.law) = (m, trial.law);
+    let found = largest_stable_step(&pressed.system(), &pressed.pos, &pressed.vel, &mut [Sums::none()]);
+    close(found.expect("a bound"), longest, 1e-3 * longest, "the ground's spring, pressed at the start");
     // A spring to a fixed point, with a damper: h = (sqrt(C^2 + K m) - C)/K with K = k/4 and C = c/4 from that end alone.
     let (k, c) = (900.0, 8.0);
     let mut hung = Trial::point([0.0; 3], [0.0; 3]).anchored([0.0, 0.0, 1.0]);
