@@ -140,11 +140,15 @@ impl Situation {
     pub fn default_method(&self) -> (&'static str, String) {
         let choice = match self.law {
             "moreau" => ("moreau", "the law steps by itself"),
-            "none" | "compensation" | "newton" if self.damped => ("rk4", "order 4 with forces of speeds"),
+            "none" | "compensation" | "newton" if self.damped => {
+                ("rk4", "order 4 while nothing touches, with forces of speeds")
+            }
             "compensation" if self.coarseness >= COARSE => {
                 ("energy_momentum", "keeps the energy at steps this coarse")
             }
-            "none" | "compensation" | "newton" => ("blanes_moan4", "order 4, and energy does not drift"),
+            "none" | "compensation" | "newton" => {
+                ("blanes_moan4", "order 4 while nothing touches, and energy does not drift")
+            }
             _ if self.damped => {
                 ("verlet", "the law leaves order 2, with one evaluation a step and dampers implicit")
             }
