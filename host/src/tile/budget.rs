@@ -1,7 +1,7 @@
 //! What the controller costs on each core, held against its limits.
 //!
-//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick, on the board's core cycles too, and a
-//! failure where one is too much; for RISC-V what the image shows alone. A nominal session and sessions with faults run in the emulator with the counting plug-in;
+//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick and of the check of a tag in it, on the
+//! board's core cycles too, and a failure where one is too much; for RISC-V what the image shows alone. A nominal session and sessions with faults run in the emulator with the counting plug-in;
 //! the most of all of them counts.
 
 use super::bus::Bus;
@@ -27,8 +27,13 @@ const RAM: u64 = 16 * 1024;
 const INSTRUCTIONS: u64 = 9500;
 /// Cycles of a tick on the board's core, upper end of the interval: a tenth of a millisecond.
 const CYCLES: u64 = 16_800;
-/// The function that is counted.
-const TICK: &str = "controller_tick";
+/// Instructions of the check of a tag on any core, and cycles on the board's. A tick takes one body, so it checks one tag at most;
+/// the tick's own figures count it too.
+const TAG_INSTRUCTIONS: u64 = 700;
+/// See [`TAG_INSTRUCTIONS`].
+const TAG_CYCLES: u64 = 1000;
+/// The functions that are counted: a tick, and the check of a tag.
+const COUNTED: [&str; 2] = ["controller_tick", "<smartbed_firmware::link::tag::Key>::vouches"];
 /// Sessions: without a fault, and with some that show in a motion.
 const SESSIONS: [&str; 4] = [
     "identify; enable; home; move 5_mm 2_deg 0_deg; inflate 4_kPa; wait 3_s; log; status; flatten; stop",
@@ -98,10 +103,14 @@ pub fn measure() -> Result<Report, Failure> {
         let bound = report.judge(&name, &image, &chip, LOOP)?;
         let used = sessions(&program, &image)?;
         report.hold(&format!("{name}: stack used, painted"), used.stack, bound, "bytes");
-        let _ = writeln!(report.text, "{:<40}{}", format!("{name}: ticks counted"), used.ticks);
-        report.hold(&format!("{name}: a tick"), used.instructions, INSTRUCTIONS, "instructions");
-        if chip == STM32F405 {
-            report.hold(&format!("{name}: a tick, by model"), used.cycles, CYCLES, "cycles");
+        let kinds =
+            [("a tick", "ticks", INSTRUCTIONS, CYCLES), ("a tag", "tags", TAG_INSTRUCTIONS, TAG_CYCLES)];
+        for ((one, many, instructions, cycles), calls) in kinds.into_iter().zip(used.calls) {
+            let _ = writeln!(report.text, "{:<40}{}", format!("{name}: {many} counted"), calls.count);
+            report.hold(&format!("{name}: {one}"), calls.instructions, instructions, "instructions");
+            if chip == STM32F405 {
+                report.hold(&format!("{name}: {one}, by model"), calls.cycles, cycles, "cycles");
+            }
         }
     }
     Ok(report)
@@ -111,7 +120,14 @@ pub fn measure() -> Result<Report, Failure> {
 #[derive(Clone, Copy, Default)]
 struct Used {
     stack: u64,
-    ticks: u64,
+    /// Of each of [`COUNTED`].
+    calls: [Calls; 2],
+}
+
+/// Calls of a function: how many, and the most that one took.
+#[derive(Clone, Copy, Default)]
+struct Calls {
+    count: u64,
     instructions: u64,
     cycles: u64,
 }
@@ -127,7 +143,7 @@ fn sessions(program: &Program, image: &Image) -> Result<Used, Failure> {
     let mut used = Used::default();
     for (number, session) in SESSIONS.iter().enumerate() {
         let counts = folder.join(format!("controller-{number}.counts"));
-        let option = count_option(&plugin, &counts, image, &[TICK]);
+        let option = count_option(&plugin, &counts, image, &COUNTED);
         let machine = Machine::start(program, 0, Some(&["-plugin", &option]))?;
         let mut bus = Bus::new(vec![machine]);
         for order in order::read(session)? {
@@ -136,10 +152,14 @@ fn sessions(program: &Program, image: &Image) -> Result<Used, Failure> {
         }
         used.stack = used.stack.max(bus.depth()?.into());
         let (_, found) = read_counts(&counts)?;
-        let tick = found.first().ok_or_else(|| Failure::Wrong(format!("no call of {TICK} was counted")))?;
-        used.instructions = used.instructions.max(tick.instructions[2]);
-        used.cycles = used.cycles.max(tick.most_cycles);
-        used.ticks += tick.calls;
+        for (name, calls) in COUNTED.into_iter().zip(&mut used.calls) {
+            let one = found.iter().find(|one| one.name == name);
+            let one = one.filter(|one| one.calls > 0);
+            let one = one.ok_or_else(|| Failure::Wrong(format!("no call of {name} was counted")))?;
+            calls.instructions = calls.instructions.max(one.instructions[2]);
+            calls.cycles = calls.cycles.max(one.most_cycles);
+            calls.count += one.calls;
+        }
     }
     Ok(used)
 }
