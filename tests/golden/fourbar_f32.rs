@@ -6,7 +6,7 @@
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
-// Cost of prepare: 80 operations (12 abs, 11 add, 7 div, 3 max, 47 mul).
+// Cost of prepare: 66 operations (11 abs, 8 add, 6 div, 3 max, 38 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -148,7 +148,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///80 operations.
+///66 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -185,31 +185,24 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t16 = l2 * g;
     let t17 = l1 * t1;
     let t18 = l1 * t2;
-    let t19 = Real::abs(l2);
-    let t20 = 0.6062967_f32 / Real::max(0.22727273_f32 * Real::abs(2.0_f32 * t19), 1e-24_f32);
-    let t21 = Real::abs(l3);
-    let t22 = 0.7410293_f32 / Real::max(0.2777778_f32 * Real::abs(2.0_f32 * t21), 1e-24_f32);
-    let t23 = Real::abs(m2);
-    let t24 = Real::abs(l1);
-    let t25 = t23 * (t24 * t24);
-    let t26 = Real::abs(m1);
-    let t27 = 0.5_f32 * t24;
-    let t28 = t26 * (t27 * t27);
-    let t29 = t25 + (Real::abs(I1) + t28);
-    let t30 = 0.5_f32 * t19;
-    let t31 = t23 * (t30 * t30);
-    let t32 = Real::abs(I2) + t31;
-    let t33 = t24 * (1.0_f32 / t19);
-    let t34 = t32 * t33;
-    let t35 = t29 + t33 * (4.0_f32 * (t23 * (t24 * t30)) + t34);
-    let t36 = Real::abs(m3);
-    let t37 = 0.5_f32 * t21;
-    let t38 = t36 * (t37 * t37);
-    let t39 = Real::abs(I3) + t38;
-    let t40 = t24 * (1.0_f32 / t21);
-    let t41 = 0.4120579_f32 / Real::max(0.11641661_f32 * Real::abs(t40 * (t39 * t40) + t35), 1e-24_f32);
+    let t19 = 0.6062967_f32 / Real::max(0.22727273_f32 * Real::abs(2.0_f32 * Real::abs(l2)), 1e-24_f32);
+    let t20 = Real::abs(l3);
+    let t21 = 0.7410293_f32 / Real::max(0.2777778_f32 * Real::abs(2.0_f32 * t20), 1e-24_f32);
+    let t22 = Real::abs(m2);
+    let t23 = Real::abs(l1);
+    let t24 = t22 * (t23 * t23);
+    let t25 = Real::abs(m1);
+    let t26 = 0.5_f32 * t23;
+    let t27 = t25 * (t26 * t26);
+    let t28 = t24 + (Real::abs(I1) + t27);
+    let t29 = Real::abs(m3);
+    let t30 = 0.5_f32 * t20;
+    let t31 = t29 * (t30 * t30);
+    let t32 = Real::abs(I3) + t31;
+    let t33 = t23 * (1.0_f32 / t20);
+    let t34 = 0.4120579_f32 / Real::max(0.30970407_f32 * Real::abs(t28 + t33 * (t32 * t33)), 1e-24_f32);
     let l4 = p.l4;
-    Prepared { l1, l2, l3, l4, m2, m3, k6: t1, k7: t2, k8: t4, k9: t6, k10: t7, k11: t8, k12: t9, k13: t11, k14: t12, k15: t13, k16: t14, k17: t15, k18: t16, k19: t17, k20: t18, k21: t20, k22: t22, k23: t41 }
+    Prepared { l1, l2, l3, l4, m2, m3, k6: t1, k7: t2, k8: t4, k9: t6, k10: t7, k11: t8, k12: t9, k13: t11, k14: t12, k15: t13, k16: t14, k17: t15, k18: t16, k19: t17, k20: t18, k21: t19, k22: t21, k23: t34 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///

@@ -6,7 +6,7 @@
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
-// Cost of prepare: 80 operations (12 abs, 11 add, 7 div, 3 max, 47 mul).
+// Cost of prepare: 66 operations (11 abs, 8 add, 6 div, 3 max, 38 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -148,7 +148,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///80 operations.
+///66 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -157,98 +157,84 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let l2 = p.l2;
-    let t1 = Real::abs(l2);
     let l3 = p.l3;
-    let t2 = Real::abs(l3);
-    let m2 = p.m2;
-    let t3 = Real::abs(m2);
+    let t1 = Real::abs(l3);
     let l1 = p.l1;
-    let t4 = Real::abs(l1);
-    let I2 = p.I2;
-    let t5 = Real::abs(I2);
-    let m1 = p.m1;
-    let t6 = Real::abs(m1);
+    let t2 = Real::abs(l1);
     let m3 = p.m3;
-    let t7 = Real::abs(m3);
+    let t3 = Real::abs(m3);
+    let m1 = p.m1;
+    let t4 = Real::abs(m1);
+    let I3 = p.I3;
+    let t5 = Real::abs(I3);
+    let m2 = p.m2;
+    let t6 = Real::abs(m2);
+    let I1 = p.I1;
+    let t7 = Real::abs(I1);
     let t8 = 1.0_f64 / t1;
     let t9 = 0.5_f64 * t1;
-    let I1 = p.I1;
-    let t10 = Real::abs(I1);
-    let I3 = p.I3;
-    let t11 = Real::abs(I3);
-    let t12 = t9 * t9;
-    let t13 = 1.0_f64 / t2;
-    let t14 = 0.5_f64 * t4;
-    let t15 = t3 * t12;
-    let t16 = t4 * t9;
-    let t17 = 0.5_f64 * t2;
-    let t18 = t14 * t14;
-    let t19 = t5 + t15;
-    let t20 = t4 * t8;
-    let t21 = t3 * t16;
-    let t22 = t17 * t17;
-    let t23 = t4 * t4;
-    let t24 = t6 * t18;
-    let t25 = t19 * t20;
-    let t26 = 4.0_f64 * t21;
-    let t27 = t7 * t22;
-    let t28 = t3 * t23;
-    let t29 = t10 + t24;
-    let t30 = t26 + t25;
-    let t31 = t11 + t27;
-    let t32 = t4 * t13;
-    let t33 = t28 + t29;
-    let t34 = t20 * t30;
-    let t35 = t31 * t32;
-    let t36 = t33 + t34;
-    let t37 = t32 * t35;
-    let t38 = 2.0_f64 * t1;
-    let t39 = 2.0_f64 * t2;
-    let t40 = t37 + t36;
-    let t41 = Real::abs(t38);
-    let t42 = Real::abs(t39);
-    let t43 = Real::abs(t40);
-    let t44 = 0.22727272727272727_f64 * t41;
-    let t45 = 0.2777777777777778_f64 * t42;
-    let t46 = 0.1164166132600554_f64 * t43;
-    let t47 = 0.5_f64 * l1;
-    let t48 = 1.0_f64 / l2;
-    let t49 = 1.0_f64 / l3;
-    let t50 = Real::max(t44, 1e-24_f64);
-    let t51 = Real::max(t45, 1e-24_f64);
-    let t52 = Real::max(t46, 1e-24_f64);
-    let t53 = 0.5_f64 * l2;
-    let t54 = 0.5_f64 * l3;
-    let t55 = t47 * t47;
-    let t56 = 0.6062967032112268_f64 / t50;
-    let t57 = 0.7410293039248327_f64 / t51;
-    let t58 = 0.41205789559162753_f64 / t52;
-    let t59 = l1 * l1;
-    let t60 = m1 * t55;
-    let t61 = t53 * t53;
-    let t62 = t54 * t54;
+    let t10 = 0.5_f64 * t2;
+    let t11 = t9 * t9;
+    let l2 = p.l2;
+    let t12 = Real::abs(l2);
+    let t13 = t10 * t10;
+    let t14 = t3 * t11;
+    let t15 = t2 * t2;
+    let t16 = t4 * t13;
+    let t17 = t5 + t14;
+    let t18 = t2 * t8;
+    let t19 = t6 * t15;
+    let t20 = t7 + t16;
+    let t21 = t17 * t18;
+    let t22 = t19 + t20;
+    let t23 = t18 * t21;
+    let t24 = 2.0_f64 * t12;
+    let t25 = 2.0_f64 * t1;
+    let t26 = t22 + t23;
+    let t27 = Real::abs(t24);
+    let t28 = Real::abs(t25);
+    let t29 = Real::abs(t26);
+    let t30 = 0.22727272727272727_f64 * t27;
+    let t31 = 0.2777777777777778_f64 * t28;
+    let t32 = 0.30970406056434957_f64 * t29;
+    let t33 = 0.5_f64 * l1;
+    let t34 = 1.0_f64 / l2;
+    let t35 = 1.0_f64 / l3;
+    let t36 = Real::max(t30, 1e-24_f64);
+    let t37 = Real::max(t31, 1e-24_f64);
+    let t38 = Real::max(t32, 1e-24_f64);
+    let t39 = 0.5_f64 * l2;
+    let t40 = 0.5_f64 * l3;
+    let t41 = t33 * t33;
+    let t42 = 0.6062967032112268_f64 / t36;
+    let t43 = 0.7410293039248327_f64 / t37;
+    let t44 = 0.41205789559162753_f64 / t38;
+    let t45 = l1 * l1;
+    let t46 = m1 * t41;
+    let t47 = t39 * t39;
+    let t48 = t40 * t40;
     let g = p.g;
-    let t63 = g * t47;
-    let t64 = l1 * t53;
-    let t65 = g * t54;
-    let t66 = m2 * t59;
-    let t67 = I1 + t60;
-    let t68 = m2 * t61;
-    let t69 = m3 * t62;
-    let t70 = m1 * t63;
-    let t71 = l1 * g;
-    let t72 = g * t53;
-    let t73 = m2 * t64;
-    let t74 = m3 * t65;
-    let t75 = t66 + t67;
-    let t76 = I2 + t68;
-    let t77 = I3 + t69;
-    let t78 = l2 * g;
-    let t79 = l1 * t48;
-    let t80 = l1 * t49;
+    let t49 = g * t33;
+    let t50 = l1 * t39;
+    let t51 = g * t40;
+    let t52 = m2 * t45;
+    let t53 = I1 + t46;
+    let t54 = m2 * t47;
+    let t55 = m3 * t48;
+    let t56 = m1 * t49;
+    let t57 = l1 * g;
+    let t58 = g * t39;
+    let t59 = m2 * t50;
+    let t60 = m3 * t51;
+    let t61 = t52 + t53;
+    let I2 = p.I2;
+    let t62 = I2 + t54;
+    let t63 = I3 + t55;
+    let t64 = l2 * g;
+    let t65 = l1 * t34;
+    let t66 = l1 * t35;
     let l4 = p.l4;
-    Prepared { l1, l2, l3, l4, m2, m3, k6: t48, k7: t49, k8: t70, k9: t64, k10: t71, k11: t72, k12: t73, k13: t65, k14: t74, k15: t75, k16: t76, k17: t77, k18: t78, k19: t79, k20: t80, k21: t56, k22: t57, k23: t58 }
+    Prepared { l1, l2, l3, l4, m2, m3, k6: t34, k7: t35, k8: t56, k9: t50, k10: t57, k11: t58, k12: t59, k13: t51, k14: t60, k15: t61, k16: t62, k17: t63, k18: t64, k19: t65, k20: t66, k21: t42, k22: t43, k23: t44 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///

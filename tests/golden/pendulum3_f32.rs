@@ -6,7 +6,7 @@
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 79 operations (15 abs, 8 add, 19 div, 8 max, 29 mul).
+// Cost of prepare: 74 operations (15 abs, 6 add, 18 div, 8 max, 27 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -140,7 +140,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///79 operations.
+///74 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -169,39 +169,37 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t10 = Real::abs(m2);
     let t11 = t10 * (1.0_f32 / Real::max(Real::abs(t10), 1e-24_f32));
     let t12 = 1.0_f32 / t10;
-    let t13 = 1.0_f32 / m2;
-    let t14 = 1.0_f32 / m1;
-    let t15 = t14 + t13;
+    let t13 = Real::abs(m0);
+    let t14 = t13 * (1.0_f32 / Real::max(Real::abs(t13), 1e-24_f32));
+    let t15 = 1.0_f32 / t13;
     let t16 = Real::abs(m1);
     let t17 = t16 * (1.0_f32 / Real::max(Real::abs(t16), 1e-24_f32));
     let t18 = 1.0_f32 / t16;
     let t19 = t18 + t12;
-    let t20 = 0.5_f32 / Real::max(0.5_f32 * Real::abs(t19), 1e-24_f32);
-    let t21 = Real::abs(t15) * t20;
-    let t22 = Real::abs(m0);
-    let t23 = t22 * (1.0_f32 / Real::max(Real::abs(t22), 1e-24_f32));
-    let t24 = 1.0_f32 / t22;
-    let t25 = t18 * (t18 * (1.0_f32 / t19));
-    let t26 = t24 + t18;
-    let t27 = t26 + (t24 + t25);
+    let t20 = t15 + t18;
+    let t21 = 1.0_f32 / m2;
+    let t22 = 1.0_f32 / m1;
+    let t23 = t22 + t21;
+    let t24 = 0.5_f32 / Real::max(0.5_f32 * Real::abs(t19), 1e-24_f32);
+    let t25 = Real::abs(t23) * t24;
     let mass_u2_u2 = m2 * (l2 * l2);
-    let t28 = m2 * (l1 * l2);
-    let t29 = m2 * (l0 * l2);
-    let t30 = 1.0_f32 / t15;
-    let t31 = t14 * t30;
-    let t32 = l2 * t30;
-    let t33 = 1.0_f32 / l2;
+    let t26 = m2 * (l1 * l2);
+    let t27 = m2 * (l0 * l2);
+    let t28 = 1.0_f32 / t23;
+    let t29 = t22 * t28;
+    let t30 = l2 * t28;
+    let t31 = 1.0_f32 / l2;
     let g = p.g;
-    let t34 = l2 * g;
-    let t35 = 2.0_f32 / Real::max(0.2857143_f32 * Real::abs(t27), 1e-24_f32);
-    let t36 = 1.0_f32 / l0;
-    let t37 = 1.0_f32 / l1;
-    let t38 = 1.0_f32 / m0;
-    let t39 = t38 + t14;
-    let t40 = l0 * g;
-    let t41 = m0 * t40;
-    let t42 = l1 * g;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t9, prepared_mass_u2_u2: mass_u2_u2, k10: t28, k11: t29, k12: t40, k13: t41, k14: t42, k15: t34, k16: t38, k17: t14, k18: t39, k19: t31, k20: t32, k21: t33, k22: t37, k23: t36, k24: t23, k25: t17, k26: t11, k27: t2, k28: t4, k29: t6, k30: t21, k31: t35 }
+    let t32 = l2 * g;
+    let t33 = 2.0_f32 / Real::max(0.5_f32 * Real::abs(t20), 1e-24_f32);
+    let t34 = 1.0_f32 / l0;
+    let t35 = 1.0_f32 / l1;
+    let t36 = 1.0_f32 / m0;
+    let t37 = t36 + t22;
+    let t38 = l0 * g;
+    let t39 = m0 * t38;
+    let t40 = l1 * g;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t9, prepared_mass_u2_u2: mass_u2_u2, k10: t26, k11: t27, k12: t38, k13: t39, k14: t40, k15: t32, k16: t36, k17: t22, k18: t37, k19: t29, k20: t30, k21: t31, k22: t35, k23: t34, k24: t14, k25: t17, k26: t11, k27: t2, k28: t4, k29: t6, k30: t25, k31: t33 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///

@@ -6,7 +6,7 @@
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 79 operations (15 abs, 8 add, 19 div, 8 max, 29 mul).
+// Cost of prepare: 74 operations (15 abs, 6 add, 18 div, 8 max, 27 mul).
 
 use smartbed_runtime::real::Real;
 /// The scalar of this file.
@@ -140,7 +140,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-///79 operations.
+///74 operations.
 #[allow(
     non_snake_case,
     clippy::all,
@@ -153,88 +153,83 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t1 = Real::abs(m1);
     let m2 = p.m2;
     let t2 = Real::abs(m2);
-    let t3 = 1.0_f64 / t1;
-    let t4 = 1.0_f64 / t2;
     let m0 = p.m0;
-    let t5 = Real::abs(m0);
-    let t6 = t3 + t4;
-    let t7 = 1.0_f64 / t6;
-    let t8 = 1.0_f64 / t5;
+    let t3 = Real::abs(m0);
+    let t4 = 1.0_f64 / t1;
+    let t5 = 1.0_f64 / t2;
     let l0 = p.l0;
-    let t9 = Real::abs(l0);
+    let t6 = Real::abs(l0);
     let l1 = p.l1;
-    let t10 = Real::abs(l1);
+    let t7 = Real::abs(l1);
     let l2 = p.l2;
-    let t11 = Real::abs(l2);
-    let t12 = t3 * (t3 * t7);
-    let t13 = t8 + t3;
-    let t14 = t8 + t12;
-    let t15 = Real::abs(t6);
-    let t16 = t13 + t14;
-    let t17 = 1.0_f64 / m1;
-    let t18 = 1.0_f64 / m2;
-    let t19 = Real::abs(t5);
-    let t20 = Real::abs(t1);
-    let t21 = Real::abs(t2);
-    let t22 = Real::abs(t9);
-    let t23 = Real::abs(t10);
-    let t24 = Real::abs(t11);
-    let t25 = Real::abs(t16);
-    let t26 = t17 + t18;
-    let t27 = 0.5_f64 * t15;
-    let t28 = Real::abs(t26);
+    let t8 = Real::abs(l2);
+    let t9 = 1.0_f64 / t3;
+    let t10 = Real::abs(t4 + t5);
+    let t11 = t9 + t4;
+    let t12 = 1.0_f64 / m1;
+    let t13 = 1.0_f64 / m2;
+    let t14 = Real::abs(t3);
+    let t15 = Real::abs(t1);
+    let t16 = Real::abs(t2);
+    let t17 = Real::abs(t6);
+    let t18 = Real::abs(t7);
+    let t19 = Real::abs(t8);
+    let t20 = Real::abs(t11);
+    let t21 = t12 + t13;
+    let t22 = 0.5_f64 * t10;
+    let t23 = Real::abs(t21);
+    let t24 = Real::max(t14, 1e-24_f64);
+    let t25 = Real::max(t15, 1e-24_f64);
+    let t26 = Real::max(t16, 1e-24_f64);
+    let t27 = Real::max(t17, 1e-24_f64);
+    let t28 = Real::max(t18, 1e-24_f64);
     let t29 = Real::max(t19, 1e-24_f64);
-    let t30 = Real::max(t20, 1e-24_f64);
-    let t31 = Real::max(t21, 1e-24_f64);
-    let t32 = Real::max(t22, 1e-24_f64);
-    let t33 = Real::max(t23, 1e-24_f64);
-    let t34 = Real::max(t24, 1e-24_f64);
-    let t35 = Real::max(t27, 1e-24_f64);
-    let t36 = 0.2857142857142857_f64 * t25;
-    let t37 = 1.0_f64 / m0;
-    let t38 = 1.0_f64 / t26;
+    let t30 = Real::max(t22, 1e-24_f64);
+    let t31 = 0.5_f64 * t20;
+    let t32 = 1.0_f64 / m0;
+    let t33 = 1.0_f64 / t21;
+    let t34 = 1.0_f64 / t24;
+    let t35 = 1.0_f64 / t25;
+    let t36 = 1.0_f64 / t26;
+    let t37 = 1.0_f64 / t27;
+    let t38 = 1.0_f64 / t28;
     let t39 = 1.0_f64 / t29;
-    let t40 = 1.0_f64 / t30;
-    let t41 = 1.0_f64 / t31;
-    let t42 = 1.0_f64 / t32;
-    let t43 = 1.0_f64 / t33;
-    let t44 = 1.0_f64 / t34;
-    let t45 = 0.5_f64 / t35;
-    let t46 = Real::max(t36, 1e-24_f64);
-    let t47 = 1.0_f64 / l2;
-    let t48 = 1.0_f64 / l1;
-    let t49 = 1.0_f64 / l0;
-    let t50 = 2.0_f64 / t46;
-    let t51 = m1 + m2;
-    let t52 = m0 + t51;
-    let t53 = l0 * l0;
-    let t54 = l1 * l1;
-    let t55 = l0 * l1;
-    let t56 = l2 * l2;
-    let t57 = l1 * l2;
-    let t58 = l0 * l2;
+    let t40 = 0.5_f64 / t30;
+    let t41 = Real::max(t31, 1e-24_f64);
+    let t42 = 1.0_f64 / l2;
+    let t43 = 1.0_f64 / l1;
+    let t44 = 1.0_f64 / l0;
+    let t45 = 2.0_f64 / t41;
+    let t46 = m1 + m2;
+    let t47 = m0 + t46;
+    let t48 = l0 * l0;
+    let t49 = l1 * l1;
+    let t50 = l0 * l1;
+    let t51 = l2 * l2;
+    let t52 = l1 * l2;
+    let t53 = l0 * l2;
     let g = p.g;
-    let t59 = l0 * g;
-    let mass_u0_u0 = t52 * t53;
-    let mass_u1_u1 = t51 * t54;
-    let t60 = t51 * t55;
-    let mass_u2_u2 = m2 * t56;
-    let t61 = m2 * t57;
-    let t62 = m2 * t58;
-    let t63 = m0 * t59;
-    let t64 = l1 * g;
-    let t65 = l2 * g;
-    let t66 = t37 + t17;
-    let t67 = t17 * t38;
-    let t68 = l2 * t38;
-    let t69 = t5 * t39;
-    let t70 = t1 * t40;
-    let t71 = t2 * t41;
-    let t72 = t9 * t42;
-    let t73 = t10 * t43;
-    let t74 = t11 * t44;
-    let t75 = t28 * t45;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t60, prepared_mass_u2_u2: mass_u2_u2, k10: t61, k11: t62, k12: t59, k13: t63, k14: t64, k15: t65, k16: t37, k17: t17, k18: t66, k19: t67, k20: t68, k21: t47, k22: t48, k23: t49, k24: t69, k25: t70, k26: t71, k27: t72, k28: t73, k29: t74, k30: t75, k31: t50 }
+    let t54 = l0 * g;
+    let mass_u0_u0 = t47 * t48;
+    let mass_u1_u1 = t46 * t49;
+    let t55 = t46 * t50;
+    let mass_u2_u2 = m2 * t51;
+    let t56 = m2 * t52;
+    let t57 = m2 * t53;
+    let t58 = m0 * t54;
+    let t59 = l1 * g;
+    let t60 = l2 * g;
+    let t61 = t32 + t12;
+    let t62 = t12 * t33;
+    let t63 = l2 * t33;
+    let t64 = t3 * t34;
+    let t65 = t1 * t35;
+    let t66 = t2 * t36;
+    let t67 = t6 * t37;
+    let t68 = t7 * t38;
+    let t69 = t8 * t39;
+    let t70 = t23 * t40;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t55, prepared_mass_u2_u2: mass_u2_u2, k10: t56, k11: t57, k12: t54, k13: t58, k14: t59, k15: t60, k16: t32, k17: t12, k18: t61, k19: t62, k20: t63, k21: t42, k22: t43, k23: t44, k24: t64, k25: t65, k26: t66, k27: t67, k28: t68, k29: t69, k30: t70, k31: t45 }
 }
 ///Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///

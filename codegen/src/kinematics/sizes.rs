@@ -1,8 +1,9 @@
 //! How large expressions of the configuration are for the parameters that are set.
 //!
 //! In: expressions. Out: for each a size that depends on parameters alone, so that it is prepared: terms of a sum count by
-//! absolute value, sines and cosines as 1, a coordinate by its nominal value, grown as the model's lengths have where it is
-//! a length. What was measured at the nominal parameters is carried over to others by the quotient of two sizes.
+//! absolute value, but for what an elimination takes away; sines and cosines as 1, a coordinate by its nominal value, grown
+//! as the model's lengths have where it is a length. What was measured at the nominal parameters is carried over to others
+//! by the quotient of two sizes.
 
 use super::{Kinematics, UnknownKind};
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
@@ -81,6 +82,7 @@ impl Sizes {
                 _ => dag.one(),
             },
             Node::Negate(a) => of(a),
+            Node::Binary(Binary::Sub, a, b) if divides(dag, b) => of(a),
             Node::Unary(function @ (Unary::Sqrt | Unary::Abs), a) => dag.unary(function, of(a)),
             Node::Unary(..) | Node::Binary(Binary::Atan2, ..) => dag.one(),
             Node::Binary(Binary::Add | Binary::Sub, a, b) => dag.add(of(a), of(b)),
@@ -109,6 +111,18 @@ impl Sizes {
 
     fn at_nominal(&self, dag: &Dag, size: ExprId) -> f64 {
         dag.evaluate(&[size], &|symbol| self.parameters[&symbol])[0]
+    }
+}
+
+/// Is it something over a pivot? What an elimination takes away by it is no more than what it takes it from, in a mass
+/// matrix.
+fn divides(dag: &Dag, id: ExprId) -> bool {
+    match dag.node(id) {
+        Node::Negate(a) => divides(dag, a),
+        Node::Binary(Binary::Mul, a, b) => divides(dag, a) || divides(dag, b),
+        Node::Binary(Binary::Add, a, b) => divides(dag, a) && divides(dag, b),
+        Node::Binary(Binary::Div, _, d) => !dag.is_constant(d),
+        _ => false,
     }
 }
 
