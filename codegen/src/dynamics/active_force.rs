@@ -11,32 +11,37 @@ use crate::vector::Vector;
 /// Adds every load.
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     for load in &model.loads {
-        match &load.kind {
-            LoadKind::Force { point, force, reaction } => {
-                let force = lower_vector(k, force);
-                let motion = k.velocities[*point].clone();
+        add(k, parts, &load.kind);
+    }
+}
+
+/// Adds one load.
+pub(super) fn add(k: &mut Kinematics, parts: &mut Unprojected, kind: &LoadKind) {
+    match kind {
+        LoadKind::Force { point, force, reaction } => {
+            let force = lower_vector(k, force);
+            let motion = k.velocities[*point].clone();
+            apply(k, parts, &motion, &force);
+            if let Some(other) = reaction {
+                let (motion, force) = (k.velocities[*other].clone(), force.negated(&mut k.dag));
                 apply(k, parts, &motion, &force);
-                if let Some(other) = reaction {
-                    let (motion, force) = (k.velocities[*other].clone(), force.negated(&mut k.dag));
-                    apply(k, parts, &motion, &force);
-                }
             }
-            LoadKind::Torque { frame, torque, reaction } => {
-                let torque = lower_vector(k, torque);
-                let motion = k.angular[k.frame_triad[*frame]].clone();
+        }
+        LoadKind::Torque { frame, torque, reaction } => {
+            let torque = lower_vector(k, torque);
+            let motion = k.angular[k.frame_triad[*frame]].clone();
+            apply(k, parts, &motion, &torque);
+            if let Some(other) = reaction {
+                let motion = k.angular[k.frame_triad[*other]].clone();
+                let torque = torque.negated(&mut k.dag);
                 apply(k, parts, &motion, &torque);
-                if let Some(other) = reaction {
-                    let motion = k.angular[k.frame_triad[*other]].clone();
-                    let torque = torque.negated(&mut k.dag);
-                    apply(k, parts, &motion, &torque);
-                }
             }
-            LoadKind::Spring { ends, stiffness, rest_length, damping } => {
-                spring(k, parts, *ends, stiffness, rest_length, damping.as_ref());
-            }
-            LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
-                coordinate_spring(k, parts, *coordinate, stiffness, rest, damping.as_ref());
-            }
+        }
+        LoadKind::Spring { ends, stiffness, rest_length, damping } => {
+            spring(k, parts, *ends, stiffness, rest_length, damping.as_ref());
+        }
+        LoadKind::CoordinateSpring { coordinate, stiffness, rest, damping } => {
+            coordinate_spring(k, parts, *coordinate, stiffness, rest, damping.as_ref());
         }
     }
 }

@@ -15,6 +15,7 @@ mod given;
 mod inertia_force;
 mod inverse;
 mod parallel;
+mod power;
 mod reduce;
 mod redundant;
 mod segment;
@@ -28,6 +29,7 @@ pub use augmented::Augmented;
 pub(crate) use inverse::{
     forces_for, inputs_for, inverse_inertia, missing_forces, multipliers, on_independent, response,
 };
+pub(crate) use power::powers;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
@@ -263,7 +265,7 @@ fn accelerations(
 
 /// Value of every unknown that is not an independent speed, each from those eliminated after it;
 /// named after the unknown.
-fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
+pub(crate) fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
     let mut values: HashMap<UnknownId, ExprId> =
         k.unknowns.enumerate().map(|(id, u)| (id, u.value)).collect();
     let mut by_symbol = HashMap::default();

@@ -59,4 +59,26 @@ impl Dag {
         let image = self.rebuild(roots, |dag, id, _| replacement.get(&dag.as_symbol(id)?).copied());
         roots.iter().map(|&root| image.of(root)).collect()
     }
+
+    /// `roots` of another DAG made anew in this one; `of_symbol` says what stands for the other's symbols.
+    pub fn graft(
+        &mut self,
+        other: &Self,
+        roots: &[ExprId],
+        of_symbol: &HashMap<SymbolId, ExprId>,
+    ) -> Option<Vec<ExprId>> {
+        let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+        for id in other.reachable(roots) {
+            let new = match other.node(id) {
+                Node::Number(number) => self.number(number),
+                Node::Pi => self.pi(),
+                Node::Symbol(symbol) => *of_symbol.get(&symbol)?,
+                Node::Negate(a) => self.negate(image[&a]),
+                Node::Unary(function, a) => self.unary(function, image[&a]),
+                Node::Binary(operator, a, b) => self.binary(operator, image[&a], image[&b]),
+            };
+            image.insert(id, new);
+        }
+        Some(roots.iter().map(|root| image[root]).collect())
+    }
 }

@@ -42,7 +42,7 @@ pub(super) fn derive(
     let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
     stage::begin(Stage::Answers);
     let given = (model.inputs.len(), false);
-    let mut stages = Stages::new(model, &mut k, (&solution, &dynamics), &mut table, given);
+    let mut stages = Stages::new((model, choice), &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
     let sizes = Sizes::new(model, &k);

@@ -452,6 +452,31 @@ fn linearisation_is_the_slope_of_rates_and_outputs() {
 }
 
 #[test]
+fn powers_are_the_rate_of_the_kinetic_energy() {
+    for name in ["arm6", "bicycle", "fourbar", "tile", "tile_drive", "shaking_table", "driven_pendulum"] {
+        let mut asking = Asking::new(name, &["power", "energy", "drive"]);
+        let state = asking.state.clone();
+        let (q_dot, u_dot) = asking.rates(&state);
+        let powers = asking.part(&state, "power", "power");
+        let drive =
+            if asking.program.drive.is_some() { asking.part(&state, "drive", "power")[0] } else { 0.0 };
+        let rate = difference(
+            |change| {
+                let mut moved = state.clone();
+                moved.t += change;
+                moved.q.iter_mut().zip(&q_dot).for_each(|(q, rate)| *q += change * rate);
+                moved.u.iter_mut().zip(&u_dot).for_each(|(u, rate)| *u += change * rate);
+                asking.part(&moved, "energy", "kinetic")
+            },
+            1e-4,
+        );
+        let size = powers.iter().fold(rate[0].abs().max(drive.abs()), |most, power| most.max(power.abs()));
+        let sum = powers.iter().sum::<f64>() + drive;
+        assert!((sum - rate[0]).abs() <= 1e-9 * size, "{name}: {sum:e} against {:e}", rate[0]);
+    }
+}
+
+#[test]
 fn parameter_derivatives_are_slopes_of_the_accelerations() {
     for name in ["pendulum3", "fourbar", "tile", "bicycle"] {
         let mut asking = Asking::new(name, &["parameter_derivatives"]);

@@ -24,6 +24,7 @@ mod mentioned;
 mod model_errors;
 mod models;
 mod parallel;
+mod reactions;
 mod redundant;
 mod regular;
 mod rejected;

@@ -22,8 +22,8 @@ use std::path::Path;
   cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
 
 Answers: rates, energy, speeds, outputs, projection, drive (where the mechanism is driven), mass_matrix, bias,
-inverse_dynamics, linearisation, parameter_derivatives, multipliers, law; of a port, a point or a frame: pose:NAME, twist:NAME, bias_acceleration:NAME, jacobian:NAME,
-inverse_inertia:NAME; port:NAME is all of a port and takes its wrench as six inputs.")]
+inverse_dynamics, linearisation, parameter_derivatives, multipliers, power, law; of a port, a point or a frame: pose:NAME, twist:NAME, bias_acceleration:NAME, jacobian:NAME,
+inverse_inertia:NAME, reaction:FRAME@POINT (a joint that is cut there); port:NAME is all of a port and takes its wrench as six inputs.")]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,

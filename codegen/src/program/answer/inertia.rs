@@ -56,6 +56,14 @@ pub(super) fn recursive(stages: &mut Stages) -> Vec<ExprId> {
     stages.solved(&forces)
 }
 
+pub(super) fn power(stages: &mut Stages, _: &Target) -> Parts {
+    let (names, powers): (Vec<String>, Vec<ExprId>) =
+        dynamics::powers(stages.model, stages.k).into_iter().unzip();
+    let powers = stages.solved(&powers);
+    let doc = "what each load and the weight put into the mechanism; with `drive` their sum is the rate of the kinetic energy (W)";
+    Ok(vec![Part::list("power", doc, names, powers)])
+}
+
 pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
     let u_dot = stages.dynamics.u_dot.clone();
     let missing = dynamics::missing_forces(stages.model, stages.k, stages.solution, &u_dot);

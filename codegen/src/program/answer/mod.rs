@@ -9,6 +9,7 @@ mod law;
 mod linear;
 mod motion;
 mod part;
+mod reaction;
 mod request;
 mod stages;
 mod standing;
@@ -104,6 +105,8 @@ pub const CATALOGUE: &[Kind] = &[
         "Bias of M u' + bias = forces of the inputs."),
     kind("inverse_dynamics", Mechanism, Masses, Derive::Given(inertia::inverse_dynamics),
         "Forces that give the independent speeds the accelerations `u_dot`, and the inputs that supply them where there are as many and their map is regular."),
+    kind("power", Mechanism, Motion, Derive::Asked(inertia::power),
+        "Power of every load and of the weight."),
     kind("law", Mechanism, Motion, Derive::Asked(law::law),
         "Inputs as the model's law commands them."),
     kind("multipliers", Mechanism, Accelerations, Derive::Asked(inertia::multipliers),
@@ -122,6 +125,8 @@ pub const CATALOGUE: &[Kind] = &[
         "Partial velocities of the point and the frame: twist = J u, and what time alone moves."),
     kind("inverse_inertia", OfPlace, Masses, Derive::Asked(motion::inverse_inertia),
         "Inverse of the inertia felt at the place: change of twist = (J M^-1 J') impulse."),
+    kind("reaction", OfPlace, Accelerations, Derive::Asked(reaction::reaction),
+        "What a joint that is cut there transmits: force and moment on the outer side, without what loads at the joint state."),
     kind("port", OfPort, Masses, Derive::Asked(motion::port),
         "Pose, twist, bias acceleration, Jacobian and inverse inertia of a port; its wrench is six more inputs."),
 ];
@@ -143,7 +148,7 @@ impl Kind {
 impl Kind {
     /// Does the answer mean something of independent speeds only?
     fn takes_independent(&self) -> bool {
-        const OF_ANY: [&str; 5] = ["law", "pose", "twist", "bias_acceleration", "jacobian"];
+        const OF_ANY: [&str; 6] = ["law", "power", "pose", "twist", "bias_acceleration", "jacobian"];
         !self.is_standing() && !OF_ANY.contains(&self.name)
     }
 }

@@ -4,7 +4,7 @@ use crate::dynamics::Dynamics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::eliminate::Solution;
-use crate::kinematics::{Kinematics, Marker};
+use crate::kinematics::{Kinematics, Marker, ParameterChoice};
 use crate::model::Model;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -30,6 +30,8 @@ pub struct Stages<'s> {
     pub u_dot: Vec<ExprId>,
     /// Inputs of the model itself; those of wrenches stand behind them.
     pub own_inputs: usize,
+    /// How its parameters are treated.
+    pub choice: &'s ParameterChoice,
 }
 
 /// What an answer is about.
@@ -44,7 +46,7 @@ pub struct Target {
 impl<'s> Stages<'s> {
     /// The stages of a model; where an answer takes u' as given, with symbols for it and values of them at the samples.
     pub fn new(
-        model: &'s Model,
+        (model, choice): (&'s Model, &'s ParameterChoice),
         k: &'s mut Kinematics,
         (solution, dynamics): (&'s Solution, &'s Dynamics),
         table: &'s mut SampleTable,
@@ -60,7 +62,7 @@ impl<'s> Stages<'s> {
             }
             table.set_symbols(values);
         }
-        Self { model, k, solution, dynamics, table, u_dot, own_inputs }
+        Self { model, k, solution, dynamics, table, u_dot, own_inputs, choice }
     }
 
     /// Number of independent speeds.

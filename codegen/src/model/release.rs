@@ -1,0 +1,309 @@
+//! A joint opened: the model in which what hangs on the outer side of a cut may move against the inner side.
+//!
+//! In: a model, a cut, the components to be released. Out: the model with one coordinate more a component, which is and
+//! stays 0. The generalised force that keeps its speed at 0 is that component of what the joint transmits: Kane's
+//! auxiliary speeds (Kane and Levinson 1985, section 4.9). All that follows derives it as any other model.
+
+use super::data::*;
+use super::expression::{Axis, Expr, ExprKind};
+use super::ids::*;
+use super::unit::Unit;
+use crate::diagnostic::Diagnostic;
+use crate::id::{Id, IdVec};
+use crate::source::Span;
+
+/// Components of a wrench: three of the force, three of the moment.
+pub const COMPONENTS: usize = 6;
+const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+const ORIGIN: usize = 0;
+
+/// Where a mechanism is cut: at a point, what hangs on it being the outer side; at a frame too, only what turns with it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Cut {
+    /// Where the force acts, and what moments are about.
+    pub point: PointId,
+    /// What turns on the outer side; none where no moment is asked for.
+    pub frame: Option<FrameId>,
+}
+
+/// What an expression reads of the two sides.
+#[derive(Clone, Copy, Default)]
+struct Reads {
+    /// An axis that turns with the outer side.
+    turning: bool,
+    /// The point of the cut.
+    cut: bool,
+    /// Any point.
+    point: bool,
+    /// A point of the outer side.
+    outer: bool,
+    /// A point whose place depends on how the outer side turns.
+    swept: bool,
+}
+
+/// The two sides of a cut.
+struct Sides<'m> {
+    model: &'m Model,
+    cut: Cut,
+    definitions: IdVec<DefinitionId, Reads>,
+    /// By frame: does it turn with the outer side?
+    turning: IdVec<FrameId, bool>,
+    /// By point: is it on the outer side?
+    outer: IdVec<PointId, bool>,
+    swept: IdVec<PointId, bool>,
+    /// Ways to points that begin at the cut: the point and the way's place among its own.
+    starts: Vec<(PointId, usize)>,
+    /// Bodies of the outer side whose centres both sides share.
+    sharing: Vec<BodyId>,
+    /// The first point that turns with the outer side though it is reached otherwise.
+    stray: Option<PointId>,
+}
+
+impl Model {
+    /// The model with so many components of the joint released; 0 to 2 displace, 3 to 5 turn, along the frame's axes or,
+    /// without a frame, along N's.
+    ///
+    /// # Errors
+    /// If the cut does not part the model in two sides.
+    pub(crate) fn released(&self, cut: Cut, components: &[usize]) -> Result<Self, Diagnostic> {
+        let sides = Sides::new(self, cut)?;
+        let mut model = self.clone();
+        let span = self.points[cut.point].span;
+        let added: Vec<CoordinateId> =
+            components.iter().map(|&component| model.add_locked(component, span)).collect();
+        if let Some((dof, _)) = &mut model.dof {
+            *dof += components.len();
+        }
+        let axes_of = cut.frame.unwrap_or(FrameId::from_index(0));
+        let node = |kind| Expr { kind, span, unit: Unit::NONE };
+        let mut rotations = Vec::new();
+        let mut displaced: Option<Expr> = None;
+        for (&component, &coordinate) in components.iter().zip(&added) {
+            let amount = node(ExprKind::Coordinate(coordinate));
+            let axis = AXES[component % 3];
+            if component >= 3 {
+                rotations.push((axis, amount));
+                continue;
+            }
+            let along = node(ExprKind::Axis(axes_of, axis));
+            let term = node(ExprKind::Multiply(Box::new(amount), Box::new(along)));
+            displaced = Some(match displaced {
+                Some(sum) => node(ExprKind::Add(Box::new(sum), Box::new(term))),
+                None => term,
+            });
+        }
+        if let Some(Orientation::Rotations { rotations: own, .. }) =
+            cut.frame.map(|frame| &mut model.frames[frame].orientation)
+        {
+            own.extend(rotations);
+        }
+        if let Some(displaced) = displaced {
+            sides.displace(&mut model, &displaced);
+        }
+        Ok(model)
+    }
+
+    /// An independent coordinate that never leaves 0, and its speed. No name of a model has a space.
+    fn add_locked(&mut self, component: usize, span: Span) -> CoordinateId {
+        let unit = if component < 3 { "m" } else { "rad" };
+        let name = format!("released {component}");
+        let coordinate = self.coordinates.push(Coordinate {
+            name: name.clone(),
+            doc: String::new(),
+            unit: unit.to_owned(),
+            written_unit: (unit.to_owned(), 1.0),
+            independent: true,
+            nominal: 0.0,
+            range: (0.0, 0.0),
+            written: [None, None, None],
+            closed_form: None,
+            span,
+        });
+        self.speeds.push(Speed {
+            name: format!("rate of {name}"),
+            unit: format!("{unit}/s"),
+            meaning: SpeedMeaning::RateOf(coordinate),
+            independent: true,
+            span,
+        });
+        coordinate
+    }
+}
+
+impl<'m> Sides<'m> {
+    fn new(model: &'m Model, cut: Cut) -> Result<Self, Diagnostic> {
+        let point = &model.points[cut.point];
+        if !point.closures.is_empty() || point.velocity.is_some() {
+            let why = if point.velocity.is_some() {
+                "its velocity is stated"
+            } else {
+                "it is reached several ways"
+            };
+            return Err(Diagnostic::error(format!("no joint can be cut at `{}`", point.name))
+                .label(point.span, why)
+                .help("cut where one way ends: at a point that is the end of one leg"));
+        }
+        if let Some(frame) = cut.frame.map(|frame| &model.frames[frame])
+            && !matches!(frame.orientation, Orientation::Rotations { .. })
+        {
+            return Err(Diagnostic::error(format!("`{}` is no outer side of a joint", frame.name))
+                .label(frame.span, "it is not turned from another frame")
+                .help("cut at a frame with `rotations`; of what is given by directions cut the points that carry it"));
+        }
+        let mut sides = Self {
+            model,
+            cut,
+            definitions: model.definitions.iter().map(|_| Reads::default()).collect(),
+            turning: model.frames.ids().map(|frame| Some(frame) == cut.frame).collect(),
+            outer: model.points.ids().map(|p| cut.frame.is_none() && p == cut.point).collect(),
+            swept: model.points.iter().map(|_| false).collect(),
+            starts: Vec::new(),
+            sharing: Vec::new(),
+            stray: None,
+        };
+        for entity in &model.order {
+            match *entity {
+                Entity::Definition(id) => sides.definitions[id] = sides.reads(&model.definitions[id].value),
+                Entity::Frame(id) => sides.frame(id),
+                Entity::Point(id) => sides.point(id),
+                Entity::Parameter(_) | Entity::Coordinate(_) => {}
+            }
+        }
+        if sides.swept[cut.point] {
+            return Err(Diagnostic::error(format!("`{}` moves with `{}`", point.name, sides.frame_name()))
+                .label(point.span, "the joint's point must stand still while the frame turns about it")
+                .help("cut at the point about which the frame turns against what carries it"));
+        }
+        if let Some(stray) = sides.stray.map(|stray| &model.points[stray]) {
+            return Err(sides.elsewhere(&format!("the point `{}`", stray.name), stray.span));
+        }
+        sides.bodies()?;
+        Ok(sides)
+    }
+
+    fn reads(&self, expr: &Expr) -> Reads {
+        let mut found = Reads::default();
+        expr.visit(&mut |e| match e.kind {
+            ExprKind::Axis(frame, _) | ExprKind::AngularVelocity(frame) => {
+                found.turning |= self.turning[frame];
+            }
+            ExprKind::Point(p) => {
+                found.point = true;
+                found.cut |= p == self.cut.point;
+                found.outer |= self.outer[p];
+                found.swept |= self.swept[p];
+            }
+            ExprKind::Definition(d) => {
+                let within = self.definitions[d];
+                found.turning |= within.turning;
+                found.cut |= within.cut;
+                found.point |= within.point;
+                found.outer |= within.outer;
+                found.swept |= within.swept;
+            }
+            _ => {}
+        });
+        found
+    }
+
+    fn frame(&mut self, id: FrameId) {
+        self.turning[id] |= match &self.model.frames[id].orientation {
+            Orientation::Inertial => false,
+            Orientation::Rotations { parent, .. } => self.turning[*parent],
+            Orientation::Directions { axes } => axes.iter().flatten().any(|axis| self.reads(axis).turning),
+        };
+    }
+
+    fn point(&mut self, id: PointId) {
+        let declared = &self.model.points[id];
+        for (place, way) in ways(declared).enumerate() {
+            let reads = self.reads(way);
+            self.swept[id] |= reads.turning || reads.swept;
+            if self.cut.frame.is_some() && reads.turning {
+                if self.begins_at_cut(reads) {
+                    self.starts.push((id, place));
+                    self.outer[id] = true;
+                } else if !reads.outer {
+                    self.stray = self.stray.or(Some(id));
+                }
+            }
+            self.outer[id] |= reads.outer;
+        }
+        let velocity = declared.velocity.as_ref().map(|velocity| self.reads(velocity));
+        self.swept[id] |= velocity.is_some_and(|reads| reads.turning || reads.swept);
+    }
+
+    /// A body that turns with the outer side belongs to it, though its centre may be the joint's own point.
+    fn bodies(&mut self) -> Result<(), Diagnostic> {
+        for (id, body) in self.model.bodies.enumerate() {
+            let turns = body.frame.is_some_and(|frame| self.turning[frame]);
+            if !turns || self.outer[body.centre] {
+                continue;
+            }
+            let centre = &self.model.points[body.centre];
+            if body.centre != self.cut.point && !self.begins_at_cut(self.reads(&centre.position)) {
+                return Err(self.elsewhere(&format!("the body `{}`", body.name), body.span));
+            }
+            self.sharing.push(id);
+        }
+        Ok(())
+    }
+
+    /// At the point of the cut, or at O where no point is named.
+    fn begins_at_cut(&self, reads: Reads) -> bool {
+        reads.cut || (self.cut.point.index() == ORIGIN && !reads.point)
+    }
+
+    /// Displaces the outer side.
+    fn displace(&self, model: &mut Model, by: &Expr) {
+        if self.cut.frame.is_none() {
+            let position = &mut model.points[self.cut.point].position;
+            *position = sum(position.clone(), by.clone());
+        }
+        for &(point, place) in &self.starts {
+            let own = &mut model.points[point];
+            let way = if place == 0 { &mut own.position } else { &mut own.closures[place - 1] };
+            *way = sum(way.clone(), by.clone());
+        }
+        for &body in &self.sharing {
+            let centre = &self.model.points[self.model.bodies[body].centre];
+            let at = Expr {
+                kind: ExprKind::Point(self.model.bodies[body].centre),
+                span: centre.span,
+                unit: Unit::NONE,
+            };
+            let own = model.points.push(Point {
+                name: format!("{} of {}", centre.name, self.model.bodies[body].name),
+                position: sum(at, by.clone()),
+                closures: Vec::new(),
+                velocity: None,
+                span: centre.span,
+            });
+            model.order.push(Entity::Point(own));
+            model.bodies[body].centre = own;
+        }
+    }
+
+    fn frame_name(&self) -> &str {
+        self.cut.frame.map_or("", |frame| &self.model.frames[frame].name)
+    }
+
+    fn elsewhere(&self, what: &str, span: Span) -> Diagnostic {
+        let (frame, point) = (self.frame_name(), &self.model.points[self.cut.point].name);
+        Diagnostic::error(format!("{what} turns with `{frame}` but does not hang on `{point}`"))
+            .label(span, format!("reached without `{point}`"))
+            .help(format!(
+                "cut at the point from which everything that turns with `{frame}` is reached, or reach this from `{point}`"
+            ))
+    }
+}
+
+/// Every way to a point that its declaration states.
+fn ways(point: &Point) -> impl Iterator<Item = &Expr> {
+    std::iter::once(&point.position).chain(&point.closures)
+}
+
+fn sum(a: Expr, b: Expr) -> Expr {
+    let span = a.span;
+    Expr { kind: ExprKind::Add(Box::new(a), Box::new(b)), span, unit: Unit::NONE }
+}

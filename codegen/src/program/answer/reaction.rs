@@ -1,0 +1,104 @@
+//! Joint reactions: the force and the moment that a joint transmits to its outer side.
+//!
+//! In: a cut, `frame@point` or a point. Out: the components along the frame's axes (N's without a frame), moments about
+//! the point. A component is determined where its release gives the mechanism one freedom more; it is then the force
+//! that Kane's equation of that speed lacks (`model/release.rs`). Where other joints hold it as well no equation of
+//! rigid bodies says how they share it: such components are named, not invented.
+
+use super::part::Part;
+use super::stages::{Stages, Target};
+use crate::diagnostic::Diagnostic;
+use crate::dynamics;
+use crate::expr::cost::Optimise;
+use crate::expr::{ExprId, SymbolId};
+use crate::kinematics::{self, Kinematics, diagnose, eliminate};
+use crate::model::{COMPONENTS, Cut, Model};
+use rustc_hash::FxHashMap as HashMap;
+
+const NAMES: [&str; COMPONENTS] = ["F_x", "F_y", "F_z", "M_x", "M_y", "M_z"];
+
+pub(super) fn reaction(stages: &mut Stages, target: &Target) -> Result<Vec<Part>, Diagnostic> {
+    let cut = cut_of(stages.model, target)?;
+    let asked: Vec<usize> = (0..if cut.frame.is_some() { COMPONENTS } else { 3 }).collect();
+    stages.model.released(cut, &asked)?;
+    let mut determined = asked.clone();
+    let mut forces = forces(stages, cut, &asked);
+    if forces.is_none() {
+        determined.retain(|&component| self::forces(stages, cut, &[component]).is_some());
+        forces = self::forces(stages, cut, &determined);
+    }
+    let name = |&component: &usize| NAMES[component].to_owned();
+    let left: Vec<String> = asked.iter().filter(|c| !determined.contains(c)).map(name).collect();
+    let Some(forces) = forces.filter(|forces| !forces.is_empty()) else {
+        return Err(Diagnostic::error(format!("`{}`: no component is determined", target.request)).help(
+            "other joints hold every component as well: give some of them the freedom that they really have, or cut there",
+        ));
+    };
+    let axes = cut.frame.map_or("N", |frame| &stages.model.frames[frame].name);
+    let mut doc = format!("on the outer side, along the axes of {axes}, moments about the point (N, N m)");
+    if !left.is_empty() {
+        doc += &format!("; other joints hold {} as well, which no equation determines", left.join(", "));
+    }
+    Ok(vec![Part::list("reaction", &doc, determined.iter().map(name).collect(), forces)])
+}
+
+/// The cut that is asked for.
+fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
+    let request = &target.request;
+    if let Some(coordinate) = model.coordinates.iter().find(|c| c.closed_form.is_some()) {
+        return Err(Diagnostic::error(format!(
+            "`{request}`: `{}` follows from other coordinates by its closed form, which holds only while no joint is open",
+            coordinate.name
+        ))
+        .label(coordinate.span, "given in closed form")
+        .help("ask a model in which constraints alone close the loops"));
+    }
+    let marker = target.marker.and_then(|marker| Some((marker.point?, marker.frame)));
+    marker.map(|(point, frame)| Cut { point, frame }).ok_or_else(|| {
+        Diagnostic::error(format!("`{request}`: a joint is cut at a point"))
+            .help("name it behind the frame on its outer side: `reaction:frame@point`")
+    })
+}
+
+/// What the released components lack while they do not move, in the program's own expressions; none where some of them
+/// give no freedom.
+fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
+    let model = stages.model.released(cut, components).ok()?;
+    let mut k = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
+    let mut table = eliminate::sample_table(&model, &k);
+    diagnose::check(&model, &mut k, &mut table).ok()?;
+    let solution = eliminate::solve(&model, &mut k, &mut table).ok()?;
+    let zero = k.dag.zero();
+    let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| k.dag.symbol("u_dot")).collect();
+    let u_dot: Vec<ExprId> = moving.iter().copied().chain(components.iter().map(|_| zero)).collect();
+    let missing = dynamics::missing_forces(&model, &mut k, &solution, &u_dot);
+    let forces = dynamics::on_independent(&mut k, &solution, missing);
+    let values = dynamics::unknown_values(&mut k, &solution);
+    let lacking = k.dag.substitute(forces.get(moving.len()..)?, &values);
+    let known = known(stages, &k, &moving);
+    stages.k.dag.graft(&k.dag, &lacking, &known)
+}
+
+/// What stands in the program for the symbols of the released model: 0 for what is released.
+fn known(stages: &mut Stages, k: &Kinematics, moving: &[ExprId]) -> HashMap<SymbolId, ExprId> {
+    let zero = stages.k.dag.zero();
+    let own = &*stages.k;
+    let mut known = HashMap::default();
+    let mut pair = |of: ExprId, by: ExprId| {
+        known.extend(k.dag.as_symbol(of).map(|symbol| (symbol, by)));
+    };
+    pair(k.time, own.time);
+    for (id, &q) in k.q.enumerate() {
+        pair(q, own.q.get(id).copied().unwrap_or(zero));
+    }
+    k.inputs.iter().zip(own.inputs.iter()).for_each(|(&of, &by)| pair(of, by));
+    k.parameters.iter().zip(own.parameters.iter()).for_each(|(&of, &by)| pair(of, by));
+    for unknown in k.independent_unknowns() {
+        pair(k.unknowns[unknown].value, zero);
+    }
+    for (of, by) in k.independent_unknowns().into_iter().zip(own.independent_unknowns()) {
+        pair(k.unknowns[of].value, own.unknowns[by].value);
+    }
+    moving.iter().zip(&stages.dynamics.u_dot).for_each(|(&of, &by)| pair(of, by));
+    known
+}
