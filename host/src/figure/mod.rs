@@ -1,7 +1,7 @@
 //! `smartbed figure`: a figure of the thesis, made by one command.
 //!
-//! In: its number. Out: a picture. One table ([`FIGURES`]) says for every figure of chapters 2 to 5 how it is made, or what
-//! is still missing for it; `docs/figures.md` compares them with the thesis' captions.
+//! In: its number. Out: a picture. One table ([`FIGURES`]) says for every figure of chapters 2 to 5 how it is made, or
+//! what is still missing for it; `docs/figures.md` compares them with the thesis' captions.
 
 mod rest;
 mod rod;
@@ -27,7 +27,8 @@ pub struct Arguments {
     /// The picture; .svg or .png [default: figure_N.M.svg].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Changes a setting of the scene; of figure 4.1: e, height (m), mass (kg); of 4.2: e, mu, angle (deg), speed, slip (m/s).
+    /// Changes a setting of the scene; of figure 4.1: e, height (m), mass (kg); of 4.2: e, mu, angle (deg), speed, slip
+    /// (m/s).
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// List all figures and what each shows.
@@ -69,18 +70,24 @@ const fn figure(number: &'static str, caption: &'static str, recipe: Recipe) -> 
 const UNDAMPED: &[&str] = &["C=0"];
 const DAMPED: &[&str] = &["C=10"];
 const SCHEME: Recipe = Recipe::Missing("a scheme, not a result; docs/notation.md has the frames and names");
-const BED: Recipe = Recipe::Missing("needs the bed of 28 tiles");
+/// All tiles at one tilt; the ball's impact wants shorter steps than its lift.
+const TILTED: &[&str] = &[
+    "parts.tile.command.hA=30_mm",
+    "parts.tile.command.hB=-15_mm",
+    "parts.tile.command.hC=-15_mm",
+    "run.step=0.2_ms",
+];
 
 /// All figures of chapters 2 to 5.
 pub const FIGURES: [Figure; 37] = [
-    figure("2.1", "Soft Manipulation on Flexible Bladder", Recipe::Missing("needs a body on a bladder")),
+    figure("2.1", "Soft Manipulation on Flexible Bladder", Recipe::Run("ball_on_bladder", &[])),
     figure("2.2", "Tile Design", SCHEME),
     figure("2.3", "Tile Frame Assignment", SCHEME),
     figure("2.4", "Constrained System", SCHEME),
-    figure("2.5", "Bed Tilt", BED),
-    figure("2.6", "Bed with Human", BED),
+    figure("2.5", "Bed Tilt", Recipe::Run("bed", TILTED)),
+    figure("2.6", "Bed with Human", Recipe::Missing("needs a human on the bed of 28 tiles")),
     figure("3.1", "Discretized Plate", Recipe::Run("bladder", &[])),
-    figure("3.2", "Spring Mass Damper", Recipe::Missing("needs the scene of a damped mass on a fixed end")),
+    figure("3.2", "Spring Mass Damper", Recipe::Run("damper_mass_fixed_end", &[])),
     figure("3.3", "Spring Loaded Pendulum", Recipe::Run("spring_loaded_pendulum", &[])),
     figure("3.4", "Closed Loop Flexible Body", Recipe::Run("closed_loop_3_links", &[])),
     figure("3.5", "Point mass constrained by 4 springs", Recipe::Run("mass_on_4_springs", &[])),

@@ -1,4 +1,5 @@
-//! `smartbed figure`: every figure of the thesis is listed, in the documentation as in the command; those that can be made are.
+//! `smartbed figure`: every figure of the thesis is listed, in the documentation as in the command; those that can be
+//! made are.
 
 use crate::support::{file, smartbed};
 
@@ -28,6 +29,9 @@ fn the_list_and_the_documentation_say_the_same() {
 #[test]
 fn figures_are_made_or_refused_by_name() {
     for (number, told) in [
+        ("2.1", "gauge"),
+        ("2.5", "28 alike"),
+        ("3.2", "damping"),
         ("4.1", "weight"),
         ("4.2", "pre-collision"),
         ("4.2", "restitution"),
@@ -41,7 +45,7 @@ fn figures_are_made_or_refused_by_name() {
         assert!(text.starts_with("<svg") && text.contains(told), "{number} tells of {told}");
     }
     for (arguments, expected) in [
-        (vec!["figure", "2.5"], "needs the bed"),
+        (vec!["figure", "2.6"], "needs a human"),
         (vec!["figure", "7.1"], "none of that number"),
         (vec!["figure", "4.2", "--set", "e=2"], "e from 0 to 1"),
         (vec!["figure", "4.1", "--set", "height=-1"], "height from 0 to 1"),
