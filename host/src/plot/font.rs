@@ -1,6 +1,7 @@
 //! The letters of pictures: Noto Sans (SIL Open Font License, `font/LICENSE-OFL.txt`), its Latin and Greek
 //! letters and the signs of mathematics. Made from release 2.015 by
-//! `pyftsubset NotoSans-Regular.ttf --unicodes=20-7E,A0-17F,370-3FF,2010-2026,2070-2094,2190-2193,2200-2265 --no-hinting`.
+//! `pyftsubset NotoSans-Regular.ttf --unicodes=20-7E,A0-17F,370-3FF,2010-2026,2070-2094,2190-2193,2200-2265
+//! --no-hinting`.
 
 use ttf_parser::Face;
 
@@ -40,16 +41,19 @@ pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
     lines
 }
 
-/// A word in pieces that fit.
+/// A word in pieces that fit; names are broken at their joints.
 fn pieces(word: &str, size: f64, most: f64) -> Vec<String> {
-    let mut pieces = vec![String::new()];
+    let (mut pieces, mut piece) = (Vec::new(), String::new());
     for c in word.chars() {
-        let last = pieces.last_mut().filter(|p| p.is_empty() || width(&format!("{p}{c}"), size) <= most);
-        match last {
-            Some(piece) => piece.push(c),
-            None => pieces.push(c.to_string()),
+        let is_too_long = |part: &str| width(&format!("{part}{c}"), size) > most;
+        if !piece.is_empty() && is_too_long(&piece) {
+            let joint = piece.rfind(['_', '.']).map(|at| at + 1).filter(|at| !is_too_long(&piece[*at..]));
+            let rest = piece.split_off(joint.unwrap_or(piece.len()));
+            pieces.push(std::mem::replace(&mut piece, rest));
         }
+        piece.push(c);
     }
+    pieces.push(piece);
     pieces
 }
 
@@ -72,5 +76,11 @@ mod tests {
             let letters = |s: &str| s.chars().filter(|c| *c != ' ').collect::<String>();
             assert_eq!(letters(&lines.concat()), letters(text));
         }
+    }
+
+    #[test]
+    fn long_names_are_broken_at_their_joints() {
+        let lines = wrapped("angle_of_the_upper_pendulum bladder[0,0].volume_of_gas", 14.0, 110.0);
+        assert_eq!(lines, ["angle_of_the_", "upper_", "pendulum", "bladder[0,0].", "volume_of_gas"]);
     }
 }
