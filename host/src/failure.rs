@@ -15,6 +15,15 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// What a program built without the feature `whole` was asked for all the same.
+    #[cfg(not(feature = "whole"))]
+    #[must_use]
+    pub fn not_built(what: &str) -> Self {
+        Self::Lacking(format!(
+            "{what}: this program was built without it; `cargo build --release -p smartbed` makes one that has it"
+        ))
+    }
+
     /// Exit status.
     #[must_use]
     pub fn status(&self) -> u8 {

@@ -3,6 +3,9 @@
 //! Each module has `Arguments` (what stands on its command line) and `run`, which prints the
 //! answer to standard output, progress to standard error, and returns a [`failure::Failure`] with
 //! the exit status.
+//!
+//! Without the feature `whole` mechanisms run and are shown, as far as [`light`] says; that is what a first command
+//! builds.
 
 // A closed standard error or a full standard output is no panic: everything goes through `output`.
 #![deny(clippy::print_stdout, clippy::print_stderr)]
@@ -12,19 +15,27 @@ pub mod failure;
 pub mod grouped;
 
 pub mod input;
+#[cfg(feature = "whole")]
 pub mod install;
 pub mod interrupt;
+#[cfg(feature = "whole")]
 pub mod json;
 pub mod number;
 pub mod output;
+pub mod program;
 pub mod progress;
 pub mod suggest;
+#[cfg(feature = "whole")]
 pub mod unpack;
 
+#[cfg(feature = "whole")]
 pub mod answers;
 pub mod configuration;
+pub mod contact_force;
+#[cfg(feature = "whole")]
 pub mod crate_folder;
 pub mod engine;
+pub mod light;
 pub mod limits;
 pub mod model_argument;
 pub mod observers;
@@ -33,17 +44,29 @@ pub mod speeds;
 pub mod plot;
 pub mod view;
 
+#[cfg(feature = "whole")]
 pub mod check;
+#[cfg(feature = "whole")]
 pub mod derive;
+#[cfg(feature = "whole")]
 pub mod equilibrium;
+#[cfg(feature = "whole")]
 pub mod eval;
+#[cfg(feature = "whole")]
 pub mod figure;
+#[cfg(feature = "whole")]
 pub mod firmware;
+#[cfg(feature = "whole")]
 pub mod manual;
 pub mod new;
+#[cfg(feature = "whole")]
 pub mod report;
 pub mod run;
+#[cfg(feature = "whole")]
 pub mod scene;
+#[cfg(feature = "whole")]
 pub mod settle;
+#[cfg(feature = "whole")]
 pub mod tile;
+#[cfg(feature = "whole")]
 pub mod world;

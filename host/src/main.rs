@@ -2,11 +2,13 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{
-    check, derive, diagnostics, equilibrium, eval, figure, firmware, manual, new, output, report, run,
-    settle, tile, view,
+    check, derive, equilibrium, eval, figure, firmware, manual, new, output, program, report, run, settle,
+    tile, view,
 };
-use std::io::Write;
 use std::process::ExitCode;
+
+#[cfg(target_os = "linux")]
+mod closed_stdout;
 
 /// Derive, run, plot and measure mechanisms; build and emulate the firmware.
 #[derive(Parser)]
@@ -52,18 +54,13 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    program::begin();
     let command_line = match CommandLine::try_parse() {
         Ok(command_line) => command_line,
-        // A wrong command line is a wrong input (1); help and version are answers (0).
-        Err(message) => {
-            let to_stdout = if message.use_stderr() { Ok(()) } else { output::print("") };
-            let is_heard =
-                to_stdout.is_ok() && message.print().is_ok_and(|()| std::io::stdout().flush().is_ok());
-            return ExitCode::from(u8::from(message.use_stderr() || !is_heard));
-        }
+        Err(message) => return program::refuse(&message),
     };
     output::choose_colour(command_line.color);
-    let done = match command_line.command {
+    program::end(match command_line.command {
         Command::New(arguments) => new::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Derive(arguments) => derive::run(&arguments),
@@ -78,34 +75,5 @@ fn main() -> ExitCode {
         Command::Tile(arguments) => tile::run(&arguments),
         Command::Completions(arguments) => manual::completions(&arguments, CommandLine::command()),
         Command::Man(arguments) => manual::man(&arguments, CommandLine::command()),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            diagnostics::fail(&failure);
-            ExitCode::from(failure.status())
-        }
-    }
-}
-
-/// A look at standard output before the standard library opens the null device where it was closed (`>&-`).
-#[cfg(target_os = "linux")]
-mod closed_stdout {
-    use std::os::fd::BorrowedFd;
-
-    #[used]
-    #[expect(unsafe_code, reason = "only the loader's list of functions comes before the standard library")]
-    #[unsafe(link_section = ".init_array")]
-    static LOOK: extern "C" fn() = look;
-
-    #[expect(
-        unsafe_code,
-        reason = "the number of a stream that may be closed: the call that asks takes no other"
-    )]
-    extern "C" fn look() {
-        let stdout = unsafe { BorrowedFd::borrow_raw(1) };
-        if rustix::io::fcntl_getfd(stdout).is_err() {
-            smartbed::output::stdout_is_closed();
-        }
-    }
+    })
 }

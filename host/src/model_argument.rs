@@ -6,6 +6,7 @@
 use crate::failure::Failure;
 use crate::grouped;
 use crate::output::{self, Stream};
+#[cfg(feature = "whole")]
 use crate::world::{self, Assembly};
 use crate::{input, suggest};
 use smartbed_codegen::model::{self, Model};
@@ -53,7 +54,14 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
 /// Is the file a scene of format 2, a world?
 #[must_use]
 pub fn is_world(path: &Path) -> bool {
-    input::text(&path.display().to_string()).is_ok_and(|text| world::read::is_world(&text))
+    input::text(&path.display().to_string()).is_ok_and(|text| says_world(&text))
+}
+
+/// Is this text a scene of format 2? Its parts say so; nothing is parsed.
+#[must_use]
+pub fn says_world(text: &str) -> bool {
+    let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
+    text.lines().any(|line| begins(line.trim_start()))
 }
 
 /// Names of all models and scenes of format 1, models first.
@@ -83,6 +91,7 @@ pub fn read(argument: &str) -> Result<Model, Failure> {
 ///
 /// # Errors
 /// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if there is no such file.
+#[cfg(feature = "whole")]
 pub fn open_world(path: &Path, settings: &[String]) -> Result<Assembly, Failure> {
     let name = path.display().to_string();
     let find = |model: &str| find(model).map_err(|failure| failure.to_string());

@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 /// Folders of the library.
 const LIBRARY: [&str; 3] = ["scene", "world", "engine"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
-const ALLOWED: [&str; 12] = [
+const ALLOWED: [&str; 13] = [
     "configuration",
+    "contact_force",
     "engine",
     "failure",
     "firmware",

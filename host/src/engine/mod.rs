@@ -1,7 +1,10 @@
 //! What evaluates a program: the interpreter, or the emitted Rust compiled on the spot. Same bits.
 
+#[cfg(feature = "whole")]
 pub mod cache;
+#[cfg(feature = "whole")]
 pub mod compiled;
+#[cfg(feature = "whole")]
 pub mod crate_text;
 
 use crate::failure::Failure;
@@ -121,7 +124,10 @@ pub fn new<S: EngineScalar>(kind: EngineKind, program: &Program) -> Result<Box<d
     limits::check_program(program, &S::scalar_type())?;
     Ok(match kind {
         EngineKind::Interpreter => Box::new(Interpreted::<S>::new(program)),
+        #[cfg(feature = "whole")]
         EngineKind::Compiled => Box::new(compiled::Compiled::<S>::new(program)?),
+        #[cfg(not(feature = "whole"))]
+        EngineKind::Compiled => return Err(Failure::not_built("--engine compiled")),
     })
 }
 

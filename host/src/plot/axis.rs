@@ -1,21 +1,25 @@
 //! An axis: values on pixels, round numbers as ticks, as many digits as they need.
 
 /// An axis shows no range narrower than this share of its numbers' size.
-pub(crate) const NARROWEST: f64 = 1e-6;
+pub const NARROWEST: f64 = 1e-6;
 
 /// Values from `low` to `high` on pixels from `from` to `to`.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Axis {
-    pub(crate) low: f64,
-    pub(crate) high: f64,
-    pub(crate) from: f64,
-    pub(crate) to: f64,
+pub struct Axis {
+    /// Least value.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+    /// Where the least stands (pixels).
+    pub from: f64,
+    /// Where the largest stands (pixels).
+    pub to: f64,
     tick: f64,
 }
 
 impl Axis {
     /// Around all finite values, with round numbers for ticks, about `ticks` of them.
-    pub(crate) fn around<'a>(
+    pub fn around<'a>(
         values: impl Iterator<Item = &'a f64>,
         (from, to): (f64, f64),
         ticks: f64,
@@ -34,31 +38,34 @@ impl Axis {
     }
 
     /// Ten times as wide about the same middle: labels have a digit less.
-    pub(crate) fn widened(self) -> Self {
+    pub fn widened(self) -> Self {
         let (middle, half) = (0.5 * (self.low + self.high), 5.0 * (self.high - self.low));
         Self { low: middle - half, high: middle + half, tick: round_step(10.0 * self.tick), ..self }
     }
 
     /// Around sorted values in the middle, at a given number of pixels per unit.
-    pub(crate) fn scaled(sorted: &[f64], (from, to): (f64, f64), pixels_per_unit: f64) -> Self {
+    pub fn scaled(sorted: &[f64], (from, to): (f64, f64), pixels_per_unit: f64) -> Self {
         let middle = 0.5 * (sorted.first().unwrap_or(&0.0) + sorted.last().unwrap_or(&0.0));
         let half = 0.5 * (to - from).abs() / pixels_per_unit;
         let ticks = ((to - from).abs() / 60.0).max(2.0);
         Self { low: middle - half, high: middle + half, from, to, tick: round_step(2.0 * half / ticks) }
     }
 
-    pub(crate) fn place(&self, value: f64) -> f64 {
+    /// Where a value stands (pixels).
+    #[must_use]
+    pub fn place(&self, value: f64) -> f64 {
         self.from + (value - self.low) / (self.high - self.low) * (self.to - self.from)
     }
 
-    pub(crate) fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
+    /// The round numbers that are written beside it.
+    pub fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
         let first = (self.low / self.tick - 1e-9).ceil();
         let count = ((self.high / self.tick + 1e-9).floor() - first).clamp(0.0, 40.0) as usize;
         (0..=count).map(move |n| (first + n as f64) * self.tick)
     }
 
     /// As many digits as the tick needs.
-    pub(crate) fn label(&self, value: f64) -> String {
+    pub fn label(&self, value: f64) -> String {
         let value = if value.abs() < 1e-9 * self.tick { 0.0 } else { value };
         let largest = self.low.abs().max(self.high.abs());
         if value == 0.0 && largest < 1e-3 {

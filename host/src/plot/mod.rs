@@ -11,10 +11,11 @@ pub mod font;
 pub mod motion;
 pub mod panels;
 pub mod pattern;
+#[cfg(feature = "whole")]
 pub mod png;
 pub mod svg;
 
-pub(crate) use axis::Axis;
+pub use axis::Axis;
 
 use crate::failure::Failure;
 use crate::output;
@@ -91,6 +92,9 @@ pub fn format_of(file: &str) -> Result<Format, Failure> {
 pub fn write(file: &str, drawing: &Drawing) -> Result<(), Failure> {
     match format_of(file)? {
         Format::Svg => output::write(file, svg::text(drawing).as_bytes()),
+        #[cfg(not(feature = "whole"))]
+        Format::Png => Err(Failure::not_built("a plot as PNG")),
+        #[cfg(feature = "whole")]
         Format::Png => {
             let bytes = png::bytes(drawing).map_err(|e| Failure::Wrong(format!("--plot {file}: {e}")))?;
             output::write(file, &bytes)

@@ -1,5 +1,5 @@
-//! Events of a mechanism's motion for the page of `--view`, and for plots: an independent coordinate turns back, a coordinate
-//! leaves its declared range or returns.
+//! Events of a mechanism's motion for the page of `--view`, and for plots: an independent coordinate turns back, a
+//! coordinate leaves its declared range or returns.
 //!
 //! In: rows one after the other. Out: times and words. Between rows a speed is taken as linear, so that a turn lies
 //! at t + h |u| / (|u| + |u'|) and the coordinate there at q + u (t* - t)/2.

@@ -1,6 +1,8 @@
 //! `smartbed run`: a mechanism or a scene in motion; rows as CSV, plots, an animation, a summary.
 
+#[cfg(feature = "whole")]
 mod body;
+#[cfg(feature = "whole")]
 mod choose;
 pub mod events;
 pub mod health;
@@ -8,6 +10,7 @@ pub mod ledger;
 mod plant;
 pub mod settings;
 pub mod simulate;
+#[cfg(feature = "whole")]
 mod world;
 
 use self::events::Events;
@@ -24,6 +27,7 @@ use crate::plot::panels;
 use crate::progress::{Progress, Waiting};
 use crate::view::film::Series;
 use crate::view::{Film, Stage};
+#[cfg(feature = "whole")]
 use crate::world::Assembly;
 use crate::{model_argument, plot, speeds, view};
 use settings::Settings;
@@ -129,6 +133,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure::Found`] with all that is wrong in it; [`Failure::Wrong`] if the file is none.
+#[cfg(feature = "whole")]
 pub fn world(arguments: &Arguments) -> Result<Assembly, Failure> {
     let path = model_argument::find(&arguments.model)?;
     match model_argument::is_world(&path) {
@@ -164,6 +169,15 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(file) = &arguments.plot {
         plot::format_of(file)?;
     }
+    #[cfg(feature = "whole")]
+    return any(arguments);
+    #[cfg(not(feature = "whole"))]
+    mechanism(arguments)
+}
+
+/// A world, a scene or a mechanism, each as it is run.
+#[cfg(feature = "whole")]
+fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = model_argument::find(&arguments.model)?;
     if model_argument::is_world(&path) {
         return world::simulate(arguments, &path);
@@ -173,9 +187,13 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let is_scene = body::is_scene(&path);
     let arguments = &choose::resolve(arguments, &path, is_scene)?;
-    if is_scene {
-        return body::simulate(arguments, &path);
+    match is_scene {
+        true => body::simulate(arguments, &path),
+        false => mechanism(arguments),
     }
+}
+
+fn mechanism(arguments: &Arguments) -> Result<Outcome, Failure> {
     let clock = Progress::new("run");
     let model = model_argument::read(&arguments.model)?;
     let settings = Settings::new(&model, arguments)?;

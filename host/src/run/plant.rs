@@ -1,7 +1,7 @@
 //! A mechanism that integrators step: the engine of its equations and the laws of its inputs.
 //!
-//! In: an engine and the laws as a program. Out: rates, projection, and the answers of the engine, with the inputs that the
-//! laws command at each state.
+//! In: an engine and the laws as a program. Out: rates, projection, and the answers of the engine, with the inputs that
+//! the laws command at each state.
 
 use crate::engine::{Engine, EngineScalar};
 use crate::observers::Observers;

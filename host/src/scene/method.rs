@@ -38,8 +38,8 @@ pub struct Row {
     pub entries: [Entry; METHODS.len()],
 }
 
-/// Splitting off the dampers does not help: above order 2 every part takes some step backwards in time (Goldman and Kaper
-/// 1996), where a damper feeds energy.
+/// Splitting off the dampers does not help: above order 2 every part takes some step backwards in time (Goldman and
+/// Kaper 1996), where a damper feeds energy.
 const SPEEDS: Entry =
     Err("is made for forces of positions alone: with dampers, air or a ground that dissipates it \
                            has order 1; take rk4 or verlet");
@@ -78,8 +78,8 @@ const fn row(law: &'static str, damped: bool, entries: [Entry; METHODS.len()]) -
 /// Friction is taken from the speeds after each stretch, which ends where a point sticks, turns round or slips: no
 /// method keeps a higher order with it.
 const FRICTION_ORDER: u32 = 2;
-/// w_max h from which energy compensation is given the energy-momentum method: with all others an undamped body may gain
-/// energy from impact to impact (bar of 50 masses, 20 bounces: `tests/it/bar_on_wall.rs`).
+/// w_max h from which energy compensation is given the energy-momentum method: with all others an undamped body may
+/// gain energy from impact to impact (bar of 50 masses, 20 bounces: `tests/it/bar_on_wall.rs`).
 pub const COARSE: f64 = 0.4;
 
 /// What of a scene decides about its method.

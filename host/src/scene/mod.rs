@@ -1,6 +1,5 @@
 //! Scenes of flexible bodies: text -> lists -> a simulation -> rows of numbers.
 
-pub mod contact_force;
 pub mod dop853;
 pub mod fields;
 pub mod keys;

@@ -9,9 +9,9 @@ use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Event, Flow, Observer};
 
-use super::contact_force::ContactForce;
 use super::read::Scene;
 use super::simulation::Simulation;
+use crate::contact_force::ContactForce;
 
 /// One touch or release, for plots of work against impulse and for tests.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,7 +17,8 @@ pub fn chain(links: usize, length: f64) -> Lists {
     body
 }
 
-/// Regular polygon of `corners` springs of length `side` in the plane y = 0, one corner lowest; 3 is the closed loop of 3.4.
+/// Regular polygon of `corners` springs of length `side` in the plane y = 0, one corner lowest; 3 is the closed loop of
+/// 3.4.
 #[must_use]
 pub fn polygon(corners: usize, side: f64) -> Lists {
     let mut body = Lists::default();
@@ -184,7 +185,8 @@ pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
 
 /// Sheet of `rows` chains of `columns` points in a frame: both ends of every chain are anchored (thesis 3.6).
 ///
-/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame; of its four corner cells the inner half.
+/// 27 x 27 gives 729 masses, 1512 springs and 4 x 27 anchors. Facets cover the frame; of its four corner cells the
+/// inner half.
 #[must_use]
 pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     let mut body = Lists::default();

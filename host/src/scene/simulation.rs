@@ -13,8 +13,8 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
 use smartbed_runtime::vec3::{self, Vec3};
 
-use super::contact_force::ContactForce;
 use super::lists::Lists;
+use crate::contact_force::ContactForce;
 
 /// What surrounds a body: constants in f64.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 //! below 2 MB however long the run.
 
 use super::stage::Stage;
-use crate::scene::contact_force::ContactForce;
+use crate::contact_force::ContactForce;
 use serde_json::{Value, json};
 
 /// Numbers of all frames together; 16 bits are 8/3 letters of base64.
@@ -113,7 +113,8 @@ impl Film {
         data.to_string()
     }
 
-    /// How many contacts each frame has; of each the point, forces along and across its normal, 1 where both are pushed.
+    /// How many contacts each frame has; of each the point, forces along and across its normal, 1 where both are
+    /// pushed.
     fn contacts(&self) -> (Value, Value) {
         let most = (CONTACTS[0] / self.frames.len().max(1)).max(CONTACTS[1]);
         let (mut counts, mut bytes) = (Vec::new(), Vec::new());

@@ -6,16 +6,19 @@
 
 pub mod ellipsoid;
 pub mod film;
+#[cfg(feature = "whole")]
+pub mod scene;
 pub mod serve;
 pub mod stage;
+#[cfg(feature = "whole")]
 pub mod still;
+#[cfg(feature = "whole")]
 pub mod world;
 
 pub use film::Film;
 pub use stage::Stage;
 
 use crate::failure::Failure;
-use crate::output;
 use crate::run;
 
 /// The page without data and scripts.
@@ -82,12 +85,27 @@ impl Arguments {
 /// # Errors
 /// Status 1 for a wrong model or setting; status 2 without a browser for `--still`, or without a free port.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let Some([time, file]) = arguments.still.as_deref() else { return serve::serve(arguments) };
+    match arguments.still.as_deref() {
+        Some([time, file]) => take_still(arguments, time, file),
+        _ => serve::serve(arguments),
+    }
+}
+
+#[cfg(not(feature = "whole"))]
+fn take_still(_: &Arguments, _: &str, _: &str) -> Result<(), Failure> {
+    Err(Failure::not_built("--still"))
+}
+
+#[cfg(feature = "whole")]
+fn take_still(arguments: &Arguments, time: &str, file: &str) -> Result<(), Failure> {
     still::check(file)?;
     let time = still::time(time)?;
     let page = page(&run::film(&arguments.run(None))?);
     still::take(&page, time, file)?;
     let name = crate::number::json_string(file);
-    output::print(&if arguments.json { format!("{{\"still\": {name}}}\n") } else { format!("{file}\n") })?;
-    Ok(())
+    crate::output::print(&if arguments.json {
+        format!("{{\"still\": {name}}}\n")
+    } else {
+        format!("{file}\n")
+    })
 }

@@ -65,7 +65,8 @@ impl Carrier<f64> for HostCarrier {
     }
 
     fn drive_power(&mut self, frames: &[Frame<f64>], wrenches: &[Wrench<f64>]) -> Option<f64> {
-        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its account.
+        // What drives a mechanism that time alone moves gives what is taken at its ports; its own share is in its
+        // account.
         let taken = frames.iter().zip(wrenches).map(|(frame, wrench)| wrench.power(frame)).sum::<f64>();
         matches!(self, Self::Mechanism(own) if own.n_u() == 0).then_some(-taken)
     }

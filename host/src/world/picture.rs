@@ -1,6 +1,6 @@
 //! Where everything of a world stands, as pages show it: points, axes of what turns, sizes of solids.
 
-use crate::scene::contact_force::ContactForce;
+use crate::contact_force::ContactForce;
 use smartbed_runtime::surface::Shape;
 use smartbed_runtime::vec3;
 

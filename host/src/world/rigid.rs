@@ -3,7 +3,7 @@
 use super::assembly::{Assembly, Contact, Kind, Law};
 use super::engine::{Column, Energies, Engine, Event};
 use super::picture::Picture;
-use crate::scene::contact_force::ContactForce;
+use crate::contact_force::ContactForce;
 use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::rigid::contact::{Mobility, Twist};

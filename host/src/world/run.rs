@@ -1,6 +1,7 @@
 //! A world in motion: rows of its state and energies, events as they happen.
 //!
-//! In: an [`Assembly`]. Out: rows to a caller, step by step. What moves is an [`Engine`]; this file is the same for all.
+//! In: an [`Assembly`]. Out: rows to a caller, step by step. What moves is an [`Engine`]; this file is the same for
+//! all.
 
 use super::assembly::Assembly;
 use super::carried::CarriedWorld;
@@ -65,8 +66,8 @@ impl Checkpoint {
     }
 }
 
-/// Runs to the end, handing each row to `emit` with the engine, for pictures; returns the events. From a checkpoint it goes
-/// on with the step behind it, bit for bit as the run that made it would have.
+/// Runs to the end, handing each row to `emit` with the engine, for pictures; returns the events. From a checkpoint it
+/// goes on with the step behind it, bit for bit as the run that made it would have.
 ///
 /// # Errors
 /// Why it could not go on, with the time; or the caller's own.

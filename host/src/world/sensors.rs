@@ -1,7 +1,7 @@
 //! Sensors of a world: readings of numbers of its rows, coarse, late and noisy; they observe and change nothing.
 //!
-//! In: what a scene says of each, the rows' columns. Out: readings step by step. A tick is a step of the run: the noise of a
-//! sample belongs to its number, so that the same seed gives the same readings.
+//! In: what a scene says of each, the rows' columns. Out: readings step by step. A tick is a step of the run: the noise
+//! of a sample belongs to its number, so that the same seed gives the same readings.
 
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::Column;

@@ -1,8 +1,9 @@
 //! Static equilibrium by damped relaxation.
 //!
-//! In: a world at its start. Out: the same at rest, where nothing accelerates. Time stands still; free motion by small steps
-//! gives a part's kinetic energy up wherever it begins to fall, when that part's velocities are set to 0 (kinetic damping:
-//! Cundall 1976, Barnes 1999): what swings slowly is not stopped by what swings fast. Frames that a law moves hold where they start.
+//! In: a world at its start. Out: the same at rest, where nothing accelerates. Time stands still; free motion by small
+//! steps gives a part's kinetic energy up wherever it begins to fall, when that part's velocities are set to 0 (kinetic
+//! damping: Cundall 1976, Barnes 1999): what swings slowly is not stopped by what swings fast. Frames that a law moves
+//! hold where they start.
 
 use super::engine::Settled;
 use smartbed_runtime::mechanism::Fault;

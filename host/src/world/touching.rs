@@ -1,11 +1,12 @@
 //! Contacts of a world whose parts are not rigid alone: what can be touched, which pairs, and the memory of the step.
 //!
-//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them: without
-//! splitting (Moreau 1988; impacts and lasting contacts are one), or with touches located in time and the laws of impact.
+//! In: an assembly and the numbers of its ports and nodes. Out: things and pairs as the runtime's `World` steps them:
+//! without splitting (Moreau 1988; impacts and lasting contacts are one), or with touches located in time and the laws
+//! of impact.
 
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
-use crate::scene::contact_force::ContactForce;
+use crate::contact_force::ContactForce;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
 use smartbed_runtime::rigid::contact::{Mobility, Twist};

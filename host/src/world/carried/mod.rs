@@ -1,8 +1,9 @@
 //! Worlds of flexible parts on mechanisms, rigid bodies and fixed frames, as one set of equations.
 //!
-//! In: an assembly (`build`). Out: an [`Engine`](super::engine::Engine) over the runtime's [`Island`], which borrows the lists kept here: all flexible
-//! parts as one body, all carriers as one group. Where something can touch, the runtime's `World` steps it and keeps the
-//! accounts; elsewhere works (drives, damping) are integrals of powers by Simpson's rule over each step.
+//! In: an assembly (`build`). Out: an [`Engine`](super::engine::Engine) over the runtime's [`Island`], which borrows
+//! the lists kept here: all flexible parts as one body, all carriers as one group. Where something can touch, the
+//! runtime's `World` steps it and keeps the accounts; elsewhere works (drives, damping) are integrals of powers by
+//! Simpson's rule over each step.
 
 mod build;
 mod rest;
@@ -93,7 +94,8 @@ fn words(fault: Fault) -> String {
 }
 
 impl CarriedWorld {
-    /// The state: coordinates of the carriers, places of the free nodes; speeds of the carriers, velocities of the nodes.
+    /// The state: coordinates of the carriers, places of the free nodes; speeds of the carriers, velocities of the
+    /// nodes.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.x

@@ -1,8 +1,8 @@
 //! A world as Rust for the firmware: constant tables, derived equations, its carriers.
 //!
-//! In: a world at its start. Out: the text of a Rust file in single precision, which the firmware's program `world` includes.
-//! `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that reads back to it:
-//! the compiler rounds it once to single precision, for chip and host alike.
+//! In: a world at its start. Out: the text of a Rust file in single precision, which the firmware's program `world`
+//! includes. `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that
+//! reads back to it: the compiler rounds it once to single precision, for chip and host alike.
 
 use super::{CarriedWorld, Place};
 use crate::world::assembly::{Assembly, Kind, Mechanism};
@@ -24,7 +24,8 @@ pub struct Demand {
 }
 
 impl Demand {
-    /// Bytes: state and what its sums have rounded away, the method's memory; places, velocities and two forces of each node.
+    /// Bytes: state and what its sums have rounded away, the method's memory; places, velocities and two forces of each
+    /// node.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<f32>() * (2 * self.numbers + self.method.scratch(self.numbers) + 4 * 3 * self.nodes)

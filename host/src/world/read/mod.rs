@@ -1,7 +1,7 @@
 //! Scene text of format 2 -> [`Assembly`]: settings, parts, what joins them, the run; all errors with their places.
 //!
-//! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part each,
-//! `join` attachments and contacts, `view` what pictures show, `overlap` judges where rigid parts start.
+//! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part
+//! each, `join` attachments and contacts, `view` what pictures show, `overlap` judges where rigid parts start.
 
 mod flexible;
 mod join;
@@ -29,13 +29,6 @@ const MOST_COPIES: usize = 10_000;
 const MOST_NODES: usize = 200_000;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
-
-/// Is this text a scene of format 2? Its parts say so; nothing is parsed.
-#[must_use]
-pub fn is_world(text: &str) -> bool {
-    let begins = |line: &str| ["[parts.", "[parts]", "parts."].iter().any(|word| line.starts_with(word));
-    text.lines().any(|line| begins(line.trim_start()))
-}
 
 /// Reads a scene; `settings` are `--set`'s, `find` gives the file of a model's name.
 ///

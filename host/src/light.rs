@@ -1,0 +1,79 @@
+//! What the light program does by itself: it starts, runs and shows mechanisms.
+//!
+//! In: the arguments of a command. Out: whether scenes, reports, a browser or a compiler are out of it. `cargo
+//! smartbed` builds the light program first, without the feature `whole`; it builds the whole one when that is first
+//! needed.
+
+use crate::engine::EngineKind;
+use crate::{input, model_argument, run, view};
+
+/// Does the light program run this? A file that cannot be read it refuses as the whole one would.
+#[must_use]
+pub fn runs(arguments: &run::Arguments) -> bool {
+    let is_picked = arguments.error.is_some() || arguments.budget.is_some();
+    let is_kept = arguments.save.is_some() || arguments.resume.is_some();
+    let is_compiled = arguments.engine == EngineKind::Compiled;
+    let is_painted = arguments.plot.as_ref().is_some_and(|file| file.to_ascii_lowercase().ends_with(".png"));
+    !(is_picked || is_kept || is_compiled || is_painted) && is_mechanism(&arguments.model)
+}
+
+/// Does the light program show this?
+#[must_use]
+pub fn shows(arguments: &view::Arguments) -> bool {
+    arguments.still.is_none() && is_mechanism(&arguments.model)
+}
+
+/// Is it no scene, by what its lines begin with? Whatever may be one is left to the whole program, which reads it.
+fn is_mechanism(argument: &str) -> bool {
+    let Ok(path) = model_argument::find(argument) else { return true };
+    let text = input::text(&path.display().to_string()).unwrap_or_default();
+    let gives = |line: &str, key: &str| {
+        line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+    };
+    let is_body = text.lines().any(|line| gives(line, "shape") || gives(line, "points"));
+    let is_json = path.extension().is_some_and(|ending| ending == "json");
+    !is_json && !is_body && !model_argument::says_world(&text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(model: &str) -> run::Arguments {
+        run::Arguments { model: model.to_owned(), ..run::Arguments::default() }
+    }
+
+    #[test]
+    fn every_shipped_mechanism_is_run_and_no_scene() {
+        let names = |folder: &str| {
+            let files = std::fs::read_dir(folder).expect("a folder").map(|f| f.expect("a file").path());
+            files.filter(|f| f.extension().is_some_and(|e| e == "toml")).map(|f| f.display().to_string())
+        };
+        let (mechanisms, scenes): (Vec<_>, Vec<_>) =
+            (names("../models").collect(), names("../models/scenes").collect());
+        assert!(mechanisms.len() > 15 && scenes.len() > 15);
+        for file in mechanisms {
+            assert!(runs(&of(&file)), "{file}");
+        }
+        for file in scenes {
+            assert!(!runs(&of(&file)), "{file}");
+        }
+    }
+
+    #[test]
+    fn what_needs_more_than_the_equations_is_left() {
+        assert!(runs(&run::Arguments { plot: Some("a.svg".to_owned()), ..of("fourbar") }));
+        for more in [
+            run::Arguments { error: Some(1e-6), ..of("fourbar") },
+            run::Arguments { budget: Some("1us".to_owned()), ..of("fourbar") },
+            run::Arguments { save: Some("a.json".to_owned()), ..of("fourbar") },
+            run::Arguments { engine: EngineKind::Compiled, ..of("fourbar") },
+            run::Arguments { plot: Some("a.PNG".to_owned()), ..of("fourbar") },
+        ] {
+            assert!(!runs(&more), "{more:?}");
+        }
+        let shown = view::Arguments { model: "fourbar".to_owned(), ..view::Arguments::default() };
+        assert!(shows(&shown));
+        assert!(!shows(&view::Arguments { still: Some(Vec::new()), ..shown }));
+    }
+}

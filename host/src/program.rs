@@ -1,0 +1,66 @@
+//! How a program of this package ends: exit status 0, it is done; 1, the input is wrong; 2, the machine lacks
+//! something; 101, it panicked, which is a mistake of ours.
+
+use crate::failure::Failure;
+use crate::{diagnostics, output};
+use std::io::Write;
+use std::process::ExitCode;
+
+/// The status of a Rust program that panicked.
+const PANICKED: i32 = 101;
+
+/// Lets a panic end with its own status: built to abort, it would end by a signal and leave a core file.
+pub fn begin() {
+    let tell = std::panic::take_hook();
+    std::panic::set_hook(Box::new(move |panic| {
+        tell(panic);
+        std::process::exit(PANICKED);
+    }));
+}
+
+/// Ends without a command to carry out: a wrong command line is a wrong input (1), help and version are answers (0).
+#[must_use]
+pub fn refuse(message: &clap::Error) -> ExitCode {
+    let to_stdout = if message.use_stderr() { Ok(()) } else { output::print("") };
+    let is_heard = to_stdout.is_ok() && message.print().is_ok_and(|()| std::io::stdout().flush().is_ok());
+    ExitCode::from(u8::from(message.use_stderr() || !is_heard))
+}
+
+/// Ends as a command ended.
+#[must_use]
+pub fn end(done: Result<(), Failure>) -> ExitCode {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            diagnostics::fail(&failure);
+            ExitCode::from(failure.status())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::process::Command;
+
+    /// Runs as a program of its own, below.
+    #[test]
+    fn a_panic() {
+        if std::env::var_os("SMARTBED_PANICS").is_some() {
+            begin();
+            panic!("on purpose");
+        }
+    }
+
+    #[test]
+    fn a_panic_ends_the_program_at_once_and_has_its_own_status() {
+        let tests = std::env::current_exe().expect("a program");
+        let mut panics = Command::new(tests);
+        panics.args(["--exact", "program::tests::a_panic", "--nocapture"]).env("SMARTBED_PANICS", "1");
+        let done = panics.output().expect("to run");
+        let [out, said] = [done.stdout, done.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        assert_eq!(done.status.code(), Some(PANICKED), "{said}");
+        assert!(said.contains("on purpose"), "{said}");
+        assert!(!out.contains("test result"), "the tests went on: {out}");
+    }
+}
