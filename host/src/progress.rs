@@ -78,8 +78,8 @@ fn bar(what: &str, template: &str) -> ProgressBar {
     bar
 }
 
-/// Work of which nobody knows how far it is: what it is and for how long, from its second on; elsewhere than on a terminal
-/// only if it has stages.
+/// Work of which nobody knows how far it is: what it is and for how long, from its second on; elsewhere than on a
+/// terminal only if it has stages.
 #[derive(Debug)]
 pub struct Waiting {
     done: Option<Sender<()>>,

@@ -1,8 +1,8 @@
 //! Complete speeds: where all speeds are state, those left out follow from the constraints.
 //!
-//! In: a configuration and some speeds. Out: all speeds that are state. Independent speeds are taken as given, 0 where left
-//! out. Redundant ones (the motion passes dead points of the independent speeds) must meet the constraints J u = -j: those
-//! given are met as nearly as they allow, the others are as small as they can be.
+//! In: a configuration and some speeds. Out: all speeds that are state. Independent speeds are taken as given, 0 where
+//! left out. Redundant ones (the motion passes dead points of the independent speeds) must meet the constraints J u =
+//! -j: those given are met as nearly as they allow, the others are as small as they can be.
 
 use smartbed_codegen::kinematics::linear;
 use smartbed_codegen::{Interpreted, Program};

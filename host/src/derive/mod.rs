@@ -49,8 +49,8 @@ pub struct Arguments {
     /// What runs the code, which decides the order of its statements; without it a host for f64, else the chip.
     #[arg(long, value_enum)]
     pub core: Option<CoreChoice>,
-    /// Only these answers, without the struct that joins them to the runtime; those listed together are one function that
-    /// shares what they have in common: [NAME=]ANSWER,ANSWER... May be repeated, for several functions.
+    /// Only these answers, without the struct that joins them to the runtime; those listed together are one function
+    /// that shares what they have in common: [NAME=]ANSWER,ANSWER... May be repeated, for several functions.
     #[arg(long, value_parser = crate::answers::entry, value_name = "LIST")]
     pub answers: Vec<String>,
     /// Keep these fixed parameters as fields.

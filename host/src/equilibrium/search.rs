@@ -1,12 +1,12 @@
 //! Newton's method for a state, or for inputs, at which nothing accelerates.
 //!
-//! In: rates of the state x = (independent q, independent u) and their slopes A, B at a place, from the derived equations.
-//! Out: the place, where all rates vanish that have to:
+//! In: rates of the state x = (independent q, independent u) and their slopes A, B at a place, from the derived
+//! equations. Out: the place, where all rates vanish that have to:
 //! ```text
 //! r = (u', q' of every coordinate that the rates depend on),   J dz = -r,   dz the shortest such step
 //! ```
-//! in units of each unknown's own range. Where the answer is not one place but a line of them, the shortest step leads to
-//! the one nearest to the start. A step is halved while it does not lower r or cannot be assembled.
+//! in units of each unknown's own range. Where the answer is not one place but a line of them, the shortest step leads
+//! to the one nearest to the start. A step is halved while it does not lower r or cannot be assembled.
 
 use crate::configuration::Configurations;
 use crate::engine::Engine;

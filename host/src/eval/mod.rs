@@ -46,7 +46,8 @@ pub struct Arguments {
     /// What it computes with.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: ScalarKind,
-    /// Only these, with commas between; `derive --help` lists them [default: rates, energy, outputs, projection, drive].
+    /// Only these, with commas between; `derive --help` lists them [default: rates, energy, outputs, projection,
+    /// drive].
     #[arg(long, value_parser = answers::entry, value_name = "LIST")]
     pub answers: Vec<String>,
     /// Print one JSON object about what was done (the answers are JSON in any case).

@@ -66,8 +66,8 @@ pub const M33: Chip = Chip {
     ..STM32F405
 };
 
-/// A RISC-V core (imafc) that no board is made of here: the controller is built for it and measured. Its rules read no tables of jumps,
-/// so it has none.
+/// A RISC-V core (imafc) that no board is made of here: the controller is built for it and measured. Its rules read no
+/// tables of jumps, so it has none.
 pub const RV32: Chip = Chip {
     name: "a RISC-V core (imafc)",
     short: "rv32",

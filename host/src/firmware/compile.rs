@@ -164,6 +164,28 @@ impl Settings {
         }
     }
 
+    /// Feature of the firmware that the program needs.
+    fn feature(&self) -> &'static str {
+        match self.subject {
+            Subject::Mechanism if self.everything => "everything",
+            Subject::Mechanism => "model",
+            Subject::Scene(_) => "scene",
+            Subject::World(_) => "world",
+            Subject::Loop => "plant",
+            Subject::Board(_) => "board",
+            Subject::Bare => "controller",
+        }
+    }
+
+    /// What the image's scene consists of, in Rust.
+    fn tables(&self) -> Option<&str> {
+        match &self.subject {
+            Subject::Scene(tables) => Some(tables),
+            Subject::World(world) => Some(&world.tables),
+            _ => None,
+        }
+    }
+
     /// Functions of the image that are counted: a step; of a mechanism its rates, and a sine and cosine where the
     /// controller calls one.
     #[must_use]
@@ -179,32 +201,16 @@ impl Settings {
     fn export(&self, command: &mut Command, folder: &Path) -> Result<(), Failure> {
         command.env("SMARTBED_STEPS", self.steps.to_string());
         command.env("SMARTBED_INJECT", self.inject.as_deref().unwrap_or(""));
-        match &self.subject {
-            Subject::Loop | Subject::Board(_) | Subject::Bare => {
-                let feature = match self.subject {
-                    Subject::Loop => "plant",
-                    Subject::Board(_) => "board",
-                    _ => "controller",
-                };
-                command.args(["--features", feature]);
-                command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
-            }
-            Subject::Mechanism => {
-                command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
-                command.args(["--features", if self.everything { "everything" } else { "model" }]);
-            }
-            Subject::Scene(_) | Subject::World(_) => {
-                let (feature, tables) = match &self.subject {
-                    Subject::World(world) => ("world", &world.tables),
-                    Subject::Scene(tables) => ("scene", tables),
-                    _ => return Ok(()),
-                };
-                let file = folder.join("scene.rs");
-                std::fs::write(&file, tables)
-                    .map_err(|e| Failure::Wrong(format!("{}: {e}", file.display())))?;
-                command.args(["--features", feature]).env("SMARTBED_SCENE", file);
-                command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
-            }
+        command.args(["--features", self.feature()]);
+        if self.subject == Subject::Mechanism {
+            command.env("SMARTBED_MODEL", &self.model).env("SMARTBED_SET", self.set.join(";"));
+            return Ok(());
+        }
+        command.env_remove("SMARTBED_MODEL").env_remove("SMARTBED_SET");
+        if let Some(tables) = self.tables() {
+            let file = folder.join("scene.rs");
+            std::fs::write(&file, tables).map_err(|e| Failure::Wrong(format!("{}: {e}", file.display())))?;
+            command.env("SMARTBED_SCENE", file);
         }
         Ok(())
     }

@@ -1,7 +1,8 @@
 //! A world for the chip, its sheets as fine as RAM carries.
 //!
-//! In: a scene of format 2, the settings of the command line, the bytes that an image takes beside the world. Out: tables of
-//! the finest world that fits. A sheet whose `rows` or `columns` the command line sets, and every other part, stays as it is.
+//! In: a scene of format 2, the settings of the command line, the bytes that an image takes beside the world. Out:
+//! tables of the finest world that fits. A sheet whose `rows` or `columns` the command line sets, and every other part,
+//! stays as it is.
 
 use crate::failure::Failure;
 use crate::world::assembly::{Assembly, Kind};
@@ -85,7 +86,8 @@ impl Fitted {
         })
     }
 
-    /// As an image of it was measured: a better one, if there is one. `taken` is the image's RAM, stack and static data.
+    /// As an image of it was measured: a better one, if there is one. `taken` is the image's RAM, stack and static
+    /// data.
     ///
     /// # Errors
     /// As [`Fitted::new`].

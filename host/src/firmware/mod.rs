@@ -1,8 +1,8 @@
 //! `smartbed firmware`: model in; image, its checks, its cost and its trajectory's digest out.
 //!
 //! A scene of a flexible body goes the same way: its constant tables are printed for the firmware from
-//! the value that the host steps. So does a world ([`fit`]): with the equations of its mechanisms, its sheets as fine as RAM carries.
-//! Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
+//! the value that the host steps. So does a world ([`fit`]): with the equations of its mechanisms, its sheets as fine
+//! as RAM carries. Order: find or install the tools ([`toolchain`]), build image and host simulation from the same
 //! settings ([`compile`]), check the image ([`image`]), run it in the emulator with the counting
 //! plug-in ([`emulator`]), compare the digests of chip and host, set the counts against the operations
 //! ([`equations`]), print ([`report`]).
@@ -54,8 +54,8 @@ pub struct Arguments {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
-    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks over a
-    /// serial line, with `--board=can` over a CAN bus.
+    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks
+    /// over a serial line, with `--board=can` over a CAN bus.
     #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
         conflicts_with_all = ["model", "steps", "set", "everything", "small", "inject", "elf"])]
     pub board: Option<Bus>,

@@ -1,8 +1,8 @@
 //! RISC-V (imafc, 32 bits) as far as the checks of an image need it: stack, calls, fused arithmetic.
 //!
-//! In: the bytes from an instruction on, at an address. Out: what it does, in the words of [`super::thumb`]. Encodings after the RISC-V
-//! Instruction Set Manual, volume I, chapters 2, 22 (F) and 26 (C). A pair of `auipc` and `jalr`, as every far call is, is one
-//! instruction here: its target stands in both. Decoding is total, as in `thumb`.
+//! In: the bytes from an instruction on, at an address. Out: what it does, in the words of [`super::thumb`]. Encodings
+//! after the RISC-V Instruction Set Manual, volume I, chapters 2, 22 (F) and 26 (C). A pair of `auipc` and `jalr`, as
+//! every far call is, is one instruction here: its target stands in both. Decoding is total, as in `thumb`.
 
 use super::thumb::{Instruction, Kind};
 

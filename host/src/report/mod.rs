@@ -2,8 +2,8 @@
 //!
 //! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`mod@reference`], are run over a ladder of steps
 //! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
-//! observed, costs taken on the [`chip`] and put on a [`sheet`], other simulators set beside ours ([`peers`]). The renderings
-//! know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
+//! observed, costs taken on the [`chip`] and put on a [`sheet`], other simulators set beside ours ([`peers`]). The
+//! renderings know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
 
 pub mod body;
 pub mod chip;

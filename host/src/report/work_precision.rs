@@ -1,5 +1,5 @@
-//! Error against cost, both as powers of ten: a line per method with marks of its own, full in f64, open in f32, arms for
-//! other simulators, the front in amber.
+//! Error against cost, both as powers of ten: a line per method with marks of its own, full in f64, open in f32, arms
+//! for other simulators, the front in amber.
 
 use super::point::{Point, Section};
 use crate::plot::chart::{line, text};

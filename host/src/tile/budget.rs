@@ -1,8 +1,9 @@
 //! What the controller costs on each core, held against its limits.
 //!
-//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick and of the check of a tag in it, on the
-//! board's core cycles too, and a failure where one is too much; for RISC-V what the image shows alone. A nominal session and sessions with faults run in the emulator with the counting plug-in;
-//! the most of all of them counts.
+//! In: nothing. Out: flash, RAM, stack by analysis and as used, instructions of a tick and of the check of a tag in it,
+//! on the board's core cycles too, and a failure where one is too much; for RISC-V what the image shows alone. A
+//! nominal session and sessions with faults run in the emulator with the counting plug-in; the most of all of them
+//! counts.
 
 use super::bus::Bus;
 use super::machine::{self, Kind, Machine, Program};
@@ -27,8 +28,8 @@ const RAM: u64 = 16 * 1024;
 const INSTRUCTIONS: u64 = 9500;
 /// Cycles of a tick on the board's core, upper end of the interval: a tenth of a millisecond.
 const CYCLES: u64 = 16_800;
-/// Instructions of the check of a tag on any core, and cycles on the board's. A tick takes one body, so it checks one tag at most;
-/// the tick's own figures count it too.
+/// Instructions of the check of a tag on any core, and cycles on the board's. A tick takes one body, so it checks one
+/// tag at most; the tick's own figures count it too.
 const TAG_INSTRUCTIONS: u64 = 700;
 /// See [`TAG_INSTRUCTIONS`].
 const TAG_CYCLES: u64 = 1000;

@@ -35,8 +35,8 @@ pub struct Program {
     pub file: PathBuf,
 }
 
-/// Builds the loop of controller and simulated tile; once for each kind in the life of a process, because chips of one target take turns
-/// in one place, and each turn builds anew.
+/// Builds the loop of controller and simulated tile; once for each kind in the life of a process, because chips of one
+/// target take turns in one place, and each turn builds anew.
 ///
 /// # Errors
 /// Status 1 if it does not build, status 2 where a tool is missing.

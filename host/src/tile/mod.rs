@@ -2,9 +2,9 @@
 //!
 //! In: orders, as words or from standard input. Out: what the tiles say.
 //! Each tile is a whole controller with the tile that it is tried on, in lock-step with this program
-//! (`firmware/src/turns.rs`), so a session takes no longer than its computing and repeats byte for byte. [`order`] reads
-//! the words, [`machine`] starts a tile, [`bus`] carries bytes between tiles and supervisor, [`budget`] holds what the
-//! controller costs against its limits, [`show`] says it.
+//! (`firmware/src/turns.rs`), so a session takes no longer than its computing and repeats byte for byte. [`order`]
+//! reads the words, [`machine`] starts a tile, [`bus`] carries bytes between tiles and supervisor, [`budget`] holds
+//! what the controller costs against its limits, [`show`] says it.
 
 pub mod budget;
 pub mod bus;
@@ -54,7 +54,8 @@ pub struct Arguments {
 /// Does what the command line asks for.
 ///
 /// # Errors
-/// Status 1 for a wrong order, a refused command and a budget that is exceeded; status 2 where the machine lacks a tool.
+/// Status 1 for a wrong order, a refused command and a budget that is exceeded; status 2 where the machine lacks a
+/// tool.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.budget {
         return budget::run();

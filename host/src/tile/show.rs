@@ -24,7 +24,8 @@ pub fn start(margin: f64) -> String {
     format!("{}\n", json!({ "kind": "start", "time": 0.0, "margin": margin }))
 }
 
-/// What is worth a line: everything as JSON; in words, of telemetry, which comes ten times a second, only what is drawn.
+/// What is worth a line: everything as JSON; in words, of telemetry, which comes ten times a second, only what is
+/// drawn.
 #[must_use]
 pub fn said(said: &Said, plots: bool, as_json: bool) -> Option<String> {
     if as_json {

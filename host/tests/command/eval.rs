@@ -170,8 +170,9 @@ fn answers_on_request_are_those_of_both_engines() {
         .map(|u| state["inverse_dynamics"]["generalised_force"][u].as_f64().expect("a number"))
         .iter()
         .sum();
-    // By virtual work of all screws moving as one: weight, wrench, inertia of one screw at 0.5 m/s^2 with its share of the
-    // platform, friction of another at 0.1 m/s. The tilt of 0.1 rad leaves it so but for the turning of the platform.
+    // By virtual work of all screws moving as one: weight, wrench, inertia of one screw at 0.5 m/s^2 with its share of
+    // the platform, friction of another at 0.1 m/s. The tilt of 0.1 rad leaves it so but for the turning of the
+    // platform.
     let expected = 9.81 * (6.0 + 3.0 * 0.95) + 20.0 + 0.5 * (2.95 + 6.0 / 3.0) + 40.0 * 0.1;
     assert!((lift - expected).abs() < 0.05, "{lift} {expected}");
     let without = written("without.json", &states.replace(", \"u_dot\": {\"u_hB\": 0.5}", ""));

@@ -1,7 +1,8 @@
 //! docs/guide: every command in it is run, in order, in a folder of the page's own; links lead somewhere.
 //!
 //! A block fenced as `sh` must succeed, one fenced as `sh fails "words"` must fail with these words on standard
-//! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`, `completions` and `man` stand here, too.
+//! error, one fenced as `sh says "words"` must say them; a block with `file=NAME` is written first. `new`,
+//! `completions` and `man` stand here, too.
 
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
@@ -156,7 +157,8 @@ fn same(messages: &[String], rows: &[String]) {
     }
 }
 
-/// What a model says that passes dead points and is asked about independent speeds: the rejected one, with a mass that turns there.
+/// What a model says that passes dead points and is asked about independent speeds: the rejected one, with a mass that
+/// turns there.
 fn asked_of_redundant_speeds() -> String {
     let rejected = guide().join("../../models/rejected/dead_point.toml");
     let turned =

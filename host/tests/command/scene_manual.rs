@@ -1,4 +1,5 @@
-//! docs/scenes.md against the program: every key with those who read it, every default, the table law x method, the examples.
+//! docs/scenes.md against the program: every key with those who read it, every default, the table law x method, the
+//! examples.
 
 use crate::guide::run_page;
 use smartbed::input::LARGEST;

@@ -1,6 +1,7 @@
 //! `smartbed tile`: the controller in the emulator and on this machine.
 //!
-//! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that installs them.
+//! These tests fail, and never skip, where toolchain or emulator are missing; the message names the command that
+//! installs them.
 
 use crate::support::smartbed;
 use object::{Object, ObjectSection, ObjectSymbol};
@@ -96,7 +97,8 @@ fn a_hard_fault_turns_the_drives_off_first() {
 }
 
 /// A byte of the image that has changed while there was no power is found before the first tick, and told: here in the
-/// handler of hard faults, which nothing but a fault executes, and in the vector of the last interrupt, which nobody asks for.
+/// handler of hard faults, which nothing but a fault executes, and in the vector of the last interrupt, which nobody
+/// asks for.
 #[test]
 fn an_image_with_a_changed_byte_moves_nothing_and_says_why() {
     let program = build(Kind::Emulated(STM32F405)).unwrap_or_else(|e| panic!("{e}"));
@@ -185,7 +187,8 @@ fn a_motion_that_is_not_waited_for_can_be_stopped() {
     assert!(done.out.contains("moving: heave") && done.out.contains("hold: heave -1"), "{done:?}");
 }
 
-/// As when `stop` is typed on a terminal: `Typed` says so (its own test), and the bus ends the motion that it waits for.
+/// As when `stop` is typed on a terminal: `Typed` says so (its own test), and the bus ends the motion that it waits
+/// for.
 #[test]
 fn a_motion_that_is_waited_for_ends_when_stop_is_typed() {
     let program = build(Kind::Native).unwrap_or_else(|e| panic!("{e}"));

@@ -41,7 +41,8 @@ fn contacts(seen: &Value) -> Vec<[f64; 10]> {
 fn a_tile_and_its_bladder_keep_within_their_bytes_for_a_minute() {
     let (bytes, seen) = looked("tile_with_bladder", &["--seconds", "60", "--step", "1e-3"], "30.2");
     assert!(bytes <= 2_000_000, "{bytes} bytes");
-    // A sheet with 7 x 7 nodes between its edges; walls and base are held all round, and what they share with the sheet is the rim.
+    // A sheet with 7 x 7 nodes between its edges; walls and base are held all round, and what they share with the sheet
+    // is the rim.
     assert_eq!(seen["facets"], serde_json::json!([64, 54, 28]), "{seen}");
     let [low, high] = [0, 1].map(|n| seen["range"][n].as_f64().expect("a pressure"));
     assert!(low <= 0.0 && high > 500.0 && high < 3000.0, "gauge from {low} to {high} Pa");

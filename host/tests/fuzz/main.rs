@@ -4,8 +4,8 @@
 //! Every case ends with an answer or with a message that names a place. The cases run in a child process
 //! whose address space is limited to 1 GiB. The seed is fixed, so that case n is always the same:
 //! `SMARTBED_FUZZ_CASES=1000000 cargo test -p smartbed --test fuzz`, and `SMARTBED_FUZZ_FIRST=n
-//! SMARTBED_FUZZ_CASES=1` for case n alone. `SMARTBED_FUZZ_KIND=scene` draws only kinds whose names begin so: scenes' texts
-//! and command lines.
+//! SMARTBED_FUZZ_CASES=1` for case n alone. `SMARTBED_FUZZ_KIND=scene` draws only kinds whose names begin so: scenes'
+//! texts and command lines.
 
 mod arguments;
 mod models;

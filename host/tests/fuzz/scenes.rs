@@ -1,4 +1,5 @@
-//! Scene texts and command lines: keys of all kinds with values of all kinds, most of them read; shipped ones with lines exchanged.
+//! Scene texts and command lines: keys of all kinds with values of all kinds, most of them read; shipped ones with
+//! lines exchanged.
 
 use crate::random::Random;
 use smartbed::scene::keys::READERS;

@@ -1,6 +1,8 @@
-//! Scene texts of format 2 with values exchanged, keys left out and letters broken: no panic, and every refusal has its place.
+//! Scene texts of format 2 with values exchanged, keys left out and letters broken: no panic, and every refusal has its
+//! place.
 //!
-//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- worlds`; the seed is fixed, case n is always the same.
+//! `SMARTBED_FUZZ_CASES=100000 cargo test -p smartbed --test fuzz -- worlds`; the seed is fixed, case n is always the
+//! same.
 
 use crate::random::Random;
 use smartbed::model_argument::find;

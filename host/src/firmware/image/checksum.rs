@@ -1,7 +1,8 @@
 //! The checksum that a controller's image carries behind its constants, and by which it checks itself.
 //!
-//! In: an ELF of the controller. Out: the same with the checksum of its vectors, and of all bytes from the begin of the code to
-//! the end of the constants, in its section `.checksum`; the linker cannot compute it. An image without it refuses to move anything.
+//! In: an ELF of the controller. Out: the same with the checksum of its vectors, and of all bytes from the begin of the
+//! code to the end of the constants, in its section `.checksum`; the linker cannot compute it. An image without it
+//! refuses to move anything.
 
 use object::elf::SHF_ALLOC;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags};
@@ -52,16 +53,12 @@ fn between(file: &object::File, bounds: [&str; 2]) -> Result<Vec<u8>, String> {
         }
         bytes.extend_from_slice(section.data().map_err(|e| format!("a section of the program: {e}"))?);
     }
-    match (begin + bytes.len() as u64).cmp(&end) {
-        std::cmp::Ordering::Equal => Ok(bytes),
-        _ => Err(format!(
-            "{} bytes lie between {} and {}, not {}",
-            bytes.len(),
-            bounds[0],
-            bounds[1],
-            end - begin
-        )),
+    let found = bytes.len() as u64;
+    if begin + found != end {
+        let [from, to] = bounds;
+        return Err(format!("{found} bytes lie between {from} and {to}, not {}", end.saturating_sub(begin)));
     }
+    Ok(bytes)
 }
 
 #[cfg(test)]
@@ -73,8 +70,8 @@ mod tests {
     const CODE: [u8; 6] = [1, 2, 3, 4, 5, 6];
     const CONSTANTS: [u8; 2] = [7, 8];
 
-    /// A program of vectors, code and constants that begin at an address; its checksum lies behind its bounds. What is not loaded
-    /// stands where the vectors are.
+    /// A program of vectors, code and constants that begin at an address; its checksum lies behind its bounds. What is
+    /// not loaded stands where the vectors are.
     fn program(constants: u32) -> Vec<u8> {
         elf(
             &[

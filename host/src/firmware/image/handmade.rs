@@ -1,7 +1,7 @@
 //! A small ELF written byte by byte, for the tests of what reads one: 32 bits, little-endian, ARM.
 //!
-//! In: sections with their addresses and bytes, symbols. Out: the file. Layout: header, bytes of the sections, among them
-//! the symbols and all names, headers of the sections (System V ABI, chapter 4).
+//! In: sections with their addresses and bytes, symbols. Out: the file. Layout: header, bytes of the sections, among
+//! them the symbols and all names, headers of the sections (System V ABI, chapter 4).
 
 use object::elf::{EM_ARM, ET_EXEC, SHT_PROGBITS, SHT_STRTAB, SHT_SYMTAB};
 

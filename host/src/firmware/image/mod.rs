@@ -75,8 +75,8 @@ impl Image {
         Ok(Self { functions, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
     }
 
-    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no board
-    /// starts, from its entry, without the exceptions that a board would have.
+    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no
+    /// board starts, from its entry, without the exceptions that a board would have.
     ///
     /// # Errors
     /// A text if there is no vector table, or an entry is no function.
