@@ -9,6 +9,7 @@ use crate::link::frame::Body;
 use crate::link::log::Log;
 use crate::link::message::{Command, Event, Outcome, Refusal, Report, Trim, VERSION, write};
 use crate::link::session::{Accepted, Session};
+use crate::link::stagger;
 use crate::link::tag::Key;
 use crate::tile::board::{Outputs, Readings};
 use crate::tile::controller::Controller;
@@ -23,10 +24,8 @@ const INBOX: usize = 4;
 const WAITING: usize = 8;
 /// Reports that wait to be sent.
 const OUTBOX: usize = 8;
-/// The state is reported so often while a supervisor is there (ticks), by each tile so much after the one before it: on one bus
-/// reports never come in a heap.
+/// The state is reported so often while a supervisor is there (ticks).
 const TELEMETRY: u32 = 100;
-const STAGGER: u32 = 7;
 
 /// A tile on its bus.
 #[derive(Clone, Debug)]
@@ -78,7 +77,7 @@ impl<F: NorFlash> Node<F> {
             inbox: Deque::new(),
             waiting: Vec::new(),
             outbox: Deque::new(),
-            phase: STAGGER * u32::from(tile),
+            phase: stagger(tile),
             now: 0,
             sequence: 0,
             lost: 0,

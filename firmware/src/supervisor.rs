@@ -8,6 +8,7 @@ use crate::command::Pose;
 use crate::link::frame::Body;
 use crate::link::message::{Command, Header, Report, State, Target, VERSION, read_report};
 use crate::link::session::sign;
+use crate::link::stagger;
 use crate::link::tag::Key;
 use crate::tile::design::{HALF_SIDES, STEP_LIMIT};
 use crate::tile::fault::{Faults, Response};
@@ -17,8 +18,6 @@ use smartbed_runtime::real::Real;
 
 /// Beats are this far apart (ms): two may be lost before a tile falls silent.
 pub const BEAT: u32 = 150;
-/// Beats of one tile are so much later than those of the tile before it (ms): on one bus they never come in a heap.
-const STAGGER: u32 = 7;
 /// Tiles that may move at once, but for resuscitation: what the power supply gives.
 pub const MOST_MOVING: usize = 8;
 
@@ -74,7 +73,7 @@ impl Peer {
 
     /// A beat, if one is due, to be sent at once; the question who is there, while nobody has answered.
     pub fn beat(&mut self, now: u32) -> Option<Body> {
-        let number = now.wrapping_add(STAGGER * u32::from(self.tile)) / BEAT;
+        let number = now.wrapping_add(stagger(self.tile)) / BEAT;
         if self.beat.replace(number) == Some(number) {
             return None;
         }

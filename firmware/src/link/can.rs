@@ -71,11 +71,16 @@ pub fn raw(frame: &impl Frame) -> Option<u16> {
     }
 }
 
+/// Is it a data frame of this identifier?
+#[must_use]
+pub fn is_data(frame: &impl Frame, identifier: u16) -> bool {
+    frame.is_data_frame() && raw(frame) == Some(identifier)
+}
+
 /// Does this frame stop the tile?
 #[must_use]
 pub fn stops(frame: &impl Frame, tile: u8) -> bool {
-    let is_stop = frame.is_data_frame() && raw(frame) == Some(STOP);
-    is_stop && (frame.data().is_empty() || frame.data().contains(&tile))
+    is_data(frame, STOP) && (frame.data().is_empty() || frame.data().contains(&tile))
 }
 
 /// A controller, and what becomes of it.
@@ -129,6 +134,16 @@ impl<C: Controller> Port<C> {
         true
     }
 
+    /// Sends the next frame of a talk, if it has one: true if it went, false if there was no room, and it is kept.
+    pub fn say(&mut self, talk: &mut Talk, now: u32, collect: impl FnMut() -> Option<Body>) -> Option<bool> {
+        let data = talk.next(now, collect)?;
+        let is_sent = self.send(talk.says(), &data);
+        if !is_sent {
+            talk.keep(data);
+        }
+        Some(is_sent)
+    }
+
     /// Frames lost so far.
     #[must_use]
     pub fn lost(&self) -> u32 {
@@ -155,8 +170,7 @@ impl<C: Controller> Bus for End<C> {
     fn receive(&mut self, now: u32, mut take: impl FnMut(Arrival)) {
         let Self { port, tile, talk } = self;
         port.receive(|frame| {
-            let is_ours = frame.is_data_frame() && raw(frame) == Some(talk.hears());
-            let arrival = match is_ours {
+            let arrival = match is_data(frame, talk.hears()) {
                 true => talk.take(frame.data(), now).map(Arrival::Body),
                 false => stops(frame, *tile).then_some(Arrival::Stop),
             };
@@ -173,9 +187,7 @@ impl<C: Controller> Bus for End<C> {
             return;
         }
         for _ in 0..FRAMES {
-            let Some(data) = talk.next(now, &mut collect) else { return };
-            if !port.send(talk.says(), &data) {
-                talk.keep(data);
+            if port.say(talk, now, &mut collect) != Some(true) {
                 return;
             }
         }

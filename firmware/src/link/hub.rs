@@ -3,7 +3,7 @@
 //! In: frames, which their identifiers lead to the tile's talk; bodies for tiles. Out: frames, a turn for every tile, and bodies with
 //! the tile that they are from. A stop goes before everything else. Storage is the caller's: as many talks as tiles.
 
-use super::can::{Controller, FRAMES, Port, STOP, raw};
+use super::can::{Controller, FRAMES, Port, STOP, is_data};
 use super::frame::Body;
 use super::isotp::Data;
 use super::talk::Talk;
@@ -42,7 +42,7 @@ impl<'a, C: Controller> Hub<'a, C> {
         let Self { port, talks, .. } = self;
         port.receive(|frame| {
             let mut places = talks.iter_mut().enumerate();
-            let talk = places.find(|(_, talk)| frame.is_data_frame() && raw(frame) == Some(talk.hears()));
+            let talk = places.find(|(_, talk)| is_data(frame, talk.hears()));
             if let Some((place, body)) =
                 talk.and_then(|(place, talk)| Some((place, talk.take(frame.data(), now)?)))
             {
@@ -67,13 +67,15 @@ impl<'a, C: Controller> Hub<'a, C> {
         let mut sent = 0;
         for place in (self.first..count).chain(0..self.first.min(count)) {
             let Some(talk) = self.talks.get_mut(place) else { return };
-            let Some(data) = talk.next(now, || collect(place)) else { continue };
-            if sent == FRAMES || !self.port.send(talk.says(), &data) {
-                talk.keep(data);
-                self.first = place;
-                return;
+            match self.port.say(talk, now, || collect(place)) {
+                Some(true) if sent + 1 < FRAMES => sent += 1,
+                Some(is_sent) => {
+                    // Who found no room is first in the next turn, else who comes behind the last.
+                    self.first = place + usize::from(is_sent);
+                    return;
+                }
+                None => (),
             }
-            sent += 1;
         }
     }
 

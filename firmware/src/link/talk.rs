@@ -29,18 +29,18 @@ impl Talk {
     /// The side of tile `number`.
     #[must_use]
     pub fn of_tile(number: u8) -> Self {
-        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
-        Self::new(commands, reports)
+        Self::new(number, COMMANDS, REPORTS)
     }
 
     /// The supervisor's side towards tile `number`.
     #[must_use]
     pub fn of_supervisor(number: u8) -> Self {
-        let [commands, reports] = [COMMANDS, REPORTS].map(|id| id + u16::from(number));
-        Self::new(reports, commands)
+        Self::new(number, REPORTS, COMMANDS)
     }
 
-    fn new(hears: u16, says: u16) -> Self {
+    /// What is said about tile `number`, by what is heard and said about tile 0.
+    fn new(number: u8, hears: u16, says: u16) -> Self {
+        let [hears, says] = [hears, says].map(|id| id + u16::from(number));
         Self { hears, says, receiver: Receiver::default(), sender: None, answer: None, kept: None, lost: 0 }
     }
 

@@ -1,4 +1,5 @@
-//! A simulated CAN bus: controllers that hold a few frames, arbitration by identifier, frames that are lost.
+//! A simulated CAN bus: arbitration by identifier, frames that are lost; the supervisor's controller, which holds a few frames.
+//! Tiles have a model of the chip's (`bxcan.rs`).
 
 use embedded_can::ErrorKind;
 use embedded_can::nb::Can;
@@ -67,6 +68,37 @@ impl Controller for Pin {
     }
 }
 
+/// A controller, seen from the bus.
+pub trait OnBus {
+    /// Identifier of the frame that it would send.
+    fn first(&self) -> Option<u16>;
+    /// That frame: it has been sent.
+    fn take(&self) -> Option<Classic>;
+    /// A frame of another one.
+    fn hear(&self, frame: &Classic);
+    /// A millisecond has passed.
+    fn pass(&self) {}
+}
+
+impl OnBus for Pin {
+    fn first(&self) -> Option<u16> {
+        self.0.borrow().waiting.front().map(|f| raw(f).unwrap_or(u16::MAX))
+    }
+
+    fn take(&self) -> Option<Classic> {
+        self.0.borrow_mut().waiting.pop_front()
+    }
+
+    fn hear(&self, frame: &Classic) {
+        let mut chip = self.0.borrow_mut();
+        match () {
+            () if chip.is_off => (),
+            () if chip.come.len() < 2 * DEPTH => chip.come.push_back(frame.clone()),
+            () => chip.has_overrun = true,
+        }
+    }
+}
+
 /// What the bus carries.
 #[derive(Default)]
 pub struct Carrier {
@@ -79,25 +111,18 @@ pub struct Carrier {
 
 impl Carrier {
     /// A millisecond: the lowest identifier goes first; every other controller hears it, as far as it has room.
-    pub fn carry(&mut self, pins: &[Pin]) {
+    pub fn carry(&mut self, pins: &[&dyn OnBus]) {
+        pins.iter().for_each(|pin| pin.pass());
         for count in 0..RATE {
-            let first = |pin: &Pin| pin.0.borrow().waiting.front().map(|f| raw(f).unwrap_or(u16::MAX));
-            let waiting = (0..pins.len()).filter(|i| first(&pins[*i]).is_some());
-            let Some(from) = waiting.min_by_key(|i| first(&pins[*i])) else { return };
-            let Some(frame) = pins[from].0.borrow_mut().waiting.pop_front() else { return };
+            let waiting = (0..pins.len()).filter(|i| pins[*i].first().is_some());
+            let Some(from) = waiting.min_by_key(|i| pins[*i].first()) else { return };
+            let Some(frame) = pins[from].take() else { return };
             self.carried += 1;
             self.busiest = self.busiest.max(count + 1);
             if self.lossy > 0 && self.carried.is_multiple_of(self.lossy) {
                 continue;
             }
-            for (_, pin) in pins.iter().enumerate().filter(|(i, pin)| *i != from && !pin.0.borrow().is_off) {
-                let mut chip = pin.0.borrow_mut();
-                if chip.come.len() < 2 * DEPTH {
-                    chip.come.push_back(frame.clone())
-                } else {
-                    chip.has_overrun = true
-                }
-            }
+            pins.iter().enumerate().filter(|(i, _)| *i != from).for_each(|(_, pin)| pin.hear(&frame));
         }
     }
 }

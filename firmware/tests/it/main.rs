@@ -1,6 +1,7 @@
 //! The controller as a whole, on the simulated tile.
 
 mod bench;
+mod bxcan;
 mod campaign;
 mod can;
 mod can_bus;
