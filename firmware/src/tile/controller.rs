@@ -175,12 +175,12 @@ impl Controller {
         let [a, b, c, pressure] = trim.unwrap_or_default();
         self.sense.take(readings, &Trim { height: [a, b, c], pressure });
         let doing = match self.following() {
-            Some((wanted, sign)) => {
+            Some((wanted, ways)) => {
                 let seeks = matches!(&self.way, Way::Homing(homing) if homing.seeks());
                 let patient = Real::min(load(self.sense.pressure()), PAYLOAD);
                 self.loads = loads(&wanted, patient);
                 let retreats = self.mode == Mode::Retreat;
-                Doing::Follow { wanted, sign, seeks, retreats, loads: loads(&wanted, PAYLOAD) }
+                Doing::Follow { wanted, ways, seeks, retreats, loads: loads(&wanted, PAYLOAD) }
             }
             None => Doing::Rest(self.rest),
         };
@@ -342,9 +342,9 @@ impl Controller {
     /// What is set in this mode.
     fn act(&mut self) -> Outputs {
         let mut outputs = Outputs::default();
-        if let Some((wanted, sign)) = self.following() {
+        if let Some((wanted, ways)) = self.following() {
             (outputs.enable, outputs.duty) =
-                (true, self.servo.duties(&self.sense, &wanted, &sign, &self.loads));
+                (true, self.servo.duties(&self.sense, &wanted, &ways, &self.loads));
         } else if self.mode == Mode::SelfTest {
             (outputs.test, outputs.duty) = (true, [TEST_DUTY; 3]);
         }
@@ -371,11 +371,11 @@ impl Controller {
         outputs
     }
 
-    /// What is wanted of each leg and its direction, while drives are on.
+    /// What is wanted of each leg and how far it goes, while drives are on.
     fn following(&self) -> Option<([Along; 3], [f32; 3])> {
         match &self.way {
             Way::None => None,
-            Way::Motion(motion) => Some((motion.wanted(), motion.sign())),
+            Way::Motion(motion) => Some((motion.wanted(), motion.ways())),
             Way::Homing(homing) => Some(homing.wanted()),
         }
     }

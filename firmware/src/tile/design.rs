@@ -49,13 +49,17 @@ pub const NOT_ARRIVED: f32 = 4e-5;
 /// Time for it (ticks).
 pub const SETTLING: u32 = 400;
 
-/// Rise of the current of a leg that goes up over what the motion took so far that is an obstruction (A): some 90 N.
-pub const CURRENT_RISE: f32 = 0.15;
-/// Change of the current of a leg that goes down that is one: of its share of what the motion took, and of its least (A).
+/// A way from which on a motion of a leg is judged by itself (m): see `super::effort`.
+pub const SHORT_WAY: f32 = 9.5e-4;
+/// A way back that lets go of whatever a leg leaned on (m).
+pub const RELEASE: f32 = 2.5e-3;
+/// Rise of the current of a leg that goes up over its least level that is an obstruction (A): 50 to 110 N, as friction is.
+pub const CURRENT_RISE: f32 = 0.12;
+/// Change of the current of a leg that goes down that is one: its share of the level, and its least (A).
 /// A fall too: what is in the way carries the load, and the motor need not push it down.
 pub const RISE_DOWN: (f32, f32) = (2.0, 0.03);
 /// See [`RISE_DOWN`].
-pub const FALL_DOWN: (f32, f32) = (0.6, 0.012);
+pub const FALL_DOWN: (f32, f32) = (0.5, 5e-3);
 /// A leg's current may change by so many times what the model makes of it: where the patient lies is not known.
 pub const LOAD_MARGIN: f32 = 1.3;
 /// A leg that should carry less when it is learnt says nothing of later loads (N).

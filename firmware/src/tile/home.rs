@@ -45,18 +45,18 @@ impl Homing {
         Self(Phase::Approach(Motion::new(heights, [-SEEK_START; 3], UNHOMED_FACTOR)))
     }
 
-    /// What is wanted of each leg, and its direction.
+    /// What is wanted of each leg, and how far it goes (m): to its switch at most so far as is sought.
     #[must_use]
     pub fn wanted(&self) -> ([Along; 3], [f32; 3]) {
         match &self.0 {
-            Phase::Approach(motion) | Phase::Leave(motion) => (motion.wanted(), motion.sign()),
+            Phase::Approach(motion) | Phase::Leave(motion) => (motion.wanted(), motion.ways()),
             Phase::Seek { wanted, is_found } => {
                 let leg = |leg: usize| {
                     let speed = if is_found[leg] { 0.0 } else { -SEEK_SPEED };
                     Along { position: wanted[leg], speed, acceleration: 0.0 }
                 };
-                let sign = is_found.map(|found| if found { 0.0 } else { -1.0 });
-                (core::array::from_fn(leg), sign)
+                let ways = is_found.map(|found| if found { 0.0 } else { -LONGEST_SEEK });
+                (core::array::from_fn(leg), ways)
             }
         }
     }

@@ -10,8 +10,8 @@ use crate::command::Pose;
 use crate::link::message::Refusal;
 use smartbed_runtime::real::Real;
 
-/// A leg that goes less far does not count as moving (m): it may stick all the way, and cannot push far.
-const SHORT: f32 = 2e-4;
+/// A leg that goes less far does not count as moving (m): it may stick all the way.
+const STAYS: f32 = 2e-4;
 
 /// Heights of the legs (m).
 pub type Heights = [f32; 3];
@@ -81,14 +81,10 @@ impl Motion {
         wanted
     }
 
-    /// Direction of each leg: 1 up, -1 down, 0 if it hardly moves.
+    /// How far each leg goes, positive up (m).
     #[must_use]
-    pub fn sign(&self) -> [f32; 3] {
-        difference(self.to, self.from).map(|way| match () {
-            () if way > SHORT => 1.0,
-            () if way < -SHORT => -1.0,
-            () => 0.0,
-        })
+    pub fn ways(&self) -> [f32; 3] {
+        difference(self.to, self.from)
     }
 
     /// Where it ends.
@@ -116,6 +112,16 @@ impl Motion {
         // Not steeper than may be commanded: a motion that had just left a steep pose returns to it.
         let is_allowed = heights(pose(to)).is_ok();
         Self::new(here, if is_allowed { to } else { self.from }, factor)
+    }
+}
+
+/// Direction of a leg that goes this way (m): 1 up, -1 down, 0 if it hardly moves.
+#[must_use]
+pub fn sign(way: f32) -> f32 {
+    match () {
+        () if way > STAYS => 1.0,
+        () if way < -STAYS => -1.0,
+        () => 0.0,
     }
 }
 

@@ -6,6 +6,7 @@
 //! takes what these do not know: friction of this day, a load off its middle.
 
 use super::drive::{DRIVE, Drive};
+use super::motion::sign;
 use super::profile::{Along, TICK};
 use super::sense::Sense;
 use smartbed_runtime::real::Real;
@@ -26,23 +27,23 @@ pub struct Servo {
 }
 
 impl Servo {
-    /// Duties of this tick; `sign` is the direction of each leg's way.
+    /// Duties of this tick; `ways` are how far the legs go (m).
     pub fn duties(
         &mut self,
         sense: &Sense,
         wanted: &[Along; 3],
-        sign: &[f32; 3],
+        ways: &[f32; 3],
         loads: &[f32; 3],
     ) -> [f32; 3] {
         let drive = Drive { supply: sense.measured.supply, ..DRIVE };
         let mut duties = [0.0; 3];
-        let legs = duties.iter_mut().zip(&mut self.integral).zip(wanted).zip(sign);
-        for ((((duty, integral), wanted), sign), (height, load)) in legs.zip(sense.heights.iter().zip(loads))
-        {
+        let legs = duties.iter_mut().zip(&mut self.integral).zip(wanted).zip(ways);
+        for ((((duty, integral), wanted), way), (height, load)) in legs.zip(sense.heights.iter().zip(loads)) {
             let error = wanted.position - height;
             *integral = clamp(*integral + KI * TICK * error, MOST_INTEGRAL);
             let speed = wanted.speed + clamp(KP * error + *integral, MOST_CORRECTION);
-            let carried = if *sign == 0.0 { 0.0 } else { drive.torque(*load, *sign > 0.0) };
+            let sign = sign(*way);
+            let carried = if sign == 0.0 { 0.0 } else { drive.torque(*load, sign > 0.0) };
             let torque = carried + drive.inertia * drive.gear() * wanted.acceleration;
             *duty = clamp(drive.duty(torque, speed), 1.0);
         }

@@ -139,6 +139,8 @@ impl<F: NorFlash> Store<F> {
     }
 
     /// The good record of highest generation in a page.
+    // Functions of their own, as `append`: less stack and flash.
+    #[inline(never)]
     fn newest(&mut self, page: u32) -> Option<Record> {
         let places = self.places(page);
         let good = places.filter_map(|place| self.read(place).and_then(|b| Record::from_bytes(&b)));
@@ -146,6 +148,7 @@ impl<F: NorFlash> Store<F> {
     }
 
     /// Writes to the first place that has never been written; erases the page if there is none.
+    #[inline(never)]
     fn append(&mut self, page: u32, bytes: &[u8; RECORD]) -> Result<(), F::Error> {
         let mut places = self.places(page);
         let free = places.find(|place| self.read(*place) == Some([0xFF; RECORD]));

@@ -1,14 +1,27 @@
 //! Controller and plant in lock-step.
 
 use smartbed_firmware::command::Pose;
-use smartbed_firmware::link::message::{Command, Outcome, Trim};
+use smartbed_firmware::link::message::{Command, Outcome, Target, Trim};
 use smartbed_firmware::plant::Tile;
 use smartbed_firmware::tile::board::Sensors;
 use smartbed_firmware::tile::controller::Controller;
-use smartbed_firmware::tile::drive::Drive;
+use smartbed_firmware::tile::drive::{DRIVE, Drive};
 use smartbed_firmware::tile::fault::{Fault, Faults};
 use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::tile::motion::pose;
+
+/// The command that moves it there: heave (m), slopes (1).
+pub fn target(heave: f32, slope_x: f32, slope_y: f32) -> Command {
+    Command::Move(Target { heave, slope_x, slope_y })
+}
+
+/// Usual friction, the least, the most.
+pub const FRICTIONS: [Option<bool>; 3] = [None, Some(true), Some(false)];
+
+/// The drive with this friction.
+pub fn drive(friction: Option<bool>) -> Drive<f32> {
+    friction.map_or(DRIVE, |is_least| DRIVE.with_friction(is_least))
+}
 
 /// Controller and plant in lock-step.
 pub struct Bench {

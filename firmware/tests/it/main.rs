@@ -8,6 +8,7 @@ mod can_bus;
 mod fuzz;
 mod link;
 mod motion;
+mod obstacle;
 mod reset;
 mod safety;
 mod unpowered;

@@ -1,26 +1,15 @@
 //! The controller on the plant: what the tile must hold.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, FRICTIONS, drive, target};
 use smartbed_firmware::command::Pose;
 use smartbed_firmware::link::message::{Command, Target, Trim};
 use smartbed_firmware::plant::Defect;
 use smartbed_firmware::tile::board::{Readings, Sensors};
 use smartbed_firmware::tile::controller::Controller;
-use smartbed_firmware::tile::design::{AREA, GRAVITY, PAYLOAD, PRESSURE, RADIUS};
-use smartbed_firmware::tile::drive::{DRIVE, Drive};
+use smartbed_firmware::tile::design::{PAYLOAD, PRESSURE, RADIUS};
+use smartbed_firmware::tile::drive::DRIVE;
 use smartbed_firmware::tile::fault::{Fault, Faults};
 use smartbed_firmware::tile::mode::Mode;
-
-fn target(heave: f32, slope_x: f32, slope_y: f32) -> Command {
-    Command::Move(Target { heave, slope_x, slope_y })
-}
-
-/// Usual friction, the least, the most.
-const FRICTIONS: [Option<bool>; 3] = [None, Some(true), Some(false)];
-
-fn drive(friction: Option<bool>) -> Drive<f32> {
-    friction.map_or(DRIVE, |is_least| DRIVE.with_friction(is_least))
-}
 
 const FIVE_DEGREES: f32 = 0.087_488_66;
 
@@ -57,35 +46,6 @@ fn homed_it_goes_where_it_is_told() {
     }
 }
 
-/// A steep tilt shifts the load of a patient from leg to leg, whatever friction is and however much of the load the bladder
-/// shows: no obstruction.
-#[test]
-fn a_steep_tilt_under_load_is_no_obstruction() {
-    let ways = [([0.0, 0.0], 1.0), ([0.02, -0.01], 0.7), ([0.04, 0.0], 0.35)];
-    let mut wrong = Vec::new();
-    for (friction, shown) in FRICTIONS.into_iter().flat_map(|f| [0.0, 0.4, 1.0].map(|shown| (f, shown))) {
-        for (offset, share) in ways {
-            let directions = [(0.26, 0.0), (-0.13, 0.22), (0.0, -0.26)];
-            for (tx, ty) in directions.into_iter().take(if share == 1.0 { 3 } else { 1 }) {
-                let mut bench = Bench::ready(25.0, offset, [0.0; 3], drive(friction));
-                bench.tile.air.fill(shown * 25.0 * GRAVITY / AREA);
-                for (tx, ty) in [(tx * share, ty * share), (0.0, 0.0)] {
-                    bench.order(target(0.0, tx, ty));
-                    while bench.controller.mode() == Mode::Moving {
-                        bench.tick(None);
-                    }
-                    let (mode, faults) = (bench.controller.mode(), bench.faults());
-                    if mode != Mode::Unhomed {
-                        wrong.push(format!("{friction:?} {shown} {offset:?} to {tx} {ty}: {faults:?}"));
-                        break;
-                    }
-                }
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
 #[test]
 fn the_pressure_is_kept() {
     let mut bench = Bench::homed(25.0, [0.0; 2], DRIVE);
@@ -113,80 +73,6 @@ fn after_a_start_the_displacement_sensors_know_where_it_is() {
     println!("heave {} mm", (known.zc - at.zc) * 1e3);
     assert!((known.zc - at.zc).abs() < 3e-4);
     assert!((angle(known.tx) - angle(at.tx)).abs() < 0.15 && (angle(known.ty) - angle(at.ty)).abs() < 0.15);
-}
-
-#[test]
-fn an_obstruction_is_left_alone() {
-    let ways = [(true, 0.004, 0.01), (false, -0.004, -0.01)];
-    let kinds = FRICTIONS.into_iter().flat_map(|f| [0.0, 25.0].map(|mass| (f, mass)));
-    let kinds = kinds.flat_map(|(f, mass)| [0.0, 1.0].map(|shown| (f, mass, shown)));
-    for ((friction, mass, shown), (above, height, way)) in kinds.flat_map(|kind| ways.map(|way| (kind, way)))
-    {
-        let mut bench = Bench::homed(mass, [0.0; 2], drive(friction));
-        bench.tile.air.fill(shown * mass * GRAVITY / AREA);
-        bench.order(target(0.0, 0.0, 0.0));
-        bench.until(Mode::Ready, 30_000);
-        bench.tile.set_defect(Some(Defect::Block { leg: 1, height, above }));
-        bench.order(target(way, 0.0, 0.0));
-        let (mut hardest, mut farthest) = (0.0_f32, 0.0_f32);
-        while matches!(bench.controller.mode(), Mode::Moving | Mode::Retreat) {
-            bench.tick(None);
-            hardest = hardest.max(bench.tile.contacts()[1].abs());
-            farthest = farthest.max(bench.tile.heights()[1] * way.signum());
-        }
-        let back = farthest - bench.tile.heights()[1] * way.signum();
-        println!("{friction:?}, {mass} kg shown {shown}, above {above}: {hardest} N, {} mm back", back * 1e3);
-        assert_eq!((bench.controller.mode(), bench.faults()), (Mode::Hold, vec!["Obstruction"]));
-        assert!(hardest < 150.0, "{hardest} N");
-        assert!((back - 5e-3).abs() < 2e-4, "{back}");
-    }
-}
-
-/// Steps up or down of one length until the tile holds, or so many are done: the mode and the largest force of an obstacle.
-fn steps(bench: &mut Bench, step: f32, count: u32) -> (Mode, f32) {
-    let mut hardest = 0.0_f32;
-    for n in 1..=count {
-        bench.order(target(step * n as f32, 0.0, 0.0));
-        while matches!(bench.controller.mode(), Mode::Moving | Mode::Retreat) {
-            bench.tick(None);
-            hardest = bench.tile.contacts().iter().fold(hardest, |most, force| most.max(force.abs()));
-        }
-        if bench.controller.mode() != Mode::Ready {
-            break;
-        }
-        bench.run(50);
-    }
-    (bench.controller.mode(), hardest)
-}
-
-/// Many short ways lean on an obstacle no harder than a long one; without an obstacle they are taken for none.
-#[test]
-fn an_obstruction_is_not_leaned_on_step_by_step() {
-    // Going down, ways below half a millimetre are too short to be measured: `docs/safety.md`, B7.
-    let ways = [0.2e-3_f32, 0.5e-3, -0.5e-3, 1e-3, -1e-3, 3e-3, -3e-3].map(|step| (step, step > 0.0));
-    let kinds = FRICTIONS.into_iter().flat_map(|f| [0.0, 25.0].map(|mass| (f, mass)));
-    let mut wrong = Vec::new();
-    for ((friction, mass), (step, above)) in kinds.flat_map(|kind| ways.map(move |way| (kind, way))) {
-        for is_free in [false, true] {
-            let mut bench = Bench::homed(mass, [0.02, -0.01], drive(friction));
-            bench.order(target(0.0, 0.0, 0.0));
-            bench.until(Mode::Ready, 30_000);
-            if !is_free {
-                let height = step.signum() * 5e-4;
-                bench.tile.set_defect(Some(Defect::Block { leg: 1, height, above }));
-            }
-            let count = (if is_free { 12e-3 } else { 6e-3 } / step.abs()) as u32;
-            let (mode, hardest) = steps(&mut bench, step, count);
-            let expected = if is_free { Mode::Ready } else { Mode::Hold };
-            if mode != expected || hardest > 150.0 {
-                let found = bench.faults();
-                wrong.push(format!(
-                    "{friction:?}, {mass} kg, {step} m, free {is_free}: {mode:?}, {hardest} N, {found:?}"
-                ));
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
