@@ -5,6 +5,7 @@ mod bxcan;
 mod campaign;
 mod can;
 mod can_bus;
+mod feedforward;
 mod fuzz;
 mod link;
 mod motion;

@@ -15,13 +15,12 @@ use smartbed_firmware::tile::mode::Mode;
 use smartbed_firmware::turns::FAULT;
 use std::fs;
 
-/// Ticks of a session on the board's core and here.
+/// Ticks of a session.
 const TICKS: u32 = 100_000;
-/// And on other cores, unless `SMARTBED_TICKS` says otherwise.
-const FEWER_TICKS: u32 = 36_000;
 
-/// Every byte that a tile sends in a session of so many ticks, and its last state.
-fn session(program: &Program, all: u32) -> (Vec<u8>, Option<Report>) {
+/// Every byte that a tile sends in a session, and its last state.
+fn session(kind: Kind) -> (Vec<u8>, Option<Report>) {
+    let program = &build(kind).unwrap_or_else(|e| panic!("{e}"));
     let machine = Machine::start(program, 0, None).unwrap_or_else(|e| panic!("{e}"));
     let mut bus = Bus::new(vec![machine]);
     let (mut ticks, mut last) = (0, None);
@@ -39,28 +38,19 @@ fn session(program: &Program, all: u32) -> (Vec<u8>, Option<Report>) {
     // The encoder that is stuck shows itself, and the rest of the time passes in OFF.
     let refused = order::read("move 5_mm").expect("an order");
     bus.take(&refused[0], &mut listen).unwrap_or_else(|e| panic!("{e}"));
-    bus.run(all.saturating_sub(bus.now()), &mut listen).unwrap_or_else(|e| panic!("{e}"));
+    bus.run(TICKS.saturating_sub(bus.now()), &mut listen).unwrap_or_else(|e| panic!("{e}"));
     let heard = std::mem::take(&mut bus.heard);
     bus.end().unwrap_or_else(|e| panic!("{e}"));
-    assert!(ticks > all - 1000);
+    assert!(ticks > TICKS - 1000);
+    assert!(heard.len() > 50_000, "{} bytes", heard.len());
     (heard, last)
 }
 
 #[test]
 fn chip_and_host_send_the_same_bytes() {
-    let chip = session(&build(Kind::Emulated(STM32F405)).unwrap_or_else(|e| panic!("{e}")), TICKS);
-    let here = session(&build(Kind::Native).unwrap_or_else(|e| panic!("{e}")), TICKS);
-    assert!(chip.0.len() > 50_000, "{} bytes", chip.0.len());
-    assert!(chip.0 == here.0, "the bytes differ: {:?} {:?}", chip.1, here.1);
-}
-
-#[test]
-fn other_cores_send_the_same_bytes_too() {
-    let ticks = std::env::var("SMARTBED_TICKS").map_or(FEWER_TICKS, |n| n.parse().expect("a number"));
-    let here = session(&build(Kind::Native).unwrap_or_else(|e| panic!("{e}")), ticks);
-    for chip in [M7, M33] {
-        let there = session(&build(Kind::Emulated(chip)).unwrap_or_else(|e| panic!("{e}")), ticks);
-        assert!(there.0.len() > 15_000, "{} bytes", there.0.len());
+    let here = session(Kind::Native);
+    for chip in [STM32F405, M33, M7] {
+        let there = session(Kind::Emulated(chip));
         assert!(there.0 == here.0, "{}: the bytes differ: {:?} {:?}", chip.name, there.1, here.1);
     }
 }
