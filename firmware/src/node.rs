@@ -1,8 +1,9 @@
 //! A tile as its bus sees it: link, controller and store in one call a millisecond.
 //!
 //! In: bodies of frames, readings. Out: what the board is to set, and bodies of reports.
-//! Order of a tick: at most one body is taken; a command that is due, that one or one that waited, goes to the controller;
-//! what became of it is answered; then log and telemetry. Nothing is sent before a vouched command has come, but answers.
+//! Order of a tick: at most one body is taken; a command that is due, that one or one that waited, goes to the
+//! controller; what became of it is answered; then log and telemetry. Nothing is sent before a vouched command has
+//! come, but answers.
 
 use crate::link::clock::Clock;
 use crate::link::frame::Body;

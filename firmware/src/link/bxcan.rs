@@ -1,8 +1,10 @@
-//! A CAN controller of the kind bxCAN (RM0090, 32), behind its registers: 500 kbit/s from 42 MHz, asked once a millisecond.
+//! A CAN controller of the kind bxCAN (RM0090, 32), behind its registers: 500 kbit/s from 42 MHz, asked once a
+//! millisecond.
 //!
-//! In: registers, the tile's number. Out: a [`Controller`] of frames. Its filters let through what is for this tile: its commands into
-//! one queue, frames that stop into the other, so that none of these is lost behind commands. The usual driver's code can panic, so
-//! this is one of its own; registers are a trait, so that it is tested on a model of them.
+//! In: registers, the tile's number. Out: a [`Controller`] of frames. Its filters let through what is for this tile:
+//! its commands into one queue, frames that stop into the other, so that none of these is lost behind commands. The
+//! usual driver's code can panic, so this is one of its own; registers are a trait, so that it is tested on a model of
+//! them.
 
 use super::can::{Classic, Controller, STOP, frame};
 use super::talk::COMMANDS;
@@ -26,8 +28,8 @@ const RFR: usize = 0x00C;
 /// Status of errors; timing of bits.
 const ESR: usize = 0x018;
 const BTR: usize = 0x01C;
-/// The first of three mailboxes to send from (identifier, length, data low and high), the first of two that show the head of a
-/// receive queue, and the length of one.
+/// The first of three mailboxes to send from (identifier, length, data low and high), the first of two that show the
+/// head of a receive queue, and the length of one.
 const TX: usize = 0x180;
 const RX: usize = 0x1B0;
 const MAILBOX: usize = 0x10;
@@ -39,7 +41,8 @@ const FFA1R: usize = 0x214;
 const FA1R: usize = 0x21C;
 const FILTERS: usize = 0x240;
 
-/// Bits of the master control register: ask for initialisation; frames are sent in the order in which they were asked for.
+/// Bits of the master control register: ask for initialisation; frames are sent in the order in which they were asked
+/// for.
 const INITIALISE: u32 = 1;
 const IN_ORDER: u32 = 1 << 2;
 /// 42 MHz / 6 / (1 + 11 + 2) = 500 kbit/s, sampled at 86 %; two quanta to synchronise.

@@ -1,7 +1,8 @@
 //! A supervisor's CAN controller: one bus, several tiles, a talk with each.
 //!
-//! In: frames, which their identifiers lead to the tile's talk; bodies for tiles. Out: frames, a turn for every tile, and bodies with
-//! the tile that they are from. A stop goes before everything else. Storage is the caller's: as many talks as tiles.
+//! In: frames, which their identifiers lead to the tile's talk; bodies for tiles. Out: frames, a turn for every tile,
+//! and bodies with the tile that they are from. A stop goes before everything else. Storage is the caller's: as many
+//! talks as tiles.
 
 use super::can::{Controller, FRAMES, Port, STOP, is_data};
 use super::frame::Body;
@@ -26,8 +27,8 @@ impl<'a, C: Controller> Hub<'a, C> {
         Self { port: Port::new(controller), talks, first: 0, stop: None }
     }
 
-    /// Stops the tiles of these numbers, eight at most, or all of them if there is none; goes out before anything else. False if
-    /// there are more.
+    /// Stops the tiles of these numbers, eight at most, or all of them if there is none; goes out before anything else.
+    /// False if there are more.
     #[must_use]
     pub fn stop(&mut self, tiles: &[u8]) -> bool {
         let data = Data::from_slice(tiles).ok();

@@ -1,14 +1,14 @@
 //! The tile that the controller is tried on: mechanism, drives, bladder, sensors, and what can break of them.
 //!
 //! In: [`Outputs`]. Out: [`Readings`], a millisecond later. The controller sees nothing else of it.
-//! The mechanism's equations are derived from `models/tile.toml`; [`leg`] puts motor, worm and screw with their stiction
-//! under each leg, [`air`] a bladder with two valves on top, [`sensors`] reads it all as a board would,
+//! The mechanism's equations are derived from `models/tile.toml`; [`leg`] puts motor, worm and screw with their
+//! stiction under each leg, [`air`] a bladder with two valves on top, [`sensors`] reads it all as a board would,
 //! [`flash`] keeps what outlives the power.
-//! It is no world of the runtime, though gas, orifices and noise are: a world's explicit methods would take thousands of steps a
-//! second through a drive's damping, and its bladder of sheet nodes hundreds of times the instructions; here a tick is two steps, so that hours
-//! and tens of thousands of runs pass, and the chip steps it beside the controller.
-//! A motor seen on its screw is four tonnes and a leg's load some kilograms: a drive's speed is found for the load of the
-//! step before, the equations then give the load anew.
+//! It is no world of the runtime, though gas, orifices and noise are: a world's explicit methods would take thousands
+//! of steps a second through a drive's damping, and its bladder of sheet nodes hundreds of times the instructions; here
+//! a tick is two steps, so that hours and tens of thousands of runs pass, and the chip steps it beside the controller.
+//! A motor seen on its screw is four tonnes and a leg's load some kilograms: a drive's speed is found for the load of
+//! the step before, the equations then give the load anew.
 
 pub mod air;
 pub mod flash;

@@ -53,7 +53,8 @@ pub const SETTLING: u32 = 400;
 pub const SHORT_WAY: f32 = 9.5e-4;
 /// A way back that lets go of whatever a leg leaned on (m).
 pub const RELEASE: f32 = 2.5e-3;
-/// Rise of the current of a leg that goes up over its least level that is an obstruction (A): 50 to 110 N, as friction is.
+/// Rise of the current of a leg that goes up over its least level that is an obstruction (A): 50 to 110 N, as friction
+/// is.
 pub const CURRENT_RISE: f32 = 0.12;
 /// Change of the current of a leg that goes down that is one: its share of the level, and its least (A).
 /// A fall too: what is in the way carries the load, and the motor need not push it down.

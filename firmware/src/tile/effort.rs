@@ -1,10 +1,10 @@
 //! What is in a leg's way, by the work of its motor.
 //!
-//! In: current, way and speed of a leg at each tick, and the load that the model gives it. Out: does something push back?
-//! Over a way dx the motor does the work k G (integral of i dx) = f L dx + J G^2 (u_1^2 - u_0^2) / 2, with f the factor of the
-//! screw's statics (`super::drive`) and u the speed. So each tenth of a millimetre gives a level f L / (k G) of the current, however
-//! slow the leg is, and in however many motions it goes there: levels of a direction are compared with one another. What is in the
-//! way pushes more with the way; a patient who turns over changes the load at rest.
+//! In: current, way and speed of a leg at each tick, and the load that the model gives it. Out: is something in the way?
+//! Over a way dx the motor does the work k G (integral of i dx) = f L dx + J G^2 (u_1^2 - u_0^2) / 2, with f the factor
+//! of the screw's statics (`super::drive`) and u the speed. So each tenth of a millimetre gives a level f L / (k G) of
+//! the current, however slow the leg is, and in however many motions it goes there: levels of a direction are compared
+//! with one another. What is in the way pushes more with the way; a patient who turns over changes the load at rest.
 
 use super::design::{CURRENT_RISE, FALL_DOWN, LEAST_LOAD, LOAD_MARGIN, RELEASE, RISE_DOWN, SHORT_WAY};
 use super::drive::DRIVE;
@@ -151,10 +151,11 @@ impl Effort {
         Some(level)
     }
 
-    /// Compares a level with those before it. Whatever friction and patient are, the current goes with the load: as much more, or
-    /// less, as the model makes of the level that was learnt is no obstacle. The heaviest patient changes it most; an empty bladder
-    /// does not say who lies on it. Going down what is in the way carries the load, and the motor has less to push. What was
-    /// `leaned` on before the leg turned round lets go: more to raise, less to push down.
+    /// Compares a level with those before it. Whatever friction and patient are, the current goes with the load: as
+    /// much more, or less, as the model makes of the level that was learnt is no obstacle. The heaviest patient changes
+    /// it most; an empty bladder does not say who lies on it. Going down what is in the way carries the load, and the
+    /// motor has less to push. What was `leaned` on before the leg turned round lets go: more to raise, less to push
+    /// down.
     fn judge(&mut self, level: f32, load: f32, is_up: bool, leaned: bool) -> bool {
         let lets_go = leaned && is_up && !self.is_free && level > self.last + LETS_GO;
         self.is_free |= self.gone >= RELEASE || (self.learnt.is_some() && !self.begins && !lets_go);

@@ -1,10 +1,10 @@
 //! The tile's controller, apart from the link and from the chip.
 //!
-//! In: readings of a [`board`]. Out: what it sets. [`design`] holds lengths and limits; [`store`], [`guarded`] and [`integrity`] keep
-//! what must not be lost or flipped; [`sense`] says where the legs are, [`fault`], [`plausible`] and [`effort`] what is wrong and
-//! what is done about it; [`profile`], [`motion`] and [`home`] say where the legs are to be, `dynamics` and [`drive`] what that takes,
-//! `servo` how they get there; [`bladder`] keeps the pressure; [`mode`] says what is allowed when, and
-//! `controller` joins all this into one tick.
+//! In: readings of a [`board`]. Out: what it sets. [`design`] holds lengths and limits; [`store`], [`guarded`] and
+//! [`integrity`] keep what must not be lost or flipped; [`sense`] says where the legs are, [`fault`], [`plausible`] and
+//! [`effort`] what is wrong and what is done about it; [`profile`], [`motion`] and [`home`] say where the legs are to
+//! be, `dynamics` and [`drive`] what that takes, `servo` how they get there; [`bladder`] keeps the pressure; [`mode`]
+//! says what is allowed when, and `controller` joins all this into one tick.
 
 pub mod bladder;
 pub mod board;

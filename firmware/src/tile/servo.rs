@@ -1,8 +1,8 @@
 //! Position and speed loops of the legs, with feedforward.
 //!
 //! In: what is wanted of each leg, where it is, what it carries (`super::dynamics`). Out: duties of the drives.
-//! The speed asked of a leg is v = v_wanted + `KP` e + integral of `KI` e; the duty is the one that gives it by the drive
-//! (`super::drive`): back-EMF at v, friction in screw and worm under the load, the motor's inertia. The integral
+//! The speed asked of a leg is v = v_wanted + `KP` e + integral of `KI` e; the duty is the one that gives it by the
+//! drive (`super::drive`): back-EMF at v, friction in screw and worm under the load, the motor's inertia. The integral
 //! takes what these do not know: friction of this day, a load off its middle.
 
 use super::drive::{DRIVE, Drive};

@@ -5,8 +5,9 @@
 //! second copy is written only when the first has been read back, so a power cut at any write leaves at
 //! least one whole record: the old one or the new one.
 //! Erasing stalls the flash for up to 2 s: store only while drives are off and the watchdog is wide.
-//! No crate of wear-levelled storage: those known are async or promise an item's survival of one torn write, not of several in a
-//! row, and one record of 48 bytes needs no map.
+//! No crate of wear-levelled storage: sequential-storage and ekv work by futures, where a tick must end in bounded time;
+//! the former's format may change with its version, and a calibration outlives the program. One record of 48 bytes
+//! needs no map.
 
 use crate::link::checksum::{checked, checksum};
 use crate::link::message::Trim;

@@ -1,5 +1,5 @@
-//! A simulated CAN bus: arbitration by identifier, frames that are lost; the supervisor's controller, which holds a few frames.
-//! Tiles have a model of the chip's (`bxcan.rs`).
+//! A simulated CAN bus: arbitration by identifier, frames that are lost; the supervisor's controller, which holds a few
+//! frames. Tiles have a model of the chip's (`bxcan.rs`).
 
 use embedded_can::ErrorKind;
 use embedded_can::nb::Can;

@@ -33,8 +33,8 @@ fn an_obstruction_is_left_alone() {
     }
 }
 
-/// A steep tilt shifts the load of a patient from leg to leg, whatever friction is and however much of the load the bladder
-/// shows: no obstruction.
+/// A steep tilt shifts the load of a patient from leg to leg, whatever friction is and however much of the load the
+/// bladder shows: no obstruction.
 #[test]
 fn a_steep_tilt_under_load_is_no_obstruction() {
     let ways = [([0.0, 0.0], 1.0), ([0.02, -0.01], 0.7), ([0.04, 0.0], 0.35)];
@@ -84,8 +84,8 @@ const PATTERNS: [&[f32]; 14] = [
 /// Who lies on it (kg), and how far off its middle (m).
 const PATIENTS: [(f32, [f32; 2]); 3] = [(0.0, [0.0; 2]), (25.0, [0.02, -0.01]), (25.0, [0.04, 0.0])];
 
-/// Follows a pattern of steps (mm) from this heave (m) for so far in all (m), or until the tile no longer waits for orders; returns
-/// the largest force of an obstacle.
+/// Follows a pattern of steps (mm) from this heave (m) for so far in all (m), or until the tile no longer waits for
+/// orders; returns the largest force of an obstacle.
 fn follow(bench: &mut Bench, from: f32, pattern: &[f32], sign: f32, way: f32) -> f32 {
     let (mut heave, mut hardest) = (from, 0.0_f32);
     for step in pattern.iter().cycle() {
@@ -113,7 +113,8 @@ fn trials() -> impl Iterator<Item = Trial> {
     kinds.flat_map(move |(f, p)| patterns.clone().map(move |(pattern, sign)| (f, p, pattern, sign)))
 }
 
-/// Many short ways, back and forth too, lean on an obstacle no harder than a long one, wherever it is; the leg then leaves it.
+/// Many short ways, back and forth too, lean on an obstacle no harder than a long one, wherever it is; the leg then
+/// leaves it.
 #[test]
 fn short_ways_lean_on_an_obstacle_no_harder() {
     let places = [(0, -0.012), (1, 0.0), (2, 0.012)];
