@@ -57,7 +57,7 @@ impl Dag {
     }
 
     /// Change of a node from the changes of its operands; 0 for what has none.
-    fn change_of_node(&mut self, id: ExprId, changes: [Option<ExprId>; 2]) -> ExprId {
+    pub(super) fn change_of_node(&mut self, id: ExprId, changes: [Option<ExprId>; 2]) -> ExprId {
         let zero = self.zero();
         if changes.iter().flatten().all(|&change| change == zero) {
             return zero;

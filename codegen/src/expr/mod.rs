@@ -9,6 +9,7 @@ pub mod cost;
 pub mod differentiate;
 pub mod evaluate;
 mod intern;
+mod jacobian;
 pub mod number;
 pub mod print;
 pub(crate) mod rounding;

@@ -17,7 +17,7 @@ pub const COMPONENTS: usize = 6;
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const ORIGIN: usize = 0;
 
-/// Where a mechanism is cut: at a point, what hangs on it being the outer side; at a frame too, only what turns with it.
+/// Where a mechanism is cut: at a point, what hangs on it being the outer side; with a frame, what turns with it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cut {
     /// Where the force acts, and what moments are about.

@@ -1,9 +1,10 @@
 //! Linearisation: how the rates and the outputs answer to small changes of state, inputs and parameters.
 //!
 //! In: the equations with u' held as symbols, r = M u' - forcing. Out: by the implicit function theorem
-//! du'/dx = -M^-1 dr/dx. State: the coordinates that the configuration constraints leave independent, and the independent
-//! speeds; the other coordinates follow, dq = P dq_i with f_q P = 0, while motion constraints restrict the speeds only
-//! (Peterson, Gede, Hubbard 2015). The state need not be an equilibrium.
+//! du'/dx = -M^-1 dr/dx, with dr/dx by one sweep a direction or by eliminations on the graph of operations. State: the
+//! coordinates that the configuration constraints leave independent, and the independent speeds; the other coordinates
+//! follow, dq = P dq_i with f_q P = 0, while motion constraints restrict the speeds only (Peterson, Gede, Hubbard
+//! 2015). The state need not be an equilibrium.
 
 use super::inertia;
 use super::part::Part;
@@ -18,6 +19,12 @@ use rustc_hash::FxHashMap as HashMap;
 type Parts = Result<Vec<Part>, Diagnostic>;
 /// Symbols that change together, and how fast.
 type Direction = HashMap<SymbolId, ExprId>;
+
+/// Operations by eliminations on the graph over those by one sweep a direction, from which on the former are taken: the
+/// value graph shortens the latter by up to a tenth more (bicycle: 5,696 and 6,130 become 5,777 and 5,049).
+const CLEARLY_LESS: f64 = 0.9;
+/// Nodes times directions times results, beyond which eliminations on the graph take too long.
+const MOST_WORK: usize = 4_000_000;
 
 /// What is differentiated.
 struct Equations {
@@ -144,21 +151,45 @@ impl Equations {
     }
 
     fn columns(&self, stages: &mut Stages, directions: &[Direction]) -> Columns {
+        let q_dot = forward(stages, &self.q_dot, directions);
+        let outputs = forward(stages, &self.outputs, directions);
+        let residual = forward(stages, &self.residual, directions);
+        let mut u_dot = self.accelerations(stages, &residual);
+        let work = stages.k.dag.reachable(&self.residual).len() * directions.len() * self.residual.len();
+        if work <= MOST_WORK {
+            let residual = eliminated(stages, &self.residual, directions);
+            let other = self.accelerations(stages, &residual);
+            let cost = |columns: &[Vec<ExprId>]| {
+                stages.k.dag.state_cost(&[&stages.dynamics.u_dot[..], &columns.concat()].concat()) as f64
+            };
+            if cost(&other) < CLEARLY_LESS * cost(&u_dot) {
+                u_dot = other;
+            }
+        }
+        let rates = q_dot.into_iter().zip(u_dot).map(|(first, second)| [first, second].concat()).collect();
+        Columns { rates, outputs }
+    }
+
+    /// Columns of u' from those of the residual.
+    fn accelerations(&self, stages: &mut Stages, residual: &[Vec<ExprId>]) -> Vec<Vec<ExprId>> {
         let dag = &mut stages.k.dag;
-        let mut changes = |of: &[ExprId]| -> Vec<Vec<ExprId>> {
-            directions.iter().map(|along| of.iter().map(|&e| dag.rate(e, along)).collect()).collect()
-        };
-        let (residual, q_dot) = (changes(&self.residual), changes(&self.q_dot));
-        let outputs = changes(&self.outputs);
-        let u_dot = dynamics::response(dag, &self.mass, &residual);
+        let u_dot = dynamics::response(dag, &self.mass, residual);
         // The u' that were held are those of the state.
         let held: HashMap<SymbolId, ExprId> = (stages.u_dot.iter().zip(&stages.dynamics.u_dot))
             .filter_map(|(&symbol, &value)| Some((dag.as_symbol(symbol)?, value)))
             .collect();
-        let mut rates = Vec::new();
-        for (first, second) in q_dot.into_iter().zip(u_dot) {
-            rates.push([first, dag.substitute(&second, &held)].concat());
-        }
-        Columns { rates, outputs }
+        u_dot.iter().map(|column| dag.substitute(column, &held)).collect()
     }
+}
+
+/// One sweep a direction.
+fn forward(stages: &mut Stages, of: &[ExprId], directions: &[Direction]) -> Vec<Vec<ExprId>> {
+    let dag = &mut stages.k.dag;
+    directions.iter().map(|along| of.iter().map(|&e| dag.rate(e, along)).collect()).collect()
+}
+
+/// All of them at once, by eliminations on the graph of operations.
+fn eliminated(stages: &mut Stages, of: &[ExprId], directions: &[Direction]) -> Vec<Vec<ExprId>> {
+    let rows = stages.k.dag.jacobian(of, directions);
+    (0..directions.len()).map(|d| rows.iter().map(|row| row[d]).collect()).collect()
 }
