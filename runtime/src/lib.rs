@@ -3,6 +3,7 @@
 //! The layers, in reading order; a file imports only from layers above its own:
 //!
 //! - [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
+//! - [`kernel`]: loops compiled for the widest registers at hand, chosen when the program runs;
 //! - [`vec3`]: three components;
 //! - [`mechanism`]: what generated equations implement;
 //! - [`ode`]: state, coefficients, one step of any equations of motion, refused or taken as a whole; root location;
@@ -26,6 +27,8 @@
 #![no_std]
 
 pub mod real;
+
+pub mod kernel;
 
 pub mod vec3;
 

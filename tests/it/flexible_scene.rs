@@ -77,3 +77,38 @@ fn shapes_have_the_counts_of_the_thesis() {
     assert_eq!(counts(&shape::cubes(1, 1, 1, 1.0)), (9, 36));
     assert_eq!(counts(&shape::cubes(2, 1, 1, 1.0)), (14, 66));
 }
+
+/// A sheet's forces are computed row by row, with the numbers that its lists give; what does not fit is not taken for one.
+#[test]
+fn a_sheet_is_a_grid() {
+    use smartbed::scene::grid::Woven;
+    use smartbed::scene::simulation::Simulation;
+    let scene = |rows: usize, columns: usize| {
+        let text = format!(
+            "format = 1\nshape = \"sheet\"\nlaw = \"none\"\nrows = {rows}\ncolumns = {columns}\nK = 5000.0\npressure = 4000.0\n"
+        );
+        parse("sheet", &text, &[]).expect("scene")
+    };
+    for (rows, columns) in [(1, 1), (1, 5), (27, 27), (3, 70)] {
+        let scene = scene(rows, columns);
+        assert!(Woven::<f64>::new(&scene.lists).is_some(), "{rows} x {columns}");
+        let mut listed = scene.lists.clone();
+        listed.table = None;
+        let run = |lists: &smartbed::scene::Lists| {
+            let mut motion = Simulation::<f64>::new(lists, &scene.around, scene.method).expect("body");
+            motion.begin(1e-3, &mut ()).expect("a start");
+            (0..50).for_each(|_| {
+                motion.step(1e-3, &mut ()).expect("a step");
+            });
+            motion.pos().to_vec()
+        };
+        assert_eq!(run(&scene.lists), run(&listed), "{rows} x {columns}");
+        let mut crossed = scene.lists.clone();
+        let last = crossed.points.len() - 1;
+        crossed.spring(0, last);
+        crossed.stiffness.push(1.0);
+        crossed.damping.push(0.0);
+        assert!(Woven::<f64>::new(&crossed).is_none());
+    }
+    assert!(Woven::<f64>::new(&shape::cube(1.0)).is_none());
+}

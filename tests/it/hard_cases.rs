@@ -239,6 +239,7 @@ fn one_node_a_hundred_million_f32_steps() {
         facets: &[],
         inflation: None,
         massless: Massless::default(),
+        grid: None,
     })
     .expect("body");
     let system = System::new(body, None);

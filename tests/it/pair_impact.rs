@@ -68,6 +68,7 @@ fn random_pairs_conserve() {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
+            grid: None,
         })
         .expect("body");
         let before = totals(&mass, &pos, &vel);
@@ -114,6 +115,7 @@ fn two_springs_head_on_are_each_the_others_ground() {
         facets: &[],
         inflation: None,
         massless: Massless::default(),
+        grid: None,
     })
     .expect("body");
     let pos = [[0.0; 3], [0.0, 0.0, 1.0], [0.0; 3], [0.0, 0.0, -1.0]];

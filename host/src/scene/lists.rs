@@ -4,6 +4,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::grid::Table;
+
 /// Points, springs and facets of one body, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lists {
@@ -25,6 +27,8 @@ pub struct Lists {
     pub facets: Vec<[usize; 4]>,
     /// Velocity at the start (m/s).
     pub velocities: Vec<[f64; 3]>,
+    /// Nodes that stand in rows and columns.
+    pub table: Option<Table>,
 }
 
 impl Lists {

@@ -2,6 +2,7 @@
 
 pub mod dop853;
 pub mod fields;
+pub mod grid;
 pub mod keys;
 pub mod lists;
 pub mod method;

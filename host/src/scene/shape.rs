@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::grid::Table;
 use super::lists::Lists;
 
 /// Vertical chain of `links` springs of one length.
@@ -213,6 +214,7 @@ pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     for c in 1..=columns {
         (0..=rows).for_each(|r| body.spring(number[&(r, c)], number[&(r + 1, c)]));
     }
+    let mut corners_of_frame = Vec::new();
     for r in 0..=rows {
         for c in 0..=columns {
             let cell = [(r, c), (r, c + 1), (r + 1, c + 1), (r + 1, c)];
@@ -220,11 +222,15 @@ pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
             match corners[..] {
                 [a, b, c, d] => body.facets.push([a, b, c, d]),
                 // A corner cell: the triangle up to the anchors keeps the surface's edge at rest.
-                [a, b, c] => body.facets.push([a, b, c, c]),
+                [a, b, c] => corners_of_frame.push([a, b, c, c]),
                 _ => {}
             }
         }
     }
+    body.facets.append(&mut corners_of_frame);
+    let places = (0..=rows + 1).flat_map(|r| (0..=columns + 1).map(move |c| (r, c)));
+    let nodes = places.map(|place| number.get(&place).copied()).collect();
+    body.table = Some(Table { columns: columns + 2, nodes });
     body
 }
 

@@ -13,6 +13,7 @@ use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Observer, State, StepReport, step};
 use smartbed_runtime::vec3::{self, Vec3};
 
+use super::grid::Woven;
 use super::lists::Lists;
 use crate::contact_force::ContactForce;
 
@@ -41,6 +42,7 @@ pub struct Simulation<S: Scalar> {
     ground: Option<Ground<S>>,
     inflation: Option<Inflation<S>>,
     massless: Links,
+    grid: Option<Woven<S>>,
     method: Method<S>,
     motion: Vec<Vec3<S>>,
     scratch: Vec<Vec3<S>>,
@@ -109,6 +111,7 @@ impl<S: Scalar> Simulation<S> {
         let springs: Vec<Spring<S>> = (0..lists.springs.len()).map(spring).collect();
         let mut simulation = Simulation {
             massless: Links::new(&mass, &springs),
+            grid: Woven::new(lists),
             mass,
             fixed: lists.fixed.clone(),
             springs,
@@ -161,6 +164,7 @@ impl<S: Scalar> Simulation<S> {
             facets: &self.facets,
             inflation: self.inflation,
             massless: self.massless.view(),
+            grid: self.grid.as_ref().map(Woven::view),
         }
     }
 
@@ -191,6 +195,7 @@ impl<S: Scalar> Simulation<S> {
             facets: &self.facets,
             inflation: self.inflation,
             massless: self.massless.view(),
+            grid: self.grid.as_ref().map(Woven::view),
         };
         let system = System::new(body, self.ground);
         let (motion, _) = Motion::cut(&mut self.motion, n)?;

@@ -6,9 +6,10 @@ use super::repertoire::Repertoire;
 use super::{ContactState, System, massless, soft};
 use crate::flexible::element::Elements;
 use crate::flexible::{BodyError, force};
+use crate::kernel::BLOCK;
 use crate::ode::nodes::{Motion, Newton, Way, Workspace, method};
 use crate::real::Scalar;
-use crate::vec3::{self, Vec3};
+use crate::vec3::Vec3;
 
 /// A system and what its nodes do at the ground over a step.
 #[derive(Debug)]
@@ -60,8 +61,22 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
         self.system.acceleration(node, self.mode(node), force)
     }
 
-    fn admissible(&self, node: usize, velocity: Vec3<S>) -> Vec3<S> {
-        self.system.admissible(self.mode(node), velocity)
+    #[inline(always)]
+    fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK] {
+        self.system.body.inverse_masses(first)
+    }
+
+    #[inline(always)]
+    fn admit(&self, first: usize, rows: &mut [Vec3<S>]) {
+        let modes = self.modes.get(first..).unwrap_or_default();
+        let modes = modes.get(..rows.len()).unwrap_or(modes);
+        // Looked at side by side; almost always none is held.
+        if !modes.iter().fold(false, |held, mode| held | mode.is_held()) {
+            return;
+        }
+        for (row, mode) in rows.iter_mut().zip(modes) {
+            *row = self.system.admissible(*mode, *row);
+        }
     }
 
     fn acceleration_of_unit_strain(&self) -> S {
@@ -77,8 +92,8 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
     /// The body's elements, of those that the program can meet.
     #[must_use]
     pub fn elements(&self) -> Elements<'a, S> {
-        let Elements { springs, filled } = self.body.elements();
-        Elements { springs, filled: if R::GAS { filled } else { None } }
+        let elements = self.body.elements();
+        Elements { filled: if R::GAS { elements.filled } else { None }, ..elements }
     }
 
     /// Forces of positions, with massless points settled and a soft ground's push (N).
@@ -102,7 +117,7 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         if R::DAMPING && self.body.is_damped() {
             force::eval_viscous(&self.body, &self.elements(), pos, vel, out);
         } else {
-            out.iter_mut().for_each(|f| *f = vec3::zero());
+            out.as_flattened_mut().fill(S::ZERO);
         }
         if let Some(ground) = self.soft_ground() {
             soft::accumulate_viscous(&ground, pos, vel, out);

@@ -3,7 +3,11 @@
 //! Springs with their dampers and the gas inside facets are elements; (A, B) and `Option` make one of several. A new
 //! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
 
+use super::block::{Pulls, Pushes};
+use super::grid::{Grid, Weave};
+use super::pressure::PressureForm;
 use super::{Body, BodyError, Inflation, Spring, mean, pressure};
+use crate::kernel;
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -49,10 +53,7 @@ pub trait Element<S: Scalar> {
 
 impl<S: Scalar> Element<S> for [Spring<S>] {
     fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        for spring in self {
-            let (direction, length) = spring.direction(pos);
-            spring.pull(vec3::scale(direction, spring.tension(length)), force);
-        }
+        kernel::run(Pulls { springs: self, pos, force });
         Ok(())
     }
 
@@ -142,6 +143,8 @@ pub struct Elements<'a, S> {
     pub springs: &'a [Spring<S>],
     /// Gas.
     pub filled: Option<Filled<'a, S>>,
+    /// Springs and facets as a grid, on a machine that lays numbers side by side.
+    pub grid: Option<Grid<'a, S>>,
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
@@ -152,14 +155,37 @@ impl<'a, S: Scalar> Body<'a, S> {
         Elements {
             springs: self.springs,
             filled: self.inflation.map(|inflation| Filled { facets, inflation }),
+            grid: if cfg!(target_os = "none") { None } else { self.grid },
         }
+    }
+}
+
+impl<S: Scalar> Elements<'_, S> {
+    /// Adds the forces of springs and pressure (N); returns whether a spring has run away.
+    fn pull(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>], gas: Option<(PressureForm, S)>) -> bool {
+        let (runaway, done) = match &self.grid {
+            Some(grid) => (kernel::run(Weave { grid, pressure: gas, pos, force }), grid.facets),
+            None => (kernel::run(Pulls { springs: self.springs, pos, force }), 0),
+        };
+        if let (Some((form, pressure)), Some(filled)) = (gas, self.filled) {
+            let facets = filled.facets.get(done..).unwrap_or_default();
+            kernel::run(Pushes { facets, form, pressure, pos, force });
+        }
+        runaway
     }
 }
 
 impl<S: Scalar> Element<S> for Elements<'_, S> {
     fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        self.springs.add_elastic(pos, force)?;
-        self.filled.map_or(Ok(()), |filled| filled.add_elastic(pos, force))
+        let Some(filled) = self.filled else {
+            self.pull(pos, force, None);
+            return Ok(());
+        };
+        let pressure = pressure::of(&filled, pos)?;
+        if self.pull(pos, force, Some((filled.inflation.form, pressure))) {
+            pressure::runaway(&filled, self.springs, pos)?;
+        }
+        Ok(())
     }
 
     fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {

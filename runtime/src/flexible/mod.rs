@@ -3,17 +3,21 @@
 //! In: numbers of points and springs. Out: forces and energies. Invariant: after [`Body::new`] every
 //! spring and facet names points that exist, so kernels need no checks. Nothing here allocates.
 
+pub mod block;
 pub mod element;
 pub mod energy;
 pub mod force;
+pub mod grid;
 pub mod mean;
 pub mod pressure;
 pub mod spring;
 
+use crate::kernel::BLOCK;
 use crate::ode::nodes::NodeFault;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 use element::Element;
+use grid::Grid;
 pub use pressure::{Gas, Inflation, PressureForm};
 pub use spring::Spring;
 
@@ -36,6 +40,8 @@ pub struct Body<'a, S> {
     pub inflation: Option<Inflation<S>>,
     /// The points of mass 0 that are not fixed.
     pub massless: Massless<'a>,
+    /// The same springs and facets as a grid, where they are one: forces then take a fraction of the time.
+    pub grid: Option<Grid<'a, S>>,
 }
 
 /// The massless points with the springs of each, so that none has to look through all springs.
@@ -178,6 +184,7 @@ impl<'a, S: Scalar> Body<'a, S> {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
+            grid: None,
         }
     }
 
@@ -196,10 +203,26 @@ impl<'a, S: Scalar> Body<'a, S> {
         }
     }
 
+    /// [`Body::inverse_mass`] of a block of points from `first` on, once for each component; 0 where there is no point.
+    #[inline(always)]
+    #[must_use]
+    pub fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK] {
+        let mut weights = [S::ZERO; BLOCK];
+        let (mass, fixed) =
+            (self.mass.get(first..).unwrap_or_default(), self.fixed.get(first..).unwrap_or_default());
+        let points = mass.iter().zip(fixed);
+        for (weight, (mass, fixed)) in weights.iter_mut().zip(points) {
+            let inverse = S::ONE / *mass;
+            *weight = if (*mass > S::ZERO) & !*fixed { inverse } else { S::ZERO };
+        }
+        weights.map(|weight| [weight; 3])
+    }
+
     /// True where some force depends on speeds.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        self.air_drag > S::ZERO || self.elements().is_damped()
+        let springs = || self.elements().is_damped();
+        self.air_drag > S::ZERO || self.grid.map_or_else(springs, |grid| grid.is_damped)
     }
 }
 

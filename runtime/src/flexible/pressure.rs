@@ -8,8 +8,10 @@
 //!
 //! Gas: constant gauge pressure, or p_abs V^n constant. Sign: normals and forces point outwards.
 
+use super::block::Pushes;
 use super::element::Filled;
-use super::{Body, BodyError};
+use super::{BodyError, Spring};
+use crate::kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -59,41 +61,72 @@ pub struct Inflation<S> {
     pub form: PressureForm,
 }
 
+/// How much of the diagonals' products each corner takes, see [`corner_shares`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weights<S> {
+    /// Of p x q: corners a, b, c.
+    area: S,
+    /// Of p x q: corner d.
+    last: S,
+    /// Of q x g and p x g.
+    warp: S,
+}
+
+impl<S: Scalar> Weights<S> {
+    /// Of a facet with four corners.
+    pub fn of_quad(form: PressureForm) -> Self {
+        let (area, warp) = (S::from_f64(1.0 / 8.0), S::from_f64(1.0 / 24.0));
+        Weights { area, last: area, warp: if form == PressureForm::Exact { warp } else { S::ZERO } }
+    }
+
+    /// Of a triangle, c = d: it is flat, its three corners take equal shares.
+    fn of_triangle() -> Self {
+        Weights { area: S::from_f64(1.0 / 6.0), last: S::ZERO, warp: S::ZERO }
+    }
+}
+
 /// Outward vectors (m^2) at the corners a, b, c, d of one facet; times the pressure they are forces.
+///
+/// With the diagonals p = c - a, q = d - b and the warp g = (a + c) - (b + d), the gradient of the volume
+/// (integral of N_a x_u x x_v over u, v in 0..1) is p x q/8 at every corner, + q x g/24 at a, - at c, + p x g/24 at b, - at d.
+//   x_u = U + (2v - 1) g/2, x_v = V + (2u - 1) g/2 with U = (p - q)/2, V = (p + q)/2, so
+//   x_u x x_v = p x q/2 + ((2v - 1) g x V + (2u - 1) U x g)/2;  int N_a = 1/4, int N_a (2u - 1) = int N_a (2v - 1) = -1/12
+#[inline(always)]
 #[must_use]
 pub fn corner_shares<S: Scalar>(form: PressureForm, corners: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
-    let [a, b, c, d] = corners;
-    let half = S::from_f64(0.5);
-    if c == d && form != PressureForm::Fan {
-        let share = vec3::scale(vec3::cross(vec3::sub(b, a), vec3::sub(c, a)), S::from_f64(1.0 / 6.0));
-        return [share, share, share, vec3::zero()];
-    }
+    let [_, _, c, d] = corners;
     match form {
-        PressureForm::Fan => [fan(a, b, d), fan(b, c, a), fan(c, d, b), fan(d, a, c)],
-        PressureForm::Facet => {
-            let area = vec3::scale(vec3::cross(vec3::sub(c, a), vec3::sub(d, b)), half);
-            [vec3::scale(area, S::from_f64(0.25)); 4]
-        }
-        PressureForm::Exact => {
-            [bilinear(a, b, c, d), bilinear(b, c, d, a), bilinear(c, d, a, b), bilinear(d, a, b, c)]
-        }
+        PressureForm::Fan => fan_shares(corners),
+        _ if c == d => shares(Weights::of_triangle(), corners),
+        _ => shares(Weights::of_quad(form), corners),
     }
+}
+
+/// [`corner_shares`] of [`PressureForm::Fan`].
+#[inline(always)]
+pub(super) fn fan_shares<S: Scalar>([a, b, c, d]: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
+    [fan(a, b, d), fan(b, c, a), fan(c, d, b), fan(d, a, c)]
+}
+
+/// [`corner_shares`] of the other forms.
+#[inline(always)]
+pub(super) fn shares<S: Scalar>(weights: Weights<S>, [a, b, c, d]: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
+    let (p, q) = (vec3::sub(c, a), vec3::sub(d, b));
+    let g = vec3::sub(vec3::add(a, c), vec3::add(b, d));
+    let area = vec3::cross(p, q);
+    let (side, lengthways) = (vec3::cross(q, g), vec3::cross(p, g));
+    let share = vec3::scale(area, weights.area);
+    [
+        vec3::axpy(share, weights.warp, side),
+        vec3::axpy(share, weights.warp, lengthways),
+        vec3::axpy(share, -weights.warp, side),
+        vec3::axpy(vec3::scale(area, weights.last), -weights.warp, lengthways),
+    ]
 }
 
 /// (next - at) x (previous - at): one of the cross products of Eq. 3.10.
 fn fan<S: Scalar>(at: Vec3<S>, next: Vec3<S>, previous: Vec3<S>) -> Vec3<S> {
     vec3::cross(vec3::sub(next, at), vec3::sub(previous, at))
-}
-
-/// Integral over the patch of (1-u)(1-v) x_u x x_v, for the corner a.
-//   x_u = (b-a)(1-v) + (c-d) v,  x_v = (d-a)(1-u) + (c-b) u;  int (1-u)^2 = 1/3, int u(1-u) = 1/6
-fn bilinear<S: Scalar>(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>, d: Vec3<S>) -> Vec3<S> {
-    let (ab, dc) = (vec3::sub(b, a), vec3::sub(c, d));
-    let (ad, bc) = (vec3::sub(d, a), vec3::sub(c, b));
-    let mut sum = vec3::scale(vec3::cross(ab, ad), S::from_f64(1.0 / 9.0));
-    sum = vec3::axpy(sum, S::from_f64(1.0 / 18.0), vec3::cross(ab, bc));
-    sum = vec3::axpy(sum, S::from_f64(1.0 / 18.0), vec3::cross(dc, ad));
-    vec3::axpy(sum, S::from_f64(1.0 / 36.0), vec3::cross(dc, bc))
 }
 
 /// The positions of a facet's corners.
@@ -103,17 +136,22 @@ pub fn corners<S: Scalar>(pos: &[Vec3<S>], facet: &[usize; 4]) -> [Vec3<S>; 4] {
 }
 
 /// Volume between the facets and the origin (m^3): the enclosed volume of a closed surface.
-//   Euler's theorem for the cubic V: V = sum x . dV/dx / 3
+//   Euler's theorem for the cubic V: 3 V = sum x . dV/dx over the corners; what the warp gives cancels in it, so that a
+//   facet has 3 V = p x q . (a + b + c + d)/8, a triangle p x q . (a + b + c)/6
 #[must_use]
 pub fn enclosed_volume<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>]) -> S {
-    let mut triple = S::ZERO;
+    let (mut quads, mut triangles) = (S::ZERO, S::ZERO);
     for facet in facets {
-        let corners = corners(pos, facet);
-        for (corner, share) in corners.iter().zip(corner_shares(PressureForm::Exact, corners)) {
-            triple = triple + vec3::dot(*corner, share);
+        let [a, b, c, d] = corners(pos, facet);
+        let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
+        let three = vec3::add(vec3::add(a, b), c);
+        if c == d {
+            triangles = triangles + vec3::dot(area, three);
+        } else {
+            quads = quads + vec3::dot(area, vec3::add(three, d));
         }
     }
-    triple * S::from_f64(1.0 / 3.0)
+    quads * S::from_f64(1.0 / 24.0) + triangles * S::from_f64(1.0 / 18.0)
 }
 
 /// Gauge pressure (Pa) at a facet volume (m^3).
@@ -155,6 +193,18 @@ pub fn energy<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> S {
     }
 }
 
+/// Gauge pressure (Pa) at these positions.
+///
+/// # Errors
+/// [`BodyError::Collapsed`] where a gas law has no volume left.
+pub fn of<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> Result<S, BodyError<S>> {
+    let volume = match filled.inflation.gas {
+        Gas::Constant(_) => S::ZERO,
+        Gas::Polytropic { .. } => enclosed_volume(filled.facets, pos),
+    };
+    gauge_pressure(&filled.inflation.gas, volume)
+}
+
 /// Adds the pressure's forces (N).
 ///
 /// # Errors
@@ -165,33 +215,23 @@ pub fn add_force<S: Scalar>(
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
     let Filled { facets, inflation } = filled;
-    let volume = match inflation.gas {
-        Gas::Constant(_) => S::ZERO,
-        Gas::Polytropic { .. } => enclosed_volume(facets, pos),
-    };
-    let pressure = gauge_pressure(&inflation.gas, volume)?;
-    for facet in *facets {
-        let shares = corner_shares(inflation.form, corners(pos, facet));
-        for (point, share) in facet.iter().zip(shares) {
-            vec3::add_at(force, *point, vec3::scale(share, pressure));
-        }
-    }
+    let pressure = of(filled, pos)?;
+    kernel::run(Pushes { facets, form: inflation.form, pressure, pos, force });
     Ok(())
 }
 
-/// Refuses a state in which the pressure stretched a spring beyond [`STRETCH_LIMIT`].
-///
-/// # Errors
-/// [`BodyError::PressureTooHigh`] with the pressure at which it happened.
-pub fn check_inflation<S: Scalar>(body: &Body<S>, pos: &[Vec3<S>]) -> Result<(), BodyError<S>> {
-    let Some(inflation) = body.inflation else { return Ok(()) };
+/// Names the spring that the pressure has stretched beyond [`STRETCH_LIMIT`], and the pressure.
+pub(super) fn runaway<S: Scalar>(
+    filled: &Filled<S>,
+    springs: &[Spring<S>],
+    pos: &[Vec3<S>],
+) -> Result<(), BodyError<S>> {
     let limit = S::from_f64(STRETCH_LIMIT);
-    let runaway =
-        |s: &super::Spring<S>| s.rest_length > S::ZERO && s.direction(pos).1 > limit * s.rest_length;
-    match body.springs.iter().position(runaway) {
+    let is_runaway = |s: &Spring<S>| s.rest_length > S::ZERO && s.direction(pos).1 > limit * s.rest_length;
+    match springs.iter().position(is_runaway) {
         None => Ok(()),
         Some(spring) => {
-            let pressure = gauge_pressure(&inflation.gas, enclosed_volume(body.facets, pos))?;
+            let pressure = gauge_pressure(&filled.inflation.gas, enclosed_volume(filled.facets, pos))?;
             Err(BodyError::PressureTooHigh { pressure, spring })
         }
     }

@@ -13,8 +13,8 @@ mod touch;
 
 use crate::contact::compensation::{Impact, PointImpact};
 use crate::contact::{ContactLaw, ContactState, Frozen, Full, Ground, Repertoire, System};
+use crate::flexible::BodyError;
 use crate::flexible::energy::eval_energies;
-use crate::flexible::{BodyError, pressure};
 use crate::guard::Shortened;
 use crate::ode::nodes::{Motion, Step, Workspace};
 use crate::real::Scalar;
@@ -233,9 +233,6 @@ pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
         }
         let Shortened { tau, is_event, trials } = shortened;
         report.trials += trials;
-        if R::GAS {
-            pressure::check_inflation(&system.body, work.end.pos)?;
-        }
         refuse_through_ground(system, work.end.pos)?;
         accept(system, state, tau, work, observer)?;
         remaining = remaining - tau;

@@ -8,7 +8,7 @@ use super::moreau;
 use super::touch::{lift, release};
 use super::{Flow, Observer, State, StepReport, take_over};
 use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction};
-use crate::flexible::{BodyError, pressure};
+use crate::flexible::BodyError;
 use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -104,9 +104,6 @@ fn close<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
     work.end.check_finite()?;
-    if R::GAS {
-        pressure::check_inflation(&system.body, work.end.pos)?;
-    }
     observer.flow(
         system,
         Flow {

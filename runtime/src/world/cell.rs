@@ -3,11 +3,13 @@
 //! In: facets by number, a regulated gas or a sealed one, positions. Out: forces p dV/dx at the corners, potential. The
 //! volume is that of the facets, wherever they stand: closed surfaces do not see the origin.
 
-use crate::flexible::pressure::{PressureForm, corner_shares, corners, enclosed_volume};
+use crate::flexible::block::Pushes;
+use crate::flexible::pressure::{PressureForm, enclosed_volume};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
+use crate::kernel;
 use crate::mechanism::Fault;
 use crate::real::Scalar;
-use crate::vec3::{self, Vec3};
+use crate::vec3::Vec3;
 
 /// A volume of gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,11 +86,7 @@ impl<S: Scalar> Cell<S> {
             Content::Sealed { .. } => enclosed_volume(own, pos),
         };
         let pressure = self.content.gauge_pressure(volume).map_err(|_| Fault::NonFinite)?;
-        for facet in own {
-            for (point, share) in facet.iter().zip(corner_shares(self.form, corners(pos, facet))) {
-                vec3::add_at(force, *point, vec3::scale(share, pressure));
-            }
-        }
+        kernel::run(Pushes { facets: own, form: self.form, pressure, pos, force });
         Ok(())
     }
 

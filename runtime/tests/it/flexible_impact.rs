@@ -79,6 +79,7 @@ impl Pair {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
+            grid: None,
         }
     }
 

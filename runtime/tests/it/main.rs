@@ -5,6 +5,7 @@ mod flexible;
 mod flexible_impact;
 mod functions;
 mod gas;
+mod grid;
 mod integrator;
 mod island;
 mod layering;

@@ -21,6 +21,7 @@ fn hung(springs: &[Spring<f64>]) -> Body<'_, f64> {
         fixed: &[false; 4],
         springs,
         massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
+        grid: None,
         ..Body::none()
     }
 }

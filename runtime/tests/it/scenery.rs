@@ -256,6 +256,7 @@ impl Scene {
             facets: &self.facets,
             inflation: None,
             massless: Massless::default(),
+            grid: None,
         };
         let body = if n == 0 { Ok(Body::none()) } else { Body::new(candidate) };
         let group = Group { members: &mut self.parts };

@@ -210,6 +210,7 @@ impl Fixed {
             facets: &self.facets,
             inflation: None,
             massless: Massless::default(),
+            grid: None,
         }
     }
 }

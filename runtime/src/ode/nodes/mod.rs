@@ -7,10 +7,12 @@
 pub mod method;
 mod midpoint;
 mod nystrom;
+mod rows;
 mod verlet;
 
 pub use method::{Method, Step};
 
+use crate::kernel::{self, BLOCK, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -60,8 +62,10 @@ pub trait Newton<S: Scalar> {
     fn is_movable(&self, node: usize) -> bool;
     /// Acceleration of a node under a force (m/s^2), after what holds it has taken its part.
     fn acceleration(&self, node: usize, force: Vec3<S>) -> Vec3<S>;
-    /// The part of a node's velocity that what holds it leaves.
-    fn admissible(&self, node: usize, velocity: Vec3<S>) -> Vec3<S>;
+    /// 1/mass (1/kg) of a block of nodes from `first` on, once for each component; 0 for one that cannot move.
+    fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK];
+    /// Leaves of velocities or accelerations of the nodes from `first` on what what holds them leaves.
+    fn admit(&self, first: usize, rows: &mut [Vec3<S>]);
     /// Largest acceleration that a strain of 1 gives (m/s^2): rounding of positions moves accelerations by about
     /// EPSILON times this, also where all forces balance.
     fn acceleration_of_unit_strain(&self) -> S;
@@ -152,9 +156,40 @@ impl<'a, S: Scalar> Motion<'a, S> {
     /// # Errors
     /// [`NodeFault::NotFinite`] for the first such node.
     pub fn check_finite(&self) -> Result<(), NodeFault<S>> {
+        // No sum of squares can overflow below this size: almost always one look at the sizes is enough.
+        let largest = kernel::run(Largest { rows: [self.pos, self.vel] });
+        if (S::from_f64(6.0) * largest * largest).is_finite() {
+            return Ok(());
+        }
         let finite = |x: &Vec3<S>, v: &Vec3<S>| (vec3::dot(*x, *x) + vec3::dot(*v, *v)).is_finite();
         let bad = self.pos.iter().zip(self.vel.iter()).position(|(x, v)| !finite(x, v));
         bad.map_or(Ok(()), |node| Err(NodeFault::NotFinite { node }))
+    }
+}
+
+/// The largest number of rows, not-a-number where there is one.
+struct Largest<'a, S> {
+    rows: [&'a [Vec3<S>]; 2],
+}
+
+impl<S: Scalar> Kernel for Largest<'_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let mut largest = [S::ZERO; 32];
+        for row in self.rows {
+            let (chunks, rest) = row.as_flattened().as_chunks::<32>();
+            for chunk in chunks {
+                for (largest, x) in largest.iter_mut().zip(chunk) {
+                    *largest = rows::larger(*largest, x.abs());
+                }
+            }
+            for (largest, x) in largest.iter_mut().zip(rest) {
+                *largest = rows::larger(*largest, x.abs());
+            }
+        }
+        largest.into_iter().fold(S::ZERO, |a, b| a.max(b))
     }
 }
 
@@ -165,8 +200,9 @@ fn cut<T, S>(buffer: &mut [T], n: usize) -> Result<(&mut [T], &mut [T]), NodeFau
 
 /// Copies row by row; no panic if the lengths differ.
 pub(crate) fn copy<T: Copy>(to: &mut [T], from: &[T]) {
-    for (a, b) in to.iter_mut().zip(from) {
-        *a = *b;
+    let n = to.len().min(from.len());
+    if let (Some(to), Some(from)) = (to.get_mut(..n), from.get(..n)) {
+        to.copy_from_slice(from);
     }
 }
 
@@ -244,17 +280,16 @@ impl<'a, S: Scalar> Workspace<'a, S> {
 
     /// Positions at the end.
     fn place_positions(&mut self, start: &Motion<S>) {
-        sum_compensated(start.pos, start.pos_rest, self.dx, self.end.pos, self.end.pos_rest);
+        let end = &mut self.end;
+        kernel::run(Sum { terms: [start.pos, start.pos_rest, self.dx], out: [end.pos, end.pos_rest] });
     }
 
     /// Velocities at the end; a held node keeps none that it must not have, not even rounding.
     fn place_velocities<N: Newton<S>>(&mut self, newton: &N, start: &Motion<S>) {
         let end = &mut self.end;
-        sum_compensated(start.vel, start.vel_rest, self.dv, end.vel, end.vel_rest);
-        for (i, (v, rest)) in end.vel.iter_mut().zip(end.vel_rest.iter_mut()).enumerate() {
-            *v = newton.admissible(i, *v);
-            *rest = newton.admissible(i, *rest);
-        }
+        kernel::run(Sum { terms: [start.vel, start.vel_rest, self.dv], out: [end.vel, end.vel_rest] });
+        newton.admit(0, end.vel);
+        newton.admit(0, end.vel_rest);
     }
 
     /// Moves the end's positions by `dx`, by compensated sums.
@@ -262,28 +297,23 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         let Workspace { end, dx, stage_pos, stage_vel, .. } = self;
         copy(stage_pos, end.pos);
         copy(stage_vel, end.pos_rest);
-        sum_compensated(stage_pos, stage_vel, dx, end.pos, end.pos_rest);
+        kernel::run(Sum { terms: [stage_pos, stage_vel, dx], out: [end.pos, end.pos_rest] });
     }
 }
 
-/// out + rest_out = x + rest + dx, with Knuth's exact sum of two.
-fn sum_compensated<S: Scalar>(
-    x: &[Vec3<S>],
-    rest: &[Vec3<S>],
-    dx: &[Vec3<S>],
-    out: &mut [Vec3<S>],
-    rest_out: &mut [Vec3<S>],
-) {
-    let inputs = x.iter().zip(rest).zip(dx);
-    for (((x, rest), dx), (out, rest_out)) in inputs.zip(out.iter_mut().zip(rest_out)) {
-        let terms = x.iter().zip(rest).zip(dx);
-        for (((x, rest), dx), (out, rest_out)) in terms.zip(out.iter_mut().zip(rest_out)) {
-            let change = *dx + *rest;
-            let sum = *x + change;
-            let part = sum - *x;
-            *rest_out = (*x - (sum - part)) + (change - part);
-            *out = sum;
-        }
+/// A compensated sum of rows.
+struct Sum<'a, S> {
+    terms: [&'a [Vec3<S>]; 3],
+    out: [&'a mut [Vec3<S>]; 2],
+}
+
+impl<S: Scalar> Kernel for Sum<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let [out, rest] = self.out;
+        rows::sum_compensated(self.terms, out, rest);
     }
 }
 

@@ -4,7 +4,8 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
-use super::{Motion, Newton, NodeFault, Workspace, copy, movable};
+use super::{Motion, Newton, NodeFault, Workspace, copy, movable, rows};
+use crate::kernel::{self, BLOCK, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -52,27 +53,88 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
     if damped {
         relax(newton, start, Place::Start, half, work)?;
     }
-    for (i, (dx, v)) in work.dx.iter_mut().zip(work.stage_vel.iter_mut()).enumerate() {
-        let a = newton.acceleration(i, vec3::at(start.elastic, i));
-        *v = vec3::axpy(*v, half, a);
-        *dx = drift(newton, i, *v, h);
-    }
-    work.place_positions(start);
+    kernel::run(KickAndDrift { newton, start, h, work });
     work.evaluations += 1;
     newton.elastic(work.end.pos, work.end.elastic)?;
-    for (i, v) in work.stage_vel.iter_mut().enumerate() {
-        let a = newton.acceleration(i, vec3::at(work.end.elastic, i));
-        *v = vec3::axpy(*v, half, a);
-    }
+    kernel::run(Kick { newton, force: work.end.elastic, h: half, vel: work.stage_vel });
     if damped {
         relax(newton, start, Place::End, half, work)?;
     }
-    for (i, dv) in work.dv.iter_mut().enumerate() {
-        *dv = vec3::sub(vec3::at(work.stage_vel, i), vec3::at(start.vel, i));
-    }
+    kernel::run(Difference { of: [work.stage_vel, start.vel], out: work.dv });
     work.place_velocities(newton, start);
     newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
     Ok(())
+}
+
+/// out = a - b.
+struct Difference<'a, S> {
+    of: [&'a [Vec3<S>]; 2],
+    out: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Difference<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let [a, b] = self.of;
+        rows::subtract(self.out, a, b);
+    }
+}
+
+/// v += h a(force).
+struct Kick<'a, S, N> {
+    newton: &'a N,
+    force: &'a [Vec3<S>],
+    h: S,
+    vel: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let mut acceleration = [vec3::zero(); BLOCK];
+        for first in rows::blocks(self.newton.nodes()) {
+            let weights = self.newton.inverse_masses(first);
+            rows::weigh(&mut acceleration, rows::block(self.force, first), &weights);
+            self.newton.admit(first, &mut acceleration);
+            rows::add_scaled(rows::block_mut(self.vel, first), self.h, &acceleration);
+        }
+    }
+}
+
+/// v += h/2 a at the start, x += h v.
+struct KickAndDrift<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    h: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let KickAndDrift { newton, start, h, work } = self;
+        let half = S::from_f64(0.5) * h;
+        let mut acceleration = [vec3::zero(); BLOCK];
+        for first in rows::blocks(newton.nodes()) {
+            let weights = newton.inverse_masses(first);
+            rows::weigh(&mut acceleration, rows::block(start.elastic, first), &weights);
+            newton.admit(first, &mut acceleration);
+            let vel = rows::block_mut(work.stage_vel, first);
+            rows::add_scaled(vel, half, &acceleration);
+            let dx = rows::block_mut(work.dx, first);
+            rows::scale_weighty(dx, vel, h, &weights);
+            let terms = [rows::block(start.pos, first), rows::block(start.pos_rest, first), dx];
+            let (pos, rest) =
+                (rows::block_mut(work.end.pos, first), rows::block_mut(work.end.pos_rest, first));
+            rows::sum_compensated(terms, pos, rest);
+        }
+    }
 }
 
 /// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
