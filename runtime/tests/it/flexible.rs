@@ -8,7 +8,7 @@ use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System, fricti
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
-use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
+use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, NodeFault, Step, Workspace, workspace_len};
 use smartbed_runtime::scene::{Event, Flow, Observer, State, step};
 use std::f64::consts::PI;
 
@@ -553,4 +553,23 @@ fn a_tolerance_below_rounding_shortens_no_step() {
     };
     let [coarse, fine] = [1e-5, 1e-12].map(work_at);
     assert!(fine <= 3 * coarse, "{fine} evaluations for nothing, {coarse} before");
+}
+
+/// Whatever stands behind it: the size check looks at many numbers at once and must not forget the one that is none.
+#[test]
+fn a_node_that_left_the_numbers_is_found_anywhere() {
+    for n in [1, 7, 40, 300] {
+        for node in [0, n / 2, n - 1] {
+            for (row, bad) in [(0, f64::NAN), (2, f64::NAN), (0, f64::INFINITY), (2, 1e200)] {
+                let mut memory = vec![[1.0; 3]; MOTION_ROWS * n];
+                memory[row * n + node][1] = bad;
+                let (motion, _) = Motion::cut(&mut memory, n).expect("room");
+                assert_eq!(
+                    motion.check_finite(),
+                    Err(NodeFault::NotFinite { node }),
+                    "{bad} in row {row} of {n}"
+                );
+            }
+        }
+    }
 }

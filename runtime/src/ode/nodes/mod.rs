@@ -167,7 +167,10 @@ impl<'a, S: Scalar> Motion<'a, S> {
     }
 }
 
-/// The largest number of rows, not-a-number where there is one.
+/// Numbers that [`Largest`] looks at side by side.
+const LOOKED_AT: usize = 32;
+
+/// The largest size of a number in rows; not-a-number where one is.
 struct Largest<'a, S> {
     rows: [&'a [Vec3<S>]; 2],
 }
@@ -177,19 +180,27 @@ impl<S: Scalar> Kernel for Largest<'_, S> {
 
     #[inline(always)]
     fn run(self) -> S {
-        let mut largest = [S::ZERO; 32];
+        let mut largest = [S::ZERO; LOOKED_AT];
+        // No comparison tells of not-a-number; 0 x is 0, or not a number for ever.
+        let mut none = [S::ZERO; LOOKED_AT];
         for row in self.rows {
-            let (chunks, rest) = row.as_flattened().as_chunks::<32>();
+            let (chunks, rest) = row.as_flattened().as_chunks::<LOOKED_AT>();
             for chunk in chunks {
-                for (largest, x) in largest.iter_mut().zip(chunk) {
-                    *largest = rows::larger(*largest, x.abs());
-                }
+                look_at(chunk, &mut largest, &mut none);
             }
-            for (largest, x) in largest.iter_mut().zip(rest) {
-                *largest = rows::larger(*largest, x.abs());
-            }
+            look_at(rest, &mut largest, &mut none);
         }
-        largest.into_iter().fold(S::ZERO, |a, b| a.max(b))
+        let size = largest.into_iter().fold(S::ZERO, |a, b| a.max(b));
+        none.into_iter().fold(size, |sum, none| sum + none)
+    }
+}
+
+#[inline(always)]
+fn look_at<S: Scalar>(numbers: &[S], largest: &mut [S; LOOKED_AT], none: &mut [S; LOOKED_AT]) {
+    for ((largest, none), x) in largest.iter_mut().zip(none).zip(numbers) {
+        let size = x.abs();
+        *none = *none + S::ZERO * *x;
+        *largest = if size > *largest { size } else { *largest };
     }
 }
 

@@ -54,12 +54,6 @@ pub(super) fn weigh<S: Scalar>(y: &mut [Vec3<S>], x: &[Vec3<S>], weights: &[Vec3
     }
 }
 
-/// The larger of two, not-a-number where one is.
-#[inline(always)]
-pub(super) fn larger<S: Scalar>(largest: S, x: S) -> S {
-    if x <= largest { largest } else { x }
-}
-
 /// a - b into y.
 #[inline(always)]
 pub(super) fn subtract<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>]) {
