@@ -59,14 +59,13 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
 /// Turns ways tail -> head (m) into elastic forces on the tails (N).
 #[inline(always)]
 pub(super) fn pull<S: Scalar>(way: [&mut [S]; 3], stiffness: &[S], rest_length: &[S]) -> bool {
-    let limit = S::from_f64(pressure::STRETCH_LIMIT);
     // A number as wide as a lane: a truth value would be taken out of its register.
     let mut runaway = 0_u32;
     let [x, y, z] = way;
     for ((((x, y), z), k), l) in x.iter_mut().zip(y).zip(z).zip(stiffness).zip(rest_length) {
         let (direction, length) = vec3::direction([*x, *y, *z]);
         [*x, *y, *z] = vec3::scale(direction, *k * (length - *l));
-        runaway |= u32::from((*l > S::ZERO) & (length > limit * *l));
+        runaway |= u32::from(pressure::is_runaway(*l, length));
     }
     runaway > 0
 }

@@ -21,6 +21,12 @@ use crate::vec3::{self, Vec3};
 /// lies beyond every overshoot of a body that still has one.
 pub const STRETCH_LIMIT: f64 = 4.0;
 
+/// Is a spring of this length beyond [`STRETCH_LIMIT`]?
+#[inline(always)]
+pub(super) fn is_runaway<S: Scalar>(rest_length: S, length: S) -> bool {
+    (rest_length > S::ZERO) & (length > S::from_f64(STRETCH_LIMIT) * rest_length)
+}
+
 /// How a facet's force is shared by its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PressureForm {
@@ -226,9 +232,7 @@ pub(super) fn runaway<S: Scalar>(
     springs: &[Spring<S>],
     pos: &[Vec3<S>],
 ) -> Result<(), BodyError<S>> {
-    let limit = S::from_f64(STRETCH_LIMIT);
-    let is_runaway = |s: &Spring<S>| s.rest_length > S::ZERO && s.direction(pos).1 > limit * s.rest_length;
-    match springs.iter().position(is_runaway) {
+    match springs.iter().position(|spring| is_runaway(spring.rest_length, spring.direction(pos).1)) {
         None => Ok(()),
         Some(spring) => {
             let pressure = gauge_pressure(&filled.inflation.gas, enclosed_volume(filled.facets, pos))?;

@@ -4,7 +4,7 @@
 //! Sign: f > 0 pulls the ends together; +f d acts on the tail, -f d on the head.
 //! A spring of length 0 has no direction and gives no force.
 
-use super::pressure::STRETCH_LIMIT;
+use super::pressure::is_runaway;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -55,12 +55,12 @@ impl<S: Scalar> Spring<S> {
         self.stiffness * (length - self.rest_length)
     }
 
-    /// Adds the elastic forces; returns whether the spring has run away, see [`STRETCH_LIMIT`].
+    /// Adds the elastic forces; returns whether the spring has run away, see [`super::pressure::STRETCH_LIMIT`].
     #[inline(always)]
     pub fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> bool {
         let (direction, length) = self.direction(pos);
         self.pull(vec3::scale(direction, self.tension(length)), force);
-        (self.rest_length > S::ZERO) & (length > S::from_f64(STRETCH_LIMIT) * self.rest_length)
+        is_runaway(self.rest_length, length)
     }
 
     /// Adds a force on the tail, towards the head, and its reaction on the head.
