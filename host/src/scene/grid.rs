@@ -41,26 +41,25 @@ impl<S: Scalar> Woven<S> {
         let place: BTreeMap<usize, usize> =
             nodes.iter().enumerate().filter_map(|(place, node)| Some(((*node)?, place))).collect();
         let mut taken = vec![[false; 2]; nodes.len()];
-        let [mut right, mut up] = [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; nodes.len() + WIDTH]));
+        let mut families = [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; nodes.len() + WIDTH]));
         for (number, [tail, head]) in lists.springs.iter().enumerate() {
             let (tail, head) = (*place.get(tail)?, *place.get(head)?);
-            let [stiffness, rest_length] = match head.checked_sub(tail)? {
-                1 if head % columns > 0 && !taken[tail][0] => {
-                    taken[tail][0] = true;
-                    &mut right
-                }
-                length if length == columns && !taken[tail][1] => {
-                    taken[tail][1] = true;
-                    &mut up
-                }
-                // Elsewhere, or a second one beside the first.
+            let family = match head.checked_sub(tail)? {
+                1 if head % columns > 0 => 0,
+                way if way == columns => 1,
                 _ => return None,
             };
+            // A second one beside the first has no place.
+            if std::mem::replace(&mut taken[tail][family], true) {
+                return None;
+            }
+            let [stiffness, rest_length] = &mut families[family];
             stiffness[tail] = S::from_f64(*lists.stiffness.get(number)?);
             rest_length[tail] = S::from_f64(*lists.rest_lengths.get(number)?);
         }
         let (cells, facets) = cells(lists, &place, columns, rows)?;
         let (runs, starts) = runs(nodes, columns);
+        let [right, up] = families;
         let is_damped = lists.damping.iter().any(|c| *c > 0.0);
         Some(Woven { columns, rows, runs, starts, right, up, cells, facets, is_damped })
     }

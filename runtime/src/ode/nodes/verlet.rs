@@ -82,6 +82,20 @@ impl<S: Scalar> Kernel for Difference<'_, S> {
     }
 }
 
+/// Accelerations of a block of nodes from `first` on, after what holds them has taken its part; returns 1/mass of each.
+#[inline(always)]
+fn accelerate<S: Scalar>(
+    newton: &impl Newton<S>,
+    first: usize,
+    force: &[Vec3<S>],
+    acceleration: &mut [Vec3<S>; BLOCK],
+) -> [Vec3<S>; BLOCK] {
+    let weights = newton.inverse_masses(first);
+    rows::weigh(acceleration, rows::block(force, first), &weights);
+    newton.admit(first, acceleration);
+    weights
+}
+
 /// v += h a(force).
 struct Kick<'a, S, N> {
     newton: &'a N,
@@ -97,9 +111,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, S, N> {
     fn run(self) {
         let mut acceleration = [vec3::zero(); BLOCK];
         for first in rows::blocks(self.newton.nodes()) {
-            let weights = self.newton.inverse_masses(first);
-            rows::weigh(&mut acceleration, rows::block(self.force, first), &weights);
-            self.newton.admit(first, &mut acceleration);
+            accelerate(self.newton, first, self.force, &mut acceleration);
             rows::add_scaled(rows::block_mut(self.vel, first), self.h, &acceleration);
         }
     }
@@ -122,9 +134,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
         let half = S::from_f64(0.5) * h;
         let mut acceleration = [vec3::zero(); BLOCK];
         for first in rows::blocks(newton.nodes()) {
-            let weights = newton.inverse_masses(first);
-            rows::weigh(&mut acceleration, rows::block(start.elastic, first), &weights);
-            newton.admit(first, &mut acceleration);
+            let weights = accelerate(newton, first, start.elastic, &mut acceleration);
             let vel = rows::block_mut(work.stage_vel, first);
             rows::add_scaled(vel, half, &acceleration);
             let dx = rows::block_mut(work.dx, first);
