@@ -45,8 +45,9 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
                 [*x, *y, *z] = vec3::sub(vec3::at(self.pos, spring.head), vec3::at(self.pos, spring.tail));
                 (*k, *l) = (spring.stiffness, spring.rest_length);
             }
-            let [x, y, z] = &mut way;
-            runaway |= pull([x, y, z], &stiffness, &rest_length);
+            // Lanes beyond hold forces of the block before.
+            let ways = way.each_mut().map(|lanes| lanes.get_mut(..block.len()).unwrap_or_default());
+            runaway |= pull(ways, &stiffness, &rest_length);
             let [x, y, z] = &way;
             for (spring, ((x, y), z)) in block.iter().zip(x.iter().zip(y).zip(z)) {
                 spring.pull([*x, *y, *z], self.force);
