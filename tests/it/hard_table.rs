@@ -17,6 +17,7 @@ pub fn folder(package: &str, program: &str) -> Option<PathBuf> {
         ("smartbed-runtime", "it") => "runtime/tests/it",
         ("smartbed-tests", "it") => "tests/it",
         ("smartbed-firmware", "it") => "firmware/tests/it",
+        ("smartbed-bed", "it") => "bed/tests/it",
         ("smartbed", "command") => "host/tests/command",
         ("smartbed", "fuzz") => "host/tests/fuzz",
         ("smartbed", "world") => "host/tests/world",

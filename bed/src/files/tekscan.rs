@@ -1,0 +1,157 @@
+//! Tekscan's ASCII movie: lines `KEY value`, then `ASCII_DATA @@`, then `Frame n` with its rows, at last `@@`.
+//!
+//! Needed: `ROWS`, `COLS`, `ROW_SPACING`, `COL_SPACING` (with unit), `SECONDS_PER_FRAME`, `UNITS`; other keys are passed
+//! over. Uncalibrated files (`UNITS RAW`) are refused: their numbers are no pressures.
+
+use super::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
+use crate::map::{Frame, Grid};
+use std::fmt::Write as _;
+
+/// What the head of a file says; each with its line once it has been read.
+#[derive(Default)]
+struct Head {
+    rows: Option<usize>,
+    columns: Option<usize>,
+    row_pitch: Option<f64>,
+    column_pitch: Option<f64>,
+    seconds: Option<f64>,
+    unit: Option<f64>,
+}
+
+impl Head {
+    fn take(&mut self, text: &str, line: usize) -> Result<(), FileError> {
+        let (key, value) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
+        match key {
+            "ROWS" => self.rows = Some(count(value, line)?),
+            "COLS" => self.columns = Some(count(value, line)?),
+            "ROW_SPACING" => self.row_pitch = Some(metres(value, line)?),
+            "COL_SPACING" => self.column_pitch = Some(metres(value, line)?),
+            "SECONDS_PER_FRAME" => {
+                let seconds = number(value, line)?;
+                if seconds <= 0.0 {
+                    return Err(FileError::at(
+                        line,
+                        format!("expected seconds > 0, found `{}`", value.trim()),
+                    ));
+                }
+                self.seconds = Some(seconds);
+            }
+            "UNITS" => self.unit = Some(pascal(value, line)?),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The grid, seconds a frame and Pascal a unit.
+    fn whole(&self, line: usize) -> Result<(Grid, f64, f64), FileError> {
+        let lacks = |key: &str| FileError::at(line, format!("`{key}` is missing before the data"));
+        let grid = Grid {
+            rows: self.rows.ok_or_else(|| lacks("ROWS"))?,
+            columns: self.columns.ok_or_else(|| lacks("COLS"))?,
+            row_pitch: self.row_pitch.ok_or_else(|| lacks("ROW_SPACING"))?,
+            column_pitch: self.column_pitch.ok_or_else(|| lacks("COL_SPACING"))?,
+        };
+        let seconds = self.seconds.ok_or_else(|| lacks("SECONDS_PER_FRAME"))?;
+        Ok((grid, seconds, self.unit.ok_or_else(|| lacks("UNITS"))?))
+    }
+}
+
+/// Reads a movie.
+///
+/// # Errors
+/// [`FileError`] at the first line that is wrong, or where the text ends too early.
+pub fn read(text: &str) -> Result<Mapped, FileError> {
+    let mut lines = text.lines().enumerate().map(|(index, line)| (index + 1, line));
+    let mut head = Head::default();
+    let start = loop {
+        let Some((line, text)) = lines.next() else {
+            return Err(FileError::at(0, "no line `ASCII_DATA @@`: not an ASCII movie"));
+        };
+        if text.starts_with("ASCII_DATA") {
+            break line;
+        }
+        head.take(text, line)?;
+    };
+    let (grid, seconds, unit) = head.whole(start)?;
+    let mut frames: Vec<Frame> = Vec::new();
+    let mut last = start;
+    for (line, text) in lines {
+        let text = text.trim();
+        if text.trim_start_matches(',').is_empty() {
+            continue;
+        }
+        if text.starts_with("@@") {
+            break;
+        }
+        last = line;
+        if text.starts_with("Frame") {
+            full(&grid, frames.last(), line)?;
+            let time = frames.len() as f64 * seconds;
+            frames.push(Frame { time, seconds, pressure: Vec::new(), shear: Vec::new() });
+            continue;
+        }
+        let Some(frame) = frames.last_mut() else {
+            return Err(FileError::at(line, "expected `Frame` before the first row"));
+        };
+        if frame.pressure.len() >= grid.sites() {
+            return Err(FileError::at(line, format!("more than {} rows in this frame", grid.rows)));
+        }
+        row(text, grid.columns, unit, line, &mut frame.pressure)?;
+    }
+    full(&grid, frames.last(), last)?;
+    if frames.is_empty() {
+        return Err(FileError::at(0, "no frame behind `ASCII_DATA`"));
+    }
+    mapped(grid, frames)
+}
+
+/// Has the frame before this line all its rows?
+fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError> {
+    let found = frame.map_or(grid.sites(), |f| f.pressure.len());
+    if found == grid.sites() {
+        return Ok(());
+    }
+    let rows = found / grid.columns.max(1);
+    Err(FileError::at(line, format!("the frame ends after {rows} rows, expected {}", grid.rows)))
+}
+
+/// Writes a movie in kPa; shear is not part of the format.
+///
+/// # Errors
+/// Frames that do not all stand for the same time, which the format cannot say.
+pub fn write(mapped: &Mapped) -> Result<String, FileError> {
+    let (grid, frames) = (&mapped.grid, mapped.recording.frames());
+    let seconds = frames.first().map_or(1.0, |f| f.seconds);
+    let start = frames.first().map_or(0.0, |f| f.time);
+    let even = |(index, f): (usize, &Frame)| {
+        let expected = start + index as f64 * seconds;
+        f.seconds == seconds && (f.time - expected).abs() <= 1e-9 * (seconds + expected.abs())
+    };
+    if let Some(index) = (0..frames.len()).find(|i| !even((*i, &frames[*i]))) {
+        return Err(FileError::at(
+            0,
+            format!("frame {index}: a Tekscan movie needs frames at one even pace"),
+        ));
+    }
+    let mut text = String::from("DATA_TYPE MOVIE\nVERSION 1.0\n");
+    let _ = write!(
+        text,
+        "ROWS {}\nCOLS {}\nROW_SPACING {} mm\nCOL_SPACING {} mm\nSENSEL_AREA {} mm2\nSECONDS_PER_FRAME {seconds}\n",
+        grid.rows,
+        grid.columns,
+        grid.row_pitch * 1e3,
+        grid.column_pitch * 1e3,
+        grid.cell() * 1e6
+    );
+    let _ = write!(text, "UNITS kPa\nSTART_FRAME 1\nEND_FRAME {}\nASCII_DATA @@\n", frames.len());
+    for (index, frame) in frames.iter().enumerate() {
+        let _ = writeln!(text, "Frame {}", index + 1);
+        for row in frame.pressure.chunks(grid.columns) {
+            text.push_str(&row_text(row, 1000.0));
+            text.push('\n');
+        }
+        text.push('\n');
+    }
+    text.push_str("@@\n");
+    Ok(text)
+}

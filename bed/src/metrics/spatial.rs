@@ -1,0 +1,181 @@
+//! Metrics of one map: peak, mean, spread, areas, gradient, centre of pressure, and what the map carries.
+//!
+//! In: pressures (Pa) with areas or a grid. Out: numbers in SI units, `None` where there is nothing to measure.
+
+use crate::map::{Grid, Site};
+
+/// Largest pressure (Pa).
+#[must_use]
+pub fn peak(pressure: &[f64]) -> f64 {
+    pressure.iter().fold(0.0, |most: f64, p| most.max(*p))
+}
+
+/// Mean and spread of the pressure where it is above that of contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// Mean, weighted by area (Pa).
+    pub mean: f64,
+    /// Standard deviation, weighted by area (Pa).
+    pub deviation: f64,
+    /// Standard deviation over mean.
+    pub variation: f64,
+}
+
+/// Mean and spread over the sites in contact; `None` if nothing touches.
+#[must_use]
+pub fn spread(sites: &[Site], pressure: &[f64], contact: f64) -> Option<Spread> {
+    let touching = || sites.iter().zip(pressure).filter(|(_, p)| **p > contact);
+    let area: f64 = touching().map(|(s, _)| s.area).sum();
+    if area <= 0.0 {
+        return None;
+    }
+    let mean = touching().map(|(s, p)| s.area * p).sum::<f64>() / area;
+    let square = touching().map(|(s, p)| s.area * (p - mean) * (p - mean)).sum::<f64>() / area;
+    let deviation = square.sqrt();
+    Some(Spread { mean, deviation, variation: deviation / mean })
+}
+
+/// Area (m^2) with more than this pressure (Pa).
+#[must_use]
+pub fn area_above(sites: &[Site], pressure: &[f64], limit: f64) -> f64 {
+    sites.iter().zip(pressure).filter(|(_, p)| **p > limit).map(|(s, _)| s.area).sum()
+}
+
+/// Dispersion index (%): pressure on the sites of a region over that on all, 100 sum_R p/sum p; `None` without load.
+#[must_use]
+pub fn dispersion(sites: &[Site], pressure: &[f64], of_region: impl Fn(&Site) -> bool) -> Option<f64> {
+    let all: f64 = pressure.iter().sum();
+    let part: f64 = sites.iter().zip(pressure).filter(|(s, _)| of_region(s)).map(|(_, p)| p).sum();
+    (all > 0.0).then(|| 100.0 * part / all)
+}
+
+/// Peak pressure index (Pa): largest mean over a square window of this area (m^2), wherever it lies in the map.
+///
+/// The mean is bilinear in the window's place between the edges of sensels, so that it is largest where edges of the
+/// window lie on edges of sensels: those places are all that are tried. `None` if the map is smaller than the window.
+#[must_use]
+pub fn peak_pressure_index(grid: &Grid, pressure: &[f64], area: f64) -> Option<f64> {
+    let side = area.sqrt();
+    let across = starts(grid.columns, grid.column_pitch, side);
+    let along = starts(grid.rows, grid.row_pitch, side);
+    if pressure.len() != grid.sites() || across.is_empty() || along.is_empty() {
+        return None;
+    }
+    let load = Integral::new(grid, pressure);
+    let mut most = 0.0_f64;
+    for y in &along {
+        for x in &across {
+            let (right, top) = (x + side / grid.column_pitch, y + side / grid.row_pitch);
+            let inside = load.at(right, top) - load.at(*x, top) - load.at(right, *y) + load.at(*x, *y);
+            most = most.max(inside * grid.cell() / area);
+        }
+    }
+    Some(most)
+}
+
+/// Where a window of this side may begin or end on an edge of sensels, in sensels.
+fn starts(count: usize, pitch: f64, side: f64) -> Vec<f64> {
+    let (length, width) = (count as f64, side / pitch);
+    // A window as wide as the map must not be lost to rounding.
+    let fits = |x: f64| x > -1e-9 && x + width < length + 1e-9;
+    let edges = (0..=count).map(|edge| edge as f64);
+    edges.flat_map(|edge| [edge, edge - width]).filter(|x| fits(*x)).map(|x| x.max(0.0)).collect()
+}
+
+/// Sum of the pressures over all that lies below and left of a place.
+struct Integral {
+    columns: usize,
+    rows: usize,
+    sums: Vec<f64>,
+}
+
+impl Integral {
+    fn new(grid: &Grid, pressure: &[f64]) -> Integral {
+        let (rows, columns) = (grid.rows, grid.columns);
+        let wide = columns + 1;
+        let mut sums = vec![0.0; wide * (rows + 1)];
+        for row in 0..rows {
+            let mut line = 0.0;
+            for column in 0..columns {
+                line += pressure[row * columns + column];
+                sums[(row + 1) * wide + column + 1] = sums[row * wide + column + 1] + line;
+            }
+        }
+        Integral { columns, rows, sums }
+    }
+
+    /// At a place in sensels, between the edges bilinear.
+    fn at(&self, x: f64, y: f64) -> f64 {
+        let split = |at: f64, count: usize| {
+            let whole = (at.floor().max(0.0) as usize).min(count.saturating_sub(1));
+            (whole, (at - whole as f64).clamp(0.0, 1.0))
+        };
+        let ((i, u), (j, v)) = (split(x, self.columns), split(y, self.rows));
+        let sum = |i: usize, j: usize| self.sums[j * (self.columns + 1) + i];
+        let below = (1.0 - u) * sum(i, j) + u * sum(i + 1, j);
+        let above = (1.0 - u) * sum(i, j + 1) + u * sum(i + 1, j + 1);
+        (1.0 - v) * below + v * above
+    }
+}
+
+/// How steep a map is; grids of other pitch give other numbers, so the grid is always told beside it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gradient {
+    /// Largest difference of two neighbours over their distance (Pa/m).
+    pub largest: f64,
+    /// Root of the mean square of the gradient: central differences inside, one-sided at edges (Pa/m).
+    pub root_mean_square: f64,
+}
+
+/// Gradient of a map; a single row or column has none across.
+#[must_use]
+pub fn gradient(grid: &Grid, pressure: &[f64]) -> Gradient {
+    let at = |row: usize, column: usize| pressure[row * grid.columns + column];
+    let (mut largest, mut squares) = (0.0_f64, 0.0);
+    for row in 0..grid.rows {
+        for column in 0..grid.columns {
+            if column + 1 < grid.columns {
+                largest = largest.max((at(row, column + 1) - at(row, column)).abs() / grid.column_pitch);
+            }
+            if row + 1 < grid.rows {
+                largest = largest.max((at(row + 1, column) - at(row, column)).abs() / grid.row_pitch);
+            }
+            let across = slope(grid.columns, column, grid.column_pitch, |i| at(row, i));
+            let along = slope(grid.rows, row, grid.row_pitch, |i| at(i, column));
+            squares += across * across + along * along;
+        }
+    }
+    let count = grid.sites().max(1) as f64;
+    Gradient { largest, root_mean_square: (squares / count).sqrt() }
+}
+
+/// Difference quotient at one of several values in a line.
+fn slope(count: usize, index: usize, pitch: f64, value: impl Fn(usize) -> f64) -> f64 {
+    let (low, high) = (index.saturating_sub(1), (index + 1).min(count - 1));
+    if high > low { (value(high) - value(low)) / ((high - low) as f64 * pitch) } else { 0.0 }
+}
+
+/// Centre of pressure (m); `None` without load.
+#[must_use]
+pub fn centre(grid: &Grid, pressure: &[f64]) -> Option<[f64; 2]> {
+    let load: f64 = pressure.iter().sum();
+    if load <= 0.0 {
+        return None;
+    }
+    let mut moment = [0.0; 2];
+    for (site, p) in pressure.iter().enumerate() {
+        let [x, y] = grid.middle(site);
+        moment[0] += p * x;
+        moment[1] += p * y;
+    }
+    Some([moment[0] / load, moment[1] / load])
+}
+
+/// What a map carries against what lies on it: |sum p A n_z + sum tau_z A - W|/W, n_z and tau_z upwards. A map is
+/// valid at rest below 1 %.
+#[must_use]
+pub fn load_error(sites: &[Site], pressure: &[f64], up: &[f64], shear_up: &[f64], weight: f64) -> f64 {
+    let normal: f64 = sites.iter().zip(pressure).zip(up).map(|((s, p), n)| p * s.area * n).sum();
+    let tangential: f64 = sites.iter().zip(shear_up).map(|(s, t)| t * s.area).sum();
+    (normal + tangential - weight).abs() / weight
+}

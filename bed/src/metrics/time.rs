@@ -1,0 +1,108 @@
+//! Metrics over time, site by site: of skin they follow the skin, of sensels they stay in place.
+//!
+//! In: a recording. Out: one number a site, areas, and what the centre of pressure did. A frame stands for its own
+//! duration, so that sums over frames are integrals.
+
+use super::spatial;
+use crate::map::{Frame, Grid, Recording};
+
+/// Frames of the last `cycle` seconds; `None` if less was recorded.
+fn last_cycle(recording: &Recording, cycle: f64) -> Option<&[Frame]> {
+    let frames = recording.frames();
+    let mut seconds = 0.0;
+    let start = frames.iter().rposition(|frame| {
+        seconds += frame.seconds;
+        // Ten frames of 0.1 s are a second, whatever their sum rounds to.
+        seconds >= cycle * (1.0 - 1e-12)
+    })?;
+    Some(&frames[start..])
+}
+
+/// A number for each site, from its frames.
+fn by_site(recording: &Recording, of: impl Fn(usize) -> f64) -> Vec<f64> {
+    (0..recording.sites().len()).map(of).collect()
+}
+
+/// Area of sites whose numbers satisfy something.
+fn area_where(recording: &Recording, numbers: &[f64], holds: impl Fn(f64) -> bool) -> f64 {
+    recording.sites().iter().zip(numbers).filter(|(_, x)| holds(**x)).map(|(s, _)| s.area).sum()
+}
+
+/// Persistent occlusion (m^2): area whose least pressure over the last cycle is above that of occlusion; `None` if
+/// less than a cycle was recorded. Yang et al., Science Robotics 10(103), 2025.
+#[must_use]
+pub fn persistent_occlusion(recording: &Recording, cycle: f64, occlusion: f64) -> Option<f64> {
+    let frames = last_cycle(recording, cycle)?;
+    let least = by_site(recording, |i| frames.iter().fold(f64::INFINITY, |low, f| low.min(f.pressure[i])));
+    Some(area_where(recording, &least, |p| p > occlusion))
+}
+
+/// Always at risk (m^2): area above the limit for 95 % of the time and more. Peterson et al., JRRD 50(4), 2013.
+#[must_use]
+pub fn always_at_risk(recording: &Recording, limit: f64) -> f64 {
+    let share = share_of_time(recording, |p| p > limit);
+    area_where(recording, &share, |s| s >= 0.95 - 1e-12)
+}
+
+/// Load and off-load contrast of each site over the last cycle: max p - min p (Pa); `None` if less was recorded.
+#[must_use]
+pub fn contrast(recording: &Recording, cycle: f64) -> Option<Vec<f64>> {
+    let frames = last_cycle(recording, cycle)?;
+    Some(by_site(recording, |i| {
+        let (low, high) = frames.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), f| {
+            (low.min(f.pressure[i]), high.max(f.pressure[i]))
+        });
+        high - low
+    }))
+}
+
+/// Pressure over time of each site above a limit: sum max(0, p - limit) dt (Pa s); limit 0 is the whole integral.
+#[must_use]
+pub fn pressure_time(recording: &Recording, limit: f64) -> Vec<f64> {
+    by_site(recording, |i| {
+        recording.frames().iter().map(|f| (f.pressure[i] - limit).max(0.0) * f.seconds).sum()
+    })
+}
+
+/// Pressure relief index of each site: share of time below a limit (Pa).
+#[must_use]
+pub fn relief(recording: &Recording, limit: f64) -> Vec<f64> {
+    share_of_time(recording, |p| p < limit)
+}
+
+fn share_of_time(recording: &Recording, holds: impl Fn(f64) -> bool) -> Vec<f64> {
+    let all = recording.seconds();
+    by_site(recording, |i| {
+        let held = recording.frames().iter().filter(|f| holds(f.pressure[i]));
+        if all > 0.0 { held.map(|f| f.seconds).sum::<f64>() / all } else { 0.0 }
+    })
+}
+
+/// What the centre of pressure did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mobility {
+    /// Length of its path (m).
+    pub path: f64,
+    /// How often it has gone further than the limit from where it was last counted.
+    pub shifts: usize,
+}
+
+/// Way of the centre of pressure; frames without load are passed over. A shift is counted once it is longer than
+/// `limit` (m), usually 20 mm.
+#[must_use]
+pub fn mobility(grid: &Grid, recording: &Recording, limit: f64) -> Mobility {
+    let mut mobility = Mobility { path: 0.0, shifts: 0 };
+    let mut centres = recording.frames().iter().filter_map(|f| spatial::centre(grid, &f.pressure));
+    let Some(first) = centres.next() else { return mobility };
+    let (mut before, mut counted) = (first, first);
+    let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+    for centre in centres {
+        mobility.path += distance(centre, before);
+        before = centre;
+        if distance(centre, counted) > limit {
+            mobility.shifts += 1;
+            counted = centre;
+        }
+    }
+    mobility
+}

@@ -1,0 +1,4 @@
+//! The bed's numbers against closed forms, hand-made maps and independent references.
+
+mod files;
+mod metrics;
