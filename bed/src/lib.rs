@@ -3,6 +3,12 @@
 //! In: sizes, pressures, poses and a body. Out: equilibria, maps of pressure and shear over time, and the metrics of
 //! such maps. No text of plans and no command line; files of pressure maps are read and written ([`files`]).
 
+pub mod band;
+pub mod body;
+pub mod equilibrium;
 pub mod files;
 pub mod map;
 pub mod metrics;
+pub mod pose;
+pub mod sheet;
+pub mod tile;

@@ -1,4 +1,7 @@
 //! The bed's numbers against closed forms, hand-made maps and independent references.
 
+mod figure;
 mod files;
 mod metrics;
+mod rest;
+mod sheet;

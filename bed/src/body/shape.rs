@@ -1,0 +1,70 @@
+//! One kind of shape: a box with round edges. Without lengths it is a ball, with one a capsule, with two a slab.
+//!
+//! In: a point in the shape's axes. Out: its distance from the surface, below 0 inside, and the normal there.
+
+use smartbed_runtime::vec3::{Vec3, norm, scale};
+
+/// All points within `radius` of a box with its middle at the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shape {
+    /// Half the sides of the box (m).
+    pub half: Vec3<f64>,
+    /// m.
+    pub radius: f64,
+}
+
+impl Shape {
+    /// A ball.
+    #[must_use]
+    pub fn ball(radius: f64) -> Shape {
+        Shape { half: [0.0; 3], radius }
+    }
+
+    /// Distance of a point from the surface (m), and the normal outwards.
+    #[must_use]
+    pub fn gap(&self, point: Vec3<f64>) -> (f64, Vec3<f64>) {
+        let beyond: Vec3<f64> =
+            std::array::from_fn(|i| point[i] - point[i].clamp(-self.half[i], self.half[i]));
+        let distance = norm(beyond);
+        if distance > 0.0 {
+            return (distance - self.radius, scale(beyond, 1.0 / distance));
+        }
+        // Within the box itself the nearest of its faces counts.
+        let depth = |i: usize| self.half[i] - point[i].abs();
+        let axis = (1..3).fold(0, |best, i| if depth(i) < depth(best) { i } else { best });
+        let mut normal = [0.0; 3];
+        normal[axis] = 1.0_f64.copysign(point[axis]);
+        (-depth(axis) - self.radius, normal)
+    }
+
+    /// Second derivatives of the distance: (P - n n')/d outside of the box at a distance d, with P the axes along which
+    /// the point lies beyond it; within the box 0.
+    #[must_use]
+    pub fn curvature(&self, point: Vec3<f64>) -> [Vec3<f64>; 3] {
+        let beyond: Vec3<f64> =
+            std::array::from_fn(|i| point[i] - point[i].clamp(-self.half[i], self.half[i]));
+        let distance = norm(beyond);
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let is_along = beyond[i] != 0.0 || self.half[i] == 0.0;
+                let same = if i == j && is_along { 1.0 } else { 0.0 };
+                let bent = same - beyond[i] / distance * beyond[j] / distance;
+                if distance > 0.0 { bent / distance } else { 0.0 }
+            })
+        })
+    }
+
+    /// No point is further from the middle than this (m).
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        norm(self.half) + self.radius
+    }
+
+    /// Volume (m^3): the box, slabs on its faces, quarter cylinders along its edges, one ball in all.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let [a, b, c] = self.half.map(|h| 2.0 * h);
+        let (r, pi) = (self.radius, std::f64::consts::PI);
+        a * b * c + 2.0 * r * (a * b + b * c + c * a) + pi * r * r * (a + b + c) + 4.0 / 3.0 * pi * r * r * r
+    }
+}

@@ -1,0 +1,225 @@
+//! Newton's method on the whole bed, with a search along each step.
+//!
+//! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the pass before; passes end when they do not change.
+
+use super::solution::{Solution, finish};
+use super::step::{Ways, condensed, rows};
+use super::tile::{Eliminated, Patch};
+use super::{Bed, GRAVITY, State, side_by_side};
+use crate::body::{Body, Rows};
+use crate::sheet::air::Collapsed;
+use smartbed_runtime::vec3::{Vec3, sub};
+use std::fmt;
+
+/// Most Newton steps of one pass.
+const STEPS: usize = 400;
+/// Most passes in which limits of friction are renewed.
+const PASSES: usize = 60;
+/// No node goes further in one step (m).
+const LONGEST: f64 = 0.02;
+/// Force left over on a node, of what a pressure of 1 kPa does to it.
+const NODE: f64 = 1e-8;
+/// Force left over on a segment, of the weight; moments at an arm of 0.1 m.
+const WEIGHT: f64 = 1e-9;
+/// Change of friction's limits from pass to pass, of the weight.
+const FRICTION: f64 = 1e-7;
+
+/// Why there is no equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fault {
+    /// A bladder has no air left: its tile and volume (m^3).
+    Collapsed(usize, f64),
+    /// Force (N) is left over after all steps: on nodes, on segments.
+    NotFound(f64, f64),
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fault::Collapsed(tile, volume) => {
+                write!(
+                    f,
+                    "the bladder of tile {} has collapsed to {volume:.2e} m^3; raise its pressure",
+                    tile + 1
+                )
+            }
+            Fault::NotFound(node, segment) => write!(
+                f,
+                "no equilibrium: {node:.1e} N are left over on a node and {segment:.1e} N on a segment; change less at a \
+                 time, or raise the pressure of slack bladders"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// Finds the equilibrium from a state; friction acts on what touched in it.
+///
+/// # Errors
+/// [`Fault`].
+pub fn solve(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault> {
+    let mut state = start.clone();
+    let weight = Bed::weight(body).max(1e-3);
+    let mut steps = 0;
+    for _ in 0..PASSES {
+        steps += descend(bed, body, &mut state, weight)?;
+        if renew(bed, body, &mut state) <= FRICTION * weight {
+            break;
+        }
+    }
+    Ok(finish(bed, body, state, steps))
+}
+
+/// Puts a body down: it goes straight down first, whatever would tip it, then it is let go, held by friction where it has
+/// touched. A plate that is set free above a round bladder would slide off.
+///
+/// # Errors
+/// [`Fault`].
+pub fn put_down(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault> {
+    let mut led = body.clone();
+    for segment in &mut led.segments {
+        segment.free = [false, false, segment.free[2], false, false, false];
+    }
+    let down = solve(bed, &led, start)?;
+    let free = solve(bed, body, &down.state)?;
+    Ok(Solution { steps: down.steps + free.steps, ..free })
+}
+
+/// Gives every anchor the normal and the limit of now; returns the largest change of a limit (N).
+fn renew(bed: &Bed, body: &Body, state: &mut State) -> f64 {
+    let mut most = 0.0_f64;
+    for tile in 0..bed.tiles.len() {
+        if state.anchors[tile].iter().all(Option::is_none) {
+            continue;
+        }
+        let touches = Patch::new(bed, body, state, tile).touches();
+        for (node, anchor) in state.anchors[tile].iter_mut().enumerate() {
+            let Some(anchor) = anchor else { continue };
+            let now = touches.iter().find(|(t, _)| t.node == node && t.segment == anchor.segment);
+            let limit = now.map_or(0.0, |(t, _)| bed.friction * t.force());
+            most = most.max((limit - anchor.limit).abs());
+            anchor.limit = limit;
+            if let Some((t, _)) = now {
+                anchor.normal = state.segments[anchor.segment].attitude.to_body(t.normal);
+            }
+        }
+    }
+    most
+}
+
+/// Newton's steps with friction's limits as they are; returns how many.
+fn descend(bed: &Bed, body: &Body, state: &mut State, weight: f64) -> Result<usize, Fault> {
+    let calm = NODE * 1000.0 * bed.lattice.cell();
+    let mut energy = energy(bed, body, state)?;
+    for step in 0..STEPS {
+        let tiles = eliminate(bed, body, state, calm)?;
+        let rows = rows(body, state, &tiles);
+        let left = left_over(body, &rows, &tiles);
+        if left[0] <= calm && left[1] <= WEIGHT * weight {
+            return Ok(step);
+        }
+        let ways = Ways::new(bed, body, &rows, &tiles);
+        match search(bed, body, state, &ways, energy)? {
+            Some((next, after)) if step + 1 < STEPS => (*state, energy) = (next, after),
+            _ => return Err(Fault::NotFound(left[0], left[1])),
+        }
+    }
+    Ok(STEPS)
+}
+
+/// Names the tile of a collapse.
+fn named<T>(results: Vec<Result<T, Collapsed>>) -> Result<Vec<T>, Fault> {
+    let named =
+        |(tile, result): (usize, Result<T, Collapsed>)| result.map_err(|c| Fault::Collapsed(tile, c.0));
+    results.into_iter().enumerate().map(named).collect()
+}
+
+fn energy(bed: &Bed, body: &Body, state: &State) -> Result<f64, Fault> {
+    let one = |tile| Patch::new(bed, body, state, tile).energy();
+    let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
+    Ok(tiles.iter().sum::<f64>() + body.energy(&state.segments, GRAVITY))
+}
+
+fn eliminate(bed: &Bed, body: &Body, state: &State, calm: f64) -> Result<Vec<Option<Eliminated>>, Fault> {
+    let one = |tile| Patch::new(bed, body, state, tile).eliminate(calm);
+    named(side_by_side::run(bed.tiles.len(), one))
+}
+
+/// Largest force left over on a node and on a segment.
+fn left_over(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> [f64; 2] {
+    let nodes = tiles.iter().flatten().flat_map(|t| &t.gradient).fold(0.0_f64, |most, g| most.max(g.abs()));
+    let mut most = 0.0_f64;
+    for (index, segment) in body.segments.iter().enumerate() {
+        for k in (0..6).filter(|k| segment.free[*k]) {
+            let arm = if k < 3 { 1.0 } else { 10.0 };
+            most = most.max(arm * rows.gradient[6 * index + k].abs());
+        }
+    }
+    [nodes, most]
+}
+
+/// Change of the energy along a step, per share of it, at a state.
+fn slope(bed: &Bed, body: &Body, state: &State, ways: &Ways) -> Result<f64, Fault> {
+    let one = |tile| Patch::new(bed, body, state, tile).gradient();
+    let (nodes, bonds): (Vec<_>, Vec<_>) =
+        named(side_by_side::run(bed.tiles.len(), one))?.into_iter().unzip();
+    let mut rows = Rows::new(body.segments.len());
+    body.add_to(&state.segments, GRAVITY, &mut rows);
+    for bond in bonds.iter().flatten() {
+        rows.add_gradient(bond.segment, bond.arm, bond.pull.gradient, -1.0);
+    }
+    Ok(ways.slope(&nodes, &rows))
+}
+
+/// A share of a step that lowers the energy: the state there and its energy. Where the energy does not change but for
+/// rounding its slope decides: it must have become less steep (Hager and Zhang 2005, approximate Wolfe conditions).
+fn search(
+    bed: &Bed,
+    body: &Body,
+    state: &State,
+    ways: &Ways,
+    before: f64,
+) -> Result<Option<(State, f64)>, Fault> {
+    let steepness = slope(bed, body, state, ways)?.abs();
+    let rounding = 1e-11 * (1.0 + before.abs());
+    let mut share = (LONGEST / ways.longest()).min(1.0);
+    for _ in 0..40 {
+        let next = ways.taken(bed, state, share);
+        // A bladder that collapses on the way is as bad as a rise.
+        if let Ok(after) = energy(bed, body, &next) {
+            if after < before - rounding {
+                return Ok(Some((next, after)));
+            }
+            if after <= before + rounding && slope(bed, body, &next, ways)? <= 0.8 * steepness {
+                return Ok(Some((next, after)));
+            }
+        }
+        share *= 0.5;
+    }
+    Ok(None)
+}
+
+/// Force on a held segment (N) and how it changes with the segment's way (N/m), all sheets in equilibrium.
+///
+/// # Errors
+/// [`Fault`].
+pub fn stiffness(
+    bed: &Bed,
+    body: &Body,
+    state: &State,
+    segment: usize,
+) -> Result<(Vec3<f64>, [Vec3<f64>; 3]), Fault> {
+    let mut free = body.clone();
+    free.segments[segment].free = [true; 6];
+    let one = |tile| Patch::new(bed, &free, state, tile).exact().eliminate(0.0);
+    let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
+    let rows = rows(&free, state, &tiles);
+    let size = rows.gradient.len();
+    let condensed = condensed(&rows, &tiles);
+    let entry = |i: usize, j: usize| condensed[(6 * segment + i) * size + 6 * segment + j];
+    let matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)));
+    let gradient = [0, 1, 2].map(|i| rows.gradient[6 * segment + i]);
+    let weight = [0.0, 0.0, body.segments[segment].mass * GRAVITY];
+    Ok((sub(weight, gradient), matrix))
+}

@@ -1,0 +1,95 @@
+//! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
+
+use super::tile::Patch;
+use super::touch::{Anchor, Touch};
+use super::{Bed, GRAVITY, State};
+use crate::body::Body;
+use crate::sheet::membrane;
+use smartbed_runtime::vec3::{Vec3, norm};
+
+/// A node in tissue, as it rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Depth and normal.
+    pub touch: Touch,
+    /// Area of the stretched sheet that belongs to the node (m^2).
+    pub area: f64,
+    /// The node in the bed (m).
+    pub place: Vec3<f64>,
+    /// Force of friction on the tissue (N).
+    pub drag: Vec3<f64>,
+}
+
+/// An equilibrium.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Where everything is.
+    pub state: State,
+    /// Nodes in tissue, by tile.
+    pub contacts: Vec<Vec<Contact>>,
+    /// Gauge pressures (Pa), by tile.
+    pub gauges: Vec<f64>,
+    /// Nodes on the plate, by tile.
+    pub bottomed: Vec<usize>,
+    /// Newton steps taken.
+    pub steps: usize,
+    /// Contact forces on all segments that are free less their weight, of that weight.
+    pub imbalance: f64,
+}
+
+impl Contact {
+    /// Pressure (Pa).
+    #[must_use]
+    pub fn pressure(&self) -> f64 {
+        self.touch.force() / self.area
+    }
+
+    /// Force on the tissue (N).
+    #[must_use]
+    pub fn force(&self) -> Vec3<f64> {
+        let n = self.touch.force();
+        [0, 1, 2].map(|i| self.drag[i] - n * self.touch.normal[i])
+    }
+}
+
+/// Reads a state of equilibrium off, and anchors friction there.
+pub(super) fn finish(bed: &Bed, body: &Body, mut state: State, steps: usize) -> Solution {
+    let (mut contacts, mut gauges, mut bottomed) = (Vec::new(), Vec::new(), Vec::new());
+    for tile in 0..bed.tiles.len() {
+        let patch = Patch::new(bed, body, &state, tile);
+        bottomed.push(patch.bottomed());
+        gauges.push(bed.tiles[tile].air.gauge(bed.volume(&state.sheets[tile])).unwrap_or(0.0));
+        // The volume's derivative by a node is the area that belongs to it.
+        let mut areas = vec![[0.0; 3]; bed.lattice.nodes()];
+        membrane::add_volume_gradient(&bed.lattice, &state.sheets[tile], 1.0, &mut areas);
+        let one = |(touch, place): (Touch, Vec3<f64>)| {
+            let anchor = state.anchors[tile][touch.node].as_ref().filter(|a| a.segment == touch.segment);
+            let drag = anchor.map_or([0.0; 3], |a| a.drag(place, &state.segments[touch.segment]));
+            Contact { touch, area: norm(areas[touch.node]), place, drag }
+        };
+        contacts.push(patch.touches().into_iter().map(one).collect::<Vec<Contact>>());
+    }
+    let is_free = |segment: usize| body.segments[segment].free[2];
+    let up: f64 = contacts.iter().flatten().filter(|c| is_free(c.touch.segment)).map(|c| c.force()[2]).sum();
+    let weight: f64 = body.segments.iter().filter(|s| s.free[2]).map(|s| s.mass * GRAVITY).sum();
+    let imbalance = if weight > 0.0 { (up - weight).abs() / weight } else { 0.0 };
+    for (own, contacts) in state.anchors.iter_mut().zip(&contacts) {
+        *own = anchors(bed, contacts, &state.segments);
+    }
+    Solution { state, contacts, gauges, bottomed, steps, imbalance }
+}
+
+/// What friction holds at each node; one between two segments is held by that in which it is deeper.
+fn anchors(bed: &Bed, contacts: &[Contact], poses: &[crate::pose::Pose]) -> Vec<Option<Anchor>> {
+    let mut anchors: Vec<Option<Anchor>> = vec![None; bed.lattice.nodes()];
+    if bed.friction > 0.0 {
+        for Contact { touch, place, drag, .. } in contacts {
+            let anchor = touch.anchor(*place, &poses[touch.segment], *drag, bed.friction);
+            let own = &mut anchors[touch.node];
+            if own.as_ref().is_none_or(|a| a.limit < anchor.limit) {
+                *own = Some(anchor);
+            }
+        }
+    }
+    anchors
+}

@@ -1,0 +1,135 @@
+//! One Newton step of the whole bed: segments first, all sheets eliminated, then each sheet.
+//!
+//! In: what each tile gives. Out: ways of nodes, ways and turns of segments. With D the segments' own Hessian and
+//! Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1 g_x - Z y.
+
+use super::tile::{Eliminated, product};
+use super::{Bed, GRAVITY, State};
+use crate::band::Band;
+use crate::body::{Body, Rows};
+use smartbed_runtime::vec3::{add, scale};
+
+/// No segment goes or turns further in one step (m, rad).
+const LONGEST: f64 = 0.02;
+/// Stiffness (N/m, N m/rad) that a step of a segment meets at least: nothing holds a ball that spins. It grows until the
+/// step is short enough, as for a body that touches nothing yet.
+const SPIN: f64 = 1e-3;
+
+/// A step of all nodes and segments.
+pub struct Ways {
+    nodes: Vec<Vec<f64>>,
+    segments: Vec<f64>,
+}
+
+/// The segments' own rows, before sheets are taken out of them.
+pub fn rows(body: &Body, state: &State, tiles: &[Option<Eliminated>]) -> Rows {
+    let mut rows = Rows::new(body.segments.len());
+    body.add_to(&state.segments, GRAVITY, &mut rows);
+    for bond in tiles.iter().flatten().flat_map(|t| &t.bonds) {
+        rows.add_gradient(bond.segment, bond.arm, bond.pull.gradient, -1.0);
+        rows.add_hessian([bond.segment; 2], [bond.arm; 2], &bond.pull.hessian, 1.0);
+    }
+    rows
+}
+
+impl Ways {
+    /// The step.
+    pub fn new(bed: &Bed, body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Ways {
+        let segments = of_segments(body, rows, tiles);
+        let size = 3 * bed.lattice.free_nodes();
+        let nodes = |tile: &Option<Eliminated>| {
+            let Some(tile) = tile else { return vec![0.0; size] };
+            let mut way: Vec<f64> = tile.solved.iter().map(|x| -x).collect();
+            for coupling in &tile.couplings {
+                for (k, column) in coupling.solved.iter().enumerate() {
+                    let y = segments[6 * coupling.segment + k];
+                    way.iter_mut().zip(column).for_each(|(w, z)| *w -= y * z);
+                }
+            }
+            way
+        };
+        Ways { nodes: tiles.iter().map(nodes).collect(), segments }
+    }
+
+    /// The longest way of a node (m).
+    pub fn longest(&self) -> f64 {
+        self.nodes.iter().flatten().fold(0.0_f64, |most, x| most.max(x.abs()))
+    }
+
+    /// Change of the energy along the step, per share of it: gradients of nodes and of segments.
+    pub fn slope(&self, nodes: &[Vec<f64>], rows: &Rows) -> f64 {
+        let sheets: f64 = self.nodes.iter().zip(nodes).map(|(way, g)| product(way, g)).sum();
+        sheets + product(&self.segments, &rows.gradient)
+    }
+
+    /// A state after a share of the step.
+    pub fn taken(&self, bed: &Bed, state: &State, share: f64) -> State {
+        let mut next = state.clone();
+        for (sheet, way) in next.sheets.iter_mut().zip(&self.nodes) {
+            for (node, x) in sheet.iter_mut().enumerate() {
+                if let Some(free) = bed.lattice.free(node) {
+                    *x = add(*x, scale([way[3 * free], way[3 * free + 1], way[3 * free + 2]], share));
+                }
+            }
+        }
+        for (index, pose) in next.segments.iter_mut().enumerate() {
+            let part = |k: usize| [0, 1, 2].map(|i| share * self.segments[6 * index + 3 * k + i]);
+            *pose = pose.moved(part(0), part(1));
+        }
+        next
+    }
+}
+
+/// D - sum B' Z, row by row.
+pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
+    let size = rows.gradient.len();
+    let mut hessian = rows.hessian.clone();
+    for tile in tiles.iter().flatten() {
+        for a in &tile.couplings {
+            for b in &tile.couplings {
+                for (i, column) in a.columns.iter().enumerate() {
+                    for (j, solved) in b.solved.iter().enumerate() {
+                        hessian[(6 * a.segment + i) * size + 6 * b.segment + j] -= product(column, solved);
+                    }
+                }
+            }
+        }
+    }
+    hessian
+}
+
+/// Ways and turns of the segments.
+fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
+    let size = rows.gradient.len();
+    let hessian = condensed(rows, tiles);
+    let is_held = |row: usize| !body.segments[row / 6].free[row % 6];
+    let mut right: Vec<f64> = rows.gradient.iter().map(|g| -g).collect();
+    for tile in tiles.iter().flatten() {
+        for a in &tile.couplings {
+            for (i, column) in a.columns.iter().enumerate() {
+                right[6 * a.segment + i] += product(column, &tile.solved);
+            }
+        }
+    }
+    (0..size).filter(|i| is_held(*i)).for_each(|i| right[i] = 0.0);
+    let right = right;
+    let mut shift = SPIN;
+    while shift < 1e12 {
+        let mut band = Band::new(size, size);
+        for i in 0..size {
+            for j in 0..i {
+                band.add(i, j, if is_held(i) || is_held(j) { 0.0 } else { hessian[i * size + j] });
+            }
+            band.add(i, i, shift + if is_held(i) { 1.0 } else { hessian[i * size + i] });
+        }
+        if let Some(factor) = band.factor() {
+            let mut step = right.clone();
+            factor.solve(&mut step);
+            if step.iter().all(|x| x.abs() <= LONGEST) {
+                return step;
+            }
+        }
+        shift *= 10.0;
+    }
+    vec![0.0; size]
+}

@@ -1,0 +1,273 @@
+//! One tile's share: its energy, and its sheet eliminated from the step that is looked for.
+//!
+//! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved for.
+//! With K the sheet's band, c g g' what a sealed gas adds to it (g the gradient of the volume, c = -dp/dV) and B the columns
+//! that couple nodes to segments: (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
+
+use super::touch::{self, Pull, Touch};
+use super::{Bed, PLATE, State, Tile};
+use crate::band::{Band, Factor};
+use crate::body::{Body, lever};
+use crate::pose::Pose;
+use crate::sheet::air::Collapsed;
+use crate::sheet::membrane;
+use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub};
+
+/// A tile with its sheet and what lies near.
+#[derive(Clone, Copy)]
+pub struct Patch<'a> {
+    bed: &'a Bed,
+    body: &'a Body,
+    tile: &'a Tile,
+    sheet: &'a [Vec3<f64>],
+    anchors: &'a [Option<touch::Anchor>],
+    poses: &'a [Pose],
+    /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
+    is_exact: bool,
+}
+
+/// What a node and a segment do to each other.
+pub struct Bond {
+    pub node: usize,
+    pub segment: usize,
+    /// From the segment's origin to the node.
+    pub arm: Vec3<f64>,
+    pub pull: Pull,
+}
+
+/// Columns of the coupling to one segment.
+pub struct Coupling {
+    pub segment: usize,
+    /// B: by way and turn.
+    pub columns: [Vec<f64>; 6],
+    /// (K + c g g')^-1 B.
+    pub solved: [Vec<f64>; 6],
+}
+
+/// What a tile gives to the segments' rows, and what it takes to find its nodes' step.
+pub struct Eliminated {
+    /// (K + c g g')^-1 times the nodes' gradient.
+    pub solved: Vec<f64>,
+    /// Nodes' gradient.
+    pub gradient: Vec<f64>,
+    /// Touched segments.
+    pub couplings: Vec<Coupling>,
+    /// Forces on segments.
+    pub bonds: Vec<Bond>,
+}
+
+impl<'a> Patch<'a> {
+    pub fn new(bed: &'a Bed, body: &'a Body, state: &'a State, index: usize) -> Patch<'a> {
+        Patch {
+            bed,
+            body,
+            tile: &bed.tiles[index],
+            sheet: &state.sheets[index],
+            anchors: &state.anchors[index],
+            poses: &state.segments,
+            is_exact: false,
+        }
+    }
+
+    /// The same with whole Hessians.
+    pub fn exact(self) -> Patch<'a> {
+        Patch { is_exact: true, ..self }
+    }
+
+    /// All nodes in tissue, with their places in the bed.
+    pub fn touches(&self) -> Vec<(Touch, Vec3<f64>)> {
+        let near = touch::near(self.bed, self.body, &self.tile.pose, self.poses);
+        let mut found = Vec::new();
+        for (node, x) in self.sheet.iter().enumerate() {
+            if near.is_empty() || self.bed.lattice.free(node).is_none() {
+                continue;
+            }
+            let place = self.tile.pose.outwards(*x);
+            for segment in &near {
+                let pose = &self.poses[*segment];
+                let touch = touch::touch(self.bed, self.body, node, place, *segment, pose);
+                found.extend(touch.map(|t| (t, place)));
+            }
+        }
+        found
+    }
+
+    /// Energy (J).
+    pub fn energy(&self) -> Result<f64, Collapsed> {
+        let lattice = &self.bed.lattice;
+        let plate = 0.5 * PLATE * lattice.cell();
+        let mut energy = membrane::energy(lattice, self.sheet);
+        energy += self.tile.air.energy(self.bed.volume(self.sheet))?;
+        energy += self.sheet.iter().map(|x| plate * self.below(x).powi(2)).sum::<f64>();
+        energy += self.touches().iter().map(|(touch, _)| touch.energy()).sum::<f64>();
+        let held = self.anchors.iter().zip(self.sheet).filter_map(|(anchor, x)| {
+            let anchor = anchor.as_ref()?;
+            Some(anchor.energy(self.tile.pose.outwards(*x), &self.poses[anchor.segment]))
+        });
+        Ok(energy + held.sum::<f64>())
+    }
+
+    /// How far a node is in the plate (m).
+    fn below(&self, x: &Vec3<f64>) -> f64 {
+        (-self.bed.depth - x[2]).max(0.0)
+    }
+
+    /// Nodes that rest on the plate.
+    pub fn bottomed(&self) -> usize {
+        self.sheet.iter().filter(|x| self.below(x) > 0.0).count()
+    }
+
+    /// Everything between nodes and segments.
+    pub fn bonds(&self) -> Vec<Bond> {
+        let bond = |node: usize, segment: usize, place: Vec3<f64>, pull: Pull| Bond {
+            node,
+            segment,
+            arm: sub(place, self.poses[segment].place),
+            pull,
+        };
+        let touches = self.touches();
+        let mut bonds: Vec<Bond> =
+            touches.iter().map(|(t, place)| bond(t.node, t.segment, *place, self.pull(t, *place))).collect();
+        for (node, anchor) in self.anchors.iter().enumerate() {
+            let Some(anchor) = anchor else { continue };
+            let place = self.tile.pose.outwards(self.sheet[node]);
+            let pull = anchor.pull(place, &self.poses[anchor.segment]);
+            // Touches come in the order of nodes.
+            let first = bonds[..touches.len()].partition_point(|b| b.node < node);
+            let mut own = bonds[first..touches.len()].iter_mut().take_while(|b| b.node == node);
+            match own.find(|b| b.segment == anchor.segment) {
+                Some(there) => there.pull = there.pull.with(&pull),
+                None => bonds.push(bond(node, anchor.segment, place, pull)),
+            }
+        }
+        bonds
+    }
+
+    /// What tissue does, with its surface's curvature where Hessians are whole.
+    fn pull(&self, touch: &Touch, place: Vec3<f64>) -> Pull {
+        let mut pull = touch.pull();
+        if self.is_exact {
+            let pose = &self.poses[touch.segment];
+            let bent = self.body.segments[touch.segment].shape.curvature(pose.inwards(place));
+            let columns = bent.map(|row| pose.attitude.to_inertial(row));
+            let bed =
+                [0, 1, 2].map(|k| pose.attitude.to_inertial([columns[0][k], columns[1][k], columns[2][k]]));
+            (0..3).for_each(|i| (0..3).for_each(|j| pull.hessian[i][j] -= touch.force() * bed[i][j]));
+        }
+        pull
+    }
+
+    /// Gradient by the free nodes, and the volume's.
+    fn gradients(&self, bonds: &[Bond]) -> Result<[Vec<f64>; 2], Collapsed> {
+        let (lattice, count) = (&self.bed.lattice, self.sheet.len());
+        let pressure = self.tile.air.gauge(self.bed.volume(self.sheet))?;
+        let (mut force, mut volume) = (vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
+        membrane::add_volume_gradient(lattice, self.sheet, 1.0, &mut volume);
+        membrane::add_gradient(lattice, self.sheet, &mut force);
+        for ((f, v), x) in force.iter_mut().zip(&volume).zip(self.sheet) {
+            *f = add(*f, scale(*v, -pressure));
+            f[2] -= PLATE * lattice.cell() * self.below(x);
+        }
+        for bond in bonds {
+            force[bond.node] = add(force[bond.node], self.tile.pose.attitude.to_body(bond.pull.gradient));
+        }
+        Ok([&force, &volume].map(|rows| {
+            let free = rows.iter().enumerate().filter(|(node, _)| lattice.free(*node).is_some());
+            free.flat_map(|(_, v)| *v).collect()
+        }))
+    }
+
+    /// Factors of the free nodes' Hessian without what a sealed gas adds.
+    fn factor(&self, bonds: &[Bond]) -> Result<Factor, Collapsed> {
+        let lattice = &self.bed.lattice;
+        let volume = self.bed.volume(self.sheet);
+        let mut band = Band::new(3 * lattice.free_nodes(), lattice.width());
+        membrane::add_hessian(lattice, self.sheet, self.is_exact, &mut band);
+        membrane::add_volume_hessian(lattice, self.sheet, -self.tile.air.gauge(volume)?, &mut band);
+        for (node, x) in self.sheet.iter().enumerate() {
+            let Some(free) = lattice.free(node) else { continue };
+            if self.below(x) > 0.0 {
+                band.add(3 * free + 2, 3 * free + 2, PLATE * lattice.cell());
+            }
+        }
+        for bond in bonds {
+            if let Some(free) = lattice.free(bond.node) {
+                band.add_block(free, free, &self.inwards(&bond.pull.hessian));
+            }
+        }
+        // A slack sheet has no stiffness across: as much is added as makes the band positive.
+        let mut shift = 0.0;
+        while shift < 1e12 {
+            let mut shifted = band.clone();
+            shifted.shift(shift);
+            if let Some(factor) = shifted.factor() {
+                return Ok(factor);
+            }
+            shift = if shift == 0.0 { 1.0 } else { 4.0 * shift };
+        }
+        Err(Collapsed(volume))
+    }
+
+    /// A matrix of the bed's frame in the tile's.
+    fn inwards(&self, h: &[Vec3<f64>; 3]) -> [Vec3<f64>; 3] {
+        let axes = self.tile.pose.attitude.axes();
+        axes.map(|a| axes.map(|b| dot(a, [dot(h[0], b), dot(h[1], b), dot(h[2], b)])))
+    }
+
+    /// Gradient by the free nodes, and forces on segments.
+    pub fn gradient(&self) -> Result<(Vec<f64>, Vec<Bond>), Collapsed> {
+        let bonds = self.bonds();
+        let [gradient, _] = self.gradients(&bonds)?;
+        Ok((gradient, bonds))
+    }
+
+    /// Solves for the nodes; `None` if no force is left over and nothing touches.
+    pub fn eliminate(&self, calm: f64) -> Result<Option<Eliminated>, Collapsed> {
+        let bonds = self.bonds();
+        let [gradient, volume] = self.gradients(&bonds)?;
+        if bonds.is_empty() && gradient.iter().all(|g| g.abs() <= calm) {
+            return Ok(None);
+        }
+        let factor = self.factor(&bonds)?;
+        let gas = self.tile.air.stiffness(self.bed.volume(self.sheet))?;
+        let mut by_volume = volume.clone();
+        factor.solve(&mut by_volume);
+        let denominator = 1.0 + gas * product(&volume, &by_volume);
+        let solve = |b: &[f64]| {
+            let mut x = b.to_vec();
+            factor.solve(&mut x);
+            let share = gas * product(&volume, &x) / denominator;
+            x.iter_mut().zip(&by_volume).for_each(|(x, z)| *x -= share * z);
+            x
+        };
+        let couplings = self.couplings(&bonds, gradient.len(), &solve);
+        let solved = solve(&gradient);
+        Ok(Some(Eliminated { solved, gradient, couplings, bonds }))
+    }
+
+    /// B and its solution, one segment after the other: -H (e_k, e_k x r) in the tile's axes.
+    fn couplings(&self, bonds: &[Bond], size: usize, solve: &impl Fn(&[f64]) -> Vec<f64>) -> Vec<Coupling> {
+        let mut touched: Vec<usize> = bonds.iter().map(|b| b.segment).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        touched.retain(|s| !self.body.segments[*s].is_held());
+        let one = |segment: usize| {
+            let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| vec![0.0; size]);
+            for bond in bonds.iter().filter(|b| b.segment == segment) {
+                let Some(free) = self.bed.lattice.free(bond.node) else { continue };
+                for (column, way) in columns.iter_mut().zip(lever(bond.arm)) {
+                    let push = self.tile.pose.attitude.to_body(bond.pull.hessian.map(|row| -dot(row, way)));
+                    (0..3).for_each(|i| column[3 * free + i] += push[i]);
+                }
+            }
+            let solved = [0, 1, 2, 3, 4, 5].map(|k| solve(&columns[k]));
+            Coupling { segment, columns, solved }
+        };
+        touched.into_iter().map(one).collect()
+    }
+}
+
+/// Dot product.
+pub fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}

@@ -1,0 +1,120 @@
+//! The figure: its masses, its postures, what its joints refuse, and how it rests on the bed.
+
+use smartbed_bed::body::anthropometry::{Part, Table};
+use smartbed_bed::body::figure::{Figure, FigureError, Posture};
+use smartbed_bed::equilibrium::{Bed, Solution, Tile, put_down};
+use smartbed_bed::map::Region;
+use smartbed_bed::pose::Pose;
+use smartbed_bed::sheet::Lattice;
+use smartbed_bed::sheet::air::Air;
+use smartbed_runtime::vec3::{norm, sub};
+
+const TABLES: [Table; 3] = [Table::DeLevaMale, Table::DeLevaFemale, Table::Winter];
+
+#[test]
+fn masses_sum_to_one() {
+    for table in TABLES {
+        assert!((table.sum() - 1.0).abs() <= 1e-4 + 1e-12, "{table:?}: {}", table.sum());
+        let all: f64 = Part::ALL.into_iter().map(|part| part.count() * table.share(part)).sum();
+        assert!((all - 1.0).abs() < 1e-15);
+        let figure = Figure::new(table, 75.0, 1.75, Posture::Supine, &[]).expect("a figure");
+        assert!((figure.body.mass() / 75.0 - 1.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn joints_meet_and_refuse_what_they_do_not_allow() {
+    let bent = [("left knee".to_owned(), [-90.0, 0.0, 0.0]), ("right elbow".to_owned(), [90.0, 0.0, 0.0])];
+    for posture in [Posture::Supine, Posture::SideLying, Posture::Sitting] {
+        for own in [&bent[..], &[]] {
+            let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, posture, own).expect("a figure");
+            for joint in &figure.body.joints {
+                let [a, b] = [0, 1].map(|k| figure.poses[joint.segments[k]].outwards(joint.points[k]));
+                assert!(norm(sub(a, b)) < 1e-14, "{}", joint.name);
+                assert!(joint.angle(&figure.poses) < 1e-7, "{}", joint.name);
+            }
+        }
+    }
+    let make = |joint: &str, angles| {
+        Figure::new(Table::Winter, 75.0, 1.75, Posture::Supine, &[(joint.to_owned(), angles)])
+            .expect_err("refused")
+            .to_string()
+    };
+    assert_eq!(
+        make("left knee", [30.0, 0.0, 0.0]),
+        "joint `left knee`: flexion of 30 deg, it allows -140 to 5"
+    );
+    assert_eq!(
+        make("right hip", [0.0, 60.0, 0.0]),
+        "joint `right hip`: spread of 60 deg, it allows -30 to 45"
+    );
+    assert!(
+        make("tail", [0.0; 3]).starts_with("no joint `tail`; there are waist, chest, neck, left shoulder")
+    );
+    assert_eq!(
+        Figure::new(Table::Winter, 7.0, 1.75, Posture::Supine, &[]),
+        Err(FigureError::Size(7.0, 1.75))
+    );
+    // Left and right are mirrors of one another.
+    let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Sitting, &[]).expect("a figure");
+    for left in [4, 6, 8, 10, 12, 14] {
+        let [a, b] = [left, left + 1].map(|k| figure.poses[k].place);
+        assert!(norm(sub(a, [-b[0], b[1], b[2]])) < 1e-14, "{left}");
+    }
+}
+
+pub fn whole_bed(intervals: [usize; 2], pressure: f64) -> Bed {
+    let lattice = Lattice::new(intervals, [0.219, 0.2797], 5000.0).expect("a sheet");
+    let at = |k: usize| Pose::at([((k % 4) as f64 - 1.5) * 0.225, (3.0 - (k / 4) as f64) * 0.2857, 0.0]);
+    let tiles = (0..28).map(|k| Tile { pose: at(k), air: Air::Regulated(pressure) }).collect();
+    Bed { lattice, depth: 0.1, tiles, friction: 0.4 }
+}
+
+pub fn lie(bed: &Bed, figure: &Figure, along: f64) -> Solution {
+    let mut poses = figure.poses.clone();
+    poses.iter_mut().for_each(|p| p.place[1] += along);
+    // Above all bulges.
+    let lowest = figure.body.segments.iter().zip(&poses).map(|(s, p)| p.place[2] - s.shape.reach());
+    let lowest = lowest.fold(f64::INFINITY, f64::min);
+    poses.iter_mut().for_each(|p| p.place[2] += 0.05 - lowest.min(0.0) * 0.5);
+    put_down(bed, &figure.body, &bed.start(poses)).expect("rests")
+}
+
+#[test]
+fn a_figure_rests_on_the_bed_in_each_posture() {
+    let bed = whole_bed([8, 10], 4000.0);
+    for (posture, along) in [(Posture::Supine, 0.0), (Posture::SideLying, 0.0), (Posture::Sitting, -0.2)] {
+        let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, posture, &[]).expect("a figure");
+        let solution = lie(&bed, &figure, along);
+        assert!(solution.imbalance < 1e-6, "{posture:?}: {:e}", solution.imbalance);
+        let carried = |region: Region| -> f64 {
+            let contacts = solution.contacts.iter().flatten().filter(|c| {
+                let pose = &solution.state.segments[c.touch.segment];
+                let (point, normal) = (pose.inwards(c.place), pose.attitude.to_body(c.touch.normal));
+                figure.region(c.touch.segment, point, normal) == Some(region)
+            });
+            contacts.map(|c| c.force()[2]).sum()
+        };
+        let [sacrum, ischia, side] = [Region::Sacrum, Region::Ischia, Region::Trochanters].map(carried);
+        println!(
+            "{posture:?} {} steps, sacrum {sacrum:.0} N, ischia {ischia:.0} N, trochanters {side:.0} N",
+            solution.steps
+        );
+        match posture {
+            Posture::Supine => {
+                assert!(sacrum > 50.0 && ischia < 20.0);
+                assert!(
+                    carried(Region::Occiput) > 5.0 && carried(Region::Heels) > 1.0,
+                    "{}",
+                    carried(Region::Heels)
+                );
+            }
+            Posture::SideLying => assert!(side > 10.0),
+            Posture::Sitting => assert!(ischia > 100.0),
+        }
+        for joint in &figure.body.joints {
+            let angle = joint.angle(&solution.state.segments).to_degrees();
+            assert!(angle < 50.0, "{posture:?} {}: {angle}", joint.name);
+        }
+    }
+}
