@@ -106,7 +106,7 @@ fn tip(point: &Point) -> String {
 fn table(table: &Table) -> String {
     let mut text = format!("<h3>{}</h3>\n<table>\n<tr>", escaped(&table.title));
     // Methods' names may break, so that a table of all of them is no wider than the page.
-    let heads = table.columns.iter().map(|c| escaped(c).replace('_', "_<wbr>"));
+    let heads = table.columns.iter().map(|c| unbroken(c).replace('_', "_<wbr>"));
     heads.for_each(|head| text += &format!("<th>{head}</th>"));
     text += "</tr>\n";
     for row in &table.rows {
@@ -127,6 +127,20 @@ fn table(table: &Table) -> String {
 fn code(cell: &str) -> String {
     match cell.strip_prefix('`').and_then(|c| c.strip_suffix('`')) {
         Some(inner) => format!("<code>{}</code>", escaped(inner)),
-        None => escaped(cell),
+        None => unbroken(cell),
     }
+}
+
+/// A cell whose lines break between words alone, and never between a number and its unit: `1e-6` breaks at its sign else.
+fn unbroken(cell: &str) -> String {
+    let mut text = String::new();
+    for word in cell.split(' ') {
+        let follows_number =
+            text.ends_with(|c: char| c.is_ascii_digit()) && word.starts_with(char::is_alphabetic);
+        if !text.is_empty() {
+            text += if follows_number { "\u{a0}" } else { " " };
+        }
+        text += &escaped(word).replace('-', "-\u{2060}");
+    }
+    text
 }
