@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 /// A byte range of a [`Source`].
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, PartialOrd, Ord)]
 pub struct Span {
     /// First byte.
     pub start: usize,

@@ -115,6 +115,19 @@ pub enum Function {
 }
 
 impl Expr {
+    /// An integer power, at the place of its base.
+    #[must_use]
+    pub fn power(self, exponent: i32) -> Self {
+        let span = self.span;
+        Self { kind: ExprKind::Power(Box::new(self), exponent), span, unit: Unit::NONE }
+    }
+
+    /// What joins two expressions, at the place of the first.
+    fn joined(self, other: Self, kind: fn(Box<Self>, Box<Self>) -> ExprKind) -> Self {
+        let span = self.span;
+        Self { kind: kind(Box::new(self), Box::new(other)), span, unit: Unit::NONE }
+    }
+
     /// The direct parts.
     #[must_use]
     pub fn parts(&self) -> Vec<&Self> {
@@ -163,5 +176,33 @@ impl Expr {
             f(node);
             stack.extend(node.parts().into_iter().rev());
         }
+    }
+}
+
+impl std::ops::Add for Expr {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.joined(other, ExprKind::Add)
+    }
+}
+
+impl std::ops::Sub for Expr {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.joined(other, ExprKind::Subtract)
+    }
+}
+
+impl std::ops::Mul for Expr {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.joined(other, ExprKind::Multiply)
+    }
+}
+
+impl std::ops::Div for Expr {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        self.joined(other, ExprKind::Divide)
     }
 }

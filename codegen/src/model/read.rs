@@ -10,7 +10,7 @@ use super::text::amount;
 use super::text::document::{self, Table, Value, wrong_kind};
 use super::text::expression::on_own_thread;
 use super::text::repeat::{self, Sections};
-use super::text::{extend, sections};
+use super::text::{extend, joints, sections};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::File;
 use crate::source::{Source, Span};
@@ -76,7 +76,10 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     for table in tables.iter().rev() {
         sections = Some(extend::extend(sections, repeat::expand(table, &mut found)));
     }
-    let sections: Sections = sections.unwrap_or_default();
+    let mut sections: Sections = sections.unwrap_or_default();
+    if !joints::expand(&mut sections, &mut found) {
+        return Err(found);
+    }
     let mut draft = on_own_thread(|| sections::read(&source, &sections, &mut found));
     let mut found = next_stage(found)?;
     draft.model.order = order::sort(&draft.model, &mut found);

@@ -17,6 +17,8 @@ mod geometry;
 mod hostile;
 mod implied;
 mod import_circles;
+mod joint_models;
+mod joints;
 mod layering;
 mod loops;
 mod machines;

@@ -42,10 +42,12 @@ impl Model {
         for (id, i) in self.inputs.enumerate() {
             warn(mentioned.inputs.contains(&id), "input", &i.name, i.span);
         }
-        for (id, f) in self.frames.enumerate().skip(1) {
+        // Frames and points at the place of a coordinate have come with it from a joint: nobody wrote them.
+        let made: BTreeSet<Span> = self.coordinates.iter().map(|c| c.span).collect();
+        for (id, f) in self.frames.enumerate().skip(1).filter(|(_, f)| !made.contains(&f.span)) {
             warn(mentioned.frames.contains(&id), "frame", &f.name, f.span);
         }
-        for (id, p) in self.points.enumerate().skip(1) {
+        for (id, p) in self.points.enumerate().skip(1).filter(|(_, p)| !made.contains(&p.span)) {
             // A point with closures states constraints by itself.
             warn(mentioned.points.contains(&id) || !p.closures.is_empty(), "point", &p.name, p.span);
         }

@@ -138,6 +138,12 @@ impl Text {
         }
     }
 
+    /// Text that no file holds, at the place of what it was made from.
+    pub fn made(text: &str, span: Span) -> Self {
+        let pieces = vec![Piece { at: 0, from: span.start..span.end, verbatim: false }];
+        Self { text: text.to_owned(), span, pieces }
+    }
+
     /// The place of a byte range of the text.
     pub fn place(&self, range: Range<usize>) -> Span {
         let piece_of = |byte: usize| self.pieces.iter().rev().find(|piece| piece.at <= byte);

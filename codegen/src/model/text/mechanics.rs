@@ -1,4 +1,4 @@
-//! The mechanical sections: coordinates, speeds, frames, points, bodies, constraints.
+//! The mechanical sections: coordinates, speeds, frames, points, constraints.
 
 use super::builder::{Builder, PlannedSpeed, si};
 use super::document::Value;
@@ -60,19 +60,8 @@ impl Builder<'_> {
         self.planned_speeds = plan;
     }
 
-    /// Does the model constrain anything? Then a coordinate is dependent unless it says otherwise.
-    fn is_constrained(&self) -> bool {
-        let closes =
-            |(_, value): &(_, Value)| matches!(value, Value::Table(t) if t.get("closures").is_some());
-        let closed =
-            |(_, value): &(_, Value)| matches!(value, Value::Table(t) if t.get("closed_form").is_some());
-        !self.entries("constraints.configuration").is_empty()
-            || self.entries("points").iter().any(closes)
-            || self.entries("coordinates").iter().any(closed)
-    }
-
     pub(super) fn coordinates(&mut self) {
-        let constrained = self.is_constrained();
+        let constrained = self.sections.constrained;
         for (key, value) in self.entries("coordinates") {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
             let doc = fields.doc(self.found);
@@ -173,7 +162,7 @@ impl Builder<'_> {
             Some(value) => self.expression(value),
             None => return,
         };
-        let constrained = self.is_constrained() || !self.entries("constraints.motion").is_empty();
+        let constrained = self.sections.constrained || self.sections.restricted;
         self.draft.units.speeds.push(scale.unwrap_or(si(Unit::NONE)));
         self.draft.model.speeds.push(Speed {
             name: fields.name.to_owned(),
@@ -298,61 +287,6 @@ impl Builder<'_> {
             };
             let (name, span) = (key.name.clone(), key.span);
             self.draft.model.points.push(Point { name, position, closures, velocity, span });
-        }
-    }
-
-    pub(super) fn bodies(&mut self) {
-        for (key, value) in self.entries("bodies") {
-            let Some(fields) = Fields::new(key, value, self.found) else { continue };
-            let centre = fields.need("centre", "\"P\"", self.found);
-            let centre = self.point_of(centre);
-            let mass = self.optional(&fields, "mass", Unit::MASS);
-            let given = fields.get("frame");
-            let frame = self.frame_of(given);
-            let inertia = match fields.table("inertia", self.found) {
-                Some(table) => {
-                    let moments = Fields::of("inertia", table.span, table);
-                    let inertia = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
-                    let inertia = inertia.map(|name| self.optional(&moments, name, Unit::INERTIA));
-                    moments.finish(self.found);
-                    inertia
-                }
-                None => Default::default(),
-            };
-            let weight = fields.boolean("weight", self.found).unwrap_or(true);
-            // An inertia that could not be read has been reported.
-            let inertial = inertia.iter().any(Option::is_some)
-                || fields.get("inertia").is_some_and(|given| !matches!(given, Value::Table(_)));
-            fields.finish(self.found);
-            self.check_body(key.span, &key.name, mass.is_some(), given.is_some(), inertial);
-            let centre = centre.unwrap_or(PointId::from_index(0));
-            let name = key.name.clone();
-            self.draft.model.bodies.push(Body { name, centre, mass, frame, inertia, weight, span: key.span });
-        }
-        self.draft.model.gravity = self
-            .sections
-            .scalars
-            .iter()
-            .find(|(key, _)| key.name == "gravity")
-            .map(|(_, value)| self.expression(value));
-    }
-
-    fn check_body(&mut self, span: Span, name: &str, mass: bool, frame: bool, inertial: bool) {
-        let fault = match (mass, frame, inertial) {
-            (false, _, false) => Some(("has neither mass nor inertia", "mass = \"m\"")),
-            (_, false, true) => Some(("has inertia, but no frame to measure it in", "frame = \"link\"")),
-            (_, true, false) => Some((
-                "has a frame, but no inertia",
-                "inertia = { Izz = \"I\" }; or leave `frame` out: the body is then a particle",
-            )),
-            _ => None,
-        };
-        if let Some((what, example)) = fault {
-            self.found.push(
-                Diagnostic::error(format!("body `{name}` {what}"))
-                    .label(span, "this body")
-                    .help(format!("add {example}")),
-            );
         }
     }
 

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use super::document::{Key, Table, Text, Value, wrong_kind};
 use super::scope::suggestion;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::source::Span;
 
 /// The entries of every section after repetition, in the author's order.
 #[derive(Debug, Default)]
@@ -18,11 +19,30 @@ pub struct Sections {
     pub scalars: Vec<(Key, Value)>,
     /// `[[configurations]]`.
     pub configurations: Vec<Table>,
+    /// Does the author close loops or give closed forms? Then a coordinate is dependent unless it says otherwise.
+    pub constrained: bool,
+    /// Does the author constrain motion?
+    pub restricted: bool,
+}
+
+impl Sections {
+    /// Notes what constraints there are before joints bring their own, which say what depends on them.
+    pub fn note_constraints(&mut self) {
+        let entries = |section: &str| self.tables.get(section).map_or(&[][..], Vec::as_slice);
+        let has = |section: &str, field: &str| {
+            entries(section).iter().any(|(_, v)| matches!(v, Value::Table(t) if t.get(field).is_some()))
+        };
+        self.constrained = !entries("constraints.configuration").is_empty()
+            || has("points", "closures")
+            || has("coordinates", "closed_form");
+        self.restricted = !entries("constraints.motion").is_empty();
+    }
 }
 
 /// Sections that are tables of named entries.
-pub const SECTIONS: [&str; 19] = [
+pub const SECTIONS: [&str; 20] = [
     "parameters",
+    "joints",
     "coordinates",
     "speeds",
     "inputs",
@@ -69,16 +89,21 @@ pub fn expand(document: &Table, found: &mut Diagnostics) -> Sections {
             false => add(key, value.clone(), &mut sections, found),
         }
     }
+    limit(&mut sections, document.span, found);
+    sections
+}
+
+/// Refuses more entries than a mechanism of this kind can have.
+pub fn limit(sections: &mut Sections, place: Span, found: &mut Diagnostics) {
     let entries: usize = sections.tables.values().map(Vec::len).sum();
     if MOST_ENTRIES < entries {
         found.push(
             Diagnostic::error(format!("{entries} entries; at most {MOST_ENTRIES} are allowed"))
-                .label(document.span, "this model is too large")
+                .label(place, "this model is too large")
                 .help("a mechanism of this size needs a numeric multibody program, not symbolic equations"),
         );
         sections.tables.clear();
     }
-    sections
 }
 
 /// Files one top-level entry under its section.

@@ -57,6 +57,8 @@ impl Builder<'_> {
         for (key, value) in self.entries("view.shapes") {
             let body = self.body_of(key);
             let shape = self.shape(key, value);
+            // What is said for pictures goes before the shape that gives the mass.
+            self.draft.model.view.shapes.retain(|(of, _)| Some(*of) != body);
             self.draft.model.view.shapes.extend(body.zip(shape));
         }
     }

@@ -1,0 +1,144 @@
+//! Motions of joints and their axes: a letter, with a minus sign perhaps, or three numbers.
+//!
+//! In: the value of a field. Out: a [`Direction`], which writes itself as a vector of a frame and as rotations. Simple
+//! rotations go about letters, so a turn about another axis turns z onto it, then about z, then back.
+
+use crate::model::text::document::{Text, Value};
+use crate::source::Span;
+
+/// Along or about what a motion goes, in the frame reached so far.
+#[derive(Clone, Copy)]
+pub enum Along {
+    /// The axis given first, second.
+    Given(usize),
+    /// Always this axis.
+    Letter(char),
+    /// The first, second axis behind the one given, in the order x, y, z, x, y.
+    Behind(usize),
+}
+
+/// What one or more coordinates of a joint do to the link it carries.
+#[derive(Clone, Copy)]
+pub enum Motion {
+    /// One coordinate shifts it; the coordinate's name ends in the word, or in the axis's letter.
+    Slide(Along, Option<&'static str>),
+    /// One coordinate turns it.
+    Turn(Along, &'static str),
+    /// Four Euler parameters turn it in any way; its speeds are the angular velocity along the link's axes.
+    Attitude,
+}
+const LETTERS: [char; 3] = ['x', 'y', 'z'];
+
+/// The direction of an axis in a frame.
+#[derive(Clone)]
+pub enum Direction {
+    /// Number of the letter; the other way round?
+    Letter(usize, bool),
+    /// Of length 1, along no letter.
+    Vector([f64; 3]),
+}
+use Direction::{Letter, Vector};
+
+impl Direction {
+    /// The axis x, y or z.
+    pub fn letter(letter: char) -> Self {
+        Letter(LETTERS.iter().position(|l| *l == letter).unwrap_or(2), false)
+    }
+
+    /// The axis in a field's value, if it is one.
+    pub fn read(value: &Value) -> Option<Self> {
+        match value {
+            Value::Text(Text { text, .. }) => {
+                let (letter, back) =
+                    text.strip_prefix('-').map_or((text.as_str(), false), |rest| (rest, true));
+                let n = LETTERS.iter().position(|l| letter.len() == 1 && letter.starts_with(*l))?;
+                Some(Letter(n, back))
+            }
+            Value::Array(items, _) => {
+                let numbers: Vec<f64> = items
+                    .iter()
+                    .filter_map(|i| if let Value::Number(x, _) = i { Some(*x) } else { None })
+                    .collect();
+                let v: [f64; 3] = numbers.try_into().ok().filter(|_| items.len() == 3)?;
+                let length = v.iter().fold(0.0_f64, |sum, x| sum.hypot(*x));
+                let unit = v.map(|x| x / length);
+                // Along a letter it is exact: no turn of the axis is needed.
+                match unit.iter().position(|x| x.abs() == 1.0) {
+                    Some(n) => Some(Letter(n, unit[n] < 0.0)),
+                    None => unit.iter().all(|x| x.is_finite()).then_some(Vector(unit)),
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// The n-th axis behind this one, in the order x, y, z, x, y.
+    pub fn behind(&self, n: usize) -> Self {
+        match self {
+            Letter(letter, _) => Letter((letter + n) % 3, false),
+            other => other.clone(),
+        }
+    }
+
+    /// Does it point along a positive axis of the frame?
+    pub fn is_letter(&self) -> bool {
+        matches!(self, Letter(_, false))
+    }
+
+    /// Cosine of the angle between two axes.
+    pub fn cosine(&self, other: &Self) -> f64 {
+        self.vector().into_iter().zip(other.vector()).map(|(a, b)| a * b).sum()
+    }
+
+    fn vector(&self) -> [f64; 3] {
+        match *self {
+            Letter(n, back) => {
+                std::array::from_fn(|i| if i == n { if back { -1.0 } else { 1.0 } } else { 0.0 })
+            }
+            Vector(v) => v,
+        }
+    }
+
+    /// The letter in names of coordinates.
+    pub fn name(&self) -> String {
+        match self {
+            Letter(n, _) => LETTERS[*n].to_string(),
+            Vector(_) => "slide".to_owned(),
+        }
+    }
+
+    /// The unit vector as an expression.
+    pub fn of(&self, frame: &str) -> String {
+        match *self {
+            Letter(n, false) => format!("{frame}.{}", LETTERS[n]),
+            Letter(n, true) => format!("(-{frame}.{})", LETTERS[n]),
+            Vector([x, y, z]) => format!("(({x:?})*{frame}.x + ({y:?})*{frame}.y + ({z:?})*{frame}.z)"),
+        }
+    }
+
+    /// Simple rotations that together turn by `angle` about the axis.
+    pub fn turn(&self, angle: &str, span: Span) -> Vec<Value> {
+        let step = |letter: char, angle: &str| {
+            let pair = [letter.to_string(), angle.to_owned()];
+            Value::Array(pair.iter().map(|text| Value::Text(Text::made(text, span))).collect(), span)
+        };
+        match *self {
+            Letter(n, false) => vec![step(LETTERS[n], angle)],
+            Letter(n, true) => vec![step(LETTERS[n], &format!("-{angle}"))],
+            // z is turned about y, then about z, onto the axis (sin b cos a, sin b sin a, cos b).
+            Vector([x, y, z]) => {
+                let (a, b) = (f64::atan2(y, x), f64::atan2(x.hypot(y), z));
+                [('z', a), ('y', b)]
+                    .into_iter()
+                    .map(|(letter, by)| step(letter, &format!("{by:?}")))
+                    .chain([step('z', angle)])
+                    .chain(
+                        [('y', -b), ('z', -a)]
+                            .into_iter()
+                            .map(|(letter, by)| step(letter, &format!("{by:?}"))),
+                    )
+                    .collect()
+            }
+        }
+    }
+}

@@ -1,0 +1,372 @@
+//! Writes what one joint stands for: entries of the sections that the language has already.
+//!
+//! In: a joint's names and axes. Out: coordinates, speeds, frames, points, constraints and loads in [`Sections`], each at
+//! the place of the joint that brought it. Coordinates come last: which speeds they have depends on what rolls.
+
+use super::axis::{Along, Direction, Motion};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::text::document::{Key, Table, Text, Value};
+use crate::model::text::fields::Fields;
+use crate::model::text::repeat::Sections;
+use crate::source::Span;
+
+/// Fields that a coordinate takes over from its joint as they stand.
+const CARRIED: [&str; 4] = ["unit", "nominal", "range", "speed"];
+
+/// A coordinate that shifts or turns along one axis.
+struct Coordinate {
+    name: String,
+    direction: Direction,
+    slides: bool,
+}
+
+/// A joint on its way into the sections.
+pub struct Parts<'a> {
+    /// Frame in which the slides go and from which the turns start.
+    pub base: String,
+    /// The link that the joint carries: a frame and a point.
+    pub child: String,
+    /// Point of the inner side at which the joint sits.
+    hold: String,
+    /// Point that the slides lead to.
+    foot: String,
+    coordinates: Vec<Coordinate>,
+    attitude: bool,
+    /// Speeds that are combinations of rates: name, unit, independent, value.
+    combinations: Vec<(String, &'static str, bool, String)>,
+    dependent: Vec<String>,
+    independent: bool,
+    key: &'a Key,
+    fields: &'a Fields<'a>,
+    sections: &'a mut Sections,
+    found: &'a mut Diagnostics,
+}
+
+/// What stands for a joint's own text: at the place of what it was made from.
+fn text(text: &str, span: Span) -> Value {
+    Value::Text(Text::made(text, span))
+}
+
+/// A length, an angle or another plain value as it reads in an expression.
+fn written(value: &Value, unit: &str) -> String {
+    match value {
+        Value::Number(number, _) => format!("{number:?}{unit}"),
+        Value::Text(text) if text.text.trim().parse::<f64>().is_ok() => format!("{}{unit}", text.text.trim()),
+        Value::Text(text) => text.text.clone(),
+        _ => "0".to_owned(),
+    }
+}
+
+impl<'a> Parts<'a> {
+    /// The joint `key` of `fields` between the frame `base` and the link `child`.
+    pub fn new(
+        (key, fields): (&'a Key, &'a Fields<'a>),
+        (base, child): (String, String),
+        independent: bool,
+        (sections, found): (&'a mut Sections, &'a mut Diagnostics),
+    ) -> Self {
+        Self {
+            base,
+            child,
+            hold: format!("{}_base", key.name),
+            foot: String::new(),
+            coordinates: Vec::new(),
+            attitude: false,
+            combinations: Vec::new(),
+            dependent: Vec::new(),
+            independent,
+            key,
+            fields,
+            sections,
+            found,
+        }
+    }
+
+    /// What belongs to the joint is called by its name and a word.
+    pub fn named(&self, word: &str) -> String {
+        format!("{}_{word}", self.key.name)
+    }
+
+    fn put(&mut self, section: &str, name: &str, value: Value) {
+        let key = Key { name: name.to_owned(), span: self.key.span };
+        self.sections.tables.entry(section.to_owned()).or_default().push((key, value));
+    }
+
+    fn table(&self, fields: Vec<(&str, Value)>) -> Value {
+        let key = |name: &str| Key { name: name.to_owned(), span: self.key.span };
+        let entries = fields.into_iter().map(|(name, value)| (key(name), value)).collect();
+        Value::Table(Table { entries, span: self.key.span })
+    }
+
+    fn text(&self, written: &str) -> Value {
+        text(written, self.key.span)
+    }
+
+    /// A point at the vector `position` from O.
+    pub fn point(&mut self, name: &str, position: &str) {
+        let position = self.text(position);
+        self.put("points", name, position);
+    }
+
+    /// Takes over the motions of the joint about or along `axes`.
+    pub fn moves(&mut self, motions: &[Motion], axes: &[Direction]) {
+        let single = motions.len() == 1;
+        for motion in motions {
+            let (along, word, slides) = match *motion {
+                Motion::Slide(along, word) => (along, word, true),
+                Motion::Turn(along, word) => (along, Some(word), false),
+                Motion::Attitude => {
+                    self.attitude = true;
+                    continue;
+                }
+            };
+            let direction = match along {
+                Along::Given(n) => axes[n].clone(),
+                Along::Letter(letter) => Direction::letter(letter),
+                Along::Behind(n) => axes[0].behind(n),
+            };
+            let name = match word {
+                _ if single => self.key.name.clone(),
+                Some(word) => self.named(word),
+                None => self.named(&direction.name()),
+            };
+            self.coordinates.push(Coordinate { name, direction, slides });
+        }
+    }
+
+    /// Where the joint sits: the link's point, unless it slides away from there.
+    pub fn sits(&mut self, at: Value) {
+        let slides = self.coordinates.iter().any(|c| c.slides);
+        let name = if slides { self.hold.clone() } else { self.child.clone() };
+        self.put("points", &name, at);
+    }
+
+    /// A point where the slides lead to.
+    pub fn place(&mut self, name: &str) {
+        let slides = self.coordinates.iter().filter(|c| c.slides);
+        let shifts = slides.map(|c| format!(" + {}*{}", c.name, c.direction.of(&self.base)));
+        let position = format!("{}{}", self.hold, shifts.collect::<String>());
+        self.point(name, &position);
+        self.foot = name.to_owned();
+    }
+
+    /// A frame turned from another.
+    pub fn frame(&mut self, name: &str, parent: &str, rotations: Vec<Value>) {
+        let rotations = Value::Array(rotations, self.key.span);
+        let frame = self.table(vec![("parent", self.text(parent)), ("rotations", rotations)]);
+        self.put("frames", name, frame);
+    }
+
+    /// The turns of the joint's coordinates, about their axes one after the other.
+    fn turns(&self) -> Vec<Value> {
+        let turns = self.coordinates.iter().filter(|c| !c.slides);
+        turns.flat_map(|c| c.direction.turn(&c.name, self.key.span)).collect()
+    }
+
+    /// Frames of the link: after `inner` turns the frame `between`, behind it the link itself.
+    pub fn split_frame(&mut self, between: &str, inner: usize) {
+        let mut turns = self.turns();
+        let outer = turns.split_off(inner);
+        let (base, child) = (self.base.clone(), self.child.clone());
+        self.frame(between, &base, turns);
+        self.frame(&child, between, outer);
+    }
+
+    /// The frame of the link, turned from the base by `fixed` turns first.
+    pub fn link(&mut self, fixed: &[Value]) {
+        let (base, child) = (self.base.clone(), self.child.clone());
+        match self.attitude {
+            true => self.attitude_frame(&child),
+            false => self.frame(&child, &base, [fixed, &self.turns()].concat()),
+        }
+    }
+
+    /// Directions by Euler parameters e0 = cos(angle/2), e = axis*sin(angle/2), of unit length; the speeds are
+    /// w = 2 (e0 e' - e0' e - e x e'), along the link's axes, and half of what the constraint keeps 0. Regular at every attitude.
+    fn attitude_frame(&mut self, child: &str) {
+        let [a, b, c, d] = ["e0", "e1", "e2", "e3"].map(|word| self.named(word));
+        let [x, y, z] = ["x", "y", "z"].map(|axis| format!("{}.{axis}", self.base));
+        let square = |s: [&str; 4]| {
+            let terms = [&a, &b, &c, &d].into_iter().zip(s);
+            format!("({})", terms.map(|(e, sign)| format!("{sign}{e}.powi(2)")).collect::<String>())
+        };
+        let first = format!(
+            "{}*{x} + 2*({b}*{c} + {a}*{d})*{y} + 2*({b}*{d} - {a}*{c})*{z}",
+            square(["", "+", "-", "-"])
+        );
+        let second = format!(
+            "2*({b}*{c} - {a}*{d})*{x} + {}*{y} + 2*({c}*{d} + {a}*{b})*{z}",
+            square(["", "-", "+", "-"])
+        );
+        let frame = self.table(vec![("x", self.text(&first)), ("y", self.text(&second))]);
+        self.put("frames", child, frame);
+        let rate = |e: &str, sign: &str, of: &str| format!(" {sign} {e}*q_dot({of})");
+        let speed = |terms: [(&str, &str, &str); 4]| {
+            let sum: String = terms.into_iter().map(|(sign, e, of)| rate(e, sign, of)).collect();
+            format!("2*({})", sum.trim_start_matches([' ', '+']))
+        };
+        let (a, b, c, d) = (a.as_str(), b.as_str(), c.as_str(), d.as_str());
+        let wx = speed([("+", a, b), ("-", b, a), ("+", d, c), ("-", c, d)]);
+        let wy = speed([("+", a, c), ("-", c, a), ("+", b, d), ("-", d, b)]);
+        let wz = speed([("+", a, d), ("-", d, a), ("+", c, b), ("-", b, c)]);
+        let w0 = speed([("+", a, a), ("+", b, b), ("+", c, c), ("+", d, d)]);
+        for (word, value, independent) in
+            [("wx", wx, true), ("wy", wy, true), ("wz", wz, true), ("w0", w0, false)]
+        {
+            self.combine(word, "rad/s", independent, &value);
+        }
+        for (e, nominal) in [(a, Some(1.0)), (b, None), (c, None), (d, None)] {
+            let mut fields = vec![("unit", self.text("1")), ("speed", Value::Boolean(false, self.key.span))];
+            match nominal {
+                Some(one) => fields.push(("nominal", Value::Number(one, self.key.span))),
+                None => fields.push(("independent", Value::Boolean(self.independent, self.key.span))),
+            }
+            let entry = self.table(fields);
+            self.put("coordinates", e, entry);
+        }
+        let unit = self.text(&format!("{} - 1", square(["", "+", "+", "+"])));
+        let name = self.named("unit");
+        self.put("constraints.configuration", &name, unit);
+    }
+
+    /// A speed that is a combination of rates.
+    pub fn combine(&mut self, word: &str, unit: &'static str, independent: bool, value: &str) {
+        let name = self.named(word);
+        self.combinations.push((name, unit, independent && self.independent, value.to_owned()));
+    }
+
+    /// Speeds of these coordinates follow from the motion constraints.
+    pub fn depend(&mut self, words: &[&str]) {
+        self.dependent.extend(words.iter().map(|word| format!("{}_{word}", self.key.name)));
+    }
+
+    /// A velocity less that of the inner side at the place of contact.
+    pub fn slip(&self, velocity: &str) -> String {
+        let (hold, foot, base) = (&self.hold, &self.foot, &self.base);
+        format!("{velocity} - velocity({hold}) - cross(angular_velocity({base}), {foot} - {hold})")
+    }
+
+    /// A motion constraint: no slip along a direction.
+    pub fn constrain(&mut self, word: &str, slip: &str, along: &str) {
+        let (name, expression) = (self.named(word), self.text(&format!("dot({slip}, {along})")));
+        self.put("constraints.motion", &name, expression);
+    }
+
+    /// A point with this velocity rests on the plane. The plane's own axes give rows in which the speeds of the place of
+    /// contact stand alone: nothing can vanish. Along the normal nothing slips anyway.
+    pub fn does_not_slip(&mut self, velocity: &str) {
+        let (slip, base) = (self.slip(velocity), self.base.clone());
+        self.constrain("roll_x", &slip, &format!("{base}.x"));
+        self.constrain("roll_y", &slip, &format!("{base}.y"));
+    }
+
+    /// The length in a field of the joint.
+    pub fn length(&mut self, field: &'static str, example: &str) -> String {
+        let value = self.fields.need(field, example, self.found);
+        value.map_or_else(|| "0".to_owned(), |value| written(value, "_m"))
+    }
+
+    /// What a field says for each coordinate: its value where there is one coordinate, one of a list else.
+    fn each(&mut self, field: &'static str) -> Vec<Option<Value>> {
+        let count = self.coordinates.len();
+        match self.fields.get(field) {
+            None => vec![None; count],
+            Some(value) if count == 1 => vec![Some(value.clone())],
+            Some(Value::Array(items, _)) if items.len() == count => items.iter().cloned().map(Some).collect(),
+            Some(other) => {
+                let names: Vec<&str> = self.coordinates.iter().map(|c| c.name.as_str()).collect();
+                self.found.push(wrong_count(field, &self.key.name, &names, other));
+                vec![None; count]
+            }
+        }
+    }
+
+    /// Coordinates with their speeds, springs and drives.
+    pub fn finish(mut self, driven: bool) {
+        let carried = CARRIED.map(|field| self.each(field));
+        let (stiffness, rest, damping) = (self.each("stiffness"), self.each("rest"), self.each("damping"));
+        let drive = if driven { self.each("drive") } else { vec![None; self.coordinates.len()] };
+        let doc = self.fields.get("doc").cloned();
+        let span = self.key.span;
+        for (i, Coordinate { name, direction, slides }) in
+            std::mem::take(&mut self.coordinates).into_iter().enumerate()
+        {
+            let mut fields: Vec<(&str, Value)> =
+                vec![("independent", Value::Boolean(self.independent, span))];
+            fields.extend(doc.clone().map(|doc| ("doc", doc)));
+            fields.extend(
+                CARRIED.iter().zip(&carried).filter_map(|(&field, all)| Some((field, all[i].clone()?))),
+            );
+            if !fields.iter().any(|(field, _)| *field == "unit") {
+                fields.push(("unit", self.text(if slides { "m" } else { "rad" })));
+            }
+            let combined =
+                self.combinations.iter().any(|(.., value)| value.contains(&format!("q_dot({name})")));
+            let dependent = self.dependent.contains(&name);
+            if combined || dependent {
+                fields.retain(|(field, _)| *field != "speed");
+                let held = self.table(vec![("independent", Value::Boolean(false, span))]);
+                fields.push(("speed", if combined { Value::Boolean(false, span) } else { held }));
+            }
+            let entry = self.table(fields);
+            self.put("coordinates", &name, entry);
+            self.spring(&name, [&stiffness[i], &rest[i], &damping[i]]);
+            if let Some(effort) = &drive[i] {
+                // The axis of the last turn stands still in the link, that of an earlier one in the base.
+                let last = !slides && i + 1 == drive.len();
+                let along = direction.of(if last { &self.child } else { &self.base });
+                self.drive(&name, effort, &along, slides);
+            }
+        }
+        for (name, unit, independent, value) in std::mem::take(&mut self.combinations) {
+            let fields = vec![
+                ("unit", self.text(unit)),
+                ("independent", Value::Boolean(independent, span)),
+                ("value", self.text(&value)),
+            ];
+            let entry = self.table(fields);
+            self.put("speeds", &name, entry);
+        }
+    }
+
+    /// A spring and a damper on a coordinate.
+    fn spring(&mut self, coordinate: &str, [stiffness, rest, damping]: [&Option<Value>; 3]) {
+        if stiffness.is_none() && rest.is_none() && damping.is_none() {
+            return;
+        }
+        let none = Value::Number(0.0, self.key.span);
+        let mut fields = vec![("coordinate", self.text(coordinate))];
+        fields.push(("stiffness", stiffness.clone().unwrap_or(none)));
+        fields.extend(rest.clone().map(|rest| ("rest", rest)));
+        fields.extend(damping.clone().map(|damping| ("damping", damping)));
+        let entry = self.table(fields);
+        self.put("springs", coordinate, entry);
+    }
+
+    /// A force along a slide or a torque about a turn, with its reaction on the inner side.
+    fn drive(&mut self, coordinate: &str, effort: &Value, along: &str, slides: bool) {
+        let unit = if slides { "_N" } else { "_J" };
+        let effort = text(&format!("({})*{along}", written(effort, unit)), effort.span());
+        let (section, on, what, against) = match slides {
+            true => ("forces", "point", "force", self.hold.clone()),
+            false => ("torques", "frame", "torque", self.base.clone()),
+        };
+        let child = self.text(&self.child);
+        let entry = self.table(vec![(on, child), (what, effort), ("reaction", self.text(&against))]);
+        self.put(section, coordinate, entry);
+    }
+}
+
+/// The error for a list with more or fewer values than the joint has coordinates.
+fn wrong_count(field: &str, joint: &str, coordinates: &[&str], given: &Value) -> Diagnostic {
+    match coordinates.len() {
+        0 => Diagnostic::error(format!("joint `{joint}` has no coordinate for `{field}`"))
+            .label(given.span(), "nothing slides or turns about one axis")
+            .help("leave it out, or make a load of it: [springs], [forces], [torques]"),
+        count => Diagnostic::error(format!(
+            "`{field}` of joint `{joint}` is not one value for each of its {count} coordinates"
+        ))
+        .label(given.span(), "expected a list of as many")
+        .help(format!("give {count} values in this order: {}", coordinates.join(", "))),
+    }
+}
