@@ -9,6 +9,7 @@ pub mod equilibrium;
 pub mod files;
 pub mod map;
 pub mod metrics;
+pub mod plan;
 pub mod pose;
 pub mod sheet;
 pub mod tile;

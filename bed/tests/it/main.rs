@@ -3,5 +3,6 @@
 mod figure;
 mod files;
 mod metrics;
+mod plan;
 mod rest;
 mod sheet;

@@ -1,0 +1,170 @@
+//! Maps of an equilibrium: at sensels on the sheets' nodes, and at points of the skin.
+//!
+//! In: a solution. Out: pressure and shear by site. A node is a sensel, a pad of fixed size: its area is that of the sheet
+//! as it is stretched at the first equilibrium. Skin is a grid of points on each segment, seen along the axis that its normal is nearest to; what
+//! presses on a point is read off the sheet below it, between nodes.
+
+use super::{Layout, Load};
+use crate::equilibrium::{Bed, Solution};
+use crate::map::{Grid, Site};
+use crate::pose::Pose;
+use crate::sheet::membrane;
+use smartbed_runtime::vec3::{Vec3, norm};
+
+/// Distance of points of the skin (m).
+const SKIN: f64 = 0.02;
+/// A point of the skin further than this above a sheet does not touch it (m).
+const NEAR: f64 = 0.03;
+
+/// Pressure (Pa) and shear (Pa) at sites.
+#[derive(Clone, Debug, Default)]
+pub struct Map {
+    pub pressure: Vec<f64>,
+    pub shear: Vec<[f64; 2]>,
+}
+
+/// Sensels of the whole bed.
+pub fn grid(layout: &Layout) -> Grid {
+    let [nx, ny] = layout.intervals;
+    Grid {
+        rows: layout.rows * ny,
+        columns: layout.columns * nx,
+        row_pitch: layout.pitch[1] / ny as f64,
+        column_pitch: layout.pitch[0] / nx as f64,
+    }
+}
+
+/// Sensel of a tile's node; rims at the far ends belong to the next tile.
+pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
+    let [nx, ny] = layout.intervals;
+    let (i, j) = (node % (nx + 1), node / (nx + 1));
+    let (row, column) = (tile / layout.columns, tile % layout.columns);
+    let line = (layout.rows - 1 - row) * ny + j;
+    (i < nx && j < ny).then_some(line * layout.columns * nx + column * nx + i)
+}
+
+/// Sites of all sensels.
+pub fn sensels(layout: &Layout, bed: &Bed, solution: &Solution) -> Vec<Site> {
+    let mut sites = grid(layout).all();
+    for (tile, sheet) in solution.state.sheets.iter().enumerate() {
+        let mut areas = vec![[0.0; 3]; sheet.len()];
+        membrane::add_volume_gradient(&bed.lattice, sheet, 1.0, &mut areas);
+        for (node, area) in areas.iter().enumerate().filter(|(node, _)| bed.lattice.free(*node).is_some()) {
+            if let Some(site) = sensel(layout, tile, node) {
+                sites[site].area = norm(*area);
+            }
+        }
+    }
+    sites
+}
+
+/// What sensels feel: forces over their own areas; shear along the bed's x and y.
+pub fn felt(layout: &Layout, solution: &Solution, sites: &[Site]) -> Map {
+    let count = sites.len();
+    let mut map = Map { pressure: vec![0.0; count], shear: vec![[0.0; 2]; count] };
+    for (tile, contacts) in solution.contacts.iter().enumerate() {
+        for contact in contacts {
+            if let Some(site) = sensel(layout, tile, contact.touch.node) {
+                map.pressure[site] += contact.touch.force() / sites[site].area;
+                (0..2).for_each(|k| map.shear[site][k] += contact.drag[k] / sites[site].area);
+            }
+        }
+    }
+    map
+}
+
+/// A point of the skin.
+#[derive(Clone, Copy, Debug)]
+pub struct SkinPoint {
+    pub segment: usize,
+    pub place: Vec3<f64>,
+    pub normal: Vec3<f64>,
+}
+
+/// Points of a load's skin, but for its front, with their sites.
+pub fn skin(load: &Load) -> (Vec<SkinPoint>, Vec<Site>) {
+    let (mut points, mut sites) = (Vec::new(), Vec::new());
+    for (segment, part) in load.body.segments.iter().enumerate() {
+        let (half, radius) = (part.shape.half, part.shape.radius);
+        // Looked at along each axis from either side; what looks up belongs to no bed.
+        for (axis, side) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0), (2, -1.0)] {
+            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+            let count = |k: usize| ((2.0 * (half[k] + radius)) / SKIN).ceil() as usize;
+            let at = |n: usize, k: usize| (n as f64 + 0.5) * SKIN - 0.5 * count(k) as f64 * SKIN;
+            for n in 0..count(u) * count(v) {
+                let (a, b) = (at(n % count(u), u), at(n / count(u), v));
+                let beyond = |x: f64, k: usize| x - x.clamp(-half[k], half[k]);
+                let mut normal = [0.0; 3];
+                (normal[u], normal[v]) = (beyond(a, u) / radius, beyond(b, v) / radius);
+                let left = 1.0 - normal[u] * normal[u] - normal[v] * normal[v];
+                normal[axis] = side * left.max(0.0).sqrt();
+                if left <= 0.0 || normal[axis].abs() < normal[u].abs().max(normal[v].abs()) {
+                    continue;
+                }
+                let mut place = [0.0; 3];
+                (place[u], place[v]) = (a, b);
+                place[axis] = side * half[axis] + radius * normal[axis];
+                let region = load.figure.as_ref().and_then(|f| f.region(segment, place, normal));
+                points.push(SkinPoint { segment, place, normal });
+                sites.push(Site { area: SKIN * SKIN / normal[axis].abs(), region });
+            }
+        }
+    }
+    (points, sites)
+}
+
+/// What the skin feels.
+pub fn on_skin(bed: &Bed, solution: &Solution, points: &[SkinPoint]) -> Map {
+    let fields: Vec<Vec<[f64; 3]>> = (0..bed.tiles.len()).map(|tile| field(bed, solution, tile)).collect();
+    let one = |point: &SkinPoint| {
+        let pose: &Pose = &solution.state.segments[point.segment];
+        if pose.attitude.to_inertial(point.normal)[2] >= 0.0 {
+            return [0.0; 3];
+        }
+        let place = pose.outwards(point.place);
+        let hit = bed.tiles.iter().enumerate().find_map(|(tile, own)| {
+            let [x, y, z] = own.pose.inwards(place);
+            let [a, b] = bed.lattice.size;
+            let (u, v) = (x / a + 0.5, y / b + 0.5);
+            ((0.0..1.0).contains(&u) && (0.0..1.0).contains(&v)).then_some((tile, u, v, z))
+        });
+        let Some((tile, u, v, z)) = hit else { return [0.0; 3] };
+        let height = between(bed, u, v, |node| [solution.state.sheets[tile][node][2], 0.0, 0.0])[0];
+        if (z - height).abs() > NEAR {
+            return [0.0; 3];
+        }
+        between(bed, u, v, |node| fields[tile][node])
+    };
+    let values: Vec<[f64; 3]> = points.iter().map(one).collect();
+    Map {
+        pressure: values.iter().map(|v| v[0].max(0.0)).collect(),
+        shear: values.iter().map(|v| [v[1], v[2]]).collect(),
+    }
+}
+
+/// Pressure and shear at each node of a tile.
+fn field(bed: &Bed, solution: &Solution, tile: usize) -> Vec<[f64; 3]> {
+    let mut field = vec![[0.0; 3]; bed.lattice.nodes()];
+    for contact in &solution.contacts[tile] {
+        let own = &mut field[contact.touch.node];
+        own[0] += contact.pressure();
+        own[1] += contact.drag[0] / contact.area;
+        own[2] += contact.drag[1] / contact.area;
+    }
+    field
+}
+
+/// Values of nodes, bilinear between them, at shares of the sheet's sides.
+fn between(bed: &Bed, u: f64, v: f64, value: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
+    let [nx, ny] = bed.lattice.intervals;
+    let split = |x: f64, n: usize| {
+        let at = x * n as f64;
+        let whole = (at.floor().max(0.0) as usize).min(n - 1);
+        (whole, at - whole as f64)
+    };
+    let ((i, s), (j, t)) = (split(u, nx), split(v, ny));
+    let node = |di: usize, dj: usize| value((j + dj) * (nx + 1) + i + di);
+    let corners = [node(0, 0), node(1, 0), node(0, 1), node(1, 1)];
+    let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t];
+    [0, 1, 2].map(|k| corners.iter().zip(weights).map(|(c, w)| c[k] * w).sum())
+}

@@ -1,0 +1,247 @@
+//! Runs a plan: one equilibrium after the other, each from the one before.
+//!
+//! In: a plan that [`super::check`] lets pass. Out: a [`History`]: recordings of sensels and of the skin, what tiles did,
+//! and how well each equilibrium carries the weight.
+
+use super::maps::{self, Map, SkinPoint};
+use super::{Order, Plan};
+use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, put_down, solve};
+use crate::map::{Frame, Grid, MapError, Recording, Site};
+use crate::metrics::spatial::load_error;
+use crate::pose::Pose;
+use crate::sheet::LatticeError;
+use crate::sheet::air::Air;
+use std::fmt;
+
+/// Contact forces must carry the weight to this, or the run is not valid.
+pub const GATE: f64 = 1e-6;
+/// Shortest part of a move that is taken at once, as a share of the time between two equilibria.
+const SHORTEST: f64 = 1.0 / 64.0;
+
+/// What tiles and loads did at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moment {
+    /// s.
+    pub time: f64,
+    /// What tiles were told.
+    pub orders: Vec<Order>,
+    /// Pressures that they had (Pa).
+    pub gauges: Vec<f64>,
+    /// Nodes on plates.
+    pub bottomed: Vec<usize>,
+    /// Contact forces against the weight.
+    pub imbalance: f64,
+    /// Sensed load against the weight.
+    pub sensed: f64,
+    /// Newton steps.
+    pub steps: usize,
+    /// Middles of the segments (m).
+    pub segments: Vec<Pose>,
+}
+
+/// A run.
+#[derive(Clone, Debug)]
+pub struct History {
+    /// Where sensels lie.
+    pub grid: Grid,
+    /// What they felt.
+    pub sensels: Recording,
+    /// What the skin felt.
+    pub skin: Recording,
+    /// What tiles did.
+    pub moments: Vec<Moment>,
+}
+
+/// Why a run ended.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RunError {
+    /// There are no such sheets.
+    Sheet(LatticeError),
+    /// No equilibrium at a time (s).
+    Fault(f64, Fault),
+    /// Contact forces do not carry the weight at a time (s): by this share.
+    Invalid(f64, f64),
+    /// What was recorded is unsound.
+    Map(MapError),
+    /// It was asked to stop.
+    Stopped,
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RunError::Sheet(error) => write!(f, "{error}"),
+            RunError::Fault(time, fault) => write!(f, "at {time} s: {fault}"),
+            RunError::Invalid(time, share) => {
+                write!(
+                    f,
+                    "at {time} s: contact forces miss the weight by {share:.1e} of it, expected {GATE:.0e}"
+                )
+            }
+            RunError::Map(error) => write!(f, "{error}"),
+            RunError::Stopped => f.write_str("stopped"),
+        }
+    }
+}
+
+impl std::error::Error for RunError {}
+
+/// Runs a plan; `at` hears the share that is done and says whether to go on.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run(plan: &Plan, mut at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
+    let times = plan.times();
+    let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
+    let fault = |time: f64| move |fault| RunError::Fault(time, fault);
+    let mut solution =
+        put_down(&bed, &plan.load.body, &bed.start(plan.load.poses.clone())).map_err(fault(0.0))?;
+    let (points, skin) = maps::skin(&plan.load);
+    let mut history = Recorder::new(plan, &bed, &solution, points, skin);
+    history.take(plan, &bed, &solution, 0.0)?;
+    seal(plan, &mut bed, &solution);
+    for pair in times.windows(2) {
+        if !at(pair[0] / plan.seconds) {
+            return Err(RunError::Stopped);
+        }
+        (bed, solution) = onwards(plan, bed, solution, pair[0], pair[1])?;
+        history.take(plan, &bed, &solution, pair[1])?;
+    }
+    history.finish(plan)
+}
+
+/// The equilibrium at a later time: at once, or where that is too far, half way first.
+fn onwards(
+    plan: &Plan,
+    bed: Bed,
+    solution: Solution,
+    from: f64,
+    to: f64,
+) -> Result<(Bed, Solution), RunError> {
+    let (mut now, mut share) = (from, 1.0);
+    let (mut bed, mut solution) = (bed, solution);
+    while now < to {
+        let next = (now + share * (to - from)).min(to);
+        let mut ordered = plan.bed(next).map_err(RunError::Sheet)?;
+        keep_sealed(plan, &bed, &mut ordered, now, next);
+        match solve(&ordered, &plan.load.body, &solution.state) {
+            Ok(found) => {
+                seal(plan, &mut ordered, &found);
+                (bed, solution, now) = (ordered, found, next);
+            }
+            Err(fault) if share <= SHORTEST => return Err(RunError::Fault(next, fault)),
+            Err(_) => share *= 0.5,
+        }
+    }
+    Ok((bed, solution))
+}
+
+/// Shuts the valves of sealed bladders at the volumes that they have.
+fn seal(plan: &Plan, bed: &mut Bed, solution: &Solution) {
+    if !plan.layout.is_sealed {
+        return;
+    }
+    let volumes: Vec<f64> = solution.state.sheets.iter().map(|sheet| bed.volume(sheet)).collect();
+    for (tile, volume) in bed.tiles.iter_mut().zip(volumes) {
+        if let Air::Regulated(gauge) = tile.air {
+            // A therapy is slow: the gas keeps the temperature of the room.
+            tile.air = Air::sealed(gauge, volume, 1.0);
+        }
+    }
+}
+
+/// Bladders whose pressure nobody changes keep their gas.
+fn keep_sealed(plan: &Plan, before: &Bed, bed: &mut Bed, from: f64, to: f64) {
+    if !plan.layout.is_sealed {
+        return;
+    }
+    for (index, (tile, old)) in bed.tiles.iter_mut().zip(&before.tiles).enumerate() {
+        if plan.order(index, from).pressure == plan.order(index, to).pressure {
+            tile.air = old.air;
+        }
+    }
+}
+
+/// Frames as they come.
+struct Recorder {
+    grid: Grid,
+    sites: Vec<Site>,
+    points: Vec<SkinPoint>,
+    skin_sites: Vec<Site>,
+    frames: [Vec<Frame>; 2],
+    moments: Vec<Moment>,
+}
+
+impl Recorder {
+    fn new(
+        plan: &Plan,
+        bed: &Bed,
+        solution: &Solution,
+        points: Vec<SkinPoint>,
+        skin_sites: Vec<Site>,
+    ) -> Recorder {
+        let sites = maps::sensels(&plan.layout, bed, solution);
+        let grid = maps::grid(&plan.layout);
+        Recorder { grid, sites, points, skin_sites, frames: [Vec::new(), Vec::new()], moments: Vec::new() }
+    }
+
+    fn take(&mut self, plan: &Plan, bed: &Bed, solution: &Solution, time: f64) -> Result<(), RunError> {
+        if solution.imbalance.is_nan() || solution.imbalance > GATE {
+            return Err(RunError::Invalid(time, solution.imbalance));
+        }
+        let felt = maps::felt(&plan.layout, solution, &self.sites);
+        let sensed = self.sensed(plan, solution, &felt);
+        let skin = maps::on_skin(bed, solution, &self.points);
+        let seconds = plan.every;
+        for (frames, map) in self.frames.iter_mut().zip([felt, skin]) {
+            frames.push(Frame { time, seconds, pressure: map.pressure, shear: map.shear });
+        }
+        self.moments.push(Moment {
+            time,
+            orders: (0..plan.layout.count()).map(|tile| plan.order(tile, time)).collect(),
+            gauges: solution.gauges.clone(),
+            bottomed: solution.bottomed.clone(),
+            imbalance: solution.imbalance,
+            sensed,
+            steps: solution.steps,
+            segments: solution.state.segments.clone(),
+        });
+        Ok(())
+    }
+
+    /// What sensels feel against the weight: p A n_z of their own areas and directions, and shear upwards.
+    fn sensed(&self, plan: &Plan, solution: &Solution, felt: &Map) -> f64 {
+        let weight = plan.load.body.mass() * GRAVITY;
+        if weight <= 0.0 {
+            return 0.0;
+        }
+        let count = felt.pressure.len();
+        let (mut up, mut shear) = (vec![0.0; count], vec![0.0; count]);
+        for (tile, contacts) in solution.contacts.iter().enumerate() {
+            for contact in contacts {
+                if let Some(site) = maps::sensel(&plan.layout, tile, contact.touch.node) {
+                    let own = contact.touch.force() / self.sites[site].area;
+                    let share = own / felt.pressure[site].max(f64::MIN_POSITIVE);
+                    up[site] -= share * contact.touch.normal[2];
+                    shear[site] += contact.drag[2] / self.sites[site].area;
+                }
+            }
+        }
+        load_error(&self.sites, &felt.pressure, &up, &shear, weight)
+    }
+
+    fn finish(self, plan: &Plan) -> Result<History, RunError> {
+        let [mut sensels, mut skin] = self.frames;
+        // The last equilibrium is an end, not a stretch of time: it is left out where others stand for all of it.
+        if sensels.len() > 1 && plan.seconds > 0.0 {
+            sensels.pop();
+            skin.pop();
+        }
+        Ok(History {
+            grid: self.grid,
+            sensels: Recording::new(self.sites, sensels).map_err(RunError::Map)?,
+            skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
+            moments: self.moments,
+        })
+    }
+}

@@ -1,0 +1,167 @@
+//! Plans: what tiles are told, what is refused, and runs whose maps carry the weight.
+
+use smartbed_bed::body::anthropometry::Table;
+use smartbed_bed::body::figure::{Figure, Posture};
+use smartbed_bed::body::{Body, Segment, Shape};
+use smartbed_bed::metrics::time;
+use smartbed_bed::plan::check::check;
+use smartbed_bed::plan::run::run;
+use smartbed_bed::plan::{Layout, Load, Move, Plan};
+use smartbed_bed::pose::Pose;
+use smartbed_bed::sheet::air::AMBIENT;
+
+fn slab(mass: f64) -> Load {
+    let shape = Shape { half: [0.1, 0.15, 0.02], radius: 0.03 };
+    let name = "slab".to_owned();
+    let segment = Segment { name, shape, mass, centre: [0.0; 3], foundation: 1e6, free: [true; 6] };
+    Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None }.placed([0.0; 2])
+}
+
+fn plan(rows: usize, columns: usize, moves: Vec<Move>) -> Plan {
+    let layout = Layout { rows, columns, intervals: [6, 8], ..Layout::default() };
+    let load = slab(12.0);
+    Plan {
+        title: "t".to_owned(),
+        layout,
+        pressure: 4000.0,
+        load,
+        moves,
+        seconds: 40.0,
+        every: 10.0,
+        cycle: 40.0,
+    }
+}
+
+fn change(tiles: &[usize]) -> Move {
+    Move { at: 10.0, over: 20.0, tiles: tiles.to_vec(), pressure: None, heave: None, slope: None }
+}
+
+#[test]
+fn orders_follow_moves() {
+    let mut p = plan(2, 2, vec![Move { heave: Some(0.01), pressure: Some(2000.0), ..change(&[1]) }]);
+    p.moves.push(Move { at: 30.0, over: 0.0, pressure: Some(3000.0), ..change(&[1, 2]) });
+    assert_eq!(p.order(1, 0.0).pressure, 4000.0);
+    assert_eq!(p.order(1, 20.0).pressure, 3000.0);
+    assert!((p.order(1, 20.0).command.heave - 0.005).abs() < 1e-15);
+    assert_eq!(p.order(1, 30.0).pressure, 3000.0);
+    assert_eq!(p.order(2, 29.0).pressure, 4000.0);
+    assert_eq!(p.order(2, 30.0).pressure, 3000.0);
+    assert_eq!(p.order(0, 40.0).pressure, 4000.0);
+    assert_eq!(p.times(), [0.0, 10.0, 20.0, 30.0, 40.0]);
+    assert_eq!(Layout::default().neighbours().count(), 45);
+}
+
+#[test]
+fn limits_are_refused_with_the_tile() {
+    let refuse = |moves: Vec<Move>| check(&plan(2, 2, moves)).expect_err("refused").to_string();
+    assert_eq!(
+        refuse(vec![Move { heave: Some(0.05), ..change(&[0, 1, 2, 3]) }]),
+        "tile 1 at 30.0000 s: screw 1 at 50.0 mm, its stroke allows 30.0 mm up and down"
+    );
+    assert_eq!(
+        refuse(vec![Move { pressure: Some(13e3), ..change(&[2]) }]),
+        "tile 3 at 30.0000 s: pressure of 13.00 kPa, expected 0 to 12.00 kPa"
+    );
+    assert_eq!(
+        refuse(vec![Move { heave: Some(0.025), ..change(&[3]) }]),
+        "tile 2 at 30.0000 s: step of 25.0 mm to tile 4, expected 20.0 mm at most"
+    );
+    assert_eq!(
+        refuse(vec![Move { heave: Some(0.02), over: 1.0, ..change(&[0, 1, 2, 3]) }]),
+        "tile 1 at 11.0000 s: screw 1 at 20.00 mm/s, it goes 6.70 mm/s; give the move longer"
+    );
+    let low = refuse(vec![Move { pressure: Some(100.0), ..change(&[0, 1, 2, 3]) }]);
+    assert!(low.contains("all bladders can carry") && low.contains("118 N"), "{low}");
+    // A gap of 6 mm at 130 mm above the star closes at some 1.3 deg of opposite tilt.
+    let lean = |degrees: f64| {
+        let slope = degrees.to_radians().tan();
+        vec![
+            Move { slope: Some([slope, 0.0]), ..change(&[0]) },
+            Move { slope: Some([-slope, 0.0]), ..change(&[1]) },
+        ]
+    };
+    let narrow = |degrees: f64| check(&plan(1, 2, lean(degrees)));
+    assert!(narrow(1.25).is_ok() && narrow(1.4).is_err());
+    assert!(narrow(1.4).expect_err("touch").to_string().contains("into that of tile 2"));
+    assert!(check(&plan(2, 2, Vec::new())).is_ok());
+}
+
+#[test]
+fn a_run_carries_the_weight_and_feels_it() {
+    let moves = vec![
+        Move { pressure: Some(1500.0), ..change(&[0, 3]) },
+        Move { slope: Some([0.02, 0.0]), at: 20.0, ..change(&[0, 1, 2, 3]) },
+    ];
+    for is_sealed in [false, true] {
+        let mut p = plan(2, 2, moves.clone());
+        p.layout.is_sealed = is_sealed;
+        p.layout.intervals = [14, 18];
+        p.seconds = 60.0;
+        check(&p).expect("within limits");
+        let history = run(&p, |_| true).expect("runs");
+        assert_eq!(history.moments.len(), 7);
+        for moment in &history.moments {
+            assert!(
+                moment.imbalance < 1e-6 && moment.sensed < 0.01,
+                "{} {}",
+                moment.imbalance,
+                moment.sensed
+            );
+        }
+        let last = history.moments.last().expect("moments");
+        if is_sealed {
+            // Gas that nobody lets out is pressed together: p V stays.
+            assert!(last.gauges[1] > 4000.0 && last.gauges[1] < AMBIENT, "{:?}", last.gauges);
+            assert!((last.gauges[0] - 1500.0).abs() > 1.0);
+        } else {
+            assert_eq!(last.gauges, [1500.0, 4000.0, 4000.0, 1500.0]);
+        }
+        // Skin and sensels feel the same load, each in its own sites.
+        let load = |r: &smartbed_bed::map::Recording| -> f64 {
+            let f = &r.frames()[0];
+            r.sites().iter().zip(&f.pressure).map(|(s, p)| s.area * p).sum()
+        };
+        let ratio = load(&history.skin) / load(&history.sensels);
+        assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
+    }
+}
+
+#[test]
+fn a_run_gives_the_same_numbers_again() {
+    let p = plan(2, 2, vec![Move { pressure: Some(2000.0), ..change(&[1]) }]);
+    let [a, b] = [0, 1].map(|_| run(&p, |_| true).expect("runs"));
+    assert_eq!(a.moments, b.moments);
+    assert_eq!(a.sensels, b.sensels);
+}
+
+#[test]
+fn an_alternating_cycle_relieves_the_skin() {
+    let layout = Layout { intervals: [6, 8], ..Layout::default() };
+    let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &[]).expect("a figure");
+    let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
+    let moves = Plan::alternating(&layout, 1600.0, 5000.0, 600.0, 600.0);
+    let p = Plan {
+        title: "alternating".to_owned(),
+        layout,
+        pressure: 5000.0,
+        load: load.placed([0.0, 0.0]),
+        moves,
+        seconds: 600.0,
+        every: 25.0,
+        cycle: 600.0,
+    };
+    check(&p).expect("within limits");
+    let begin = std::time::Instant::now();
+    let history = run(&p, |_| true).expect("runs");
+    let taken = begin.elapsed().as_secs_f64();
+    assert!(taken < 120.0, "{taken} s");
+    assert!(history.moments.iter().all(|m| m.imbalance < 1e-6 && m.sensed < 0.01));
+    let always = time::always_at_risk(&history.skin, 32.0 * 133.322);
+    let occluded = time::persistent_occlusion(&history.skin, 600.0, 32.0 * 133.322).expect("a cycle");
+    let ever: f64 = {
+        let first = &history.skin.frames()[0];
+        smartbed_bed::metrics::spatial::area_above(history.skin.sites(), &first.pressure, 32.0 * 133.322)
+    };
+    println!("occluded at first {ever:.4} m^2, always {always:.4}, over the cycle {occluded:.4}");
+    assert!(occluded < 0.6 * ever, "{occluded} {ever}");
+}
