@@ -41,6 +41,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     let body = Body {
         mass: &MASS,
         fixed: &FIXED,
+        inverse_mass: &[],
         springs: &SPRINGS,
         gravity: GRAVITY,
         air_drag: AIR_DRAG,
@@ -83,10 +84,10 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
-pub fn scene_step(
+pub fn scene_step<'a>(
     system: &System<f32, Here>,
-    state: &mut State<f32>,
-    work: &mut Workspace<f32>,
+    state: &mut State<'a, f32>,
+    work: &mut Workspace<'a, f32>,
 ) -> Result<(), BodyError<f32>> {
     step(system, state, STEP, METHOD, work, &mut ()).map(|_| ())
 }

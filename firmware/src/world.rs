@@ -46,6 +46,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
     let body = Body {
         mass: &MASS,
         fixed: &HELD,
+        inverse_mass: &[],
         springs: &SPRINGS,
         gravity: GRAVITY,
         air_drag: AIR_DRAG,

@@ -286,6 +286,7 @@ fn massless_point_in_space_is_in_balance() {
     let body = Body::new(Body {
         mass: &[0.0, 1.0, 1.0, 1.0],
         fixed: &[false; 4],
+        inverse_mass: &[],
         springs: &springs,
         gravity: [0.0, 0.0, -G],
         air_drag: 0.0,

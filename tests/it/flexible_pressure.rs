@@ -136,6 +136,7 @@ fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
     let body = smartbed_runtime::flexible::Body {
         mass: &lists.masses,
         fixed: &lists.fixed,
+        inverse_mass: &[],
         springs: &[],
         gravity: [0.0; 3],
         air_drag: 0.0,

@@ -91,6 +91,7 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
     let body = Body::new(Body {
         mass: &mass,
         fixed: &fixed,
+        inverse_mass: &[],
         springs: &springs,
         gravity: [S::ZERO; 3],
         air_drag: S::ZERO,
@@ -223,6 +224,7 @@ fn two_stacked_unit_masses_give_the_thesis_formula() {
     let body = Body {
         mass: &[1.0, 1.0],
         fixed: &[false, false],
+        inverse_mass: &[],
         springs: &springs,
         gravity: [0.0; 3],
         air_drag: 0.0,

@@ -62,6 +62,7 @@ fn random_pairs_conserve() {
         let body = Body::new(Body {
             mass: &mass,
             fixed: &[false; 9],
+            inverse_mass: &[],
             springs: &springs,
             gravity: [0.0; 3],
             air_drag: 0.0,
@@ -109,6 +110,7 @@ fn two_springs_head_on_are_each_the_others_ground() {
     let body = Body::new(Body {
         mass: &[1.0; 4],
         fixed: &[false; 4],
+        inverse_mass: &[],
         springs: &springs,
         gravity: [0.0; 3],
         air_drag: 0.0,

@@ -292,6 +292,7 @@ fn joined(carrier: &Program, fabric: &Fabric, run: impl Fn(&mut OnTile<'_>, &mut
     let body = Body::new(Body {
         mass: &mass,
         fixed: &fixed,
+        inverse_mass: &[],
         springs: &springs,
         gravity: [0.0, 0.0, -9.81],
         air_drag: 0.0,

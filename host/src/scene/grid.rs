@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use smartbed_runtime::flexible::grid::{Family, Grid, Run, Span, WIDTH};
+use smartbed_runtime::flexible::grid::{Family, Grid, Run, pitch};
 use smartbed_runtime::real::Scalar;
 
 use super::lists::Lists;
@@ -28,20 +28,26 @@ pub struct Woven<S> {
     starts: Vec<usize>,
     right: [Vec<S>; 2],
     up: [Vec<S>; 2],
-    cells: Vec<Span>,
+    mass: Vec<S>,
+    cells: Vec<S>,
     facets: usize,
     is_damped: bool,
 }
 
 impl<S: Scalar> Woven<S> {
-    /// Finds springs and facets of the lists in their table; none if there is no table, or a spring elsewhere.
+    /// Finds springs and facets of the lists in their table; none if there is no table, or a node or
+    /// spring elsewhere.
     pub fn new(lists: &Lists) -> Option<Self> {
         let Table { columns, nodes } = lists.table.as_ref()?;
         let (columns, rows) = (*columns, nodes.len() / *columns);
         let place: BTreeMap<usize, usize> =
             nodes.iter().enumerate().filter_map(|(place, node)| Some(((*node)?, place))).collect();
+        if place.len() != lists.points.len() {
+            return None;
+        }
+        let in_rows = |place: usize| place / columns * pitch(columns) + place % columns;
         let mut taken = vec![[false; 2]; nodes.len()];
-        let mut families = [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; nodes.len() + WIDTH]));
+        let mut families = [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; rows * pitch(columns)]));
         for (number, [tail, head]) in lists.springs.iter().enumerate() {
             let (tail, head) = (*place.get(tail)?, *place.get(head)?);
             let family = match head.checked_sub(tail)? {
@@ -54,14 +60,19 @@ impl<S: Scalar> Woven<S> {
                 return None;
             }
             let [stiffness, rest_length] = &mut families[family];
+            let tail = in_rows(tail);
             stiffness[tail] = S::from_f64(*lists.stiffness.get(number)?);
             rest_length[tail] = S::from_f64(*lists.rest_lengths.get(number)?);
         }
         let (cells, facets) = cells(lists, &place, columns, rows)?;
+        let mut mass = vec![S::ZERO; rows * pitch(columns)];
+        for (node, place) in &place {
+            mass[in_rows(*place)] = S::from_f64(lists.masses[*node]);
+        }
         let (runs, starts) = runs(nodes, columns);
         let [right, up] = families;
         let is_damped = lists.damping.iter().any(|c| *c > 0.0);
-        Some(Woven { columns, rows, runs, starts, right, up, cells, facets, is_damped })
+        Some(Woven { columns, rows, runs, starts, mass, right, up, cells, facets, is_damped })
     }
 
     /// The grid.
@@ -73,6 +84,7 @@ impl<S: Scalar> Woven<S> {
             starts: &self.starts,
             right: Family { stiffness: &self.right[0], rest_length: &self.right[1] },
             up: Family { stiffness: &self.up[0], rest_length: &self.up[1] },
+            mass: &self.mass,
             cells: &self.cells,
             facets: self.facets,
             is_damped: self.is_damped,
@@ -98,15 +110,16 @@ fn runs(nodes: &[Option<usize>], columns: usize) -> (Vec<Run>, Vec<usize>) {
     (runs, starts)
 }
 
-/// Spans of the facets of four corners that the list begins with, row by row, and their number; none if they leave gaps.
-fn cells(
+/// Which places of the table are first corners of facets, those of four corners that the list begins with, and their
+/// number; none if they do not go row by row.
+fn cells<S: Scalar>(
     lists: &Lists,
     place: &BTreeMap<usize, usize>,
     columns: usize,
     rows: usize,
-) -> Option<(Vec<Span>, usize)> {
-    let mut spans: Vec<Span> = vec![[0, 0]; rows];
-    let mut count = 0;
+) -> Option<(Vec<S>, usize)> {
+    let mut cells = vec![S::ZERO; rows * pitch(columns)];
+    let (mut count, mut next) = (0, 0);
     for facet in &lists.facets {
         let corners: Option<Vec<usize>> = facet.iter().map(|node| place.get(node).copied()).collect();
         let Some([a, b, c, d]) = corners.and_then(|corners| <[usize; 4]>::try_from(corners).ok()) else {
@@ -115,13 +128,11 @@ fn cells(
         if [b, c, d] != [a + 1, a + columns + 1, a + columns] || b % columns == 0 {
             break;
         }
-        let [from, to] = &mut spans[a / columns];
-        match (*from == *to, a % columns) {
-            (true, column) => [*from, *to] = [column, column + 1],
-            (false, column) if column == *to => *to += 1,
-            _ => return None,
+        if a < next {
+            return None;
         }
-        count += 1;
+        cells[a / columns * pitch(columns) + a % columns] = S::ONE;
+        (count, next) = (count + 1, a + 1);
     }
-    Some((spans, count))
+    Some((cells, count))
 }

@@ -35,6 +35,7 @@ pub struct Surroundings {
 pub struct Simulation<S: Scalar> {
     mass: Vec<S>,
     fixed: Vec<bool>,
+    inverse_mass: Vec<Vec3<S>>,
     springs: Vec<Spring<S>>,
     facets: Vec<[usize; 4]>,
     gravity: Vec3<S>,
@@ -44,7 +45,8 @@ pub struct Simulation<S: Scalar> {
     massless: Links,
     grid: Option<Woven<S>>,
     method: Method<S>,
-    motion: Vec<Vec3<S>>,
+    /// The state, and memory for the end of a step.
+    motions: [Vec<Vec3<S>>; 2],
     scratch: Vec<Vec3<S>>,
     impacts: Vec<PointImpact<S>>,
     modes: Vec<ContactState>,
@@ -114,6 +116,7 @@ impl<S: Scalar> Simulation<S> {
             grid: Woven::new(lists),
             mass,
             fixed: lists.fixed.clone(),
+            inverse_mass: Vec::new(),
             springs,
             facets: lists.facets.clone(),
             gravity: vector(&around.gravity),
@@ -121,15 +124,16 @@ impl<S: Scalar> Simulation<S> {
             ground: around.ground.as_ref().map(|g| round_ground(g, lists)),
             inflation: around.inflation.map(round_inflation),
             method,
-            motion,
-            scratch: vec![[S::ZERO; 3]; workspace_len(n, method.stages())],
+            motions: [motion, vec![[S::ZERO; 3]; MOTION_ROWS * n]],
+            scratch: vec![[S::ZERO; 3]; workspace_len(n, method.stages()) - MOTION_ROWS * n],
             impacts: vec![PointImpact::none(); n],
             modes: vec![ContactState::Free; n],
             time: [S::ZERO; 2],
             next_step: S::ZERO,
             anchor: S::ZERO,
         };
-        Body::new(simulation.body())?;
+        let body = Body::new(simulation.body())?;
+        simulation.inverse_mass = (0..n).map(|i| [body.inverse_mass(i); 3]).collect();
         simulation.settle();
         if simulation.ground.is_some()
             && let Some(stable) = simulation.largest_stable_step()
@@ -151,13 +155,14 @@ impl<S: Scalar> Simulation<S> {
         let mut places = self.pos().to_vec();
         let mut origins = places.clone();
         massless::settle(&self.body(), &ground, &mut places, &mut origins);
-        self.motion[..places.len()].copy_from_slice(&places);
+        self.motions[0][..places.len()].copy_from_slice(&places);
     }
 
     fn body(&self) -> Body<'_, S> {
         Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &self.inverse_mass,
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: self.air_drag,
@@ -183,12 +188,13 @@ impl<S: Scalar> Simulation<S> {
     /// Lets the runtime work on the views of this memory.
     fn with<R>(
         &mut self,
-        work: impl FnOnce(&System<S>, &mut State<S>, &mut Workspace<S>) -> Result<R, BodyError<S>>,
+        work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> Result<R, BodyError<S>>,
     ) -> Result<R, BodyError<S>> {
         let n = self.mass.len();
         let body = Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &self.inverse_mass,
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: self.air_drag,
@@ -198,7 +204,9 @@ impl<S: Scalar> Simulation<S> {
             grid: self.grid.as_ref().map(Woven::view),
         };
         let system = System::new(body, self.ground);
-        let (motion, _) = Motion::cut(&mut self.motion, n)?;
+        let [motion, end] = &mut self.motions;
+        let ((motion, _), (end, _)) = (Motion::cut(motion, n)?, Motion::cut(end, n)?);
+        let start = motion.pos.as_ptr();
         let mut state = State {
             motion,
             modes: &mut self.modes,
@@ -207,9 +215,13 @@ impl<S: Scalar> Simulation<S> {
             next_step: self.next_step,
             anchor: self.anchor,
         };
-        let mut workspace = Workspace::new(&mut self.scratch, n, self.method.stages())?;
+        let mut workspace = Workspace::around(end, &mut self.scratch, n, self.method.stages())?;
         let done = work(&system, &mut state, &mut workspace);
+        let is_exchanged = state.motion.pos.as_ptr() != start;
         (self.time, self.next_step, self.anchor) = (state.time, state.next_step, state.anchor);
+        if is_exchanged {
+            self.motions.swap(0, 1);
+        }
         done
     }
 
@@ -241,13 +253,13 @@ impl<S: Scalar> Simulation<S> {
     /// Positions (m).
     #[must_use]
     pub fn pos(&self) -> &[Vec3<S>] {
-        &self.motion[..self.mass.len()]
+        &self.motions[0][..self.mass.len()]
     }
 
     /// Velocities (m/s).
     #[must_use]
     pub fn vel(&self) -> &[Vec3<S>] {
-        &self.motion[2 * self.mass.len()..3 * self.mass.len()]
+        &self.motions[0][2 * self.mass.len()..3 * self.mass.len()]
     }
 
     /// Each point against the ground.
@@ -262,11 +274,11 @@ impl<S: Scalar> Simulation<S> {
         let (n, system) = (self.mass.len(), self.system());
         let of = |i: usize| {
             let ground = self.ground.as_ref()?;
-            let (place, velocity) = (self.motion[i], self.motion[2 * n + i]);
+            let (place, velocity) = (self.motions[0][i], self.motions[0][2 * n + i]);
             let fixed = self.fixed.get(i).is_some_and(|f| *f);
             let held = ground.is_rigid() && self.modes[i].is_held() && !fixed;
             let rubbed = held || (!ground.is_rigid() && !fixed);
-            let [elastic, viscous] = [4, 5].map(|row| self.motion[row * n + i]);
+            let [elastic, viscous] = [4, 5].map(|row| self.motions[0][row * n + i]);
             let load = vec3::add(elastic, viscous);
             let size = match held {
                 true => system.normal_force(load).max(S::ZERO),

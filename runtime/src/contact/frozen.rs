@@ -7,7 +7,7 @@ use super::{ContactState, System, massless, soft};
 use crate::flexible::element::Elements;
 use crate::flexible::{BodyError, force};
 use crate::kernel::BLOCK;
-use crate::ode::nodes::{Motion, Newton, Way, Workspace, method};
+use crate::ode::nodes::{Motion, Newton, Step, Way, Workspace};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -62,19 +62,20 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
     }
 
     #[inline(always)]
-    fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK] {
-        self.system.body.inverse_masses(first)
+    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>; BLOCK]) -> &'a [Vec3<S>] {
+        self.system.body.inverse_masses(first, memory)
+    }
+
+    #[inline(always)]
+    fn holds(&self, first: usize) -> bool {
+        let modes = self.modes.get(first..).unwrap_or_default();
+        // Looked at side by side; almost always none is held.
+        modes.iter().take(BLOCK).fold(false, |held, mode| held | mode.is_held())
     }
 
     #[inline(always)]
     fn admit(&self, first: usize, rows: &mut [Vec3<S>]) {
-        let modes = self.modes.get(first..).unwrap_or_default();
-        let modes = modes.get(..rows.len()).unwrap_or(modes);
-        // Looked at side by side; almost always none is held.
-        if !modes.iter().fold(false, |held, mode| held | mode.is_held()) {
-            return;
-        }
-        for (row, mode) in rows.iter_mut().zip(modes) {
+        for (row, mode) in rows.iter_mut().zip(self.modes.get(first..).unwrap_or_default()) {
             *row = self.system.admissible(*mode, *row);
         }
     }
@@ -146,5 +147,5 @@ pub fn advance<S: Scalar, R: Repertoire<S>>(
     work: &mut Workspace<S>,
 ) -> Result<S, BodyError<S>> {
     let frozen = Frozen { system, modes: start.modes };
-    method::advance(&frozen, start.motion, tau, method, work)
+    method.step(&frozen, start.motion, tau, work)
 }

@@ -5,7 +5,6 @@
 
 use super::block::{Pulls, Pushes};
 use super::grid::{Grid, Weave};
-use super::pressure::PressureForm;
 use super::{Body, BodyError, Inflation, Spring, mean, pressure};
 use crate::kernel;
 use crate::ode::nodes::Way;
@@ -27,11 +26,6 @@ pub struct Bond<S> {
 
 /// Forces between nodes.
 pub trait Element<S: Scalar> {
-    /// Adds the forces of positions (N).
-    ///
-    /// # Errors
-    /// Where there is no force.
-    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
     /// Adds the forces of speeds (N).
     fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]);
     /// Adds forces whose work over a step is the change of [`Element::energy`], and mean forces of speeds (N).
@@ -52,11 +46,6 @@ pub trait Element<S: Scalar> {
 }
 
 impl<S: Scalar> Element<S> for [Spring<S>] {
-    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        kernel::run(Pulls { springs: self, pos, force });
-        Ok(())
-    }
-
     fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
         for spring in self.iter().filter(|spring| spring.damping > S::ZERO) {
             let stretch = spring.stretch(pos, vel);
@@ -109,10 +98,6 @@ pub struct Filled<'a, S> {
 }
 
 impl<S: Scalar> Element<S> for Filled<'_, S> {
-    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        pressure::add_force(self, pos, force)
-    }
-
     fn add_viscous(&self, _: &[Vec3<S>], _: &[Vec3<S>], _: &mut [Vec3<S>]) {}
 
     fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
@@ -161,33 +146,35 @@ impl<'a, S: Scalar> Body<'a, S> {
 }
 
 impl<S: Scalar> Elements<'_, S> {
-    /// Adds the forces of springs and pressure (N); returns whether a spring has run away.
-    fn pull(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>], gas: Option<(PressureForm, S)>) -> bool {
+    /// Writes the forces of positions (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas.
+    ///
+    /// # Errors
+    /// Where a gas law has no volume left, or the gas has stretched a spring beyond [`pressure::STRETCH_LIMIT`].
+    pub fn eval_elastic(
+        &self,
+        (mass, gravity): (&[S], Vec3<S>),
+        pos: &[Vec3<S>],
+        force: &mut [Vec3<S>],
+    ) -> Result<(), BodyError<S>> {
+        let pressure = self.filled.map_or(Ok(S::ZERO), |filled| pressure::of(&filled, pos))?;
+        let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
         let (runaway, done) = match &self.grid {
-            Some(grid) => (kernel::run(Weave { grid, pressure: gas, pos, force }), grid.facets),
-            None => (kernel::run(Pulls { springs: self.springs, pos, force }), 0),
+            Some(grid) => (kernel::run(Weave { grid, pressure: gas, pos, gravity, force }), grid.facets),
+            None => {
+                for (f, m) in force.iter_mut().zip(mass) {
+                    *f = vec3::scale(gravity, *m);
+                }
+                (kernel::run(Pulls { springs: self.springs, pos, force }), 0)
+            }
         };
-        if let (Some((form, pressure)), Some(filled)) = (gas, self.filled) {
-            let facets = filled.facets.get(done..).unwrap_or_default();
-            kernel::run(Pushes { facets, form, pressure, pos, force });
-        }
-        runaway
+        let Some(filled) = self.filled else { return Ok(()) };
+        let facets = filled.facets.get(done..).unwrap_or_default();
+        kernel::run(Pushes { facets, form: filled.inflation.form, pressure, pos, force });
+        if runaway { pressure::runaway(&filled, self.springs, pos) } else { Ok(()) }
     }
 }
 
 impl<S: Scalar> Element<S> for Elements<'_, S> {
-    fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        let Some(filled) = self.filled else {
-            self.pull(pos, force, None);
-            return Ok(());
-        };
-        let pressure = pressure::of(&filled, pos)?;
-        if self.pull(pos, force, Some((filled.inflation.form, pressure))) {
-            pressure::runaway(&filled, self.springs, pos)?;
-        }
-        Ok(())
-    }
-
     fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
         self.springs.add_viscous(pos, vel, force);
     }

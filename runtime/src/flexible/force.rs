@@ -20,10 +20,7 @@ pub fn eval_elastic<S: Scalar>(
     pos: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
-    for (f, m) in force.iter_mut().zip(body.mass) {
-        *f = vec3::scale(body.gravity, *m);
-    }
-    elements.add_elastic(pos, force)
+    elements.eval_elastic((body.mass, body.gravity), pos, force)
 }
 
 /// Forces of speeds: air, then the elements (N).

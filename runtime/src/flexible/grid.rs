@@ -5,14 +5,11 @@
 //! are computed side by side; a row wider than [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no
 //! spring or cell its force is 0.
 
-use super::block;
 use super::pressure::{self, PressureForm, Weights};
 use crate::kernel::Kernel;
+use crate::ode::nodes::copy;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
-
-/// Columns from the first to the one before the last.
-pub type Span = [usize; 2];
 
 /// Nodes that stand one after the other in a row and in the lists.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +22,7 @@ pub struct Run {
     pub length: usize,
 }
 
-/// Springs of one direction, each at its tail; row after row of the grid, and [`WIDTH`] more.
+/// Springs of one direction, each at its tail; [`pitch`] numbers for each row of the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct Family<'a, S> {
     /// K (N/m); 0 where there is no spring.
@@ -34,7 +31,7 @@ pub struct Family<'a, S> {
     pub rest_length: &'a [S],
 }
 
-/// Nodes in rows and columns; all springs of the body join neighbours in a row (`right`) or a column (`up`).
+/// All nodes of a body in rows and columns; all springs of the body join neighbours in a row (`right`) or a column (`up`).
 #[derive(Clone, Copy, Debug)]
 pub struct Grid<'a, S> {
     /// Length of a row.
@@ -45,19 +42,21 @@ pub struct Grid<'a, S> {
     pub runs: &'a [Run],
     /// Where the runs of each row begin, and at last their number.
     pub starts: &'a [usize],
+    /// Masses of the nodes (kg); [`pitch`] numbers for each row, 0 where there is none.
+    pub mass: &'a [S],
     /// From a node to the next in its row.
     pub right: Family<'a, S>,
     /// From a node to the one above it in its column.
     pub up: Family<'a, S>,
-    /// Facets of four corners, each at its first, row by row.
-    pub cells: &'a [Span],
-    /// Their number; they come first in the body's list.
+    /// Facets of four corners, each at its first: 1, or 0 where there is none; [`pitch`] numbers for each row.
+    pub cells: &'a [S],
+    /// Their number; they come first in the body's list, row by row.
     pub facets: usize,
     /// Whether a spring has a damper.
     pub is_damped: bool,
 }
 
-/// Adds the forces of a grid (N); returns whether a spring has run away, see [`pressure::STRETCH_LIMIT`].
+/// Writes the forces on the nodes of a grid (N), their weight among them; returns whether a spring has run away, see [`pressure::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Weave<'a, S> {
     /// The grid.
@@ -66,32 +65,125 @@ pub struct Weave<'a, S> {
     pub pressure: Option<(PressureForm, S)>,
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
+    /// Acceleration of gravity (m/s^2).
+    pub gravity: Vec3<S>,
     /// The sums.
     pub force: &'a mut [Vec3<S>],
 }
 
 /// Columns computed at a time: those that a strip owns, and one more on either side where there is one.
 pub const WIDTH: usize = 32;
-/// Lanes of a row; column i of a strip is lane i + 1, so that all of them have neighbours to read.
-const ROOM: usize = WIDTH + 8;
+/// Numbers of a list for each row of a grid: its columns, and 0 beyond them as far as the last strip reaches.
+#[must_use]
+pub const fn pitch(columns: usize) -> usize {
+    // Two neighbouring strips share two columns.
+    columns.saturating_sub(WIDTH).div_ceil(WIDTH - 2) * (WIDTH - 2) + WIDTH
+}
+
+/// A run of so many nodes or more is handled as a whole.
+const LONG: usize = 8;
+/// Lane of a strip's first column: where a register's worth of numbers begins, with a lane to its left.
+const FIRST: usize = 16;
+
+/// Lanes of a row: a run may begin in any column and is read as if it were as wide as a strip.
+const ROOM: usize = FIRST + 2 * WIDTH;
 
 /// Vectors of a row, component by component.
-type Row<S> = [[S; ROOM]; 3];
+#[derive(Clone, Copy)]
+#[repr(align(64))]
+struct Row<S>([[S; ROOM]; 3]);
+
+impl<S: Scalar> Row<S> {
+    fn zero() -> Self {
+        Row([[S::ZERO; ROOM]; 3])
+    }
+
+    #[inline(always)]
+    fn lanes_mut(&mut self, first: usize) -> Option<[&mut [S; WIDTH]; 3]> {
+        let Row([x, y, z]) = self;
+        let from = |lanes| <[S]>::first_chunk_mut(<[S]>::get_mut(lanes, first..)?);
+        Some([from(x)?, from(y)?, from(z)?])
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> Vec3<S> {
+        let Row([x, y, z]) = self;
+        [x[lane], y[lane], z[lane]]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, value: Vec3<S>) {
+        let Row([x, y, z]) = self;
+        [x[lane], y[lane], z[lane]] = value;
+    }
+}
+
+/// A row of nodes as its forces are computed, and what the row above needs of it.
+struct Line<S> {
+    /// Positions (m).
+    nodes: Row<S>,
+    /// Forces on the tails of the springs upwards (N).
+    up: Row<S>,
+    /// Forces on the corners of the cells between this row and the one above (N).
+    cells: [Row<S>; 4],
+}
+
+impl<S: Scalar> Line<S> {
+    fn zero() -> Self {
+        Line { nodes: Row::zero(), up: Row::zero(), cells: [Row::zero(); 4] }
+    }
+}
 
 impl<S: Scalar> Kernel for Weave<'_, S> {
     type Output = bool;
 
     #[inline(always)]
-    fn run(self) -> bool {
-        let Weave { grid, pressure, pos, force } = self;
-        let mut runaway = false;
-        let mut first = 0;
-        while first < grid.columns {
+    fn run(mut self) -> bool {
+        let (mut runaway, mut first) = (false, 0);
+        while first < self.grid.columns {
             let from = first.saturating_sub(1);
-            let width = (grid.columns - from).min(WIDTH);
-            let end = if from + width == grid.columns { grid.columns } else { from + width - 1 };
-            runaway |= Strip { from, width, own: [first, end] }.add(grid, pressure, pos, force);
+            let width = (self.grid.columns - from).min(WIDTH);
+            let end = if from + width == self.grid.columns { self.grid.columns } else { from + width - 1 };
+            let strip = Strip { from, width, own: [first, end] };
+            let [mut even, mut odd] = [Line::zero(), Line::zero()];
+            strip.read(self.grid, 0, self.pos, &mut even.nodes);
+            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
+            for row in (0..self.grid.rows).step_by(2) {
+                runaway |= self.row(&strip, row, &mut even, &mut odd);
+                runaway |= self.row(&strip, row + 1, &mut odd, &mut even);
+            }
             first = end;
+        }
+        runaway
+    }
+}
+
+impl<S: Scalar> Weave<'_, S> {
+    /// The forces on the nodes of a row; `next` holds what the row below has left and takes the nodes of the row above.
+    #[inline(always)]
+    fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) -> bool {
+        let grid = self.grid;
+        strip.read(grid, row + 1, self.pos, &mut next.nodes);
+        let part = |list| strip.part(list, grid, row);
+        if let (Some((form, pressure)), Some(exists)) = (self.pressure, part(grid.cells)) {
+            push(form, exists, pressure, [&line.nodes, &next.nodes], &mut line.cells);
+        }
+        let mut right = Row::zero();
+        let mut runaway = false;
+        if let (Some(stiffness), Some(rest_length)) =
+            (part(grid.right.stiffness), part(grid.right.rest_length))
+        {
+            runaway |= pull(stiffness, rest_length, [&line.nodes, &line.nodes], 1, &mut right);
+        }
+        if let (Some(stiffness), Some(rest_length)) = (part(grid.up.stiffness), part(grid.up.rest_length)) {
+            runaway |= pull(stiffness, rest_length, [&line.nodes, &next.nodes], 0, &mut line.up);
+        }
+        if let Some(mass) = part(grid.mass) {
+            let sums = match self.pressure {
+                Some(_) => sum::<S, true>(self.gravity, mass, &right, line, next),
+                None => sum::<S, false>(self.gravity, mass, &right, line, next),
+            };
+            strip.write(grid, row, &sums, self.force);
         }
         runaway
     }
@@ -103,59 +195,18 @@ struct Strip {
     from: usize,
     /// How many.
     width: usize,
-    /// The columns whose sums it writes.
-    own: Span,
+    /// The columns whose sums it writes, from the first to the one before the last.
+    own: [usize; 2],
 }
 
 impl Strip {
+    /// The runs of a row within some columns: column of the first less the strip's, number of the first, how many.
     #[inline(always)]
-    fn add<S: Scalar>(
-        &self,
-        grid: &Grid<S>,
-        pressure: Option<(PressureForm, S)>,
-        pos: &[Vec3<S>],
-        force: &mut [Vec3<S>],
-    ) -> bool {
-        let mut runaway = false;
-        let mut rows: [Row<S>; 2] = [[[S::ZERO; ROOM]; 3]; 2];
-        let mut up: [Row<S>; 2] = rows;
-        let mut cells: [[Row<S>; 4]; 2] = [[rows[0]; 4]; 2];
-        let (mut sums, mut right) = (rows[0], rows[0]);
-        let [mut here, mut above] = rows.each_mut();
-        let [mut up, mut below] = up.each_mut();
-        let [mut cells, mut cells_below] = cells.each_mut();
-        self.read(grid, 0, pos, here);
-        for row in 0..grid.rows {
-            self.read(grid, row + 1, pos, above);
-            self.read(grid, row, force, &mut sums);
-            for lane in 0..WIDTH {
-                set(&mut right, lane + 1, vec3::sub(get(here, lane + 2), get(here, lane + 1)));
-            }
-            runaway |= self.pull(&grid.right, grid.columns, row, &mut right);
-            for lane in 0..WIDTH {
-                set(up, lane + 1, vec3::sub(get(above, lane + 1), get(here, lane + 1)));
-            }
-            runaway |= self.pull(&grid.up, grid.columns, row, up);
-            weave(&mut sums, &right, below, up);
-            if let Some((form, pressure)) = pressure {
-                let span = grid.cells.get(row).copied().unwrap_or_default();
-                self.push((form, pressure), span, here, above, cells);
-                fill(&mut sums, cells_below, cells);
-            }
-            self.write(grid, row, &sums, force);
-            (here, above) = (above, here);
-            (up, below) = (below, up);
-            (cells, cells_below) = (cells_below, cells);
-        }
-        runaway
-    }
-
-    /// The runs of a row within some columns: lane of the first, number of the first, how many.
     fn runs<'a, S>(
         &self,
         grid: &Grid<'a, S>,
         row: usize,
-        [from, end]: Span,
+        [from, end]: [usize; 2],
     ) -> impl Iterator<Item = [usize; 3]> + use<'a, S> {
         let first = self.from;
         let range = grid.starts.get(row).copied().zip(grid.starts.get(row + 1).copied());
@@ -163,119 +214,136 @@ impl Strip {
         runs.iter().map(move |run| {
             let start = run.column.max(from);
             let length = (run.column + run.length).min(end).saturating_sub(start);
-            [start.saturating_sub(first) + 1, run.node + start - run.column, length]
+            [start.saturating_sub(first), run.node + start - run.column, length]
         })
     }
 
-    /// Vectors of the nodes of a row.
+    /// Vectors of the nodes of a row. A long run is taken apart [`WIDTH`] nodes at once: lanes beyond its end hold nodes
+    /// that follow in the lists, until the next run comes.
     #[inline(always)]
     fn read<S: Scalar>(&self, grid: &Grid<S>, row: usize, from: &[Vec3<S>], to: &mut Row<S>) {
-        for [lane, node, length] in self.runs(grid, row, [self.from, self.from + self.width]) {
-            let nodes = from.get(node..node + length).unwrap_or_default();
-            let [x, y, z] = to.each_mut().map(|to| to.get_mut(lane..lane + length).unwrap_or_default());
-            for (node, ((x, y), z)) in nodes.iter().zip(x.iter_mut().zip(y).zip(z)) {
-                [*x, *y, *z] = *node;
+        for [column, node, length] in self.runs(grid, row, [self.from, self.from + self.width]) {
+            let rest = from.get(node..).unwrap_or_default();
+            match (rest.first_chunk::<WIDTH>(), to.lanes_mut(FIRST + column)) {
+                (Some(nodes), Some([x, y, z])) if length >= LONG => {
+                    for lane in 0..WIDTH {
+                        [x[lane], y[lane], z[lane]] = nodes[lane];
+                    }
+                }
+                _ => {
+                    for (lane, node) in rest.iter().enumerate().take(length) {
+                        to.set((FIRST + column + lane) % ROOM, *node);
+                    }
+                }
             }
         }
     }
 
     /// Sums of the columns that the strip owns.
     #[inline(always)]
-    fn write<S: Scalar>(&self, grid: &Grid<S>, row: usize, sums: &Row<S>, force: &mut [Vec3<S>]) {
-        for [lane, node, length] in self.runs(grid, row, self.own) {
-            let nodes = force.get_mut(node..node + length).unwrap_or_default();
-            let [x, y, z] = sums.each_ref().map(|sum| sum.get(lane..lane + length).unwrap_or_default());
-            for (node, ((x, y), z)) in nodes.iter_mut().zip(x.iter().zip(y).zip(z)) {
-                *node = [*x, *y, *z];
+    fn write<S: Scalar>(&self, grid: &Grid<S>, row: usize, sums: &[Vec3<S>; WIDTH], force: &mut [Vec3<S>]) {
+        for [column, node, length] in self.runs(grid, row, self.own) {
+            let place = force.get_mut(node..node + length).unwrap_or_default();
+            let nodes = sums.get(column..column + length).unwrap_or_default();
+            if length < LONG {
+                place.iter_mut().zip(nodes).for_each(|(place, node)| *place = *node);
+            } else {
+                copy(place, nodes);
             }
         }
     }
 
-    /// Turns ways tail -> head (m) into elastic forces on the tails (N).
+    /// The strip's part of a list with a number for each place of the grid.
     #[inline(always)]
-    fn pull<S: Scalar>(&self, family: &Family<S>, columns: usize, row: usize, way: &mut Row<S>) -> bool {
-        let first = row * columns + self.from;
-        let chunk = |list: &[S]| list.get(first..).and_then(|rest| rest.first_chunk::<WIDTH>()).copied();
-        let (Some(stiffness), Some(rest_length)) = (chunk(family.stiffness), chunk(family.rest_length))
-        else {
-            return false;
-        };
-        let [x, y, z] = way.each_mut().map(|way| way.get_mut(1..=WIDTH).unwrap_or_default());
-        block::pull([x, y, z], &stiffness, &rest_length)
+    fn part<'a, S>(&self, list: &'a [S], grid: &Grid<S>, row: usize) -> Option<&'a [S; WIDTH]> {
+        list.get(row * pitch(grid.columns) + self.from..)?.first_chunk()
     }
+}
 
-    /// Forces (N) on the corners of the cells between a row and the one above.
-    #[inline(always)]
-    fn push<S: Scalar>(
-        &self,
-        (form, pressure): (PressureForm, S),
-        [from, to]: Span,
-        here: &Row<S>,
-        above: &Row<S>,
-        cells: &mut [Row<S>; 4],
-    ) {
-        let mut pressures = [S::ZERO; WIDTH];
-        let [from, to] = [from, to].map(|column| column.saturating_sub(self.from).min(WIDTH));
-        pressures.get_mut(from..to).unwrap_or_default().fill(pressure);
-        // One loop a form: a choice within would be made lane by lane.
-        match form {
-            PressureForm::Fan => share(pressure::fan_shares, &pressures, here, above, cells),
-            _ => {
-                let weights = Weights::of_quad(form);
-                share(|corners| pressure::shares(weights, corners), &pressures, here, above, cells);
-            }
+/// Elastic forces (N) on the tails of a row's springs, which join a column of one row to one `further` of another.
+#[inline(always)]
+fn pull<S: Scalar>(
+    stiffness: &[S; WIDTH],
+    rest_length: &[S; WIDTH],
+    [tails, heads]: [&Row<S>; 2],
+    further: usize,
+    pulls: &mut Row<S>,
+) -> bool {
+    // A number as wide as a lane: a truth value would be taken out of its register.
+    let mut runaway = 0_u32;
+    for lane in 0..WIDTH {
+        let (tail, head) = (tails.get(FIRST + lane), heads.get(FIRST + lane + further));
+        let (direction, length) = vec3::direction(vec3::sub(head, tail));
+        let tension = stiffness[lane] * (length - rest_length[lane]);
+        pulls.set(FIRST + lane, vec3::scale(direction, tension));
+        runaway |= u32::from(pressure::is_runaway(rest_length[lane], length));
+    }
+    runaway > 0
+}
+
+/// Forces (N) on the corners of the cells between two rows. One loop a form: a choice within would be made lane by lane.
+#[inline(always)]
+fn push<S: Scalar>(
+    form: PressureForm,
+    exists: &[S; WIDTH],
+    pressure: S,
+    rows: [&Row<S>; 2],
+    cells: &mut [Row<S>; 4],
+) {
+    match form {
+        PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
+        _ => {
+            let weights = Weights::of_quad(form);
+            share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
         }
     }
 }
 
-/// Shares out the pressures of the cells between two rows.
+/// Shares out the pressure on the cells between two rows.
 #[inline(always)]
 fn share<S: Scalar>(
     shares: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
-    pressures: &[S; WIDTH],
-    here: &Row<S>,
-    above: &Row<S>,
+    exists: &[S; WIDTH],
+    pressure: S,
+    [here, above]: [&Row<S>; 2],
     [a, b, c, d]: &mut [Row<S>; 4],
 ) {
-    for (lane, pressure) in pressures.iter().enumerate() {
-        let (left, right) = (lane + 1, lane + 2);
-        let shares = shares([get(here, left), get(here, right), get(above, right), get(above, left)]);
-        let [on_a, on_b, on_c, on_d] = shares.map(|share| vec3::scale(share, *pressure));
-        set(a, left, on_a);
-        set(b, left, on_b);
-        set(c, left, on_c);
-        set(d, left, on_d);
+    // The force of a cell that does not exist is 0.
+    let pressures = exists.map(|exists| exists * pressure);
+    for left in FIRST..FIRST + WIDTH {
+        let right = left + 1;
+        let shares = shares([here.get(left), here.get(right), above.get(right), above.get(left)]);
+        let pressure = pressures[left - FIRST];
+        let [on_a, on_b, on_c, on_d] = shares.map(|share| vec3::scale(share, pressure));
+        a.set(left, on_a);
+        b.set(left, on_b);
+        c.set(left, on_c);
+        d.set(left, on_d);
     }
 }
 
-/// Adds the springs' forces to the sums: from the left and to the right, from below and upwards.
+/// Sums on the nodes of a row: weight, springs from the left and to the right, from below and upwards, then, where there
+/// is gas, the cells below (left, right) and above (left, right).
 #[inline(always)]
-fn weave<S: Scalar>(sums: &mut Row<S>, right: &Row<S>, below: &Row<S>, up: &Row<S>) {
-    for (((sums, right), below), up) in sums.iter_mut().zip(right).zip(below).zip(up) {
-        for left in 0..WIDTH {
-            let here = left + 1;
-            sums[here] = sums[here] - right[left] + right[here] - below[here] + up[here];
+fn sum<S: Scalar, const GAS: bool>(
+    gravity: Vec3<S>,
+    mass: &[S; WIDTH],
+    right: &Row<S>,
+    line: &Line<S>,
+    below: &Line<S>,
+) -> [Vec3<S>; WIDTH] {
+    let mut sums = [[S::ZERO; 3]; WIDTH];
+    let ([a, b, _, _], [_, _, c, d]) = (&line.cells, &below.cells);
+    for lane in 0..WIDTH {
+        let (left, here) = (FIRST + lane - 1, FIRST + lane);
+        let mut sum = vec3::scale(gravity, mass[lane]);
+        sum = vec3::add(vec3::sub(sum, right.get(left)), right.get(here));
+        sum = vec3::add(vec3::sub(sum, below.up.get(here)), line.up.get(here));
+        if GAS {
+            sum = vec3::add(vec3::add(sum, c.get(left)), d.get(here));
+            sum = vec3::add(vec3::add(sum, b.get(left)), a.get(here));
         }
+        sums[lane] = sum;
     }
-}
-
-/// Adds the pressure's forces to the sums: of the cells below (left, right) and above (left, right).
-#[inline(always)]
-fn fill<S: Scalar>(sums: &mut Row<S>, [_, _, c, d]: &[Row<S>; 4], [a, b, _, _]: &[Row<S>; 4]) {
-    for ((((sums, a), b), c), d) in sums.iter_mut().zip(a).zip(b).zip(c).zip(d) {
-        for left in 0..WIDTH {
-            let here = left + 1;
-            sums[here] = sums[here] + c[left] + d[here] + b[left] + a[here];
-        }
-    }
-}
-
-#[inline(always)]
-fn get<S: Scalar>([x, y, z]: &Row<S>, lane: usize) -> Vec3<S> {
-    [x[lane], y[lane], z[lane]]
-}
-
-#[inline(always)]
-fn set<S: Scalar>([x, y, z]: &mut Row<S>, lane: usize, value: Vec3<S>) {
-    [x[lane], y[lane], z[lane]] = value;
+    sums
 }

@@ -28,6 +28,9 @@ pub struct Body<'a, S> {
     pub mass: &'a [S],
     /// True where a point is held in space.
     pub fixed: &'a [bool],
+    /// [`Body::inverse_mass`] of each point (1/kg), once for each component, or nothing where memory is dearer than time:
+    /// it is then divided anew in every step.
+    pub inverse_mass: &'a [Vec3<S>],
     /// Spring-dampers, in the order in which their forces are summed.
     pub springs: &'a [Spring<S>],
     /// Acceleration of gravity (m/s^2), downwards.
@@ -145,6 +148,10 @@ impl<'a, S: Scalar> Body<'a, S> {
         if candidate.fixed.len() != points {
             return Err(BodyError::Length { expected: points, found: candidate.fixed.len() });
         }
+        let listed = candidate.inverse_mass.len();
+        if listed != 0 && listed != points {
+            return Err(BodyError::Length { expected: points, found: listed });
+        }
         let not_negative = |x: S| x >= S::ZERO && x.is_finite();
         if let Some(index) = candidate.mass.iter().position(|m| !not_negative(*m)) {
             return Err(BodyError::Negative { index });
@@ -178,6 +185,7 @@ impl<'a, S: Scalar> Body<'a, S> {
         Body {
             mass: &[],
             fixed: &[],
+            inverse_mass: &[],
             springs: &[],
             gravity: [S::ZERO; 3],
             air_drag: S::ZERO,
@@ -206,16 +214,15 @@ impl<'a, S: Scalar> Body<'a, S> {
     /// [`Body::inverse_mass`] of a block of points from `first` on, once for each component; 0 where there is no point.
     #[inline(always)]
     #[must_use]
-    pub fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK] {
-        let mut weights = [S::ZERO; BLOCK];
-        let (mass, fixed) =
-            (self.mass.get(first..).unwrap_or_default(), self.fixed.get(first..).unwrap_or_default());
-        let points = mass.iter().zip(fixed);
-        for (weight, (mass, fixed)) in weights.iter_mut().zip(points) {
-            let inverse = S::ONE / *mass;
-            *weight = if (*mass > S::ZERO) & !*fixed { inverse } else { S::ZERO };
+    pub fn inverse_masses<'b>(&'b self, first: usize, memory: &'b mut [Vec3<S>; BLOCK]) -> &'b [Vec3<S>] {
+        if !self.inverse_mass.is_empty() {
+            let rest = self.inverse_mass.get(first..).unwrap_or_default();
+            return rest.get(..BLOCK).unwrap_or(rest);
         }
-        weights.map(|weight| [weight; 3])
+        for (i, weight) in memory.iter_mut().enumerate() {
+            *weight = [self.inverse_mass(first + i); 3];
+        }
+        memory
     }
 
     /// True where some force depends on speeds.

@@ -8,10 +8,8 @@
 //!
 //! Gas: constant gauge pressure, or p_abs V^n constant. Sign: normals and forces point outwards.
 
-use super::block::Pushes;
 use super::element::Filled;
 use super::{BodyError, Spring};
-use crate::kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -209,21 +207,6 @@ pub fn of<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> Result<S, BodyError
         Gas::Polytropic { .. } => enclosed_volume(filled.facets, pos),
     };
     gauge_pressure(&filled.inflation.gas, volume)
-}
-
-/// Adds the pressure's forces (N).
-///
-/// # Errors
-/// [`BodyError::Collapsed`] where a gas law has no volume left.
-pub fn add_force<S: Scalar>(
-    filled: &Filled<S>,
-    pos: &[Vec3<S>],
-    force: &mut [Vec3<S>],
-) -> Result<(), BodyError<S>> {
-    let Filled { facets, inflation } = filled;
-    let pressure = of(filled, pos)?;
-    kernel::run(Pushes { facets, form: inflation.form, pressure, pos, force });
-    Ok(())
 }
 
 /// Names the spring that the pressure has stretched beyond [`STRETCH_LIMIT`], and the pressure.

@@ -164,6 +164,7 @@ impl<S: Scalar> State<'_, S> {
         self.refuse_below_ground(system)?;
         self.motion.check_finite()?;
         self.motion.refresh(&Frozen { system, modes: self.modes })?;
+        work.end.viscous.as_flattened_mut().fill(S::ZERO);
         if R::ANCHOR {
             self.anchor = eval_energies(&system.body, self.motion.pos, self.motion.vel).total()
                 - self.energy_swing(system, h, method, |i| self.modes.get(i).copied().unwrap_or_default());
@@ -199,12 +200,12 @@ impl<S: Scalar> State<'_, S> {
 ///
 /// # Errors
 /// The state is then the last good one.
-pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
-    state: &mut State<S>,
+    state: &mut State<'a, S>,
     h: S,
     method: R::Method,
-    work: &mut Workspace<S>,
+    work: &mut Workspace<'a, S>,
     observer: &mut O,
 ) -> Result<StepReport, BodyError<S>> {
     if let Some(ContactLaw::Moreau { restitution }) = system.ground.map(|g| g.law)
@@ -253,11 +254,11 @@ pub fn step<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
 }
 
 /// Takes over the state in `work.end`, after sliding friction.
-fn accept<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
+fn accept<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
-    state: &mut State<S>,
+    state: &mut State<'a, S>,
     tau: S,
-    work: &mut Workspace<S>,
+    work: &mut Workspace<'a, S>,
     observer: &mut O,
 ) -> Result<(), BodyError<S>> {
     let lost = slide::slide(system, state, tau, work)?;
@@ -278,14 +279,14 @@ fn accept<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     Ok(())
 }
 
-/// The state in `work.end` is the state, tau later.
-fn take_over<S: Scalar, R: Repertoire<S>>(
+/// The state in `work.end` is the state, tau later; the two exchange their memory.
+fn take_over<'a, S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
-    state: &mut State<S>,
+    state: &mut State<'a, S>,
     tau: S,
-    work: &Workspace<S>,
+    work: &mut Workspace<'a, S>,
 ) {
-    state.motion.copy_from(&work.end);
+    core::mem::swap(&mut state.motion, &mut work.end);
     state.pass(tau);
     if let Some(ground) = system.watched_ground() {
         settle_modes(system, &ground, state);

@@ -89,6 +89,7 @@ impl Trial {
         Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &[],
             springs: &self.springs,
             gravity: [0.0, 0.0, -self.gravity],
             air_drag: 0.0,
@@ -355,6 +356,7 @@ fn a_point_and_a_facet_rebound_by_their_masses() {
     let body = Body {
         mass: &mass,
         fixed: &[false; 5],
+        inverse_mass: &[],
         springs: &[],
         gravity: [0.0; 3],
         air_drag: 0.0,
@@ -521,6 +523,7 @@ fn a_tolerance_below_rounding_shortens_no_step() {
     let body = Body {
         mass: &[1.0, 1.0],
         fixed: &[false, true],
+        inverse_mass: &[],
         springs: &springs,
         gravity: [0.0; 3],
         air_drag: 0.0,

@@ -73,6 +73,7 @@ impl Pair {
         Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &[],
             springs: &self.springs,
             gravity: [0.0; 3],
             air_drag: 0.0,

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 use smartbed_runtime::flexible::block::Pulls;
-use smartbed_runtime::flexible::element::Element;
-use smartbed_runtime::flexible::grid::{Family, Grid, Run, WIDTH, Weave};
+use smartbed_runtime::flexible::force;
+use smartbed_runtime::flexible::grid::{Family, Grid, Run, Weave, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
 use smartbed_runtime::kernel::{self, Kernel};
 use smartbed_runtime::real::Scalar;
@@ -21,7 +21,8 @@ struct Net<S> {
     runs: Vec<Run>,
     starts: Vec<usize>,
     families: [[Vec<S>; 2]; 2],
-    cells: Vec<[usize; 2]>,
+    mass: Vec<S>,
+    cells: Vec<S>,
 }
 
 impl<S: Scalar> Net<S> {
@@ -37,8 +38,9 @@ impl<S: Scalar> Net<S> {
             facets: Vec::new(),
             runs: Vec::new(),
             starts: vec![0],
-            families: [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; rows * columns + WIDTH])),
-            cells: Vec::new(),
+            families: [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; rows * pitch(columns)])),
+            mass: vec![S::ZERO; rows * pitch(columns)],
+            cells: vec![S::ZERO; rows * pitch(columns)],
         };
         let mut nodes = Vec::new();
         for row in 0..rows {
@@ -49,6 +51,7 @@ impl<S: Scalar> Net<S> {
                 }
                 nodes.push(net.pos.len());
                 net.runs.last_mut().expect("a run").length += 1;
+                net.mass[row * pitch(columns) + column] = S::ONE;
                 let [x, y] = [column, row].map(|i| S::from_f64(i as f64));
                 net.pos.push([x + draw(-0.3, 0.3), y + draw(-0.3, 0.3), draw(-0.5, 0.5)]);
             }
@@ -63,6 +66,7 @@ impl<S: Scalar> Net<S> {
                     let (stiffness, rest_length) = (draw(0.0, 100.0), draw(0.2, 1.5));
                     let (tail, head) = (nodes[place], nodes[place + way]);
                     net.springs.push(Spring { tail, head, stiffness, damping: S::ZERO, rest_length });
+                    let place = place / columns * pitch(columns) + place % columns;
                     net.families[family][0][place] = stiffness;
                     net.families[family][1][place] = rest_length;
                 }
@@ -75,8 +79,8 @@ impl<S: Scalar> Net<S> {
                 let place = row * columns + column;
                 let corners = [place, place + 1, place + columns + 1, place + columns];
                 net.facets.push(corners.map(|place| nodes[place]));
+                net.cells[row * pitch(columns) + column] = S::ONE;
             }
-            net.cells.push([a.min(b), a.max(b)]);
         }
         net
     }
@@ -90,13 +94,14 @@ impl<S: Scalar> Net<S> {
             starts: &self.starts,
             right: Family { stiffness: right, rest_length: right_rest },
             up: Family { stiffness: up, rest_length: up_rest },
+            mass: &self.mass,
             cells: &self.cells,
             facets: self.facets.len(),
             is_damped: false,
         }
     }
 
-    /// Forces with the grid or without it, on top of what is there already.
+    /// Forces with the grid or without it.
     fn forces(&self, form: PressureForm, grid: Option<Grid<S>>) -> Result<Vec<Vec3<S>>, BodyError<S>> {
         let n = self.pos.len();
         let (mass, fixed) = (vec![S::ONE; n], vec![false; n]);
@@ -104,14 +109,17 @@ impl<S: Scalar> Net<S> {
         let body = Body {
             mass: &mass,
             fixed: &fixed,
+            inverse_mass: &[],
             springs: &self.springs,
             facets: &self.facets,
             inflation: Some(Inflation { gas, form }),
+            gravity: [S::from_f64(0.25); 3],
             grid,
             ..Body::none()
         };
-        let mut force = vec![[S::from_f64(0.25); 3]; n];
-        body.elements().add_elastic(&self.pos, &mut force)?;
+        // Nodes that stand nowhere in the grid keep what they have.
+        let mut force = vec![body.gravity; n];
+        force::eval_elastic(&body, &body.elements(), &self.pos, &mut force)?;
         Ok(force)
     }
 
@@ -139,11 +147,11 @@ proptest! {
         let grid = net.grid();
         let forces = |weave: bool, wide: bool| {
             let mut force = vec![[0.5; 3]; net.pos.len()];
-            let pressure = Some((PressureForm::Exact, 2.0));
+            let (pressure, gravity) = (Some((PressureForm::Exact, 2.0)), [0.5; 3]);
             let (pos, springs) = (&net.pos, &net.springs);
             let runaway = match (weave, wide) {
-                (true, true) => kernel::run(Weave { grid: &grid, pressure, pos, force: &mut force }),
-                (true, false) => Weave { grid: &grid, pressure, pos, force: &mut force }.run(),
+                (true, true) => kernel::run(Weave { grid: &grid, pressure, pos, gravity, force: &mut force }),
+                (true, false) => Weave { grid: &grid, pressure, pos, gravity, force: &mut force }.run(),
                 (false, true) => kernel::run(Pulls { springs, pos, force: &mut force }),
                 (false, false) => Pulls { springs, pos, force: &mut force }.run(),
             };

@@ -42,6 +42,7 @@ impl Lists {
         let body = Body::new(Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &[],
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: 0.0,
@@ -401,6 +402,7 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
     let body = Body {
         mass: &lists.mass,
         fixed: &lists.fixed,
+        inverse_mass: &[],
         springs: &lists.springs,
         gravity: lists.gravity,
         air_drag: 0.0,
@@ -455,6 +457,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
         let body = Body {
             mass: &lists.mass,
             fixed: &lists.fixed,
+            inverse_mass: &[],
             springs: &lists.springs,
             gravity: lists.gravity,
             air_drag: 0.0,

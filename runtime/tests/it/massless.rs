@@ -19,6 +19,7 @@ fn hung(springs: &[Spring<f64>]) -> Body<'_, f64> {
     Body {
         mass: &[0.0, 1.0, 1.0, 1.0],
         fixed: &[false; 4],
+        inverse_mass: &[],
         springs,
         massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
         grid: None,

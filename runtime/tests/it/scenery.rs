@@ -250,6 +250,7 @@ impl Scene {
         let candidate = Body {
             mass: &self.mass,
             fixed: &self.fixed,
+            inverse_mass: &[],
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: self.air_drag,

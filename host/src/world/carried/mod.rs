@@ -204,6 +204,7 @@ impl Fixed {
         Body {
             mass: &self.mass,
             fixed: &self.held,
+            inverse_mass: &[],
             springs: &self.springs,
             gravity: self.gravity,
             air_drag: self.air_drag,

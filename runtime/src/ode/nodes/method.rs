@@ -26,7 +26,7 @@ pub trait Step<S: Scalar>: Copy {
     /// Advances by tau into `work.end`; returns the error estimate in units of the tolerance (0 for fixed steps).
     ///
     /// # Errors
-    /// Not converged, or from the forces; the start is untouched.
+    /// Not converged, a node that left the numbers, or from the forces; the start is untouched.
     fn step<N: Newton<S>>(
         &self,
         newton: &N,
@@ -34,22 +34,6 @@ pub trait Step<S: Scalar>: Copy {
         tau: S,
         work: &mut Workspace<S>,
     ) -> Result<S, N::Fault>;
-}
-
-/// One step of any method, its end made of numbers.
-///
-/// # Errors
-/// As [`Step::step`], or a node that left the numbers.
-pub fn advance<S: Scalar, N: Newton<S>>(
-    newton: &N,
-    start: &Motion<S>,
-    tau: S,
-    method: impl Step<S>,
-    work: &mut Workspace<S>,
-) -> Result<S, N::Fault> {
-    let error = method.step(newton, start, tau, work)?;
-    work.end.check_finite()?;
-    Ok(error)
 }
 
 /// v first, then x with the new v: order 1.

@@ -15,6 +15,7 @@ pub use method::{Method, Step};
 use crate::kernel::{self, BLOCK, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
+use rows::Squares;
 
 /// Why a step is refused; its start is untouched.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +64,9 @@ pub trait Newton<S: Scalar> {
     /// Acceleration of a node under a force (m/s^2), after what holds it has taken its part.
     fn acceleration(&self, node: usize, force: Vec3<S>) -> Vec3<S>;
     /// 1/mass (1/kg) of a block of nodes from `first` on, once for each component; 0 for one that cannot move.
-    fn inverse_masses(&self, first: usize) -> [Vec3<S>; BLOCK];
+    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>; BLOCK]) -> &'a [Vec3<S>];
+    /// Whether something holds a node of the block from `first` on.
+    fn holds(&self, first: usize) -> bool;
     /// Leaves of velocities or accelerations of the nodes from `first` on what what holds them leaves.
     fn admit(&self, first: usize, rows: &mut [Vec3<S>]);
     /// Largest acceleration that a strain of 1 gives (m/s^2): rounding of positions moves accelerations by about
@@ -97,7 +100,7 @@ pub struct Motion<'a, S> {
     pub vel_rest: &'a mut [Vec3<S>],
     /// Forces of positions (N).
     pub elastic: &'a mut [Vec3<S>],
-    /// Forces of speeds (N).
+    /// Forces of speeds (N); where there are none nothing but [`Motion::refresh`] writes their zeros.
     pub viscous: &'a mut [Vec3<S>],
 }
 
@@ -131,16 +134,6 @@ impl<'a, S: Scalar> Motion<'a, S> {
         vec3::add(vec3::at(self.elastic, i), vec3::at(self.viscous, i))
     }
 
-    /// Takes all values of another motion.
-    pub fn copy_from(&mut self, other: &Motion<S>) {
-        copy(self.pos, other.pos);
-        copy(self.pos_rest, other.pos_rest);
-        copy(self.vel, other.vel);
-        copy(self.vel_rest, other.vel_rest);
-        copy(self.elastic, other.elastic);
-        copy(self.viscous, other.viscous);
-    }
-
     /// Recomputes the forces of these positions and speeds.
     ///
     /// # Errors
@@ -156,9 +149,12 @@ impl<'a, S: Scalar> Motion<'a, S> {
     /// # Errors
     /// [`NodeFault::NotFinite`] for the first such node.
     pub fn check_finite(&self) -> Result<(), NodeFault<S>> {
-        // No sum of squares can overflow below this size: almost always one look at the sizes is enough.
-        let largest = kernel::run(Largest { rows: [self.pos, self.vel] });
-        if (S::from_f64(6.0) * largest * largest).is_finite() {
+        self.check_squares(&kernel::run(SumOfSquares { rows: [self.pos, self.vel] }))
+    }
+
+    /// The same, where the squares of positions and speeds have been summed: almost always one look at the sums is enough.
+    fn check_squares(&self, squares: &Squares<S>) -> Result<(), NodeFault<S>> {
+        if squares.are_finite() {
             return Ok(());
         }
         let finite = |x: &Vec3<S>, v: &Vec3<S>| (vec3::dot(*x, *x) + vec3::dot(*v, *v)).is_finite();
@@ -167,40 +163,19 @@ impl<'a, S: Scalar> Motion<'a, S> {
     }
 }
 
-/// Numbers that [`Largest`] looks at side by side.
-const LOOKED_AT: usize = 32;
-
-/// The largest size of a number in rows; not-a-number where one is.
-struct Largest<'a, S> {
+/// The squares of rows.
+struct SumOfSquares<'a, S> {
     rows: [&'a [Vec3<S>]; 2],
 }
 
-impl<S: Scalar> Kernel for Largest<'_, S> {
-    type Output = S;
+impl<S: Scalar> Kernel for SumOfSquares<'_, S> {
+    type Output = Squares<S>;
 
     #[inline(always)]
-    fn run(self) -> S {
-        let mut largest = [S::ZERO; LOOKED_AT];
-        // No comparison tells of not-a-number; 0 x is 0, or not a number for ever.
-        let mut none = [S::ZERO; LOOKED_AT];
-        for row in self.rows {
-            let (chunks, rest) = row.as_flattened().as_chunks::<LOOKED_AT>();
-            for chunk in chunks {
-                look_at(chunk, &mut largest, &mut none);
-            }
-            look_at(rest, &mut largest, &mut none);
-        }
-        let size = largest.into_iter().fold(S::ZERO, |a, b| a.max(b));
-        none.into_iter().fold(size, |sum, none| sum + none)
-    }
-}
-
-#[inline(always)]
-fn look_at<S: Scalar>(numbers: &[S], largest: &mut [S; LOOKED_AT], none: &mut [S; LOOKED_AT]) {
-    for ((largest, none), x) in largest.iter_mut().zip(none).zip(numbers) {
-        let size = x.abs();
-        *none = *none + S::ZERO * *x;
-        *largest = if size > *largest { size } else { *largest };
+    fn run(self) -> Squares<S> {
+        let mut squares = Squares::none();
+        self.rows.into_iter().for_each(|row| squares.add(row));
+        squares
     }
 }
 
@@ -259,6 +234,20 @@ impl<'a, S: Scalar> Workspace<'a, S> {
     /// [`NodeFault::Memory`] if it is shorter than [`workspace_len`].
     pub fn new(buffer: &'a mut [Vec3<S>], n: usize, stages: usize) -> Result<Workspace<'a, S>, NodeFault<S>> {
         let (end, buffer) = Motion::cut(buffer, n)?;
+        Workspace::around(end, buffer, n, stages)
+    }
+
+    /// The same around memory for the end of a step, which a step taken exchanges with that of the state; the buffer is
+    /// shorter by it.
+    ///
+    /// # Errors
+    /// [`NodeFault::Memory`] if the buffer is too short.
+    pub fn around(
+        end: Motion<'a, S>,
+        buffer: &'a mut [Vec3<S>],
+        n: usize,
+        stages: usize,
+    ) -> Result<Workspace<'a, S>, NodeFault<S>> {
         let (dx, buffer) = cut(buffer, n)?;
         let (dv, buffer) = cut(buffer, n)?;
         let (stage_pos, buffer) = cut(buffer, n)?;
@@ -279,28 +268,19 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         self.end.refresh(newton)
     }
 
-    /// end = start + (dx, dv) by compensated sums, then the forces there.
+    /// end = start + (dx, dv) by compensated sums, then the forces there. A held node keeps no velocity that it must not
+    /// have, not even rounding.
     ///
     /// # Errors
-    /// From [`Newton::elastic`].
+    /// From [`Newton::elastic`], or a node that left the numbers.
     pub fn finish<N: Newton<S>>(&mut self, newton: &N, start: &Motion<S>) -> Result<(), N::Fault> {
-        self.place_positions(start);
-        self.place_velocities(newton, start);
-        self.refresh_end(newton)
-    }
-
-    /// Positions at the end.
-    fn place_positions(&mut self, start: &Motion<S>) {
         let end = &mut self.end;
         kernel::run(Sum { terms: [start.pos, start.pos_rest, self.dx], out: [end.pos, end.pos_rest] });
-    }
-
-    /// Velocities at the end; a held node keeps none that it must not have, not even rounding.
-    fn place_velocities<N: Newton<S>>(&mut self, newton: &N, start: &Motion<S>) {
-        let end = &mut self.end;
         kernel::run(Sum { terms: [start.vel, start.vel_rest, self.dv], out: [end.vel, end.vel_rest] });
         newton.admit(0, end.vel);
         newton.admit(0, end.vel_rest);
+        self.refresh_end(newton)?;
+        Ok(self.end.check_finite()?)
     }
 
     /// Moves the end's positions by `dx`, by compensated sums.

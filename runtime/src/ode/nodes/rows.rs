@@ -27,40 +27,31 @@ pub(super) fn block_mut<T>(row: &mut [T], first: usize) -> &mut [T] {
     rest.get_mut(..length).unwrap_or_default()
 }
 
-/// y + h x into y.
+/// y + h a b into y, component by component.
 #[inline(always)]
-pub(super) fn add_scaled<S: Scalar>(y: &mut [Vec3<S>], h: S, x: &[Vec3<S>]) {
-    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
-        *y = *y + h * *x;
+pub(super) fn add_product<S: Scalar>(y: &mut [Vec3<S>], h: S, a: &[Vec3<S>], b: &[Vec3<S>]) {
+    let factors = a.as_flattened().iter().zip(b.as_flattened());
+    for (y, (a, b)) in y.as_flattened_mut().iter_mut().zip(factors) {
+        *y = *y + h * (*a * *b);
     }
 }
 
-/// h x into y; 0 where the weight is 0.
+/// a b into y, component by component.
 #[inline(always)]
-pub(super) fn scale_weighty<S: Scalar>(y: &mut [Vec3<S>], x: &[Vec3<S>], h: S, weights: &[Vec3<S>]) {
-    let terms = x.as_flattened().iter().zip(weights.as_flattened());
-    for (y, (x, weight)) in y.as_flattened_mut().iter_mut().zip(terms) {
-        let moved = *x * h;
-        *y = if *weight > S::ZERO { moved } else { S::ZERO };
+pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>]) {
+    let factors = a.as_flattened().iter().zip(b.as_flattened());
+    for (y, (a, b)) in y.as_flattened_mut().iter_mut().zip(factors) {
+        *y = *a * *b;
     }
 }
 
-/// x times weights, component by component, into y.
+/// x + rest + change as a sum and what rounding drops from it, with Knuth's exact sum of two.
 #[inline(always)]
-pub(super) fn weigh<S: Scalar>(y: &mut [Vec3<S>], x: &[Vec3<S>], weights: &[Vec3<S>]) {
-    let terms = x.as_flattened().iter().zip(weights.as_flattened());
-    for (y, (x, weight)) in y.as_flattened_mut().iter_mut().zip(terms) {
-        *y = *x * *weight;
-    }
-}
-
-/// a - b into y.
-#[inline(always)]
-pub(super) fn subtract<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>]) {
-    let terms = a.as_flattened().iter().zip(b.as_flattened());
-    for (y, (a, b)) in y.as_flattened_mut().iter_mut().zip(terms) {
-        *y = *a - *b;
-    }
+pub(super) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
+    let change = change + rest;
+    let sum = x + change;
+    let part = sum - x;
+    (sum, (x - (sum - part)) + (change - part))
 }
 
 /// out + rest_out = x + rest + dx, with Knuth's exact sum of two.
@@ -73,10 +64,35 @@ pub(super) fn sum_compensated<S: Scalar>(
     let terms = x.as_flattened().iter().zip(rest.as_flattened()).zip(dx.as_flattened());
     let sums = out.as_flattened_mut().iter_mut().zip(rest_out.as_flattened_mut());
     for (((x, rest), dx), (out, rest_out)) in terms.zip(sums) {
-        let change = *dx + *rest;
-        let sum = *x + change;
-        let part = sum - *x;
-        *rest_out = (*x - (sum - part)) + (change - part);
-        *out = sum;
+        (*out, *rest_out) = add_exactly(*x, *rest, *dx);
+    }
+}
+
+/// Numbers whose squares are summed side by side.
+const SQUARED: usize = if cfg!(target_os = "none") { 4 } else { 32 };
+
+/// Sums of squares, finite where no number and no square has left the numbers.
+#[derive(Clone, Copy)]
+pub(super) struct Squares<S>([S; SQUARED]);
+
+impl<S: Scalar> Squares<S> {
+    /// Of nothing.
+    pub fn none() -> Self {
+        Squares([S::ZERO; SQUARED])
+    }
+
+    /// Adds those of a row.
+    #[inline(always)]
+    pub fn add(&mut self, row: &[Vec3<S>]) {
+        let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
+        for chunk in chunks {
+            self.0.iter_mut().zip(chunk).for_each(|(sum, x)| *sum = *sum + *x * *x);
+        }
+        self.0.iter_mut().zip(rest).for_each(|(sum, x)| *sum = *sum + *x * *x);
+    }
+
+    /// Whether no sum has left the numbers.
+    pub fn are_finite(&self) -> bool {
+        self.0.iter().fold(S::ZERO, |sum, square| sum + *square).is_finite()
     }
 }

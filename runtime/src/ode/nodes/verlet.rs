@@ -4,7 +4,8 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
-use super::{Motion, Newton, NodeFault, Workspace, copy, movable, rows};
+use super::rows::{self, Squares};
+use super::{Motion, Newton, NodeFault, Workspace, copy, movable};
 use crate::kernel::{self, BLOCK, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -49,58 +50,56 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
 ) -> Result<(), N::Fault> {
     let half = S::from_f64(0.5) * h;
     let damped = newton.is_damped();
-    copy(work.stage_vel, start.vel);
     if damped {
+        copy(work.stage_vel, start.vel);
         relax(newton, start, Place::Start, half, work)?;
+        core::mem::swap(&mut work.stage_vel, &mut work.dv);
     }
-    kernel::run(KickAndDrift { newton, start, h, work });
+    let mut squares = kernel::run(KickAndDrift { newton, start, damped, h, work });
     work.evaluations += 1;
     newton.elastic(work.end.pos, work.end.elastic)?;
-    kernel::run(Kick { newton, force: work.end.elastic, h: half, vel: work.stage_vel });
     if damped {
+        kernel::run(Kick { newton, h: half, force: work.end.elastic, vel: work.stage_vel });
         relax(newton, start, Place::End, half, work)?;
     }
-    kernel::run(Difference { of: [work.stage_vel, start.vel], out: work.dv });
-    work.place_velocities(newton, start);
-    newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
-    Ok(())
-}
-
-/// out = a - b.
-struct Difference<'a, S> {
-    of: [&'a [Vec3<S>]; 2],
-    out: &'a mut [Vec3<S>],
-}
-
-impl<S: Scalar> Kernel for Difference<'_, S> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let [a, b] = self.of;
-        rows::subtract(self.out, a, b);
+    let kick = if damped { S::ZERO } else { half };
+    kernel::run(Arrive { newton, start, kick, work, squares: &mut squares });
+    if damped {
+        newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
     }
+    Ok(work.end.check_squares(&squares)?)
 }
 
-/// Accelerations of a block of nodes from `first` on, after what holds them has taken its part; returns 1/mass of each.
+/// Memory of a block: its accelerations and 1/mass.
+type Memory<S> = [[Vec3<S>; BLOCK]; 2];
+
+/// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
+/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1.
 #[inline(always)]
-fn accelerate<S: Scalar>(
-    newton: &impl Newton<S>,
+fn accelerations<'a, S: Scalar>(
+    newton: &'a impl Newton<S>,
     first: usize,
-    force: &[Vec3<S>],
-    acceleration: &mut [Vec3<S>; BLOCK],
-) -> [Vec3<S>; BLOCK] {
-    let weights = newton.inverse_masses(first);
-    rows::weigh(acceleration, rows::block(force, first), &weights);
-    newton.admit(first, acceleration);
-    weights
+    force: &'a [Vec3<S>],
+    [accelerations, memory]: &'a mut Memory<S>,
+) -> [&'a [Vec3<S>]; 2] {
+    let force = rows::block(force, first);
+    if !newton.holds(first) {
+        return [force, newton.inverse_masses(first, memory)];
+    }
+    let mut weights = [vec3::zero(); BLOCK];
+    rows::multiply(accelerations, force, newton.inverse_masses(first, &mut weights));
+    newton.admit(first, accelerations);
+    for (i, factor) in memory.iter_mut().enumerate() {
+        *factor = [if newton.is_movable(first + i) { S::ONE } else { S::ZERO }; 3];
+    }
+    [accelerations, memory]
 }
 
 /// v += h a(force).
 struct Kick<'a, S, N> {
     newton: &'a N,
-    force: &'a [Vec3<S>],
     h: S,
+    force: &'a [Vec3<S>],
     vel: &'a mut [Vec3<S>],
 }
 
@@ -109,41 +108,92 @@ impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, S, N> {
 
     #[inline(always)]
     fn run(self) {
-        let mut acceleration = [vec3::zero(); BLOCK];
+        let mut memory = [[vec3::zero(); BLOCK]; 2];
         for first in rows::blocks(self.newton.nodes()) {
-            accelerate(self.newton, first, self.force, &mut acceleration);
-            rows::add_scaled(rows::block_mut(self.vel, first), self.h, &acceleration);
+            let [force, factors] = accelerations(self.newton, first, self.force, &mut memory);
+            rows::add_product(rows::block_mut(self.vel, first), self.h, force, factors);
         }
     }
 }
 
-/// v += h/2 a at the start, x += h v.
+/// v += h/2 a at the start, x += h v; returns the squares of x. Velocities that dampers have changed stand in `work.dv`.
 struct KickAndDrift<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
+    damped: bool,
     h: S,
     work: &'a mut Workspace<'w, S>,
 }
 
 impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
+    type Output = Squares<S>;
+
+    #[inline(always)]
+    fn run(self) -> Squares<S> {
+        let KickAndDrift { newton, start, damped, h, work } = self;
+        let before: &[Vec3<S>] = if damped { work.dv } else { start.vel };
+        let half = S::from_f64(0.5) * h;
+        let mut squares = Squares::none();
+        let mut memory = [[vec3::zero(); BLOCK]; 2];
+        for first in rows::blocks(newton.nodes()) {
+            let [force, factors] = accelerations(newton, first, start.elastic, &mut memory);
+            let before = rows::block(before, first).as_flattened().iter();
+            let vel = rows::block_mut(work.stage_vel, first).as_flattened_mut().iter_mut().zip(before);
+            let kicks = force.as_flattened().iter().zip(factors.as_flattened());
+            let start_pos = rows::block(start.pos, first).as_flattened().iter();
+            let start_rest = rows::block(start.pos_rest, first).as_flattened().iter();
+            let pos = rows::block_mut(work.end.pos, first).as_flattened_mut().iter_mut();
+            let rest = rows::block_mut(work.end.pos_rest, first).as_flattened_mut().iter_mut();
+            let ends = pos.zip(rest).zip(start_pos.zip(start_rest));
+            for (((v, v0), (force, factor)), ((x, rest), (x0, rest0))) in vel.zip(kicks).zip(ends) {
+                *v = *v0 + half * (*force * *factor);
+                let way = h * *v;
+                let way = if *factor > S::ZERO { way } else { S::ZERO };
+                (*x, *rest) = rows::add_exactly(*x0, *rest0, way);
+            }
+            squares.add(rows::block(work.end.pos, first));
+        }
+        squares
+    }
+}
+
+/// v += kick a at the end, then the sum of v at the start and its change; adds the squares of v.
+struct Arrive<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    kick: S,
+    work: &'a mut Workspace<'w, S>,
+    squares: &'a mut Squares<S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let KickAndDrift { newton, start, h, work } = self;
-        let half = S::from_f64(0.5) * h;
-        let mut acceleration = [vec3::zero(); BLOCK];
+        let Arrive { newton, start, kick, work, squares } = self;
+        let mut sums = *squares;
+        let mut memory = [[vec3::zero(); BLOCK]; 2];
         for first in rows::blocks(newton.nodes()) {
-            let weights = accelerate(newton, first, start.elastic, &mut acceleration);
-            let vel = rows::block_mut(work.stage_vel, first);
-            rows::add_scaled(vel, half, &acceleration);
-            let dx = rows::block_mut(work.dx, first);
-            rows::scale_weighty(dx, vel, h, &weights);
-            let terms = [rows::block(start.pos, first), rows::block(start.pos_rest, first), dx];
-            let (pos, rest) =
-                (rows::block_mut(work.end.pos, first), rows::block_mut(work.end.pos_rest, first));
-            rows::sum_compensated(terms, pos, rest);
+            let [force, factors] = accelerations(newton, first, work.end.elastic, &mut memory);
+            let half_way = rows::block(work.stage_vel, first).as_flattened().iter();
+            let kicks = force.as_flattened().iter().zip(factors.as_flattened());
+            let start_vel = rows::block(start.vel, first).as_flattened().iter();
+            let start_rest = rows::block(start.vel_rest, first).as_flattened().iter();
+            let vel = rows::block_mut(work.end.vel, first).as_flattened_mut().iter_mut();
+            let rest = rows::block_mut(work.end.vel_rest, first).as_flattened_mut().iter_mut();
+            let ends = vel.zip(rest).zip(start_vel.zip(start_rest));
+            for ((m, (force, factor)), ((v, rest), (v0, rest0))) in half_way.zip(kicks).zip(ends) {
+                let end = *m + kick * (*force * *factor);
+                (*v, *rest) = rows::add_exactly(*v0, *rest0, end - *v0);
+            }
+            if newton.holds(first) {
+                newton.admit(first, rows::block_mut(work.end.vel, first));
+                newton.admit(first, rows::block_mut(work.end.vel_rest, first));
+            }
+            sums.add(rows::block(work.end.vel, first));
         }
+        *squares = sums;
     }
 }
 
