@@ -57,6 +57,8 @@ pub mod figure;
 #[cfg(feature = "whole")]
 pub mod firmware;
 #[cfg(feature = "whole")]
+pub mod import;
+#[cfg(feature = "whole")]
 pub mod manual;
 pub mod new;
 #[cfg(feature = "whole")]

@@ -2,8 +2,8 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{
-    check, derive, equilibrium, eval, figure, firmware, manual, new, output, program, report, run, settle,
-    tile, view,
+    check, derive, equilibrium, eval, figure, firmware, import, manual, new, output, program, report, run,
+    settle, tile, view,
 };
 use std::process::ExitCode;
 
@@ -25,6 +25,8 @@ struct CommandLine {
 enum Command {
     /// Write a commented starting file.
     New(new::Arguments),
+    /// Make a model of a robot in URDF.
+    Import(import::Arguments),
     /// Say what a model is: counts, degrees of freedom, rank, pivots, units, cost, warnings.
     Check(check::Arguments),
     /// Derive the equations of motion and write them as Rust.
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
     output::choose_colour(command_line.color);
     program::end(match command_line.command {
         Command::New(arguments) => new::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Derive(arguments) => derive::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),

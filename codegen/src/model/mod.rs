@@ -27,5 +27,6 @@ pub use ids::*;
 pub use read::{parse, parse_with, read};
 pub(crate) use release::{COMPONENTS, Cut};
 pub use text::amount::marks;
+pub use text::scope::{RESERVED, is_keyword};
 pub use text::{document, fields::Fields};
 pub use walk::Role;

@@ -11,6 +11,7 @@ mod files;
 mod guide;
 mod health;
 mod hostile_text;
+mod import;
 mod new_user;
 mod nonsense;
 mod reference;

@@ -1,0 +1,82 @@
+//! `smartbed import`: a robot of URDF as a model made of joints.
+//!
+//! In: the XML text. Out: the text of a model. `urdf` reads links and joints, `tree` says what hangs on what and merges
+//! fixed joints, `write` writes the model, `pose` is the arithmetic of places and inertias between.
+
+mod name;
+mod pose;
+mod tree;
+mod urdf;
+mod write;
+
+use crate::failure::Failure;
+use crate::{input, output};
+
+/// How the root link is held.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
+pub enum Base {
+    /// It stands still.
+    #[default]
+    Fixed,
+    /// Six degrees of freedom.
+    Floating,
+    /// It slides on the plane across z and turns about z.
+    Planar,
+}
+
+/// A robot of URDF as a model.
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed import robot.urdf -o robot.toml
+  cargo smartbed import robot.urdf --base floating | less
+
+Joints become words under [joints], links bodies, `tau_...` inputs. Fixed joints are merged, mimic joints follow theirs. What is
+not carried over (meshes, transmissions, limits of speed and effort, friction) is said.")]
+pub struct Arguments {
+    /// The robot: a path, or - for standard input.
+    pub robot: String,
+    /// Where the model goes; standard output if left out.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// How the root link is held.
+    #[arg(long, value_enum, default_value_t)]
+    pub base: Base,
+}
+
+/// What an import gives.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Imported {
+    /// The model.
+    pub model: String,
+    /// What was not carried over, a line each.
+    pub left_out: Vec<String>,
+}
+
+/// The model of a robot.
+///
+/// # Errors
+/// What is wrong with the text, and where.
+pub fn import(path: &str, text: &str, base: Base) -> Result<Imported, Failure> {
+    let wrong = |message: String| Failure::Wrong(format!("{path}: {message}"));
+    let robot = urdf::read(text).map_err(wrong)?;
+    let tree = tree::build(&robot).map_err(wrong)?;
+    let imported = write::write(path, &robot, &tree, base);
+    // What a model cannot be is the model's to say, at its place in the text that was made.
+    smartbed_codegen::model::parse(&format!("the model made of {path}"), &imported.model)
+        .map_err(|found| Failure::Found(Box::new(found)))?;
+    Ok(imported)
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a robot that cannot be read or is none, and for a file that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { robot, output, base } = arguments;
+    let text = input::text(robot).map_err(|e| Failure::Wrong(format!("cannot read {robot}: {e}")))?;
+    let imported = import(robot, &text, *base)?;
+    for line in &imported.left_out {
+        output::say(&format!("note: not carried over: {line}"));
+    }
+    output::write(output.as_deref().unwrap_or("-"), imported.model.as_bytes())
+}

@@ -1,0 +1,86 @@
+//! Places and directions: rotation matrices from roll, pitch and yaw and back, inertia about other points and axes.
+
+/// Three components.
+pub type Vector = [f64; 3];
+/// Rows.
+pub type Matrix = [Vector; 3];
+
+/// No turn.
+pub const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Length of a vector.
+pub fn norm(v: Vector) -> f64 {
+    v.iter().fold(0.0, |sum: f64, x| sum.hypot(*x))
+}
+
+/// A turned vector.
+pub fn turned(m: &Matrix, v: Vector) -> Vector {
+    // Without a turn the digits of the file stay.
+    if *m == IDENTITY { v } else { m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) }
+}
+
+/// One turn after the other: a b.
+pub fn product(a: &Matrix, b: &Matrix) -> Matrix {
+    if *a == IDENTITY {
+        return *b;
+    }
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+/// Rz(yaw) Ry(pitch) Rx(roll).
+pub fn rotation([roll, pitch, yaw]: Vector) -> Matrix {
+    if [roll, pitch, yaw] == [0.0; 3] {
+        return IDENTITY;
+    }
+    let ((sr, cr), (sp, cp), (sy, cy)) = (sin_cos(roll), sin_cos(pitch), sin_cos(yaw));
+    [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+}
+
+/// The quarter turns that a double can name are exact.
+fn sin_cos(angle: f64) -> (f64, f64) {
+    match quarters(angle) {
+        Some(n) => [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)][n.rem_euclid(4) as usize],
+        None => (libm::sin(angle), libm::cos(angle)),
+    }
+}
+
+/// The number of quarter turns that an angle is, to rounding.
+pub fn quarters(angle: f64) -> Option<i32> {
+    let n = (angle / std::f64::consts::FRAC_PI_2).round();
+    let near = (angle - n * std::f64::consts::FRAC_PI_2).abs() <= 4.0 * f64::EPSILON;
+    (near && n.abs() <= 4.0).then_some(n as i32)
+}
+
+/// Roll, pitch and yaw of a rotation.
+pub fn angles(m: &Matrix) -> Vector {
+    let across = m[0][0].hypot(m[1][0]);
+    let pitch = libm::atan2(-m[2][0], across);
+    // Straight up roll and yaw turn about one axis: all of it is yaw.
+    match across > 1e-12 {
+        true => [libm::atan2(m[2][1], m[2][2]), pitch, libm::atan2(m[1][0], m[0][0])],
+        false => [0.0, pitch, libm::atan2(-m[0][1], m[1][1])],
+    }
+}
+
+/// Entries xx, yy, zz, xy, xz, yz along other axes: R I R'.
+pub fn along(m: &Matrix, inertia: [f64; 6]) -> [f64; 6] {
+    if *m == IDENTITY {
+        return inertia;
+    }
+    let [xx, yy, zz, xy, xz, yz] = inertia;
+    let rows = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let left: Matrix =
+        std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| m[i][k] * rows[k][j]).sum()));
+    let entry = |i: usize, j: usize| (0..3).map(|k| left[i][k] * m[j][k]).sum();
+    [entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)]
+}
+
+/// What a mass at `d` from a point adds to the inertia about that point (Steiner).
+pub fn of_point(mass: f64, [x, y, z]: Vector) -> [f64; 6] {
+    let of = |a: f64| mass * a;
+    [of(y * y + z * z), of(x * x + z * z), of(x * x + y * y), of(-x * y), of(-x * z), of(-y * z)]
+}

@@ -1,0 +1,320 @@
+//! A tree of carriers -> the text of a model.
+
+use super::name::Names;
+use super::pose::{self, Vector};
+use super::tree::{Carrier, Leader, Place, Tree};
+use super::urdf::{Joint, Kind, Robot};
+use super::{Base, Imported};
+use std::fmt::Write as _;
+
+/// The names that the robot has in the model.
+struct Words {
+    /// Frame and point of each carrier: `N` and `O` for a root that stands still.
+    carriers: Vec<(String, String)>,
+    /// Of each joint; those that are fixed have none.
+    joints: Vec<String>,
+    /// Tools and flanges.
+    ends: Vec<String>,
+}
+
+/// Writes the model of a robot read from `path`.
+pub fn write(path: &str, robot: &Robot, tree: &Tree, base: Base) -> Imported {
+    let mut names = Names::new();
+    let words = name(&mut names, robot, tree, base);
+    let sections = Sections::of(robot, tree, base, &words);
+    let mut left_out: Vec<String> =
+        robot.left_out.iter().filter(|(_, n)| **n > 0).map(|(what, n)| format!("{what}: {n}")).collect();
+    let root = &tree.carriers[0];
+    if base == Base::Fixed && root.inertial.is_some_and(|i| i.mass > 0.0) {
+        left_out.push(format!("the mass of `{}`, which stands still", robot.links[root.link].name));
+    }
+    let mut text = String::from("# Made by `cargo smartbed import`");
+    let file = std::path::Path::new(path).file_name().map(|name| name.to_string_lossy());
+    let shown = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
+    let _ = writeln!(text, " from {}, robot {}.", shown(&file.unwrap_or_default()), shown(&robot.name));
+    for line in &left_out {
+        let _ = writeln!(text, "# Not carried over: {}.", shown(line));
+    }
+    let _ = write!(
+        text,
+        "format = 1\nname = \"{}\"\ndof = {}\ngravity = \"-g*N.z\"\n\n[parameters]\ng = {{ value = 9.81, unit = \"m/s^2\" }}\n",
+        names.take(&robot.name, "_robot"),
+        sections.dof
+    );
+    for (section, entries) in sections.all {
+        if !entries.is_empty() {
+            let _ = write!(text, "\n[{section}]\n{entries}");
+        }
+    }
+    Imported { model: text, left_out }
+}
+
+fn name(names: &mut Names, robot: &Robot, tree: &Tree, base: Base) -> Words {
+    let joint = |names: &mut Names, joint: &Joint| match joint.kind {
+        Kind::Fixed => String::new(),
+        _ => names.take(&joint.name, "_joint"),
+    };
+    let joints = robot.joints.iter().map(|j| joint(names, j)).collect();
+    let carrier = |names: &mut Names, carrier: &Carrier| match (carrier.joint, base) {
+        (None, Base::Fixed) => ("N".to_owned(), "O".to_owned()),
+        _ => {
+            let name = names.take(&robot.links[carrier.link].name, "_link");
+            (name.clone(), name)
+        }
+    };
+    let carriers = tree.carriers.iter().map(|c| carrier(names, c)).collect();
+    let ends = tree.ends.iter().map(|&l| names.take(&robot.links[l].name, "_link")).collect();
+    Words { carriers, joints, ends }
+}
+
+/// A number as its shortest digits, never with an exponent.
+fn number(x: f64) -> String {
+    format!("{x}")
+}
+
+/// An angle: quarter turns in degrees, which are exact.
+fn angle(x: f64) -> String {
+    match pose::quarters(x) {
+        Some(n) => format!("{}*deg", 90 * n),
+        None => number(x),
+    }
+}
+
+/// A sum of lengths along a frame's axes, each with its sign in front; empty for no way.
+fn way(v: Vector, frame: &str, unit: &str) -> String {
+    let mut sum = String::new();
+    for (x, axis) in v.into_iter().zip(["x", "y", "z"]).filter(|(x, _)| *x != 0.0) {
+        let sign = if x < 0.0 { "-" } else { "+" };
+        let _ = write!(sum, " {sign} {}{unit}*{frame}.{axis}", number(x.abs()));
+    }
+    sum
+}
+
+/// Rotations by constants: yaw, pitch, roll, those that turn.
+fn steps([roll, pitch, yaw]: Vector) -> Vec<String> {
+    let all = [("z", yaw), ("y", pitch), ("x", roll)];
+    all.into_iter()
+        .filter(|(_, by)| *by != 0.0)
+        .map(|(axis, by)| format!("[\"{axis}\", \"{}\"]", angle(by)))
+        .collect()
+}
+
+/// The letter of an axis, if it lies along one: number and sign.
+fn letter(axis: Vector) -> Option<(usize, bool)> {
+    let unit = axis.map(|x| x / pose::norm(axis));
+    unit.iter().position(|x| x.abs() == 1.0).map(|n| (n, unit[n] < 0.0))
+}
+
+const LETTERS: [&str; 3] = ["x", "y", "z"];
+
+/// An axis as a model writes it.
+fn axis(v: Vector) -> String {
+    match letter(v) {
+        Some((n, back)) => format!("\"{}{}\"", if back { "-" } else { "" }, LETTERS[n]),
+        None => format!("[{}]", v.map(number).join(", ")),
+    }
+}
+
+/// Entries of the sections.
+struct Sections {
+    all: [(&'static str, String); 6],
+    dof: usize,
+}
+
+impl Sections {
+    fn of(robot: &Robot, tree: &Tree, base: Base, words: &Words) -> Self {
+        let mut this = Self {
+            all: ["inputs", "joints", "frames", "points", "bodies", "ports"].map(|s| (s, String::new())),
+            dof: 0,
+        };
+        if base != Base::Fixed {
+            let (kind, dof) =
+                if base == Base::Floating { ("free\"", 6) } else { ("planar\", axis = \"z\"", 3) };
+            let child = &words.carriers[0].0;
+            this.add("joints", &format!("{child}_base = {{ kind = \"{kind}, child = \"{child}\" }}"));
+            this.dof += dof;
+        }
+        for (n, carrier) in tree.carriers.iter().enumerate() {
+            if let Some(joint) = carrier.joint {
+                this.joint(robot, tree, words, n, joint);
+            }
+            if n > 0 || base != Base::Fixed {
+                this.body(carrier, &words.carriers[n].0);
+            }
+        }
+        for (&end, name) in tree.ends.iter().zip(&words.ends) {
+            let place = &tree.places[end];
+            // What stands still is no place to hold on to.
+            if place.carrier > 0 || base != Base::Fixed {
+                this.end(place, &words.carriers[place.carrier], name);
+            }
+        }
+        this
+    }
+
+    fn add(&mut self, section: &str, line: &str) {
+        if let Some((_, entries)) = self.all.iter_mut().find(|(name, _)| *name == section) {
+            entries.push_str(line);
+            entries.push('\n');
+        }
+    }
+
+    /// The joint that holds a carrier.
+    fn joint(&mut self, robot: &Robot, tree: &Tree, words: &Words, carrier: usize, n: usize) {
+        let joint = &robot.joints[n];
+        let (name, child) = (&words.joints[n], &words.carriers[carrier].0);
+        let inner = robot.links.iter().position(|l| l.name == joint.parent).unwrap_or(0);
+        let place = &tree.places[inner];
+        let (parent, hold) = &words.carriers[place.carrier];
+        let offset = pose::turned(&place.turn, joint.origin.xyz);
+        let from = std::array::from_fn(|i| place.at[i] + offset[i]);
+        let at = format!("{hold}{}", way(from, parent, "_m"));
+        let turn = match place.turn == pose::IDENTITY {
+            true => joint.origin.rpy,
+            false => pose::angles(&pose::product(&place.turn, &pose::rotation(joint.origin.rpy))),
+        };
+        let mut turned = steps(turn);
+        if let Some(leader) = tree.leaders[n] {
+            return self.mimic(robot, words, (joint, child), leader, (parent, &at, turned));
+        }
+        let slides = joint.kind == Kind::Prismatic;
+        let (kind, dof) = match joint.kind {
+            Kind::Prismatic => ("prismatic", 1),
+            Kind::Planar => ("planar", 3),
+            Kind::Floating => ("free", 6),
+            _ => ("revolute", 1),
+        };
+        self.dof += dof;
+        let mut fields = vec![format!("kind = \"{kind}\"")];
+        match joint.kind {
+            Kind::Floating => {}
+            Kind::Planar => {
+                // A plane is spanned by letters: z is turned onto its normal.
+                let [x, y, z] = joint.axis;
+                let onto = [0.0, libm::atan2(x.hypot(y), z), libm::atan2(y, x)];
+                match letter(joint.axis) {
+                    Some((n, false)) => fields.push(format!("axis = \"{}\"", LETTERS[n])),
+                    _ => {
+                        turned.extend(steps(onto));
+                        fields.push("axis = \"z\"".to_owned());
+                    }
+                }
+            }
+            _ => fields.push(format!("axis = {}", axis(joint.axis))),
+        }
+        fields.extend([
+            format!("parent = \"{parent}\""),
+            format!("child = \"{child}\""),
+            format!("at = \"{at}\""),
+        ]);
+        if !turned.is_empty() {
+            fields.push(format!("turned = [{}]", turned.join(", ")));
+        }
+        if dof == 1 {
+            let (low, high) = joint.limit.unwrap_or((-std::f64::consts::PI, std::f64::consts::PI));
+            if joint.limit.is_some() || !slides {
+                fields.push(format!("range = [{}, {}]", number(low), number(high)));
+            }
+            if joint.limit.is_some() && !(low..=high).contains(&0.0) {
+                fields.push(format!("nominal = {}", number((low + high) / 2.0)));
+            }
+            if joint.damping != 0.0 {
+                fields.push(format!("damping = {}", number(joint.damping)));
+            }
+            let (unit, what) = if slides { ("N", "force") } else { ("N m", "torque") };
+            self.add(
+                "inputs",
+                &format!("tau_{name} = {{ unit = \"{unit}\", doc = \"{what} of the drive of {name}\" }}"),
+            );
+            fields.push(format!("drive = \"tau_{name}\""));
+        }
+        self.add("joints", &format!("{name} = {{ {} }}", fields.join(", ")));
+    }
+
+    /// A joint that follows another: its frame and point, moved by the other's coordinate.
+    fn mimic(
+        &mut self,
+        robot: &Robot,
+        words: &Words,
+        (joint, child): (&Joint, &String),
+        (leader, factor, offset): Leader,
+        (parent, at, mut turned): (&String, &String, Vec<String>),
+    ) {
+        let slides = joint.kind == Kind::Prismatic;
+        // A slide that follows a turn has its factor in m, a turn that follows a slide in 1/m.
+        let unit = match (slides, robot.joints[leader].kind == Kind::Prismatic) {
+            (true, false) => "_m",
+            (false, true) => "/1_m",
+            _ => "",
+        };
+        let mut by = format!("{}{unit}*{}", number(factor), words.joints[leader]);
+        if offset != 0.0 {
+            let _ = write!(by, " + {}{}", number(offset), if slides { "_m" } else { "" });
+        }
+        let unit_axis = joint.axis.map(|x| x / pose::norm(joint.axis));
+        let mut position = at.clone();
+        if slides {
+            let along = way(unit_axis, child, "");
+            let _ = write!(position, " + ({by})*({})", along.trim_start_matches(" +"));
+        } else {
+            match letter(joint.axis) {
+                Some((n, back)) => {
+                    turned.push(format!("[\"{}\", \"{}({by})\"]", LETTERS[n], if back { "-" } else { "" }));
+                }
+                None => {
+                    // z is turned onto the axis, about it, and back.
+                    let [x, y, z] = unit_axis;
+                    let (a, b) = (libm::atan2(y, x), libm::atan2(x.hypot(y), z));
+                    turned.extend(steps([0.0, b, a]));
+                    turned.push(format!("[\"z\", \"{by}\"]"));
+                    turned.push(format!("[\"y\", \"{}\"]", angle(-b)));
+                    turned.push(format!("[\"z\", \"{}\"]", angle(-a)));
+                }
+            }
+        }
+        let rotations = turned.join(", ");
+        self.add("frames", &format!("{child} = {{ parent = \"{parent}\", rotations = [{rotations}] }}"));
+        self.add("points", &format!("{child} = \"{position}\""));
+    }
+
+    /// What a carrier weighs.
+    fn body(&mut self, carrier: &Carrier, name: &str) {
+        let Some(inertial) = carrier.inertial.filter(|i| i.mass > 0.0 || i.inertia != [0.0; 6]) else {
+            return;
+        };
+        let mut centre = name.to_owned();
+        if inertial.origin.xyz != [0.0; 3] {
+            centre.push_str("_centre");
+            self.add("points", &format!("{centre} = \"{name}{}\"", way(inertial.origin.xyz, name, "_m")));
+        }
+        let mut fields = vec![format!("centre = \"{centre}\"")];
+        if inertial.mass > 0.0 {
+            fields.push(format!("mass = {}", number(inertial.mass)));
+        }
+        let entries = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].into_iter().zip(inertial.inertia);
+        let entries: Vec<String> =
+            entries.filter(|(_, x)| *x != 0.0).map(|(entry, x)| format!("{entry} = {}", number(x))).collect();
+        if !entries.is_empty() {
+            fields.push(format!("frame = \"{name}\", inertia = {{ {} }}", entries.join(", ")));
+        }
+        self.add("bodies", &format!("{name} = {{ {} }}", fields.join(", ")));
+    }
+
+    /// A flange or tool: a port, which costs nothing until it is asked for.
+    fn end(&mut self, place: &Place, (frame, point): &(String, String), name: &str) {
+        let turned = steps(pose::angles(&place.turn));
+        let held = match turned.is_empty() {
+            true => frame.clone(),
+            false => {
+                let rotations = turned.join(", ");
+                self.add(
+                    "frames",
+                    &format!("{name} = {{ parent = \"{frame}\", rotations = [{rotations}] }}"),
+                );
+                name.to_owned()
+            }
+        };
+        self.add("points", &format!("{name} = \"{point}{}\"", way(place.at, frame, "_m")));
+        self.add("ports", &format!("{name} = {{ frame = \"{held}\", point = \"{name}\" }}"));
+    }
+}

@@ -1,0 +1,259 @@
+//! `smartbed import`: public arms against Pinocchio, small robots against closed forms, and what is refused.
+
+use crate::support::{smartbed, written};
+use serde_json::Value;
+use smartbed::import::{Base, Imported, import};
+use smartbed_codegen::program::derive_asked;
+use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Program, Settings, model, program};
+use smartbed_runtime::mechanism::Mechanism;
+use std::path::{Path, PathBuf};
+
+fn reference(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference").join(name)
+}
+
+fn imported(name: &str) -> Imported {
+    let text = std::fs::read_to_string(reference(&format!("urdf/{name}.urdf"))).expect("a robot");
+    import(name, &text, Base::Fixed).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn made(text: &str, base: Base) -> Imported {
+    import("robot.urdf", text, base).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn read(imported: &Imported) -> model::Model {
+    model::parse("imported.toml", &imported.model).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn derived(imported: &Imported) -> Program {
+    program::derive(&read(imported), &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Accelerations at q, u and inputs by name.
+fn rates(program: &Program, value: impl Fn(&str) -> f64) -> Vec<f64> {
+    let mut mechanism = Interpreted::<f64>::new(program);
+    let q: Vec<f64> = program.q.iter().map(|q| value(&q.name)).collect();
+    let u: Vec<f64> = program.u.iter().map(|u| value(&u.name)).collect();
+    let inputs: Vec<f64> = program.inputs.iter().map(|i| value(&i.name)).collect();
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    mechanism.rates(0.0, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+    u_dot
+}
+
+fn list(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(|x| x.as_f64().expect("a number")).collect()
+}
+
+/// Accelerations relative to the largest of the state, the mass matrix to its largest entry.
+#[test]
+fn public_arms_move_as_pinocchio_says() {
+    let text = std::fs::read_to_string(reference("urdf_arms.json")).expect("the reference");
+    let all: Value = serde_json::from_str(&text).expect("JSON");
+    for name in ["ur5", "panda", "odd"] {
+        let arm = &all["arms"][name];
+        let joints: Vec<&str> =
+            arm["joints"].as_array().expect("joints").iter().filter_map(Value::as_str).collect();
+        let model = read(&imported(name));
+        let asked = Asked::besides(Function::each(&["mass_matrix"]));
+        let program = derive_asked(&model, &ParameterChoice::default(), Settings::default(), &asked)
+            .unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(program.q.len(), joints.len(), "{name}");
+        let (mut worst, mut worst_mass) = (0.0_f64, 0.0_f64);
+        for state in arm["states"].as_array().expect("states") {
+            let [q, v, tau, a] = ["q", "v", "tau", "a"].map(|key| list(&state[key]));
+            let of = |values: &[f64], name: &str| {
+                joints
+                    .iter()
+                    .position(|j| *j == name)
+                    .map(|n| values[n])
+                    .unwrap_or_else(|| panic!("no {name}"))
+            };
+            let found = rates(&program, |name| match (name.strip_prefix("u_"), name.strip_prefix("tau_")) {
+                (Some(joint), _) => of(&v, joint),
+                (_, Some(joint)) => of(&tau, joint),
+                _ => of(&q, name),
+            });
+            let largest = a.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            let order: Vec<usize> = (program.u.iter())
+                .map(|u| joints.iter().position(|j| u.name.strip_prefix("u_") == Some(j)).expect("a joint"))
+                .collect();
+            for (x, &n) in found.iter().zip(&order) {
+                worst = worst.max((x - a[n]).abs() / largest);
+            }
+            let rows: Vec<Vec<f64>> =
+                state["mass_matrix"].as_array().expect("rows").iter().map(list).collect();
+            let largest = rows.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+            let mut mechanism = Interpreted::<f64>::new(&program);
+            let q: Vec<f64> = program.q.iter().map(|c| of(&q, &c.name)).collect();
+            let u = vec![0.0; order.len()];
+            let inputs = vec![0.0; program.inputs.len()];
+            let place = program.functions.iter().position(|f| f.name == "mass_matrix").expect("asked for");
+            let matrix = mechanism.function(place, (0.0, &q, &u, &inputs, &[])).expect("lengths fit");
+            for (i, &row) in order.iter().enumerate() {
+                for (j, &column) in order.iter().enumerate() {
+                    let off = (matrix[i * order.len() + j] - rows[row][column]).abs();
+                    worst_mass = worst_mass.max(off / largest);
+                }
+            }
+        }
+        println!(
+            "{name}: accelerations {worst:.1e}, mass matrix {worst_mass:.1e}, {} operations",
+            program.operations()
+        );
+        assert!(worst <= 1e-12 && worst_mass <= 1e-12, "{name}: {worst:e}, {worst_mass:e}");
+    }
+}
+
+/// A stone with a fixed handle: total mass 3, centre at 1/3 of the handle's offset.
+const STONE: &str = r#"<robot name="stone">
+  <link name="stone"><inertial><mass value="2"/><inertia ixx="0.1" iyy="0.2" izz="0.3"/></inertial></link>
+  <joint name="held" type="fixed"><parent link="stone"/><child link="handle"/><origin xyz="0.3 0 0"/></joint>
+  <link name="handle"><inertial><mass value="1"/></inertial></link>
+</robot>"#;
+
+#[test]
+fn a_root_that_floats_falls_and_one_on_a_plane_slides() {
+    let floating = derived(&made(STONE, Base::Floating));
+    let names: Vec<&str> = floating.u.iter().map(|u| u.name.as_str()).collect();
+    assert_eq!(names.len(), 6, "{names:?}");
+    let found = rates(&floating, |name| {
+        if name == "stone_base_wz" { 2.0 } else { f64::from(u8::from(name.ends_with("_e0"))) }
+    });
+    // The mass centre, 0.1 m off along x, falls; its turning throws the link's point outwards: a = g + w^2 c.
+    let at = |name: &str| found[names.iter().position(|n| *n == name).unwrap_or_else(|| panic!("{names:?}"))];
+    assert!(
+        (at("u_stone_base_z") + 9.81).abs() < 1e-13 && (at("u_stone_base_x") - 0.4).abs() < 1e-13,
+        "{found:?}"
+    );
+    let planar = derived(&made(STONE, Base::Planar));
+    let names: Vec<&str> = planar.u.iter().map(|u| u.name.as_str()).collect();
+    assert_eq!(names, ["u_stone_base_x", "u_stone_base_y", "u_stone_base_turn"]);
+    let found = rates(&planar, |name| if name == "u_stone_base_turn" { 2.0 } else { 0.0 });
+    assert!((found[0] - 0.4).abs() < 1e-13 && found[1].abs() < 1e-13 && found[2].abs() < 1e-13, "{found:?}");
+    // A root that stands still weighs nothing, and is said to.
+    let fixed = import("stone.urdf", STONE, Base::Fixed);
+    assert!(
+        fixed.is_err() || fixed.is_ok_and(|f| f.left_out.iter().any(|line| line.contains("stands still")))
+    );
+}
+
+#[test]
+fn floating_and_planar_joints_inside_a_tree_are_joints() {
+    let robot = |kind: &str| {
+        format!(
+            r#"<robot name="r"><link name="base"/>
+  <joint name="hold" type="{kind}"><parent link="base"/><child link="body"/><origin xyz="0 0 1" rpy="0 0 0.5"/><axis xyz="1 0 0"/></joint>
+  <link name="body"><inertial><mass value="2"/><inertia ixx="0.1" iyy="0.2" izz="0.3"/></inertial></link></robot>"#
+        )
+    };
+    let floating = derived(&made(&robot("floating"), Base::Fixed));
+    assert_eq!(floating.u.len(), 6);
+    let falling = rates(&floating, |name| f64::from(u8::from(name.ends_with("_e0"))));
+    let z = floating.u.iter().position(|u| u.name == "u_hold_z").expect("z");
+    assert!((falling[z] + 9.81).abs() < 1e-13, "{falling:?}");
+    // Across x: y and z slide.
+    let planar = derived(&made(&robot("planar"), Base::Fixed));
+    let names: Vec<&str> = planar.u.iter().map(|u| u.name.as_str()).collect();
+    assert_eq!(names, ["u_hold_y", "u_hold_z", "u_hold_turn"]);
+    let falling = rates(&planar, |_| 0.0);
+    assert!((falling[1] + 9.81).abs() < 1e-13 && falling[0].abs() < 1e-13, "{falling:?}");
+}
+
+#[test]
+fn what_is_not_carried_over_is_said() {
+    let panda = imported("odd");
+    let all = panda.left_out.join("; ");
+    for what in [
+        "dry frictions of joints: 1",
+        "limits of effort and velocity",
+        "the mass of `world`, which stands still",
+    ] {
+        assert!(all.contains(what), "{what}: {all}");
+        assert!(panda.model.contains(what), "{}", panda.model);
+    }
+    // The word, its names and a limit beside 0, as they stand in the text.
+    let line =
+        "turret = { kind = \"prismatic\", axis = [0, 0.6, -0.8], parent = \"turret_link\", child = \"slide\"";
+    assert!(panda.model.contains(line), "{}", panda.model);
+    assert!(panda.model.contains("range = [0.1, 0.5], nominal = 0.3"), "{}", panda.model);
+    let warnings = read(&panda).warnings();
+    assert!(warnings.items.is_empty(), "{warnings}");
+}
+
+#[test]
+fn robots_that_are_none_are_refused_with_place_and_cure() {
+    let link = |name: &str| format!("<link name=\"{name}\"/>");
+    let joint = |name: &str, from: &str, to: &str, more: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"revolute\"><parent link=\"{from}\"/><child link=\"{to}\"/>{more}</joint>"
+        )
+    };
+    let robot = |inside: &str| format!("<robot name=\"r\">\n{inside}\n</robot>");
+    let cases = [
+        ("<robot", "not valid XML"),
+        ("<model/>", "expected <robot>"),
+        (&robot(""), "expected at least one"),
+        (&robot("<link/>"), "line 2, column 1 has no `name`"),
+        (&robot("<x:macro xmlns:x=\"http://www.ros.org/wiki/xacro\"/>"), "expand it first"),
+        (&robot(&[link("a"), link("b")].concat()), "expected one root"),
+        (&robot(&[link("a"), link("a")].concat()), "a second link `a`"),
+        (&robot(&[link("a"), joint("j", "a", "c", "")].concat()), "names the link `c`, which is not there"),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "<axis xyz=\"0 0\"/>")].concat()),
+            "expected 3 numbers",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "<axis xyz=\"0 0 0\"/>")].concat()),
+            "expected a direction",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "<mimic joint=\"k\"/>")].concat()),
+            "mimics `k`, which is not there",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "<mimic joint=\"j\"/>")].concat()),
+            "mimics itself",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", ""), joint("k", "a", "b", "")].concat()),
+            "expected a tree",
+        ),
+        (
+            &robot(
+                &[link("a"), link("b"), link("c"), joint("j", "b", "c", ""), joint("k", "c", "b", "")]
+                    .concat(),
+            ),
+            "hangs on itself",
+        ),
+        (
+            &robot(&[link("a"), link("b"), joint("j", "a", "b", "").replace("revolute", "screw")].concat()),
+            "is of type `screw`",
+        ),
+        (&robot("<link name=\"a\"><inertial><mass value=\"-1\"/></inertial></link>"), "negative"),
+        (&robot("<link name=\"a\"><inertial><mass value=\"1e999\"/></inertial></link>"), "expected a number"),
+    ];
+    for (text, expected) in cases {
+        let message = match import("robot.urdf", text, Base::Fixed) {
+            Err(failure) => failure.to_string(),
+            Ok(imported) => panic!("{text} is taken: {}", imported.model),
+        };
+        assert!(message.contains("robot.urdf") && message.contains(expected), "{text}: {message}");
+    }
+}
+
+#[test]
+fn the_command_writes_a_model_that_runs() {
+    let robot = written(
+        "pendulum.urdf",
+        r#"<robot name="pendulum"><link name="base"/>
+  <joint name="hinge" type="continuous"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/></joint>
+  <link name="rod"><inertial><origin xyz="0 0 -0.5"/><mass value="1"/></inertial></link></robot>"#,
+    );
+    let (from, to) = (robot.clone(), robot.replace(".urdf", ".toml"));
+    let done = smartbed(&["import", &from, "-o", &to]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let done = smartbed(&["check", &to]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let done = smartbed(&["import", "nowhere.urdf"]);
+    assert_eq!(done.status, 1, "{done:?}");
+}
