@@ -1,4 +1,4 @@
-//! Loops over many nodes, compiled a second time for wider registers and chosen when the program runs.
+//! Loops over many nodes, compiled anew for wider registers and chosen when the program runs.
 //!
 //! In: a [`Kernel`], a loop as a value. Out: what it returns, the same bits on every machine: wider registers hold more
 //! numbers side by side, no operation is fused or reordered. Microcontrollers have the plain loop alone.
@@ -20,8 +20,8 @@ pub const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 64 };
 #[inline(always)]
 pub fn run<K: Kernel>(kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    if x86::has_avx2() {
-        return x86::run(kernel);
+    if let Some(wider) = x86::Wider::known() {
+        return wider.run(kernel);
     }
     kernel.run()
 }
@@ -31,23 +31,41 @@ mod x86 {
     use super::Kernel;
 
     cpufeatures::new!(avx2, "avx2");
+    cpufeatures::new!(avx512, "avx512f", "avx512vl", "avx512dq", "avx512bw");
 
-    /// Whether machine and operating system know AVX2; asked once.
-    #[inline(always)]
-    pub fn has_avx2() -> bool {
-        avx2::get()
+    /// Instructions that machine and operating system have been asked for.
+    pub enum Wider {
+        Avx2,
+        Avx512,
     }
 
-    /// The kernel with AVX2; call where [`has_avx2`] holds.
-    #[expect(unsafe_code, reason = "the compiler cannot know that the machine has been asked")]
-    #[inline(always)]
-    pub fn run<K: Kernel>(kernel: K) -> K::Output {
-        // SAFETY: `super::run` asks `has_avx2` first.
-        unsafe { wide(kernel) }
+    impl Wider {
+        /// The widest that they know; asked once.
+        #[inline(always)]
+        pub fn known() -> Option<Self> {
+            if avx512::get() { Some(Wider::Avx512) } else { avx2::get().then_some(Wider::Avx2) }
+        }
+
+        /// The kernel with them.
+        #[expect(unsafe_code, reason = "the compiler cannot know that the machine has been asked")]
+        #[inline(always)]
+        pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+            match self {
+                // SAFETY: `known` is the only maker of this value, where the machine has said yes.
+                Wider::Avx2 => unsafe { avx2_run(kernel) },
+                // SAFETY: as above.
+                Wider::Avx512 => unsafe { avx512_run(kernel) },
+            }
+        }
     }
 
     #[target_feature(enable = "avx2")]
-    fn wide<K: Kernel>(kernel: K) -> K::Output {
+    fn avx2_run<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run()
+    }
+
+    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+    fn avx512_run<K: Kernel>(kernel: K) -> K::Output {
         kernel.run()
     }
 }

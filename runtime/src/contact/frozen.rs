@@ -6,7 +6,6 @@ use super::repertoire::Repertoire;
 use super::{ContactState, System, massless, soft};
 use crate::flexible::element::Elements;
 use crate::flexible::{BodyError, force};
-use crate::kernel::BLOCK;
 use crate::ode::nodes::{Motion, Newton, Step, Way, Workspace};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
@@ -62,15 +61,15 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
     }
 
     #[inline(always)]
-    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>; BLOCK]) -> &'a [Vec3<S>] {
+    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>]) -> &'a [Vec3<S>] {
         self.system.body.inverse_masses(first, memory)
     }
 
     #[inline(always)]
-    fn holds(&self, first: usize) -> bool {
+    fn holds(&self, first: usize, count: usize) -> bool {
         let modes = self.modes.get(first..).unwrap_or_default();
         // Looked at side by side; almost always none is held.
-        modes.iter().take(BLOCK).fold(false, |held, mode| held | mode.is_held())
+        modes.get(..count).unwrap_or(modes).iter().fold(false, |held, mode| held | mode.is_held())
     }
 
     #[inline(always)]

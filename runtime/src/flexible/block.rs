@@ -13,6 +13,9 @@ use crate::vec3::{self, Vec3};
 /// Vectors side by side: components x, y, z.
 type Lanes<S> = [[S; BLOCK]; 3];
 
+/// Fewer springs or facets than these are taken one by one: a block would be empty for the most part.
+const FEW: usize = if cfg!(target_os = "none") { usize::MAX } else { 8 };
+
 /// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`pressure::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Pulls<'a, S> {
@@ -30,7 +33,7 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
     #[inline(always)]
     fn run(self) -> bool {
         let mut runaway = false;
-        if cfg!(target_os = "none") {
+        if self.springs.len() < FEW {
             for spring in self.springs {
                 runaway |= spring.add_elastic(self.pos, self.force);
             }
@@ -92,7 +95,7 @@ impl<S: Scalar> Kernel for Pushes<'_, S> {
     #[inline(always)]
     fn run(self) {
         let Pushes { facets, form, pressure, pos, force } = self;
-        if cfg!(target_os = "none") {
+        if facets.len() < FEW {
             for facet in facets {
                 let shares = pressure::corner_shares(form, pressure::corners(pos, facet));
                 for (point, share) in facet.iter().zip(shares) {

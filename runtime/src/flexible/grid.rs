@@ -122,15 +122,20 @@ impl<S: Scalar> Row<S> {
 struct Line<S> {
     /// Positions (m).
     nodes: Row<S>,
+    /// Forces on the tails of the springs to the right (N).
+    right: Row<S>,
     /// Forces on the tails of the springs upwards (N).
     up: Row<S>,
     /// Forces on the corners of the cells between this row and the one above (N).
     cells: [Row<S>; 4],
+    /// Forces on the nodes (N).
+    sums: [Vec3<S>; WIDTH],
 }
 
 impl<S: Scalar> Line<S> {
     fn zero() -> Self {
-        Line { nodes: Row::zero(), up: Row::zero(), cells: [Row::zero(); 4] }
+        let row = Row::zero();
+        Line { nodes: row, right: row, up: row, cells: [row; 4], sums: [[S::ZERO; 3]; WIDTH] }
     }
 }
 
@@ -148,7 +153,7 @@ impl<S: Scalar> Kernel for Weave<'_, S> {
             let [mut even, mut odd] = [Line::zero(), Line::zero()];
             strip.read(self.grid, 0, self.pos, &mut even.nodes);
             // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
-            for row in (0..self.grid.rows).step_by(2) {
+            for row in (0..=self.grid.rows).step_by(2) {
                 runaway |= self.row(&strip, row, &mut even, &mut odd);
                 runaway |= self.row(&strip, row + 1, &mut odd, &mut even);
             }
@@ -159,31 +164,33 @@ impl<S: Scalar> Kernel for Weave<'_, S> {
 }
 
 impl<S: Scalar> Weave<'_, S> {
-    /// The forces on the nodes of a row; `next` holds what the row below has left and takes the nodes of the row above.
+    /// The forces on the nodes of a row; `next` holds what the row below has left and takes the nodes of the row above. The
+    /// sums of the row below are written: those just computed the processor would have to wait for.
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) -> bool {
         let grid = self.grid;
         strip.read(grid, row + 1, self.pos, &mut next.nodes);
         let part = |list| strip.part(list, grid, row);
-        if let (Some((form, pressure)), Some(exists)) = (self.pressure, part(grid.cells)) {
-            push(form, exists, pressure, [&line.nodes, &next.nodes], &mut line.cells);
-        }
-        let mut right = Row::zero();
         let mut runaway = false;
         if let (Some(stiffness), Some(rest_length)) =
             (part(grid.right.stiffness), part(grid.right.rest_length))
         {
-            runaway |= pull(stiffness, rest_length, [&line.nodes, &line.nodes], 1, &mut right);
+            runaway |= pull(stiffness, rest_length, [&line.nodes, &line.nodes], 1, &mut line.right);
+        }
+        if let (Some((form, pressure)), Some(exists)) = (self.pressure, part(grid.cells)) {
+            push(form, exists, pressure, [&line.nodes, &next.nodes], &mut line.cells);
         }
         if let (Some(stiffness), Some(rest_length)) = (part(grid.up.stiffness), part(grid.up.rest_length)) {
             runaway |= pull(stiffness, rest_length, [&line.nodes, &next.nodes], 0, &mut line.up);
         }
+        if let Some(below) = row.checked_sub(1) {
+            strip.write(grid, below, &next.sums, self.force);
+        }
         if let Some(mass) = part(grid.mass) {
-            let sums = match self.pressure {
-                Some(_) => sum::<S, true>(self.gravity, mass, &right, line, next),
-                None => sum::<S, false>(self.gravity, mass, &right, line, next),
-            };
-            strip.write(grid, row, &sums, self.force);
+            match self.pressure {
+                Some(_) => sum::<S, true>(self.gravity, mass, line, next),
+                None => sum::<S, false>(self.gravity, mass, line, next),
+            }
         }
         runaway
     }
@@ -328,22 +335,19 @@ fn share<S: Scalar>(
 fn sum<S: Scalar, const GAS: bool>(
     gravity: Vec3<S>,
     mass: &[S; WIDTH],
-    right: &Row<S>,
-    line: &Line<S>,
+    Line { up, right, cells: [a, b, _, _], sums, .. }: &mut Line<S>,
     below: &Line<S>,
-) -> [Vec3<S>; WIDTH] {
-    let mut sums = [[S::ZERO; 3]; WIDTH];
-    let ([a, b, _, _], [_, _, c, d]) = (&line.cells, &below.cells);
+) {
+    let [_, _, c, d] = &below.cells;
     for lane in 0..WIDTH {
         let (left, here) = (FIRST + lane - 1, FIRST + lane);
         let mut sum = vec3::scale(gravity, mass[lane]);
         sum = vec3::add(vec3::sub(sum, right.get(left)), right.get(here));
-        sum = vec3::add(vec3::sub(sum, below.up.get(here)), line.up.get(here));
+        sum = vec3::add(vec3::sub(sum, below.up.get(here)), up.get(here));
         if GAS {
             sum = vec3::add(vec3::add(sum, c.get(left)), d.get(here));
             sum = vec3::add(vec3::add(sum, b.get(left)), a.get(here));
         }
         sums[lane] = sum;
     }
-    sums
 }

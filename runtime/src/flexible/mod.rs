@@ -12,7 +12,6 @@ pub mod mean;
 pub mod pressure;
 pub mod spring;
 
-use crate::kernel::BLOCK;
 use crate::ode::nodes::NodeFault;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
@@ -211,13 +210,14 @@ impl<'a, S: Scalar> Body<'a, S> {
         }
     }
 
-    /// [`Body::inverse_mass`] of a block of points from `first` on, once for each component; 0 where there is no point.
+    /// [`Body::inverse_mass`] of points from `first` on, as many as there is memory for, once for each component; 0 where
+    /// there is no point.
     #[inline(always)]
     #[must_use]
-    pub fn inverse_masses<'b>(&'b self, first: usize, memory: &'b mut [Vec3<S>; BLOCK]) -> &'b [Vec3<S>] {
+    pub fn inverse_masses<'b>(&'b self, first: usize, memory: &'b mut [Vec3<S>]) -> &'b [Vec3<S>] {
         if !self.inverse_mass.is_empty() {
             let rest = self.inverse_mass.get(first..).unwrap_or_default();
-            return rest.get(..BLOCK).unwrap_or(rest);
+            return rest.get(..memory.len()).unwrap_or(rest);
         }
         for (i, weight) in memory.iter_mut().enumerate() {
             *weight = [self.inverse_mass(first + i); 3];

@@ -12,7 +12,7 @@ mod verlet;
 
 pub use method::{Method, Step};
 
-use crate::kernel::{self, BLOCK, Kernel};
+use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 use rows::Squares;
@@ -63,10 +63,11 @@ pub trait Newton<S: Scalar> {
     fn is_movable(&self, node: usize) -> bool;
     /// Acceleration of a node under a force (m/s^2), after what holds it has taken its part.
     fn acceleration(&self, node: usize, force: Vec3<S>) -> Vec3<S>;
-    /// 1/mass (1/kg) of a block of nodes from `first` on, once for each component; 0 for one that cannot move.
-    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>; BLOCK]) -> &'a [Vec3<S>];
-    /// Whether something holds a node of the block from `first` on.
-    fn holds(&self, first: usize) -> bool;
+    /// 1/mass (1/kg) of nodes from `first` on, as many as there is memory for, once for each component; 0 for one that
+    /// cannot move.
+    fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>]) -> &'a [Vec3<S>];
+    /// Whether something holds one of so many nodes from `first` on.
+    fn holds(&self, first: usize, count: usize) -> bool;
     /// Leaves of velocities or accelerations of the nodes from `first` on what what holds them leaves.
     fn admit(&self, first: usize, rows: &mut [Vec3<S>]);
     /// Largest acceleration that a strain of 1 gives (m/s^2): rounding of positions moves accelerations by about

@@ -3,9 +3,11 @@
 //! Rows of unequal length are handled as far as the shortest reaches. Every function is inlined into its
 //! [`crate::kernel::Kernel`].
 
-use crate::kernel::BLOCK;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
+
+/// Nodes handled at a time: few enough for the nearest cache, many enough that to begin a block costs little.
+pub(super) const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 128 };
 
 /// Where the blocks of n nodes begin.
 pub(super) fn blocks(n: usize) -> impl Iterator<Item = usize> {

@@ -6,7 +6,7 @@
 
 use super::rows::{self, Squares};
 use super::{Motion, Newton, NodeFault, Workspace, copy, movable};
-use crate::kernel::{self, BLOCK, Kernel};
+use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
@@ -59,7 +59,7 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
     work.evaluations += 1;
     newton.elastic(work.end.pos, work.end.elastic)?;
     if damped {
-        kernel::run(Kick { newton, h: half, force: work.end.elastic, vel: work.stage_vel });
+        kernel::run(Kick { newton, h: half, work });
         relax(newton, start, Place::End, half, work)?;
     }
     let kick = if damped { S::ZERO } else { half };
@@ -70,48 +70,45 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
     Ok(work.end.check_squares(&squares)?)
 }
 
-/// Memory of a block: its accelerations and 1/mass.
-type Memory<S> = [[Vec3<S>; BLOCK]; 2];
-
 /// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
-/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1.
+/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1. `memory` is two
+/// rows of all nodes.
 #[inline(always)]
 fn accelerations<'a, S: Scalar>(
     newton: &'a impl Newton<S>,
     first: usize,
     force: &'a [Vec3<S>],
-    [accelerations, memory]: &'a mut Memory<S>,
+    [accelerations, factors]: [&'a mut [Vec3<S>]; 2],
 ) -> [&'a [Vec3<S>]; 2] {
-    let force = rows::block(force, first);
-    if !newton.holds(first) {
-        return [force, newton.inverse_masses(first, memory)];
+    let (force, factors) = (rows::block(force, first), rows::block_mut(factors, first));
+    if !newton.holds(first, factors.len()) {
+        return [force, newton.inverse_masses(first, factors)];
     }
-    let mut weights = [vec3::zero(); BLOCK];
-    rows::multiply(accelerations, force, newton.inverse_masses(first, &mut weights));
+    let accelerations = rows::block_mut(accelerations, first);
+    rows::multiply(accelerations, force, newton.inverse_masses(first, factors));
     newton.admit(first, accelerations);
-    for (i, factor) in memory.iter_mut().enumerate() {
+    for (i, factor) in factors.iter_mut().enumerate() {
         *factor = [if newton.is_movable(first + i) { S::ONE } else { S::ZERO }; 3];
     }
-    [accelerations, memory]
+    [accelerations, factors]
 }
 
-/// v += h a(force).
-struct Kick<'a, S, N> {
+/// v += h a(force at the end), v in `work.stage_vel`.
+struct Kick<'a, 'w, S, N> {
     newton: &'a N,
     h: S,
-    force: &'a [Vec3<S>],
-    vel: &'a mut [Vec3<S>],
+    work: &'a mut Workspace<'w, S>,
 }
 
-impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, S, N> {
+impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, '_, S, N> {
     type Output = ();
 
     #[inline(always)]
     fn run(self) {
-        let mut memory = [[vec3::zero(); BLOCK]; 2];
+        let Workspace { end, stage_vel, dx, stages, .. } = self.work;
         for first in rows::blocks(self.newton.nodes()) {
-            let [force, factors] = accelerations(self.newton, first, self.force, &mut memory);
-            rows::add_product(rows::block_mut(self.vel, first), self.h, force, factors);
+            let [force, factors] = accelerations(self.newton, first, end.elastic, [dx, stages]);
+            rows::add_product(rows::block_mut(stage_vel, first), self.h, force, factors);
         }
     }
 }
@@ -131,19 +128,19 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
     #[inline(always)]
     fn run(self) -> Squares<S> {
         let KickAndDrift { newton, start, damped, h, work } = self;
-        let before: &[Vec3<S>] = if damped { work.dv } else { start.vel };
+        let Workspace { end, stage_vel, dx, dv, stages, .. } = work;
+        let before: &[Vec3<S>] = if damped { dv } else { start.vel };
         let half = S::from_f64(0.5) * h;
         let mut squares = Squares::none();
-        let mut memory = [[vec3::zero(); BLOCK]; 2];
         for first in rows::blocks(newton.nodes()) {
-            let [force, factors] = accelerations(newton, first, start.elastic, &mut memory);
+            let [force, factors] = accelerations(newton, first, start.elastic, [dx, stages]);
             let before = rows::block(before, first).as_flattened().iter();
-            let vel = rows::block_mut(work.stage_vel, first).as_flattened_mut().iter_mut().zip(before);
+            let vel = rows::block_mut(stage_vel, first).as_flattened_mut().iter_mut().zip(before);
             let kicks = force.as_flattened().iter().zip(factors.as_flattened());
             let start_pos = rows::block(start.pos, first).as_flattened().iter();
             let start_rest = rows::block(start.pos_rest, first).as_flattened().iter();
-            let pos = rows::block_mut(work.end.pos, first).as_flattened_mut().iter_mut();
-            let rest = rows::block_mut(work.end.pos_rest, first).as_flattened_mut().iter_mut();
+            let pos = rows::block_mut(end.pos, first).as_flattened_mut().iter_mut();
+            let rest = rows::block_mut(end.pos_rest, first).as_flattened_mut().iter_mut();
             let ends = pos.zip(rest).zip(start_pos.zip(start_rest));
             for (((v, v0), (force, factor)), ((x, rest), (x0, rest0))) in vel.zip(kicks).zip(ends) {
                 *v = *v0 + half * (*force * *factor);
@@ -151,7 +148,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
                 let way = if *factor > S::ZERO { way } else { S::ZERO };
                 (*x, *rest) = rows::add_exactly(*x0, *rest0, way);
             }
-            squares.add(rows::block(work.end.pos, first));
+            squares.add(rows::block(end.pos, first));
         }
         squares
     }
@@ -172,26 +169,27 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     #[inline(always)]
     fn run(self) {
         let Arrive { newton, start, kick, work, squares } = self;
+        let Workspace { end, stage_vel, dx, stages, .. } = work;
         let mut sums = *squares;
-        let mut memory = [[vec3::zero(); BLOCK]; 2];
         for first in rows::blocks(newton.nodes()) {
-            let [force, factors] = accelerations(newton, first, work.end.elastic, &mut memory);
-            let half_way = rows::block(work.stage_vel, first).as_flattened().iter();
+            let [force, factors] = accelerations(newton, first, end.elastic, [dx, stages]);
+            let half_way = rows::block(stage_vel, first).as_flattened().iter();
             let kicks = force.as_flattened().iter().zip(factors.as_flattened());
             let start_vel = rows::block(start.vel, first).as_flattened().iter();
             let start_rest = rows::block(start.vel_rest, first).as_flattened().iter();
-            let vel = rows::block_mut(work.end.vel, first).as_flattened_mut().iter_mut();
-            let rest = rows::block_mut(work.end.vel_rest, first).as_flattened_mut().iter_mut();
+            let vel = rows::block_mut(end.vel, first).as_flattened_mut().iter_mut();
+            let rest = rows::block_mut(end.vel_rest, first).as_flattened_mut().iter_mut();
             let ends = vel.zip(rest).zip(start_vel.zip(start_rest));
             for ((m, (force, factor)), ((v, rest), (v0, rest0))) in half_way.zip(kicks).zip(ends) {
                 let end = *m + kick * (*force * *factor);
                 (*v, *rest) = rows::add_exactly(*v0, *rest0, end - *v0);
             }
-            if newton.holds(first) {
-                newton.admit(first, rows::block_mut(work.end.vel, first));
-                newton.admit(first, rows::block_mut(work.end.vel_rest, first));
+            let [vel, rest] = [&mut *end.vel, end.vel_rest].map(|row| rows::block_mut(row, first));
+            if newton.holds(first, vel.len()) {
+                newton.admit(first, vel);
+                newton.admit(first, rest);
             }
-            sums.add(rows::block(work.end.vel, first));
+            sums.add(vel);
         }
         *squares = sums;
     }
