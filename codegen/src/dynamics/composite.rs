@@ -27,10 +27,10 @@ pub(super) struct Contributions {
 
 /// Angular velocity, angular acceleration at y' = 0, acceleration of the origin at y' = 0 less gravity.
 #[derive(Clone, Debug)]
-struct State {
+pub(super) struct State {
     w: Components,
     alpha: Components,
-    acceleration: Acceleration,
+    pub acceleration: Acceleration,
 }
 
 /// A joint's rates: how it turns, and how its place moves in the parent's triad.
@@ -60,20 +60,11 @@ pub(super) fn contributions(
     cut: usize,
 ) -> Contributions {
     let mut nodes = nodes.to_vec();
-    tree::move_inwards(k, &mut nodes, cut);
+    tree::move_inwards(k, &mut nodes, cut, tree::Wheels::Spin);
     let nodes = &nodes[..];
     let mut found = Contributions::default();
     let base = Base::new(model, k, given, &nodes[cut]);
-    let mut states: Vec<Option<State>> = vec![None; nodes.len()];
-    states[cut] = Some(base.state.clone());
-    let mut moves: Vec<Option<Moves>> = nodes.iter().map(|_| None).collect();
-    for i in cut + 1..nodes.len() {
-        let Some(joint) = &nodes[i].joint else { continue };
-        let Some(inner) = states[joint.parent].clone() else { continue };
-        let motion = Moves::new(k, given, joint);
-        states[i] = Some(outwards(k, joint, &motion, &inner));
-        moves[i] = Some(motion);
-    }
+    let (states, moves) = motions(k, given, nodes, cut, &base.state);
     let mut turning = parallel::turning(k, nodes, &moves);
     let dag = &mut k.dag;
     let mut loads: Vec<Option<Load>> = Vec::new();
@@ -104,6 +95,27 @@ pub(super) fn contributions(
     found.mass.retain(|(_, _, e)| !k.dag.is_zero(*e));
     found.force.retain(|(_, e)| !k.dag.is_zero(*e));
     found
+}
+
+/// States of the nodes that hang on `cut`, which is in the state `base`, and what their joints do.
+pub(super) fn motions(
+    k: &mut Kinematics,
+    given: &Given,
+    nodes: &[Node],
+    cut: usize,
+    base: &State,
+) -> (Vec<Option<State>>, Vec<Option<Moves>>) {
+    let mut states: Vec<Option<State>> = vec![None; nodes.len()];
+    states[cut] = Some(base.clone());
+    let mut moves: Vec<Option<Moves>> = nodes.iter().map(|_| None).collect();
+    for i in cut + 1..nodes.len() {
+        let Some(joint) = &nodes[i].joint else { continue };
+        let Some(inner) = states[joint.parent].clone() else { continue };
+        let motion = Moves::new(k, given, joint);
+        states[i] = Some(outwards(k, joint, &motion, &inner));
+        moves[i] = Some(motion);
+    }
+    (states, moves)
 }
 
 impl Load {
@@ -360,13 +372,13 @@ pub(super) fn power(dag: &mut Dag, v: &Components, w: &Components, wrench: &Wren
 }
 
 /// The node where the tree is cut: its whole twist, as linear forms in the unknowns.
-struct Base {
-    twists: Vec<(UnknownId, Components, Components)>,
-    state: State,
+pub(super) struct Base {
+    pub twists: Vec<(UnknownId, Components, Components)>,
+    pub state: State,
 }
 
 impl Base {
-    fn new(model: &Model, k: &mut Kinematics, given: &Given, node: &Node) -> Self {
+    pub(super) fn new(model: &Model, k: &mut Kinematics, given: &Given, node: &Node) -> Self {
         let velocity = derivative_of(k, &node.origin);
         let mut velocity = given.motion(k, velocity);
         if let Some(gravity) = &model.gravity {

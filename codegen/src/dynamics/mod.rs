@@ -7,6 +7,8 @@
 
 mod absolute;
 mod active_force;
+mod articulated;
+mod articulated_inertia;
 mod augmented;
 mod chain;
 mod composite;
@@ -238,7 +240,7 @@ pub(crate) fn without_mass(
     }
 }
 
-/// u' and pivots in whichever form costs less: through the mass matrix, or as a chain.
+/// u' and pivots in whichever form costs less: through the mass matrix, as a chain, or hinge by hinge.
 fn accelerations(
     model: &Model,
     k: &mut Kinematics,
@@ -248,17 +250,19 @@ fn accelerations(
     optimise: Optimise,
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
     let chain = segments.and_then(|segments| chain::derive(model, k, table, segments));
-    let chain = chain.map(|c| (k.dag.cost(&c.u_dot, optimise), c));
+    let hinges = articulated::derive(model, k, table, mass_matrix);
+    let forms = chain.map(|c| (c.u_dot, c.pivots)).into_iter().chain(hinges.map(|h| (h.u_dot, h.pivots)));
+    let shortest = forms.map(|form| (k.dag.cost(&form.0, optimise), form)).min_by_key(|(cost, _)| *cost);
     // The mass matrix alone may cost more: then it need not be solved with.
     let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
-    if let Some((cost, chain)) = &chain
+    if let Some((cost, form)) = &shortest
         && *cost <= k.dag.cost(&entries, optimise)
     {
-        return Ok((chain.u_dot.clone(), chain.pivots.clone()));
+        return Ok(form.clone());
     }
     let (u_dot, pivots) = solve::ldl(model, k, table, mass_matrix, forcing)?;
-    match chain {
-        Some((cost, chain)) if cost < k.dag.cost(&u_dot, optimise) => Ok((chain.u_dot, chain.pivots)),
+    match shortest {
+        Some((cost, form)) if cost < k.dag.cost(&u_dot, optimise) => Ok(form),
         _ => Ok((u_dot, pivots)),
     }
 }

@@ -9,10 +9,10 @@ use crate::model::Axis;
 use crate::vector::{Components, cross_components, dot_components, turn_components};
 
 /// A symmetric 3 x 3 matrix: xx, yy, zz, yz, zx, xy.
-type Symmetric = [ExprId; 6];
+pub(super) type Symmetric = [ExprId; 6];
 
 /// Index of entry (i, j) of a [`Symmetric`].
-const fn entry(i: usize, j: usize) -> usize {
+pub(super) const fn entry(i: usize, j: usize) -> usize {
     // Off the diagonal, the entry opposite to axis l = 3 - i - j stands at 3 + l.
     if i == j { i } else { 6 - i - j }
 }
@@ -20,9 +20,9 @@ const fn entry(i: usize, j: usize) -> usize {
 /// Mass (kg), first moment (kg m) and second moment (kg m^2) about an origin, in one triad.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Inertia {
-    mass: ExprId,
-    first: Components,
-    second: Symmetric,
+    pub mass: ExprId,
+    pub first: Components,
+    pub second: Symmetric,
 }
 
 /// Force (N) and moment about an origin (N m) in one triad; or momentum and its moment.
@@ -220,6 +220,11 @@ impl Inertia {
 impl Wrench {
     pub(super) fn zero(dag: &mut Dag) -> Self {
         Self { force: [dag.zero(); 3], moment: [dag.zero(); 3] }
+    }
+
+    /// Every component by itself.
+    pub(super) fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Self {
+        Self { force: self.force.map(&mut f), moment: self.moment.map(&mut f) }
     }
 
     pub(super) fn plus(&self, dag: &mut Dag, other: &Self) -> Self {

@@ -135,8 +135,15 @@ pub(super) fn cut(k: &mut Kinematics, nodes: &[Node], root: usize) -> usize {
     }
 }
 
+/// Does a wheel leave its spin alone outside its joint, or is it a body as any other?
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Wheels {
+    Spin,
+    Whole,
+}
+
 /// Base parameters: hands inwards, as far as the node `cut`, what a joint's turn leaves as it is.
-pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize) {
+pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize, wheels: Wheels) {
     let mut hangs = vec![false; nodes.len()];
     hangs[cut] = true;
     for i in cut + 1..nodes.len() {
@@ -151,7 +158,7 @@ pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize) {
         let own = nodes[i].own.clone();
         let (inner, outer) = if dag.dependence(joint.angle) < Dependence::State {
             (own.turned(dag, joint.axis, joint.angle), Inertia::zero(dag))
-        } else if own.is_axisymmetric(dag, joint.axis) {
+        } else if wheels == Wheels::Spin && own.is_axisymmetric(dag, joint.axis) {
             nodes[i].spin = own.about(dag, joint.axis);
             (own, Inertia::zero(dag))
         } else {

@@ -62,6 +62,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         rates: IdVec::default(),
         angular: IdVec::default(),
         velocities: IdVec::default(),
+        term_derivatives: Default::default(),
         rows: Vec::new(),
         spare_rows: Vec::new(),
         residuals: Vec::new(),

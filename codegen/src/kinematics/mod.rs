@@ -39,7 +39,7 @@ use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::{Id, IdVec, ids};
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
 use crate::source::Span;
-use crate::vector::{TriadId, Triads, Vector};
+use crate::vector::{Components, TriadId, Triads, Vector};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
@@ -144,6 +144,8 @@ pub struct Kinematics {
     pub angular: IdVec<TriadId, Motion>,
     /// Velocity of every point in N.
     pub velocities: IdVec<PointId, Motion>,
+    /// Derivatives of terms of positions, by triad and components: those of [`Self::angular`] and [`Self::rates`].
+    pub term_derivatives: HashMap<(TriadId, Components), Motion>,
     /// Candidate constraint rows, cheapest first.
     pub rows: Vec<Row>,
     /// Rows of constraints that follow from the others: needed only where the others are not enough.

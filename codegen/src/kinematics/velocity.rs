@@ -61,6 +61,7 @@ impl Motion {
 pub(super) fn derive(model: &Model, k: &mut Kinematics) {
     k.angular = (0..k.triads.len()).map(|_| Motion::default()).collect();
     k.velocities = model.points.iter().map(|_| Motion::default()).collect();
+    k.term_derivatives.clear();
     lift(model, k);
     let lifted_triads: BTreeSet<_> = lifted_frames(model).map(|f| k.frame_triad[f]).collect();
     for triad in (0..k.triads.len()).map(TriadId::from_index) {
@@ -294,7 +295,10 @@ pub(crate) fn derivative(k: &mut Kinematics, vector: &Vector) -> Motion {
         motion.add(k, &velocity, factor);
     }
     for (&triad, components) in &vector.terms {
-        let term = derivative_of_term(k, triad, *components);
+        // Points along a chain share the terms of those farther in.
+        let known = k.term_derivatives.get(&(triad, *components)).cloned();
+        let term = known.unwrap_or_else(|| derivative_of_term(k, triad, *components));
+        k.term_derivatives.entry((triad, *components)).or_insert_with(|| term.clone());
         let one = k.dag.one();
         motion.add(k, &term, one);
     }

@@ -14,6 +14,7 @@ mod expr;
 mod expressions;
 mod forms;
 mod geometry;
+mod hinge_by_hinge;
 mod hostile;
 mod implied;
 mod import_circles;

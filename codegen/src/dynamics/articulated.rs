@@ -1,0 +1,268 @@
+//! u' hinge by hinge: articulated bodies.
+//!
+//! In: the bodies as a tree, every joint with speeds of its own, and the active forces. Out: u' and its pivots, by
+//! operations that grow linearly with the length of the tree.
+//!
+//! Accelerations are counted from those at u' = 0 (`composite`, outwards). Inwards every hinge, in the order from the
+//! leaves, is set free: with s its twist, U = I s and D = s . U, its u' = (F - s . wrench) / D - (U / D) . A, where A is
+//! what the body inside accelerates beyond u' = 0; that body then bears I - U U' / D. Outwards A follows.
+//! Featherstone 2008, chapter 7; D are the pivots of M = L' D L.
+
+use super::articulated_inertia::Articulated;
+use super::composite::{self, Base, Moves, State, power};
+use super::given::Given;
+use super::solve::NO_INERTIA;
+use super::spatial::Wrench;
+use super::tree::{self, Node};
+use super::{Unprojected, active_force, shared_axis};
+use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId};
+use crate::kinematics::eliminate::{Pivot, pivot_of};
+use crate::kinematics::{Kinematics, UnknownId, UnknownKind, derivative_of};
+use crate::model::Model;
+use crate::vector::{Components, cross_components, dot_components, turn_components};
+use std::collections::BTreeMap;
+
+/// With fewer speeds the mass matrix is shorter: a chain of point masses on seven hinges takes as many operations either way.
+const FEWEST_SPEEDS: usize = 7;
+
+/// u' without a mass matrix.
+#[derive(Clone, Debug)]
+pub(super) struct HingeByHinge {
+    /// The independent accelerations.
+    pub u_dot: Vec<ExprId>,
+    /// What is divided by.
+    pub pivots: Vec<Pivot>,
+}
+
+/// A speed's own twist where it moves the tree, set free.
+struct Free {
+    unknown: UnknownId,
+    v: Components,
+    w: Components,
+    /// U / D.
+    share: Wrench,
+    /// (F - s . wrench) / D.
+    alone: ExprId,
+    pivot: ExprId,
+}
+
+/// A place in a node's triad where others hang, and the speeds by which it slides there.
+struct Place {
+    parent: usize,
+    offset: Components,
+    slides: BTreeMap<UnknownId, Components>,
+}
+
+/// The speeds that are set free: of every node by turning, in its triad; of every place by sliding, in its node's.
+struct Freed {
+    turning: Vec<Vec<Free>>,
+    sliding: Vec<Vec<Free>>,
+}
+
+/// A speed with its acceleration and what that was divided by.
+struct Solved {
+    unknown: UnknownId,
+    acceleration: ExprId,
+    pivot: ExprId,
+}
+
+/// What an acceleration beyond that at u' = 0 is: of the origin, and angular.
+type Beyond = (Components, Components);
+
+/// u' of a tree whose joints share no speeds; none for other mechanisms, nor where a pivot vanishes.
+pub(super) fn derive(
+    model: &Model,
+    k: &mut Kinematics,
+    table: &mut SampleTable,
+    mass_matrix: &[Vec<ExprId>],
+) -> Option<HingeByHinge> {
+    if k.unknowns.len() < FEWEST_SPEEDS {
+        return None;
+    }
+    let independent = k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_)));
+    let bodies = shared_axis::bodies(model, k);
+    if !independent || bodies.is_empty() || bodies.iter().any(|m| !m.body.weight) {
+        return None;
+    }
+    let forest = tree::build(model, k, &bodies);
+    let roots: Vec<usize> = forest.roots().into_keys().collect();
+    let moving =
+        roots.iter().filter(|&&root| !derivative_of(k, &forest.nodes[root].origin).partials.is_empty());
+    if moving.count() > 1 {
+        return None; // their motions hold the same speeds
+    }
+    let mut active = Unprojected::default();
+    active_force::accumulate(model, k, &mut active);
+    let mut found: BTreeMap<UnknownId, Solved> = BTreeMap::new();
+    for root in roots {
+        for solved in Tree::new(model, k, &forest.nodes, root)?.solve(&mut k.dag, &active) {
+            if found.insert(solved.unknown, solved).is_some() {
+                return None;
+            }
+        }
+    }
+    let unknowns = k.independent_unknowns();
+    let mut pivots = Vec::new();
+    for (row, unknown) in unknowns.iter().enumerate() {
+        let &Solved { pivot, .. } = found.get(unknown)?;
+        let whole = table.values(&k.dag, mass_matrix[row][row]).to_vec();
+        let values = table.values(&k.dag, pivot);
+        if !values.iter().zip(&whole).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
+            return None;
+        }
+        if !k.dag.is_constant(pivot) {
+            k.dag.name(pivot, &format!("pivot_{row}"));
+            pivots.push(pivot_of(&k.dag, table, pivot));
+        }
+    }
+    Some(HingeByHinge { u_dot: unknowns.iter().map(|u| found[u].acceleration).collect(), pivots })
+}
+
+/// The nodes that hang on a root, with what moves them.
+struct Tree {
+    nodes: Vec<Node>,
+    root: usize,
+    base: Base,
+    states: Vec<Option<State>>,
+    moves: Vec<Option<Moves>>,
+    places: Vec<Place>,
+    /// Where every node hangs, if it does.
+    place_of: Vec<Option<usize>>,
+}
+
+impl Tree {
+    /// None where two places of the tree move with one speed.
+    fn new(model: &Model, k: &mut Kinematics, nodes: &[Node], root: usize) -> Option<Self> {
+        let mut nodes = nodes.to_vec();
+        tree::move_inwards(k, &mut nodes, root, tree::Wheels::Whole);
+        let base = Base::new(model, k, &Given::default(), &nodes[root]);
+        let (states, moves) = composite::motions(k, &Given::default(), &nodes, root, &base.state);
+        let (mut places, mut place_of): (Vec<Place>, _) = (Vec::new(), vec![None; nodes.len()]);
+        for (i, node) in nodes.iter().enumerate() {
+            let (Some(joint), Some(motion)) = (&node.joint, &moves[i]) else { continue };
+            let same = places.iter().position(|p| p.parent == joint.parent && p.offset == joint.offset);
+            place_of[i] = Some(same.unwrap_or(places.len()));
+            if same.is_none() {
+                let slides = slides(&mut k.dag, motion);
+                places.push(Place { parent: joint.parent, offset: joint.offset, slides });
+            }
+        }
+        let turning = moves.iter().flatten().flat_map(|motion| motion.turn.partials.keys());
+        let sliding = places.iter().flat_map(|place| place.slides.keys());
+        let mut speeds: Vec<UnknownId> =
+            base.twists.iter().map(|(u, ..)| u).chain(turning).chain(sliding).copied().collect();
+        let n = speeds.len();
+        speeds.sort();
+        speeds.dedup();
+        (speeds.len() == n).then_some(Self { nodes, root, base, states, moves, places, place_of })
+    }
+
+    /// Every speed.
+    fn solve(&self, dag: &mut Dag, active: &Unprojected) -> Vec<Solved> {
+        let mut freed = Freed { turning: Vec::new(), sliding: Vec::new() };
+        freed.turning.resize_with(self.nodes.len(), Vec::new);
+        freed.sliding.resize_with(self.places.len(), Vec::new);
+        // What hangs at every place, in the triad of the node that has it.
+        let mut hanging: Vec<Option<Articulated>> = self.places.iter().map(|_| None).collect();
+        let zero = [dag.zero(); 3];
+        for i in (self.root..self.nodes.len()).rev() {
+            let (node, Some(state)) = (&self.nodes[i], &self.states[i]) else { continue };
+            let wrench = node.own.resistance(dag, &state.acceleration);
+            let mut body = Articulated::rigid(dag, &node.own, wrench);
+            for (p, place) in self.places.iter().enumerate().filter(|(_, place)| place.parent == i) {
+                let Some(mut outer) = hanging[p].take() else { continue };
+                for (&unknown, &v) in &place.slides {
+                    freed.sliding[p].push(set_free(dag, &mut outer, (unknown, v, zero), active));
+                }
+                let outer = outer.shifted(dag, &place.offset);
+                body = body.plus(dag, &outer);
+            }
+            let (Some(joint), Some(motion), Some(p)) = (&node.joint, &self.moves[i], self.place_of[i]) else {
+                freed.turning[i] =
+                    self.base.twists.iter().map(|t| set_free(dag, &mut body, *t, active)).collect();
+                continue;
+            };
+            for (&unknown, &partial) in &motion.turn.partials {
+                let mut w = zero;
+                w[joint.axis as usize] = partial;
+                freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
+            }
+            let body = body.turned(dag, joint.axis, joint.angle);
+            hanging[p] =
+                Some(hanging[p].take().map_or_else(|| body.clone(), |beside| beside.plus(dag, &body)));
+        }
+        self.outwards(dag, &freed)
+    }
+
+    /// u' from the root to the leaves.
+    fn outwards(&self, dag: &mut Dag, freed: &Freed) -> Vec<Solved> {
+        let mut found = Vec::new();
+        let zero = [dag.zero(); 3];
+        let mut beyond: Vec<Option<Beyond>> = vec![None; self.nodes.len()];
+        let mut at_place: Vec<Option<Beyond>> = vec![None; self.places.len()];
+        beyond[self.root] = Some(accelerate(dag, (zero, zero), &freed.turning[self.root], &mut found));
+        for (i, node) in self.nodes.iter().enumerate().skip(self.root + 1) {
+            let (Some(joint), Some(p)) = (&node.joint, self.place_of[i]) else { continue };
+            let Some((a, alpha)) = beyond[joint.parent] else { continue };
+            let (a, alpha) = at_place[p].unwrap_or_else(|| {
+                let carried = cross_components(dag, &alpha, &joint.offset);
+                let a = std::array::from_fn(|n| dag.add(a[n], carried[n]));
+                accelerate(dag, (a, alpha), &freed.sliding[p], &mut found)
+            });
+            at_place[p] = Some((a, alpha));
+            let [a, alpha] = [a, alpha].map(|v| turn_components(dag, joint.axis, joint.angle, v, true));
+            beyond[i] = Some(accelerate(dag, (a, alpha), &freed.turning[i], &mut found));
+        }
+        found
+    }
+}
+
+/// The unknowns by which a joint slides, with the direction in the parent's triad.
+fn slides(dag: &mut Dag, motion: &Moves) -> BTreeMap<UnknownId, Components> {
+    let zero = dag.zero();
+    let mut found: BTreeMap<UnknownId, Components> = BTreeMap::new();
+    for (i, rate) in motion.slide.iter().enumerate() {
+        for (&unknown, &partial) in &rate.partials {
+            found.entry(unknown).or_insert([zero; 3])[i] = partial;
+        }
+    }
+    found
+}
+
+/// Sets a speed free; the body is what remains to those inside.
+fn set_free(
+    dag: &mut Dag,
+    body: &mut Articulated,
+    (unknown, v, w): (UnknownId, Components, Components),
+    active: &Unprojected,
+) -> Free {
+    let column = body.resistance(dag, &v, &w);
+    let pivot = power(dag, &v, &w, &column);
+    let share = column.map(|e| dag.div(e, pivot));
+    let taken = power(dag, &v, &w, &body.wrench);
+    let force = active.force.get(&unknown).copied().unwrap_or_else(|| dag.zero());
+    let rest = dag.sub(force, taken);
+    let alone = dag.div(rest, pivot);
+    body.give_way(dag, &column, &share);
+    let carried = column.map(|e| dag.mul(e, alone));
+    body.wrench = body.wrench.plus(dag, &carried);
+    Free { unknown, v, w, share, alone, pivot }
+}
+
+/// Adds the accelerations of the speeds that are set free at one place, the innermost first.
+fn accelerate(dag: &mut Dag, (mut a, mut alpha): Beyond, freed: &[Free], found: &mut Vec<Solved>) -> Beyond {
+    for free in freed.iter().rev() {
+        let [straight, turning] = [(&free.share.force, &a), (&free.share.moment, &alpha)]
+            .map(|(share, acceleration)| dot_components(dag, share, acceleration));
+        let given = dag.add(straight, turning);
+        let acceleration = dag.sub(free.alone, given);
+        for i in 0..3 {
+            let [v, w] = [free.v[i], free.w[i]].map(|part| dag.mul(part, acceleration));
+            a[i] = dag.add(a[i], v);
+            alpha[i] = dag.add(alpha[i], w);
+        }
+        found.push(Solved { unknown: free.unknown, acceleration, pivot: free.pivot });
+    }
+    (a, alpha)
+}

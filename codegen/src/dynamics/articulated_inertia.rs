@@ -1,0 +1,222 @@
+//! What a tree of bodies opposes to an acceleration of its innermost one, its hinges being free to give way.
+//!
+//! To an acceleration a of the origin and an angular one alpha it opposes the force M a + H alpha + f and the moment
+//! H' a + J alpha + n. A rigid body has M = m 1, H = -[h] and J = tr(S) 1 - S; a free hinge takes away what it gives
+//! way to, a matrix of rank one. Featherstone 2008, chapter 7.
+
+use super::spatial::{Inertia, Symmetric, Wrench, entry};
+use crate::expr::{Dag, ExprId};
+use crate::model::Axis;
+use crate::vector::{Components, cross_components, turn_components};
+
+/// M, H, J and the wrench (f, n) at the accelerations from which others are counted; about an origin, in one triad.
+#[derive(Clone, Debug)]
+pub(super) struct Articulated {
+    mass: Symmetric,
+    /// `coupling[i][j]`: component i of the force that component j of the angular acceleration takes.
+    coupling: [Components; 3],
+    inertia: Symmetric,
+    pub wrench: Wrench,
+}
+
+impl Articulated {
+    /// A body that gives way to nothing.
+    pub(super) fn rigid(dag: &mut Dag, own: &Inertia, wrench: Wrench) -> Self {
+        let (zero, m, h, s) = (dag.zero(), own.mass, own.first, own.second);
+        let mut coupling = [[zero; 3]; 3];
+        let mut inertia = s.map(|e| dag.negate(e));
+        for i in 0..3 {
+            let (j, l) = ((i + 1) % 3, (i + 2) % 3);
+            // alpha x h
+            coupling[i][j] = h[l];
+            coupling[i][l] = dag.negate(h[j]);
+            inertia[i] = dag.add(s[j], s[l]);
+        }
+        Self { mass: [m, m, m, zero, zero, zero], coupling, inertia, wrench }
+    }
+
+    pub(super) fn plus(&self, dag: &mut Dag, other: &Self) -> Self {
+        let mut sum = |a: &Symmetric, b: &Symmetric| std::array::from_fn(|n| dag.add(a[n], b[n]));
+        let (mass, inertia) = (sum(&self.mass, &other.mass), sum(&self.inertia, &other.inertia));
+        let coupling = std::array::from_fn(|i| {
+            std::array::from_fn(|j| dag.add(self.coupling[i][j], other.coupling[i][j]))
+        });
+        Self { mass, coupling, inertia, wrench: self.wrench.plus(dag, &other.wrench) }
+    }
+
+    /// What an acceleration (a, alpha) takes beside the wrench.
+    pub(super) fn resistance(&self, dag: &mut Dag, a: &Components, alpha: &Components) -> Wrench {
+        let row = |matrix: &Symmetric, i: usize| [0, 1, 2].map(|j| matrix[entry(i, j)]);
+        let column = |i: usize| [0, 1, 2].map(|j| self.coupling[j][i]);
+        let mut six = |left: Components, right: Components| {
+            let terms: Vec<ExprId> =
+                (left.iter().zip(a)).chain(right.iter().zip(alpha)).map(|(&m, &x)| dag.mul(m, x)).collect();
+            dag.sum(&terms)
+        };
+        Wrench {
+            force: std::array::from_fn(|i| six(row(&self.mass, i), self.coupling[i])),
+            moment: std::array::from_fn(|i| six(column(i), row(&self.inertia, i))),
+        }
+    }
+
+    /// Without what a motion gives way to that takes `column` and by a unit of which it moves `share`.
+    ///
+    /// With U = I s and D = s . U the rest is I - U (U / D)': `share` is U / D.
+    pub(super) fn give_way(&mut self, dag: &mut Dag, column: &Wrench, share: &Wrench) {
+        let mut less = |entry: &mut ExprId, a: ExprId, b: ExprId| {
+            let term = dag.mul(a, b);
+            *entry = dag.sub(*entry, term);
+        };
+        for i in 0..3 {
+            for j in 0..3 {
+                less(&mut self.coupling[i][j], column.force[i], share.moment[j]);
+                if i <= j {
+                    less(&mut self.mass[entry(i, j)], column.force[i], share.force[j]);
+                    less(&mut self.inertia[entry(i, j)], column.moment[i], share.moment[j]);
+                }
+            }
+        }
+    }
+
+    /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
+    pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
+        let full = |m: &Symmetric| [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[entry(i, j)]));
+        let half = |m: [Components; 3]| [m[0][0], m[1][1], m[2][2], m[1][2], m[2][0], m[0][1]];
+        let mass = turned_matrix(dag, axis, angle, &full(&self.mass));
+        let inertia = turned_matrix(dag, axis, angle, &full(&self.inertia));
+        Self {
+            mass: half(mass),
+            coupling: turned_matrix(dag, axis, angle, &self.coupling),
+            inertia: half(inertia),
+            wrench: self.wrench.turned(dag, axis, angle),
+        }
+    }
+
+    /// About an origin at -`offset`, which moves the old one by alpha x offset: with C alpha = alpha x offset,
+    /// H + M C and J + H' C + C' (H + M C).
+    pub(super) fn shifted(&self, dag: &mut Dag, offset: &Components) -> Self {
+        // Column j of C, e_j x offset, has entries where the other two axes are.
+        let (zero, one) = (dag.zero(), dag.one());
+        let columns: [Components; 3] = std::array::from_fn(|j| {
+            let mut unit = [zero; 3];
+            unit[j] = one;
+            cross_components(dag, &unit, offset)
+        });
+        let coupling: [Components; 3] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let terms = [0, 1, 2].map(|m| dag.mul(self.mass[entry(i, m)], columns[j][m]));
+                let moved = dag.sum(&terms);
+                dag.add(self.coupling[i][j], moved)
+            })
+        });
+        let mut inertia = self.inertia;
+        for i in 0..3 {
+            for j in i..3 {
+                let terms: Vec<ExprId> = if i == j {
+                    let both = [0, 1, 2].map(|m| dag.add(self.coupling[m][i], coupling[m][i]));
+                    (0..3).map(|m| dag.mul(both[m], columns[i][m])).collect()
+                } else {
+                    let before = (0..3).map(|m| (self.coupling[m][i], columns[j][m]));
+                    let after = (0..3).map(|m| (coupling[m][j], columns[i][m]));
+                    before.chain(after).map(|(h, c)| dag.mul(h, c)).collect()
+                };
+                let sum = dag.sum(&terms);
+                inertia[entry(i, j)] = dag.add(inertia[entry(i, j)], sum);
+            }
+        }
+        Self { mass: self.mass, coupling, inertia, wrench: self.wrench.shifted(dag, offset) }
+    }
+}
+
+/// R A R' by products of single angles: with r = A_ij + A_ji and x = s (A_ii - A_jj) + c r the turned block is
+/// A_ii - s x, c x - A_ji, c x - A_ij and A_jj + s x.
+fn turned_matrix(dag: &mut Dag, axis: Axis, angle: ExprId, a: &[Components; 3]) -> [Components; 3] {
+    let l = axis as usize;
+    let (i, j) = ((l + 1) % 3, (l + 2) % 3);
+    let (sin, cos) = (dag.sin(angle), dag.cos(angle));
+    let mut turned = *a;
+    let difference = dag.sub(a[i][i], a[j][j]);
+    let both = dag.add(a[i][j], a[j][i]);
+    let (along, across) = (dag.mul(sin, difference), dag.mul(cos, both));
+    let x = dag.add(along, across);
+    let (sx, cx) = (dag.mul(sin, x), dag.mul(cos, x));
+    turned[i][i] = dag.sub(a[i][i], sx);
+    turned[j][j] = dag.add(a[j][j], sx);
+    turned[i][j] = dag.sub(cx, a[j][i]);
+    turned[j][i] = dag.sub(cx, a[i][j]);
+    turned[l] = turn_components(dag, axis, angle, a[l], false);
+    let column = turn_components(dag, axis, angle, [0, 1, 2].map(|m| a[m][l]), false);
+    turned[i][l] = column[i];
+    turned[j][l] = column[j];
+    turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A body about whose hinge nothing is symmetric.
+    fn body(dag: &mut Dag) -> Inertia {
+        let numbers = [0.9, 0.8, 0.7, 0.1, -0.05, 0.2].map(|x| dag.constant(x));
+        let centre = [0.3, -0.2, 0.5].map(|x| dag.constant(x));
+        let mass = dag.constant(2.0);
+        Inertia::of_body(dag, mass, &centre, &numbers)
+    }
+
+    fn close(dag: &Dag, a: &Wrench, b: &Wrench) {
+        let numbers =
+            |w: &Wrench| [w.force, w.moment].concat().into_iter().map(|e| dag.evaluate_constant(e)).collect();
+        let (a, b): (Vec<f64>, Vec<f64>) = (numbers(a), numbers(b));
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-14), "{a:?} {b:?}");
+    }
+
+    #[test]
+    fn a_rigid_body_resists_as_its_momentum_says() {
+        let mut dag = Dag::default();
+        let inertia = body(&mut dag);
+        let (a, alpha) =
+            ([0.4, 0.6, -0.3].map(|x| dag.constant(x)), [1.1, -0.7, 0.9].map(|x| dag.constant(x)));
+        let nothing = Wrench::zero(&mut dag);
+        let found = Articulated::rigid(&mut dag, &inertia, nothing).resistance(&mut dag, &a, &alpha);
+        let expected = inertia.momentum(&mut dag, &a, &alpha);
+        close(&dag, &found, &expected);
+    }
+
+    #[test]
+    fn a_turn_and_a_shift_move_it_as_a_rigid_body() {
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let mut dag = Dag::default();
+            let inertia = body(&mut dag);
+            let (angle, offset) = (dag.constant(0.7), [0.1, 0.4, -0.6].map(|x| dag.constant(x)));
+            let (a, alpha) =
+                ([0.4, 0.6, -0.3].map(|x| dag.constant(x)), [1.1, -0.7, 0.9].map(|x| dag.constant(x)));
+            let nothing = Wrench::zero(&mut dag);
+            let moved = Articulated::rigid(&mut dag, &inertia, nothing).turned(&mut dag, axis, angle);
+            let moved = moved.shifted(&mut dag, &offset).resistance(&mut dag, &a, &alpha);
+            let expected = inertia.turned(&mut dag, axis, angle).shifted(&mut dag, &offset);
+            let expected = expected.momentum(&mut dag, &a, &alpha);
+            close(&dag, &moved, &expected);
+        }
+    }
+
+    #[test]
+    fn a_free_hinge_takes_no_moment() {
+        let mut dag = Dag::default();
+        let inertia = body(&mut dag);
+        let nothing = Wrench::zero(&mut dag);
+        let mut body = Articulated::rigid(&mut dag, &inertia, nothing);
+        let zero = [dag.zero(); 3];
+        let axis = [dag.zero(), dag.one(), dag.zero()];
+        let column = body.resistance(&mut dag, &zero, &axis);
+        let pivot = column.moment[1];
+        let share = column.map(|e| dag.div(e, pivot));
+        body.give_way(&mut dag, &column, &share);
+        let (a, alpha) =
+            ([0.4, 0.6, -0.3].map(|x| dag.constant(x)), [1.1, -0.7, 0.9].map(|x| dag.constant(x)));
+        let found = body.resistance(&mut dag, &a, &alpha);
+        assert!(dag.evaluate_constant(found.moment[1]).abs() < 1e-15);
+        let found = body.resistance(&mut dag, &zero, &axis);
+        let nothing = Wrench::zero(&mut dag);
+        close(&dag, &found, &nothing);
+    }
+}

@@ -1,0 +1,157 @@
+//! Trees in space, solved hinge by hinge: operations a link, and the accelerations against the equations before the elimination.
+
+use crate::augmented::{agree, with_augmented};
+use smartbed_codegen::{ParameterChoice, Program, Settings, model, program};
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+/// A model's head.
+fn head(name: &str, dof: usize) -> String {
+    format!(
+        "format = 1\nname = \"{name}\"\ndof = {dof}\ngravity = \"-g*N.z\"\n[parameters]\n\
+         g = {{ value = 9.81, unit = \"m/s^2\" }}\nl = {{ value = 0.3, unit = \"m\" }}\nm = {{ value = 0.5, unit = \"kg\" }}\n\
+         k = {{ value = 200, unit = \"N/m\" }}\nc = {{ value = 2, unit = \"N s/m\" }}\n"
+    )
+}
+
+/// Point masses at the ends of rods on hinges about x, y and z in turn.
+fn chain(n: usize) -> String {
+    let mut text = head("chain", n);
+    for i in 0..n {
+        let (point, frame) = match i {
+            0 => ("O".to_owned(), "N".to_owned()),
+            _ => (format!("p{}", i - 1), format!("f{}", i - 1)),
+        };
+        let (hinge, rod) = (["x", "y", "z"][i % 3], ["z", "x", "y"][i % 3]);
+        write!(
+            text,
+            "[coordinates.q{i}]\nunit = \"rad\"\n[frames.f{i}]\nparent = \"{frame}\"\nrotations = [[\"{hinge}\", \"q{i}\"]]\n\
+             [points.p{i}]\nposition = \"{point} + l*f{i}.{rod}\"\n[bodies.b{i}]\ncentre = \"p{i}\"\nmass = \"m\"\n"
+        )
+        .expect("a string grows");
+    }
+    text
+}
+
+fn derived(text: &str) -> Program {
+    let model = model::parse("tree.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    program::derive(&model, &ParameterChoice::default()).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// The accelerations against the equations before the elimination, solved numerically, at several states; `most` is less than
+/// the operations of the other forms.
+fn check(text: &str, most: usize) {
+    let model = model::parse("tree.toml", text).unwrap_or_else(|e| panic!("{e}"));
+    let program = with_augmented(&model, Settings::default());
+    println!("{}: {} operations", program.name, program.operations());
+    assert!(program.operations() <= most, "another form was taken: {} operations", program.operations());
+    for round in 0..5 {
+        let number = |i: usize| (1.7 * (i + 1) as f64 + 2.3 * f64::from(round)).sin();
+        let q: Vec<f64> = (0..program.q.len()).map(|i| 2.0 * number(i)).collect();
+        let u: Vec<f64> = (0..program.u.len()).map(|i| 3.0 * number(i + 40)).collect();
+        let inputs: Vec<f64> = (0..program.inputs.len()).map(|i| 5.0 * number(i + 80)).collect();
+        agree(&program, &q, &u, &inputs);
+    }
+}
+
+/// The best published count of articulated bodies is 429 a link.
+#[test]
+fn operations_of_a_spatial_chain_grow_linearly() {
+    let operations = [20, 40, 80].map(|n| derived(&chain(n)).operations());
+    println!("20, 40, 80 links in space: {operations:?} operations");
+    assert!(operations[0] <= 5_500 && operations[1] <= 12_000, "{operations:?}");
+    assert!(10 * operations[2] <= 21 * operations[1], "{operations:?}");
+}
+
+#[test]
+fn forty_links_in_space_are_derived_within_a_second() {
+    let text = chain(40);
+    let least = (0..5).map(|_| {
+        let begin = Instant::now();
+        let program = derived(&text);
+        assert!(program.operations() > 0);
+        begin.elapsed()
+    });
+    let least = least.min().expect("some");
+    println!("forty links in space: derived in {least:?}");
+    assert!(least < Duration::from_secs(1), "{least:?}");
+}
+
+#[test]
+fn a_chain_of_point_masses() {
+    check(&chain(20), 4_000); // 7,712 by the mass matrix
+}
+
+/// A frame on a hinge at `place` turned by `angle` about `axis`, and a body without any symmetry in it.
+fn link(text: &mut String, i: usize, (place, parent): (&str, &str), axis: &str) {
+    write!(
+        text,
+        "[coordinates.q{i}]\nunit = \"rad\"\n[frames.f{i}]\nparent = \"{parent}\"\nrotations = [[\"{axis}\", \"q{i}\"]]\n\
+         [points.J{i}]\nposition = \"{place} + 0.2_m*{parent}.x + 0.1_m*{parent}.z\"\n\
+         [points.C{i}]\nposition = \"J{i} + 0.1_m*f{i}.x - 0.07_m*f{i}.y + 0.2_m*f{i}.z\"\n\
+         [bodies.b{i}]\ncentre = \"C{i}\"\nframe = \"f{i}\"\nmass = \"1.5_kg\"\n\
+         inertia = {{ Ixx = 0.03, Iyy = 0.04, Izz = 0.05, Ixy = 0.004, Ixz = -0.003, Iyz = 0.002 }}\n"
+    )
+    .expect("a string grows");
+}
+
+/// Two arms on one trunk; a mast slides out of one of them askew and carries a wheel and two hinges; drives, a rope with a
+/// damper between the arms, a force at a tip.
+fn tree() -> String {
+    let mut text = head("tree", 25);
+    for i in 0..3 {
+        let place = if i == 0 {
+            ("O".to_owned(), "N".to_owned())
+        } else {
+            (format!("J{}", i - 1), format!("f{}", i - 1))
+        };
+        link(&mut text, i, (&place.0, &place.1), ["z", "x", "y"][i]);
+    }
+    for (first, last, begin) in [(3, 11, 2), (12, 20, 2)] {
+        for i in first..=last {
+            let before = if i == first { begin } else { i - 1 };
+            link(&mut text, i, (&format!("J{before}"), &format!("f{before}")), ["y", "z", "x"][i % 3]);
+        }
+    }
+    text.push_str(
+        "[coordinates.s]\nunit = \"m\"\n[points.M]\nposition = \"J20 + 0.8*s*f20.x + 0.6*s*f20.z\"\n\
+         [coordinates.spin]\nunit = \"rad\"\n[frames.wheel]\nparent = \"f20\"\nrotations = [[\"y\", \"spin\"]]\n\
+         [bodies.wheel]\ncentre = \"M\"\nframe = \"wheel\"\nmass = \"0.7_kg\"\ninertia = { Ixx = 0.01, Iyy = 0.02, Izz = 0.01 }\n",
+    );
+    link(&mut text, 21, ("M", "f20"), "x");
+    link(&mut text, 22, ("J21", "f21"), "y");
+    text.push_str(
+        "[inputs]\nF = { unit = \"N\" }\nT = { unit = \"N m\" }\n\
+         [forces]\ntip = { point = \"C11\", force = \"F*N.x\" }\n\
+         [torques]\nmotor = { frame = \"f4\", torque = \"T*f4.z\", reaction = \"f3\" }\n\
+         [springs]\nrope = { between = [\"C11\", \"C20\"], stiffness = \"k\", rest_length = \"0.1_m\", damping = \"c\" }\n",
+    );
+    text
+}
+
+#[test]
+fn a_tree_with_arms_a_slide_and_a_wheel() {
+    check(&tree(), 35_000); // 42,224 by the mass matrix; most of it is the rope between tips
+}
+
+/// A base that flies: three slides, three turns at one point, then an arm.
+#[test]
+fn an_arm_on_a_free_base() {
+    let mut text = head("flying", 16);
+    text.push_str(
+        "[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\nz = { unit = \"m\" }\n\
+         roll = { unit = \"rad\", range = [-1, 1] }\npitch = { unit = \"rad\", range = [-1, 1] }\nyaw = { unit = \"rad\", range = [-1, 1] }\n\
+         [frames.base]\nparent = \"N\"\nrotations = [[\"x\", \"roll\"], [\"y\", \"pitch\"], [\"z\", \"yaw\"]]\n\
+         [points.B]\nposition = \"x*N.x + y*N.y + z*N.z\"\n\
+         [bodies.base]\ncentre = \"B\"\nframe = \"base\"\nmass = \"4_kg\"\ninertia = { Ixx = 0.2, Iyy = 0.3, Izz = 0.4, Ixy = 0.02 }\n",
+    );
+    for i in 0..10 {
+        let place = if i == 0 {
+            ("B".to_owned(), "base".to_owned())
+        } else {
+            (format!("J{}", i - 1), format!("f{}", i - 1))
+        };
+        link(&mut text, i, (&place.0, &place.1), ["z", "x", "y"][i % 3]);
+    }
+    check(&text, 4_000); // 4,787 by the mass matrix
+}
