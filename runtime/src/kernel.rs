@@ -16,56 +16,56 @@ pub trait Kernel {
 /// microcontroller, for the stack).
 pub const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 64 };
 
+/// Registers that a kernel is compiled for.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Debug)]
+pub enum Registers {
+    /// Those of the oldest machine.
+    Plain,
+    /// 32 bytes.
+    Avx2,
+    /// 64 bytes.
+    Avx512,
+}
+
 /// Runs the kernel as this machine does it fastest.
 #[inline(always)]
 pub fn run<K: Kernel>(kernel: K) -> K::Output {
+    run_within(Registers::Avx512, kernel)
+}
+
+/// Runs the kernel with the widest registers that the machine has, none wider than those given.
+#[cfg_attr(
+    target_arch = "x86_64",
+    expect(unsafe_code, reason = "the compiler cannot know that the machine has been asked")
+)]
+#[inline(always)]
+pub fn run_within<K: Kernel>(widest: Registers, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
-    if let Some(wider) = x86::Wider::known() {
-        return wider.run(kernel);
+    if widest >= Registers::Avx512 && avx512::get() {
+        // SAFETY: the machine has said that it knows these instructions.
+        return unsafe { run_avx512(kernel) };
+    } else if widest >= Registers::Avx2 && avx2::get() {
+        // SAFETY: as above.
+        return unsafe { run_avx2(kernel) };
     }
+    let _ = widest;
+    kernel.run()
+}
+
+// Machine and operating system are asked once.
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(avx2, "avx2");
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(avx512, "avx512f", "avx512vl", "avx512dq", "avx512bw");
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn run_avx2<K: Kernel>(kernel: K) -> K::Output {
     kernel.run()
 }
 
 #[cfg(target_arch = "x86_64")]
-mod x86 {
-    use super::Kernel;
-
-    cpufeatures::new!(avx2, "avx2");
-    cpufeatures::new!(avx512, "avx512f", "avx512vl", "avx512dq", "avx512bw");
-
-    /// Instructions that machine and operating system have been asked for.
-    pub enum Wider {
-        Avx2,
-        Avx512,
-    }
-
-    impl Wider {
-        /// The widest that they know; asked once.
-        #[inline(always)]
-        pub fn known() -> Option<Self> {
-            if avx512::get() { Some(Wider::Avx512) } else { avx2::get().then_some(Wider::Avx2) }
-        }
-
-        /// The kernel with them.
-        #[expect(unsafe_code, reason = "the compiler cannot know that the machine has been asked")]
-        #[inline(always)]
-        pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
-            match self {
-                // SAFETY: `known` is the only maker of this value, where the machine has said yes.
-                Wider::Avx2 => unsafe { avx2_run(kernel) },
-                // SAFETY: as above.
-                Wider::Avx512 => unsafe { avx512_run(kernel) },
-            }
-        }
-    }
-
-    #[target_feature(enable = "avx2")]
-    fn avx2_run<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run()
-    }
-
-    #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
-    fn avx512_run<K: Kernel>(kernel: K) -> K::Output {
-        kernel.run()
-    }
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+fn run_avx512<K: Kernel>(kernel: K) -> K::Output {
+    kernel.run()
 }

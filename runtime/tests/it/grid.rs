@@ -5,7 +5,7 @@ use smartbed_runtime::flexible::block::Pulls;
 use smartbed_runtime::flexible::force;
 use smartbed_runtime::flexible::grid::{Family, Grid, Run, Weave, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
-use smartbed_runtime::kernel::{self, Kernel};
+use smartbed_runtime::kernel::{self, Registers};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
 
@@ -145,25 +145,27 @@ proptest! {
     fn wider_registers_give_the_same_bits(rows in 1_usize..6, columns in 1_usize..100, seed in 0_u64..u64::MAX) {
         let net = Net::<f32>::new(rows, columns, seed);
         let grid = net.grid();
-        let forces = |weave: bool, wide: bool| {
+        let forces = |weave: bool, registers: Registers| {
             let mut force = vec![[0.5; 3]; net.pos.len()];
             let (pressure, gravity) = (Some((PressureForm::Exact, 2.0)), [0.5; 3]);
             let (pos, springs) = (&net.pos, &net.springs);
-            let runaway = match (weave, wide) {
-                (true, true) => kernel::run(Weave { grid: &grid, pressure, pos, gravity, force: &mut force }),
-                (true, false) => Weave { grid: &grid, pressure, pos, gravity, force: &mut force }.run(),
-                (false, true) => kernel::run(Pulls { springs, pos, force: &mut force }),
-                (false, false) => Pulls { springs, pos, force: &mut force }.run(),
+            let runaway = if weave {
+                kernel::run_within(registers, Weave { grid: &grid, pressure, pos, gravity, force: &mut force })
+            } else {
+                kernel::run_within(registers, Pulls { springs, pos, force: &mut force })
             };
             let bits: Vec<u32> = force.as_flattened().iter().map(|x| x.to_bits()).collect();
             (runaway, bits)
         };
-        prop_assert_eq!(forces(true, true), forces(true, false));
-        prop_assert_eq!(forces(false, true), forces(false, false));
+        for registers in [Registers::Avx2, Registers::Avx512] {
+            for weave in [true, false] {
+                prop_assert_eq!(forces(weave, registers), forces(weave, Registers::Plain));
+            }
+        }
         let mut force = vec![[0.5; 3]; net.pos.len()];
         let runaway = net.springs.iter().fold(false, |any, spring| any | spring.add_elastic(&net.pos, &mut force));
         let bits: Vec<u32> = force.as_flattened().iter().map(|x| x.to_bits()).collect();
-        prop_assert_eq!(forces(false, true), (runaway, bits));
+        prop_assert_eq!(forces(false, Registers::Plain), (runaway, bits));
     }
 }
 
