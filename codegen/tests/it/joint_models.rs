@@ -193,3 +193,76 @@ fn a_free_body_keeps_its_angular_momentum_for_a_million_steps() {
         assert!(double <= 1e-12 && single <= 1e-4, "f64 {double:e}, f32 {single:e}");
     }
 }
+
+/// Accelerations of the independent speeds at places of the independent coordinates; the others are assembled.
+fn parallel(name: &str, named: &[(&str, f64)], inputs: &[f64], q_of: &[(&str, f64)]) -> Vec<f64> {
+    let model = shipped(name);
+    let program = derived(name);
+    let (mut q, u) = state(&program, named);
+    for (value, coordinate) in q.iter_mut().zip(&program.q) {
+        if !named.iter().any(|(n, _)| *n == coordinate.name) {
+            *value = coordinate.value;
+        }
+    }
+    let mut mechanism = Interpreted::<f64>::new(&program);
+    for _ in 0..20 {
+        mechanism.project(&mut q).expect("lengths fit");
+    }
+    assert!(mechanism.residual(&q).expect("lengths fit") < 1e-14, "{}: not assembled", model.name);
+    for (coordinate, expected) in q_of {
+        let found = of(&program, &q, coordinate);
+        assert!((found - expected).abs() < 1e-13, "{coordinate}: {found} against {expected}");
+    }
+    let (mut q_dot, mut u_dot) = (vec![0.0; q.len()], vec![0.0; u.len()]);
+    let pivot = mechanism.rates(0.0, &q, &u, inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+    println!("{name}: {} operations, pivot {pivot:.2}", program.operations());
+    u_dot
+}
+
+fn near(found: &[f64], expected: &[f64], what: &str) {
+    let size = expected.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let worst = found.iter().zip(expected).fold(0.0_f64, |m, (x, y)| m.max((x - y).abs() / size));
+    println!("{what}: {worst:.1e}");
+    assert!(found.len() == expected.len() && worst <= 1e-12, "{what}: {worst:e}, {found:?}");
+}
+
+/// Against Lagrange's equations in the plate's place, 50 digits: `tests/reference/parallel_robots.py`.
+#[test]
+fn parallel_robots_move_as_lagrange_says() {
+    let e = [
+        0.984_340_669_520_627_1,
+        0.100_442_925_461_288_48,
+        -0.120_531_510_553_546_17,
+        0.080_354_340_369_030_78,
+    ];
+    let stewart = [
+        ("pose_x", 0.03),
+        ("pose_y", -0.02),
+        ("pose_z", 0.52),
+        ("pose_e0", e[0]),
+        ("pose_e1", e[1]),
+        ("pose_e2", e[2]),
+        ("pose_e3", e[3]),
+        ("u_pose_x", 0.3),
+        ("u_pose_y", -0.2),
+        ("u_pose_z", 0.1),
+        ("pose_wx", 0.4),
+        ("pose_wy", -0.5),
+        ("pose_wz", 0.7),
+    ];
+    let found = parallel("stewart", &stewart, &[20.0, -5.0, 12.0, 30.0, 8.0, 15.0], &[]);
+    let expected = [
+        1.385_209_260_888_721,
+        -2.482_164_385_877_112_7,
+        -1.283_494_526_648_985_2,
+        -21.363_021_914_977_35,
+        23.124_521_680_179_434,
+        8.167_701_990_649_132,
+    ];
+    near(&found, &expected, "stewart");
+    let delta = [("x", 0.05), ("y", -0.03), ("z", -0.41), ("u_x", 0.4), ("u_y", 0.3), ("u_z", -0.2)];
+    let arms =
+        [("q1", 0.381_359_246_108_728_4), ("q2", 0.702_998_764_610_594_6), ("q3", 0.543_411_428_533_564_3)];
+    let found = parallel("delta", &delta, &[-1.2, 0.5, -0.3], &arms);
+    near(&found, &[5.507_964_808_267_872, -2.571_883_997_532_316, -5.895_222_394_286_379], "delta");
+}

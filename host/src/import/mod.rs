@@ -9,20 +9,10 @@ mod tree;
 mod urdf;
 mod write;
 
+pub use write::{Base, Imported};
+
 use crate::failure::Failure;
 use crate::{input, output};
-
-/// How the root link is held.
-#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
-pub enum Base {
-    /// It stands still.
-    #[default]
-    Fixed,
-    /// Six degrees of freedom.
-    Floating,
-    /// It slides on the plane across z and turns about z.
-    Planar,
-}
 
 /// A robot of URDF as a model.
 #[derive(clap::Args, Clone, Debug)]
@@ -41,15 +31,6 @@ pub struct Arguments {
     /// How the root link is held.
     #[arg(long, value_enum, default_value_t)]
     pub base: Base,
-}
-
-/// What an import gives.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Imported {
-    /// The model.
-    pub model: String,
-    /// What was not carried over, a line each.
-    pub left_out: Vec<String>,
 }
 
 /// The model of a robot.

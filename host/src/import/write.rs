@@ -4,8 +4,28 @@ use super::name::Names;
 use super::pose::{self, Vector};
 use super::tree::{Carrier, Leader, Place, Tree};
 use super::urdf::{Joint, Kind, Robot};
-use super::{Base, Imported};
 use std::fmt::Write as _;
+
+/// How the root link is held.
+#[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
+pub enum Base {
+    /// It stands still.
+    #[default]
+    Fixed,
+    /// Six degrees of freedom.
+    Floating,
+    /// It slides on the plane across z and turns about z.
+    Planar,
+}
+
+/// What an import gives.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Imported {
+    /// The model.
+    pub model: String,
+    /// What was not carried over, a line each.
+    pub left_out: Vec<String>,
+}
 
 /// The names that the robot has in the model.
 struct Words {
