@@ -44,6 +44,47 @@ impl core::fmt::Display for Fault {
 
 impl core::error::Error for Fault {}
 
+/// A parameter that is no number, or lies outside its range.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct OutOfRange<S> {
+    /// The parameter.
+    pub name: &'static str,
+    /// Its value, SI.
+    pub value: S,
+    /// The lowest and highest that it may have.
+    pub range: [S; 2],
+}
+
+impl<S: core::fmt::Display> core::fmt::Display for OutOfRange<S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let Self { name, value, range: [low, high] } = self;
+        write!(f, "parameter `{name}` is {value}; expected a finite number from {low} to {high}")
+    }
+}
+
+impl<S: core::fmt::Debug + core::fmt::Display> core::error::Error for OutOfRange<S> {}
+
+/// Is every parameter a finite number within its range? What `Parameters::check` of derived code calls.
+///
+/// # Errors
+/// The first that is not.
+#[allow(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
+pub fn check_parameters<S: Copy + PartialOrd + core::ops::Sub<Output = S>>(
+    names: &[&'static str],
+    values: &[S],
+    ranges: &[[S; 2]],
+) -> Result<(), OutOfRange<S>> {
+    for ((&name, &value), &range) in names.iter().zip(values).zip(ranges) {
+        let [low, high] = range;
+        let rest = value - value;
+        let is_finite = rest.partial_cmp(&rest).is_some();
+        if !(is_finite && low <= value && value <= high) {
+            return Err(OutOfRange { name, value, range });
+        }
+    }
+    Ok(())
+}
+
 /// Equations of motion of one mechanism over the scalar `S`, with its parameters inside.
 ///
 /// State: all coordinates `q` and the independent speeds `u`, SI units, in the model's order.

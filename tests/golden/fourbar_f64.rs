@@ -92,6 +92,42 @@ impl Default for Parameters {
         }
     }
 }
+/// Lowest and highest value of every tunable parameter, SI units.
+pub const PARAMETER_RANGES: [[S; 2]; 11usize] = [
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+];
+impl Parameters {
+    /// Is every parameter a finite number within its range?
+    ///
+    /// # Errors
+    /// The first that is not, with its value and range.
+    pub fn check(&self) -> Result<(), smartbed_runtime::mechanism::OutOfRange<S>> {
+        let values = [
+            self.l1,
+            self.l2,
+            self.l3,
+            self.l4,
+            self.m1,
+            self.m2,
+            self.m3,
+            self.I1,
+            self.I2,
+            self.I3,
+            self.g,
+        ];
+        smartbed_runtime::mechanism::check_parameters(&PARAMETER_NAMES, &values, &PARAMETER_RANGES)
+    }
+}
 /// What the functions below need of the parameters, from [`prepare`].
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]

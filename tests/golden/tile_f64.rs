@@ -143,6 +143,46 @@ impl Default for Parameters {
         }
     }
 }
+/// Lowest and highest value of every tunable parameter, SI units.
+pub const PARAMETER_RANGES: [[S; 2]; 13usize] = [
+    [S::NEG_INFINITY, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [0.0_f64, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+    [S::NEG_INFINITY, S::INFINITY],
+];
+impl Parameters {
+    /// Is every parameter a finite number within its range?
+    ///
+    /// # Errors
+    /// The first that is not, with its value and range.
+    pub fn check(&self) -> Result<(), smartbed_runtime::mechanism::OutOfRange<S>> {
+        let values = [
+            self.R,
+            self.ms,
+            self.mr,
+            self.mc,
+            self.Ic1,
+            self.Ic2,
+            self.Ic3,
+            self.M,
+            self.Ix,
+            self.Iy,
+            self.Iz,
+            self.c,
+            self.g,
+        ];
+        smartbed_runtime::mechanism::check_parameters(&PARAMETER_NAMES, &values, &PARAMETER_RANGES)
+    }
+}
 /// What the functions below need of the parameters, from [`prepare`].
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]

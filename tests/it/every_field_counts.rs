@@ -156,7 +156,7 @@ const CHANGES: [(&str, Change); 41] = [
 ];
 
 /// Fields that no change of a drawn mechanism reaches, each with a test that fails if it is misread.
-const ELSEWHERE: [(&str, &str, &str); 36] = [
+const ELSEWHERE: [(&str, &str, &str); 48] = [
     ("top level.format", "smartbed-codegen", "rejected_models_have_their_exact_messages"),
     ("top level.name", "smartbed-tests", "emitted_text_equals_the_golden_files"),
     ("top level.doc", "smartbed-tests", "emitted_text_equals_the_golden_files"),
@@ -165,6 +165,18 @@ const ELSEWHERE: [(&str, &str, &str); 36] = [
     ("parameters.unit", "smartbed-codegen", "numbers_are_in_the_declared_unit_and_expressions_in_their_own"),
     ("parameters.doc", "smartbed-tests", "emitted_text_equals_the_golden_files"),
     ("parameters.fixed", "smartbed-tests", "emitted_text_equals_the_golden_files"),
+    ("parameters.range", "smartbed-tests", "parameters_outside_their_range_are_named"),
+    ("joints.kind", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.child", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.parent", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.at", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.turned", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.axis", "smartbed-codegen", "a_hinge_about_any_axis_is_a_physical_pendulum"),
+    ("joints.axes", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("joints.radius", "smartbed-codegen", "a_rolling_disc_is_the_disc_by_hand"),
+    ("joints.independent", "smartbed-codegen", "parallel_robots_move_as_lagrange_says"),
+    ("joints.drive", "smartbed-codegen", "a_chain_of_joints_is_the_chain_of_frames_and_points"),
+    ("bodies.density", "smartbed-codegen", "bodies_by_shape_have_the_mass_and_inertia_of_their_parts"),
     ("inputs.unit", "smartbed-codegen", "units_are_checked_at_the_subexpression"),
     ("inputs.doc", "smartbed-tests", "emitted_text_equals_the_golden_files"),
     ("coordinates.unit", "smartbed-codegen", "plain_numbers_are_in_the_unit_of_their_quantity"),

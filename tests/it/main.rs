@@ -32,6 +32,7 @@ mod law_table;
 mod newton_euler_oracle;
 mod observed_order;
 mod pair_impact;
+mod parameter_check;
 mod random_mechanisms;
 mod rigid_impact;
 mod rigid_motion;

@@ -88,6 +88,8 @@ pub struct Parameter {
     pub value: Expr,
     /// A tunable parameter stays a field of the generated code; a fixed one is folded.
     pub tunable: bool,
+    /// Lowest and highest value that it may have, SI.
+    pub range: (f64, f64),
     /// Where it is declared.
     pub span: Span,
 }

@@ -87,8 +87,8 @@ impl Model {
             source: _, name: _, doc: _, dof: _, inputs: _, ports: _, order: _, start: _, run: _, view,
         } = self;
         let mut all = Vec::new();
-        for (id, Parameter { value, name: _, doc: _, unit: _, tunable: _, span: _ }) in parameters.enumerate()
-        {
+        for (id, parameter) in parameters.enumerate() {
+            let Parameter { value, name: _, doc: _, unit: _, tunable: _, range: _, span: _ } = parameter;
             all.push((Role::Parameter(id), value));
         }
         for (id, Definition { value, name: _, span: _ }) in definitions.enumerate() {

@@ -124,6 +124,8 @@ pub struct Quantity {
     pub doc: String,
     /// Default (parameters), nominal value (coordinates), else 0.
     pub value: f64,
+    /// Lowest and highest value of a parameter; of anything else every number.
+    pub range: (f64, f64),
     /// Line of the declaration.
     pub line: usize,
     /// Appears only inside sine and cosine: may be wrapped by whole turns.
@@ -388,6 +390,9 @@ fn correction(
     corrections
 }
 
+/// The range of what has none.
+const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+
 /// Given derivatives of the independent speeds, in their order.
 fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
     let independent = model.speeds.enumerate().filter(|(id, _)| k.is_independent(*id));
@@ -400,6 +405,7 @@ fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec
             unit: format!("{}/s", speed.unit),
             doc: "derivative of the speed".to_owned(),
             value: 0.0,
+            range: ANY,
             line: model.source.line_column(speed.span).0,
             is_angle: false,
         })
@@ -416,6 +422,7 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
             unit: unit.to_owned(),
             doc: doc.to_owned(),
             value,
+            range: ANY,
             line: line(span),
             is_angle: false,
         })
@@ -445,7 +452,8 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
         .parameters
         .enumerate()
         .filter_map(|(id, p)| {
-            quantity(&p.name, k.parameters[id], &p.unit, &p.doc, k.parameter_values[id], p.span)
+            let found = quantity(&p.name, k.parameters[id], &p.unit, &p.doc, k.parameter_values[id], p.span)?;
+            Some(Quantity { range: p.range, ..found })
         })
         .collect();
     [q, u, inputs, parameters]

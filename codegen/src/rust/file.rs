@@ -25,7 +25,7 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     text += &format!("pub type S = {};\n", options.scalar.path());
     text += &items::constants(program, &options.scalar);
     let fields = name::fields(program);
-    text += &items::parameters(program, &fields, &options.scalar);
+    text += &items::parameters(program, &fields, &options.scalar, runtime);
     if functions.iter().any(|function| function.gives("augmented")) {
         let doc = "Speeds and lifted twists of the augmented form, in order.";
         text += &items::names("UNKNOWN_NAMES", doc, &program.augmented.unknowns);

@@ -57,7 +57,7 @@ pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
 }
 
 /// The struct of tunable parameters, with these names for its fields, and its defaults.
-pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarType) -> String {
+pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
     let named = || program.parameters.iter().zip(names);
     let fields = named().map(|(p, name)| {
         let what = name::sentence(&p.doc, &p.name);
@@ -66,8 +66,43 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
     });
     let defaults = named().map(|(p, name)| format!("{name}: {}", scalar.literal(p.value)));
     let values = layout::block("Self", defaults, "        ");
+    let check = match scalar {
+        ScalarType::F32 | ScalarType::F64 => check(program, names, scalar, runtime),
+        // Lanes hold several mechanisms and do not compare.
+        ScalarType::Path(_) => String::new(),
+    };
     format!(
-        "/// Tunable parameters, SI units.\n{PLAIN_STRUCT}{}impl Default for Parameters {{\n    fn default() -> Self {{\n{values}    }}\n}}\n",
+        "/// Tunable parameters, SI units.\n{PLAIN_STRUCT}{}impl Default for Parameters {{\n    fn default() -> Self {{\n{values}    }}\n}}\n{check}",
         layout::block("pub struct Parameters", fields, "")
     )
+}
+
+/// The ranges of the parameters, and the method that compares.
+fn check(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str) -> String {
+    let ends = |p: &Quantity| format!("[{}, {}]", scalar.literal(p.range.0), scalar.literal(p.range.1));
+    let ranges: Vec<String> = program.parameters.iter().map(ends).collect();
+    let count = ranges.len();
+    let mut text = "/// Lowest and highest value of every tunable parameter, SI units.\n".to_owned();
+    text += &layout::array(&format!("pub const PARAMETER_RANGES: [[S; 2]; {count}usize] = "), &ranges);
+    let values: String = names.iter().map(|name| format!("            self.{name},\n")).collect();
+    let values = if count == 0 {
+        "let values = [];".to_owned()
+    } else {
+        format!("let values = [\n{values}        ];")
+    };
+    text += &format!(
+        "\
+impl Parameters {{
+    /// Is every parameter a finite number within its range?
+    ///
+    /// # Errors
+    /// The first that is not, with its value and range.
+    pub fn check(&self) -> Result<(), {runtime}::mechanism::OutOfRange<S>> {{
+        {values}
+        {runtime}::mechanism::check_parameters(&PARAMETER_NAMES, &values, &PARAMETER_RANGES)
+    }}
+}}
+"
+    );
+    text
 }

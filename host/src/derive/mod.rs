@@ -255,6 +255,12 @@ fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failu
             return Err(Failure::Wrong(format!("`{}` has no parameter `{name}`{help}", model.name)));
         }
     }
+    for (name, value) in &choice.values {
+        let declared = model.parameters.iter().find(|p| p.name == *name);
+        if let Some(message) = declared.and_then(|p| p.refuses(*value)) {
+            return Err(Failure::Wrong(format!("--set {name}={value}: {message}")));
+        }
+    }
     Ok(choice)
 }
 

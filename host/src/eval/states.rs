@@ -136,7 +136,11 @@ pub fn parameters(states: &[State], model: &Model) -> Result<Vec<String>, Failur
     let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
     let mut named = std::collections::BTreeSet::new();
     for (n, state) in states.iter().enumerate() {
-        for (name, _) in &state.parameters {
+        for (name, value) in &state.parameters {
+            let declared = model.parameters.iter().find(|p| p.name == *name);
+            if let Some(message) = declared.and_then(|p| p.refuses(*value)) {
+                return Err(Failure::Wrong(format!("states[{n}].parameters: {message}")));
+            }
             if !known.contains(&name.as_str()) {
                 let help = suggest::help(name, known);
                 let model = &model.name;

@@ -102,7 +102,10 @@ impl Settings {
                 )));
             }
             names.push(name.clone());
-            if model.parameters.iter().any(|p| p.name == name) {
+            if let Some(parameter) = model.parameters.iter().find(|p| p.name == name) {
+                if let Some(message) = parameter.refuses(value) {
+                    return Err(Failure::Wrong(format!("--set {change}: {message}")));
+                }
                 settings.choice.values.insert(name, value);
             } else {
                 settings.set_start(model, &name, value)?;

@@ -83,7 +83,15 @@ pub fn evaluate(draft: Draft, found: &mut Diagnostics) -> Model {
     let mut model = draft.model;
     let constants = Constants::of(&model);
     for (id, value) in constants.parameters.enumerate() {
-        finite(*value, model.parameters[id].value.span, found);
+        let parameter = &model.parameters[id];
+        finite(*value, parameter.value.span, found);
+        if let Some(message) = parameter.refuses(*value) {
+            found.push(
+                Diagnostic::error(message)
+                    .label(parameter.value.span, "this value")
+                    .help("correct the value, or give another `range`"),
+            );
+        }
     }
     let mut value = |expr: &Expr| finite(constants.value(expr), expr.span, found);
     for id in model.coordinates.ids() {
@@ -137,6 +145,19 @@ fn call(function: Function, arguments: &[f64]) -> f64 {
             let s = ((x / y).clamp(-1.0, 1.0) + 1.0) / 2.0;
             s * s * (3.0 - 2.0 * s)
         }
+    }
+}
+
+impl Parameter {
+    /// Why the parameter cannot have a value (SI), if it lies outside the range.
+    #[must_use]
+    pub fn refuses(&self, value: f64) -> Option<String> {
+        let (low, high) = self.range;
+        let outside = value < low || high < value;
+        outside.then(|| {
+            let unit = if self.unit == "1" { String::new() } else { format!(" {}", self.unit) };
+            format!("parameter `{}` is {value}; expected a number from {low} to {high}{unit}", self.name)
+        })
     }
 }
 

@@ -141,18 +141,44 @@ impl<'a> Builder<'a> {
                         None => unreadable(key.span),
                     };
                     let tunable = !fields.boolean("fixed", self.found).unwrap_or(false);
+                    let range = self.range(&fields, scale);
                     fields.finish(self.found);
                     self.draft.units.parameters.push(scale.unit);
-                    Parameter { name: key.name.clone(), doc, unit, value, tunable, span: key.span }
+                    Parameter { name: key.name.clone(), doc, unit, value, tunable, range, span: key.span }
                 }
                 bare => {
                     let value = self.expression(bare);
                     let (name, doc, unit) = (key.name.clone(), String::new(), "1".to_owned());
                     self.draft.units.parameters.push(Unit::NONE);
-                    Parameter { name, doc, unit, value, tunable: true, span: key.span }
+                    let range = (f64::NEG_INFINITY, f64::INFINITY);
+                    Parameter { name, doc, unit, value, tunable: true, range, span: key.span }
                 }
             };
             self.draft.model.parameters.push(parameter);
+        }
+    }
+
+    /// What a parameter may be: two numbers in its unit. A mass without a range is 0 or more.
+    fn range(&mut self, fields: &Fields<'_>, scale: Scale) -> (f64, f64) {
+        let lowest = if scale.unit == Unit::MASS { 0.0 } else { f64::NEG_INFINITY };
+        let Some((items, span)) = fields.array("range", self.found) else { return (lowest, f64::INFINITY) };
+        let ends: Vec<f64> = items
+            .iter()
+            .filter_map(|item| match self.quantity(item, scale).kind {
+                ExprKind::Number(number) => Some(number),
+                _ => None,
+            })
+            .collect();
+        match ends[..] {
+            [low, high] if items.len() == 2 && low <= high => (low, high),
+            _ => {
+                self.found.push(
+                    Diagnostic::error(format!("the range of parameter `{}` is not two numbers", fields.name))
+                        .label(span, "expected the lowest and the highest value")
+                        .help("range = [0, 0.5], in the parameter's unit"),
+                );
+                (lowest, f64::INFINITY)
+            }
         }
     }
 
