@@ -24,12 +24,12 @@ PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "scipy": "scipy", "casadi": "cas
             "pinocchio": "pin", "mujoco": "mujoco", "exudyn": "exudyn"}
 
 
-def prepare():
-    """The environment's interpreter, with whatever could be installed."""
+def prepare(modules=tuple(PACKAGES)):
+    """The environment's interpreter, with whatever could be installed of these modules."""
     python = VENV / "bin" / "python"
     if not python.exists():
         venv.create(VENV, with_pip=True)
-    for module, package in PACKAGES.items():
+    for module, package in ((module, PACKAGES[module]) for module in modules):
         if subprocess.run([python, "-c", f"import {module}"], capture_output=True).returncode:
             print(f"installing {package} ...", flush=True)
             done = subprocess.run([python, "-m", "pip", "install", "-q", package], capture_output=True, text=True)

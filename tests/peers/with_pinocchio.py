@@ -52,12 +52,12 @@ def joints(name):
     return 10, rows, [0, -p["g"], 0]
 
 
-def compile_library(directory):
-    """One library; the models are loaded into it one at a time, so each gets its own copy."""
+def compile_source(text, directory, name):
+    """The library of a C++ source that uses Pinocchio."""
     prefix = pathlib.Path(pinocchio.__file__)
     prefix = next(parent for parent in prefix.parents if parent.name == "cmeel.prefix")
-    source, so = directory / "pinocchio_eval.cpp", directory / "pinocchio_eval.so"
-    source.write_text(SOURCE)
+    source, so = directory / f"{name}.cpp", directory / f"{name}.so"
+    source.write_text(text)
     libraries = [str(x) for x in sorted((prefix / "lib").glob("libpinocchio_default.so*"))[:1]]
     # The wheel leaves Eigen's headers out; CasADi's wheel brings them.
     eigen = [f"-I{x}" for x in (pathlib.Path("/usr/include/eigen3"), *prefix.parent.glob("*/include/eigen3")) if x.exists()]
@@ -74,8 +74,9 @@ def build(name, directory):
     if name not in TREES:
         raise NotImplementedError("loops need its iterative constraint solver")
     so = directory / "pinocchio_eval.so"
+    # The models are loaded one at a time, so each gets its own copy.
     if not so.exists():
-        compile_library(directory)
+        compile_source(SOURCE, directory, "pinocchio_eval")
     own = directory / f"{name}_pinocchio.so"
     own.write_bytes(so.read_bytes())
     library = ctypes.CDLL(str(own))

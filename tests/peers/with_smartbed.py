@@ -71,8 +71,13 @@ DERIVATIONS = 20
 
 def emit(model, words, target):
     """Writes the Rust of models/<model>.toml and returns what it holds."""
+    return emit_file(f"models/{model}.toml", words, target)
+
+
+def emit_file(file, words, target):
+    """Writes the Rust of a model's file and returns what it holds."""
     command = ["cargo", "run", "-q", "--release", *FOR_SPEED, "-p", "smartbed-codegen", "--example", "emit", "--"]
-    arguments = [f"models/{model}.toml", str(target), *words]
+    arguments = [str(file), str(target), *words]
     done = subprocess.run(command + arguments, cwd=ROOT, text=True, capture_output=True, check=False)
     if done.returncode:
         raise RuntimeError(done.stderr.strip())
