@@ -45,6 +45,8 @@ pub mod plot;
 pub mod view;
 
 #[cfg(feature = "whole")]
+pub mod bed;
+#[cfg(feature = "whole")]
 pub mod check;
 #[cfg(feature = "whole")]
 pub mod derive;
@@ -62,12 +64,16 @@ pub mod import;
 pub mod manual;
 pub mod new;
 #[cfg(feature = "whole")]
+pub mod plan;
+#[cfg(feature = "whole")]
 pub mod report;
 pub mod run;
 #[cfg(feature = "whole")]
 pub mod scene;
 #[cfg(feature = "whole")]
 pub mod settle;
+#[cfg(feature = "whole")]
+pub mod sweep;
 #[cfg(feature = "whole")]
 pub mod tile;
 #[cfg(feature = "whole")]

@@ -2,8 +2,8 @@
 
 use clap::{CommandFactory, Parser, Subcommand};
 use smartbed::{
-    check, derive, equilibrium, eval, figure, firmware, import, manual, new, output, program, report, run,
-    settle, tile, view,
+    bed, check, derive, equilibrium, eval, figure, firmware, import, manual, new, output, program, report,
+    run, settle, sweep, tile, view,
 };
 use std::process::ExitCode;
 
@@ -49,6 +49,10 @@ enum Command {
     Firmware(firmware::Arguments),
     /// Talk to tile controllers, in the emulator or on this machine.
     Tile(tile::Arguments),
+    /// Run a plan of the bed, or make a page of it.
+    Bed(bed::Arguments),
+    /// Run a plan over all values of its [sweep].
+    Sweep(sweep::Arguments),
     /// Print the completions of a shell.
     Completions(manual::Completions),
     /// Write man pages.
@@ -76,6 +80,8 @@ fn main() -> ExitCode {
         Command::Figure(arguments) => figure::run(&arguments),
         Command::Firmware(arguments) => firmware::run(&arguments),
         Command::Tile(arguments) => tile::run(&arguments),
+        Command::Bed(arguments) => bed::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Completions(arguments) => manual::completions(&arguments, CommandLine::command()),
         Command::Man(arguments) => manual::man(&arguments, CommandLine::command()),
     })

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders of the library.
-const LIBRARY: [&str; 3] = ["scene", "world", "engine"];
+const LIBRARY: [&str; 4] = ["scene", "world", "engine", "plan"];
 /// What it may use of this crate; of `firmware` how it runs other programs.
 const ALLOWED: [&str; 13] = [
     "configuration",

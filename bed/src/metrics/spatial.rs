@@ -38,7 +38,8 @@ pub fn spread(sites: &[Site], pressure: &[f64], contact: f64) -> Option<Spread> 
 /// Area (m^2) with more than this pressure (Pa).
 #[must_use]
 pub fn area_above(sites: &[Site], pressure: &[f64], limit: f64) -> f64 {
-    sites.iter().zip(pressure).filter(|(_, p)| **p > limit).map(|(s, _)| s.area).sum()
+    // An empty sum of floats is -0.
+    sites.iter().zip(pressure).filter(|(_, p)| **p > limit).fold(0.0, |sum, (s, _)| sum + s.area)
 }
 
 /// Dispersion index (%): pressure on the sites of a region over that on all, 100 sum_R p/sum p; `None` without load.

@@ -25,7 +25,9 @@ fn by_site(recording: &Recording, of: impl Fn(usize) -> f64) -> Vec<f64> {
 
 /// Area of sites whose numbers satisfy something.
 fn area_where(recording: &Recording, numbers: &[f64], holds: impl Fn(f64) -> bool) -> f64 {
-    recording.sites().iter().zip(numbers).filter(|(_, x)| holds(**x)).map(|(s, _)| s.area).sum()
+    let sites = recording.sites().iter().zip(numbers);
+    // An empty sum of floats is -0.
+    sites.filter(|(_, x)| holds(**x)).fold(0.0, |sum, (s, _)| sum + s.area)
 }
 
 /// Persistent occlusion (m^2): area whose least pressure over the last cycle is above that of occlusion; `None` if

@@ -1,5 +1,6 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
+mod bed;
 mod browser;
 mod check_and_derive;
 mod driven;

@@ -10,7 +10,7 @@ mod overlap;
 mod rigid;
 mod sensor;
 pub mod settings;
-mod value;
+pub(crate) mod value;
 mod view;
 
 pub use mechanism::Find;

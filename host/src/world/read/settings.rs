@@ -6,7 +6,7 @@ use smartbed_codegen::source::{File, Source, Span};
 use std::sync::Arc;
 
 /// The scene's table with the settings on top; what is wrong with them goes to `found`.
-pub(super) fn apply(mut table: Table, settings: &[String], found: &mut Diagnostics) -> Table {
+pub(crate) fn apply(mut table: Table, settings: &[String], found: &mut Diagnostics) -> Table {
     for setting in settings {
         let file = u32::try_from(found.source.files.len()).unwrap_or(u32::MAX);
         let (text, read) = toml(setting, file);

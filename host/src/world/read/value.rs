@@ -10,7 +10,7 @@ use smartbed_codegen::source::Span;
 
 /// What a number must be.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Bound {
+pub(crate) enum Bound {
     Any,
     NotNegative,
     Positive,
@@ -38,12 +38,12 @@ impl Bound {
 }
 
 /// A unit by its text, which the program itself wrote.
-pub(super) fn unit(text: &str) -> Unit {
+pub(crate) fn unit(text: &str) -> Unit {
     unit::parse(text).map_or(Unit::NONE, |scale| scale.unit)
 }
 
 /// A value as a number.
-pub(super) fn scalar(
+pub(crate) fn scalar(
     value: &Value,
     key: &str,
     of: &str,
@@ -72,7 +72,7 @@ fn said(of: &str) -> &str {
 }
 
 /// A number that may be missing.
-pub(super) fn number(
+pub(crate) fn number(
     fields: &Fields<'_>,
     key: &'static str,
     of: &str,
@@ -83,7 +83,7 @@ pub(super) fn number(
 }
 
 /// A number that must be there.
-pub(super) fn needed(
+pub(crate) fn needed(
     fields: &Fields<'_>,
     key: &'static str,
     (of, example): (&str, &str),
@@ -93,7 +93,7 @@ pub(super) fn needed(
 }
 
 /// Numbers of a list of this length.
-pub(super) fn list<const N: usize>(
+pub(crate) fn list<const N: usize>(
     value: &Value,
     key: &str,
     of: &str,
@@ -118,7 +118,7 @@ pub(super) fn list<const N: usize>(
 }
 
 /// A vector that may be missing.
-pub(super) fn vector(
+pub(crate) fn vector(
     fields: &Fields<'_>,
     key: &'static str,
     of: &str,
@@ -128,7 +128,7 @@ pub(super) fn vector(
 }
 
 /// A whole number of at least `least`.
-pub(super) fn count(
+pub(crate) fn count(
     fields: &Fields<'_>,
     key: &'static str,
     least: usize,
@@ -145,7 +145,7 @@ pub(super) fn count(
 }
 
 /// One of several words.
-pub(super) fn one_of<'k>(
+pub(crate) fn one_of<'k>(
     word: &str,
     span: Span,
     (what, known): (&str, &[&'k str]),

@@ -1,0 +1,217 @@
+//! `smartbed bed`: runs a plan of the bed, and makes a page of it.
+//!
+//! In: a plan. Out: metrics as a table, as CSV or as one JSON object; maps as files of sensor makers; a page.
+
+mod page;
+
+use crate::failure::Failure;
+use crate::number::{json_number, json_string};
+use crate::output::{self, Output};
+use crate::plan::{self, Read};
+use crate::progress::Progress;
+use crate::{input, interrupt};
+use smartbed_bed::files::{Mapped, tekscan, xsensor};
+use smartbed_bed::metrics::report::{Report, Row};
+use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
+use smartbed_bed::plan::run::{History, RunError};
+use std::fmt::Write as _;
+
+/// Run a plan of the bed, or make a page of it.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand, Clone, Debug)]
+enum Command {
+    /// Run a plan: equilibria over time, then all metrics.
+    #[command(after_help = "Examples:
+  cargo smartbed bed run alternating
+  cargo smartbed bed run ball_on_four --set load.mass=8_kg --csv metrics.csv --map map.csv")]
+    Run(Run),
+    /// Run a plan and write a page: pressure map, tiles, time slider, metrics.
+    #[command(after_help = "Example:
+  cargo smartbed bed report alternating -o alternating.html")]
+    Report(Page),
+}
+
+/// What `bed run` takes.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Run {
+    /// The plan: a path, or a name under models/plans.
+    pub plan: String,
+    /// Changes a key of the plan; may be repeated.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Metrics as CSV; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
+    /// Pressure maps over time: .csv as XSENSOR's, .asf as Tekscan's.
+    #[arg(long, value_name = "FILE")]
+    pub map: Option<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What `bed report` takes.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Page {
+    /// The plan: a path, or a name under models/plans.
+    pub plan: String,
+    /// Changes a key of the plan; may be repeated.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// The page.
+    #[arg(short, long, value_name = "FILE", default_value = "bed.html")]
+    pub output: String,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong plan, and for one that comes to no equilibrium.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.command {
+        Command::Run(asked) => {
+            let read = load(&asked.plan, &asked.set)?;
+            let history = history(&read)?;
+            if let Some(file) = &asked.csv {
+                write(file, &csv(&metrics(&read, &history)))?;
+            }
+            if let Some(file) = &asked.map {
+                write(file, &map(file, &history)?)?;
+            }
+            if asked.csv.as_deref() == Some("-") {
+                return Ok(());
+            }
+            output::print(&if asked.json { json(&read, &history) } else { text(&read, &history) })
+        }
+        Command::Report(asked) => {
+            let read = load(&asked.plan, &asked.set)?;
+            let history = history(&read)?;
+            write(&asked.output, &page::text(&read.plan, &history, &metrics(&read, &history)))?;
+            output::print(&format!("{}: {}\n", asked.output, read.plan.title))
+        }
+    }
+}
+
+/// Reads a plan and holds it against its limits.
+pub(crate) fn load(argument: &str, settings: &[String]) -> Result<Read, Failure> {
+    let path = plan::find(argument)?.display().to_string();
+    let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
+    let read = plan::parse(&path, &text, settings).map_err(|found| Failure::Found(Box::new(found)))?;
+    Ok(plan::checked(&path, read)?)
+}
+
+fn history(read: &Read) -> Result<History, Failure> {
+    interrupt::watch();
+    let mut progress = Progress::new(&read.plan.title);
+    let on = |done: f64| {
+        progress.at(done);
+        !interrupt::is_asked()
+    };
+    smartbed_bed::plan::run::run(&read.plan, on).map_err(|error| match error {
+        RunError::Stopped => Failure::Wrong("interrupted: nothing is written".to_owned()),
+        other => Failure::Wrong(format!("{}: {other}", read.plan.title)),
+    })
+}
+
+/// All metrics: of sensels, and of the skin.
+pub(crate) fn metrics(read: &Read, history: &History) -> [(&'static str, Vec<Row>); 2] {
+    let thresholds = Thresholds { cycle: read.plan.cycle, ..Thresholds::default() };
+    let friction = read.plan.layout.friction;
+    let of = |recording, grid| Report { recording, grid, thresholds, friction }.rows();
+    [("sensels", of(&history.sensels, Some(&history.grid))), ("skin", of(&history.skin, None))]
+}
+
+/// How well the worst equilibrium carries the weight: by contact forces, and as sensed.
+pub(crate) fn validity(history: &History) -> [f64; 2] {
+    let worst =
+        |of: fn(&smartbed_bed::plan::run::Moment) -> f64| history.moments.iter().map(of).fold(0.0, f64::max);
+    [worst(|m| m.imbalance), worst(|m| m.sensed)]
+}
+
+fn write(file: &str, text: &str) -> Result<(), Failure> {
+    let mut output = Output::open(file)?;
+    output.write(text)?;
+    output.finish()
+}
+
+/// Maps over time in the format of the file's ending.
+fn map(file: &str, history: &History) -> Result<String, Failure> {
+    let mapped = Mapped { grid: history.grid, recording: history.sensels.clone() };
+    let ending = file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    match ending.as_str() {
+        "csv" => Ok(xsensor::write(&mapped)),
+        "asf" => Ok(tekscan::write(&mapped).map_err(|e| format!("{file}: {e}"))?),
+        _ => Err(Failure::Wrong(format!("--map {file}: expected a name that ends in .csv or .asf"))),
+    }
+}
+
+/// Metrics as CSV.
+pub(crate) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
+    let mut text = String::from("sites,place,metric,value,unit,threshold\n");
+    let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x}"));
+    for (sites, rows) in metrics {
+        for row in rows {
+            let (value, threshold) = (number(row.value), number(row.threshold));
+            // Names of metrics hold a comma.
+            let _ =
+                writeln!(text, "{sites},{},\"{}\",{value},{},{threshold}", row.place, row.metric, row.unit);
+        }
+    }
+    text
+}
+
+/// One JSON object.
+fn json(read: &Read, history: &History) -> String {
+    let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
+    let row = |row: &Row| {
+        format!(
+            "{{\"place\": {}, \"metric\": {}, \"value\": {}, \"unit\": {}, \"threshold\": {}}}",
+            json_string(row.place),
+            json_string(row.metric),
+            null(row.value),
+            json_string(row.unit),
+            null(row.threshold)
+        )
+    };
+    let lists = metrics(read, history).map(|(sites, rows)| {
+        let rows: Vec<String> = rows.iter().map(row).collect();
+        format!("\"{sites}\": [{}]", rows.join(", "))
+    });
+    let [imbalance, sensed] = validity(history);
+    format!(
+        "{{\"bed\": {}, \"equilibria\": {}, \"imbalance\": {}, \"sensed_error\": {}, {}, \"note\": {}}}\n",
+        json_string(&read.plan.title),
+        history.moments.len(),
+        json_number(imbalance),
+        json_number(sensed),
+        lists.join(", "),
+        json_string(DISCLAIMER)
+    )
+}
+
+/// For people.
+fn text(read: &Read, history: &History) -> String {
+    let [imbalance, sensed] = validity(history);
+    let mut text = format!(
+        "{}: {} equilibria over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
+        read.plan.title,
+        history.moments.len(),
+        read.plan.seconds,
+        100.0 * sensed
+    );
+    for (sites, rows) in metrics(read, history) {
+        let _ = writeln!(text, "\n{sites}");
+        for row in rows {
+            let value = row.value.map_or_else(|| "-".to_owned(), |x| format!("{x:.3}"));
+            let limit = row.threshold.map_or_else(String::new, |x| format!("  ({x} {})", row.unit));
+            let _ = writeln!(text, "  {:12} {:34} {value:>12} {}{limit}", row.place, row.metric, row.unit);
+        }
+    }
+    let _ = writeln!(text, "\n{DISCLAIMER}");
+    text
+}

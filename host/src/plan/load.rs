@@ -1,0 +1,121 @@
+//! What lies on the bed: a patient, or a ball, a cylinder or a plate.
+
+use crate::world::read::value::{Bound, list, needed, number, one_of};
+use smartbed_bed::body::anthropometry::Table as Anthropometry;
+use smartbed_bed::body::figure::{Angles, Figure, Posture};
+use smartbed_bed::body::{Body, Segment, Shape};
+use smartbed_bed::plan::Load;
+use smartbed_bed::pose::Pose;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Table, Value, wrong_kind};
+
+/// Tables by name.
+const TABLES: [(&str, Anthropometry); 3] = [
+    ("de_leva_male", Anthropometry::DeLevaMale),
+    ("de_leva_female", Anthropometry::DeLevaFemale),
+    ("winter", Anthropometry::Winter),
+];
+/// Postures by name.
+const POSTURES: [(&str, Posture); 3] =
+    [("supine", Posture::Supine), ("side_lying", Posture::SideLying), ("sitting", Posture::Sitting)];
+/// Shapes by name.
+const SHAPES: [&str; 3] = ["ball", "cylinder", "plate"];
+
+/// Reads `[patient]` or `[load]`; a plan without either has an empty bed.
+pub(super) fn read(plan: &Fields<'_>, found: &mut Diagnostics) -> Option<Load> {
+    match (plan.table("patient", found), plan.table("load", found)) {
+        (Some(table), None) => patient(table, found),
+        (None, Some(table)) => solid(table, found),
+        (None, None) => Some(Load { body: Body::default(), poses: Vec::new(), figure: None }),
+        (Some(_), Some(table)) => {
+            let error = Diagnostic::error("a bed bears a patient or a load, not both");
+            found.push(error.label(table.span, "the second").help("leave one of them out"));
+            None
+        }
+    }
+}
+
+fn place(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<[f64; 2]> {
+    fields.get("place").map_or(Some([0.0; 2]), |value| list::<2>(value, "place", "m", found))
+}
+
+/// One of several words, each with its meaning; the first where the key is missing.
+fn named<T: Copy>(
+    fields: &Fields<'_>,
+    key: &'static str,
+    known: &[(&'static str, T)],
+    found: &mut Diagnostics,
+) -> Option<T> {
+    let Some(text) = fields.text(key, found) else { return known.first().map(|(_, value)| *value) };
+    let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+    let hit = one_of(&text.text, text.span, (key, &names), found)?;
+    known.iter().find(|(name, _)| *name == hit).map(|(_, value)| *value)
+}
+
+fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
+    let fields = Fields::of("patient", table.span, table);
+    let posture = named(&fields, "posture", &POSTURES, found);
+    let by = named(&fields, "table", &TABLES, found);
+    let mass = number(&fields, "mass", "kg", Bound::Positive, found).unwrap_or(75.0);
+    let stature = number(&fields, "stature", "m", Bound::Positive, found).unwrap_or(1.75);
+    let place = place(&fields, found);
+    let joints = match fields.table("joints", found) {
+        Some(table) => joints(table, found)?,
+        None => Vec::new(),
+    };
+    fields.finish(found);
+    let figure = match Figure::new(by?, mass, stature, posture?, &joints) {
+        Ok(figure) => figure,
+        Err(error) => {
+            let error = Diagnostic::error(error.to_string()).label(table.span, "of this patient");
+            found.push(error.help("docs/bed.md lists joints and what they allow"));
+            return None;
+        }
+    };
+    let (body, poses) = (figure.body.clone(), figure.poses.clone());
+    Some(Load { body, poses, figure: Some(figure) }.placed(place?))
+}
+
+/// Angles of joints: flexion, spread, twist.
+fn joints(table: &Table, found: &mut Diagnostics) -> Option<Vec<(String, Angles)>> {
+    let one = |(key, value): &(smartbed_codegen::model::document::Key, Value)| {
+        if !matches!(value, Value::Array(..)) {
+            let help = "\"left knee\" = [\"-30_deg\", 0, 0]: flexion, spread, twist";
+            found.push(wrong_kind(&key.name, "three angles", value).help(help));
+            return None;
+        }
+        let angles: [f64; 3] = list(value, &key.name, "", found)?;
+        // Rounded to what the author wrote: a limit is met exactly.
+        Some((key.name.clone(), angles.map(|a| (a.to_degrees() * 1e9).round() / 1e9)))
+    };
+    table.entries.iter().map(one).collect()
+}
+
+fn solid(table: &Table, found: &mut Diagnostics) -> Option<Load> {
+    let fields = Fields::of("load", table.span, table);
+    let word = fields.need("shape", "\"ball\"", found)?;
+    let Value::Text(text) = word else {
+        found.push(wrong_kind("shape", "ball, cylinder or plate", word));
+        return None;
+    };
+    let kind = one_of(&text.text, text.span, ("shape", &SHAPES), found)?;
+    let radius = needed(&fields, "radius", ("m", "\"0.1_m\""), found);
+    let half = match kind {
+        "ball" => Some([0.0; 3]),
+        "cylinder" => needed(&fields, "length", ("m", "\"0.4_m\""), found).map(|l| [0.5 * l, 0.0, 0.0]),
+        _ => {
+            let value = fields.need("size", "[\"0.3_m\", \"0.4_m\", \"0.02_m\"]", found)?;
+            list::<3>(value, "size", "m", found).map(|size| size.map(|s| (0.5 * s).max(0.0)))
+        }
+    };
+    let mass = needed(&fields, "mass", ("kg", "\"10_kg\""), found);
+    let foundation = number(&fields, "foundation", "Pa/m", Bound::Positive, found).unwrap_or(1e7);
+    let place = place(&fields, found);
+    fields.finish(found);
+    let shape = Shape { half: half?, radius: radius? };
+    let name = kind.to_owned();
+    let segment = Segment { name, shape, mass: mass?, centre: [0.0; 3], foundation, free: [true; 6] };
+    let load = Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None };
+    Some(load.placed(place?))
+}

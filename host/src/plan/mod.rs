@@ -1,0 +1,302 @@
+//! Plan text -> [`Plan`] of the bed: layout, load, moves, run; all errors with their places.
+//!
+//! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
+//! limits, or what is wrong. `load` reads what lies on the bed.
+
+mod load;
+
+use crate::suggest;
+use crate::world::read::settings;
+use crate::world::read::value::{Bound, count, list, number, scalar};
+use smartbed_bed::plan::check::{MOST_TILES, check};
+use smartbed_bed::plan::{Layout, Move, Plan};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
+use smartbed_codegen::source::{Source, Span};
+use std::path::{Path, PathBuf};
+
+/// Most equilibria of a run.
+const MOST_EQUILIBRIA: f64 = 100_000.0;
+/// Most nodes of all sheets.
+const MOST_NODES: usize = 100_000;
+
+/// Finds the file of a plan: a path, or a name under `models/plans` here or above.
+///
+/// # Errors
+/// There is none.
+pub fn find(argument: &str) -> Result<PathBuf, String> {
+    let here = std::env::current_dir().unwrap_or_default();
+    let given = [PathBuf::from(argument), PathBuf::from(format!("{argument}.toml"))];
+    if let Some(path) = given.into_iter().find(|path| path.is_file()) {
+        return Ok(path);
+    }
+    let mut known = Vec::new();
+    for folder in here.ancestors().map(|f| f.join("models/plans")) {
+        let candidate = folder.join(format!("{}.toml", argument.trim_end_matches(".toml")));
+        if candidate.is_file() {
+            return Ok(candidate);
+        }
+        known.extend(names(&folder));
+    }
+    known.sort();
+    let help = suggest::help(argument, known.iter().map(String::as_str));
+    Err(format!(
+        "no plan `{argument}`: expected the path of a file, or the name of one under models/plans/{help}"
+    ))
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
+    let plans = entries.filter(|p| p.extension().is_some_and(|e| e == "toml"));
+    plans.filter_map(|p| Some(p.file_stem()?.to_string_lossy().into_owned())).collect()
+}
+
+/// What a sweep changes: keys with the texts of their values, in the author's order.
+pub type Axes = Vec<(String, Vec<String>)>;
+
+/// A plan's text, read.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// The plan.
+    pub plan: Plan,
+    /// What its `[sweep]` changes.
+    pub axes: Axes,
+}
+
+/// Reads a plan; `settings` are `--set`'s.
+///
+/// # Errors
+/// Everything that is wrong in its text.
+pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagnostics> {
+    let source = Source::new(path, text);
+    let mut found = Diagnostics::new(source.clone());
+    let table = match document::parse(text, 0) {
+        Ok(table) => table,
+        Err(items) => return Err(Diagnostics { source, items }),
+    };
+    let table = settings::apply(table, settings, &mut found);
+    match read(path, &table, &mut found) {
+        Some(read) => found.finish(read),
+        None => Err(found),
+    }
+}
+
+/// Holds a plan against its limits.
+///
+/// # Errors
+/// The first limit that it exceeds, with file, tile and time.
+pub fn checked(path: &str, read: Read) -> Result<Read, String> {
+    match check(&read.plan) {
+        Ok(()) => Ok(read),
+        Err(refusal) => Err(format!("{path}: {refusal}")),
+    }
+}
+
+fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
+    let fields = Fields::of("plan", table.span, table);
+    match fields.get("format") {
+        Some(Value::Number(1.0, _)) => {}
+        Some(other) => found.push(wrong_kind("format", "1, that of plans", other).help("format = 1")),
+        None => found
+            .push(Diagnostic::error("the plan has no `format`").label(table.span, "").help("add format = 1")),
+    }
+    let title = fields.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
+    let empty = Table::default();
+    let (layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
+    let load = load::read(&fields, found)?;
+    let (seconds, every, cycle) = run(fields.table("run", found).unwrap_or(&empty), found)?;
+    let mut moves = Vec::new();
+    for item in fields.array("move", found).map_or(&[][..], |(items, _)| items) {
+        match item {
+            Value::Table(table) => moves.extend(change(table, &layout, found)),
+            other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
+        }
+    }
+    if let Some(table) = fields.table("alternating", found) {
+        moves.extend(alternating(table, &layout, pressure, seconds, found)?);
+    }
+    moves.sort_by(|a: &Move, b| a.at.total_cmp(&b.at));
+    let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
+    fields.finish(found);
+    let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle };
+    Some(Read { plan, axes })
+}
+
+fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
+    let fields = Fields::of("bed", table.span, table);
+    let usual = Layout::default();
+    let mut positive = |key: &'static str, of: &str, usual: f64| {
+        number(&fields, key, of, Bound::Positive, found).unwrap_or(usual)
+    };
+    let mut layout = Layout {
+        depth: positive("depth", "m", usual.depth),
+        modulus: positive("modulus", "N/m", usual.modulus),
+        circle: positive("circle", "m", usual.circle),
+        stroke: positive("stroke", "m", usual.stroke),
+        speed: positive("speed", "m/s", usual.speed),
+        step: positive("step", "m", usual.step),
+        most_pressure: positive("most_pressure", "Pa", usual.most_pressure),
+        above: positive("above", "m", usual.above),
+        gap: positive("gap", "m", usual.gap),
+        ..usual
+    };
+    let pressure = positive("pressure", "Pa", 4000.0);
+    layout.friction = number(&fields, "friction", "", Bound::NotNegative, found).unwrap_or(usual.friction);
+    layout.rows = count(&fields, "rows", 1, found).unwrap_or(usual.rows);
+    layout.columns = count(&fields, "columns", 1, found).unwrap_or(usual.columns);
+    layout.is_sealed = fields.boolean("sealed", found).unwrap_or(false);
+    if let Some(value) = fields.get("pitch") {
+        layout.pitch = list::<2>(value, "pitch", "m", found)?;
+    }
+    if let Some(value) = fields.get("intervals") {
+        layout.intervals = list::<2>(value, "intervals", "", found)?.map(|n| n as usize);
+    }
+    fields.finish(found);
+    let mut refuse = |what: String, help: &str| {
+        found.push(Diagnostic::error(what).label(table.span, "of this bed").help(help));
+        None
+    };
+    let tiles = layout.rows.saturating_mul(layout.columns);
+    if tiles > MOST_TILES {
+        return refuse(format!("{tiles} tiles, expected 1 to {MOST_TILES}"), "fewer `rows` or `columns`");
+    }
+    if layout.size().iter().any(|s| *s <= 0.0) {
+        return refuse(
+            "a gap as wide as the pitch leaves no tile".to_owned(),
+            "pitch = [\"225_mm\", \"285.7_mm\"]",
+        );
+    }
+    let [nx, ny] = layout.intervals;
+    if tiles.saturating_mul((nx + 1).saturating_mul(ny + 1)) > MOST_NODES {
+        return refuse(format!("the sheets have more than {MOST_NODES} nodes"), "fewer `intervals`");
+    }
+    if let Err(error) = smartbed_bed::sheet::Lattice::new(layout.intervals, layout.size(), layout.modulus) {
+        return refuse(error.to_string(), "intervals = [8, 10]");
+    }
+    Some((layout, pressure))
+}
+
+fn run(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64)> {
+    let fields = Fields::of("run", table.span, table);
+    let seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    let every = number(&fields, "every", "s", Bound::Positive, found).unwrap_or(10.0);
+    let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
+    fields.finish(found);
+    if seconds / every > MOST_EQUILIBRIA {
+        let error = Diagnostic::error(format!("more than {MOST_EQUILIBRIA} equilibria"));
+        found.push(error.label(table.span, "of this run").help("a longer `every`"));
+        return None;
+    }
+    Some((seconds, every, cycle))
+}
+
+/// One [[move]].
+fn change(table: &Table, layout: &Layout, found: &mut Diagnostics) -> Option<Move> {
+    let fields = Fields::of("move", table.span, table);
+    let at = number(&fields, "at", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    let tiles = tiles(fields.need("tiles", "\"all\"", found)?, layout, found)?;
+    let pressure = number(&fields, "pressure", "Pa", Bound::Any, found);
+    let heave = number(&fields, "heave", "m", Bound::Any, found);
+    let tilt = fields.get("tilt").map(|value| list::<2>(value, "tilt", "", found));
+    fields.finish(found);
+    if pressure.is_none() && heave.is_none() && tilt.is_none() {
+        let error = Diagnostic::error("a move changes nothing").label(table.span, "this one");
+        found.push(error.help("give it pressure, heave or tilt"));
+        return None;
+    }
+    let slope = match tilt {
+        None => None,
+        Some(angles) => {
+            let angles = angles?;
+            if angles.iter().any(|a| a.abs() >= 1.0) {
+                let error =
+                    Diagnostic::error("`tilt` must be below 57 deg").label(table.span, "in this move");
+                found.push(error.help("tilt = [\"5_deg\", \"0_deg\"], towards +x and +y"));
+                return None;
+            }
+            Some(angles.map(f64::tan))
+        }
+    };
+    Some(Move { at, over, tiles, pressure, heave, slope })
+}
+
+/// `"all"`, or numbers from 1.
+fn tiles(value: &Value, layout: &Layout, found: &mut Diagnostics) -> Option<Vec<usize>> {
+    let most = layout.count();
+    let mut refuse = |span: Span, what: String| {
+        let error = Diagnostic::error(what).label(span, "here");
+        found.push(
+            error.help(format!("tiles = \"all\", or numbers from 1 to {most}, row by row from the head")),
+        );
+        None
+    };
+    match value {
+        Value::Text(text) if text.text == "all" => Some((0..most).collect()),
+        Value::Array(items, _) => {
+            let mut tiles = Vec::new();
+            for item in items {
+                match item {
+                    Value::Number(n, _) if n.fract() == 0.0 && (1.0..=most as f64).contains(n) => {
+                        tiles.push(*n as usize - 1);
+                    }
+                    other => return refuse(other.span(), "there is no such tile".to_owned()),
+                }
+            }
+            Some(tiles)
+        }
+        other => refuse(other.span(), "expected tiles".to_owned()),
+    }
+}
+
+fn alternating(
+    table: &Table,
+    layout: &Layout,
+    pressure: f64,
+    seconds: f64,
+    found: &mut Diagnostics,
+) -> Option<Vec<Move>> {
+    let fields = Fields::of("alternating", table.span, table);
+    let low = scalar(fields.need("low", "\"1.6_kPa\"", found)?, "low", "Pa", Bound::NotNegative, found)?;
+    let high = number(&fields, "high", "Pa", Bound::NotNegative, found).unwrap_or(pressure);
+    let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
+    fields.finish(found);
+    if seconds / cycle > 10_000.0 {
+        let error = Diagnostic::error("more than 10000 cycles").label(table.span, "of this alternation");
+        found.push(error.help("a longer `cycle`"));
+        return None;
+    }
+    Some(Plan::alternating(layout, low, high, cycle, seconds))
+}
+
+/// Keys and values of a sweep.
+fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
+    let mut axes = Axes::new();
+    for (key, value) in &table.entries {
+        let texts = match value {
+            Value::Array(items, _) if !items.is_empty() => {
+                items.iter().map(text_of).collect::<Option<Vec<_>>>()
+            }
+            _ => None,
+        };
+        match texts {
+            Some(texts) => axes.push((key.name.clone(), texts)),
+            None => found.push(
+                wrong_kind(&key.name, "a list of numbers or texts", value)
+                    .help("\"patient.mass\" = [\"60_kg\", \"75_kg\"]"),
+            ),
+        }
+    }
+    axes
+}
+
+/// A value as a setting has it.
+fn text_of(value: &Value) -> Option<String> {
+    match value {
+        Value::Number(x, _) => Some(format!("{x}")),
+        Value::Boolean(x, _) => Some(format!("{x}")),
+        Value::Text(text) => Some(format!("{:?}", text.text)),
+        _ => None,
+    }
+}

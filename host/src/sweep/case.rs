@@ -1,0 +1,152 @@
+//! One case of a sweep: its settings, its file, its row of the table.
+//!
+//! A result names version, command, settings and the hash (SHA-256) of the plan's text, so that it can be made again; a
+//! file of another plan, version or setting does not count as done.
+
+use super::file_of;
+use crate::failure::Failure;
+use crate::number::{json_number, json_string};
+use crate::plan::Axes;
+use crate::{bed, input};
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// Most cases of a sweep.
+const MOST: usize = 1_000_000;
+
+/// A case.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// From 0, the last key of the sweep the fastest.
+    pub number: usize,
+    plan: String,
+    /// All settings: those of the command line, then the sweep's.
+    settings: Vec<String>,
+    /// What the sweep sets, by key.
+    values: Vec<(String, String)>,
+    hash: String,
+}
+
+/// All cases of a plan.
+pub fn cases(plan: &str, text: &str, settings: &[String], axes: &Axes) -> Result<Vec<Case>, Failure> {
+    if axes.is_empty() {
+        return Err(Failure::Wrong(format!(
+            "{plan}: it has no [sweep]; add for example [sweep] with \"patient.mass\" = [\"60_kg\", \"75_kg\"]"
+        )));
+    }
+    let count =
+        axes.iter().try_fold(1_usize, |n, (_, values)| n.checked_mul(values.len())).unwrap_or(MOST + 1);
+    if count > MOST {
+        return Err(Failure::Wrong(format!("{plan}: its [sweep] has more than {MOST} cases")));
+    }
+    let hash: String = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+    let one = |number: usize| {
+        let (mut rest, mut values) = (number, Vec::new());
+        for (key, known) in axes.iter().rev() {
+            values.push((key.clone(), known[rest % known.len()].clone()));
+            rest /= known.len();
+        }
+        values.reverse();
+        let swept = values.iter().map(|(key, value)| format!("{key}={value}"));
+        let settings = settings.iter().cloned().chain(swept).collect();
+        Case { number, plan: plan.to_owned(), settings, values, hash: hash.clone() }
+    };
+    Ok((0..count).map(one).collect())
+}
+
+impl Case {
+    /// Its file.
+    pub fn file(&self, folder: &Path) -> PathBuf {
+        file_of(folder, self.number)
+    }
+
+    /// Is its result there, of this plan and version?
+    pub fn is_done(&self, folder: &Path) -> bool {
+        std::fs::read_to_string(self.file(folder)).is_ok_and(|text| text.starts_with(&self.head()))
+    }
+
+    /// What its file begins with.
+    fn head(&self) -> String {
+        let settings: Vec<String> = self.settings.iter().map(|s| json_string(s)).collect();
+        format!(
+            "{{\"version\": {}, \"command\": {}, \"plan_sha256\": {}, \"settings\": [{}], ",
+            json_string(env!("CARGO_PKG_VERSION")),
+            json_string(&format!("smartbed sweep {}", self.plan)),
+            json_string(&self.hash),
+            settings.join(", ")
+        )
+    }
+
+    /// Runs it: the text of its file.
+    pub fn compute(&self) -> Result<String, Failure> {
+        let read = bed::load(&self.plan, &self.settings)?;
+        let history = smartbed_bed::plan::run::run(&read.plan, |_| !crate::interrupt::is_asked())
+            .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
+        let [imbalance, sensed] = bed::validity(&history);
+        let mut rows = Vec::new();
+        for (sites, list) in bed::metrics(&read, &history) {
+            for row in list {
+                let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
+                rows.push(format!("{name}: {}", row.value.map_or_else(|| "null".to_owned(), json_number)));
+            }
+        }
+        Ok(format!(
+            "{}\"imbalance\": {}, \"sensed_error\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
+            self.head(),
+            json_number(imbalance),
+            json_number(sensed),
+            rows.join(", "),
+            json_string(smartbed_bed::metrics::DISCLAIMER)
+        ))
+    }
+}
+
+/// The table of all cases: a column for each key of the sweep and each metric that any case has.
+pub fn table(all: &[Case], folder: &Path) -> Result<String, Failure> {
+    let mut read = Vec::new();
+    let mut names: Vec<String> = Vec::new();
+    for case in all {
+        let file = case.file(folder);
+        let text =
+            input::text(&file.display().to_string()).map_err(|e| format!("{}: {e}", file.display()))?;
+        let value: serde_json::Value =
+            serde_json::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+        let metrics = value["metrics"].as_object().cloned().unwrap_or_default();
+        for name in metrics.keys() {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        read.push(metrics);
+    }
+    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let keys = all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| quoted(key));
+    let mut text = std::iter::once("case".to_owned()).chain(keys).chain(names.iter().map(|n| quoted(n)));
+    let mut lines = vec![text.by_ref().collect::<Vec<_>>().join(",")];
+    for (case, metrics) in all.iter().zip(&read) {
+        let values = case.values.iter().map(|(_, value)| quoted(value.trim_matches('"')));
+        let numbers = names.iter().map(|name| match &metrics.get(name) {
+            Some(serde_json::Value::Number(x)) => x.to_string(),
+            _ => String::new(),
+        });
+        let cells = std::iter::once((case.number + 1).to_string()).chain(values).chain(numbers);
+        lines.push(cells.collect::<Vec<_>>().join(","));
+    }
+    Ok(lines.join("\n") + "\n")
+}
+
+/// Writes a file beside its place and moves it there: it appears whole or not at all.
+pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
+    let beside = file.with_extension(format!("{}.part", std::process::id()));
+    let cannot = |e: std::io::Error| Failure::Wrong(format!("cannot write {}: {e}", file.display()));
+    let write = || -> std::io::Result<()> {
+        use std::io::Write as _;
+        let mut open = std::fs::File::create(&beside)?;
+        open.write_all(text.as_bytes())?;
+        open.sync_all()
+    };
+    write().and_then(|()| std::fs::rename(&beside, file)).map_err(|e| {
+        let _ = std::fs::remove_file(&beside);
+        cannot(e)
+    })
+}

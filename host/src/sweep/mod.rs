@@ -1,0 +1,134 @@
+//! `smartbed sweep`: a plan for every combination of what its `[sweep]` changes.
+//!
+//! In: a plan. Out: a folder with one file a case and, once all are there, a table of all. Cases are taken by all
+//! processors, each computes by itself, so that a file's bytes do not depend on how many there are; a file appears whole
+//! or not at all, and a case whose file is there is not computed again. Shards take every n-th case.
+
+mod case;
+
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::{bed, input, interrupt, output, plan};
+use case::{Case, cases};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Run a plan over all values of its [sweep].
+#[derive(clap::Args, Clone, Debug)]
+#[command(after_help = "Examples:
+  cargo smartbed sweep ball_on_four -o sweep
+  cargo smartbed sweep ball_on_four -o sweep --shard 2/4
+  cargo smartbed sweep ball_on_four -o sweep --merge")]
+pub struct Arguments {
+    /// The plan: a path, or a name under models/plans.
+    pub plan: String,
+    /// The folder of the results.
+    #[arg(short, long, value_name = "FOLDER", default_value = "sweep")]
+    pub output: String,
+    /// Which of how many shards, from 1: every n-th case.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<String>,
+    /// Put the table together from the cases that are there; compute nothing.
+    #[arg(long)]
+    pub merge: bool,
+    /// Processors to use; all unless given.
+    #[arg(long, value_name = "COUNT")]
+    pub cores: Option<usize>,
+    /// Changes a key of the plan; may be repeated.
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let path = plan::find(&arguments.plan)?;
+    let text = input::text(&path.display().to_string()).map_err(|e| format!("{}: {e}", path.display()))?;
+    let read = bed::load(&arguments.plan, &arguments.set)?;
+    let all = cases(&arguments.plan, &text, &arguments.set, &read.axes)?;
+    let folder = Path::new(&arguments.output);
+    std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    if !arguments.merge {
+        let (index, count) = shard(arguments.shard.as_deref())?;
+        let own: Vec<&Case> = all.iter().filter(|case| case.number % count == index).collect();
+        compute(&own, folder, arguments.cores)?;
+    }
+    let missing = all.iter().filter(|case| !case.is_done(folder)).count();
+    if missing > 0 {
+        let words = smartbed_codegen::words::count(missing, "case");
+        return match arguments.merge {
+            true => Err(Failure::Wrong(format!("{}: {words} of {} missing", arguments.output, all.len()))),
+            false => output::print(&format!(
+                "{}: {words} of {} left to other shards\n",
+                arguments.output,
+                all.len()
+            )),
+        };
+    }
+    let table = folder.join("sweep.csv");
+    case::replace(&table, &case::table(&all, folder)?)?;
+    output::print(&format!("{}: {}\n", table.display(), smartbed_codegen::words::count(all.len(), "case")))
+}
+
+/// `2/4` as the second of four, from 0.
+fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
+    let Some(text) = text else { return Ok((0, 1)) };
+    let parts =
+        text.split_once('/').and_then(|(i, n)| Some((i.parse::<usize>().ok()?, n.parse::<usize>().ok()?)));
+    match parts {
+        Some((index, count)) if index >= 1 && index <= count => Ok((index - 1, count)),
+        _ => Err(Failure::Wrong(format!("--shard {text}: expected I/N with I from 1 to N, for example 2/4"))),
+    }
+}
+
+/// Computes the cases whose files are not there.
+fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Failure> {
+    interrupt::watch();
+    let open: Vec<&&Case> = own.iter().filter(|case| !case.is_done(folder)).collect();
+    let cores = cores.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let next = AtomicUsize::new(0);
+    let (failed, progress) = (Mutex::new(None), Mutex::new(Progress::new("sweep")));
+    let work = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(case) = open.get(index) else { return };
+            if interrupt::is_asked() {
+                return;
+            }
+            let done = case.compute().and_then(|text| case::replace(&case.file(folder), &text));
+            if let (Err(failure), Ok(mut failed)) = (done, failed.lock()) {
+                // That of the first case, whoever was faster.
+                if failed.as_ref().is_none_or(|(number, _)| case.number < *number) {
+                    *failed = Some((case.number, failure));
+                }
+            }
+            if let Ok(mut progress) = progress.lock() {
+                progress.at(index as f64 / open.len() as f64);
+            }
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 1..cores.clamp(1, 256).min(open.len().max(1)) {
+            scope.spawn(work);
+        }
+        work();
+    });
+    match failed.into_inner().unwrap_or(None) {
+        Some((number, failure)) => Err(Failure::Wrong(format!("case {}: {failure}", number + 1))),
+        None if interrupt::is_asked() => {
+            let left = open.iter().filter(|case| !case.is_done(folder)).count();
+            Err(Failure::Wrong(format!(
+                "interrupted; {left} cases are left, the same command goes on with them"
+            )))
+        }
+        None => Ok(()),
+    }
+}
+
+/// File of a case.
+fn file_of(folder: &Path, number: usize) -> PathBuf {
+    folder.join(format!("case_{:05}.json", number + 1))
+}
