@@ -4,7 +4,7 @@
 //! and b_k the axes of the second segment as the posture has them and as they are, E = kappa/2 (3 - sum a_k . b_k), which is
 //! kappa/2 angle^2 for small angles; its moments are -+kappa/2 sum a_k x b_k.
 
-use super::Shape;
+use super::shape::Shape;
 use crate::pose::Pose;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};

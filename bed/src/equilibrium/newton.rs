@@ -2,10 +2,12 @@
 //!
 //! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the pass before; passes end when they do not change.
 
+use super::bed::{Bed, GRAVITY};
+use super::side_by_side;
 use super::solution::{Solution, finish};
+use super::state::State;
 use super::step::{Ways, condensed, rows};
 use super::tile::{Eliminated, Patch};
-use super::{Bed, GRAVITY, State, side_by_side};
 use crate::body::{Body, Rows};
 use crate::sheet::air::Collapsed;
 use smartbed_runtime::vec3::{Vec3, sub};

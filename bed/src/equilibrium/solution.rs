@@ -1,8 +1,9 @@
 //! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
 
+use super::bed::{Bed, GRAVITY};
+use super::state::State;
 use super::tile::Patch;
 use super::touch::{Anchor, Touch};
-use super::{Bed, GRAVITY, State};
 use crate::body::Body;
 use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, norm};

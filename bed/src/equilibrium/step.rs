@@ -3,8 +3,9 @@
 //! In: what each tile gives. Out: ways of nodes, ways and turns of segments. With D the segments' own Hessian and
 //! Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1 g_x - Z y.
 
+use super::bed::{Bed, GRAVITY};
+use super::state::State;
 use super::tile::{Eliminated, product};
-use super::{Bed, GRAVITY, State};
 use crate::band::Band;
 use crate::body::{Body, Rows};
 use smartbed_runtime::vec3::{add, scale};

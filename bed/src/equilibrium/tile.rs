@@ -4,8 +4,9 @@
 //! With K the sheet's band, c g g' what a sealed gas adds to it (g the gradient of the volume, c = -dp/dV) and B the columns
 //! that couple nodes to segments: (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
 
+use super::bed::{Bed, PLATE, Tile};
+use super::state::State;
 use super::touch::{self, Pull, Touch};
-use super::{Bed, PLATE, State, Tile};
 use crate::band::{Band, Factor};
 use crate::body::{Body, lever};
 use crate::pose::Pose;

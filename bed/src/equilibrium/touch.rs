@@ -5,7 +5,7 @@
 //! state before, t = t0 + k_t P u is held up to the limit mu N, beyond it |t| stays there: |t|^2/(2 k_t), or
 //! mu N (|t| - mu N/2)/k_t. Normal and limit are those of the pass before and are renewed until they do not change.
 
-use super::{ALONG, Bed};
+use super::bed::{ALONG, Bed};
 use crate::body::Body;
 use crate::pose::Pose;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, norm, scale, sub, tangential};

@@ -3,7 +3,7 @@
 //! Needed: `ROWS`, `COLS`, `ROW_SPACING`, `COL_SPACING` (with unit), `SECONDS_PER_FRAME`, `UNITS`; other keys are passed
 //! over. Uncalibrated files (`UNITS RAW`) are refused: their numbers are no pressures.
 
-use super::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
+use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 

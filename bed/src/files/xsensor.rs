@@ -4,7 +4,7 @@
 //! one 1 s), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`; others are passed over, and what the
 //! first frame said need not be said again.
 
-use super::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
+use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
 use crate::map::{Frame, Grid};
 use std::fmt::Write as _;
 

@@ -3,7 +3,6 @@
 //! A result names version, command, settings and the hash (SHA-256) of the plan's text, so that it can be made again; a
 //! file of another plan, version or setting does not count as done.
 
-use super::file_of;
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
 use crate::plan::Axes;
@@ -149,4 +148,9 @@ pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
         let _ = std::fs::remove_file(&beside);
         cannot(e)
     })
+}
+
+/// File of a case.
+pub(super) fn file_of(folder: &Path, number: usize) -> PathBuf {
+    folder.join(format!("case_{:05}.json", number + 1))
 }

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 use crate::progress::Progress;
 use crate::{bed, input, interrupt, output, plan};
 use case::{Case, cases};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -126,9 +126,4 @@ fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Fai
         }
         None => Ok(()),
     }
-}
-
-/// File of a case.
-fn file_of(folder: &Path, number: usize) -> PathBuf {
-    folder.join(format!("case_{:05}.json", number + 1))
 }
