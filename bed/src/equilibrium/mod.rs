@@ -1,6 +1,6 @@
 //! The quasi-static bed: where air, sheets and bodies rest after each command, contact with friction kept.
 //!
-//! In: a [`Bed`] with its tiles' poses and air, a [`Body`], a [`State`] to start from. Out: the state of least energy:
+//! In: a [`Bed`] with its tiles' poses and air, a [`Body`](crate::body::Body), a [`State`] to start from. Out: the state of least energy:
 //! springs, air, weight, joints, tissue pressed by sheets, and what friction takes up since the state before. Newton's
 //! method with a search along each step (`newton`); each tile's sheet is a band, bodies are what is left when all sheets
 //! are eliminated (`tile`), so that tiles are solved side by side and the result does not depend on how many at a time.

@@ -14,7 +14,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Run a plan over all values of its [sweep].
+/// Run a plan for every value of what it sweeps.
 #[derive(clap::Args, Clone, Debug)]
 #[command(after_help = "Examples:
   cargo smartbed sweep ball_on_four -o sweep
