@@ -59,7 +59,7 @@ pub unsafe extern "C" fn whole_{name}(input: *const f64, output: *mut f64) {{
 
 # Words for the emitter by form: the shortest, and the one chosen for time on a host.
 FORMS = {"short": ["all"], "time": ["all", "time"]}
-# The generator built for speed; the program of `cargo smartbed` has it built for size (Cargo.toml), which takes 1.8 times as long.
+# The generator built for speed; the program of `cargo smartbed` has it built for size (Cargo.toml), which takes 2.4 times as long.
 FOR_SPEED = [
     word
     for package in ["smartbed-codegen", "syn", "toml", "toml_parser", "proc-macro2"]
