@@ -75,6 +75,8 @@ pub mod settle;
 #[cfg(feature = "whole")]
 pub mod sweep;
 #[cfg(feature = "whole")]
+pub mod template;
+#[cfg(feature = "whole")]
 pub mod tile;
 #[cfg(feature = "whole")]
 pub mod world;

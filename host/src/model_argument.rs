@@ -1,7 +1,7 @@
-//! The model on a command line: a path, or the name of a file under `models/`; and `name=value`.
+//! The model or plan on a command line: a path, or the name of a file under `models/`; and `name=value`.
 //!
-//! Names are looked up in `models/` and `models/scenes/` of the current folder and of the folders above
-//! it, up to the root of the workspace (the first folder with a Cargo.lock).
+//! Names are looked up in `models/` and `models/scenes/`, those of plans in `models/plans/`, of the current folder and
+//! of the folders above it, up to the root of the workspace (the first folder with a Cargo.lock).
 
 use crate::failure::Failure;
 use crate::grouped;
@@ -13,11 +13,26 @@ use smartbed_codegen::model::{self, Model};
 use smartbed_codegen::{Diagnostics, Program};
 use std::path::{Path, PathBuf};
 
+/// Folders of models and of scenes.
+const MODELS: [&str; 2] = ["models", "models/scenes"];
+
 /// Finds the file of a model or scene.
 ///
 /// # Errors
 /// [`Failure::Wrong`] with the likely name, if there is no such file.
 pub fn find(argument: &str) -> Result<PathBuf, Failure> {
+    find_in(argument, "model", &MODELS)
+}
+
+/// Finds the file of a plan of the bed.
+///
+/// # Errors
+/// As [`find`].
+pub fn find_plan(argument: &str) -> Result<PathBuf, Failure> {
+    find_in(argument, "plan", &["models/plans"])
+}
+
+fn find_in(argument: &str, what: &str, under: &[&str]) -> Result<PathBuf, Failure> {
     for given in [PathBuf::from(argument), PathBuf::from(format!("{argument}.toml"))] {
         if given.is_file() {
             return Ok(given);
@@ -26,11 +41,11 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     // A folder may be called as a model is.
     if Path::new(argument).exists() && !Path::new(argument).is_dir() {
         return Err(Failure::Wrong(format!(
-            "{argument}: it is a pipe or a device; expected the file of a model"
+            "{argument}: it is a pipe or a device; expected the file of a {what}"
         )));
     }
     let mut known = Vec::new();
-    for folder in model_folders() {
+    for folder in folders(under) {
         for candidate in [folder.join(argument), folder.join(format!("{argument}.toml"))] {
             if candidate.is_file() {
                 return Ok(candidate);
@@ -40,14 +55,15 @@ pub fn find(argument: &str) -> Result<PathBuf, Failure> {
     }
     known.sort();
     known.dedup();
+    let first = under.first().copied().unwrap_or_default();
     if known.is_empty() {
         return Err(Failure::Wrong(format!(
-            "no model `{argument}`: there is no such file, and no folder models/ here or above"
+            "no {what} `{argument}`: there is no such file, and no folder {first}/ here or above"
         )));
     }
     let help = suggest::help(argument, known.iter().map(String::as_str));
     Err(Failure::Wrong(format!(
-        "no model `{argument}`: expected the path of a file, or the name of one under models/{help}"
+        "no {what} `{argument}`: expected the path of a file, or the name of one under {first}/{help}"
     )))
 }
 
@@ -68,7 +84,7 @@ pub fn says_world(text: &str) -> bool {
 #[must_use]
 pub fn all() -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for folder in model_folders() {
+    for folder in folders(&MODELS) {
         let mut found = names_in(&folder);
         found.sort();
         found.retain(|name| !names.contains(name) && !is_world(&folder.join(format!("{name}.toml"))));
@@ -148,14 +164,14 @@ pub fn assignment(option: &str, text: &str) -> Result<(String, f64), Failure> {
     }
 }
 
-/// `models/` and its folder of scenes, nearest first.
-fn model_folders() -> Vec<PathBuf> {
+/// Folders of these names here and above, nearest first, up to the root of the workspace.
+fn folders(names: &[&str]) -> Vec<PathBuf> {
     let mut folders = Vec::new();
     let here = std::env::current_dir().unwrap_or_default();
     for (depth, folder) in here.ancestors().enumerate() {
         // Written relative to where we are: the path ends up in generated files and messages.
         let prefix: PathBuf = std::iter::repeat_n("..", depth).collect();
-        folders.extend([prefix.join("models"), prefix.join("models/scenes")]);
+        folders.extend(names.iter().map(|name| prefix.join(name)));
         if folder.join("Cargo.lock").is_file() {
             break;
         }

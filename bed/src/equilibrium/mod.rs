@@ -7,7 +7,7 @@
 
 mod bed;
 mod newton;
-mod side_by_side;
+pub mod side_by_side;
 mod solution;
 mod state;
 mod step;

@@ -1,10 +1,21 @@
-//! Something done for every tile on all processors, with results in the order of tiles.
+//! Something done for every tile or case on several processors, with results in their order.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Runs it for `0..count`; who does what has no part in the results.
+/// Processors of this machine.
+#[must_use]
+pub fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Runs it for `0..count` tiles by all processors, each with four tiles at least: fewer are not worth a thread.
 pub fn run<T: Send>(count: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(count.div_ceil(4));
+    run_by(count, cores().min(count.div_ceil(4)), one)
+}
+
+/// Runs it for `0..count` by at most so many workers; who does what has no part in the results.
+pub fn run_by<T: Send>(count: usize, workers: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let workers = workers.clamp(1, 256).min(count);
     if workers < 2 {
         return (0..count).map(one).collect();
     }

@@ -60,9 +60,7 @@ pub(super) fn finish(bed: &Bed, body: &Body, mut state: State, steps: usize) -> 
         let patch = Patch::new(bed, body, &state, tile);
         bottomed.push(patch.bottomed());
         gauges.push(bed.tiles[tile].air.gauge(bed.volume(&state.sheets[tile])).unwrap_or(0.0));
-        // The volume's derivative by a node is the area that belongs to it.
-        let mut areas = vec![[0.0; 3]; bed.lattice.nodes()];
-        membrane::add_volume_gradient(&bed.lattice, &state.sheets[tile], 1.0, &mut areas);
+        let areas = membrane::areas(&bed.lattice, &state.sheets[tile]);
         let one = |(touch, place): (Touch, Vec3<f64>)| {
             let anchor = state.anchors[tile][touch.node].as_ref().filter(|a| a.segment == touch.segment);
             let drag = anchor.map_or([0.0; 3], |a| a.drag(place, &state.segments[touch.segment]));

@@ -47,8 +47,7 @@ pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
 pub fn sensels(layout: &Layout, bed: &Bed, solution: &Solution) -> Vec<Site> {
     let mut sites = grid(layout).all();
     for (tile, sheet) in solution.state.sheets.iter().enumerate() {
-        let mut areas = vec![[0.0; 3]; sheet.len()];
-        membrane::add_volume_gradient(&bed.lattice, sheet, 1.0, &mut areas);
+        let areas = membrane::areas(&bed.lattice, sheet);
         for (node, area) in areas.iter().enumerate().filter(|(node, _)| bed.lattice.free(*node).is_some()) {
             if let Some(site) = sensel(layout, tile, node) {
                 sites[site].area = norm(*area);

@@ -80,6 +80,14 @@ pub fn add_volume_gradient(lattice: &Lattice, places: &[Vec3<f64>], factor: f64,
     }
 }
 
+/// The area that belongs to each node, towards the outside (m^2): the volume's derivative by its place.
+#[must_use]
+pub fn areas(lattice: &Lattice, places: &[Vec3<f64>]) -> Vec<Vec3<f64>> {
+    let mut areas = vec![[0.0; 3]; places.len()];
+    add_volume_gradient(lattice, places, 1.0, &mut areas);
+    areas
+}
+
 /// Adds a factor times the Hessian of the volume: the derivative of b x c by b is v -> v x c.
 pub fn add_volume_hessian(lattice: &Lattice, places: &[Vec3<f64>], factor: f64, band: &mut Band) {
     let s = factor / 12.0;

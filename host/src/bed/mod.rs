@@ -5,11 +5,11 @@
 mod page;
 
 use crate::failure::Failure;
+use crate::interrupt;
 use crate::number::{json_number, json_string};
 use crate::output::{self, Output};
-use crate::plan::{self, Read};
+use crate::plan::{PlanFile, Read};
 use crate::progress::Progress;
-use crate::{input, interrupt};
 use smartbed_bed::files::{Mapped, tekscan, xsensor};
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
@@ -75,7 +75,7 @@ pub struct Page {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
-            let read = load(&asked.plan, &asked.set)?;
+            let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
             let history = history(&read)?;
             if let Some(file) = &asked.csv {
                 write(file, &csv(&metrics(&read, &history)))?;
@@ -89,20 +89,12 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             output::print(&if asked.json { json(&read, &history) } else { text(&read, &history) })
         }
         Command::Report(asked) => {
-            let read = load(&asked.plan, &asked.set)?;
+            let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
             let history = history(&read)?;
             write(&asked.output, &page::text(&read.plan, &history, &metrics(&read, &history)))?;
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
     }
-}
-
-/// Reads a plan and holds it against its limits.
-pub(crate) fn load(argument: &str, settings: &[String]) -> Result<Read, Failure> {
-    let path = plan::find(argument)?.display().to_string();
-    let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
-    let read = plan::parse(&path, &text, settings).map_err(|found| Failure::Found(Box::new(found)))?;
-    Ok(plan::checked(&path, read)?)
 }
 
 fn history(read: &Read) -> Result<History, Failure> {

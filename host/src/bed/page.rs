@@ -5,6 +5,7 @@
 
 use crate::number::json_string;
 use crate::plot::svg::escaped;
+use crate::template::filled;
 use smartbed_bed::map::MMHG;
 use smartbed_bed::metrics::DISCLAIMER;
 use smartbed_bed::metrics::report::Row;
@@ -23,15 +24,7 @@ pub fn text(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]
         ("NOTE", DISCLAIMER.to_owned()),
         ("DATA", data(plan, history)),
     ];
-    let (mut done, mut rest) = (String::new(), PAGE);
-    // Each part once, in the page's order: what a part says is not looked through for the next.
-    for (name, part) in parts {
-        let (before, after) = rest.split_once(&format!("@{name}@")).unwrap_or((rest, ""));
-        done += before;
-        done += &part;
-        rest = after;
-    }
-    done + rest
+    filled(PAGE, &parts)
 }
 
 /// What happened, in plain words.

@@ -5,51 +5,49 @@
 
 mod load;
 
-use crate::suggest;
+use crate::failure::Failure;
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
+use crate::{input, model_argument};
 use smartbed_bed::plan::check::{MOST_TILES, check};
 use smartbed_bed::plan::{Layout, Move, Plan};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
 use smartbed_codegen::source::{Source, Span};
-use std::path::{Path, PathBuf};
 
 /// Most equilibria of a run.
 const MOST_EQUILIBRIA: f64 = 100_000.0;
 /// Most nodes of all sheets.
 const MOST_NODES: usize = 100_000;
 
-/// Finds the file of a plan: a path, or a name under `models/plans` here or above.
-///
-/// # Errors
-/// There is none.
-pub fn find(argument: &str) -> Result<PathBuf, String> {
-    let here = std::env::current_dir().unwrap_or_default();
-    let given = [PathBuf::from(argument), PathBuf::from(format!("{argument}.toml"))];
-    if let Some(path) = given.into_iter().find(|path| path.is_file()) {
-        return Ok(path);
-    }
-    let mut known = Vec::new();
-    for folder in here.ancestors().map(|f| f.join("models/plans")) {
-        let candidate = folder.join(format!("{}.toml", argument.trim_end_matches(".toml")));
-        if candidate.is_file() {
-            return Ok(candidate);
-        }
-        known.extend(names(&folder));
-    }
-    known.sort();
-    let help = suggest::help(argument, known.iter().map(String::as_str));
-    Err(format!(
-        "no plan `{argument}`: expected the path of a file, or the name of one under models/plans/{help}"
-    ))
+/// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
+#[derive(Clone, Debug)]
+pub struct PlanFile {
+    path: String,
+    /// What stands in it.
+    pub text: String,
 }
 
-fn names(folder: &Path) -> Vec<String> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path());
-    let plans = entries.filter(|p| p.extension().is_some_and(|e| e == "toml"));
-    plans.filter_map(|p| Some(p.file_stem()?.to_string_lossy().into_owned())).collect()
+impl PlanFile {
+    /// Opens the plan of a command line: a path, or a name under `models/plans`.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be read.
+    pub fn open(argument: &str) -> Result<Self, Failure> {
+        let path = model_argument::find_plan(argument)?.display().to_string();
+        let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
+        Ok(Self { path, text })
+    }
+
+    /// Reads it with `settings` on top and holds it against its limits.
+    ///
+    /// # Errors
+    /// Everything that is wrong in its text, or the first limit that it exceeds.
+    pub fn read(&self, settings: &[String]) -> Result<Read, Failure> {
+        let read = parse(&self.path, &self.text, settings).map_err(|found| model_argument::wrong(&found))?;
+        Ok(checked(&self.path, read)?)
+    }
 }
 
 /// What a sweep changes: keys with the texts of their values, in the author's order.

@@ -4,6 +4,7 @@ use super::markdown;
 use super::point::{Point, Report, Section, Table};
 use super::work_precision::{COSTS, Layer, Plot, plot};
 use crate::plot::svg::{self, escaped};
+use crate::template::filled;
 use std::fmt::Write as _;
 
 const PAGE: &str = include_str!("page.html");
@@ -28,11 +29,7 @@ pub fn text(report: &Report) -> String {
         let _ = writeln!(links, "<a href=\"#{name}\">{name}</a>");
         sections += &section_text(section);
     }
-    // Each part once, in the page's order: what a part says is not looked through for the next.
-    let (before, rest) = PAGE.split_once("LINKS").unwrap_or((PAGE, ""));
-    let (between, rest) = rest.split_once("HEAD").unwrap_or((rest, ""));
-    let (then, after) = rest.split_once("SECTIONS").unwrap_or((rest, ""));
-    [before, &links, between, &head, then, &sections, after].concat()
+    filled(PAGE, &[("LINKS", links), ("HEAD", head), ("SECTIONS", sections)])
 }
 
 fn section_text(section: &Section) -> String {

@@ -5,7 +5,7 @@
 
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
-use crate::plan::Axes;
+use crate::plan::{Axes, PlanFile};
 use crate::{bed, input};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
@@ -18,7 +18,9 @@ const MOST: usize = 1_000_000;
 pub struct Case {
     /// From 0, the last key of the sweep the fastest.
     pub number: usize,
-    plan: String,
+    /// The plan as the command line names it.
+    name: String,
+    plan: PlanFile,
     /// All settings: those of the command line, then the sweep's.
     settings: Vec<String>,
     /// What the sweep sets, by key.
@@ -27,18 +29,19 @@ pub struct Case {
 }
 
 /// All cases of a plan.
-pub fn cases(plan: &str, text: &str, settings: &[String], axes: &Axes) -> Result<Vec<Case>, Failure> {
+pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> Result<Vec<Case>, Failure> {
     if axes.is_empty() {
         return Err(Failure::Wrong(format!(
-            "{plan}: it has no [sweep]; add for example [sweep] with \"patient.mass\" = [\"60_kg\", \"75_kg\"]"
+            "{name}: it has no [sweep]; add for example [sweep] with \"patient.mass\" = [\"60_kg\", \"75_kg\"]"
         )));
     }
     let count =
         axes.iter().try_fold(1_usize, |n, (_, values)| n.checked_mul(values.len())).unwrap_or(MOST + 1);
     if count > MOST {
-        return Err(Failure::Wrong(format!("{plan}: its [sweep] has more than {MOST} cases")));
+        return Err(Failure::Wrong(format!("{name}: its [sweep] has more than {MOST} cases")));
     }
-    let hash: String = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+    let hash: String =
+        Sha256::digest(plan.text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
     let one = |number: usize| {
         let (mut rest, mut values) = (number, Vec::new());
         for (key, known) in axes.iter().rev() {
@@ -48,7 +51,7 @@ pub fn cases(plan: &str, text: &str, settings: &[String], axes: &Axes) -> Result
         values.reverse();
         let swept = values.iter().map(|(key, value)| format!("{key}={value}"));
         let settings = settings.iter().cloned().chain(swept).collect();
-        Case { number, plan: plan.to_owned(), settings, values, hash: hash.clone() }
+        Case { number, name: name.to_owned(), plan: plan.clone(), settings, values, hash: hash.clone() }
     };
     Ok((0..count).map(one).collect())
 }
@@ -70,7 +73,7 @@ impl Case {
         format!(
             "{{\"version\": {}, \"command\": {}, \"plan_sha256\": {}, \"settings\": [{}], ",
             json_string(env!("CARGO_PKG_VERSION")),
-            json_string(&format!("smartbed sweep {}", self.plan)),
+            json_string(&format!("smartbed sweep {}", self.name)),
             json_string(&self.hash),
             settings.join(", ")
         )
@@ -78,7 +81,7 @@ impl Case {
 
     /// Runs it: the text of its file.
     pub fn compute(&self) -> Result<String, Failure> {
-        let read = bed::load(&self.plan, &self.settings)?;
+        let read = self.plan.read(&self.settings)?;
         let history = smartbed_bed::plan::run::run(&read.plan, |_| !crate::interrupt::is_asked())
             .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
         let [imbalance, sensed] = bed::validity(&history);

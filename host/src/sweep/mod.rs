@@ -7,9 +7,11 @@
 mod case;
 
 use crate::failure::Failure;
+use crate::plan::PlanFile;
 use crate::progress::Progress;
-use crate::{bed, input, interrupt, output, plan};
+use crate::{interrupt, output};
 use case::{Case, cases};
+use smartbed_bed::equilibrium::side_by_side;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -45,10 +47,9 @@ pub struct Arguments {
 /// # Errors
 /// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let path = plan::find(&arguments.plan)?;
-    let text = input::text(&path.display().to_string()).map_err(|e| format!("{}: {e}", path.display()))?;
-    let read = bed::load(&arguments.plan, &arguments.set)?;
-    let all = cases(&arguments.plan, &text, &arguments.set, &read.axes)?;
+    let plan = PlanFile::open(&arguments.plan)?;
+    let axes = plan.read(&arguments.set)?.axes;
+    let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
     let folder = Path::new(&arguments.output);
     std::fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
     if !arguments.merge {
@@ -88,35 +89,22 @@ fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
 fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Failure> {
     interrupt::watch();
     let open: Vec<&&Case> = own.iter().filter(|case| !case.is_done(folder)).collect();
-    let cores = cores.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
-    let next = AtomicUsize::new(0);
-    let (failed, progress) = (Mutex::new(None), Mutex::new(Progress::new("sweep")));
-    let work = || {
-        loop {
-            let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(case) = open.get(index) else { return };
-            if interrupt::is_asked() {
-                return;
-            }
-            let done = case.compute().and_then(|text| case::replace(&case.file(folder), &text));
-            if let (Err(failure), Ok(mut failed)) = (done, failed.lock()) {
-                // That of the first case, whoever was faster.
-                if failed.as_ref().is_none_or(|(number, _)| case.number < *number) {
-                    *failed = Some((case.number, failure));
-                }
-            }
-            if let Ok(mut progress) = progress.lock() {
-                progress.at(index as f64 / open.len() as f64);
-            }
+    let cores = cores.unwrap_or_else(side_by_side::cores);
+    let (done, progress) = (AtomicUsize::new(0), Mutex::new(Progress::new("sweep")));
+    let found = side_by_side::run_by(open.len(), cores, |index| {
+        if interrupt::is_asked() {
+            return Ok(());
         }
-    };
-    std::thread::scope(|scope| {
-        for _ in 1..cores.clamp(1, 256).min(open.len().max(1)) {
-            scope.spawn(work);
+        let result = open[index].compute().and_then(|text| case::replace(&open[index].file(folder), &text));
+        let done = 1 + done.fetch_add(1, Ordering::Relaxed);
+        if let Ok(mut progress) = progress.lock() {
+            progress.at(done as f64 / open.len() as f64);
         }
-        work();
+        result
     });
-    match failed.into_inner().unwrap_or(None) {
+    // The first case that failed, whoever was faster.
+    let failed = open.iter().zip(found).find_map(|(case, result)| Some((case.number, result.err()?)));
+    match failed {
         Some((number, failure)) => Err(Failure::Wrong(format!("case {}: {failure}", number + 1))),
         None if interrupt::is_asked() => {
             let left = open.iter().filter(|case| !case.is_done(folder)).count();

@@ -1,0 +1,28 @@
+//! A page's template with its parts put in: `@NAME@` is where a part stands.
+//!
+//! In: the template, parts by name in the page's order. Out: the page. Each part is put in once, and what a part says is
+//! not looked through for the next: a title of `@DATA@` stays a title.
+
+/// The template with its parts.
+#[must_use]
+pub fn filled(template: &str, parts: &[(&str, String)]) -> String {
+    let (mut done, mut rest) = (String::new(), template);
+    for (name, part) in parts {
+        let (before, after) = rest.split_once(&format!("@{name}@")).unwrap_or((rest, ""));
+        done += before;
+        done += part;
+        rest = after;
+    }
+    done + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_is_not_looked_through() {
+        let parts = [("TITLE", "@DATA@".to_owned()), ("DATA", "[1]".to_owned())];
+        assert_eq!(filled("<h1>@TITLE@</h1><p>@DATA@</p>", &parts), "<h1>@DATA@</h1><p>[1]</p>");
+    }
+}
