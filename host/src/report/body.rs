@@ -3,7 +3,7 @@
 use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
 use super::{clock, closed_form, sheet_body};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
@@ -125,7 +125,7 @@ fn trace<S: Scalar>(scene: &Scene, steps: usize, limit: Duration) -> Result<Trac
         }
         samples.push(simulation.pos().as_flattened().iter().map(|x| x.to_f64()).collect());
     }
-    Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
+    Ok(Trace { samples, evaluations: Some(evaluations), elapsed: clock::now() - begin })
 }
 
 impl Subject for Body {
@@ -182,12 +182,12 @@ impl Subject for Body {
         closed_form::of(&self.name, &self.scene, seconds)
     }
 
-    fn is_scene(&self) -> bool {
-        true
+    fn kind(&self) -> Kind {
+        Kind::Body
     }
 
-    fn sheet(&self) -> Result<Sheet, String> {
-        sheet_body::make(self)
+    fn sheet(&self) -> Result<Option<Sheet>, String> {
+        sheet_body::make(self).map(Some)
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {

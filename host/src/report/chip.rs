@@ -3,7 +3,7 @@
 //! counted and its cycles modelled.
 
 use super::point::{ChipCost, Section};
-use super::subject::Subject;
+use super::subject::{Kind, Subject};
 use crate::failure::Failure;
 use crate::firmware;
 use std::time::{Duration, Instant};
@@ -92,7 +92,8 @@ impl Chip {
         for n in 0..methods.iter().map(Vec::len).max().unwrap_or(0) {
             for ((subject, section), methods) in subjects.iter().zip(&mut *sections).zip(&methods) {
                 let Some(method) = methods.get(n) else { continue };
-                let set = if subject.is_scene() { vec![format!("method={method}")] } else { Vec::new() };
+                let is_body = subject.kind() == Kind::Body;
+                let set = if is_body { vec![format!("method={method}")] } else { Vec::new() };
                 match self.measure(subject.name(), method, &Variant { set, everything: false }) {
                     Ok(cost) => section.chip.push(cost),
                     // What nothing can be done about is said once, at the head of the report.
@@ -106,9 +107,11 @@ impl Chip {
 
 /// Those that an image can have.
 fn methods(subject: &dyn Subject) -> Vec<String> {
-    match subject.is_scene() {
-        true => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
-        false => vec!["rk4".to_owned()],
+    match subject.kind() {
+        Kind::Body => subject.methods().into_iter().filter(|m| !m.adaptive).map(|m| m.name).collect(),
+        Kind::Mechanism => vec!["rk4".to_owned()],
+        // Its image has as many nodes as the memory carries: another world than the one measured.
+        Kind::World => Vec::new(),
     }
 }
 

@@ -21,7 +21,7 @@ pub fn of(name: &str, scene: &Scene, seconds: f64) -> Option<(&'static str, Trac
         "single_spring" if undamped => ("harmonic between events", Bouncing::new(scene)?.at(times)),
         _ => return None,
     };
-    Some((text, Trace { samples, evaluations: 0, elapsed: Duration::ZERO }))
+    Some((text, Trace { samples, evaluations: None, elapsed: Duration::ZERO }))
 }
 
 /// Every corner moves along its radius.

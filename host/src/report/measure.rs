@@ -36,8 +36,7 @@ pub struct Measured {
 pub fn measure(subject: &dyn Subject, truth: &Truth, plan: &Plan) -> Measured {
     let mut measured = Measured::default();
     let methods = subject.methods();
-    let scalars = [ScalarKind::F64, ScalarKind::F32];
-    let ladders = scalars.into_iter().flat_map(|s| methods.iter().map(move |m| (m, s)));
+    let ladders = subject.scalars().iter().flat_map(|s| methods.iter().map(move |m| (m, *s)));
     let ladders: Vec<_> = ladders.filter(|(method, scalar)| plan.has(method, *scalar)).collect();
     let end = clock::now() + plan.subject;
     for (n, ladder_of) in ladders.iter().enumerate() {
@@ -58,7 +57,7 @@ fn ladder(
     measured: &mut Measured,
 ) {
     let size = extent(truth);
-    let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, 0);
+    let (mut least, mut last_time, mut last_work) = (f64::INFINITY, Duration::ZERO, None);
     let (mut taken, mut idle) = (0, 0);
     let mut refusal = None;
     for rung in plan.rungs(subject, method, scalar, truth.seconds) {
@@ -86,7 +85,7 @@ fn ladder(
         taken += 1;
         measured.points.push(point(subject, truth, plan, method, rung.control, scalar, error, &trace));
         // A tolerance that asks for no more work says nothing about rounding.
-        let worked = trace.evaluations > last_work;
+        let worked = trace.evaluations.is_none_or(|e| last_work.is_none_or(|last| e > last));
         idle = if error <= GAIN * least { 0 } else { idle + usize::from(worked) };
         last_work = trace.evaluations;
         if error <= truth.reference.agreement || idle == 2 {
@@ -139,7 +138,7 @@ fn point(
         scalar: scalar.to_owned(),
         control: Some(control),
         error: error.max(truth.reference.certainty()),
-        evaluations: Some(trace.evaluations as f64 / truth.seconds),
+        evaluations: trace.evaluations.map(|e| e as f64 / truth.seconds),
         nanoseconds: trace.elapsed.as_nanos() as f64 / truth.seconds,
         front: false,
         is_peer: false,

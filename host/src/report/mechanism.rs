@@ -5,7 +5,7 @@ use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
 use super::sheet_mechanism;
-use super::subject::{Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -168,7 +168,7 @@ impl Mechanism {
             }
             _ => return Err("a fixed method needs a step, an adaptive one a tolerance".to_owned().into()),
         }
-        Ok(Trace { samples, evaluations: plant.evaluations(), elapsed: clock::now() - begin })
+        Ok(Trace { samples, evaluations: Some(plant.evaluations()), elapsed: clock::now() - begin })
     }
 }
 
@@ -240,7 +240,7 @@ impl Subject for Mechanism {
             }
             samples.push(solver.y[..self.program.q.len()].to_vec());
         }
-        let evaluations = solver.evaluations as u64;
+        let evaluations = Some(solver.evaluations as u64);
         Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
     }
 
@@ -253,12 +253,12 @@ impl Subject for Mechanism {
         None
     }
 
-    fn is_scene(&self) -> bool {
-        false
+    fn kind(&self) -> Kind {
+        Kind::Mechanism
     }
 
-    fn sheet(&self) -> Result<Sheet, String> {
-        sheet_mechanism::make(self)
+    fn sheet(&self) -> Result<Option<Sheet>, String> {
+        sheet_mechanism::make(self).map(Some)
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {

@@ -1,6 +1,6 @@
 //! `smartbed report`: speed against error, for every scene and mechanism, method, step and scalar.
 //!
-//! Subjects ([`subject`]: [`body`], [`mechanism`]) get a [`mod@reference`], are run over a ladder of steps
+//! Subjects ([`subject`]: [`body`], [`mechanism`], [`world`]) get a [`mod@reference`], are run over a ladder of steps
 //! ([`plan`], [`measure`]) and become points ([`point`]), of which the [`front`] is marked; [`order`]s are
 //! observed, costs taken on the [`chip`] and put on a [`sheet`], other simulators set beside ours ([`peers`]). The
 //! renderings know points alone: [`markdown`], [`csv`], [`json`], [`work_precision`] plots, one [`page`].
@@ -28,6 +28,7 @@ mod sheet_body;
 mod sheet_mechanism;
 pub mod subject;
 pub mod work_precision;
+pub mod world;
 
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
@@ -43,7 +44,7 @@ use point::{Control, Extras, Report, Section, Table};
 use smartbed_codegen::words::count;
 use std::path::Path;
 use std::time::Duration;
-use subject::{Method, Subject};
+use subject::{Kind, Method, Subject};
 
 /// Images for the chip are built until so much time has passed since the report's begin.
 const CHIP_TIME: Duration = Duration::from_secs(1080);
@@ -246,28 +247,35 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
         let (title, columns) = ("Not measured".to_owned(), ["subject", "why"].map(str::to_owned).to_vec());
         report.tables.push(Table { title, columns, rows: failed, command: report.command.clone() });
     }
-    let kinds =
-        [("mechanisms", false, true), ("smooth scenes", true, true), ("scenes with touches", true, false)];
-    for (title, scene, smooth) in kinds {
+    let kinds = [
+        ("mechanisms", Kind::Mechanism, true),
+        ("smooth scenes", Kind::Body, true),
+        ("scenes with touches", Kind::Body, false),
+        ("smooth worlds", Kind::World, true),
+        ("worlds with contacts", Kind::World, false),
+    ];
+    for (title, kind, smooth) in kinds {
         let orders = |s: &dyn Subject| {
             let section = report.sections.iter().find(|section| section.name == s.name())?;
             Some((section.name.clone(), order::observe(section, &s.methods())))
         };
-        let of_kind = subjects.iter().filter(|s| (s.is_scene(), s.is_smooth()) == (scene, smooth));
+        let of_kind = subjects.iter().filter(|s| (s.kind(), s.is_smooth()) == (kind, smooth));
         let rows: Vec<_> = of_kind.filter_map(|s| orders(s.as_ref())).collect();
         if !rows.is_empty() {
             let title = format!("Observed orders, {title} (nominal in brackets)");
             report.tables.push(order::table(&title, &rows, &report.command));
         }
     }
-    if !arguments.is_row() && subjects.iter().any(|s| s.is_scene()) {
+    if !arguments.is_row() && subjects.iter().any(|s| s.kind() == Kind::Body) {
         let observed = laws::observe().map_err(Failure::Wrong)?;
         report.tables.push(laws::table(&observed, &report.command));
     }
     let mut chip = arguments.chip(progress.seconds());
     if !arguments.is_row() {
         let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
-        report.tables.push(sheets);
+        if !sheets.rows.is_empty() {
+            report.tables.push(sheets);
+        }
         chip.add(&subjects, &mut report.sections);
     }
     report.chip = match chip.lacking() {

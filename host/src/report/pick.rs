@@ -8,7 +8,7 @@ use super::measure::measure;
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::{self, Truth};
-use super::subject::Subject;
+use super::subject::{Kind, Subject};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use smartbed_codegen::words::count;
@@ -37,16 +37,19 @@ pub struct Pick {
 /// Longest calibration: of a run, of all runs.
 const RUN: Duration = Duration::from_millis(50);
 const ALL: Duration = Duration::from_millis(900);
+/// A step of a world costs as much as many of one body: so many times as long.
+const WORLD: u32 = 12;
 /// Longest computation of what errors are taken against.
 const REFERENCE: Duration = Duration::from_secs(6);
 /// Most work of a calibration: springs times seconds.
 const WORK: f64 = 50.0;
 
 /// The curves that the pick is read from.
-fn plan(method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
+fn plan(kind: Kind, method: Option<&str>, scalar: ScalarKind, engine: EngineKind) -> Plan {
+    let times = if kind == Kind::World { WORLD } else { 1 };
     Plan {
-        run: RUN,
-        subject: ALL,
+        run: times * RUN,
+        subject: times * ALL,
         reference: REFERENCE,
         work: WORK,
         method: method.map(str::to_owned),
@@ -65,7 +68,7 @@ pub fn pick(
     aim: Aim,
     (method, scalar, engine): (Option<&str>, ScalarKind, EngineKind),
 ) -> Result<Pick, Failure> {
-    let plan = plan(method, scalar, engine);
+    let plan = plan(subject.kind(), method, scalar, engine);
     let wrong = |e: String| Failure::Wrong(format!("calibration of {}: {e}", subject.name()));
     let truth = reference::make(subject, plan.seconds(subject), true, plan.reference).map_err(wrong)?;
     let points = measure(subject, &truth, &plan).points;

@@ -1,7 +1,7 @@
 //! What a subject's errors are taken against, and over which time.
 //!
-//! The reference is the closed form where there is one, else DOP853 at 1e-13; a second method must agree
-//! with it. Where motion is chaotic, or touches hang on rounding, two exact methods part after a while:
+//! The reference is the closed form where there is one, else the most exact run, DOP853 at 1e-13 where equations are
+//! smooth; a second method must agree with it. Where motion is chaotic, or touches hang on rounding, two exact methods part after a while:
 //! the time is then cut to the samples over which they still agree, and the report says so.
 
 use super::clock::{self, Stop};
@@ -9,8 +9,8 @@ use super::point::Reference;
 use super::subject::{SAMPLES, Subject, Time, Trace};
 use std::time::Duration;
 
-/// Largest difference of the references (m or rad) for the time to be used.
-const AGREEMENT: f64 = 1e-8;
+/// Largest difference of the references (m or rad) for the time to be used, where equations are smooth.
+pub const AGREEMENT: f64 = 1e-8;
 /// Times the simulated time may be cut.
 const CUTS: usize = 6;
 /// A share of the time below which a reference says nothing about the whole.
@@ -54,7 +54,7 @@ pub fn make(subject: &dyn Subject, seconds: f64, cut: bool, limit: Duration) -> 
             }
             Err(Stop::Refused(why)) => return Err(why),
         };
-        let agreeing = differences.iter().take_while(|d| **d <= AGREEMENT).count();
+        let agreeing = differences.iter().take_while(|d| **d <= subject.agreement()).count();
         let difference = differences.iter().copied().fold(0.0, f64::max);
         if agreeing == SAMPLES || (!cut && difference.is_finite()) {
             return Ok(Truth { reference: Reference { text, agreement: difference }, seconds, trace });
@@ -74,11 +74,15 @@ fn pair(subject: &dyn Subject, time: Time) -> Result<(Trace, String, Vec<f64>), 
     let first = subject.reference(time)?;
     if let Some((name, exact)) = subject.closed_form(time.seconds) {
         let differences = exact.differences(&first);
-        return Ok((exact, format!("closed form ({name}), checked by DOP853 at 1e-13"), differences));
+        return Ok((
+            exact,
+            format!("closed form ({name}), checked by {}", subject.reference_name()),
+            differences,
+        ));
     }
     let (name, second) = subject.second_reference(time)?;
     let differences = first.differences(&second);
-    Ok((first, format!("DOP853 at 1e-13, checked by {name}"), differences))
+    Ok((first, format!("{}, checked by {name}", subject.reference_name()), differences))
 }
 
 /// To two digits, so that a time that was cut can be typed.

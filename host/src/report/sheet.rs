@@ -50,6 +50,7 @@ pub fn table(subjects: &[Box<dyn Subject>], chip: &mut Chip, command: &str) -> R
     let mut rows = Vec::new();
     for subject in subjects {
         let sheet = subject.sheet().map_err(|e| format!("{}: {e}", subject.name()))?;
+        let Some(sheet) = sheet else { continue };
         let [asked, all] = sheet.costs;
         let mut row = vec![
             subject.name().to_owned(),

@@ -1,10 +1,12 @@
-//! What is measured: a scene of a flexible body or a mechanism, both behind one trait.
+//! What is measured: a scene of a flexible body, a mechanism or a world, all behind one trait.
 
 use super::body::Body;
 use super::clock::Stop;
 use super::mechanism::Mechanism;
 use super::point::Control;
+use super::reference::AGREEMENT;
 use super::sheet::Sheet;
+use super::world::World;
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::model_argument;
@@ -30,8 +32,8 @@ pub struct Method {
 pub struct Trace {
     /// Coordinates at the samples.
     pub samples: Vec<Vec<f64>>,
-    /// Evaluations of all forces.
-    pub evaluations: u64,
+    /// Evaluations of all forces, where they are counted.
+    pub evaluations: Option<u64>,
     /// Computing time.
     pub elapsed: Duration,
 }
@@ -64,6 +66,17 @@ pub struct Time {
     pub limit: Duration,
 }
 
+/// What a subject is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kind {
+    /// A mechanism.
+    Mechanism,
+    /// A scene of one flexible body, of format 1.
+    Body,
+    /// A scene of format 2.
+    World,
+}
+
 /// A scene or a mechanism that can be run with any method.
 pub trait Subject {
     /// Its name.
@@ -80,12 +93,20 @@ pub trait Subject {
     fn weight(&self) -> f64;
     /// All methods.
     fn methods(&self) -> Vec<Method>;
+    /// What it is computed in.
+    fn scalars(&self) -> &'static [ScalarKind] {
+        &[ScalarKind::F64, ScalarKind::F32]
+    }
+    /// Largest difference of its two references for them to be used (m or rad).
+    fn agreement(&self) -> f64 {
+        AGREEMENT
+    }
     /// A run with a method.
     ///
     /// # Errors
     /// Why it stopped.
     fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop>;
-    /// DOP853 at 1e-13.
+    /// The most exact run: DOP853 at 1e-13 where the equations are smooth.
     ///
     /// # Errors
     /// Why it stopped.
@@ -95,15 +116,19 @@ pub trait Subject {
     /// # Errors
     /// Why it stopped.
     fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop>;
+    /// How [`Subject::reference`] was made.
+    fn reference_name(&self) -> String {
+        "DOP853 at 1e-13".to_owned()
+    }
     /// The exact motion, where it is known, and its name.
     fn closed_form(&self, seconds: f64) -> Option<(&'static str, Trace)>;
-    /// A scene of a flexible body, or a mechanism?
-    fn is_scene(&self) -> bool;
-    /// What is asked for and what it costs, beside everything on.
+    /// What it is.
+    fn kind(&self) -> Kind;
+    /// What is asked for and what it costs, beside everything on; none where there is no everything.
     ///
     /// # Errors
     /// Why it could not be run, in words.
-    fn sheet(&self) -> Result<Sheet, String>;
+    fn sheet(&self) -> Result<Option<Sheet>, String>;
     /// Motion and energies at its own settings, as SVG, as far as they come within a time of computing.
     ///
     /// # Errors
@@ -117,7 +142,9 @@ pub trait Subject {
 /// [`Failure::Wrong`] if there is none, or with what is wrong in it.
 pub fn open(name: &str, engine: EngineKind) -> Result<Box<dyn Subject>, Failure> {
     let path = model_argument::find(name)?;
-    Ok(if is_scene(&path) {
+    Ok(if model_argument::is_world(&path) {
+        Box::new(World::open(name, &path, &[])?)
+    } else if is_scene(&path) {
         Box::new(Body::open(name, &path.display().to_string(), &[])?)
     } else {
         Box::new(Mechanism::open(name, engine)?)

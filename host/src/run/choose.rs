@@ -2,24 +2,33 @@
 //! been given.
 
 use super::Arguments;
+use super::body::is_scene;
 use crate::engine::EngineKind;
 use crate::failure::Failure;
+use crate::model_argument;
 use crate::output;
 use crate::progress::Progress;
 use crate::report::body::Body;
 use crate::report::mechanism::Mechanism;
 use crate::report::pick::{Aim, pick};
 use crate::report::point::Control;
-use crate::report::subject::Subject;
+use crate::report::subject::{Kind, Subject};
+use crate::report::world::World;
 use std::path::Path;
 
 /// The arguments with method and step in place of an aim; says on standard error what was picked and why.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for a wrong aim, or one that no method meets.
-pub(super) fn resolve(arguments: &Arguments, path: &Path, is_scene: bool) -> Result<Arguments, Failure> {
+pub(super) fn resolve(arguments: &Arguments, path: &Path) -> Result<Arguments, Failure> {
     let aim = match (arguments.error, &arguments.budget) {
         (None, None) => return Ok(arguments.clone()),
+        _ if arguments.resume.is_some() => {
+            return Err(Failure::Wrong(
+                "--resume: a run goes on with the step it began with; leave --error and --budget out"
+                    .to_owned(),
+            ));
+        }
         (Some(error), _) if error > 0.0 && error.is_finite() => Aim::Error(error),
         (Some(error), _) => {
             return Err(Failure::Wrong(format!(
@@ -30,7 +39,14 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path, is_scene: bool) -> Res
     };
     let clock = Progress::new("calibrating");
     let mut plain = Arguments { error: None, budget: None, method: None, ..arguments.clone() };
-    let (subject, interval): (Box<dyn Subject>, f64) = if is_scene {
+    let mut takes_method = true;
+    let (subject, interval): (Box<dyn Subject>, f64) = if model_argument::is_world(path) {
+        let world = World::of(&arguments.model, super::world::open(&plain, path)?)?;
+        let run = &world.assembly().run;
+        let interval = run.step * run.every as f64;
+        takes_method = world.takes_method();
+        (Box::new(world), interval)
+    } else if is_scene(path) {
         let body = Body::open(&arguments.model, &path.display().to_string(), &super::body::settings(&plain))?;
         let interval = body.scene().step * body.scene().every as f64;
         (Box::new(body), interval)
@@ -40,14 +56,17 @@ pub(super) fn resolve(arguments: &Arguments, path: &Path, is_scene: bool) -> Res
         (Box::new(mechanism), interval)
     };
     // Rows stay as far apart as they were asked for, whatever the step; and a scene has one engine.
-    let engine = if is_scene { EngineKind::Interpreter } else { arguments.engine };
+    let engine = match subject.kind() {
+        Kind::Mechanism => arguments.engine,
+        Kind::Body | Kind::World => EngineKind::Interpreter,
+    };
     let method = arguments.method.as_deref();
     if let Some(name) = method {
         crate::report::check_name(subject.as_ref(), name)?;
     }
     let picked = pick(subject.as_ref(), aim, (method, arguments.scalar, engine))?;
     output::say(&format!("{} [{:.1} s]", picked.text, clock.seconds()));
-    plain.method = Some(picked.method);
+    plain.method = takes_method.then_some(picked.method);
     match picked.control {
         Control::Step(step) => {
             plain.step = Some(step);

@@ -11,7 +11,7 @@ mod plant;
 pub mod settings;
 pub mod simulate;
 #[cfg(feature = "whole")]
-mod world;
+pub(crate) mod world;
 
 use self::events::Events;
 use crate::configuration::Configurations;
@@ -179,15 +179,15 @@ fn carry_out(arguments: &Arguments) -> Result<Outcome, Failure> {
 #[cfg(feature = "whole")]
 fn any(arguments: &Arguments) -> Result<Outcome, Failure> {
     let path = model_argument::find(&arguments.model)?;
-    if model_argument::is_world(&path) {
-        return world::simulate(arguments, &path);
-    }
-    if arguments.save.is_some() || arguments.resume.is_some() {
+    let is_world = model_argument::is_world(&path);
+    if !is_world && (arguments.save.is_some() || arguments.resume.is_some()) {
         return Err(Failure::Wrong("--save and --resume: expected a scene of format 2".to_owned()));
     }
-    let is_scene = body::is_scene(&path);
-    let arguments = &choose::resolve(arguments, &path, is_scene)?;
-    match is_scene {
+    let arguments = &choose::resolve(arguments, &path)?;
+    if is_world {
+        return world::simulate(arguments, &path);
+    }
+    match body::is_scene(&path) {
         true => body::simulate(arguments, &path),
         false => mechanism(arguments),
     }

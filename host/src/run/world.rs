@@ -8,6 +8,7 @@ use crate::failure::Failure;
 use crate::number::{json_number, json_object, json_string, six_digits, worst};
 use crate::output::{self, Output};
 use crate::plot::chart::{self, Chart, Curve};
+use crate::plot::drawing::Drawing;
 use crate::plot::energies;
 use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
@@ -16,7 +17,7 @@ use crate::view::film::Series;
 use crate::view::{Film, world as stage};
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
-use crate::world::run::{Checkpoint, engine, run};
+use crate::world::run::{Checkpoint, Row, engine, run};
 use crate::{input, interrupt, model_argument, plot};
 use smartbed_codegen::words::count;
 use std::collections::BTreeMap;
@@ -37,12 +38,10 @@ pub(super) fn open(arguments: &Arguments, path: &Path) -> Result<Assembly, Failu
         ("--engine compiled", arguments.engine == EngineKind::Compiled),
         ("--scalar f32", arguments.scalar == ScalarKind::F32),
         ("--tolerance", arguments.tolerance.is_some()),
-        ("--error", arguments.error.is_some()),
-        ("--budget", arguments.budget.is_some()),
     ];
     if let Some((option, _)) = refused.iter().find(|(_, given)| *given) {
         return Err(Failure::Wrong(format!(
-            "{option}: a scene of format 2 does not take it; give --step and --method, f64, interpreted"
+            "{option}: a scene of format 2 does not take it: it takes fixed steps, in f64, interpreted"
         )));
     }
     let mut settings = Vec::new();
@@ -87,13 +86,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     let mut engine = engine(assembly).map_err(Failure::Wrong)?;
     let from = arguments.resume.as_deref().map(checkpoint).transpose()?;
     let columns = engine.columns();
-    let accounts = ACCOUNTS.iter().map(|name| (*name).to_owned());
-    let sensors = assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name));
-    let names: Vec<String> = std::iter::once("t".to_owned())
-        .chain(columns.iter().map(|c| c.name.clone()))
-        .chain(accounts)
-        .chain(sensors)
-        .collect();
+    let names = names(assembly, &columns);
     let mut csv = arguments.csv.as_deref().map(Output::open).transpose()?;
     if let Some(csv) = &mut csv {
         csv.write(&(names.join(",") + "\n"))?;
@@ -111,10 +104,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         engine.as_mut(),
         from.as_ref(),
         |row, engine| {
-            let mut values = vec![row.t];
-            values.extend(row.state);
-            values.extend(row.energies.numbers(row.start));
-            values.extend(row.readings);
+            let values = values(row);
             if let Some(csv) = &mut csv {
                 csv.write(&super::line(&values))?;
             }
@@ -160,16 +150,34 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             let message = "the run ends within a step; expected --seconds to be a whole number of steps";
             return Err(Failure::Wrong(format!("--save {file}: {message}")));
         }
-        let checkpoint = Checkpoint { steps: assembly.run.steps(), start: total[0], state: engine.save() };
+        let (steps, step) = (assembly.run.steps(), assembly.run.step);
+        let checkpoint = Checkpoint { steps, step, start: total[0], state: engine.save() };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        draw(file, assembly, &columns, &shown, recording, &note, &events)?;
+        plot::write(file, &drawing(assembly, &columns, &shown, recording, &note, &events))?;
     }
     let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
     let warnings = engine.warnings();
     Ok(Done { method, names, last, events, film, rows, imbalance, total, warnings, health })
+}
+
+/// Names of a row's values.
+pub(crate) fn names(assembly: &Assembly, columns: &[Column]) -> Vec<String> {
+    let accounts = ACCOUNTS.iter().map(|name| (*name).to_owned());
+    let sensors = assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name));
+    let own = columns.iter().map(|c| c.name.clone());
+    std::iter::once("t".to_owned()).chain(own).chain(accounts).chain(sensors).collect()
+}
+
+/// A row's values, in the order of [`names`].
+pub(crate) fn values(row: &Row<'_>) -> Vec<f64> {
+    let mut values = vec![row.t];
+    values.extend(row.state);
+    values.extend(row.energies.numbers(row.start));
+    values.extend(row.readings);
+    values
 }
 
 /// Reads what `--save` wrote.
@@ -183,7 +191,7 @@ fn checkpoint(file: &str) -> Result<Checkpoint, Failure> {
 }
 
 /// Numbers of the columns that a plot shows.
-fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>, Failure> {
+pub(crate) fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>, Failure> {
     let Some(patterns) = show else {
         return Ok((0..columns.len()).filter(|n| columns[*n].by_default).collect());
     };
@@ -192,7 +200,7 @@ fn shown(columns: &[Column], show: Option<&str>) -> Result<Vec<usize>, Failure> 
     Ok((0..columns.len()).filter(|n| chosen.contains(&names[*n])).collect())
 }
 
-/// Curves beside the motion, in the order of [`record`]'s values.
+/// Curves beside the motion, in the order of [`values`].
 fn series(columns: &[Column]) -> Vec<Series> {
     let own = columns.iter().filter(|c| c.by_default).map(|c| (c.name.clone(), panels::label(&c.unit)));
     let accounts = ACCOUNTS.iter().map(|name| {
@@ -202,15 +210,15 @@ fn series(columns: &[Column]) -> Vec<Series> {
     own.chain(accounts).map(|(name, group)| Series { name, group, factor: 1.0 }).collect()
 }
 
-fn draw(
-    file: &str,
+/// Curves of a recording of [`values`]: those of the columns that are shown, and energies.
+pub(crate) fn drawing(
     assembly: &Assembly,
     columns: &[Column],
     shown: &[usize],
     recording: &Recording,
     note: &str,
     events: &[Event],
-) -> Result<(), Failure> {
+) -> Drawing {
     let curve = |name: &str, index: usize, unit: &str| Shown {
         curve: Curve {
             name: name.to_owned(),
@@ -236,7 +244,7 @@ fn draw(
         panels: &panels,
         events: &times,
     };
-    plot::write(file, &chart::draw(&chart))
+    chart::draw(&chart)
 }
 
 /// Events in words.

@@ -40,6 +40,8 @@ pub struct Row<'a> {
 pub struct Checkpoint {
     /// Steps behind it.
     pub steps: usize,
+    /// Their length (s).
+    pub step: f64,
     /// Energy at the start of all (J).
     pub start: f64,
     /// The engine's numbers.
@@ -50,7 +52,8 @@ impl Checkpoint {
     /// As text; every number comes back bit for bit.
     #[must_use]
     pub fn text(&self) -> String {
-        serde_json::json!({"steps": self.steps, "start": self.start, "state": self.state}).to_string() + "\n"
+        let Self { steps, step, start, state } = self;
+        serde_json::json!({"steps": steps, "step": step, "start": start, "state": state}).to_string() + "\n"
     }
 
     /// From [`Checkpoint::text`]; none for any other text.
@@ -60,6 +63,7 @@ impl Checkpoint {
         let state = value["state"].as_array()?.iter().map(serde_json::Value::as_f64);
         Some(Self {
             steps: usize::try_from(value["steps"].as_u64()?).ok()?,
+            step: value["step"].as_f64()?,
             start: value["start"].as_f64()?,
             state: state.collect::<Option<Vec<f64>>>()?,
         })
@@ -89,6 +93,12 @@ pub fn run<E: From<String>>(
                 )));
             }
             engine.load(&checkpoint.state)?;
+            if checkpoint.step != assembly.run.step {
+                return Err(E::from(format!(
+                    "the checkpoint was reached by steps of {} s, the run takes {} s; give --step {}",
+                    checkpoint.step, assembly.run.step, checkpoint.step
+                )));
+            }
             (checkpoint.steps, checkpoint.start)
         }
         None => {

@@ -171,6 +171,14 @@ impl Touching {
         })
     }
 
+    /// Takes another method between touches, for a state of n entries.
+    pub(super) fn choose(&mut self, method: Method, n: usize) {
+        if let Some(located) = &mut self.located {
+            located.method = method;
+            located.scratch = vec![0.0; LocatedMemory::<f64>::scratch(method, n)];
+        }
+    }
+
     /// Are touches located in time?
     pub(super) fn is_located(&self) -> bool {
         self.located.is_some()

@@ -15,9 +15,24 @@ use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Still, Wrench};
 
-/// Methods by name.
-const METHODS: [(&str, Method); 3] =
-    [("euler", Method::ExplicitEuler), ("semi-implicit", Method::SemiImplicitEuler), ("rk4", Method::Rk4)];
+/// Methods by name, with their order.
+pub const METHODS: [(&str, Method, u32); 3] = [
+    ("euler", Method::ExplicitEuler, 1),
+    ("semi-implicit", Method::SemiImplicitEuler, 1),
+    ("rk4", Method::Rk4, 4),
+];
+
+/// The method of this name.
+///
+/// # Errors
+/// There is none, with the likely name.
+pub(super) fn method(name: &str) -> Result<(&'static str, Method), String> {
+    let found = METHODS.iter().find(|(known, ..)| *known == name);
+    found.map(|(known, method, _)| (*known, *method)).ok_or_else(|| {
+        let known = METHODS.map(|(known, ..)| known);
+        format!("run.method = \"{name}\": no method of worlds{}", suggest::help(name, known))
+    })
+}
 
 impl CarriedWorld {
     /// At its start.
@@ -25,12 +40,7 @@ impl CarriedWorld {
     /// # Errors
     /// What cannot be derived, assembled or stepped, in words.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
-        let name = assembly.run.method.as_deref().unwrap_or("rk4");
-        let method = METHODS.iter().find(|(known, _)| *known == name).copied();
-        let method = method.ok_or_else(|| {
-            let known = METHODS.map(|(known, _)| known);
-            format!("run.method = \"{name}\": no method of worlds{}", suggest::help(name, known))
-        })?;
+        let method = method(assembly.run.method.as_deref().unwrap_or("rk4"))?;
         let mut world = CarriedWorld {
             names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
             places: Vec::new(),
@@ -51,11 +61,12 @@ impl CarriedWorld {
             touching: None,
             unsettled: 0,
             forced: 0,
+            stable: None,
         };
         let starts = world.carriers(assembly)?;
         world.flexible(assembly)?;
         world.join(assembly, &starts)?;
-        check_step(assembly, &world.fixed)?;
+        world.stable = stable_step(assembly, &world.fixed)?;
         world.touch(assembly)?;
         Ok(world)
     }
@@ -273,8 +284,9 @@ fn ports(assembly: &Assembly, part: usize) -> Vec<String> {
     ports
 }
 
-/// Refuses a step that a flexible part's fastest motion is too fast for.
-fn check_step(assembly: &Assembly, fixed: &Fixed) -> Result<(), String> {
+/// The largest step that follows every flexible part's fastest motion; refuses the scene's where it is larger.
+fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String> {
+    let mut stable: Option<f64> = None;
     for part in &assembly.parts {
         let Kind::Flexible(body) = &part.kind else { continue };
         let around =
@@ -290,12 +302,14 @@ fn check_step(assembly: &Assembly, fixed: &Fixed) -> Result<(), String> {
             .for_each(|(mass, _)| *mass = 1.0);
         let probe = Simulation::<f64>::new(&lists, &around, method)
             .map_err(|e| format!("`{}`: {}", part.name, crate::scene::run::describe(&e)))?;
-        if let Some(largest) = probe.largest_stable_step().filter(|largest| assembly.run.step > *largest) {
+        let Some(largest) = probe.largest_stable_step() else { continue };
+        if assembly.run.step > largest {
             return Err(format!(
                 "run.step = {} s is larger than the largest stable step of `{}`, {largest:.3e} s; take a smaller one",
                 assembly.run.step, part.name
             ));
         }
+        stable = Some(stable.map_or(largest, |least| least.min(largest)));
     }
-    Ok(())
+    Ok(stable)
 }

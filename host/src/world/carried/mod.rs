@@ -6,6 +6,7 @@
 //! Simpson's rule over each step.
 
 mod build;
+mod choice;
 mod rest;
 mod rows;
 pub mod tables;
@@ -14,6 +15,7 @@ use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
 use super::touching::Touching;
+pub use build::METHODS;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, Ode, State};
@@ -87,6 +89,8 @@ pub struct CarriedWorld {
     touching: Option<Touching>,
     unsettled: usize,
     forced: usize,
+    /// The largest step that follows the flexible parts' fastest motion (s).
+    stable: Option<f64>,
 }
 
 fn words(fault: Fault) -> String {
@@ -133,7 +137,7 @@ impl CarriedWorld {
     }
 
     /// Does something with the island that the lists are.
-    fn with<T>(
+    pub(crate) fn with<T>(
         &mut self,
         act: impl FnOnce(Island<'_, f64, Group<'_, HostCarrier>>) -> Result<T, Fault>,
     ) -> Result<T, Fault> {
@@ -151,7 +155,7 @@ impl CarriedWorld {
     }
 
     /// Rates of a state; forces and wrenches of it are in memory then.
-    fn rates(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
+    pub(crate) fn rates(&mut self, t: f64, x: &[f64]) -> Result<Vec<f64>, Fault> {
         let mut dot = vec![0.0; x.len()];
         self.with(|mut island| island.rates(t, x, &mut dot))?;
         Ok(dot)

@@ -1,0 +1,354 @@
+//! A scene of format 2 under measurement.
+//!
+//! In: an assembly. Out: its runs by every method that it has. Without contacts its equations are smooth and DOP853 is the
+//! reference. With contacts nothing converges faster than the world's own step, so the reference is that step, halved
+//! while the time allows; what the last halving changed is what is known of its error.
+
+use super::clock::{self, Deadline, Stop};
+use super::point::Control;
+use super::sheet::Sheet;
+use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
+use crate::engine::ScalarKind;
+use crate::failure::Failure;
+use crate::model_argument;
+use crate::plot::{Recording, svg};
+use crate::run::world as drawn;
+use crate::scene::dop853::Dop853;
+use crate::world::Assembly;
+use crate::world::carried::{CarriedWorld, METHODS};
+use crate::world::engine::Engine;
+use crate::world::rigid::RigidWorld;
+use crate::world::run::run;
+use smartbed_codegen::words::count;
+use smartbed_runtime::mechanism::Fault;
+use smartbed_runtime::ode::step_size::Tolerance;
+use smartbed_runtime::ode::{DormandPrince, State, dormand_prince};
+use std::cell::Cell;
+use std::path::Path;
+use std::time::Duration;
+
+/// A ladder of steps begins at this many steps of the scene's own length.
+const COARSE: f64 = 8.0;
+/// Part of the largest stable step with which it begins where there is one.
+const STABLE: f64 = 0.9;
+/// Largest difference of two halvings for a world with contacts to have a reference (m or rad).
+const TOUCHING: f64 = 1e-4;
+/// Times the step of the reference is halved.
+const HALVINGS: u32 = 8;
+/// Steps between two looks at the clock.
+const LOOK: usize = 16;
+/// Rows of a graph.
+const ROWS: usize = 500;
+
+/// What moves the world, at its start.
+#[derive(Clone)]
+enum Start {
+    Rigid(Box<RigidWorld>),
+    Carried(Box<CarriedWorld>),
+}
+
+impl Start {
+    fn new(assembly: &Assembly) -> Result<Self, String> {
+        let mut start = match assembly.is_rigid() {
+            true => Self::Rigid(Box::new(RigidWorld::new(assembly)?)),
+            false => Self::Carried(Box::new(CarriedWorld::new(assembly)?)),
+        };
+        if assembly.run.settled {
+            start.engine().settle()?;
+        }
+        Ok(start)
+    }
+
+    fn engine(&mut self) -> &mut dyn Engine {
+        match self {
+            Self::Rigid(world) => world.as_mut(),
+            Self::Carried(world) => world.as_mut(),
+        }
+    }
+}
+
+/// A world with its engine at the start.
+pub struct World {
+    name: String,
+    assembly: Assembly,
+    start: Start,
+    /// Numbers of the rows that are coordinates.
+    coordinates: Vec<usize>,
+    /// Step of the reference, once there is one (s).
+    finest: Cell<f64>,
+}
+
+impl World {
+    /// Reads and assembles it; `settings` are changes `path = value`.
+    ///
+    /// # Errors
+    /// [`Failure::Found`] or [`Failure::Wrong`] with what is wrong in it.
+    pub fn open(name: &str, path: &Path, settings: &[String]) -> Result<Self, Failure> {
+        Self::of(name, model_argument::open_world(path, settings)?)
+    }
+
+    /// One that is read.
+    ///
+    /// # Errors
+    /// [`Failure::Wrong`] if it cannot be assembled.
+    pub fn of(name: &str, assembly: Assembly) -> Result<Self, Failure> {
+        let mut start = Start::new(&assembly).map_err(Failure::Wrong)?;
+        let columns = start.engine().columns();
+        // Lengths, angles and Euler parameters; not speeds, volumes or pressures.
+        let is_coordinate = |unit: &str| ["m", "rad", "1", ""].contains(&unit);
+        let coordinates = (0..columns.len()).filter(|n| is_coordinate(&columns[*n].unit)).collect();
+        Ok(Self { name: name.to_owned(), assembly, start, coordinates, finest: Cell::new(0.0) })
+    }
+
+    /// As it is read.
+    #[must_use]
+    pub fn assembly(&self) -> &Assembly {
+        &self.assembly
+    }
+
+    /// Is one of its methods chosen by `run.method`, or is there its own step alone?
+    #[must_use]
+    pub fn takes_method(&self) -> bool {
+        matches!(&self.start, Start::Carried(world) if world.takes_method())
+    }
+
+    fn sample(&self, engine: &mut dyn Engine) -> Result<Vec<f64>, Stop> {
+        let state = engine.state()?;
+        Ok(self.coordinates.iter().map(|n| state[*n]).collect())
+    }
+
+    fn trace(
+        &self,
+        method: Option<&str>,
+        longest: f64,
+        Time { seconds, limit }: Time,
+    ) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(limit);
+        let mut start = self.start.clone();
+        if let (Start::Carried(world), Some(method)) = (&mut start, method) {
+            world.choose(method)?;
+        }
+        let engine = start.engine();
+        let interval = seconds / SAMPLES as f64;
+        let steps = (interval / longest - 1e-9).ceil().max(1.0) as usize;
+        let h = interval / steps as f64;
+        let (mut samples, mut events) = (Vec::with_capacity(SAMPLES), Vec::new());
+        let begin = clock::now();
+        for i in 0..SAMPLES * steps {
+            if i % LOOK == 0 {
+                deadline.check(i as f64 * h)?;
+            }
+            engine.step(h, &mut events)?;
+            if (i + 1) % steps == 0 {
+                samples.push(self.sample(engine)?);
+            }
+        }
+        Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
+    }
+
+    /// The world's own step, halved as long as the next run fits into the time.
+    fn halved(&self, time: Time) -> Result<Trace, Stop> {
+        let deadline = clock::now() + time.limit;
+        let mut step = self.assembly.run.step.min(time.seconds / SAMPLES as f64);
+        let mut best = self.trace(None, step, time)?;
+        for _ in 0..HALVINGS {
+            let left = deadline.saturating_sub(clock::now());
+            // Twice the steps, and as many sweeps in each at most.
+            if left < best.elapsed.mul_f64(2.5) {
+                break;
+            }
+            match self.trace(None, 0.5 * step, Time { limit: left, ..time }) {
+                Ok(finer) => (step, best) = (0.5 * step, finer),
+                Err(Stop::Late { .. }) => break,
+                Err(refused) => return Err(refused),
+            }
+        }
+        self.finest.set(step);
+        Ok(best)
+    }
+
+    fn dop853(&self, world: &CarriedWorld, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(limit);
+        let (mut world, mut shown) = (world.clone(), world.clone());
+        let mut fault = None;
+        let begin = clock::now();
+        let start = world.numbers().to_vec();
+        let rates = |t: f64, x: &[f64], x_dot: &mut [f64]| match world.rates(t, x) {
+            Ok(found) => x_dot.copy_from_slice(&found),
+            Err(why) => {
+                fault = Some(why);
+                x_dot.fill(f64::NAN);
+            }
+        };
+        let mut solver = Dop853::new(rates, 0.0, start, 1e-13, self.assembly.run.step);
+        let mut samples = Vec::new();
+        for i in 1..=SAMPLES {
+            let end = seconds * i as f64 / SAMPLES as f64;
+            while solver.t < end {
+                solver.advance(end).map_err(|t| format!("t = {t} s: no step of DOP853 was small enough"))?;
+                deadline.check(solver.t)?;
+            }
+            shown.put(end, &solver.y)?;
+            samples.push(self.sample(&mut shown)?);
+        }
+        let evaluations = Some(solver.evaluations as u64);
+        Ok(Trace { samples, evaluations, elapsed: clock::now() - begin })
+    }
+
+    fn dormand_prince(&self, world: &CarriedWorld, Time { seconds, limit }: Time) -> Result<Trace, Stop> {
+        let deadline = Deadline::within(limit);
+        let mut world = world.clone();
+        let mut x = world.numbers().to_vec();
+        let mut low = vec![0.0; x.len()];
+        let mut memory = vec![0.0; dormand_prince::scratch(x.len())];
+        let tolerance = Tolerance { absolute: 1e-12, relative: 1e-12 };
+        let words = |fault: Fault| fault.reason().to_owned();
+        let mut adaptive =
+            DormandPrince::new(x.len(), tolerance, self.assembly.run.step, &mut memory).map_err(words)?;
+        let (mut t, mut samples, begin) = (0.0, Vec::new(), clock::now());
+        for i in 1..=SAMPLES {
+            let end = seconds * i as f64 / SAMPLES as f64;
+            loop {
+                let before = t;
+                let done = world.with(|mut island| {
+                    let mut state = State::resume(&mut x, &mut low)?;
+                    adaptive.advance_to(&mut island, &mut t, end, LOOK as u32, &mut state)
+                });
+                match done {
+                    Ok(_) => break,
+                    // So many steps were not enough; but some were made.
+                    Err(Fault::StepSize) if t > before => deadline.check(t)?,
+                    Err(fault) => return Err(words(fault).into()),
+                }
+            }
+            world.put(end, &x)?;
+            samples.push(self.sample(&mut world)?);
+        }
+        Ok(Trace { samples, evaluations: None, elapsed: clock::now() - begin })
+    }
+
+    /// The world whose equations are smooth, with something to integrate.
+    fn smooth(&self) -> Option<&CarriedWorld> {
+        match &self.start {
+            Start::Carried(world) if world.is_smooth() && !world.numbers().is_empty() => Some(world),
+            _ => None,
+        }
+    }
+}
+
+impl Subject for World {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn title(&self) -> String {
+        format!("{}: {}", self.assembly.title, count(self.assembly.parts.len(), "part"))
+    }
+
+    fn seconds(&self) -> f64 {
+        self.assembly.run.seconds
+    }
+
+    fn coarsest_step(&self) -> f64 {
+        let coarse = COARSE * self.assembly.run.step;
+        match &self.start {
+            Start::Carried(world) => world.largest_stable_step().map_or(coarse, |h| (STABLE * h).min(coarse)),
+            Start::Rigid(_) => coarse,
+        }
+    }
+
+    fn is_smooth(&self) -> bool {
+        self.assembly.contacts.is_empty()
+    }
+
+    fn weight(&self) -> f64 {
+        self.coordinates.len() as f64
+    }
+
+    fn methods(&self) -> Vec<Method> {
+        let method = |name: &str, order| Method { name: name.to_owned(), order, adaptive: false };
+        match (&self.start, self.takes_method(), self.is_smooth()) {
+            (Start::Rigid(_), ..) => vec![method("rigid", 2)],
+            (_, false, _) => vec![method("moreau", 1)],
+            (_, true, is_smooth) => {
+                // Events are located to the order of a step's chord.
+                let order = |nominal| if is_smooth { nominal } else { 1 };
+                METHODS.iter().map(|(name, _, nominal)| method(name, order(*nominal))).collect()
+            }
+        }
+    }
+
+    fn scalars(&self) -> &'static [ScalarKind] {
+        &[ScalarKind::F64]
+    }
+
+    fn agreement(&self) -> f64 {
+        if self.smooth().is_some() { super::reference::AGREEMENT } else { TOUCHING }
+    }
+
+    fn run(&self, (method, control, scalar): (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {
+        match (control, scalar) {
+            (Control::Step(h), ScalarKind::F64) => self.trace(self.takes_method().then_some(method), h, time),
+            (_, ScalarKind::F32) => Err("worlds are computed in f64".to_owned().into()),
+            (Control::Tolerance(_), _) => Err("worlds take fixed steps, no tolerance".to_owned().into()),
+        }
+    }
+
+    fn reference(&self, time: Time) -> Result<Trace, Stop> {
+        match self.smooth() {
+            Some(world) => self.dop853(world, time),
+            None => self.halved(time),
+        }
+    }
+
+    fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop> {
+        match self.smooth() {
+            Some(world) => Ok(("Dormand-Prince 5(4) at 1e-12", self.dormand_prince(world, time)?)),
+            None => Ok(("the same at twice the step", self.trace(None, 2.0 * self.finest.get(), time)?)),
+        }
+    }
+
+    fn reference_name(&self) -> String {
+        match self.smooth() {
+            Some(_) => "DOP853 at 1e-13".to_owned(),
+            None => format!("its own step at {:.1e} s", self.finest.get()),
+        }
+    }
+
+    fn closed_form(&self, _: f64) -> Option<(&'static str, Trace)> {
+        None
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::World
+    }
+
+    fn sheet(&self) -> Result<Option<Sheet>, String> {
+        // A world has only the parts that its scene names: there is no everything to hold it against.
+        Ok(None)
+    }
+
+    fn graph(&self, limit: Duration) -> Result<String, String> {
+        let deadline = Deadline::within(limit);
+        let mut assembly = self.assembly.clone();
+        // The start is settled already.
+        assembly.run.settled = false;
+        assembly.run.every = assembly.run.every.max(assembly.run.steps() / ROWS).max(1);
+        let mut start = self.start.clone();
+        let engine = start.engine();
+        let columns = engine.columns();
+        let mut recording = Recording::new(drawn::names(&assembly, &columns).len());
+        let note = format!("{}, step {} s", engine.method(), assembly.run.step);
+        let emit = |row: &crate::world::run::Row<'_>, _: &mut dyn Engine| {
+            recording.push(&drawn::values(row));
+            Ok(())
+        };
+        let events = match run::<Stop>(&assembly, engine, None, emit, |t| deadline.check(t)) {
+            Ok(events) => events,
+            Err(Stop::Late { .. }) => Vec::new(),
+            Err(Stop::Refused(why)) => return Err(why),
+        };
+        let shown = drawn::shown(&columns, None).map_err(|e| e.to_string())?;
+        Ok(svg::text(&drawn::drawing(&assembly, &columns, &shown, &recording, &note, &events)))
+    }
+}

@@ -1,0 +1,50 @@
+//! What can be asked of a world's equations, and another method or state put in their place: for measuring.
+
+use super::{CarriedWorld, build, words};
+
+impl CarriedWorld {
+    /// Without contacts: its equations are smooth.
+    #[must_use]
+    pub fn is_smooth(&self) -> bool {
+        self.touching.is_none()
+    }
+
+    /// Is it stepped by one of [`METHODS`](super::METHODS), or by Moreau's step alone?
+    #[must_use]
+    pub fn takes_method(&self) -> bool {
+        self.touching.as_ref().is_none_or(super::Touching::is_located)
+    }
+
+    /// The largest step that follows the flexible parts' fastest motion (s), if there is a bound.
+    #[must_use]
+    pub fn largest_stable_step(&self) -> Option<f64> {
+        self.stable
+    }
+
+    /// Takes the method of this name.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn choose(&mut self, name: &str) -> Result<(), String> {
+        self.method = build::method(name)?;
+        self.scratch = vec![0.0; self.method.1.scratch(self.x.len())];
+        if let Some(touching) = &mut self.touching {
+            touching.choose(self.method.1, self.x.len());
+        }
+        Ok(())
+    }
+
+    /// Puts it at a time and state, as [`CarriedWorld::numbers`] has it.
+    ///
+    /// # Errors
+    /// A state of another size, or one that cannot be assembled.
+    pub fn put(&mut self, t: f64, x: &[f64]) -> Result<(), String> {
+        if x.len() != self.x.len() {
+            return Err(crate::world::engine::other_world());
+        }
+        self.t = t;
+        self.x.copy_from_slice(x);
+        self.low.fill(0.0);
+        self.with(|mut island| island.place(t, x)).map_err(words)
+    }
+}

@@ -1,0 +1,100 @@
+//! Flexible parts on what carries them, without contacts.
+
+use super::rigid::G;
+use super::support::{json, number, run};
+
+#[test]
+fn a_mass_on_spring_and_damper_swings_as_its_closed_form() {
+    let done = json(&["damper_mass_fixed_end"]);
+    let (m, k, c, t) = (0.5_f64, 50.0_f64, 0.8_f64, 3.0_f64);
+    // Stretch beyond the equilibrium m g/k, from 0.1 m; x'' = -(k/m) x - (c/m) x'.
+    let (rest, decay) = (m * G / k, c / (2.0 * m));
+    let w = (k / m - decay * decay).sqrt();
+    let amplitude = 0.1 - rest;
+    let stretch = rest + amplitude * (-decay * t).exp() * ((w * t).cos() + decay / w * (w * t).sin());
+    let z = number(&done["last"]["mass.z1"]);
+    assert!((z - (0.1 - stretch)).abs() < 1e-9, "{z} against {}", 0.1 - stretch);
+    assert!(number(&done["imbalance"]).abs() < 1e-9, "{}", done["imbalance"]);
+}
+
+#[test]
+fn a_loop_hung_up_comes_to_rest_below_its_point() {
+    let done = json(&["closed_loop_hung"]);
+    let last = |name: &str| number(&done["last"][format!("loop.{name}")]);
+    assert!(number(&done["last"]["kinetic"]) < 1e-9, "{}", done["last"]["kinetic"]);
+    // At rest the weights' moment about A vanishes, and the two springs at A carry both weights.
+    assert!((last("x1") + last("x2")).abs() < 1e-4, "{} {}", last("x1"), last("x2"));
+    let lift = |node: usize| {
+        let [x, z] = [last(&format!("x{node}")), last(&format!("z{node}"))];
+        let length = x.hypot(z);
+        5000.0 * (length - 1.0) * -z / length
+    };
+    assert!((lift(1) + lift(2) - 2.0 * G).abs() < 1e-3, "{}", lift(1) + lift(2));
+}
+
+#[test]
+fn a_bladder_does_not_feel_that_its_tile_moves_on_at_one_speed() {
+    let run = |law: &str| {
+        let command = format!("parts.tile.command={{ hA = \"{law}\", hB = \"{law}\", hC = \"{law}\" }}");
+        json(&["tile_with_bladder", "--set", &command, "--seconds", "0.1"])
+    };
+    let (still, moved) = (run("0_m*t/1_s"), run("0.1_m*t/1_s"));
+    for node in [0, 24, 48] {
+        for (axis, way) in [("x", 0.0), ("y", 0.0), ("z", 0.01)] {
+            let name = format!("bladder.{axis}{node}");
+            let (a, b) = (number(&still["last"][&name]), number(&moved["last"][&name]));
+            assert!((b - a - way).abs() < 1e-10, "{name}: {a} {b}");
+        }
+    }
+    // It has swollen, or nothing was tried.
+    assert!(number(&still["last"]["bladder.z24"]) > 0.0505, "{}", still["last"]["bladder.z24"]);
+}
+
+#[test]
+fn the_accounts_of_a_carried_bladder_close_to_the_order_of_the_method() {
+    for scene in ["tile_with_bladder", "tile_bladder_coupled"] {
+        let imbalance =
+            |step: &str| number(&json(&[scene, "--step", step, "--seconds", "0.2"])["imbalance"]).abs();
+        let (coarse, fine) = (imbalance("4e-4"), imbalance("2e-4"));
+        assert!(coarse < 5e-5 && fine < coarse / 8.0, "{scene}: {coarse:e} {fine:e}");
+    }
+}
+
+#[test]
+fn a_settled_loop_hangs_where_its_run_comes_to_rest() {
+    let rest = serde_json::from_str::<serde_json::Value>(&run(&["settle", "closed_loop_hung", "--json"]))
+        .expect("JSON");
+    assert!(number(&rest["acceleration"]) < 1e-8, "{}", rest["acceleration"]);
+    let last = |name: &str| number(&rest["last"][format!("loop.{name}")]);
+    let lift = |node: usize| {
+        let [x, z] = [last(&format!("x{node}")), last(&format!("z{node}"))];
+        let length = x.hypot(z);
+        5000.0 * (length - 1.0) * -z / length
+    };
+    assert!((lift(1) + lift(2) - 2.0 * G).abs() < 1e-7, "{}", lift(1) + lift(2));
+    assert!((last("x1") + last("x2")).abs() < 1e-9);
+    // A run that begins there stays there.
+    let stays = json(&["closed_loop_hung", "--set", "run.start=settled", "--seconds", "2"]);
+    for name in ["x1", "z1", "x2", "z2"] {
+        let moved = number(&stays["last"][format!("loop.{name}")]) - last(name);
+        assert!(moved.abs() < 1e-9, "{name}: {moved:e}");
+    }
+}
+
+#[test]
+fn gas_and_membrane_carry_the_weight_of_a_settled_bladder() {
+    let settled = run(&["settle", "tile_with_bladder", "--json"]);
+    let rest: serde_json::Value = serde_json::from_str(&settled).expect("JSON");
+    let last = |name: &str| number(&rest["last"][format!("bladder.{name}")]);
+    // Sealed air: p V^n as filled in.
+    let (gauge, volume) = (last("gauge"), last("volume"));
+    let filled = (101_325.0 + 1000.0) * (volume_at_rest()).powf(1.4);
+    assert!(((101_325.0 + gauge) * volume.powf(1.4) / filled - 1.0).abs() < 1e-12, "{gauge} {volume}");
+    assert!(number(&rest["acceleration"]) < 1e-8 && last("top") > 0.05, "{settled}");
+}
+
+/// Volume of the flat cell of tile_with_bladder: a square of 0.28 m without the outer halves of its four corner cells.
+fn volume_at_rest() -> f64 {
+    let cell = 0.28 / 8.0_f64;
+    0.04 * (0.28 * 0.28 - 4.0 * 0.5 * cell * cell)
+}

@@ -1,0 +1,165 @@
+//! What is wrong in a scene of format 2 is said with its place.
+
+use super::support::{fails, parse};
+use std::path::Path;
+
+const GROUND: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n";
+const TILE: &str = "format = 2\n[parts.tile]\nmechanism = \"tile\"\n";
+const SHEET: &str = "[parts.bladder]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\nbase = \"40_mm\"\n";
+const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n";
+
+/// A text with what is said of it, and the line.
+fn refused(text: &str, words: &str, line: usize) {
+    let found = parse(text).map(|_| ()).expect_err(text);
+    assert!(found.contains(words), "{words}\n{found}");
+    assert!(found.contains(&format!("w.toml:{line}:")), "line {line}\n{found}");
+    assert!(found.contains("help: "), "what to do\n{found}");
+}
+
+#[test]
+fn what_is_wrong_in_a_world_is_said_with_its_place() {
+    let cases = [
+        ("format = 3\n[parts.a]\nrigid = \"half_space\"".to_owned(), "`format` must be 2", 1),
+        (format!("{GROUND}{BALL}friction = 1"), "`ball` has no field `friction`", 8),
+        (
+            format!("{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = \"0.1_kg\"\nmass = 1"),
+            "`radius` must be in m",
+            6,
+        ),
+        (format!("{GROUND}[parts.ball]\nrigid = \"ball\"\nradius = 1"), "unknown shape `ball`", 5),
+        (format!("{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = 1"), "`ball` has no `mass`", 4),
+        (
+            format!("{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = -1\nmass = 1"),
+            "`radius` must be a number > 0",
+            6,
+        ),
+        (format!("{GROUND}[parts.ball]\nmass = 1"), "what is the part `ball`?", 4),
+        (format!("{GROUND}{BALL}"), "`ground` and `ball` overlap by 1.000e-1 m", 2),
+        (format!("{GROUND}{BALL}start = {{ height = 0, speed = 1 }}"), "`start` has no field `speed`", 8),
+        (
+            format!("{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"ball\", \"ground\"]"),
+            "a pair of parts without a law",
+            9,
+        ),
+        (
+            format!(
+                "{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"bal\", \"ground\"]\nimpact = \"newton\""
+            ),
+            "there is no part `bal`",
+            10,
+        ),
+        (
+            format!(
+                "{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"ball\", \"ground\"]\nimpact = \"newton\"\nfriction = 0.1"
+            ),
+            "can create energy",
+            11,
+        ),
+        (
+            format!(
+                "{GROUND}{BALL}start = {{ height = 1 }}\n[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"newton\""
+            ),
+            "a contact is between two parts",
+            10,
+        ),
+        (
+            format!("{GROUND}{BALL}start = {{ height = 1 }}\n[run]\nstep = 0"),
+            "`step` must be a number > 0",
+            10,
+        ),
+        (
+            "format = 2\n[parts.tile]\nmechanism = \"tyle\"".to_owned(),
+            "`tile` has no model: no model `tyle`",
+            3,
+        ),
+        (format!("{TILE}command = {{ hX = \"1_m\" }}"), "unknown coordinate `hX`", 4),
+        (format!("{TILE}command = {{ hA = \"1_kg\" }}"), "what `tile` changes in its model is wrong", 2),
+        (format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.top\" }}]"), "has no port `top`", 9),
+        (format!("{TILE}{SHEET}attach = [{{ nodes = \"rim\", to = \"tile\" }}]"), "which of its ports?", 9),
+        (
+            format!("{TILE}{SHEET}attach = [{{ nodes = \"edge\", to = \"tile.platform\" }}]"),
+            "unknown group of nodes `edge`",
+            9,
+        ),
+        (
+            format!("{TILE}{SHEET}attach = [{{ nodes = [99], to = \"tile.platform\" }}]"),
+            "must be numbers of nodes",
+            9,
+        ),
+        (format!("{TILE}{SHEET}corners = 3"), "nothing of `bladder` reads `corners`", 9),
+        (
+            format!(
+                "{TILE}[parts.bladder]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\ngas = {{ gauge = \"4_kPa\" }}"
+            ),
+            "gas needs a closed surface",
+            8,
+        ),
+        (format!("{TILE}{SHEET}gas = {{ gauge = \"4_kg\" }}"), "`gauge` must be", 9),
+        (format!("{TILE}grid = {{ count = [0, 4], pitch = [1, 1] }}"), "is repeated 0 x 4 times", 4),
+        (format!("{GROUND}[view]\nhide = [\"grund\"]"), "there is no part `grund`", 5),
+        (format!("{GROUND}[view]\nsurfaces = \"strain\""), "unknown colouring of surfaces `strain`", 5),
+        (format!("{GROUND}[view]\ncolours = {{ ground = \"red\" }}"), "unknown colour `red`", 5),
+        (format!("{TILE}[view]\ncolours = {{ tile = \"sky\" }}"), "`tile` is a mechanism of many bodies", 5),
+        (format!("{GROUND}[run]\nmethode = \"rk4\""), "`run` has no field `methode`", 5),
+    ];
+    for (text, words, line) in cases {
+        refused(&text, words, line);
+    }
+}
+
+#[test]
+fn laws_that_locate_touches_and_moreau_are_not_mixed() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mixed.toml");
+    let contact = |impact: &str, part: &str| {
+        format!("[[contacts]]\nbetween = [\"{part}\", \"ground\"]\nimpact = \"{impact}\"\n")
+    };
+    let cube = "[parts.cube]\nshape = \"cube\"\nstart = { height = 1 }\n";
+    let text = format!(
+        "{GROUND}{BALL}start = {{ height = 1 }}\n{cube}{}{}",
+        contact("moreau", "ball"),
+        contact("plastic", "cube")
+    );
+    std::fs::write(&file, text).expect("a file");
+    let said = fails(&["run", file.to_str().expect("a path")]);
+    assert!(said.contains("take moreau for all or for none"), "{said}");
+}
+
+#[test]
+fn units_expressions_and_plain_numbers_say_the_same() {
+    let ball = |radius: &str, mass: &str| {
+        let text = format!(
+            "{GROUND}[parts.ball]\nrigid = \"sphere\"\nradius = {radius}\nmass = {mass}\nstart = {{ height = \"20_mm\" }}"
+        );
+        let assembly = parse(&text).unwrap_or_else(|found| panic!("{found}"));
+        let (_, rigid) = assembly.rigid().nth(1).expect("a ball");
+        (rigid.body.expect("a body"), rigid.start.position)
+    };
+    let plain = ball("0.1", "2");
+    assert_eq!(plain, ball("\"100_mm\"", "\"2000_g\""));
+    assert_eq!(plain, ball("\"0.05_m*2\"", "\"2 kg\""));
+    assert!((plain.1[2] - 0.12).abs() < 1e-15 && (plain.0.inertia[0] - 0.4 * 2.0 * 0.01).abs() < 1e-15);
+}
+
+#[test]
+fn a_grid_repeats_a_part_and_what_is_attached_to_it() {
+    let grid = "grid = { count = [2, 3], pitch = [\"0.4_m\", \"0.5_m\"] }\n";
+    let text = format!("{TILE}{grid}{SHEET}{grid}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]\n");
+    let assembly = parse(&text).unwrap_or_else(|found| panic!("{found}"));
+    let names: Vec<&str> = assembly.parts.iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names.len(), 12);
+    assert_eq!((names[0], names[5], names[11]), ("tile[0,0]", "tile[1,2]", "bladder[1,2]"));
+    let pairs: Vec<(usize, usize)> = assembly.attachments.iter().map(|a| (a.part, a.to)).collect();
+    assert_eq!(pairs, [(6, 0), (7, 1), (8, 2), (9, 3), (10, 4), (11, 5)]);
+}
+
+#[test]
+fn options_that_worlds_do_not_have_are_refused() {
+    for (option, value) in [("--scalar", "f32"), ("--tolerance", "1e-6")] {
+        let said = fails(&["run", "box_bounce", option, value]);
+        assert!(said.contains("a scene of format 2 does not take it"), "{said}");
+    }
+    let said = fails(&["run", "box_bounce", "--method", "rk4"]);
+    assert!(said.contains("rigid bodies have a step of their own"), "{said}");
+    let said = fails(&["run", "box_bounce", "--set", "parts.box.mass=2_m"]);
+    assert!(said.contains("`mass` must be in kg") && said.contains("--set"), "{said}");
+}

@@ -1,0 +1,75 @@
+//! Worlds of rigid bodies against closed forms.
+
+use super::support::{json, number, times};
+
+/// Free fall (m/s^2).
+pub const G: f64 = 9.81;
+
+#[test]
+fn a_box_bounces_when_free_fall_says_and_does_not_spin() {
+    let done = json(&["box_bounce"]);
+    let (e, height) = (0.6_f64, 0.5_f64);
+    let mut expected = (2.0 * height / G).sqrt();
+    let mut flight = 2.0 * e * expected;
+    for time in times(&done).iter().take(8) {
+        assert!((time - expected).abs() < 1e-9, "{time} against {expected}");
+        (expected, flight) = (expected + flight, e * flight);
+    }
+    for spin in ["box.wx", "box.wy", "box.wz"] {
+        assert!(number(&done["last"][spin]).abs() < 1e-9, "{spin}");
+    }
+    // Energy to rest: the height of a box that lies.
+    assert!((number(&done["last"]["box.z"]) - 0.05).abs() < 1e-9, "{}", done["last"]);
+    assert!(number(&done["imbalance"]).abs() < 1e-9 * number(&done["total_at_start"]), "{done}");
+}
+
+#[test]
+fn a_rod_slides_as_far_as_friction_says() {
+    let (v, mu) = (1.5, 0.25);
+    let done = json(&["rod_with_friction"]);
+    let (distance, last) = (v * v / (2.0 * mu * G), &done["last"]);
+    assert!((number(&last["rod.x"]) - distance).abs() < 1e-9, "{} against {distance}", last["rod.x"]);
+    assert!(number(&last["rod.vx"]).abs() < 1e-9);
+    assert!((number(&last["friction"]) - 0.5 * 0.5 * v * v).abs() < 1e-9, "{}", last["friction"]);
+}
+
+#[test]
+fn boxes_stack_and_stay() {
+    let done = json(&["stack_boxes"]);
+    for (name, height) in [("lower", 0.05), ("middle", 0.15), ("upper", 0.25)] {
+        let last = |what: &str| number(&done["last"][format!("{name}.{what}")]);
+        assert!((last("z") - height).abs() < 1e-6, "{name}: {}", last("z"));
+        assert!(last("vz").abs() < 1e-9 && last("wx").abs() < 1e-9 && last("wy").abs() < 1e-9, "{name}");
+    }
+    assert!(number(&done["imbalance"]).abs() < 1e-9, "{done}");
+}
+
+#[test]
+fn a_ball_comes_to_rest_where_its_bounces_add_up() {
+    let (e, height) = (0.5_f64, 0.4_f64);
+    let done = json(&["rigid_ball_rests"]);
+    // The series of all flights: t1 (1 + e)/(1 - e).
+    let rest = (2.0 * height / G).sqrt() * (1.0 + e) / (1.0 - e);
+    let times = times(&done);
+    let last = times.last().copied().expect("bounces");
+    assert!(times.len() > 10 && (last - rest).abs() < 2e-3 && last <= rest + 1e-9, "{last} against {rest}");
+    assert!((number(&done["last"]["ball.z"]) - 0.1).abs() < 1e-9);
+}
+
+#[test]
+fn a_thrown_ball_rolls_at_five_sevenths_of_its_speed() {
+    let (v, mu) = (1.4, 0.2);
+    let done = json(&[
+        "rigid_ball_rests",
+        "--set",
+        "parts.ball.start={ height = 0, velocity = [\"1.4 m/s\", 0, 0] }",
+        "--set",
+        "contacts=[{ between = [\"ball\", \"ground\"], impact = \"plastic\", friction = 0.2 }]",
+    ]);
+    let last = &done["last"];
+    let (slides, speed) = (2.0 * v / (7.0 * mu * G), 5.0 / 7.0 * v);
+    let way = v * slides - 0.5 * mu * G * slides * slides + speed * (1.0 - slides);
+    assert!((number(&last["ball.vx"]) - speed).abs() < 1e-8, "{}", last["ball.vx"]);
+    assert!((number(&last["ball.wy"]) - speed / 0.1).abs() < 1e-7, "{}", last["ball.wy"]);
+    assert!((number(&last["ball.x"]) - way).abs() < 1e-7, "{} against {way}", last["ball.x"]);
+}

@@ -1,0 +1,71 @@
+//! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
+
+use super::support::{fails, json, rows, run};
+use std::path::Path;
+
+#[test]
+fn a_world_has_rows_plots_and_a_page() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let file = |name: &str| folder.join(format!("world_{name}")).display().to_string();
+    let (csv, svg, page) = (file("b.csv"), file("b.svg"), file("b.html"));
+    let said =
+        run(&["run", "box_bounce", "--csv", &csv, "--plot", &svg, "--view", &page, "--seconds", "0.5"]);
+    assert!(said.contains("box strikes ground at 4 points"), "{said}");
+    let rows = std::fs::read_to_string(&csv).expect("rows");
+    assert!(
+        rows.starts_with("t,box.x,box.y,box.z,box.e0,") && rows.lines().count() == 102,
+        "{}",
+        rows.lines().count()
+    );
+    assert!(std::fs::read_to_string(&svg).expect("a plot").contains("A box bounces"));
+    let page = std::fs::read_to_string(&page).expect("a page");
+    assert!(page.contains("\"kind\":\"box\"") && page.contains("\"ground\":{"), "stage");
+}
+
+#[test]
+fn a_page_shows_mechanism_and_body_together() {
+    let page = Path::new(env!("CARGO_TARGET_TMPDIR")).join("world_tile.html").display().to_string();
+    run(&["run", "tile_with_bladder", "--view", &page, "--seconds", "0.01"]);
+    let page = std::fs::read_to_string(&page).expect("a page");
+    for word in ["\"tile.connectorA\"", "\"tile.G\"", "\"bladder.48\"", "\"facets\":[["] {
+        assert!(page.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn a_run_that_is_resumed_goes_on_bit_for_bit() {
+    for scene in ["box_bounce", "tile_bladder_coupled"] {
+        let file =
+            Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{scene}.state")).display().to_string();
+        let whole = json(&[scene, "--seconds", "0.4"]);
+        json(&[scene, "--seconds", "0.3", "--save", &file]);
+        let resumed = json(&[scene, "--seconds", "0.4", "--resume", &file]);
+        assert_eq!(whole["last"], resumed["last"], "{scene}");
+        let said = fails(&["run", "closed_loop_hung", "--resume", &file]);
+        assert!(said.contains("of another world"), "{said}");
+        let said = fails(&["run", scene, "--step", "1e-4", "--resume", &file]);
+        assert!(said.contains("was reached by steps of") && said.contains("give --step"), "{said}");
+        let said = fails(&["run", scene, "--error", "1e-3", "--resume", &file]);
+        assert!(said.contains("goes on with the step it began with"), "{said}");
+    }
+}
+
+#[test]
+fn sensors_read_late_and_coarse_and_change_nothing() {
+    let sensors = "sensors={ seen = { of = \"ball.z\", resolution = 0.001, period = 0.01, delay = 0.01 }, \
+                   low = { of = \"ball.z\", kind = \"switch\", closes = 0.3 } }";
+    let (names, seen) =
+        rows(&["rigid_ball_rests", "--set", sensors, "--set", "run.every=1", "--seconds", "0.4"]);
+    let (_, blind) = rows(&["rigid_ball_rests", "--set", "run.every=1", "--seconds", "0.4"]);
+    let column = |name: &str| names.iter().position(|n| n == name).expect(name);
+    let (z, reading, low) = (column("ball.z"), column("sensors.seen"), column("sensors.low"));
+    for (n, row) in seen.iter().enumerate() {
+        assert_eq!(row[..blind[n].len()], blind[n][..], "row {n}");
+        assert_eq!(row[low], f64::from(u8::from(row[z] >= 0.3)), "row {n}");
+        // Behind a sample and its way there: what stood there one or two periods ago, to half a step of the reading.
+        if n >= 20 {
+            let sample = seen[10 * (n / 10) - 10][z];
+            assert!((row[reading] - sample).abs() <= 0.5e-3 + 1e-12, "row {n}: {} {sample}", row[reading]);
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Runs the program at the root of the workspace, and reads what it says.
+
+use smartbed::world::{Assembly, read};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The program at the root of the workspace.
+pub fn smartbed(arguments: &[&str]) -> Output {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    Command::new(env!("CARGO_BIN_EXE_smartbed")).args(arguments).current_dir(root).output().expect("it runs")
+}
+
+/// Standard output of a run that succeeds.
+pub fn run(arguments: &[&str]) -> String {
+    let output = smartbed(arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What a run says that is refused.
+pub fn fails(arguments: &[&str]) -> String {
+    let output = smartbed(arguments);
+    assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+    String::from_utf8(output.stderr).expect("text")
+}
+
+/// File of a model.
+pub fn find(name: &str) -> Result<PathBuf, String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(format!("{name}.toml"));
+    if path.is_file() { Ok(path) } else { Err(format!("no model `{name}`")) }
+}
+
+/// A world from its text.
+pub fn parse(text: &str) -> Result<Assembly, String> {
+    read::parse("w.toml", text, &[], &find).map_err(|found| found.to_string())
+}
+
+/// What `run --json` says of a scene.
+pub fn json(arguments: &[&str]) -> serde_json::Value {
+    let output = run(&[&["run"], arguments, &["--json"]].concat());
+    serde_json::from_str(&output).expect("JSON")
+}
+
+/// A number of it.
+pub fn number(value: &serde_json::Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Times of its events.
+pub fn times(json: &serde_json::Value) -> Vec<f64> {
+    json["events"].as_array().expect("events").iter().map(|event| number(&event["time"])).collect()
+}
+
+/// Numbers of a scene's rows, by column.
+pub fn rows(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
+    let text = run(&[&["run"], arguments, &["--csv", "-"]].concat());
+    let mut lines = text.lines();
+    let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let row = |line: &str| line.split(',').map(|x| x.parse().expect("a number")).collect();
+    (names, lines.map(row).collect())
+}

@@ -1,0 +1,170 @@
+//! Flexible parts and mechanisms in touch.
+
+use super::rigid::G;
+use super::support::{json, number, rows, run};
+use std::path::Path;
+
+/// A cube that falls on its edge, written in either format.
+const CUBE: [&str; 2] = [
+    "format = 1\ntitle = \"cube\"\nshape = \"cube\"\nside = 0.4\ndrop_height = 0.1\ntilt = 0.2\nK = 2000\nC = 0.5\nmass = 0.25\n\
+     T = 0.5\nstep = 5e-4\nmethod = \"rk4\"\nevery = 100\n",
+    "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.cube]\nshape = \"cube\"\nside = 0.4\nmass = 0.25\nK = 2000\nC = 0.5\n\
+     start = { height = 0.1, tilt = 0.2 }\n[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"compensation\"\n\
+     [run]\nseconds = 0.5\nstep = 5e-4\nevery = 100\n",
+];
+
+#[test]
+fn a_cube_of_a_world_falls_as_that_of_a_scene_of_its_own() {
+    let runs = [0, 1].map(|k| {
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cube{k}.toml"));
+        std::fs::write(&file, CUBE[k]).expect("a file");
+        rows(&[file.to_str().expect("a path")])
+    });
+    let mut off = 0.0_f64;
+    for node in 0..8 {
+        for axis in ["x", "y", "z"] {
+            let names = [format!("{axis}{node}"), format!("cube.{axis}{node}")];
+            let [one, other] =
+                [0, 1].map(|k| runs[k].0.iter().position(|n| *n == names[k]).expect("a column"));
+            for (a, b) in runs[0].1.iter().zip(&runs[1].1) {
+                assert!((a[0] - b[0]).abs() < 1e-12);
+                off = off.max((a[one] - b[other]).abs());
+            }
+        }
+    }
+    println!("off by {off:e} m");
+    assert!(runs[0].1.len() > 9 && off < 1e-9, "{off:e}");
+}
+
+#[test]
+fn two_cubes_that_collide_keep_their_momentum_and_make_no_energy() {
+    let (names, rows) = rows(&["two_cubes"]);
+    let column = |name: &str| names.iter().position(|n| n == name).expect(name);
+    let places = |axis: &str| -> Vec<usize> {
+        let of = |part: &str| (0..8).map(|n| column(&format!("{part}.{axis}{n}"))).collect::<Vec<_>>();
+        [of("left"), of("right")].concat()
+    };
+    // All masses are alike: the mean place goes on at half the speed of the one cube.
+    for (axis, speed) in [("x", 0.5), ("y", 0.0), ("z", 0.0)] {
+        let own = places(axis);
+        let mean = |row: &Vec<f64>| own.iter().map(|k| row[*k]).sum::<f64>() / 16.0;
+        for row in &rows {
+            let off = mean(row) - mean(&rows[0]) - speed * row[0];
+            assert!(off.abs() < 1e-12, "{axis} at {}: {off:e}", row[0]);
+        }
+    }
+    let total = column("total");
+    assert!(rows.iter().all(|row| row[total] <= rows[0][total] * (1.0 + 1e-9)), "energy is created");
+    // They met: the left one is slower, the right one moves.
+    let (first, last) = (&rows[0], rows.last().expect("rows"));
+    let way = last[column("right.x0")] - first[column("right.x0")];
+    assert!(way > 0.05, "{way}");
+}
+
+#[test]
+fn flexible_cubes_stack_and_come_to_rest() {
+    let done = json(&["stack_cubes"]);
+    let last = |name: &str| number(&done["last"][name]);
+    assert!(last("kinetic") < 1e-6, "{}", last("kinetic"));
+    for (part, top) in [("lower", 0.2), ("middle", 0.38), ("upper", 0.54)] {
+        let found = last(&format!("{part}.top"));
+        assert!((found - top).abs() < 4e-3, "{part}: {found}");
+    }
+    let start = number(&done["total_at_start"]);
+    assert!(number(&done["imbalance"]).abs() < 0.02 * start, "{}", done["imbalance"]);
+}
+
+#[test]
+fn a_bladder_carries_a_plate_and_a_ball() {
+    for load in ["plate", "ball"] {
+        let scene = format!("{load}_on_bladder");
+        let rest = |mass: f64| {
+            let mass = format!("parts.{load}.mass={mass}");
+            let contacts =
+                format!("contacts=[{{ between = [\"{load}\", \"bladder\"], impact = \"moreau\" }}]");
+            let text = run(&["settle", &scene, "--json", "--set", &mass, "--set", &contacts]);
+            let rest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+            assert!(number(&rest["acceleration"]) < 1e-8, "{text}");
+            let place = ["x", "y", "z"].map(|axis| number(&rest["last"][format!("{load}.{axis}")]));
+            (number(&rest["total"]), place)
+        };
+        // Where the whole potential is least its change with the load's mass is g z, whatever carries it.
+        let (less, more, (_, [x, y, z])) = (rest(0.98), rest(1.02), rest(1.0));
+        let slope = (more.0 - less.0) / 0.04;
+        assert!((slope / (G * z) - 1.0).abs() < 1e-3, "{load}: {slope} against {}", G * z);
+        // In the middle of a symmetric sheet nothing moves it aside; more weight sinks deeper.
+        assert!((x - 0.14).abs() < 1e-6 && (y - 0.14).abs() < 1e-6, "{load}: {x} {y}");
+        assert!(more.1[2] < z && z < less.1[2], "{load}");
+    }
+}
+
+#[test]
+fn an_arm_that_pushes_a_wall_balances_one_force() {
+    let done = json(&["arm6_pushes_wall"]);
+    let q: Vec<f64> = (0..6).map(|i| number(&done["last"][format!("arm.q{i}")])).collect();
+    let u: Vec<f64> = (0..6).map(|i| number(&done["last"][format!("arm.u{i}")])).collect();
+    assert!(u.iter().all(|u| u.abs() < 1e-5), "at rest: {u:?}");
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("arm6_states.json");
+    let given: Vec<String> = q.iter().enumerate().map(|(i, q)| format!("\"q{i}\": {q:e}")).collect();
+    std::fs::write(&file, format!("{{\"states\": [{{\"q\": {{{}}}}}]}}", given.join(", "))).expect("states");
+    let file = file.display().to_string();
+    let answer = |what: &str| -> serde_json::Value {
+        let text = run(&["eval", "arm6", "--answers", what, "--states", &file]);
+        serde_json::from_str::<serde_json::Value>(&text).expect("JSON")["states"][0][what].clone()
+    };
+    let (port, held) = (answer("port:tool"), answer("inverse_dynamics"));
+    let pi = std::f64::consts::PI;
+    let torque = [
+        60.0 * (0.3 - q[0]),
+        -8.65 - 400.0 * (q[1] + pi / 6.0),
+        20.5 - 400.0 * (q[2] - pi / 3.0),
+        -200.0 * q[3],
+        -200.0 * q[4],
+        -200.0 * q[5],
+    ];
+    // What the joints give beyond holding the arm is the wall's force, along x at the tool: T - hold = -J' F.
+    let left = |i: usize| torque[i] - number(&held["generalised_force"][format!("u{i}")]);
+    let along = |i: usize| number(&port["jacobian"][0][i]);
+    let force = -left(0) / along(0);
+    assert!(force > 5.0, "it pushes: {force} N");
+    for i in 0..6 {
+        assert!(
+            (left(i) + force * along(i)).abs() < 1e-3 * force,
+            "joint {i}: {} {}",
+            left(i),
+            force * along(i)
+        );
+    }
+    // The tip touches the wall's face at x = -0.14 m.
+    assert!((number(&port["position"]["x"]) - 0.05 + 0.14).abs() < 1e-5, "{}", port["position"]["x"]);
+}
+
+#[test]
+fn a_ball_on_a_tilted_bladder_goes_downhill_and_rolls_if_there_is_friction() {
+    let place = |friction: &str| {
+        let contacts = format!(
+            "contacts=[{{ between = [\"ball\", \"bladder\"], impact = \"moreau\", friction = {friction} }}]"
+        );
+        let done = json(&["ball_on_tilted_bladder", "--set", &contacts]);
+        ["x", "y", "wx", "wy"].map(|name| number(&done["last"][format!("ball.{name}")]))
+    };
+    // Screw A stands along y and is lifted: downhill is -y, and rolling that way is a turn about +x.
+    let ([x, y, wx, wy], [_, slid, spin, _]) = (place("0.5"), place("0"));
+    assert!(y < -0.01 && x.abs() < 1e-3 * y.abs() && wx > 0.1 && wy.abs() < 1e-2 * wx, "{x} {y} {wx} {wy}");
+    // Without friction nothing turns it, and it gets further.
+    assert!(slid < y && spin.abs() < 1e-9, "{slid} {y} {spin}");
+}
+
+#[test]
+fn the_bed_carries_a_ball() {
+    let done = json(&["bed"]);
+    let last = |name: &str| number(&done["last"][name]);
+    assert_eq!(done["parts"].as_f64(), Some(57.0));
+    assert!(last("ball.z") > 0.2 && last("ball.x").is_finite(), "{}", last("ball.z"));
+    // The bladders farthest from the ball do not know of it and are alike.
+    let [a, b] = ["bladder[6,0].top", "bladder[6,3].top"].map(last);
+    assert!((a - b).abs() < 1e-9, "{a} {b}");
+    // What the drives give moves tiles, bladders and ball; a step of order 1 at its touches misses little of it.
+    let (missed, given) = (number(&done["imbalance"]), last("drive"));
+    assert!(given > 1.0 && missed.abs() < 1e-3 * given, "{missed} of {given}");
+}
