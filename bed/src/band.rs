@@ -88,6 +88,30 @@ impl Band {
 pub struct Factor(Band);
 
 impl Factor {
+    /// Solves A x = b in place for several b at once, row by row: rows of the factor are read once for all.
+    pub fn solve_all<const N: usize>(&self, b: &mut [[f64; N]]) {
+        let Factor(band) = self;
+        let width = band.width;
+        for i in 0..band.size {
+            let first = i.saturating_sub(width);
+            let row = band.row(i);
+            let (known, own) = b.split_at_mut(i);
+            for (l, x) in row[width - (i - first)..width].iter().zip(&known[first..]) {
+                (0..N).for_each(|k| own[0][k] -= l * x[k]);
+            }
+            own[0].iter_mut().for_each(|x| *x /= row[width]);
+        }
+        for i in (0..band.size).rev() {
+            let first = i.saturating_sub(width);
+            let row = band.row(i);
+            let (rest, own) = b.split_at_mut(i);
+            own[0].iter_mut().for_each(|x| *x /= row[width]);
+            for (l, x) in row[width - (i - first)..width].iter().zip(&mut rest[first..]) {
+                (0..N).for_each(|k| x[k] -= l * own[0][k]);
+            }
+        }
+    }
+
     /// Solves A x = b in place.
     pub fn solve(&self, b: &mut [f64]) {
         let Factor(band) = self;

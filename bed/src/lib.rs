@@ -5,6 +5,7 @@
 
 pub mod band;
 pub mod body;
+pub mod dynamics;
 pub mod equilibrium;
 pub mod files;
 pub mod map;
@@ -13,3 +14,4 @@ pub mod plan;
 pub mod pose;
 pub mod sheet;
 pub mod tile;
+pub mod tissue;

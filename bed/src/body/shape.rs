@@ -60,6 +60,23 @@ impl Shape {
         norm(self.half) + self.radius
     }
 
+    /// How far (m) along its axes three pairs of points stand that have, each with a sixth of its mass, the moments of
+    /// inertia of the solid shape: sqrt(3 <x^2>), by the parts of [`Shape::volume`].
+    #[must_use]
+    pub fn gyration(&self) -> Vec3<f64> {
+        let (r, pi) = (self.radius, std::f64::consts::PI);
+        std::array::from_fn(|i| {
+            let [a, b, c] = [0, 1, 2].map(|k| self.half[(i + k) % 3]);
+            let square = a * a / 3.0;
+            let within = (8.0 * a * b * c + 8.0 * r * a * (b + c) + 2.0 * pi * r * r * a) * square;
+            let ends = 8.0 * b * c * ((a + r).powi(3) - a.powi(3)) / 3.0;
+            // Half a disc's and half a ball's centroid lie 4 r/(3 pi) and 3 r/8 out.
+            let edges = 2.0 * pi * r * r * (b + c) * (a * a + 8.0 / 3.0 / pi * a * r + 0.25 * r * r);
+            let corners = 4.0 / 3.0 * pi * r * r * r * (a * a + 0.75 * a * r + 0.2 * r * r);
+            (3.0 * (within + ends + edges + corners) / self.volume()).sqrt()
+        })
+    }
+
     /// Volume (m^3): the box, slabs on its faces, quarter cylinders along its edges, one ball in all.
     #[must_use]
     pub fn volume(&self) -> f64 {

@@ -180,15 +180,41 @@ impl Joint {
         rows.add_hessian([b, b], [arms[1]; 2], &h, 1.0);
         rows.add_hessian([a, b], arms, &h, -1.0);
         rows.add_hessian([b, a], [arms[1], arms[0]], &h, -1.0);
-        let [wanted, found] = self.axes(poses);
+        let axes = self.axes(poses);
+        self.add_turning(axes, self.turning, rows);
+    }
+
+    /// Energy (J) of a spring like that which turns the segments back, but towards how they stood before.
+    #[must_use]
+    pub fn turning_since(&self, before: &[Pose], poses: &[Pose]) -> f64 {
+        let [wanted, found] = self.axes_since(before, poses);
+        let trace: f64 = wanted.iter().zip(found).map(|(a, b)| dot(*a, b)).sum();
+        0.5 * self.turning * (3.0 - trace)
+    }
+
+    /// Adds a share of its gradient and Hessian.
+    pub fn add_turning_since(&self, before: &[Pose], poses: &[Pose], share: f64, rows: &mut Rows) {
+        self.add_turning(self.axes_since(before, poses), share * self.turning, rows);
+    }
+
+    /// Axes of the second segment as they stood in the first before, and as they are.
+    fn axes_since(&self, before: &[Pose], poses: &[Pose]) -> [[Vec3<f64>; 3]; 2] {
+        let [a, b] = self.segments;
+        let wanted = before[b].attitude.axes().map(|axis| before[a].attitude.to_body(axis));
+        [wanted.map(|axis| poses[a].attitude.to_inertial(axis)), poses[b].attitude.axes()]
+    }
+
+    /// Moments that turn the second segment's axes towards those that are wanted.
+    fn add_turning(&self, [wanted, found]: [[Vec3<f64>; 3]; 2], stiffness: f64, rows: &mut Rows) {
+        let [a, b] = self.segments;
         let moments = wanted.iter().zip(found).map(|(a, b)| cross(*a, b));
-        let moment = scale(moments.fold([0.0; 3], add), 0.5 * self.turning);
+        let moment = scale(moments.fold([0.0; 3], add), 0.5 * stiffness);
         let size = rows.gradient.len();
         for (i, moment) in moment.into_iter().enumerate() {
             rows.gradient[6 * a + 3 + i] -= moment;
             rows.gradient[6 * b + 3 + i] += moment;
             for (row, column, sign) in [(a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)] {
-                rows.hessian[(6 * row + 3 + i) * size + 6 * column + 3 + i] += sign * self.turning;
+                rows.hessian[(6 * row + 3 + i) * size + 6 * column + 3 + i] += sign * stiffness;
             }
         }
     }

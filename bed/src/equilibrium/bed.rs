@@ -43,6 +43,13 @@ impl Bed {
         a * b * self.depth + crate::sheet::membrane::volume(&self.lattice, sheet)
     }
 
+    /// Energy (J) of what a sheet presses on its plate.
+    #[must_use]
+    pub fn plate_energy(&self, sheet: &[Vec3<f64>]) -> f64 {
+        let below = |x: &Vec3<f64>| (-self.depth - x[2]).max(0.0);
+        0.5 * PLATE * self.lattice.cell() * sheet.iter().map(|x| below(x).powi(2)).sum::<f64>()
+    }
+
     /// Weight of a body (N).
     #[must_use]
     pub fn weight(body: &Body) -> f64 {

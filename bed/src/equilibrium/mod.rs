@@ -6,7 +6,9 @@
 //! are eliminated (`tile`), so that tiles are solved side by side and the result does not depend on how many at a time.
 
 mod bed;
+pub(crate) mod increment;
 mod newton;
+pub(crate) mod scene;
 pub mod side_by_side;
 mod solution;
 mod state;
@@ -15,7 +17,9 @@ mod tile;
 mod touch;
 
 pub use bed::{Bed, GRAVITY, Tile};
+pub(crate) use newton::find;
 pub use newton::{Fault, put_down, solve, stiffness};
+pub(crate) use solution::read;
 pub use solution::{Contact, Solution};
 pub use state::State;
 pub use touch::{Anchor, Touch};

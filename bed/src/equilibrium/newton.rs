@@ -3,10 +3,11 @@
 //! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the pass before; passes end when they do not change.
 
 use super::bed::{Bed, GRAVITY};
+use super::scene::Scene;
 use super::side_by_side;
 use super::solution::{Solution, finish};
 use super::state::State;
-use super::step::{Ways, condensed, rows};
+use super::step::{Ways, condensed, of_body, rows};
 use super::tile::{Eliminated, Patch};
 use crate::body::{Body, Rows};
 use crate::sheet::air::Collapsed;
@@ -19,12 +20,6 @@ const STEPS: usize = 400;
 const PASSES: usize = 60;
 /// No node goes further in one step (m).
 const LONGEST: f64 = 0.02;
-/// Force left over on a node, of what a pressure of 1 kPa does to it.
-const NODE: f64 = 1e-8;
-/// Force left over on a segment, of the weight; moments at an arm of 0.1 m.
-const WEIGHT: f64 = 1e-9;
-/// Change of friction's limits from pass to pass, of the weight.
-const FRICTION: f64 = 1e-7;
 
 /// Why there is no equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,16 +56,22 @@ impl std::error::Error for Fault {}
 /// # Errors
 /// [`Fault`].
 pub fn solve(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault> {
+    find(&Scene::at_rest(bed, body), start)
+}
+
+/// Finds the state of least energy of a scene.
+pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     let mut state = start.clone();
-    let weight = Bed::weight(body).max(1e-3);
+    let weight = Bed::weight(scene.body).max(1e-3);
     let mut steps = 0;
     for _ in 0..PASSES {
-        steps += descend(bed, body, &mut state, weight)?;
-        if renew(bed, body, &mut state) <= FRICTION * weight {
+        steps += descend(scene, &mut state, weight)?;
+        let Some(least) = scene.accuracy.friction else { break };
+        if renew(scene, &mut state) <= least * weight {
             break;
         }
     }
-    Ok(finish(bed, body, state, steps))
+    Ok(finish(scene, state, steps))
 }
 
 /// Puts a body down: it goes straight down first, whatever would tip it, then it is let go, held by friction where it has
@@ -89,13 +90,14 @@ pub fn put_down(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault
 }
 
 /// Gives every anchor the normal and the limit of now; returns the largest change of a limit (N).
-fn renew(bed: &Bed, body: &Body, state: &mut State) -> f64 {
+fn renew(scene: &Scene, state: &mut State) -> f64 {
+    let bed = scene.bed;
     let mut most = 0.0_f64;
     for tile in 0..bed.tiles.len() {
         if state.anchors[tile].iter().all(Option::is_none) {
             continue;
         }
-        let touches = Patch::new(bed, body, state, tile).touches();
+        let touches = Patch::new(scene, state, tile).touches();
         for (node, anchor) in state.anchors[tile].iter_mut().enumerate() {
             let Some(anchor) = anchor else { continue };
             let now = touches.iter().find(|(t, _)| t.node == node && t.segment == anchor.segment);
@@ -111,18 +113,22 @@ fn renew(bed: &Bed, body: &Body, state: &mut State) -> f64 {
 }
 
 /// Newton's steps with friction's limits as they are; returns how many.
-fn descend(bed: &Bed, body: &Body, state: &mut State, weight: f64) -> Result<usize, Fault> {
-    let calm = NODE * 1000.0 * bed.lattice.cell();
-    let mut energy = energy(bed, body, state)?;
+fn descend(scene: &Scene, state: &mut State, weight: f64) -> Result<usize, Fault> {
+    let (bed, body) = (scene.bed, scene.body);
+    let calm = scene.accuracy.node * 1000.0 * bed.lattice.cell();
+    let mut energy = energy(scene, state)?;
     for step in 0..STEPS {
-        let tiles = eliminate(bed, body, state, calm)?;
-        let rows = rows(body, state, &tiles);
+        let tiles = eliminate(scene, state, calm)?;
+        let rows = rows(scene, state, &tiles);
         let left = left_over(body, &rows, &tiles);
-        if left[0] <= calm && left[1] <= WEIGHT * weight {
+        if left[0] <= calm && left[1] <= scene.accuracy.segment * weight {
             return Ok(step);
         }
         let ways = Ways::new(bed, body, &rows, &tiles);
-        match search(bed, body, state, &ways, energy)? {
+        let gradients: Vec<&[f64]> =
+            tiles.iter().map(|t| t.as_ref().map_or(&[][..], |t| &t.gradient)).collect();
+        let steepness = ways.slope(&gradients, &rows).abs();
+        match search(scene, state, &ways, energy, steepness)? {
             Some((next, after)) if step + 1 < STEPS => (*state, energy) = (next, after),
             _ => return Err(Fault::NotFound(left[0], left[1])),
         }
@@ -137,15 +143,16 @@ fn named<T>(results: Vec<Result<T, Collapsed>>) -> Result<Vec<T>, Fault> {
     results.into_iter().enumerate().map(named).collect()
 }
 
-fn energy(bed: &Bed, body: &Body, state: &State) -> Result<f64, Fault> {
-    let one = |tile| Patch::new(bed, body, state, tile).energy();
-    let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
-    Ok(tiles.iter().sum::<f64>() + body.energy(&state.segments, GRAVITY))
+fn energy(scene: &Scene, state: &State) -> Result<f64, Fault> {
+    let one = |tile| Patch::new(scene, state, tile).energy();
+    let tiles = named(side_by_side::run(scene.bed.tiles.len(), one))?;
+    let motion = scene.increment.map_or(0.0, |i| i.body_energy(scene, &state.segments));
+    Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion)
 }
 
-fn eliminate(bed: &Bed, body: &Body, state: &State, calm: f64) -> Result<Vec<Option<Eliminated>>, Fault> {
-    let one = |tile| Patch::new(bed, body, state, tile).eliminate(calm);
-    named(side_by_side::run(bed.tiles.len(), one))
+fn eliminate(scene: &Scene, state: &State, calm: f64) -> Result<Vec<Option<Eliminated>>, Fault> {
+    let one = |tile| Patch::new(scene, state, tile).eliminate(calm);
+    named(side_by_side::run(scene.bed.tiles.len(), one))
 }
 
 /// Largest force left over on a node and on a segment.
@@ -162,12 +169,11 @@ fn left_over(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> [f64; 2]
 }
 
 /// Change of the energy along a step, per share of it, at a state.
-fn slope(bed: &Bed, body: &Body, state: &State, ways: &Ways) -> Result<f64, Fault> {
-    let one = |tile| Patch::new(bed, body, state, tile).gradient();
+fn slope(scene: &Scene, state: &State, ways: &Ways) -> Result<f64, Fault> {
+    let one = |tile| Patch::new(scene, state, tile).gradient();
     let (nodes, bonds): (Vec<_>, Vec<_>) =
-        named(side_by_side::run(bed.tiles.len(), one))?.into_iter().unzip();
-    let mut rows = Rows::new(body.segments.len());
-    body.add_to(&state.segments, GRAVITY, &mut rows);
+        named(side_by_side::run(scene.bed.tiles.len(), one))?.into_iter().unzip();
+    let mut rows = of_body(scene, state);
     for bond in bonds.iter().flatten() {
         rows.add_gradient(bond.segment, bond.arm, bond.pull.gradient, -1.0);
     }
@@ -177,23 +183,22 @@ fn slope(bed: &Bed, body: &Body, state: &State, ways: &Ways) -> Result<f64, Faul
 /// A share of a step that lowers the energy: the state there and its energy. Where the energy does not change but for
 /// rounding its slope decides: it must have become less steep (Hager and Zhang 2005, approximate Wolfe conditions).
 fn search(
-    bed: &Bed,
-    body: &Body,
+    scene: &Scene,
     state: &State,
     ways: &Ways,
     before: f64,
+    steepness: f64,
 ) -> Result<Option<(State, f64)>, Fault> {
-    let steepness = slope(bed, body, state, ways)?.abs();
     let rounding = 1e-11 * (1.0 + before.abs());
     let mut share = (LONGEST / ways.longest()).min(1.0);
     for _ in 0..40 {
-        let next = ways.taken(bed, state, share);
+        let next = ways.taken(scene.bed, state, share);
         // A bladder that collapses on the way is as bad as a rise.
-        if let Ok(after) = energy(bed, body, &next) {
+        if let Ok(after) = energy(scene, &next) {
             if after < before - rounding {
                 return Ok(Some((next, after)));
             }
-            if after <= before + rounding && slope(bed, body, &next, ways)? <= 0.8 * steepness {
+            if after <= before + rounding && slope(scene, &next, ways)? <= 0.8 * steepness {
                 return Ok(Some((next, after)));
             }
         }
@@ -214,9 +219,10 @@ pub fn stiffness(
 ) -> Result<(Vec3<f64>, [Vec3<f64>; 3]), Fault> {
     let mut free = body.clone();
     free.segments[segment].free = [true; 6];
-    let one = |tile| Patch::new(bed, &free, state, tile).exact().eliminate(0.0);
+    let scene = Scene::at_rest(bed, &free);
+    let one = |tile| Patch::new(&scene, state, tile).exact().eliminate(0.0);
     let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
-    let rows = rows(&free, state, &tiles);
+    let rows = rows(&scene, state, &tiles);
     let size = rows.gradient.len();
     let condensed = condensed(&rows, &tiles);
     let entry = |i: usize, j: usize| condensed[(6 * segment + i) * size + 6 * segment + j];

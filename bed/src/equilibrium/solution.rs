@@ -1,10 +1,10 @@
 //! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
 
 use super::bed::{Bed, GRAVITY};
+use super::scene::Scene;
 use super::state::State;
 use super::tile::Patch;
 use super::touch::{Anchor, Touch};
-use crate::body::Body;
 use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, norm};
 
@@ -53,11 +53,17 @@ impl Contact {
     }
 }
 
+/// Reads a state off that nothing has been looked for in.
+pub fn read(scene: &Scene, state: State) -> Solution {
+    finish(scene, state, 0)
+}
+
 /// Reads a state of equilibrium off, and anchors friction there.
-pub(super) fn finish(bed: &Bed, body: &Body, mut state: State, steps: usize) -> Solution {
+pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution {
+    let (bed, body) = (scene.bed, scene.body);
     let (mut contacts, mut gauges, mut bottomed) = (Vec::new(), Vec::new(), Vec::new());
     for tile in 0..bed.tiles.len() {
-        let patch = Patch::new(bed, body, &state, tile);
+        let patch = Patch::new(scene, &state, tile);
         bottomed.push(patch.bottomed());
         gauges.push(bed.tiles[tile].air.gauge(bed.volume(&state.sheets[tile])).unwrap_or(0.0));
         let areas = membrane::areas(&bed.lattice, &state.sheets[tile]);
@@ -66,7 +72,15 @@ pub(super) fn finish(bed: &Bed, body: &Body, mut state: State, steps: usize) -> 
             let drag = anchor.map_or([0.0; 3], |a| a.drag(place, &state.segments[touch.segment]));
             Contact { touch, area: norm(areas[touch.node]), place, drag }
         };
-        contacts.push(patch.touches().into_iter().map(one).collect::<Vec<Contact>>());
+        let mut found: Vec<Contact> = patch.touches().into_iter().map(one).collect();
+        // In motion friction may hold a node until the end of the stage in which it has come off.
+        found.extend(patch.held_off().map(|(touch, place, drag)| Contact {
+            touch,
+            area: norm(areas[touch.node]),
+            place,
+            drag,
+        }));
+        contacts.push(found);
     }
     let is_free = |segment: usize| body.segments[segment].free[2];
     let up: f64 = contacts.iter().flatten().filter(|c| is_free(c.touch.segment)).map(|c| c.force()[2]).sum();
@@ -82,7 +96,7 @@ pub(super) fn finish(bed: &Bed, body: &Body, mut state: State, steps: usize) -> 
 fn anchors(bed: &Bed, contacts: &[Contact], poses: &[crate::pose::Pose]) -> Vec<Option<Anchor>> {
     let mut anchors: Vec<Option<Anchor>> = vec![None; bed.lattice.nodes()];
     if bed.friction > 0.0 {
-        for Contact { touch, place, drag, .. } in contacts {
+        for Contact { touch, place, drag, .. } in contacts.iter().filter(|c| c.touch.force() > 0.0) {
             let anchor = touch.anchor(*place, &poses[touch.segment], *drag, bed.friction);
             let own = &mut anchors[touch.node];
             if own.as_ref().is_none_or(|a| a.limit < anchor.limit) {

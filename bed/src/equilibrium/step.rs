@@ -4,6 +4,7 @@
 //! Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1 g_x - Z y.
 
 use super::bed::{Bed, GRAVITY};
+use super::scene::Scene;
 use super::state::State;
 use super::tile::{Eliminated, product};
 use crate::band::Band;
@@ -23,12 +24,21 @@ pub struct Ways {
 }
 
 /// The segments' own rows, before sheets are taken out of them.
-pub fn rows(body: &Body, state: &State, tiles: &[Option<Eliminated>]) -> Rows {
-    let mut rows = Rows::new(body.segments.len());
-    body.add_to(&state.segments, GRAVITY, &mut rows);
+pub fn rows(scene: &Scene, state: &State, tiles: &[Option<Eliminated>]) -> Rows {
+    let mut rows = of_body(scene, state);
     for bond in tiles.iter().flatten().flat_map(|t| &t.bonds) {
         rows.add_gradient(bond.segment, bond.arm, bond.pull.gradient, -1.0);
         rows.add_hessian([bond.segment; 2], [bond.arm; 2], &bond.pull.hessian, 1.0);
+    }
+    rows
+}
+
+/// The segments' rows without what touches them.
+pub fn of_body(scene: &Scene, state: &State) -> Rows {
+    let mut rows = Rows::new(scene.body.segments.len());
+    scene.body.add_to(&state.segments, GRAVITY, &mut rows);
+    if let Some(increment) = scene.increment {
+        increment.add_body(scene, &state.segments, &mut rows);
     }
     rows
 }
@@ -42,10 +52,8 @@ impl Ways {
             let Some(tile) = tile else { return vec![0.0; size] };
             let mut way: Vec<f64> = tile.solved.iter().map(|x| -x).collect();
             for coupling in &tile.couplings {
-                for (k, column) in coupling.solved.iter().enumerate() {
-                    let y = segments[6 * coupling.segment + k];
-                    way.iter_mut().zip(column).for_each(|(w, z)| *w -= y * z);
-                }
+                let y = &segments[6 * coupling.segment..6 * coupling.segment + 6];
+                way.iter_mut().zip(&coupling.solved).for_each(|(w, z)| *w -= product(y, z));
             }
             way
         };
@@ -58,8 +66,8 @@ impl Ways {
     }
 
     /// Change of the energy along the step, per share of it: gradients of nodes and of segments.
-    pub fn slope(&self, nodes: &[Vec<f64>], rows: &Rows) -> f64 {
-        let sheets: f64 = self.nodes.iter().zip(nodes).map(|(way, g)| product(way, g)).sum();
+    pub fn slope(&self, nodes: &[impl AsRef<[f64]>], rows: &Rows) -> f64 {
+        let sheets: f64 = self.nodes.iter().zip(nodes).map(|(way, g)| product(way, g.as_ref())).sum();
         sheets + product(&self.segments, &rows.gradient)
     }
 
@@ -88,10 +96,13 @@ pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
     for tile in tiles.iter().flatten() {
         for a in &tile.couplings {
             for b in &tile.couplings {
-                for (i, column) in a.columns.iter().enumerate() {
-                    for (j, solved) in b.solved.iter().enumerate() {
-                        hessian[(6 * a.segment + i) * size + 6 * b.segment + j] -= product(column, solved);
-                    }
+                let mut block = [[0.0; 6]; 6];
+                for (column, solved) in a.columns.iter().zip(&b.solved).filter(|(c, _)| **c != [0.0; 6]) {
+                    (0..6).for_each(|i| (0..6).for_each(|j| block[i][j] += column[i] * solved[j]));
+                }
+                for (i, row) in block.iter().enumerate() {
+                    let start = (6 * a.segment + i) * size + 6 * b.segment;
+                    hessian[start..start + 6].iter_mut().zip(row).for_each(|(h, x)| *h -= x);
                 }
             }
         }
@@ -107,8 +118,8 @@ fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f6
     let mut right: Vec<f64> = rows.gradient.iter().map(|g| -g).collect();
     for tile in tiles.iter().flatten() {
         for a in &tile.couplings {
-            for (i, column) in a.columns.iter().enumerate() {
-                right[6 * a.segment + i] += product(column, &tile.solved);
+            for (column, x) in a.columns.iter().zip(&tile.solved) {
+                (0..6).for_each(|i| right[6 * a.segment + i] += column[i] * x);
             }
         }
     }

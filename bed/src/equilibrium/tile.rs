@@ -5,13 +5,16 @@
 //! that couple nodes to segments: (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
 
 use super::bed::{Bed, PLATE, Tile};
+use super::increment::Increment;
+use super::scene::Scene;
 use super::state::State;
 use super::touch::{self, Pull, Touch};
 use crate::band::{Band, Factor};
 use crate::body::{Body, lever};
 use crate::pose::Pose;
 use crate::sheet::air::Collapsed;
-use crate::sheet::membrane;
+use crate::sheet::{Lattice, membrane};
+use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub};
 
 /// A tile with its sheet and what lies near.
@@ -19,12 +22,22 @@ use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub};
 pub struct Patch<'a> {
     bed: &'a Bed,
     body: &'a Body,
+    index: usize,
+    increment: Option<&'a Increment<'a>>,
     tile: &'a Tile,
     sheet: &'a [Vec3<f64>],
     anchors: &'a [Option<touch::Anchor>],
     poses: &'a [Pose],
     /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
     is_exact: bool,
+}
+
+/// A sheet of a tile.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    pub lattice: &'a Lattice,
+    pub sheet: &'a [Vec3<f64>],
+    pub tile: usize,
 }
 
 /// What a node and a segment do to each other.
@@ -40,9 +53,9 @@ pub struct Bond {
 pub struct Coupling {
     pub segment: usize,
     /// B: by way and turn.
-    pub columns: [Vec<f64>; 6],
+    pub columns: Vec<[f64; 6]>,
     /// (K + c g g')^-1 B.
-    pub solved: [Vec<f64>; 6],
+    pub solved: Vec<[f64; 6]>,
 }
 
 /// What a tile gives to the segments' rows, and what it takes to find its nodes' step.
@@ -58,11 +71,13 @@ pub struct Eliminated {
 }
 
 impl<'a> Patch<'a> {
-    pub fn new(bed: &'a Bed, body: &'a Body, state: &'a State, index: usize) -> Patch<'a> {
+    pub fn new(scene: &Scene<'a>, state: &'a State, index: usize) -> Patch<'a> {
         Patch {
-            bed,
-            body,
-            tile: &bed.tiles[index],
+            bed: scene.bed,
+            body: scene.body,
+            index,
+            increment: scene.increment,
+            tile: &scene.bed.tiles[index],
             sheet: &state.sheets[index],
             anchors: &state.anchors[index],
             poses: &state.segments,
@@ -73,6 +88,10 @@ impl<'a> Patch<'a> {
     /// The same with whole Hessians.
     pub fn exact(self) -> Patch<'a> {
         Patch { is_exact: true, ..self }
+    }
+
+    fn placed(&self) -> Placed<'a> {
+        Placed { lattice: &self.bed.lattice, sheet: self.sheet, tile: self.index }
     }
 
     /// All nodes in tissue, with their places in the bed.
@@ -86,20 +105,40 @@ impl<'a> Patch<'a> {
             let place = self.tile.pose.outwards(*x);
             for segment in &near {
                 let pose = &self.poses[*segment];
-                let touch = touch::touch(self.bed, self.body, node, place, *segment, pose);
+                let line = || self.line(node, *segment);
+                let touch = touch::touch(self.bed, self.body, node, place, *segment, pose, line);
                 found.extend(touch.map(|t| (t, place)));
             }
         }
         found
     }
 
+    /// What friction holds though it touches nothing: touches without force, places and drags.
+    pub fn held_off(&self) -> impl Iterator<Item = (Touch, Vec3<f64>, Vec3<f64>)> {
+        let touches = self.touches();
+        let one = move |(node, anchor): (usize, &touch::Anchor)| {
+            let place = self.tile.pose.outwards(self.sheet[node]);
+            let pose = &self.poses[anchor.segment];
+            let drag = anchor.drag(place, pose);
+            let is_touching = touches.iter().any(|(t, _)| t.node == node && t.segment == anchor.segment);
+            (!is_touching && drag != [0.0; 3]).then(|| (anchor.without_touch(node, pose), place, drag))
+        };
+        let anchors = self.anchors.iter().enumerate().filter_map(|(node, a)| Some((node, a.as_ref()?)));
+        anchors.filter_map(one)
+    }
+
+    /// What tissue remembers of a node.
+    fn line(&self, node: usize, segment: usize) -> Line {
+        self.increment.map_or(Line::SPRING, |i| i.tissue[self.index].line(node, segment))
+    }
+
     /// Energy (J).
     pub fn energy(&self) -> Result<f64, Collapsed> {
         let lattice = &self.bed.lattice;
-        let plate = 0.5 * PLATE * lattice.cell();
         let mut energy = membrane::energy(lattice, self.sheet);
+        energy += self.increment.map_or(0.0, |i| i.sheet_energy(self.placed()));
         energy += self.tile.air.energy(self.bed.volume(self.sheet))?;
-        energy += self.sheet.iter().map(|x| plate * self.below(x).powi(2)).sum::<f64>();
+        energy += self.bed.plate_energy(self.sheet);
         energy += self.touches().iter().map(|(touch, _)| touch.energy()).sum::<f64>();
         let held = self.anchors.iter().zip(self.sheet).filter_map(|(anchor, x)| {
             let anchor = anchor.as_ref()?;
@@ -165,6 +204,9 @@ impl<'a> Patch<'a> {
         let (mut force, mut volume) = (vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
         membrane::add_volume_gradient(lattice, self.sheet, 1.0, &mut volume);
         membrane::add_gradient(lattice, self.sheet, &mut force);
+        if let Some(increment) = self.increment {
+            increment.add_sheet_gradient(self.placed(), &mut force);
+        }
         for ((f, v), x) in force.iter_mut().zip(&volume).zip(self.sheet) {
             *f = add(*f, scale(*v, -pressure));
             f[2] -= PLATE * lattice.cell() * self.below(x);
@@ -185,6 +227,9 @@ impl<'a> Patch<'a> {
         let mut band = Band::new(3 * lattice.free_nodes(), lattice.width());
         membrane::add_hessian(lattice, self.sheet, self.is_exact, &mut band);
         membrane::add_volume_hessian(lattice, self.sheet, -self.tile.air.gauge(volume)?, &mut band);
+        if let Some(increment) = self.increment {
+            increment.add_sheet_hessian(lattice, self.index, &mut band);
+        }
         for (node, x) in self.sheet.iter().enumerate() {
             let Some(free) = lattice.free(node) else { continue };
             if self.below(x) > 0.0 {
@@ -233,36 +278,38 @@ impl<'a> Patch<'a> {
         let gas = self.tile.air.stiffness(self.bed.volume(self.sheet))?;
         let mut by_volume = volume.clone();
         factor.solve(&mut by_volume);
-        let denominator = 1.0 + gas * product(&volume, &by_volume);
-        let solve = |b: &[f64]| {
-            let mut x = b.to_vec();
-            factor.solve(&mut x);
-            let share = gas * product(&volume, &x) / denominator;
-            x.iter_mut().zip(&by_volume).for_each(|(x, z)| *x -= share * z);
-            x
-        };
-        let couplings = self.couplings(&bonds, gradient.len(), &solve);
-        let solved = solve(&gradient);
+        let share = gas / (1.0 + gas * product(&volume, &by_volume));
+        let mut couplings = self.couplings(&bonds, gradient.len());
+        for coupling in &mut couplings {
+            factor.solve_all(&mut coupling.solved);
+            for k in 0..6 {
+                let along: f64 = volume.iter().zip(&coupling.solved).map(|(g, x)| g * x[k]).sum();
+                coupling.solved.iter_mut().zip(&by_volume).for_each(|(x, z)| x[k] -= share * along * z);
+            }
+        }
+        let mut solved = gradient.clone();
+        factor.solve(&mut solved);
+        let along = product(&volume, &solved);
+        solved.iter_mut().zip(&by_volume).for_each(|(x, z)| *x -= share * along * z);
         Ok(Some(Eliminated { solved, gradient, couplings, bonds }))
     }
 
-    /// B and its solution, one segment after the other: -H (e_k, e_k x r) in the tile's axes.
-    fn couplings(&self, bonds: &[Bond], size: usize, solve: &impl Fn(&[f64]) -> Vec<f64>) -> Vec<Coupling> {
+    /// B, one segment after the other: -H (e_k, e_k x r) in the tile's axes; not solved yet.
+    fn couplings(&self, bonds: &[Bond], size: usize) -> Vec<Coupling> {
         let mut touched: Vec<usize> = bonds.iter().map(|b| b.segment).collect();
         touched.sort_unstable();
         touched.dedup();
         touched.retain(|s| !self.body.segments[*s].is_held());
         let one = |segment: usize| {
-            let mut columns: [Vec<f64>; 6] = std::array::from_fn(|_| vec![0.0; size]);
+            let mut columns = vec![[0.0; 6]; size];
             for bond in bonds.iter().filter(|b| b.segment == segment) {
                 let Some(free) = self.bed.lattice.free(bond.node) else { continue };
-                for (column, way) in columns.iter_mut().zip(lever(bond.arm)) {
+                for (k, way) in lever(bond.arm).into_iter().enumerate() {
                     let push = self.tile.pose.attitude.to_body(bond.pull.hessian.map(|row| -dot(row, way)));
-                    (0..3).for_each(|i| column[3 * free + i] += push[i]);
+                    (0..3).for_each(|i| columns[3 * free + i][k] += push[i]);
                 }
             }
-            let solved = [0, 1, 2, 3, 4, 5].map(|k| solve(&columns[k]));
-            Coupling { segment, columns, solved }
+            Coupling { segment, solved: columns.clone(), columns }
         };
         touched.into_iter().map(one).collect()
     }

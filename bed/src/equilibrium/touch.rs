@@ -1,13 +1,14 @@
 //! What a sheet's node and a body's tissue do to each other: pressure by depth, friction by what slid since before.
 //!
 //! In: a node's place in the bed and a segment's pose. Out: energy, the gradient by the node's place, its Hessian. Tissue
-//! stores k A depth^2/2. Friction is an increment's potential: with u how far the node has gone over the tissue since the
+//! stores k A depth^2/2, more or less where it has a memory. Friction is an increment's potential: with u how far the node has gone over the tissue since the
 //! state before, t = t0 + k_t P u is held up to the limit mu N, beyond it |t| stays there: |t|^2/(2 k_t), or
 //! mu N (|t| - mu N/2)/k_t. Normal and limit are those of the pass before and are renewed until they do not change.
 
 use super::bed::{ALONG, Bed};
 use crate::body::Body;
 use crate::pose::Pose;
+use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, norm, scale, sub, tangential};
 
 /// A node in tissue.
@@ -23,6 +24,10 @@ pub struct Touch {
     pub normal: Vec3<f64>,
     /// N/m.
     pub stiffness: f64,
+    /// Depth (m) at which tissue presses nothing.
+    pub rest: f64,
+    /// N/m along the surface.
+    pub along: f64,
 }
 
 /// What friction holds at a node, in the segment's axes.
@@ -67,6 +72,7 @@ pub fn touch(
     place: Vec3<f64>,
     segment: usize,
     pose: &Pose,
+    line: impl Fn() -> Line,
 ) -> Option<Touch> {
     let part = &body.segments[segment];
     // Most nodes are far away: their squared distance says so.
@@ -75,21 +81,26 @@ pub fn touch(
         return None;
     }
     let (gap, normal) = part.shape.gap(pose.attitude.to_body(away));
-    let stiffness = part.foundation * bed.lattice.cell();
+    if gap >= 0.0 {
+        return None;
+    }
+    let Line { slope, rest } = line();
+    let layer = part.foundation * bed.lattice.cell();
+    let (stiffness, along) = (slope * layer, ALONG * layer);
     let normal = pose.attitude.to_inertial(normal);
-    (gap < 0.0).then_some(Touch { node, segment, depth: -gap, normal, stiffness })
+    (-gap > rest).then_some(Touch { node, segment, depth: -gap, normal, stiffness, rest, along })
 }
 
 impl Touch {
     /// Normal force (N).
     #[must_use]
     pub fn force(&self) -> f64 {
-        self.stiffness * self.depth
+        self.stiffness * (self.depth - self.rest)
     }
 
     /// Energy (J).
     pub(super) fn energy(&self) -> f64 {
-        0.5 * self.stiffness * self.depth * self.depth
+        0.5 * self.stiffness * (self.depth - self.rest).powi(2)
     }
 
     /// Gradient and Hessian without that of the surface's curvature, which is negative.
@@ -110,7 +121,7 @@ impl Touch {
             force: pose.attitude.to_body(scale(along, share)),
             normal: pose.attitude.to_body(self.normal),
             limit,
-            stiffness: ALONG * self.stiffness,
+            stiffness: self.along,
         }
     }
 }
@@ -127,6 +138,19 @@ impl Anchor {
         let t = norm(self.trial(place, pose));
         let energy = if t <= self.limit { 0.5 * t * t } else { self.limit * (t - 0.5 * self.limit) };
         energy / self.stiffness
+    }
+
+    /// A touch that presses nothing.
+    pub(super) fn without_touch(&self, node: usize, pose: &Pose) -> Touch {
+        let normal = pose.attitude.to_inertial(self.normal);
+        let along = self.stiffness;
+        Touch { node, segment: self.segment, depth: 0.0, normal, stiffness: 0.0, rest: 0.0, along }
+    }
+
+    /// Energy (J) that the surface holds.
+    #[must_use]
+    pub fn held(&self) -> f64 {
+        0.5 * dot(self.force, self.force) / self.stiffness
     }
 
     /// Force (N) that the sheet drags the tissue with, in the bed's frame.

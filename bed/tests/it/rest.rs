@@ -22,8 +22,8 @@ fn place(bed: &Bed, body: &Body, poses: Vec<Pose>) -> Solution {
 
 const SIZE: [f64; 2] = [0.219, 0.2797];
 
-fn four(air: Air, friction: f64) -> Bed {
-    let mut four = bed([14, 16], SIZE, air);
+pub fn four(intervals: [usize; 2], air: Air, friction: f64) -> Bed {
+    let mut four = bed(intervals, SIZE, air);
     four.friction = friction;
     let at = |k: usize| Pose::at([((k % 2) as f64 - 0.5) * 0.225, ((k / 2) as f64 - 0.5) * 0.2857, 0.0]);
     four.tiles = (0..4).map(|k| Tile { pose: at(k), air }).collect();
@@ -60,7 +60,7 @@ fn a_plate_feels_the_gas_where_the_sheet_lies_flat_on_it() {
 #[test]
 fn loads_rest_on_four_bladders_regulated_or_sealed() {
     for air in [Air::Regulated(4000.0), Air::sealed(4000.0, SIZE[0] * SIZE[1] * 0.1 + 1.29e-3, 1.0)] {
-        let bed = four(air, 0.4);
+        let bed = four([14, 16], air, 0.4);
         for (shape, height) in [
             (Shape::ball(0.15), 0.19),
             (Shape { half: [0.2, 0.0, 0.0], radius: 0.1 }, 0.14),
@@ -85,7 +85,7 @@ fn loads_rest_on_four_bladders_regulated_or_sealed() {
 
 /// A slab on four tiles that tilt together by steps; how far it has gone over the middle of the tiles.
 fn tilted(friction: f64, slope: f64) -> Result<(f64, Solution), Fault> {
-    let mut bed = four(Air::Regulated(4000.0), friction);
+    let mut bed = four([14, 16], Air::Regulated(4000.0), friction);
     let body = Body::single(segment(Shape { half: [0.15, 0.2, 0.02], radius: 0.02 }, 20.0));
     let mut solution = place(&bed, &body, vec![Pose::at([0.0, 0.0, 0.09])]);
     for step in 1..=4 {
@@ -122,7 +122,7 @@ fn friction_holds_a_load_on_a_slope_and_keeps_to_its_cone() {
 
 #[test]
 fn a_state_at_rest_stays_where_it_is() {
-    let bed = four(Air::Regulated(3000.0), 0.3);
+    let bed = four([14, 16], Air::Regulated(3000.0), 0.3);
     let body = Body::single(segment(Shape { half: [0.2, 0.0, 0.0], radius: 0.1 }, 15.0));
     let first = place(&bed, &body, vec![Pose::at([0.02, 0.0, 0.14])]);
     let again = solve(&bed, &body, &first.state).expect("rests");
@@ -152,7 +152,7 @@ fn a_joint_holds_two_segments_and_turns_them_back() {
         stiffness: 1e6,
         turning: 20.0,
     });
-    let bed = four(Air::Regulated(4000.0), 0.3);
+    let bed = four([14, 16], Air::Regulated(4000.0), 0.3);
     let poses = vec![Pose::at([-0.1, 0.0, 0.1]), Pose::at([0.1, 0.0, 0.1])];
     let solution = place(&bed, &body, poses);
     let [a, b] = [0, 1].map(|k| &solution.state.segments[k]);

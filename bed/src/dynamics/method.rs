@@ -1,0 +1,146 @@
+//! How velocities follow from places: one formula, used for velocities from places and for accelerations from velocities.
+//!
+//! In: a method and how many stages are done. Out: x' = b (x - x~) at the end of a stage. Backward Euler's: b = 1/h,
+//! x~ = x_n. Trapezoid's: b = 2/h, x~ = x_n + h x'_n/2. Backward differences of order 2 (Gear 1971): b = 3/(2 h),
+//! x~ = (4 x_n - x_n-1)/3. One after the other by half steps they are the composite of Bank et al. 1985 and Bathe 2007.
+
+use smartbed_runtime::vec3::{Vec3, axpy, sub};
+
+/// A method of steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Backward Euler, of order 1: loses much energy.
+    BackwardEuler,
+    /// The trapezoid rule, of order 2: loses no energy in a linear system.
+    Trapezoid,
+    /// Backward differences, of order 2.
+    Bdf2,
+    /// A trapezoid of half a step, then backward differences of the other half; of order 2.
+    TrBdf2,
+}
+
+/// A formula for one stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Formula {
+    /// b (1/s).
+    pub rate: f64,
+    /// Length of the stage (s).
+    pub seconds: f64,
+    kind: Kind,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Euler,
+    Trapezoid,
+    Differences,
+}
+
+impl Method {
+    /// All, with the names that plans give them.
+    pub const ALL: [(&'static str, Method); 4] = [
+        ("backward_euler", Method::BackwardEuler),
+        ("trapezoid", Method::Trapezoid),
+        ("bdf2", Method::Bdf2),
+        ("tr_bdf2", Method::TrBdf2),
+    ];
+
+    /// Stages of a step.
+    #[must_use]
+    pub fn stages(self) -> usize {
+        if self == Method::TrBdf2 { 2 } else { 1 }
+    }
+
+    /// The formula of the next stage, `done` stages after the start.
+    #[must_use]
+    pub fn formula(self, step: f64, done: usize) -> Formula {
+        let kind = match self {
+            Method::BackwardEuler => Kind::Euler,
+            Method::Trapezoid => Kind::Trapezoid,
+            // The first step has no place before its start.
+            Method::Bdf2 if done == 0 => Kind::Trapezoid,
+            Method::Bdf2 => Kind::Differences,
+            Method::TrBdf2 if done.is_multiple_of(2) => Kind::Trapezoid,
+            Method::TrBdf2 => Kind::Differences,
+        };
+        let seconds = step / self.stages() as f64;
+        let factor = match kind {
+            Kind::Euler => 1.0,
+            Kind::Trapezoid => 2.0,
+            Kind::Differences => 1.5,
+        };
+        Formula { rate: factor / seconds, seconds, kind }
+    }
+}
+
+impl Formula {
+    /// x~ - x_n, from x'_n and from x_n - x_n-1.
+    #[must_use]
+    pub fn ahead(&self, rate: Vec3<f64>, way: Vec3<f64>) -> Vec3<f64> {
+        [0, 1, 2].map(|k| self.ahead_of(rate[k], way[k]))
+    }
+
+    /// The same for a number.
+    #[must_use]
+    pub fn ahead_of(&self, rate: f64, way: f64) -> f64 {
+        match self.kind {
+            Kind::Euler => 0.0,
+            Kind::Trapezoid => 0.5 * self.seconds * rate,
+            Kind::Differences => way / 3.0,
+        }
+    }
+}
+
+/// A point of mass over time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Track {
+    /// m.
+    pub place: Vec3<f64>,
+    /// m/s.
+    pub velocity: Vec3<f64>,
+    /// m/s^2.
+    pub acceleration: Vec3<f64>,
+    /// What it went in the last stage (m), and how its velocity changed (m/s).
+    pub change: [Vec3<f64>; 2],
+}
+
+impl Track {
+    /// At a place with an acceleration, not moving yet.
+    #[must_use]
+    pub fn at_rest(place: Vec3<f64>, acceleration: Vec3<f64>) -> Track {
+        Track { place, velocity: [0.0; 3], acceleration, change: [[0.0; 3]; 2] }
+    }
+
+    /// x~.
+    #[must_use]
+    pub fn resting(&self, formula: &Formula) -> Vec3<f64> {
+        axpy(self.place, 1.0, formula.ahead(self.velocity, self.change[0]))
+    }
+
+    /// v~.
+    fn steady(&self, formula: &Formula) -> Vec3<f64> {
+        axpy(self.velocity, 1.0, formula.ahead(self.acceleration, self.change[1]))
+    }
+
+    /// x^ = x~ + v~/b: with it the acceleration at the end is b^2 (x - x^).
+    #[must_use]
+    pub fn expected(&self, formula: &Formula) -> Vec3<f64> {
+        axpy(self.resting(formula), 1.0 / formula.rate, self.steady(formula))
+    }
+
+    /// Where it would go by itself.
+    #[must_use]
+    pub fn onwards(&self, formula: &Formula) -> Vec3<f64> {
+        axpy(self.place, formula.seconds, self.velocity)
+    }
+
+    /// At the end of a stage.
+    #[must_use]
+    pub fn after(&self, formula: &Formula, place: Vec3<f64>) -> Track {
+        let derivative = |x: Vec3<f64>, tilde: Vec3<f64>| sub(x, tilde).map(|d| formula.rate * d);
+        let velocity = derivative(place, self.resting(formula));
+        let acceleration = derivative(velocity, self.steady(formula));
+        let change = [sub(place, self.place), sub(velocity, self.velocity)];
+        Track { place, velocity, acceleration, change }
+    }
+}

@@ -1,0 +1,41 @@
+//! Where motion begins: sheets at rest, the body at rest above them.
+
+use crate::body::Body;
+use crate::equilibrium::{Bed, Fault, State, solve};
+use crate::pose::Pose;
+
+/// Sheets in equilibrium, a body above them at this smallest distance (m).
+///
+/// # Errors
+/// [`Fault`].
+pub fn dropped(bed: &Bed, body: &Body, poses: &[Pose], distance: f64) -> Result<State, Fault> {
+    let alone = solve(bed, &Body::default(), &bed.start(Vec::new()))?;
+    let mut state = alone.state;
+    state.segments = lowered(bed, body, &state, poses, distance);
+    Ok(state)
+}
+
+/// Poses moved up or down until the smallest distance of a segment from a node is this (m).
+#[must_use]
+pub fn lowered(bed: &Bed, body: &Body, state: &State, poses: &[Pose], distance: f64) -> Vec<Pose> {
+    let mut poses = poses.to_vec();
+    // A step down by what is too much never goes too far; steps become short as distance and height become one.
+    for _ in 0..100 {
+        let mut least = f64::INFINITY;
+        for (tile, sheet) in bed.tiles.iter().zip(&state.sheets) {
+            for node in sheet {
+                let place = tile.pose.outwards(*node);
+                let gap = |(segment, pose): (&crate::body::Segment, &Pose)| {
+                    segment.shape.gap(pose.inwards(place)).0
+                };
+                least = body.segments.iter().zip(&poses).map(gap).fold(least, f64::min);
+            }
+        }
+        let way = distance - least;
+        if !way.is_finite() || way.abs() < 1e-9 {
+            break;
+        }
+        poses.iter_mut().for_each(|pose| pose.place[2] += way);
+    }
+    poses
+}
