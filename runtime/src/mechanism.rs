@@ -15,6 +15,8 @@ pub enum Fault {
     NonFinite,
     /// An adaptive method cut its step, or used up its steps, without meeting the tolerance.
     StepSize,
+    /// The iteration of an implicit method did not come to an end.
+    Unsettled,
     /// More contacts at once than their lists have room for.
     TooManyContacts,
     /// Forces of contacts that last were not found: friction jams a sliding body (Painleve's paradox).
@@ -30,6 +32,7 @@ impl Fault {
             Self::Singular => "the configuration is singular: a pivot of the elimination has come to zero",
             Self::NonFinite => "a value has become infinite or not a number",
             Self::StepSize => "the tolerance is not met even with the smallest step",
+            Self::Unsettled => "the iteration of an implicit step does not settle",
             Self::TooManyContacts => "there are more contacts at once than there is room for",
             Self::Jammed => "forces of contacts that last were not found: friction jams what slides",
         }

@@ -237,7 +237,7 @@ pub(super) fn interrupted(t: f64) -> Result<(), Failure> {
 fn refused(t: f64, fault: Fault) -> Failure {
     let hint = match fault {
         Fault::Singular => "; expected a motion that keeps away from singular configurations",
-        Fault::NonFinite | Fault::StepSize => {
+        Fault::NonFinite | Fault::StepSize | Fault::Unsettled => {
             "; try a smaller --step or another --method; `smartbed check` says where a model is singular"
         }
         Fault::Shape | Fault::TooManyContacts | Fault::Jammed => "",

@@ -42,6 +42,14 @@ impl Carrier<f64> for HostCarrier {
         }
     }
 
+    fn is_damped(&self) -> bool {
+        match self {
+            Self::Mechanism(own) => own.n_u() > 0,
+            Self::Floating(own) => own.is_damped(),
+            Self::Still(own) => own.is_damped(),
+        }
+    }
+
     fn coupled(&self, port: usize) -> Range<usize> {
         match self {
             Self::Mechanism(own) => own.coupled(),

@@ -196,6 +196,7 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
         Fault::Singular,
         Fault::NonFinite,
         Fault::StepSize,
+        Fault::Unsettled,
         Fault::TooManyContacts,
         Fault::Jammed,
     ]

@@ -45,7 +45,7 @@ fn a_world_with_contacts_is_as_exact_as_its_reference_can_say() {
 fn a_budget_is_kept_and_a_method_that_a_world_has_not_is_refused() {
     let output = smartbed(&["run", "closed_loop_hung", "--seconds", "0.1", "--budget", "1s"]);
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success() && said.contains("picked --method rk4"), "{said}");
+    assert!(output.status.success() && said.contains("--budget 1.000 s: picked --method"), "{said}");
     let said = fails(&["run", "box_bounce", "--method", "rk4", "--error", "1e-3"]);
     assert!(said.contains("`box_bounce` has no such method"), "{said}");
     let said = fails(&["run", "box_bounce", "--error=-1"]);

@@ -1,7 +1,7 @@
 //! Flexible parts on what carries them, without contacts.
 
 use super::rigid::G;
-use super::support::{json, number, run};
+use super::support::{fails, json, number, run};
 
 #[test]
 fn a_mass_on_spring_and_damper_swings_as_its_closed_form() {
@@ -97,4 +97,29 @@ fn gas_and_membrane_carry_the_weight_of_a_settled_bladder() {
 fn volume_at_rest() -> f64 {
     let cell = 0.28 / 8.0_f64;
     0.04 * (0.28 * 0.28 - 4.0 * 0.5 * cell * cell)
+}
+
+#[test]
+fn every_method_of_a_world_comes_to_the_same_motion() {
+    let last = |method: &str, step: &str| {
+        json(&["damper_mass_fixed_end", "--seconds", "0.2", "--method", method, "--step", step])["last"]
+            .clone()
+    };
+    let exact = last("rk4", "2e-5");
+    for (method, step, error) in [
+        ("verlet", "2e-4", 1e-6),
+        ("implicit_midpoint", "2e-4", 1e-6),
+        ("blanes_moan4", "2e-4", 1e-6),
+        ("rk4", "2e-4", 1e-9),
+        ("semi-implicit", "2e-4", 1e-3),
+    ] {
+        let seen = last(method, step);
+        for (name, value) in exact.as_object().expect("a row").iter().filter(|(name, _)| name.contains(".z"))
+        {
+            let apart = (number(value) - number(&seen[name])).abs();
+            assert!(apart < error, "{method} {name}: {apart:e}");
+        }
+    }
+    let said = fails(&["run", "damper_mass_fixed_end", "--method", "verlett"]);
+    assert!(said.contains("no method of worlds") && said.contains("verlet"), "{said}");
 }

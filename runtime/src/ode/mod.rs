@@ -1,7 +1,7 @@
 //! Ordinary differential equations q_dot = N(q) u, u_dot = f(t, q, u), and one step of them, refused or taken as a whole.
 //!
 //! An [`Ode`] writes both rates of x = [q, u]; the state is a compensated sum ([`state`]). Methods of any ode:
-//! [`runge_kutta`] (fixed steps) and [`dormand_prince`] (steps by the error, [`step_size`]). All coefficients stand in
+//! [`runge_kutta`] and [`splitting`] (fixed steps), [`dormand_prince`] (steps by the error, [`step_size`]). All coefficients stand in
 //! [`tableau`]; an event within a step is found by [`root`]. [`Driven`] makes an ode of a mechanism and a law.
 //!
 //! One step: stages, trial state, a fixed number of projections onto the constraints, the check, and only
@@ -14,6 +14,7 @@ pub mod driven;
 pub mod nodes;
 pub mod root;
 pub mod runge_kutta;
+pub mod splitting;
 pub mod state;
 pub mod step_size;
 pub mod tableau;
@@ -21,6 +22,7 @@ pub mod tableau;
 pub use dormand_prince::DormandPrince;
 pub use driven::Driven;
 pub use runge_kutta::{explicit_euler, rk4, semi_implicit_euler};
+pub use splitting::{blanes_moan4, implicit_midpoint, verlet};
 pub use state::State;
 
 use crate::mechanism::Fault;
@@ -38,6 +40,18 @@ pub trait Ode<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not `n_x` entries.
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault>;
+    /// Writes the rates of the coordinates; what it writes for the speeds does not count. Cheaper than [`Ode::rates`] where
+    /// forces are dear.
+    ///
+    /// # Errors
+    /// As [`Ode::rates`].
+    fn coordinate_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        self.rates(t, x, x_dot)
+    }
+    /// Whether the rates of the speeds depend on the speeds.
+    fn is_damped(&self) -> bool {
+        true
+    }
     /// The time at which the next projections are asked for (see [`Mechanism::set_time`](crate::mechanism::Mechanism::set_time)).
     fn set_time(&mut self, t: S) {
         let _ = t;
@@ -70,6 +84,12 @@ pub enum Method {
     SemiImplicitEuler,
     /// Kutta's classical method: order 4.
     Rk4,
+    /// Half a kick, a drift, half a kick: order 2, keeps momentum.
+    Verlet,
+    /// Blanes & Moan's splitting: order 4 where forces do not depend on speeds, keeps momentum.
+    BlanesMoan4,
+    /// The implicit midpoint rule: order 2, keeps momentum.
+    ImplicitMidpoint,
 }
 
 impl Method {
@@ -80,6 +100,7 @@ impl Method {
             Self::ExplicitEuler => runge_kutta::explicit_euler_scratch(n),
             Self::SemiImplicitEuler => runge_kutta::semi_implicit_euler_scratch(n),
             Self::Rk4 => runge_kutta::rk4_scratch(n),
+            Self::Verlet | Self::BlanesMoan4 | Self::ImplicitMidpoint => splitting::splitting_scratch(n),
         }
     }
 
@@ -99,6 +120,9 @@ impl Method {
             Self::ExplicitEuler => explicit_euler(system, t, h, state, scratch),
             Self::SemiImplicitEuler => semi_implicit_euler(system, t, h, state, scratch),
             Self::Rk4 => rk4(system, t, h, state, scratch),
+            Self::Verlet => verlet(system, t, h, state, scratch),
+            Self::BlanesMoan4 => blanes_moan4(system, t, h, state, scratch),
+            Self::ImplicitMidpoint => implicit_midpoint(system, t, h, state, scratch),
         }
     }
 }
@@ -127,7 +151,12 @@ fn evaluate<S: Scalar>(
     x_dot: &mut [S],
     worst: &mut S,
 ) -> Result<(), Fault> {
-    let pivot = system.rates(t, x, x_dot)?.abs();
+    accept(system.rates(t, x, x_dot)?, worst)
+}
+
+/// Refuses a pivot of a singular configuration; lowers `worst` to it else.
+fn accept<S: Scalar>(pivot: S, worst: &mut S) -> Result<(), Fault> {
+    let pivot = pivot.abs();
     if !pivot.is_finite() {
         return Err(Fault::NonFinite);
     }

@@ -155,11 +155,12 @@ const BM_B2: f64 = 0.396309801498368;
 const BM_B3: f64 = -0.0390563049223486;
 const BM_B4: f64 = 1.0 - 2.0 * (BM_B1 + BM_B2 + BM_B3);
 
-/// Blanes & Moan (2002), six-stage symplectic Nystrom splitting of order 4 for x'' = a(x).
-pub const BLANES_MOAN_4: Tableau<f64, 7> = from_splitting(
-    [BM_B1, BM_B2, BM_B3, BM_B4, BM_B3, BM_B2, BM_B1],
-    [BM_A1, BM_A2, BM_A3, BM_A3, BM_A2, BM_A1, 0.0],
-);
+/// Kicks of Blanes & Moan (2002), six-stage symplectic splitting of order 4 for x'' = a(x), in parts of a step.
+pub const BLANES_MOAN_KICKS: [f64; 7] = [BM_B1, BM_B2, BM_B3, BM_B4, BM_B3, BM_B2, BM_B1];
+/// Its drifts, each behind the kick of the same number.
+pub const BLANES_MOAN_DRIFTS: [f64; 7] = [BM_A1, BM_A2, BM_A3, BM_A3, BM_A2, BM_A1, 0.0];
+/// The same in Nystrom's form.
+pub const BLANES_MOAN_4: Tableau<f64, 7> = from_splitting(BLANES_MOAN_KICKS, BLANES_MOAN_DRIFTS);
 
 /// Nystrom (1925), order 4 for x'' = a(x); with speeds in the force the stage velocities are those of order 2.
 pub const NYSTROM_4: Tableau<f64, 3> = Tableau {

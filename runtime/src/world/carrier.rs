@@ -91,6 +91,10 @@ pub trait Carrier<S: Scalar> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault>;
+    /// Whether the rates of its speeds depend on its speeds, its wrenches given.
+    fn is_damped(&self) -> bool {
+        self.n_u() > 0
+    }
     /// Kinetic and potential energy (J).
     ///
     /// # Errors
@@ -249,6 +253,10 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
     }
     fn n_ports(&self) -> usize {
         1
+    }
+    /// Its speeds are velocity and angular momentum: forces alone change them.
+    fn is_damped(&self) -> bool {
+        false
     }
     fn inverse_inertia(&mut self, _: S, q: &[S], u: &[S], _: [usize; 2]) -> Result<InverseInertia<S>, Fault> {
         let mobility = Mobility::of(&self.body, &self.state(q, u)?);

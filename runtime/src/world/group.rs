@@ -54,6 +54,9 @@ impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
     fn n_ports(&self) -> usize {
         self.members.iter().map(Carrier::n_ports).sum()
     }
+    fn is_damped(&self) -> bool {
+        self.members.iter().any(Carrier::is_damped)
+    }
     fn coupled(&self, port: usize) -> Range<usize> {
         let Some(([.., first], member)) = self.find(port) else { return 0..0 };
         let Range { start, end } = member.coupled(port - first);

@@ -304,10 +304,10 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     }
 
     /// Rates of the carrier alone, under the wrenches in memory.
-    fn carrier_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
+    fn carrier_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
         let Cut { q, u, .. } = self.parts(x)?;
         let dot = self.parts_mut(x_dot)?;
-        self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u).map(|_| ())
+        self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)
     }
 
     /// Energies at a state.
@@ -402,6 +402,18 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
         self.place(t, x)?;
         self.load_seams()?;
         self.accelerate(t, x, x_dot)
+    }
+
+    fn coordinate_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
+        // Wrenches change speeds alone: those in memory will do.
+        let pivot = self.carrier_rates(t, x, x_dot)?;
+        let vel = self.parts(x)?.vel;
+        self.parts_mut(x_dot)?.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);
+        Ok(pivot)
+    }
+
+    fn is_damped(&self) -> bool {
+        self.body.is_damped() || self.carrier.is_damped()
     }
 
     fn project(&mut self, x: &mut [S]) -> Result<S, Fault> {

@@ -16,9 +16,12 @@ use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Still, Wrench};
 
 /// Methods by name, with their order.
-pub const METHODS: [(&str, Method, u32); 3] = [
+pub const METHODS: [(&str, Method, u32); 6] = [
     ("euler", Method::ExplicitEuler, 1),
     ("semi-implicit", Method::SemiImplicitEuler, 1),
+    ("verlet", Method::Verlet, 2),
+    ("implicit_midpoint", Method::ImplicitMidpoint, 2),
+    ("blanes_moan4", Method::BlanesMoan4, 4),
     ("rk4", Method::Rk4, 4),
 ];
 

@@ -1,0 +1,195 @@
+//! Methods that are made of midpoint rules: velocity Verlet, Blanes and Moan's splitting, the implicit midpoint rule.
+//!
+//! In: state at t, step h. Out: state at t + h. A kick changes speeds at fixed coordinates, a drift coordinates at fixed
+//! speeds; both are d = h f(x + d/2), iterated until d stands still, and exact where f does not depend on what moves.
+//! Forces within a world come in pairs and a kick moves nothing, a drift follows the speeds: each keeps linear and angular
+//! momentum to rounding, and so do their compositions (Hairer, Lubich & Wanner, Geometric Numerical Integration, II.5, VI.3).
+
+use super::state::{State, advance};
+use super::tableau::{BLANES_MOAN_DRIFTS, BLANES_MOAN_KICKS};
+use super::{Ode, Report, Trial, accept, check_shape, split};
+use crate::mechanism::Fault;
+use crate::real::{Constant, Scalar};
+
+/// Iterations of one midpoint rule at most; each gains the factor h |df/dx| / 2.
+const ITERATIONS: usize = 100;
+/// Changes below this many rounding units of the state end the iteration.
+const SETTLED: f64 = 2.0;
+
+/// Scratch numbers of these methods for a state of `n` entries.
+#[must_use]
+pub const fn splitting_scratch(n: usize) -> usize {
+    5 * n
+}
+
+/// Velocity Verlet: half a kick, a drift, half a kick. Order 2, symmetric; symplectic where forces do not depend on speeds.
+///
+/// # Errors
+/// See [`rk4`](super::rk4); [`Fault::Unsettled`] if the step is too long for an iteration to come to an end.
+pub fn verlet<S: Scalar>(
+    system: &mut impl Ode<S>,
+    t: S,
+    h: S,
+    state: &mut State<'_, S>,
+    scratch: &mut [S],
+) -> Result<Report<S>, Fault> {
+    let mut flow = Flow::new(system, t, state, scratch)?;
+    let half = S::from_f64(0.5) * h;
+    flow.kick(half)?;
+    flow.drift(h)?;
+    flow.kick(half)?;
+    flow.finish(t + h, state)
+}
+
+/// Blanes & Moan (2002): seven kicks with six drifts between. Order 4 where forces do not depend on speeds and coordinates
+/// follow speeds by constant factors, else 2.
+///
+/// # Errors
+/// As [`verlet`].
+pub fn blanes_moan4<S: Scalar>(
+    system: &mut impl Ode<S>,
+    t: S,
+    h: S,
+    state: &mut State<'_, S>,
+    scratch: &mut [S],
+) -> Result<Report<S>, Fault> {
+    let mut flow = Flow::new(system, t, state, scratch)?;
+    for (kick, drift) in BLANES_MOAN_KICKS.into_iter().zip(BLANES_MOAN_DRIFTS) {
+        flow.kick(S::constant(Constant::new(kick)) * h)?;
+        flow.drift(S::constant(Constant::new(drift)) * h)?;
+    }
+    flow.finish(t + h, state)
+}
+
+/// The implicit midpoint rule: coordinates and speeds at once. Order 2, symmetric, symplectic.
+///
+/// # Errors
+/// As [`verlet`].
+pub fn implicit_midpoint<S: Scalar>(
+    system: &mut impl Ode<S>,
+    t: S,
+    h: S,
+    state: &mut State<'_, S>,
+    scratch: &mut [S],
+) -> Result<Report<S>, Fault> {
+    let mut flow = Flow::new(system, t, state, scratch)?;
+    flow.midpoint(Moving::All, t + S::from_f64(0.5) * h, h)?;
+    flow.finish(t + h, state)
+}
+
+/// What a midpoint rule moves.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Moving {
+    Speeds,
+    Coordinates,
+    All,
+}
+
+/// A state on its way through a step.
+struct Flow<'a, S, O> {
+    system: &'a mut O,
+    /// Time at which the coordinates stand.
+    t: S,
+    trial: Trial<'a, S>,
+    change: &'a mut [S],
+    rates: &'a mut [S],
+    middle: &'a mut [S],
+    pivot: S,
+}
+
+impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
+    fn new(system: &'a mut O, t: S, state: &State<'_, S>, scratch: &'a mut [S]) -> Result<Self, Fault> {
+        let n = check_shape(system, state)?;
+        let [change, rates, middle, x, low] = split(scratch, n)?;
+        let mut trial = Trial { x, low };
+        trial.advance_from(state, core::iter::repeat_n(S::ZERO, n));
+        Ok(Flow { system, t, trial, change, rates, middle, pivot: S::ONE })
+    }
+
+    /// Speeds by the forces where the coordinates stand.
+    fn kick(&mut self, h: S) -> Result<(), Fault> {
+        self.midpoint(Moving::Speeds, self.t, h)
+    }
+
+    /// Coordinates by the speeds.
+    fn drift(&mut self, h: S) -> Result<(), Fault> {
+        if h == S::ZERO {
+            return Ok(());
+        }
+        self.midpoint(Moving::Coordinates, self.t + S::from_f64(0.5) * h, h)?;
+        self.t = self.t + h;
+        Ok(())
+    }
+
+    /// d = h f(t, x + d/2) for what moves; the rest stands.
+    fn midpoint(&mut self, moving: Moving, t: S, h: S) -> Result<(), Fault> {
+        let (n_q, n) = (self.system.n_q(), self.system.n_x());
+        let range = match moving {
+            Moving::Speeds => n_q..n,
+            Moving::Coordinates => 0..n_q,
+            Moving::All => 0..n,
+        };
+        let is_exact = moving == Moving::Speeds && !self.system.is_damped();
+        self.change.fill(S::ZERO);
+        // Steps of the two iterations before: coordinates and speeds hand their errors to one another, so that every second
+        // one is shorter.
+        let mut before = [S::ONE / S::ZERO; 2];
+        for _ in 0..ITERATIONS {
+            self.evaluate(moving, t)?;
+            let (step, size) = self.improve(h, range.clone())?;
+            let settled = step <= S::from_f64(SETTLED) * S::EPSILON * size;
+            // Below the root of the rounding unit a step that gets no shorter is rounding.
+            let is_rounding = step >= before[0] && step <= S::EPSILON.sqrt() * size;
+            if is_exact || settled || is_rounding {
+                self.advance();
+                return Ok(());
+            }
+            before = [before[1], step];
+        }
+        Err(Fault::Unsettled)
+    }
+
+    /// Rates in the middle.
+    fn evaluate(&mut self, moving: Moving, t: S) -> Result<(), Fault> {
+        let half = S::from_f64(0.5);
+        let start = self.trial.x.iter().zip(&*self.trial.low).zip(&*self.change);
+        for (middle, ((x, low), change)) in self.middle.iter_mut().zip(start) {
+            *middle = *x + (*low + half * *change);
+        }
+        let pivot = match moving {
+            Moving::Coordinates => self.system.coordinate_rates(t, self.middle, self.rates)?,
+            Moving::Speeds | Moving::All => self.system.rates(t, self.middle, self.rates)?,
+        };
+        accept(pivot, &mut self.pivot)
+    }
+
+    /// Takes d from the rates; returns how far it moved and the size of the state.
+    fn improve(&mut self, h: S, range: core::ops::Range<usize>) -> Result<(S, S), Fault> {
+        let (mut step, mut size) = (S::ZERO, S::ZERO);
+        let rows = self.change.iter_mut().zip(&*self.rates).zip(&*self.trial.x);
+        for ((change, rate), x) in rows.take(range.end).skip(range.start) {
+            let next = h * *rate;
+            if !next.is_finite() {
+                return Err(Fault::NonFinite);
+            }
+            step = step.max((next - *change).abs());
+            size = size.max(x.abs()).max(next.abs());
+            *change = next;
+        }
+        Ok((step, size))
+    }
+
+    fn advance(&mut self) {
+        let state = self.trial.x.iter_mut().zip(self.trial.low.iter_mut());
+        for ((x, low), change) in state.zip(&*self.change) {
+            (*x, *low) = advance(*x, *low, *change);
+        }
+    }
+
+    /// Projects, checks, and makes it the state.
+    fn finish(mut self, t: S, state: &mut State<'_, S>) -> Result<Report<S>, Fault> {
+        let residual = self.trial.settle(self.system, t, self.middle)?;
+        self.trial.commit(self.system, state);
+        Ok(Report { pivot: self.pivot, residual })
+    }
+}
