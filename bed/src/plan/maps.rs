@@ -35,6 +35,7 @@ pub fn grid(layout: &Layout) -> Grid {
 }
 
 /// Sensel of a tile's node; rims at the far ends belong to the next tile.
+#[must_use]
 pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
     let [nx, ny] = layout.intervals;
     let (i, j) = (node % (nx + 1), node / (nx + 1));
@@ -75,12 +76,16 @@ pub fn felt(layout: &Layout, solution: &Solution, sites: &[Site]) -> Map {
 /// A point of the skin.
 #[derive(Clone, Copy, Debug)]
 pub struct SkinPoint {
+    /// Its segment.
     pub segment: usize,
+    /// In the segment's axes (m).
     pub place: Vec3<f64>,
+    /// Outwards, in the segment's axes.
     pub normal: Vec3<f64>,
 }
 
 /// Points of a load's skin, but for its front, with their sites.
+#[must_use]
 pub fn skin(load: &Load) -> (Vec<SkinPoint>, Vec<Site>) {
     let (mut points, mut sites) = (Vec::new(), Vec::new());
     for (segment, part) in load.body.segments.iter().enumerate() {

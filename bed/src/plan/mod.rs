@@ -7,6 +7,8 @@ pub mod check;
 mod maps;
 pub mod run;
 
+pub use maps::{SkinPoint, sensel, skin};
+
 use crate::body::Body;
 use crate::body::figure::Figure;
 use crate::equilibrium::{Bed, Tile};
@@ -84,6 +86,15 @@ impl Layout {
     #[must_use]
     pub fn size(&self) -> [f64; 2] {
         self.pitch.map(|p| p - self.gap)
+    }
+
+    /// Nodes of a sheet along x and y that pictures show: nine at most, rims among them.
+    #[must_use]
+    pub fn shown(&self) -> [Vec<usize>; 2] {
+        self.intervals.map(|n| {
+            let count = n.clamp(1, 8);
+            (0..=count).map(|k| (k * n + count / 2) / count).collect()
+        })
     }
 
     /// Middle of a tile (m); the bed's middle is the origin, the head lies towards +y.
@@ -207,6 +218,15 @@ impl Plan {
             order.command.slope = [0, 1].map(|k| towards(slope[k], change.slope.map(|s| s[k])));
         }
         order
+    }
+
+    /// The same plan with more moves.
+    #[must_use]
+    pub fn with(&self, moves: &[Move]) -> Plan {
+        let mut plan = self.clone();
+        plan.moves.extend_from_slice(moves);
+        plan.moves.sort_by(|a, b| a.at.total_cmp(&b.at));
+        plan
     }
 
     /// Times of all equilibria (s): the grid of `every`, and where a move ends.

@@ -3,8 +3,9 @@
 //! In: a plan that [`super::check`] lets pass. Out: a [`History`]: recordings of sensels and of the skin, what tiles did,
 //! and how well each equilibrium carries the weight.
 
+use super::check::Refusal;
 use super::maps::{self, Map, SkinPoint};
-use super::{Order, Plan};
+use super::{Move, Order, Plan};
 use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, put_down, solve};
 use crate::map::{Frame, Grid, MapError, Recording, Site};
 use crate::metrics::spatial::load_error;
@@ -37,6 +38,8 @@ pub struct Moment {
     pub steps: usize,
     /// Middles of the segments (m).
     pub segments: Vec<Pose>,
+    /// Heights of the nodes that are shown (m), by tile: [`Layout::shown`](super::Layout::shown).
+    pub heights: Vec<Vec<f32>>,
 }
 
 /// A run.
@@ -50,6 +53,21 @@ pub struct History {
     pub skin: Recording,
     /// What tiles did.
     pub moments: Vec<Moment>,
+    /// What they were told: the plan's moves, and those that were decided on the way.
+    pub moves: Vec<Move>,
+}
+
+/// What there is to decide by at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<'a> {
+    /// The plan with all that was told so far.
+    pub plan: &'a Plan,
+    /// Where sensels lie.
+    pub grid: &'a Grid,
+    /// Their areas.
+    pub sites: &'a [Site],
+    /// What they truly feel.
+    pub frame: &'a Frame,
 }
 
 /// Why a run ended.
@@ -63,6 +81,8 @@ pub enum RunError {
     Invalid(f64, f64),
     /// What was recorded is unsound.
     Map(MapError),
+    /// What was decided on the way exceeds a limit.
+    Refused(Refusal),
     /// It was asked to stop.
     Stopped,
 }
@@ -79,6 +99,7 @@ impl fmt::Display for RunError {
                 )
             }
             RunError::Map(error) => write!(f, "{error}"),
+            RunError::Refused(refusal) => write!(f, "{refusal}"),
             RunError::Stopped => f.write_str("stopped"),
         }
     }
@@ -90,8 +111,22 @@ impl std::error::Error for RunError {}
 ///
 /// # Errors
 /// [`RunError`].
-pub fn run(plan: &Plan, mut at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
+pub fn run(plan: &Plan, at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
+    run_by(plan, &mut |_| Ok(Vec::new()), at)
+}
+
+/// Runs a plan; after each equilibrium `decide` may add moves that begin then or later.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_by(
+    plan: &Plan,
+    decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
+    mut at: impl FnMut(f64) -> bool,
+) -> Result<History, RunError> {
     let times = plan.times();
+    let mut told = plan.clone();
+    let plan = &mut told;
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
     let mut solution =
@@ -99,6 +134,7 @@ pub fn run(plan: &Plan, mut at: impl FnMut(f64) -> bool) -> Result<History, RunE
     let (points, skin) = maps::skin(&plan.load);
     let mut history = Recorder::new(plan, &bed, &solution, points, skin);
     history.take(plan, &bed, &solution, 0.0)?;
+    history.decide(plan, decide)?;
     seal(plan, &mut bed, &solution);
     for pair in times.windows(2) {
         if !at(pair[0] / plan.seconds) {
@@ -106,6 +142,7 @@ pub fn run(plan: &Plan, mut at: impl FnMut(f64) -> bool) -> Result<History, RunE
         }
         (bed, solution) = onwards(plan, bed, solution, pair[0], pair[1])?;
         history.take(plan, &bed, &solution, pair[1])?;
+        history.decide(plan, decide)?;
     }
     history.finish(plan)
 }
@@ -162,6 +199,17 @@ fn keep_sealed(plan: &Plan, before: &Bed, bed: &mut Bed, from: f64, to: f64) {
     }
 }
 
+/// Heights of the nodes that are shown (m), by tile.
+fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
+    let [across, along] = plan.layout.shown();
+    let width = plan.layout.intervals[0] + 1;
+    let of = |(tile, sheet): (&crate::equilibrium::Tile, &Vec<[f64; 3]>)| {
+        let node = |j: usize, i: usize| tile.pose.outwards(sheet[j * width + i])[2] as f32;
+        along.iter().flat_map(|j| across.iter().map(|i| node(*j, *i))).collect()
+    };
+    bed.tiles.iter().zip(&solution.state.sheets).map(of).collect()
+}
+
 /// Frames as they come.
 struct Recorder {
     grid: Grid,
@@ -205,7 +253,23 @@ impl Recorder {
             sensed,
             steps: solution.steps,
             segments: solution.state.segments.clone(),
+            heights: heights(plan, bed, solution),
         });
+        Ok(())
+    }
+
+    /// Adds what is decided by the last frame.
+    fn decide(
+        &self,
+        plan: &mut Plan,
+        decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
+    ) -> Result<(), RunError> {
+        let Some(frame) = self.frames[0].last() else { return Ok(()) };
+        let seen = Seen { plan, grid: &self.grid, sites: &self.sites, frame };
+        let moves = decide(&seen).map_err(RunError::Refused)?;
+        if !moves.is_empty() {
+            *plan = plan.with(&moves);
+        }
         Ok(())
     }
 
@@ -242,6 +306,7 @@ impl Recorder {
             sensels: Recording::new(self.sites, sensels).map_err(RunError::Map)?,
             skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
             moments: self.moments,
+            moves: plan.moves.clone(),
         })
     }
 }

@@ -5,5 +5,7 @@ mod figure;
 mod files;
 mod metrics;
 mod plan;
+mod policy;
 mod rest;
+mod sensor;
 mod sheet;

@@ -1,0 +1,142 @@
+//! Policies: what they see, what they are refused, and that the planner relieves more skin than alternating pressure does.
+
+use smartbed_bed::body::anthropometry::Table;
+use smartbed_bed::body::figure::{Figure, Posture};
+use smartbed_bed::metrics::time;
+use smartbed_bed::plan::run::{History, RunError};
+use smartbed_bed::plan::{Layout, Load, Move, Plan};
+use smartbed_bed::policy::planner::{Goal, Planner};
+use smartbed_bed::policy::scheduled::Scheduled;
+use smartbed_bed::policy::{self, Bounds, Policy, View};
+use smartbed_bed::sensor::reader::{Quality, Reader};
+use smartbed_bed::sensor::site::Site;
+
+const OCCLUSION: f64 = 32.0 * 133.322;
+
+fn supine(seconds: f64, every: f64) -> Plan {
+    let layout = Layout { intervals: [6, 8], ..Layout::default() };
+    let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &[]).expect("a figure");
+    let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
+    Plan {
+        title: "supine".to_owned(),
+        layout,
+        pressure: 5000.0,
+        load: load.placed([0.0, 0.0]),
+        moves: Vec::new(),
+        seconds,
+        every,
+        cycle: 600.0,
+    }
+}
+
+fn reader() -> Reader {
+    Reader::new(&Site::default(), Quality::default()).expect("a surface")
+}
+
+/// Changes of pressure that tiles were told in all (Pa).
+fn motion(plan: &Plan, history: &History) -> f64 {
+    let told = plan.with(&history.moves);
+    let times: Vec<f64> = plan.times();
+    let of = |tile: usize| -> f64 {
+        times
+            .windows(2)
+            .map(|w| (told.order(tile, w[1]).pressure - told.order(tile, w[0]).pressure).abs())
+            .sum()
+    };
+    (0..plan.layout.count()).map(of).sum()
+}
+
+#[test]
+fn the_planner_relieves_more_than_alternating_pressure_with_less_motion_within_its_bounds() {
+    let plan = supine(600.0, 10.0);
+    let run = |policy: &mut dyn Policy, bounds: &Bounds| {
+        policy::run(&plan, policy, bounds, Some(&reader()), |_| true).expect("runs")
+    };
+    let shut =
+        |history: &History| time::persistent_occlusion(&history.skin, 600.0, OCCLUSION).expect("a cycle");
+    // Alternating pressure lets half of all bladders down: no bound of the planner's lets it.
+    let half = Bounds { most_low: 14, ..Bounds::default() };
+    let mut alternating = Scheduled::alternating(&plan.layout, 1600.0, 5000.0, 600.0, 600.0);
+    let usual = run(&mut alternating, &half);
+    let bounds = Bounds::default();
+    let planned = run(&mut Planner::new(Goal::default(), bounds), &bounds);
+    let [before, after] = [&usual, &planned].map(|h| (shut(h), motion(&plan, h)));
+    let risk = |history: &History| time::always_at_risk(&history.skin, OCCLUSION);
+    println!("always at risk {:.5} m^2 alternating, {:.5} planned", risk(&usual), risk(&planned));
+    println!(
+        "shut {:.5} m^2 by {:.0} kPa alternating, {:.5} m^2 by {:.0} kPa planned",
+        before.0,
+        before.1 / 1e3,
+        after.0,
+        after.1 / 1e3
+    );
+    assert!(after.0 < 0.8 * before.0 && after.1 < before.1, "{before:?} {after:?}");
+    for moment in &planned.moments {
+        assert!(moment.imbalance < 1e-6 && moment.sensed < 0.01);
+        let low = moment.orders.iter().filter(|o| o.pressure < bounds.low).count();
+        assert!(low <= bounds.most_low, "{low} at {}", moment.time);
+        assert!(moment.orders.iter().all(|o| o.command == Default::default()));
+    }
+    assert!(planned.moments.iter().any(|m| m.orders.iter().any(|o| o.pressure < bounds.low)));
+}
+
+/// Tells one move, once.
+struct Once(Option<Move>);
+
+impl Policy for Once {
+    fn decide(&mut self, _: &View<'_>) -> Vec<Move> {
+        self.0.take().into_iter().collect()
+    }
+}
+
+#[test]
+fn a_policy_is_refused_by_name_before_a_tile_hears_of_it() {
+    let plan = supine(40.0, 10.0);
+    let told =
+        |tiles: Vec<usize>| Move { at: 10.0, over: 20.0, tiles, pressure: None, heave: None, slope: None };
+    let say =
+        |told: Move, bounds: Bounds| match policy::run(&plan, &mut Once(Some(told)), &bounds, None, |_| true)
+        {
+            Err(RunError::Refused(refusal)) => refusal.to_string(),
+            other => panic!("{other:?}"),
+        };
+    let usual = Bounds::default();
+    let low = |tiles: Vec<usize>| Move { pressure: Some(1000.0), ..told(tiles) };
+    assert_eq!(
+        say(low(vec![0, 1, 2, 3, 4]), usual),
+        "at 30.0000 s: 5 bladders are below 2.50 kPa, expected 4 at most"
+    );
+    let weak = say(low((4..28).collect()), Bounds { most_low: 28, ..usual });
+    assert!(
+        weak.contains("bladders in reach can carry") && weak.contains("1.2 times the weight of 736 N"),
+        "{weak}"
+    );
+    let high = say(Move { heave: Some(0.05), ..told((0..28).collect()) }, usual);
+    assert!(high.contains("its stroke allows 30.0 mm"), "{high}");
+    let quick = say(Move { heave: Some(0.02), over: 1.0, ..told((0..28).collect()) }, usual);
+    assert!(quick.contains("it goes 6.70 mm/s"), "{quick}");
+    let step = say(Move { heave: Some(0.025), ..told(vec![9]) }, usual);
+    assert!(step.contains("step of 25.0 mm"), "{step}");
+}
+
+#[test]
+fn a_policy_sees_what_sensors_read_and_the_same_again() {
+    let plan = supine(60.0, 10.0);
+    let run = |seed: u64| {
+        let reader =
+            Reader::new(&Site::default(), Quality { seed, ..Quality::default() }).expect("a surface");
+        let goal = Goal { cycle: 60.0, slots: 2, ramp: 10.0, hold: 10.0, ..Goal::default() };
+        let mut planner = Planner::new(goal, Bounds::default());
+        policy::run(&plan, &mut planner, &Bounds::default(), Some(&reader), |_| true).expect("runs")
+    };
+    let [one, again] = [run(3), run(3)];
+    assert_eq!((&one.moments, &one.moves), (&again.moments, &again.moves));
+    assert!(!one.moves.is_empty());
+    // Nothing that presses: nothing moves.
+    let mut empty = plan.clone();
+    empty.load = Load { body: Default::default(), poses: Vec::new(), figure: None };
+    let mut planner = Planner::new(Goal::default(), Bounds::default());
+    let history =
+        policy::run(&empty, &mut planner, &Bounds::default(), Some(&reader()), |_| true).expect("runs");
+    assert!(history.moves.is_empty());
+}
