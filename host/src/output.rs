@@ -6,6 +6,7 @@
 use crate::failure::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 
 /// Was standard output closed before the program began? The standard library then opens the null device in its place,
@@ -70,6 +71,28 @@ impl Output {
             _ => Ok(()),
         }
     }
+}
+
+/// Writes a file beside its place and moves it there: it appears whole or not at all, whoever is killed meanwhile. Devices
+/// and pipes are written to as they are.
+///
+/// # Errors
+/// [`Failure::Wrong`] if that fails.
+pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
+    let place = std::fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
+    if place.exists() && !place.is_file() {
+        return write(&place.display().to_string(), text.as_bytes());
+    }
+    let beside = place.with_extension(format!("part-{}", std::process::id()));
+    let put = || -> io::Result<()> {
+        let mut open = File::create(&beside)?;
+        open.write_all(text.as_bytes())?;
+        open.sync_all()
+    };
+    put().and_then(|()| std::fs::rename(&beside, &place)).map_err(|e| {
+        let _ = std::fs::remove_file(&beside);
+        cannot_write(&file.display().to_string(), &e)
+    })
 }
 
 /// Writes a whole file, or to standard output for `-`.

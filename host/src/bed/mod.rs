@@ -7,14 +7,15 @@ mod page;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::number::{json_number, json_string};
-use crate::output::{self, Output};
-use crate::plan::{PlanFile, Read};
+use crate::output;
+use crate::plan::{PlanFile, Read, sensing};
 use crate::progress::Progress;
 use smartbed_bed::files::{Mapped, tekscan, xsensor};
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
-use smartbed_bed::plan::run::{History, RunError};
+use smartbed_bed::plan::run::{GATE, History, RunError};
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// Run a plan of the bed, or make a page of it.
 #[derive(clap::Args, Clone, Debug)]
@@ -104,7 +105,7 @@ fn history(read: &Read) -> Result<History, Failure> {
         progress.at(done);
         !interrupt::is_asked()
     };
-    smartbed_bed::plan::run::run(&read.plan, on).map_err(|error| match error {
+    read.run(on).map_err(|error| match error {
         RunError::Stopped => Failure::Wrong("interrupted: nothing is written".to_owned()),
         other => Failure::Wrong(format!("{}: {other}", read.plan.title)),
     })
@@ -118,6 +119,17 @@ pub(crate) fn metrics(read: &Read, history: &History) -> [(&'static str, Vec<Row
     [("sensels", of(&history.sensels, Some(&history.grid))), ("skin", of(&history.skin, None))]
 }
 
+/// What the plan's sensors read in the end, if it has some.
+pub(crate) fn sensed(read: &Read, history: &History) -> Option<sensing::Read> {
+    read.sensors.as_ref()?.of(history)
+}
+
+/// Are these figures of a bed at rest that was felt? Contact forces carry the weight to [`GATE`], sensels feel it to 1 %, and
+/// sensors read the map to 1 %.
+pub(crate) fn is_valid([imbalance, felt]: [f64; 2], sensed: Option<&sensing::Read>) -> bool {
+    imbalance <= GATE && felt < 0.01 && sensed.is_none_or(|read| read.error < 0.01)
+}
+
 /// How well the worst equilibrium carries the weight: by contact forces, and as sensed.
 pub(crate) fn validity(history: &History) -> [f64; 2] {
     let worst =
@@ -125,10 +137,9 @@ pub(crate) fn validity(history: &History) -> [f64; 2] {
     [worst(|m| m.imbalance), worst(|m| m.sensed)]
 }
 
+/// Standard output takes what comes; a file appears whole.
 fn write(file: &str, text: &str) -> Result<(), Failure> {
-    let mut output = Output::open(file)?;
-    output.write(text)?;
-    output.finish()
+    if file == "-" { output::print(text) } else { output::replace(Path::new(file), text) }
 }
 
 /// Maps over time in the format of the file's ending.
@@ -174,13 +185,29 @@ fn json(read: &Read, history: &History) -> String {
         let rows: Vec<String> = rows.iter().map(row).collect();
         format!("\"{sites}\": [{}]", rows.join(", "))
     });
-    let [imbalance, sensed] = validity(history);
+    let [imbalance, felt] = validity(history);
+    let sensed = sensed(read, history);
+    let sensors = sensed.as_ref().map_or_else(|| "null".to_owned(), |sensed| {
+        format!(
+            "{{\"rows\": {}, \"columns\": {}, \"map_error\": {}, \"moisture\": {}, \"ph\": {}, \"mass\": {}}}",
+            sensed.grid[0],
+            sensed.grid[1],
+            json_number(sensed.error),
+            json_number(sensed.skin[0]),
+            json_number(sensed.skin[1]),
+            json_number(sensed.mass)
+        )
+    });
     format!(
-        "{{\"bed\": {}, \"equilibria\": {}, \"imbalance\": {}, \"sensed_error\": {}, {}, \"note\": {}}}\n",
+        "{{\"bed\": {}, \"equilibria\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \
+         \"policy\": {}, \"moves\": {}, {}, \"note\": {}}}\n",
         json_string(&read.plan.title),
         history.moments.len(),
         json_number(imbalance),
-        json_number(sensed),
+        json_number(felt),
+        is_valid([imbalance, felt], sensed.as_ref()),
+        read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
+        history.moves.len(),
         lists.join(", "),
         json_string(DISCLAIMER)
     )
@@ -188,14 +215,30 @@ fn json(read: &Read, history: &History) -> String {
 
 /// For people.
 fn text(read: &Read, history: &History) -> String {
-    let [imbalance, sensed] = validity(history);
+    let [imbalance, felt] = validity(history);
     let mut text = format!(
         "{}: {} equilibria over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
         read.plan.title,
         history.moments.len(),
         read.plan.seconds,
-        100.0 * sensed
+        100.0 * felt
     );
+    if let Some(policy) = read.policy {
+        let _ = writeln!(text, "policy {}: {} moves", policy.name, history.moves.len());
+    }
+    let sensed = sensed(read, history);
+    if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = &sensed {
+        let _ = writeln!(
+            text,
+            "{rows} x {columns} sensors of {mass:.3} kg in all read the last map to {:.2} %, moisture {:.1} %, pH {:.2}",
+            100.0 * error,
+            skin[0],
+            skin[1]
+        );
+    }
+    if !is_valid([imbalance, felt], sensed.as_ref()) {
+        text += "NOT VALID: what is felt or read is more than 1 % off\n";
+    }
     for (sites, rows) in metrics(read, history) {
         let _ = writeln!(text, "\n{sites}");
         for row in rows {

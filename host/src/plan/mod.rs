@@ -1,15 +1,18 @@
 //! Plan text -> [`Plan`] of the bed: layout, load, moves, run; all errors with their places.
 //!
 //! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
-//! limits, or what is wrong. `load` reads what lies on the bed.
+//! limits, or what is wrong. `load` reads what lies on the bed, `sensing` what it is read by, `policy` who decides.
 
 mod load;
+pub mod policy;
+pub mod sensing;
 
 use crate::failure::Failure;
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
 use crate::{input, model_argument};
 use smartbed_bed::plan::check::{MOST_TILES, check};
+use smartbed_bed::plan::run::{self, History, RunError};
 use smartbed_bed::plan::{Layout, Move, Plan};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -18,6 +21,8 @@ use smartbed_codegen::source::{Source, Span};
 
 /// Most equilibria of a run.
 const MOST_EQUILIBRIA: f64 = 100_000.0;
+/// Most moves times equilibria: every equilibrium asks every move.
+const MOST_ORDERS: f64 = 1e7;
 /// Most nodes of all sheets.
 const MOST_NODES: usize = 100_000;
 
@@ -60,6 +65,23 @@ pub struct Read {
     pub plan: Plan,
     /// What its `[sweep]` changes.
     pub axes: Axes,
+    /// The surface that it is read by.
+    pub sensors: Option<sensing::Sensing>,
+    /// Who decides on the way.
+    pub policy: Option<policy::Chosen>,
+}
+
+impl Read {
+    /// Runs the plan, under its policy if it has one; `at` hears the share that is done and says whether to go on.
+    ///
+    /// # Errors
+    /// [`RunError`].
+    pub fn run(&self, at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
+        let Some(chosen) = &self.policy else { return run::run(&self.plan, at) };
+        let reader = self.sensors.as_ref().map(|sensors| &sensors.reader);
+        let mut policy = chosen.policy(&self.plan);
+        smartbed_bed::policy::run(&self.plan, policy.as_mut(), &chosen.bounds, reader, at)
+    }
 }
 
 /// Reads a plan; `settings` are `--set`'s.
@@ -103,7 +125,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let empty = Table::default();
     let (layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
     let load = load::read(&fields, found)?;
-    let (seconds, every, cycle) = run(fields.table("run", found).unwrap_or(&empty), found)?;
+    let (seconds, every, cycle) = timing(fields.table("run", found).unwrap_or(&empty), found)?;
     let mut moves = Vec::new();
     for item in fields.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
@@ -114,11 +136,28 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     if let Some(table) = fields.table("alternating", found) {
         moves.extend(alternating(table, &layout, pressure, seconds, found)?);
     }
+    let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
+    if asked > MOST_ORDERS {
+        let error = Diagnostic::error(format!(
+            "moves times equilibria are {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
+        ));
+        found.push(error.label(table.span, "of this plan").help("fewer cycles, or a longer `every`"));
+        return None;
+    }
     moves.sort_by(|a: &Move, b| a.at.total_cmp(&b.at));
+    let area = layout.count() as f64 * layout.pitch[0] * layout.pitch[1];
+    let sensors = match fields.table("sensors", found) {
+        Some(table) => Some(sensing::read(table, area, found)?),
+        None => None,
+    };
+    let policy = match fields.table("policy", found) {
+        Some(table) => Some(policy::read(table, found)?),
+        None => None,
+    };
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
     fields.finish(found);
     let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle };
-    Some(Read { plan, axes })
+    Some(Read { plan, axes, sensors, policy })
 }
 
 fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
@@ -175,7 +214,7 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     Some((layout, pressure))
 }
 
-fn run(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64)> {
+fn timing(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64)> {
     let fields = Fields::of("run", table.span, table);
     let seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let every = number(&fields, "every", "s", Bound::Positive, found).unwrap_or(10.0);

@@ -64,7 +64,8 @@ impl Case {
 
     /// Is its result there, of this plan and version?
     pub fn is_done(&self, folder: &Path) -> bool {
-        std::fs::read_to_string(self.file(folder)).is_ok_and(|text| text.starts_with(&self.head()))
+        std::fs::read_to_string(self.file(folder))
+            .is_ok_and(|text| text.starts_with(&self.head()) && text.ends_with("}\n"))
     }
 
     /// What its file begins with.
@@ -82,7 +83,8 @@ impl Case {
     /// Runs it: the text of its file.
     pub fn compute(&self) -> Result<String, Failure> {
         let read = self.plan.read(&self.settings)?;
-        let history = smartbed_bed::plan::run::run(&read.plan, |_| !crate::interrupt::is_asked())
+        let history = read
+            .run(|_| !crate::interrupt::is_asked())
             .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
         let [imbalance, sensed] = bed::validity(&history);
         let mut rows = Vec::new();
@@ -137,20 +139,16 @@ pub fn table(all: &[Case], folder: &Path) -> Result<String, Failure> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// Writes a file beside its place and moves it there: it appears whole or not at all.
-pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
-    let beside = file.with_extension(format!("{}.part", std::process::id()));
-    let cannot = |e: std::io::Error| Failure::Wrong(format!("cannot write {}: {e}", file.display()));
-    let write = || -> std::io::Result<()> {
-        use std::io::Write as _;
-        let mut open = std::fs::File::create(&beside)?;
-        open.write_all(text.as_bytes())?;
-        open.sync_all()
-    };
-    write().and_then(|()| std::fs::rename(&beside, file)).map_err(|e| {
-        let _ = std::fs::remove_file(&beside);
-        cannot(e)
-    })
+/// What a run that was killed left half written of these cases.
+pub fn clear(own: &[&Case], folder: &Path) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let path = entry.path();
+        let is_own = |case: &&Case| path.file_stem() == case.file(folder).file_stem();
+        let is_part = path.extension().is_some_and(|e| e.to_string_lossy().starts_with("part-"));
+        if is_part && own.iter().any(is_own) {
+            let _ = std::fs::remove_file(&path);
+        }
+    }
 }
 
 /// File of a case.

@@ -70,7 +70,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
     }
     let table = folder.join("sweep.csv");
-    case::replace(&table, &case::table(&all, folder)?)?;
+    output::replace(&table, &case::table(&all, folder)?)?;
     output::print(&format!("{}: {}\n", table.display(), smartbed_codegen::words::count(all.len(), "case")))
 }
 
@@ -88,6 +88,7 @@ fn shard(text: Option<&str>) -> Result<(usize, usize), Failure> {
 /// Computes the cases whose files are not there.
 fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Failure> {
     interrupt::watch();
+    case::clear(own, folder);
     let open: Vec<&&Case> = own.iter().filter(|case| !case.is_done(folder)).collect();
     let cores = cores.unwrap_or_else(side_by_side::cores);
     let (done, progress) = (AtomicUsize::new(0), Mutex::new(Progress::new("sweep")));
@@ -95,7 +96,7 @@ fn compute(own: &[&Case], folder: &Path, cores: Option<usize>) -> Result<(), Fai
         if interrupt::is_asked() {
             return Ok(());
         }
-        let result = open[index].compute().and_then(|text| case::replace(&open[index].file(folder), &text));
+        let result = open[index].compute().and_then(|text| output::replace(&open[index].file(folder), &text));
         let done = 1 + done.fetch_add(1, Ordering::Relaxed);
         if let Ok(mut progress) = progress.lock() {
             progress.at(done as f64 / open.len() as f64);

@@ -1,9 +1,11 @@
 //! `bed` and `sweep`: plans run and refused, pages from which no text can run, sweeps whose bytes depend on nothing.
 
 use crate::schema::holds;
-use crate::support::{file, smartbed, written};
+use crate::support::{command, file, smartbed, written};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::process::Stdio;
+use std::time::Duration;
 
 #[test]
 fn a_plan_is_run_and_prints_what_the_schema_says() {
@@ -20,6 +22,39 @@ fn a_plan_is_run_and_prints_what_the_schema_says() {
         let read = smartbed_bed::files::read(&text).expect("read back");
         assert_eq!((read.grid.rows, read.grid.columns, read.recording.frames().len()), (20, 16, 4));
     }
+}
+
+#[test]
+fn a_plan_with_sensors_is_read_and_one_with_a_policy_decided() {
+    let run = |settings: &[&str]| {
+        let set: Vec<&str> = settings.iter().flat_map(|s| ["--set", s]).collect();
+        let done = smartbed(&[&["bed", "run", "ball_on_four", "--json"], &set[..]].concat());
+        assert_eq!(done.status, 0, "{done:?}");
+        holds("bed", &done.json());
+        done.json()
+    };
+    let nodes = run(&["sensors.seed=3"]);
+    let read = &nodes["sensors"];
+    assert_eq!((read["rows"].as_f64(), read["columns"].as_f64()), (Some(20.0), Some(16.0)));
+    let error = read["map_error"].as_f64().expect("a number");
+    assert!(error > 0.0 && error < 0.01 && nodes["valid"] == true, "{nodes}");
+    assert!((read["ph"].as_f64().expect("a number") - 5.0).abs() < 0.1);
+    assert_eq!(run(&["sensors.seed=3"]), nodes);
+    assert_ne!(run(&["sensors.seed=4"])["sensors"], *read);
+    let fine = run(&["sensors.pitch=1_mm"]);
+    assert!(
+        fine["sensors"]["map_error"].as_f64().expect("a number") < 0.01 && fine["valid"] == true,
+        "{fine}"
+    );
+    assert!(fine["sensors"]["columns"].as_f64().expect("a number") >= 450.0);
+    let noisy = run(&["sensors.noise=0.01"]);
+    assert!(noisy["valid"] == false, "{noisy}");
+    let goal =
+        ["policy.cycle=40_s", "policy.slots=2", "policy.ramp=5_s", "policy.hold=5_s", "policy.low=2_kPa"];
+    let bounds = ["policy.most_low=3", "policy.low_below=2.5_kPa"];
+    let told = run(&[&["policy.kind=\"planner\"", "sensors.seed=1"], &goal[..], &bounds[..]].concat());
+    assert_eq!(told["policy"], "planner");
+    assert!(told["moves"].as_f64().expect("a number") >= 1.0);
 }
 
 #[test]
@@ -93,4 +128,39 @@ fn a_sweep_gives_the_same_bytes_in_shards_on_any_cores_and_after_a_break() {
     let bad = smartbed(&["sweep", "ball_on_four", "-o", &one, "--shard", "3/2"]);
     assert!(bad.message().contains("expected I/N with I from 1 to N"));
     assert!(smartbed(&["sweep", "alternating", "-o", &one]).message().contains("it has no [sweep]"));
+}
+
+/// Starts the program and kills it after a while.
+fn killed(arguments: &[&str], milliseconds: u64) {
+    let mut child = command(arguments).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("runs");
+    std::thread::sleep(Duration::from_millis(milliseconds));
+    child.kill().expect("killed, or ended before");
+    child.wait().expect("ended");
+}
+
+#[test]
+fn what_is_killed_leaves_complete_files_only() {
+    let folder = file("sweep_killed");
+    let _ = std::fs::remove_dir_all(&folder);
+    let (csv, name) = (folder.join("metrics.csv"), folder.display().to_string());
+    std::fs::create_dir_all(&folder).expect("a folder");
+    for milliseconds in [5, 20, 50, 100, 150, 200, 300, 400, 600, 800] {
+        killed(&["sweep", "ball_on_four", "-o", &name, "--cores", "2"], milliseconds);
+        killed(&["bed", "run", "ball_on_four", "--csv", &csv.display().to_string()], milliseconds);
+        for (file, text) in texts(&folder) {
+            if file.ends_with(".json") {
+                assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok(), "{file}: {text}");
+            }
+            assert!(file != "metrics.csv" || text.lines().count() > 40, "{file}: {text}");
+            assert!(file != "sweep.csv" || text.lines().count() == 5, "{file}: {text}");
+        }
+    }
+    // What was cut off is cleared away, by whoever computes that case.
+    std::fs::write(folder.join("case_00003.part-1"), "{\"version\"").expect("written");
+    std::fs::write(folder.join("case_00004.json"), "{\"version\"").expect("written");
+    let done = smartbed(&["sweep", "ball_on_four", "-o", &name]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let files: Vec<String> = texts(&folder).into_keys().filter(|f| !f.starts_with("metrics")).collect();
+    let cases = [1, 2, 3, 4].map(|n| format!("case_{n:05}.json"));
+    assert_eq!(files, [&cases[..], &["sweep.csv".to_owned()]].concat());
 }

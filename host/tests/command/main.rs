@@ -1,6 +1,7 @@
 //! The `smartbed` program as its users run it: answers, messages, exit statuses.
 
 mod bed;
+mod bed_manual;
 mod browser;
 mod check_and_derive;
 mod driven;

@@ -9,6 +9,7 @@
 
 mod arguments;
 mod models;
+mod plans;
 mod random;
 mod scenes;
 mod states;

@@ -81,13 +81,14 @@ const KEYS: [&str; 24] = [
     "gravity",
 ];
 
-fn mutated(text: &str, random: &mut Random) -> String {
+/// A text with one to three of its lines changed.
+pub fn mutated(text: &str, random: &mut Random, keys: &[&str], values: &[&str]) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     for _ in 0..1 + random.below(3) {
         let at = random.below(lines.len());
         match random.below(6) {
             0 => lines[at].clear(),
-            1 => lines.insert(at, format!("{} = {}", random.of(&KEYS), random.of(&VALUES))),
+            1 => lines.insert(at, format!("{} = {}", random.of(keys), random.of(values))),
             2 => {
                 let line = lines[at].clone();
                 lines.push(line);
@@ -100,7 +101,7 @@ fn mutated(text: &str, random: &mut Random) -> String {
             }
             _ => {
                 if let Some((key, _)) = lines[at].split_once('=') {
-                    lines[at] = format!("{}= {}", key, random.of(&VALUES));
+                    lines[at] = format!("{}= {}", key, random.of(values));
                 }
             }
         }
@@ -119,7 +120,7 @@ fn fuzzed_worlds_are_read_or_refused_with_their_place() {
     let (mut refused, mut stepped) = (0, 0);
     for case in 0..cases {
         let mut random = Random::new(case);
-        let text = mutated(&texts[random.below(texts.len())], &mut random);
+        let text = mutated(&texts[random.below(texts.len())], &mut random, &KEYS, &VALUES);
         let found = match read::parse("fuzz.toml", &text, &[], &|name| find(name).map_err(|e| e.to_string()))
         {
             Err(found) => {

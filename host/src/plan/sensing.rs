@@ -1,0 +1,118 @@
+//! `[sensors]`: the surface that a bed is read by, and what it reads of a run.
+
+use crate::world::read::value::{Bound, number};
+use smartbed_bed::plan::run::History;
+use smartbed_bed::sensor::fine;
+use smartbed_bed::sensor::reader::{Quality, Reader, error};
+use smartbed_bed::sensor::site::Site;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::Table;
+
+/// Most sites of a finer grid.
+const MOST_SITES: f64 = 4e6;
+
+/// A surface of sensors.
+#[derive(Clone, Debug)]
+pub struct Sensing {
+    /// One of its sites.
+    pub site: Site,
+    /// Reads maps.
+    pub reader: Reader,
+    /// Of all noise.
+    pub seed: u64,
+    /// Distance of sites (m); none for one a node.
+    pub pitch: Option<f64>,
+    /// Moisture (%) and pH of the skin.
+    pub skin: [f64; 2],
+}
+
+/// What a surface reads of a run.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// Rows and columns of sites.
+    pub grid: [usize; 2],
+    /// Sum of |read - true| over the sum of the true map, in the last frame.
+    pub error: f64,
+    /// Moisture (%) and pH.
+    pub skin: [f64; 2],
+    /// kg of sensors on the bed.
+    pub mass: f64,
+}
+
+/// Reads `[sensors]`.
+pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<Sensing> {
+    let fields = Fields::of("sensors", table.span, table);
+    let (usual, quality) = (Site::default(), Quality::default());
+    let mut get = |key: &'static str, of: &str, bound: Bound, left_out: f64| {
+        number(&fields, key, of, bound, found).unwrap_or(left_out)
+    };
+    let site = Site {
+        mass: get("mass", "kg", Bound::NotNegative, usual.mass),
+        thickness: get("thickness", "m", Bound::Positive, usual.thickness),
+        gap: get("gap", "m", Bound::Positive, usual.gap),
+        moduli: [
+            get("modulus", "Pa", Bound::Positive, usual.moduli[0]),
+            get("shear_modulus", "Pa", Bound::Positive, usual.moduli[1]),
+        ],
+        ..usual
+    };
+    let seed = get("seed", "", Bound::NotNegative, quality.seed as f64) as u64;
+    let quality = Quality {
+        noise: get("noise", "", Bound::Share, quality.noise),
+        step: get("step", "", Bound::Share, quality.step),
+        drift: get("drift", "", Bound::Share, quality.drift),
+        seed,
+    };
+    let skin = [get("moisture", "", Bound::NotNegative, 30.0), get("ph", "", Bound::Positive, 5.0)];
+    let pitch = number(&fields, "pitch", "m", Bound::Positive, found);
+    fields.finish(found);
+    let mut refuse = |what: String, help: &str| {
+        found.push(Diagnostic::error(what).label(table.span, "of these sensors").help(help));
+        None
+    };
+    if pitch.is_some_and(|pitch| bed / (pitch * pitch) > MOST_SITES) {
+        return refuse(format!("sensors of more than {MOST_SITES:.0e} sites"), "pitch = \"1_mm\", or more");
+    }
+    if skin[0] > 100.0 || !(3.0..=9.0).contains(&skin[1]) {
+        return refuse("skin has a moisture of 0 to 100 % and a pH of 3 to 9".to_owned(), "moisture = 30");
+    }
+    // Two substrates and the gap lie above each other.
+    if site.thickness < site.gap + site.shear.height + site.moisture.height {
+        return refuse(
+            "sensors thinner than what is in them".to_owned(),
+            "thickness = \"10_mm\", or a smaller `gap`",
+        );
+    }
+    match Reader::new(&site, quality) {
+        Ok(reader) => Some(Sensing { site, reader, seed, pitch, skin }),
+        Err(_) => {
+            refuse("these sensors do not tell loads apart".to_owned(), "a softer spacer: a lower `modulus`")
+        }
+    }
+}
+
+impl Sensing {
+    /// What is read of the last frame, on the sensors' own grid.
+    #[must_use]
+    pub fn of(&self, history: &History) -> Option<Read> {
+        let (number, last) =
+            (history.sensels.frames().len().checked_sub(1)?, history.sensels.frames().last()?);
+        let sites = history.sensels.sites();
+        let (grid, sites, truth) = match self.pitch {
+            None => (history.grid, sites.to_vec(), last.clone()),
+            Some(pitch) => {
+                let parts = fine::parts(&history.grid, pitch);
+                let finer = fine::grid(&history.grid, parts);
+                (finer, finer.all(), fine::frame(&history.grid, sites, last, parts))
+            }
+        };
+        let read = self.reader.frame(number as u64, &truth);
+        Some(Read {
+            grid: [grid.rows, grid.columns],
+            error: error(&sites, &truth.pressure, &read.pressure),
+            skin: self.reader.skin(number as u64, last.time, self.skin),
+            mass: self.site.mass * grid.sites() as f64,
+        })
+    }
+}

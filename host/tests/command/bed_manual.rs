@@ -1,0 +1,134 @@
+//! docs/bed.md against the program: its commands run, every key of a plan stands in it and every key in it is read; every
+//! refusal of a plan has its row in docs/guide/every-error.md.
+
+use crate::guide::{messages, run_page, same};
+use smartbed::plan::{checked, parse};
+use smartbed_bed::equilibrium::Fault;
+use smartbed_bed::plan::check::Refusal;
+use smartbed_bed::plan::run::RunError;
+use smartbed_bed::policy::Bounds;
+use std::collections::BTreeSet;
+
+const MANUAL: &str = include_str!("../../../docs/bed.md");
+
+#[test]
+fn the_manuals_commands_run() {
+    assert!(run_page("bed", MANUAL) >= 4);
+}
+
+/// Keys of the manual's table as `table.key`; several of one row share its table.
+fn told() -> BTreeSet<String> {
+    let part = MANUAL.split("\n## Every key").nth(1).and_then(|rest| rest.split("\n## ").next());
+    let rows = part.expect("keys").lines().filter(|line| line.starts_with("| `"));
+    let mut keys = BTreeSet::new();
+    for row in rows {
+        let cell = row.trim_matches('|').split(" | ").next().expect("a cell");
+        let mut table = String::new();
+        for word in cell.split('`').skip(1).step_by(2) {
+            let word = word.trim_matches(['[', ']']);
+            match word.rsplit_once('.') {
+                Some(("", key)) => drop(keys.insert(format!("{table}.{key}"))),
+                Some((name, _)) => {
+                    table = name.to_owned();
+                    keys.insert(word.to_owned());
+                }
+                None if ["move", "sweep"].contains(&word) => table = word.to_owned(),
+                None if table.is_empty() => drop(keys.insert(word.to_owned())),
+                None => drop(keys.insert(format!("{table}.{word}"))),
+            }
+        }
+    }
+    keys
+}
+
+/// Keys that the program reads in a table, as its refusal of an unknown one lists them.
+fn read(table: &str, text: &str) -> Vec<String> {
+    let found =
+        parse("plan.toml", &format!("format = 1\n{text}"), &[]).expect_err("an unknown key").to_string();
+    let list = found.split("fields here are ").nth(1).unwrap_or_else(|| panic!("no list in {found}"));
+    list.lines().next().expect("a line").split(", ").map(|key| format!("{table}.{key}")).collect()
+}
+
+#[test]
+fn every_key_of_a_plan_is_in_the_manual() {
+    let tables = [
+        ("bed", "[bed]\nzzzzzzzzzzzz = 1"),
+        ("patient", "[patient]\nzzzzzzzzzzzz = 1"),
+        ("load", "[load]\nshape = \"cylinder\"\nradius = 1\nmass = 1\nlength = 1\nzzzzzzzzzzzz = 1"),
+        ("load", "[load]\nshape = \"plate\"\nradius = 1\nmass = 1\nsize = [1, 1, 1]\nzzzzzzzzzzzz = 1"),
+        ("move", "[[move]]\ntiles = \"all\"\nheave = 0\nzzzzzzzzzzzz = 1"),
+        ("alternating", "[alternating]\nlow = 1\nzzzzzzzzzzzz = 1"),
+        ("sensors", "[sensors]\nzzzzzzzzzzzz = 1"),
+        ("policy", "[policy]\nkind = \"planner\"\nzzzzzzzzzzzz = 1"),
+        ("run", "[run]\nzzzzzzzzzzzz = 1"),
+        ("", "zzzzzzzzzzzz = 1"),
+    ];
+    let mut all: BTreeSet<String> = tables.iter().flat_map(|(table, text)| read(table, text)).collect();
+    // Tables stand there by their keys.
+    let names: Vec<String> = tables.iter().map(|(table, _)| format!(".{table}")).collect();
+    all.retain(|key| !names.contains(key) && key != ".sweep");
+    let all: BTreeSet<String> = all.into_iter().map(|key| key.trim_start_matches('.').to_owned()).collect();
+    assert_eq!(told(), all);
+}
+
+/// What is said of a plan of one tile with these lines.
+fn refusal(text: &str) -> String {
+    let text = format!("format = 1\n{text}");
+    match parse("plan.toml", &text, &[]) {
+        Ok(read) => checked("plan.toml", read).expect_err(&text),
+        Err(found) => {
+            let said = found.to_string();
+            said.lines().next().and_then(|line| line.strip_prefix("error: ")).expect("an error").to_owned()
+        }
+    }
+}
+
+#[test]
+fn every_refusal_of_a_plan_has_its_cause_and_cure() {
+    let moved = |words: &str| format!("[[move]]\ntiles = \"all\"\nat = 10\n{words}\n[run]\nseconds = 60");
+    let texts = [
+        "zzzzzzzzzz = 1".to_owned(),
+        "[bed]\nrows = 0".to_owned(),
+        "[bed]\npressure = -1".to_owned(),
+        "[bed]\nrows = 9".to_owned(),
+        "[bed]\ngap = 1".to_owned(),
+        "[bed]\nrows = 7\nintervals = [80, 100]".to_owned(),
+        "[bed]\nintervals = [1, 1]".to_owned(),
+        "[bed]\nintervals = [8, 30]".to_owned(),
+        "[run]\nseconds = 1e9".to_owned(),
+        "[alternating]\nlow = 1\ncycle = 1\n[run]\nseconds = 1e5".to_owned(),
+        "[alternating]\nlow = 1\ncycle = 10\n[run]\nseconds = 9e4\nevery = 1".to_owned(),
+        "[alternating]\nhigh = 1".to_owned(),
+        "[load]\nshape = \"bowl\"".to_owned(),
+        "[patient]\n[load]\nshape = \"ball\"".to_owned(),
+        "[patient]\nmass = 5".to_owned(),
+        "[patient.joints]\n\"left knee\" = [\"30_deg\", 0, 0]".to_owned(),
+        "[patient.joints]\n\"left knie\" = [0, 0, 0]".to_owned(),
+        moved("over = 1"),
+        moved("tilt = [\"60_deg\", 0]"),
+        "[[move]]\ntiles = [29]\nheave = 0".to_owned(),
+        "[[move]]\ntiles = \"some\"\nheave = 0".to_owned(),
+        moved("heave = \"40_mm\"\nover = 20"),
+        moved("heave = \"20_mm\"\nover = 1"),
+        moved("pressure = \"20_kPa\""),
+        "[[move]]\ntiles = [1]\nover = 20\nheave = \"25_mm\"\n[run]\nseconds = 60".to_owned(),
+        "[[move]]\ntiles = [1]\nover = 20\ntilt = [\"4_deg\", 0]\n[run]\nseconds = 60".to_owned(),
+        "[patient]\n[bed]\npressure = 100".to_owned(),
+        "[sensors]\npitch = 1e-4".to_owned(),
+        "[sensors]\nph = 12".to_owned(),
+        "[sensors]\nthickness = \"1_mm\"".to_owned(),
+        "[sensors]\nmodulus = 1e30".to_owned(),
+        "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
+    ];
+    let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
+    let faults = [Fault::Collapsed(3, -1e-3), Fault::NotFound(1.0, 2.0)];
+    let runs = faults.map(|fault| RunError::Fault(10.0, fault)).into_iter();
+    found.extend(runs.chain([RunError::Invalid(10.0, 1e-3)]).map(|error| error.to_string()));
+    let bounds =
+        [(1, 1.2), (4, 9.0)].map(|(most_low, support)| Bounds { most_low, support, ..Bounds::default() });
+    found.extend(bounds.map(|bounds| {
+        let what = bounds.of(&[1e3, 1e3, 5e3], &[0.05; 3], 200.0).expect_err("beyond a bound");
+        Refusal { time: 10.0, tile: None, what }.to_string()
+    }));
+    same(&found, &messages("## Plans of the bed", None));
+}
