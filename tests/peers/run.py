@@ -22,6 +22,8 @@ VENV = ROOT / "target" / "peers-venv"
 # Package on the index by module.
 PACKAGES = {"numpy": "numpy", "gmpy2": "gmpy2", "scipy": "scipy", "casadi": "casadi", "sympy": "sympy", "symforce": "symforce",
             "pinocchio": "pin", "mujoco": "mujoco", "exudyn": "exudyn"}
+# Those of sheets alone.
+SHEET_PACKAGES = {"numpy": "numpy", "numba": "numba", "warp": "warp-lang", "mujoco": "mujoco"}
 
 
 def prepare(modules=tuple(PACKAGES)):
@@ -29,7 +31,8 @@ def prepare(modules=tuple(PACKAGES)):
     python = VENV / "bin" / "python"
     if not python.exists():
         venv.create(VENV, with_pip=True)
-    for module, package in ((module, PACKAGES[module]) for module in modules):
+    known = PACKAGES | SHEET_PACKAGES
+    for module, package in ((module, known[module]) for module in modules):
         if subprocess.run([python, "-c", f"import {module}"], capture_output=True).returncode:
             print(f"installing {package} ...", flush=True)
             done = subprocess.run([python, "-m", "pip", "install", "-q", package], capture_output=True, text=True)
