@@ -48,7 +48,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
         facets: &FACETS,
         inflation: INFLATION,
         massless: Massless { points: &MASSLESS, first: &LINKS_FROM, springs: &LINKS },
-        grid: None,
+        grids: &[],
     };
     let system = System::restricted(Body::new(body)?, GROUND);
     let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];

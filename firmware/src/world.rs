@@ -53,7 +53,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
         facets: &FACETS,
         inflation: None,
         massless: Massless::default(),
-        grid: None,
+        grids: &[],
     };
     let (mut pos, mut vel) = (POS, [[0.0; 3]; NODES]);
     let [mut elastic, mut viscous] = [[[0.0; 3]; NODES]; 2];

@@ -143,7 +143,7 @@ fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
         facets: &lists.facets,
         inflation: None,
         massless: smartbed_runtime::flexible::Massless::default(),
-        grid: None,
+        grids: &[],
     };
     enclosed_volume(body.facets, pos)
 }

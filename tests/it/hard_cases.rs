@@ -240,7 +240,7 @@ fn one_node_a_hundred_million_f32_steps() {
         facets: &[],
         inflation: None,
         massless: Massless::default(),
-        grid: None,
+        grids: &[],
     })
     .expect("body");
     let system = System::new(body, None);

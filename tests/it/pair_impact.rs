@@ -69,7 +69,7 @@ fn random_pairs_conserve() {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         })
         .expect("body");
         let before = totals(&mass, &pos, &vel);
@@ -117,7 +117,7 @@ fn two_springs_head_on_are_each_the_others_ground() {
         facets: &[],
         inflation: None,
         massless: Massless::default(),
-        grid: None,
+        grids: &[],
     })
     .expect("body");
     let pos = [[0.0; 3], [0.0, 0.0, 1.0], [0.0; 3], [0.0, 0.0, -1.0]];

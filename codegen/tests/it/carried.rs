@@ -299,7 +299,7 @@ fn joined(carrier: &Program, fabric: &Fabric, run: impl Fn(&mut OnTile<'_>, &mut
         facets: &[],
         inflation: None,
         massless: Massless::default(),
-        grid: None,
+        grids: &[],
     })
     .expect("a body");
     let attach = |(node, place): (usize, &[f64; 3])| Attachment { node, port: 0, place: *place };

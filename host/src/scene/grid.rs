@@ -10,6 +10,9 @@ use smartbed_runtime::real::Scalar;
 
 use super::lists::Lists;
 
+/// Shorter rows leave most of a register's work undone: their springs and facets are faster as lists (`docs/performance.md`).
+const SHORTEST: usize = 12;
+
 /// Numbers of the nodes row by row, none where the grid has a hole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
@@ -26,28 +29,30 @@ pub struct Woven<S> {
     rows: usize,
     runs: Vec<Run>,
     starts: Vec<usize>,
-    right: [Vec<S>; 2],
-    up: [Vec<S>; 2],
+    right: [Vec<S>; 3],
+    up: [Vec<S>; 3],
     mass: Vec<S>,
     cells: Vec<S>,
-    facets: usize,
-    is_damped: bool,
+    nodes: [usize; 2],
+    springs: [usize; 2],
+    facets: [usize; 2],
 }
 
 impl<S: Scalar> Woven<S> {
-    /// Finds springs and facets of the lists in their table; none if there is no table, or a node or
-    /// spring elsewhere.
-    pub fn new(lists: &Lists) -> Option<Self> {
-        let Table { columns, nodes } = lists.table.as_ref()?;
+    /// Finds springs and facets of the lists in their table, numbers of nodes, springs and facets counted from those given;
+    /// none if there is no table, or rows too short to gain, or a spring elsewhere, or a node between those of the table.
+    pub fn new(lists: &Lists, [node, spring, facet]: [usize; 3]) -> Option<Self> {
+        let Table { columns, nodes } = lists.table.as_ref().filter(|table| table.columns >= SHORTEST)?;
         let (columns, rows) = (*columns, nodes.len() / *columns);
         let place: BTreeMap<usize, usize> =
             nodes.iter().enumerate().filter_map(|(place, node)| Some(((*node)?, place))).collect();
-        if place.len() != lists.points.len() {
+        let (first, last) = (*place.first_key_value()?.0, *place.last_key_value()?.0);
+        if place.len() != last + 1 - first {
             return None;
         }
         let in_rows = |place: usize| place / columns * pitch(columns) + place % columns;
         let mut taken = vec![[false; 2]; nodes.len()];
-        let mut families = [(); 2].map(|()| [(); 2].map(|()| vec![S::ZERO; rows * pitch(columns)]));
+        let mut families = [(); 2].map(|()| [(); 3].map(|()| vec![S::ZERO; rows * pitch(columns)]));
         for (number, [tail, head]) in lists.springs.iter().enumerate() {
             let (tail, head) = (*place.get(tail)?, *place.get(head)?);
             let family = match head.checked_sub(tail)? {
@@ -59,8 +64,9 @@ impl<S: Scalar> Woven<S> {
             if std::mem::replace(&mut taken[tail][family], true) {
                 return None;
             }
-            let [stiffness, rest_length] = &mut families[family];
+            let [stiffness, rest_length, damping] = &mut families[family];
             let tail = in_rows(tail);
+            damping[tail] = S::from_f64(*lists.damping.get(number)?);
             stiffness[tail] = S::from_f64(*lists.stiffness.get(number)?);
             rest_length[tail] = S::from_f64(*lists.rest_lengths.get(number)?);
         }
@@ -69,25 +75,34 @@ impl<S: Scalar> Woven<S> {
         for (node, place) in &place {
             mass[in_rows(*place)] = S::from_f64(lists.masses[*node]);
         }
-        let (runs, starts) = runs(nodes, columns);
+        let (mut runs, starts) = runs(nodes, columns);
+        runs.iter_mut().for_each(|run| run.node += node);
+        if lists.damping.iter().all(|c| *c == 0.0) {
+            families.iter_mut().for_each(|[_, _, damping]| damping.clear());
+        }
         let [right, up] = families;
-        let is_damped = lists.damping.iter().any(|c| *c > 0.0);
-        Some(Woven { columns, rows, runs, starts, mass, right, up, cells, facets, is_damped })
+        let nodes = [node + first, node + last + 1];
+        let springs = [spring, spring + lists.springs.len()];
+        let facets = [facet, facet + facets];
+        Some(Woven { columns, rows, runs, starts, mass, right, up, cells, nodes, springs, facets })
     }
 
     /// The grid.
-    pub fn view(&self) -> Grid<'_, S> {
+    pub fn view<'s>(&'s self) -> Grid<'s, S> {
+        let family =
+            |[stiffness, rest_length, damping]: &'s [Vec<S>; 3]| Family { stiffness, rest_length, damping };
         Grid {
             columns: self.columns,
             rows: self.rows,
             runs: &self.runs,
             starts: &self.starts,
-            right: Family { stiffness: &self.right[0], rest_length: &self.right[1] },
-            up: Family { stiffness: &self.up[0], rest_length: &self.up[1] },
+            right: family(&self.right),
+            up: family(&self.up),
             mass: &self.mass,
             cells: &self.cells,
+            nodes: self.nodes,
+            springs: self.springs,
             facets: self.facets,
-            is_damped: self.is_damped,
         }
     }
 }

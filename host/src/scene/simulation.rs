@@ -113,7 +113,7 @@ impl<S: Scalar> Simulation<S> {
         let springs: Vec<Spring<S>> = (0..lists.springs.len()).map(spring).collect();
         let mut simulation = Simulation {
             massless: Links::new(&mass, &springs),
-            grid: Woven::new(lists),
+            grid: Woven::new(lists, [0; 3]),
             mass,
             fixed: lists.fixed.clone(),
             inverse_mass: Vec::new(),
@@ -158,6 +158,7 @@ impl<S: Scalar> Simulation<S> {
         self.motions[0][..places.len()].copy_from_slice(&places);
     }
 
+    /// The body as its lists: what is asked once takes springs and facets one by one.
     fn body(&self) -> Body<'_, S> {
         Body {
             mass: &self.mass,
@@ -169,7 +170,7 @@ impl<S: Scalar> Simulation<S> {
             facets: &self.facets,
             inflation: self.inflation,
             massless: self.massless.view(),
-            grid: self.grid.as_ref().map(Woven::view),
+            grids: &[],
         }
     }
 
@@ -191,6 +192,7 @@ impl<S: Scalar> Simulation<S> {
         work: impl for<'a> FnOnce(&System<S>, &mut State<'a, S>, &mut Workspace<'a, S>) -> Result<R, BodyError<S>>,
     ) -> Result<R, BodyError<S>> {
         let n = self.mass.len();
+        let grid = self.grid.as_ref().map(Woven::view);
         let body = Body {
             mass: &self.mass,
             fixed: &self.fixed,
@@ -201,7 +203,7 @@ impl<S: Scalar> Simulation<S> {
             facets: &self.facets,
             inflation: self.inflation,
             massless: self.massless.view(),
-            grid: self.grid.as_ref().map(Woven::view),
+            grids: grid.as_slice(),
         };
         let system = System::new(body, self.ground);
         let [motion, end] = &mut self.motions;

@@ -7,3 +7,4 @@ mod rigid;
 mod runs;
 mod support;
 mod touching;
+mod woven;

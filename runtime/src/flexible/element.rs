@@ -4,7 +4,7 @@
 //! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
 
 use super::block::{Pulls, Pushes};
-use super::grid::{Grid, Weave};
+use super::grid::{Damp, Grid, Weave, beside};
 use super::{Body, BodyError, Inflation, Spring, mean, pressure};
 use crate::kernel;
 use crate::ode::nodes::Way;
@@ -128,8 +128,8 @@ pub struct Elements<'a, S> {
     pub springs: &'a [Spring<S>],
     /// Gas.
     pub filled: Option<Filled<'a, S>>,
-    /// Springs and facets as a grid, on a machine that lays numbers side by side.
-    pub grid: Option<Grid<'a, S>>,
+    /// Springs and facets as grids, on a machine that lays numbers side by side.
+    pub grids: &'a [Grid<'a, S>],
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
@@ -140,37 +140,70 @@ impl<'a, S: Scalar> Body<'a, S> {
         Elements {
             springs: self.springs,
             filled: self.inflation.map(|inflation| Filled { facets, inflation }),
-            grid: if cfg!(target_os = "none") { None } else { self.grid },
+            grids: if cfg!(target_os = "none") { &[] } else { self.grids },
         }
     }
 }
 
 impl<S: Scalar> Elements<'_, S> {
-    /// Writes the forces of positions (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas.
+    /// Writes the forces of positions (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas; of grids
+    /// those that are `ours`, the others' nodes are left alone.
     ///
     /// # Errors
     /// Where a gas law has no volume left, or the gas has stretched a spring beyond [`pressure::STRETCH_LIMIT`].
     pub fn eval_elastic(
         &self,
         (mass, gravity): (&[S], Vec3<S>),
+        ours: impl Fn(&Grid<S>) -> bool,
         pos: &[Vec3<S>],
         force: &mut [Vec3<S>],
     ) -> Result<(), BodyError<S>> {
         let pressure = self.filled.map_or(Ok(S::ZERO), |filled| pressure::of(&filled, pos))?;
         let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
-        let (runaway, done) = match &self.grid {
-            Some(grid) => (kernel::run(Weave { grid, pressure: gas, pos, gravity, force }), grid.facets),
-            None => {
-                for (f, m) in force.iter_mut().zip(mass) {
-                    *f = vec3::scale(gravity, *m);
-                }
-                (kernel::run(Pulls { springs: self.springs, pos, force }), 0)
-            }
-        };
+        let mut runaway = self.eval_beside_grids((mass, gravity), pos, force);
+        for grid in self.grids.iter().filter(|grid| ours(grid)) {
+            runaway |= kernel::run(Weave { grid, pressure: gas, pos, gravity, force });
+        }
         let Some(filled) = self.filled else { return Ok(()) };
-        let facets = filled.facets.get(done..).unwrap_or_default();
-        kernel::run(Pushes { facets, form: filled.inflation.form, pressure, pos, force });
+        for facets in beside(self.grids, |grid| grid.facets, filled.facets.len()) {
+            let facets = filled.facets.get(facets).unwrap_or_default();
+            kernel::run(Pushes { facets, form: filled.inflation.form, pressure, pos, force });
+        }
         if runaway { pressure::runaway(&filled, self.springs, pos) } else { Ok(()) }
+    }
+
+    /// Writes weight and springs' forces on the nodes of no grid; returns whether a spring has run away.
+    fn eval_beside_grids(
+        &self,
+        (mass, gravity): (&[S], Vec3<S>),
+        pos: &[Vec3<S>],
+        force: &mut [Vec3<S>],
+    ) -> bool {
+        for nodes in beside(self.grids, |grid| grid.nodes, mass.len()) {
+            let force = force.get_mut(nodes.clone()).unwrap_or_default();
+            for (f, m) in force.iter_mut().zip(mass.get(nodes).unwrap_or_default()) {
+                *f = vec3::scale(gravity, *m);
+            }
+        }
+        let mut runaway = false;
+        for springs in beside(self.grids, |grid| grid.springs, self.springs.len()) {
+            let springs = self.springs.get(springs).unwrap_or_default();
+            runaway |= kernel::run(Pulls { springs, pos, force });
+        }
+        runaway
+    }
+
+    /// Writes the forces of speeds (N): air, then dampers.
+    pub fn eval_viscous(&self, air_drag: S, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
+        for (f, v) in force.iter_mut().zip(vel) {
+            *f = vec3::scale(*v, -air_drag);
+        }
+        for springs in beside(self.grids, |grid| grid.springs, self.springs.len()) {
+            self.springs.get(springs).unwrap_or_default().add_viscous(pos, vel, force);
+        }
+        for grid in self.grids.iter().filter(|grid| grid.is_damped()) {
+            kernel::run(Damp { grid, pos, vel, air_drag, force });
+        }
     }
 }
 
@@ -193,7 +226,9 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
     }
 
     fn is_damped(&self) -> bool {
-        self.springs.is_damped()
+        let mut beside = beside(self.grids, |grid| grid.springs, self.springs.len());
+        self.grids.iter().any(Grid::is_damped)
+            || beside.any(|springs| self.springs.get(springs).unwrap_or_default().is_damped())
     }
 
     fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {

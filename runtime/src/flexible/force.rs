@@ -20,7 +20,7 @@ pub fn eval_elastic<S: Scalar>(
     pos: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) -> Result<(), BodyError<S>> {
-    elements.eval_elastic((body.mass, body.gravity), pos, force)
+    elements.eval_elastic((body.mass, body.gravity), |_| true, pos, force)
 }
 
 /// Forces of speeds: air, then the elements (N).
@@ -31,10 +31,7 @@ pub fn eval_viscous<S: Scalar>(
     vel: &[Vec3<S>],
     force: &mut [Vec3<S>],
 ) {
-    for (f, v) in force.iter_mut().zip(vel) {
-        *f = vec3::scale(*v, -body.air_drag);
-    }
-    elements.add_viscous(pos, vel, force);
+    elements.eval_viscous(body.air_drag, pos, vel, force);
 }
 
 /// Mean forces over a step (energy-momentum method): gravity and air, then the elements (N).

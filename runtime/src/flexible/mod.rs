@@ -42,8 +42,8 @@ pub struct Body<'a, S> {
     pub inflation: Option<Inflation<S>>,
     /// The points of mass 0 that are not fixed.
     pub massless: Massless<'a>,
-    /// The same springs and facets as a grid, where they are one: forces then take a fraction of the time.
-    pub grid: Option<Grid<'a, S>>,
+    /// Springs and facets that form grids once more, in the order of the lists: their forces then take a fraction of the time.
+    pub grids: &'a [Grid<'a, S>],
 }
 
 /// The massless points with the springs of each, so that none has to look through all springs.
@@ -191,7 +191,7 @@ impl<'a, S: Scalar> Body<'a, S> {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         }
     }
 
@@ -228,8 +228,7 @@ impl<'a, S: Scalar> Body<'a, S> {
     /// True where some force depends on speeds.
     #[must_use]
     pub fn is_damped(&self) -> bool {
-        let springs = || self.elements().is_damped();
-        self.air_drag > S::ZERO || self.grid.map_or_else(springs, |grid| grid.is_damped)
+        self.air_drag > S::ZERO || self.elements().is_damped()
     }
 }
 

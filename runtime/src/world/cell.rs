@@ -3,7 +3,9 @@
 //! In: facets by number, a regulated gas or a sealed one, positions. Out: forces p dV/dx at the corners, potential. The
 //! volume is that of the facets, wherever they stand: closed surfaces do not see the origin.
 
+use crate::flexible::Body;
 use crate::flexible::block::Pushes;
+use crate::flexible::grid::{Grid, Weave};
 use crate::flexible::pressure::{PressureForm, enclosed_volume};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
 use crate::kernel;
@@ -73,20 +75,36 @@ impl<S: Scalar> Cell<S> {
         enclosed_volume(self.of(facets).unwrap_or_default(), pos)
     }
 
-    /// Adds the forces on the corners (N).
+    /// Whether the facets of a grid are among its own.
+    pub(super) fn holds(&self, grid: &Grid<S>) -> bool {
+        let ([first, end], [own_first, own_end]) = (grid.facets, self.facets);
+        first < end && own_first <= first && end <= own_end
+    }
+
+    /// Adds the forces on the corners (N); those on grids of the body are written, with all that acts there.
     pub(super) fn add_force(
         &self,
-        facets: &[[usize; 4]],
+        body: &Body<S>,
+        grids: &[Grid<S>],
         pos: &[Vec3<S>],
         force: &mut [Vec3<S>],
     ) -> Result<(), Fault> {
-        let own = self.of(facets).unwrap_or_default();
         let volume = match self.content {
             Content::Regulated(_) => S::ZERO,
-            Content::Sealed { .. } => enclosed_volume(own, pos),
+            Content::Sealed { .. } => self.volume(body.facets, pos),
         };
         let pressure = self.content.gauge_pressure(volume).map_err(|_| Fault::NonFinite)?;
-        kernel::run(Pushes { facets: own, form: self.form, pressure, pos, force });
+        let (form, gravity, [mut first, end]) = (self.form, body.gravity, self.facets);
+        let push = |from: usize, to: usize, force: &mut [Vec3<S>]| {
+            let facets = body.facets.get(from..to).unwrap_or_default();
+            kernel::run(Pushes { facets, form, pressure, pos, force });
+        };
+        for grid in grids.iter().filter(|grid| self.holds(grid)) {
+            kernel::run(Weave { grid, pressure: Some((form, pressure)), pos, gravity, force });
+            push(first, grid.facets[0], force);
+            first = grid.facets[1];
+        }
+        push(first, end, force);
         Ok(())
     }
 

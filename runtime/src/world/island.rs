@@ -12,6 +12,7 @@ use super::cell::Cell;
 use super::inertia::Inertias;
 use crate::flexible::element::Element;
 use crate::flexible::energy::{Energies, eval_energies};
+use crate::flexible::grid::Grid;
 use crate::flexible::{Body, force};
 use crate::mechanism::Fault;
 use crate::ode::Ode;
@@ -116,11 +117,13 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// With gas in closed parts of the facets.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if a cell names facets that do not exist.
+    /// [`Fault::Shape`] if a cell names facets that do not exist, or those of a grid have a gas of the body already.
     pub fn with_cells(mut self, cells: &'a [Cell<S>]) -> Result<Self, Fault> {
         self.cells = cells;
         let known = cells.iter().all(|cell| cell.of(self.body.facets).is_some());
-        if known { Ok(self) } else { Err(Fault::Shape) }
+        let held = |grid: &Grid<S>| cells.iter().any(|cell| cell.holds(grid));
+        let twice = self.body.inflation.is_some() && self.body.grids.iter().any(held);
+        if known && !twice { Ok(self) } else { Err(Fault::Shape) }
     }
 
     /// Nodes that move by forces: neither fixed nor attached.
@@ -205,10 +208,13 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
     /// Forces on the nodes placed last, and the wrenches on the ports.
     pub(super) fn load_seams(&mut self) -> Result<(), Fault> {
         let (elements, memory) = (self.body.elements(), &mut self.memory);
-        let forces = force::eval_elastic(&self.body, &elements, memory.pos, memory.elastic);
+        // A grid's sums are written at once, with the gas of its cell: before anything is added to them.
+        let weights = (self.body.mass, self.body.gravity);
+        let alone = |grid: &Grid<S>| !self.cells.iter().any(|cell| cell.holds(grid));
+        let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
         for cell in self.cells {
-            cell.add_force(self.body.facets, memory.pos, memory.elastic)?;
+            cell.add_force(&self.body, elements.grids, memory.pos, memory.elastic)?;
         }
         force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
         memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());

@@ -96,7 +96,7 @@ impl Trial {
             facets: &[],
             inflation: None,
             massless: Massless { points: &[], first: &[0], springs: &[] },
-            grid: None,
+            grids: &[],
         }
     }
 
@@ -363,7 +363,7 @@ fn a_point_and_a_facet_rebound_by_their_masses() {
         facets: &[],
         inflation: None,
         massless: Massless { points: &[], first: &[0], springs: &[] },
-        grid: None,
+        grids: &[],
     };
     let weights = [0.72, 0.18, 0.08, 0.02];
     let touch = Touch { point: 0, corners: [1, 2, 3, 4], weights, normal: [0.0, 0.0, 1.0] };
@@ -530,7 +530,7 @@ fn a_tolerance_below_rounding_shortens_no_step() {
         facets: &[],
         inflation: None,
         massless: Massless { points: &[], first: &[0], springs: &[] },
-        grid: None,
+        grids: &[],
     };
     let work_at = |tolerance: f32| {
         let method = Method::Dop853(Dop853 { tolerance, longest: 10.0 });

@@ -80,7 +80,7 @@ impl Pair {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         }
     }
 

@@ -49,7 +49,7 @@ impl Lists {
             facets: &self.facets,
             inflation: self.inflation,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         });
         let memory = Memory { pos: &mut self.pos, vel: &mut self.vel, elastic, viscous, frames, wrenches };
         Island::new(carrier, body.expect("a body"), &self.attachments, memory).expect("an island")
@@ -453,7 +453,7 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
         facets: &lists.facets,
         inflation: None,
         massless: Massless::default(),
-        grid: None,
+        grids: &[],
     };
     let memory = Memory {
         pos: &mut lists.pos,
@@ -508,7 +508,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
             facets: &[],
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         };
         let memory = Memory {
             pos: &mut lists.pos,

@@ -22,7 +22,7 @@ fn hung(springs: &[Spring<f64>]) -> Body<'_, f64> {
         inverse_mass: &[],
         springs,
         massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
-        grid: None,
+        grids: &[],
         ..Body::none()
     }
 }

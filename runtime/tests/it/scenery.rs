@@ -257,7 +257,7 @@ impl Scene {
             facets: &self.facets,
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids: &[],
         };
         let body = if n == 0 { Ok(Body::none()) } else { Body::new(candidate) };
         let group = Group { members: &mut self.parts };

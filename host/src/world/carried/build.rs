@@ -3,6 +3,7 @@
 //! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
 
 use super::{CarriedWorld, Fixed, Place, Room, words};
+use crate::scene::grid::Woven;
 use crate::scene::{Lists, Simulation, Surroundings};
 use crate::suggest;
 use crate::world::assembly::{Assembly, Kind, Rigid};
@@ -136,6 +137,7 @@ impl CarriedWorld {
             let (first, first_facet, fixed) =
                 (self.fixed.mass.len(), self.fixed.facets.len(), &mut self.fixed);
             let lists = &body.lists;
+            fixed.grids.extend(Woven::new(lists, [first, fixed.springs.len(), first_facet]));
             fixed.mass.extend(&lists.masses);
             fixed.held.extend(&lists.fixed);
             fixed.springs.extend(springs(lists, first));

@@ -15,7 +15,9 @@ use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
 use super::touching::Touching;
+use crate::scene::grid::Woven;
 pub use build::METHODS;
+use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, Ode, State};
@@ -31,6 +33,7 @@ struct Fixed {
     held: Vec<bool>,
     springs: Vec<Spring<f64>>,
     facets: Vec<[usize; 4]>,
+    grids: Vec<Woven<f64>>,
     cells: Vec<Cell<f64>>,
     attachments: Vec<Attachment<f64>>,
     gravity: Vec3<f64>,
@@ -151,7 +154,8 @@ impl CarriedWorld {
             wrenches: &mut room.wrenches,
         };
         let group = Group { members: &mut self.carriers };
-        act(Island::new(group, fixed.body(), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
+        let grids: Vec<Grid<'_, f64>> = fixed.grids.iter().map(Woven::view).collect();
+        act(Island::new(group, fixed.body(&grids), &fixed.attachments, memory)?.with_cells(&fixed.cells)?)
     }
 
     /// Rates of a state; forces and wrenches of it are in memory then.
@@ -204,7 +208,7 @@ impl CarriedWorld {
 }
 
 impl Fixed {
-    fn body(&self) -> Body<'_, f64> {
+    fn body<'f>(&'f self, grids: &'f [Grid<'f, f64>]) -> Body<'f, f64> {
         Body {
             mass: &self.mass,
             fixed: &self.held,
@@ -215,7 +219,7 @@ impl Fixed {
             facets: &self.facets,
             inflation: None,
             massless: Massless::default(),
-            grid: None,
+            grids,
         }
     }
 }

@@ -1,0 +1,182 @@
+//! Forces of positions on a grid: weight, springs, pressure on its cells.
+//!
+//! In: a grid, the pressure, positions. Out: the sums of forces.
+
+use super::{FIRST, Grid, Row, Strip, WIDTH};
+use crate::flexible::pressure::{self, PressureForm, Weights};
+use crate::kernel::Kernel;
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// Writes the forces on the nodes of a grid (N), their weight among them; returns whether a spring has run away, see [`pressure::STRETCH_LIMIT`].
+#[derive(Debug)]
+pub struct Weave<'a, S> {
+    /// The grid.
+    pub grid: &'a Grid<'a, S>,
+    /// How pressure acts (Pa).
+    pub pressure: Option<(PressureForm, S)>,
+    /// Positions (m).
+    pub pos: &'a [Vec3<S>],
+    /// Acceleration of gravity (m/s^2).
+    pub gravity: Vec3<S>,
+    /// The sums.
+    pub force: &'a mut [Vec3<S>],
+}
+
+/// A row of nodes as its forces are computed, and what the row above needs of it.
+struct Line<S> {
+    /// Positions (m).
+    nodes: Row<S>,
+    /// Forces on the tails of the springs to the right (N).
+    right: Row<S>,
+    /// Forces on the tails of the springs upwards (N).
+    up: Row<S>,
+    /// Forces on the corners of the cells between this row and the one above (N).
+    cells: [Row<S>; 4],
+    /// Forces on the nodes (N).
+    sums: [Vec3<S>; WIDTH],
+}
+
+impl<S: Scalar> Line<S> {
+    fn zero() -> Self {
+        let row = Row::zero();
+        Line { nodes: row, right: row, up: row, cells: [row; 4], sums: [[S::ZERO; 3]; WIDTH] }
+    }
+}
+
+impl<S: Scalar> Kernel for Weave<'_, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(mut self) -> bool {
+        let (mut runaway, grid) = (false, self.grid);
+        for strip in Strip::all(grid.columns) {
+            let [mut even, mut odd] = [Line::zero(), Line::zero()];
+            strip.read(grid, 0, self.pos, &mut even.nodes);
+            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
+            for row in (0..=grid.rows).step_by(2) {
+                runaway |= self.row(&strip, row, &mut even, &mut odd);
+                runaway |= self.row(&strip, row + 1, &mut odd, &mut even);
+            }
+        }
+        runaway
+    }
+}
+
+impl<S: Scalar> Weave<'_, S> {
+    /// The forces on the nodes of a row; `next` holds what the row below has left and takes the nodes of the row above. The
+    /// sums of the row below are written: those just computed the processor would have to wait for.
+    #[inline(always)]
+    fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) -> bool {
+        let grid = self.grid;
+        strip.read(grid, row + 1, self.pos, &mut next.nodes);
+        let part = |list| strip.part(list, grid, row);
+        let mut runaway = false;
+        if let (Some(stiffness), Some(rest_length)) =
+            (part(grid.right.stiffness), part(grid.right.rest_length))
+        {
+            runaway |= pull(stiffness, rest_length, [&line.nodes, &line.nodes], 1, &mut line.right);
+        }
+        if let (Some((form, pressure)), Some(exists)) = (self.pressure, part(grid.cells)) {
+            push(form, exists, pressure, [&line.nodes, &next.nodes], &mut line.cells);
+        }
+        if let (Some(stiffness), Some(rest_length)) = (part(grid.up.stiffness), part(grid.up.rest_length)) {
+            runaway |= pull(stiffness, rest_length, [&line.nodes, &next.nodes], 0, &mut line.up);
+        }
+        if let Some(below) = row.checked_sub(1) {
+            strip.write(grid, below, &next.sums, self.force);
+        }
+        if let Some(mass) = part(grid.mass) {
+            match self.pressure {
+                Some(_) => sum::<S, true>(self.gravity, mass, line, next),
+                None => sum::<S, false>(self.gravity, mass, line, next),
+            }
+        }
+        runaway
+    }
+}
+
+/// Elastic forces (N) on the tails of a row's springs, which join a column of one row to one `further` of another.
+#[inline(always)]
+fn pull<S: Scalar>(
+    stiffness: &[S; WIDTH],
+    rest_length: &[S; WIDTH],
+    [tails, heads]: [&Row<S>; 2],
+    further: usize,
+    pulls: &mut Row<S>,
+) -> bool {
+    // A number as wide as a lane: a truth value would be taken out of its register.
+    let mut runaway = 0_u32;
+    for lane in 0..WIDTH {
+        let (tail, head) = (tails.get(FIRST + lane), heads.get(FIRST + lane + further));
+        let (direction, length) = vec3::direction(vec3::sub(head, tail));
+        let tension = stiffness[lane] * (length - rest_length[lane]);
+        pulls.set(FIRST + lane, vec3::scale(direction, tension));
+        runaway |= u32::from(pressure::is_runaway(rest_length[lane], length));
+    }
+    runaway > 0
+}
+
+/// Forces (N) on the corners of the cells between two rows. One loop a form: a choice within would be made lane by lane.
+#[inline(always)]
+fn push<S: Scalar>(
+    form: PressureForm,
+    exists: &[S; WIDTH],
+    pressure: S,
+    rows: [&Row<S>; 2],
+    cells: &mut [Row<S>; 4],
+) {
+    match form {
+        PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
+        _ => {
+            let weights = Weights::of_quad(form);
+            share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
+        }
+    }
+}
+
+/// Shares out the pressure on the cells between two rows.
+#[inline(always)]
+fn share<S: Scalar>(
+    shares: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
+    exists: &[S; WIDTH],
+    pressure: S,
+    [here, above]: [&Row<S>; 2],
+    [a, b, c, d]: &mut [Row<S>; 4],
+) {
+    // The force of a cell that does not exist is 0.
+    let pressures = exists.map(|exists| exists * pressure);
+    for left in FIRST..FIRST + WIDTH {
+        let right = left + 1;
+        let shares = shares([here.get(left), here.get(right), above.get(right), above.get(left)]);
+        let pressure = pressures[left - FIRST];
+        let [on_a, on_b, on_c, on_d] = shares.map(|share| vec3::scale(share, pressure));
+        a.set(left, on_a);
+        b.set(left, on_b);
+        c.set(left, on_c);
+        d.set(left, on_d);
+    }
+}
+
+/// Sums on the nodes of a row: weight, springs from the left and to the right, from below and upwards, then, where there
+/// is gas, the cells below (left, right) and above (left, right).
+#[inline(always)]
+fn sum<S: Scalar, const GAS: bool>(
+    gravity: Vec3<S>,
+    mass: &[S; WIDTH],
+    Line { up, right, cells: [a, b, _, _], sums, .. }: &mut Line<S>,
+    below: &Line<S>,
+) {
+    let [_, _, c, d] = &below.cells;
+    for lane in 0..WIDTH {
+        let (left, here) = (FIRST + lane - 1, FIRST + lane);
+        let mut sum = vec3::scale(gravity, mass[lane]);
+        sum = vec3::add(vec3::sub(sum, right.get(left)), right.get(here));
+        sum = vec3::add(vec3::sub(sum, below.up.get(here)), up.get(here));
+        if GAS {
+            sum = vec3::add(vec3::add(sum, c.get(left)), d.get(here));
+            sum = vec3::add(vec3::add(sum, b.get(left)), a.get(here));
+        }
+        sums[lane] = sum;
+    }
+}
