@@ -46,7 +46,6 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     let (mut x, n_q, masses, owners) = (world.vector(), world.split(), world.masses(), world.owners());
     let mut power = vec![0.0; owners.iter().max().map_or(0, |last| last + 1)];
     x[n_q..].fill(0.0);
-    let first = acceleration(world, &x, n_q).map_err(words)?;
     if world.fastest_frame() > STILL {
         return Err(
             "settle: a frame moves as commanded at the start; begin with a law that starts at rest, such as \
@@ -54,6 +53,11 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
                 .to_owned(),
         );
     }
+    if x.is_empty() {
+        // Time moves everything, and nothing moves yet.
+        return Ok(Settled { steps: 0, acceleration: 0.0 });
+    }
+    let first = acceleration(world, &x, n_q).map_err(words)?;
     let rest = REST * if world.gravity() > 0.0 { world.gravity() } else { first };
     let mut low = vec![0.0; x.len()];
     let mut left = first;

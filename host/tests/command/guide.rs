@@ -226,7 +226,7 @@ fn every_error_of_a_run_has_its_cause_and_cure() {
     }
     let bodies = bodies.iter().map(describe);
     let found: Vec<String> = faults.into_iter().chain(bodies).chain([no_number("spring")]).collect();
-    same(&found, &messages("## While it runs", Some("## Plans of the bed")));
+    same(&found, &messages("## While it runs", Some("## Scenes of format 2")));
 }
 
 #[test]

@@ -19,6 +19,7 @@ mod nonsense;
 mod reference;
 mod report;
 mod run;
+mod scene_errors;
 mod scene_manual;
 mod schema;
 mod settings;

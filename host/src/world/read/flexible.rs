@@ -38,6 +38,8 @@ const UNITS: [(&str, &str); 18] = [
     ("initial_velocity", "m/s"),
 ];
 
+/// Volume that counts as none (m^3).
+const FLAT: f64 = 1e-9;
 /// Temperature of gas unless it is given (K).
 const ROOM: f64 = 293.15;
 
@@ -218,18 +220,21 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Content<
     }
     let enclosed = volume(lists);
     let ambient = number(&fields, "ambient", "Pa", Bound::NotNegative, found).unwrap_or(101_325.0);
+    // A surface laid flat encloses nothing yet: regulated gas may blow it up.
+    let encloses = |volume: f64| volume > 0.0 || !sealed && volume > -FLAT;
+    let given = if sealed { number(&fields, "volume", "m^3", Bound::Positive, found) } else { None };
+    if !(encloses(given.unwrap_or(enclosed)) && ambient + gauge > 0.0) {
+        let error = Diagnostic::error("the gas has no volume or no pressure");
+        let label = format!("the facets enclose {enclosed:.3e} m^3");
+        let help = "facets go counter-clockwise seen from outside; or give the `volume` at which `gauge` holds; \
+                    gauge + ambient is above 0";
+        found.push(error.label(table.span, label).help(help));
+        return None;
+    }
     let content = if sealed {
         let exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(1.4);
         let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
-        let volume = number(&fields, "volume", "m^3", Bound::Positive, found).unwrap_or(enclosed);
-        if !(volume > 0.0 && ambient + gauge > 0.0) {
-            let error = Diagnostic::error("the gas has no volume or no pressure");
-            let label = format!("the facets enclose {enclosed:.3e} m^3");
-            let help = "facets go counter-clockwise seen from outside; or give the `volume` at which `gauge` holds; \
-                        gauge + ambient is above 0";
-            found.push(error.label(table.span, label).help(help));
-            return None;
-        }
+        let volume = given.unwrap_or(enclosed);
         let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient };
         let state = chamber.filled(Source { pressure: ambient + gauge, temperature }, volume);
         Content::Sealed { chamber, state }

@@ -1,0 +1,120 @@
+//! Every refusal of a scene of format 2 has its row in docs/guide/every-error.md.
+
+use crate::guide::{messages, same};
+use smartbed::world::read::parse;
+use smartbed::world::run::{engine, run};
+use std::path::{Path, PathBuf};
+
+const GROUND: &str = "[parts.ground]\nrigid = \"half_space\"\n";
+const TILE: &str = "[parts.tile]\nmechanism = \"tile_minimal\"\n";
+const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n";
+const HIGH: &str = "start = { height = 1 }\n";
+const SHEET: &str = "[parts.sheet]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\n";
+const CUBE: &str = "[parts.cube]\nshape = \"cube\"\nstart = { height = 1 }\n";
+
+fn find(name: &str) -> Result<PathBuf, String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(format!("{name}.toml"));
+    if path.is_file() { Ok(path) } else { Err(format!("no model `{name}`")) }
+}
+
+/// What is said of a scene with these lines: when it is read, assembled or run.
+fn refusal(lines: &str) -> String {
+    let text = format!("format = 2\n{lines}");
+    let assembly = match parse("scene.toml", &text, &[], &find) {
+        Ok(assembly) => assembly,
+        Err(found) => {
+            let said = found.to_string();
+            return said.lines().next().and_then(|l| l.strip_prefix("error: ")).expect("an error").to_owned();
+        }
+    };
+    let run = |engine: &mut dyn smartbed::world::engine::Engine| {
+        run::<String>(&assembly, engine, None, |_, _| Ok(()), |_| Ok(()))
+    };
+    match engine(&assembly) {
+        Ok(mut engine) => run(engine.as_mut()).map(|_| ()).expect_err(&text),
+        Err(said) => said,
+    }
+}
+
+/// A ball above the ground, and what is between them.
+fn pair(contact: &str) -> String {
+    format!("{GROUND}{BALL}{HIGH}[[contacts]]\nbetween = [\"ball\", \"ground\"]\n{contact}")
+}
+
+fn attached(items: &str) -> String {
+    format!("{TILE}{BALL}{HIGH}{SHEET}attach = {items}\n")
+}
+
+fn rigid(words: &str) -> String {
+    format!("[parts.a]\nrigid = \"box\"\nmass = 1\n{words}\n")
+}
+
+#[test]
+fn every_refusal_of_a_scene_has_its_cause_and_cure() {
+    let texts = [
+        // Read.
+        format!("zzzzzzzzzz = 1\n{GROUND}"),
+        "parts = {}".to_owned(),
+        format!("{GROUND}{BALL}friction = 1"),
+        "[parts.a]\nrigid = \"sphere\"\nradius = 1".to_owned(),
+        "[parts.a]\nrigid = \"sphere\"\nradius = \"1_kg\"\nmass = 1".to_owned(),
+        "[parts.a]\nrigid = \"ball\"\nradius = 1".to_owned(),
+        "[parts.a]\nmass = 1".to_owned(),
+        "[parts.\"a b\"]\nrigid = \"half_space\"".to_owned(),
+        "[parts.a]\nrigid = \"half_space\"\nfixed = false".to_owned(),
+        rigid("size = [1, 1, 0]"),
+        rigid("size = [1, 1, 1]\ninertia = [1, 1, 3]"),
+        rigid("size = [1, 1, 1]\nstart = { axis = [0, 0, 0], angle = 1 }"),
+        rigid("size = [1, 1, 1]\nfixed = true\nstart = { velocity = [1, 0, 0] }"),
+        rigid("size = [1, 1, 1]\ngrid = { count = [0, 4], pitch = [1, 1] }"),
+        format!("{GROUND}{BALL}"),
+        format!("{TILE}[parts.skin]\nrigid = \"sphere\"\nradius = 1\non = \"tile.top\""),
+        format!("{BALL}{HIGH}[parts.skin]\nrigid = \"sphere\"\nradius = 1\non = \"ball\""),
+        "[parts.a]\nmechanism = \"tyle\"".to_owned(),
+        format!("{TILE}command = {{ hA = \"1_kg\" }}"),
+        format!("{SHEET}corners = 3"),
+        format!("{SHEET}K = true"),
+        format!("{SHEET}gas = {{ gauge = \"4_kPa\" }}"),
+        format!("{CUBE}gas = {{ gauge = \"-200_kPa\" }}"),
+        "[parts.s]\nshape = \"sheet\"\nrows = 200\ncolumns = 200\ngrid = { count = [9, 9], pitch = [1, 1] }"
+            .to_owned(),
+        attached("[{ nodes = \"rim\", to = \"tille.platform\" }]"),
+        attached("[{ nodes = \"rim\", to = \"tile\" }]"),
+        attached("[{ nodes = \"rim\", to = \"ball.top\" }]"),
+        attached("[{ nodes = \"rim\", to = \"sheet\" }]"),
+        attached("[{ nodes = \"base\", to = \"ball\" }]"),
+        attached("[{ nodes = [99], to = \"ball\" }]"),
+        attached("[{ to = \"ball\" }]"),
+        pair(""),
+        pair("impact = \"newton\"\nfriction = 0.1"),
+        format!("{BALL}[[contacts]]\nbetween = [\"ball\", \"ball\"]\nimpact = \"plastic\""),
+        format!("{BALL}[[contacts]]\nbetween = [\"ball\"]\nimpact = \"plastic\""),
+        format!("{GROUND}[run]\nseconds = 1e9\nstep = 1e-9"),
+        format!("{TILE}[view]\ncolours = {{ tile = \"sky\" }}"),
+        // Assembled.
+        format!("{GROUND}{BALL}{HIGH}[run]\nmethod = \"rk4\""),
+        format!("{CUBE}[run]\nmethod = \"rk5\""),
+        format!("{CUBE}[run]\nstep = 1"),
+        format!("{TILE}{BALL}{HIGH}[[contacts]]\nbetween = [\"ball\", \"tile\"]\nimpact = \"plastic\""),
+        format!(
+            "{CUBE}{}",
+            pair("impact = \"plastic\"\n[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"")
+        ),
+        format!(
+            "{GROUND}{CUBE}[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"\n[run]\nmethod = \"rk4\""
+        ),
+        format!("{CUBE}air_drag = 1\n[parts.other]\nshape = \"cube\"\nstart = {{ height = 3 }}"),
+        // Run.
+        format!("{BALL}[run]\nstart = \"settled\""),
+        format!("{CUBE}[run]\nstart = \"settled\""),
+        format!("{BALL}[sensors.s]\nof = \"ball.w\""),
+        format!("{BALL}[sensors.s]\nof = \"ball.z\"\nperiod = \"1.5_ms\""),
+        format!(
+            "[parts.tile]\nmechanism = \"tile_minimal\"\ncommand = {{ {} }}\n{SHEET}attach = [{{ nodes = \"rim\", to = \"tile.platform\" }}]\n[run]\nstart = \"settled\"",
+            ["hA", "hB", "hC"].map(|height| format!("{height} = \"0.01_m*t/1_s\"")).join(", ")
+        ),
+    ];
+    let found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
+    found.iter().for_each(|said| println!("{said}"));
+    same(&found, &messages("## Scenes of format 2", Some("## Plans of the bed")));
+}
