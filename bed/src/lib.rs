@@ -15,5 +15,6 @@ pub mod policy;
 pub mod pose;
 pub mod sensor;
 pub mod sheet;
+pub mod soft;
 pub mod tile;
 pub mod tissue;

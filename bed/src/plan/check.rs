@@ -40,15 +40,33 @@ impl std::error::Error for Refusal {}
 /// # Errors
 /// [`Refusal`], the first.
 pub fn check(plan: &Plan) -> Result<(), Refusal> {
+    check_from(plan, 0.0)
+}
+
+/// Checks what a plan tells from a time (s) on, to the end of its last move: nothing changes behind that.
+///
+/// # Errors
+/// [`Refusal`], the first.
+pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
     let layout = &plan.layout;
-    let mut times = plan.times();
-    times.extend(plan.moves.iter().flat_map(|m| [m.at, m.at + m.over]));
-    times.retain(|t| *t <= plan.seconds);
+    let ends = || plan.moves.iter().flat_map(|m| [m.at, m.at + m.over]);
+    let last = ends().fold(from, f64::max).min(plan.seconds);
+    let mut times: Vec<f64> = plan.times().into_iter().chain(ends()).collect();
+    times.retain(|t| (from..=last).contains(t));
+    times.push(from);
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let mut before: Option<(f64, Vec<Order>)> = None;
+    let told = |plan: &Plan, time: f64| -> Vec<Order> {
+        (0..layout.count()).map(|tile| plan.order(tile, time)).collect()
+    };
+    // What jumps at `from` jumps from where it was; a plan may begin anywhere.
+    let mut before = (from > 0.0).then(|| {
+        let mut earlier = plan.clone();
+        earlier.moves.retain(|m| m.at < from);
+        (from, told(&earlier, from))
+    });
     for time in times {
-        let orders: Vec<Order> = (0..layout.count()).map(|tile| plan.order(tile, time)).collect();
+        let orders = told(plan, time);
         for (tile, order) in orders.iter().enumerate() {
             let refuse = |what: String| Refusal { time, tile: Some(tile + 1), what };
             of_tile(layout, order).map_err(refuse)?;

@@ -11,7 +11,7 @@ pub mod scheduled;
 pub use bounds::Bounds;
 
 use crate::map::{Frame, Grid, Site};
-use crate::plan::check::check;
+use crate::plan::check::check_from;
 use crate::plan::run::{self, History, RunError, Seen};
 use crate::plan::{Layout, Move, Order, Plan};
 use crate::sensor::reader::Reader;
@@ -78,7 +78,7 @@ pub fn run(
         let moves = policy.decide(&view);
         let told = seen.plan.with(&moves);
         if !moves.is_empty() {
-            check(&told)?;
+            check_from(&told, view.time)?;
         }
         bounds.check(&told, view.time, &areas, weight)?;
         Ok(moves)

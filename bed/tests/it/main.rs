@@ -9,3 +9,4 @@ mod policy;
 mod rest;
 mod sensor;
 mod sheet;
+mod soft;

@@ -84,7 +84,11 @@ fn the_planner_relieves_more_than_alternating_pressure_with_less_motion_within_i
 struct Once(Option<Move>);
 
 impl Policy for Once {
-    fn decide(&mut self, _: &View<'_>) -> Vec<Move> {
+    fn decide(&mut self, view: &View<'_>) -> Vec<Move> {
+        // A move that begins at once is told when time has begun to run.
+        if view.time < 5.0 && self.0.as_ref().is_some_and(|m| m.over == 0.0) {
+            return Vec::new();
+        }
         self.0.take().into_iter().collect()
     }
 }
@@ -115,6 +119,8 @@ fn a_policy_is_refused_by_name_before_a_tile_hears_of_it() {
     assert!(high.contains("its stroke allows 30.0 mm"), "{high}");
     let quick = say(Move { heave: Some(0.02), over: 1.0, ..told((0..28).collect()) }, usual);
     assert!(quick.contains("it goes 6.70 mm/s"), "{quick}");
+    let jump = say(Move { heave: Some(0.002), over: 0.0, ..told((0..28).collect()) }, usual);
+    assert!(jump.contains("mm/s, it goes 6.70 mm/s"), "{jump}");
     let step = say(Move { heave: Some(0.025), ..told(vec![9]) }, usual);
     assert!(step.contains("step of 25.0 mm"), "{step}");
 }

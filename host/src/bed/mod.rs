@@ -2,7 +2,9 @@
 //!
 //! In: a plan. Out: metrics as a table, as CSV or as one JSON object; maps as files of sensor makers; a page.
 
+mod film;
 mod page;
+mod words;
 
 use crate::failure::Failure;
 use crate::interrupt;
@@ -82,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 write(file, &csv(&metrics(&read, &history)))?;
             }
             if let Some(file) = &asked.map {
-                write(file, &map(file, &history)?)?;
+                write(file, &map(file, &read, &history)?)?;
             }
             if asked.csv.as_deref() == Some("-") {
                 return Ok(());
@@ -142,9 +144,13 @@ fn write(file: &str, text: &str) -> Result<(), Failure> {
     if file == "-" { output::print(text) } else { output::replace(Path::new(file), text) }
 }
 
-/// Maps over time in the format of the file's ending.
-fn map(file: &str, history: &History) -> Result<String, Failure> {
-    let mapped = Mapped { grid: history.grid, recording: history.sensels.clone() };
+/// Maps over time, as the plan's sensors read them if it has some, in the format of the file's ending.
+fn map(file: &str, read: &Read, history: &History) -> Result<String, Failure> {
+    let recording = match &read.sensors {
+        Some(sensors) => sensors.reader.recording(&history.sensels).map_err(|e| format!("{file}: {e}"))?,
+        None => history.sensels.clone(),
+    };
+    let mapped = Mapped { grid: history.grid, recording };
     let ending = file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
     match ending.as_str() {
         "csv" => Ok(xsensor::write(&mapped)),

@@ -1,12 +1,14 @@
-//! The page of a run: pressure and shear maps, tiles, a slider of time, metrics, without anything from outside.
+//! The page of a run: the bed in space, maps of pressure and shear, tiles, a slider of time, words and metrics, without
+//! anything from outside.
 //!
 //! In: plan, history, metrics. Out: HTML. What a plan says stands in it as text only: escaped in HTML, and as JSON in which
 //! `<` is written as an escape, so that none of it can end a script or begin one.
 
+use super::{film, words};
 use crate::number::json_string;
 use crate::plot::svg::escaped;
 use crate::template::filled;
-use smartbed_bed::map::MMHG;
+use crate::view::THREE;
 use smartbed_bed::metrics::DISCLAIMER;
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::plan::Plan;
@@ -14,49 +16,25 @@ use smartbed_bed::plan::run::History;
 use std::fmt::Write as _;
 
 const PAGE: &str = include_str!("page.html");
+const SCRIPT: &str = include_str!("page.js");
 
 /// The page's text.
 pub fn text(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]) -> String {
     let parts = [
         ("TITLE", escaped(&plan.title)),
-        ("WORDS", words(plan, history, metrics)),
+        ("PREVIEW", list(&words::preview(plan, history))),
+        ("REPORT", list(&words::report(plan, history))),
         ("METRICS", tables(metrics)),
-        ("NOTE", DISCLAIMER.to_owned()),
         ("DATA", data(plan, history)),
+        ("THREE", THREE.to_owned()),
+        ("SCRIPT", SCRIPT.to_owned()),
     ];
     filled(PAGE, &parts)
 }
 
-/// What happened, in plain words.
-fn words(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]) -> String {
-    let skin = metrics.iter().find(|(sites, _)| *sites == "skin").map_or(&[][..], |(_, rows)| rows);
-    let value = |place: &str, metric: &str| {
-        skin.iter().find(|r| r.place == place && r.metric == metric).and_then(|r| r.value)
-    };
-    let mut text = String::from("<ul>");
-    for place in ["occiput", "scapulae", "elbows", "sacrum", "ischia", "trochanters", "heels"] {
-        let (Some(peak), Some(always)) = (value(place, "peak pressure"), value(place, "always at risk"))
-        else {
-            continue;
-        };
-        let relief = value(place, "time below 30 mmHg").unwrap_or(0.0);
-        let _ = write!(
-            text,
-            "<li>{place}: {peak:.0} mmHg at the end; {relief:.0} % of the time below 30 mmHg on average; {always:.1} cm² of \
-             skin never relieved</li>"
-        );
-    }
-    let bottomed = history.moments.iter().filter(|m| m.bottomed.iter().any(|n| *n > 0)).count();
-    if bottomed > 0 {
-        let _ = write!(
-            text,
-            "<li>in {bottomed} of {} maps a bladder touches its plate</li>",
-            history.moments.len()
-        );
-    }
-    let moved = plan.moves.iter().flat_map(|m| &m.tiles).collect::<std::collections::BTreeSet<_>>().len();
-    let _ = write!(text, "<li>{moved} of {} tiles were told to change</li></ul>", plan.layout.count());
-    text
+fn list(lines: &[String]) -> String {
+    let lines: String = lines.iter().map(|line| format!("<li>{}</li>", escaped(line))).collect();
+    format!("<ul>{lines}</ul>")
 }
 
 fn tables(metrics: &[(&'static str, Vec<Row>)]) -> String {
@@ -77,28 +55,34 @@ fn tables(metrics: &[(&'static str, Vec<Row>)]) -> String {
     text
 }
 
-/// Maps in whole mmHg and tenths of kPa, tiles in kPa, mm and degrees.
+/// What does not move as JSON, frames as [`film::bytes`].
 fn data(plan: &Plan, history: &History) -> String {
-    let list =
-        |values: &mut dyn Iterator<Item = String>| format!("[{}]", values.collect::<Vec<_>>().join(","));
-    let frames = list(&mut history.sensels.frames().iter().zip(&history.moments).map(|(frame, moment)| {
-        let pressure = list(&mut frame.pressure.iter().map(|p| format!("{:.0}", p / MMHG)));
-        let shear = list(&mut frame.shear.iter().map(|s| format!("{:.0}", s[0].hypot(s[1]) / 100.0)));
-        let tiles = list(&mut moment.orders.iter().zip(&moment.gauges).map(|(order, gauge)| {
-            let tilt = order.command.tilt().to_degrees();
-            format!("[{:.2},{:.1},{tilt:.1}]", gauge / 1e3, 1e3 * order.command.heave)
-        }));
-        format!("{{\"t\":{},\"p\":{pressure},\"s\":{shear},\"k\":{tiles}}}", frame.time)
+    let joined = |values: &mut dyn Iterator<Item = String>| values.collect::<Vec<_>>().join(",");
+    let layout = &plan.layout;
+    let [across, along] = layout.shown();
+    let share =
+        |nodes: &[usize], n: usize| joined(&mut nodes.iter().map(|k| format!("{:.4}", *k as f64 / n as f64)));
+    let middles = joined(&mut (0..layout.count()).map(|tile| {
+        let [x, y] = layout.middle(tile);
+        format!("[{x:.4},{y:.4}]")
     }));
-    let grid = &history.grid;
-    let (rows, columns) = (plan.layout.rows, plan.layout.columns);
+    let segments = joined(&mut plan.load.body.segments.iter().map(|segment| {
+        let [a, b, c] = segment.shape.half;
+        format!("[{a:.4},{b:.4},{c:.4},{:.4}]", segment.shape.radius)
+    }));
+    let times = joined(&mut history.sensels.frames().iter().map(|frame| format!("{:.3}", frame.time)));
     let text = format!(
-        "{{\"title\":{},\"rows\":{},\"columns\":{},\"tiles\":[{rows},{columns}],\"pitch\":[{},{}],\"frames\":{frames}}}",
+        "{{\"title\":{},\"note\":{},\"tiles\":[{},{}],\"size\":[{},{}],\"middles\":[{middles}],\"across\":[{}],\"along\":[{}],\
+         \"segments\":[{segments}],\"times\":[{times}],\"frames\":\"{}\"}}",
         json_string(&plan.title),
-        grid.rows,
-        grid.columns,
-        grid.column_pitch,
-        grid.row_pitch
+        json_string(DISCLAIMER),
+        layout.rows,
+        layout.columns,
+        layout.size()[0],
+        layout.size()[1],
+        share(&across, layout.intervals[0]),
+        share(&along, layout.intervals[1]),
+        film::bytes(plan, history)
     );
     text.replace('<', "\\u003c")
 }

@@ -1,15 +1,18 @@
 //! `smartbed figure`: a figure of the thesis, made by one command.
 //!
-//! In: its number. Out: a picture. One table ([`FIGURES`]) says for every figure of chapters 2 to 5 how it is made, or
-//! what is still missing for it; `docs/figures.md` compares them with the thesis' captions.
+//! In: its number. Out: a picture. One table ([`FIGURES`]) says for every figure of chapters 2 to 5 how it is made;
+//! `docs/figures.md` compares them with the thesis' captions.
 
+mod bed;
 mod rest;
 mod rod;
+mod scheme;
 mod setting;
 
 use crate::failure::Failure;
 use crate::number::json_string;
 use crate::{output, plot, run};
+use scheme::Tile;
 use setting::name_of;
 use std::fmt::Write as _;
 
@@ -27,7 +30,7 @@ pub struct Arguments {
     /// The picture; .svg or .png [default: figure_N.M.svg].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
-    /// Changes a setting of the scene; of figure 4.1: e, height (m), mass (kg); of 4.2: e, mu, angle (deg), speed, slip
+    /// Changes a setting of the scene or plan; of figure 4.1: e, height (m), mass (kg); of 4.2: e, mu, angle (deg), speed, slip
     /// (m/s).
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -48,8 +51,23 @@ pub enum Recipe {
     Rest,
     /// Work over impulse of a rigid rod that strikes the ground.
     WorkImpulse,
-    /// It cannot be made yet: what is missing.
-    Missing(&'static str),
+    /// Four states of one bladder under a load.
+    Soft,
+    /// A patient on all tiles.
+    Human,
+    /// A scheme of the tile; no result.
+    Tile(Tile),
+    /// A scheme of a site of sensors.
+    Platform,
+    /// A scheme of four sites, with their bands.
+    Array,
+}
+
+impl Recipe {
+    /// Is it a scheme of the design, not a result?
+    fn is_scheme(self) -> bool {
+        matches!(self, Recipe::Tile(_) | Recipe::Platform | Recipe::Array)
+    }
 }
 
 /// A figure of the thesis.
@@ -69,7 +87,6 @@ const fn figure(number: &'static str, caption: &'static str, recipe: Recipe) -> 
 
 const UNDAMPED: &[&str] = &["C=0"];
 const DAMPED: &[&str] = &["C=10"];
-const SCHEME: Recipe = Recipe::Missing("a scheme, not a result; docs/notation.md has the frames and names");
 /// All tiles at one tilt; the ball's impact wants shorter steps than its lift.
 const TILTED: &[&str] = &[
     "parts.tile.command.hA=30_mm",
@@ -80,12 +97,12 @@ const TILTED: &[&str] = &[
 
 /// All figures of chapters 2 to 5.
 pub const FIGURES: [Figure; 37] = [
-    figure("2.1", "Soft Manipulation on Flexible Bladder", Recipe::Run("ball_on_bladder", &[])),
-    figure("2.2", "Tile Design", SCHEME),
-    figure("2.3", "Tile Frame Assignment", SCHEME),
-    figure("2.4", "Constrained System", SCHEME),
+    figure("2.1", "Soft Manipulation on Flexible Bladder", Recipe::Soft),
+    figure("2.2", "Tile Design", Recipe::Tile(Tile::Design)),
+    figure("2.3", "Tile Frame Assignment", Recipe::Tile(Tile::Frames)),
+    figure("2.4", "Constrained System", Recipe::Tile(Tile::Loops)),
     figure("2.5", "Bed Tilt", Recipe::Run("bed", TILTED)),
-    figure("2.6", "Bed with Human", Recipe::Missing("needs a human on the bed of 28 tiles")),
+    figure("2.6", "Bed with Human", Recipe::Human),
     figure("3.1", "Discretized Plate", Recipe::Run("bladder", &[])),
     figure("3.2", "Spring Mass Damper", Recipe::Run("damper_mass_fixed_end", &[])),
     figure("3.3", "Spring Loaded Pendulum", Recipe::Run("spring_loaded_pendulum", &[])),
@@ -93,8 +110,8 @@ pub const FIGURES: [Figure; 37] = [
     figure("3.5", "Point mass constrained by 4 springs", Recipe::Run("mass_on_4_springs", &[])),
     figure("3.6", "Pressurized Mesh", Recipe::Run("bladder", &[])),
     figure("3.7", "Pressure in mesh", Recipe::Run("bladder", &[])),
-    figure("3.8", "Configuration of Sensor Platform", SCHEME),
-    figure("3.9", "Sensor Array", SCHEME),
+    figure("3.8", "Configuration of Sensor Platform", Recipe::Platform),
+    figure("3.9", "Sensor Array", Recipe::Array),
     figure("4.1", "Contact", Recipe::Rest),
     figure("4.2", "Rigid Body Work Plot", Recipe::WorkImpulse),
     figure("4.3", "Impact Phenomenon", Recipe::Run("single_spring", &["C=0", "seconds=0.6"])),
@@ -135,8 +152,20 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.output.clone().unwrap_or_else(|| format!("figure_{number}.svg"));
     plot::format_of(&file)?;
     match figure.recipe {
-        Recipe::Missing(what) => {
-            return Err(Failure::Wrong(format!("figure {number} ({}): {what}", figure.caption)));
+        recipe if recipe.is_scheme() && !arguments.set.is_empty() => {
+            return Err(Failure::Wrong(format!("figure {number} is a scheme: it has no settings")));
+        }
+        Recipe::Tile(what) => plot::write(&file, &scheme::tile(what))?,
+        Recipe::Platform => plot::write(&file, &scheme::platform())?,
+        Recipe::Array => plot::write(&file, &scheme::array())?,
+        Recipe::Human => plot::write(&file, &bed::human(&arguments.set)?)?,
+        Recipe::Soft => {
+            let (drawing, claims) = bed::soft(&arguments.set)?;
+            plot::write(&file, &drawing)?;
+            for claim in claims.iter().filter(|_| !arguments.json) {
+                let verdict = if claim.holds { "shown" } else { "refuted" };
+                output::print(&format!("{verdict}: {} ({})\n", claim.says, claim.found))?;
+            }
         }
         Recipe::Run(model, settings) => {
             let set = settings.iter().map(|s| (*s).to_owned());
@@ -166,12 +195,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// All figures as one line of JSON.
 fn list_json() -> String {
     let one = |figure: &Figure| {
-        let missing = match figure.recipe {
-            Recipe::Missing(what) => json_string(what),
-            _ => "null".to_owned(),
-        };
+        let is_scheme = figure.recipe.is_scheme();
         let caption = json_string(figure.caption);
-        format!("{{\"figure\": \"{}\", \"caption\": {caption}, \"missing\": {missing}}}", figure.number)
+        format!("{{\"figure\": \"{}\", \"caption\": {caption}, \"scheme\": {is_scheme}}}", figure.number)
     };
     format!("{{\"figures\": [{}]}}\n", FIGURES.iter().map(one).collect::<Vec<_>>().join(", "))
 }
@@ -185,7 +211,9 @@ fn list() -> String {
             Recipe::Run(model, settings) => format!("run {model} --set {}", settings.join(" --set ")),
             Recipe::Rest => "a rigid ball comes to rest".to_owned(),
             Recipe::WorkImpulse => "a rod strikes the ground".to_owned(),
-            Recipe::Missing(what) => format!("not made: {what}"),
+            Recipe::Soft => "plan soft_manipulation, stiff, deflated, tilted, both".to_owned(),
+            Recipe::Human => "plan alternating at rest".to_owned(),
+            Recipe::Tile(_) | Recipe::Platform | Recipe::Array => "a scheme, not a result".to_owned(),
         };
         let _ = writeln!(text, "{number:<5} {caption:<44} {how}");
     }

@@ -105,38 +105,60 @@ impl Case {
     }
 }
 
-/// The table of all cases: a column for each key of the sweep and each metric that any case has.
-pub fn table(all: &[Case], folder: &Path) -> Result<String, Failure> {
-    let mut read = Vec::new();
-    let mut names: Vec<String> = Vec::new();
-    for case in all {
-        let file = case.file(folder);
-        let text =
-            input::text(&file.display().to_string()).map_err(|e| format!("{}: {e}", file.display()))?;
-        let value: serde_json::Value =
-            serde_json::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
-        let metrics = value["metrics"].as_object().cloned().unwrap_or_default();
-        for name in metrics.keys() {
-            if !names.contains(name) {
-                names.push(name.clone());
+/// A table of all cases: a column for each key of the sweep and each metric that any case has.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Keys of the sweep.
+    pub keys: Vec<String>,
+    /// Metrics.
+    pub metrics: Vec<String>,
+    /// Values of the keys and numbers of the metrics, case by case; empty where a case has none.
+    pub rows: Vec<[Vec<String>; 2]>,
+}
+
+impl Table {
+    /// Reads the files of all cases.
+    pub fn read(all: &[Case], folder: &Path) -> Result<Table, Failure> {
+        let (mut read, mut metrics) = (Vec::new(), Vec::new());
+        for case in all {
+            let file = case.file(folder);
+            let text =
+                input::text(&file.display().to_string()).map_err(|e| format!("{}: {e}", file.display()))?;
+            let value: serde_json::Value =
+                serde_json::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+            let own = value["metrics"].as_object().cloned().unwrap_or_default();
+            for name in own.keys().filter(|name| !metrics.contains(*name)).cloned().collect::<Vec<String>>() {
+                metrics.push(name);
             }
+            read.push(own);
         }
-        read.push(metrics);
+        let row = |(case, own): (&Case, &serde_json::Map<String, serde_json::Value>)| {
+            let values = case.values.iter().map(|(_, value)| value.trim_matches('"').to_owned());
+            let number = |name: &String| match own.get(name) {
+                Some(serde_json::Value::Number(x)) => x.to_string(),
+                _ => String::new(),
+            };
+            [values.collect(), metrics.iter().map(number).collect()]
+        };
+        let rows = all.iter().zip(&read).map(row).collect();
+        let keys =
+            all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| key.clone()).collect();
+        Ok(Table { keys, metrics, rows })
     }
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let keys = all.first().map_or(&[][..], |case| &case.values).iter().map(|(key, _)| quoted(key));
-    let mut text = std::iter::once("case".to_owned()).chain(keys).chain(names.iter().map(|n| quoted(n)));
-    let mut lines = vec![text.by_ref().collect::<Vec<_>>().join(",")];
-    for (case, metrics) in all.iter().zip(&read) {
-        let values = case.values.iter().map(|(_, value)| quoted(value.trim_matches('"')));
-        let numbers = names.iter().map(|name| match &metrics.get(name) {
-            Some(serde_json::Value::Number(x)) => x.to_string(),
-            _ => String::new(),
-        });
-        let cells = std::iter::once((case.number + 1).to_string()).chain(values).chain(numbers);
-        lines.push(cells.collect::<Vec<_>>().join(","));
+
+    /// As CSV.
+    pub fn csv(&self) -> String {
+        let quoted = |text: &String| format!("\"{}\"", text.replace('"', "\"\""));
+        let head =
+            std::iter::once("case".to_owned()).chain(self.keys.iter().chain(&self.metrics).map(quoted));
+        let mut text = head.collect::<Vec<_>>().join(",") + "\n";
+        for (number, [values, numbers]) in self.rows.iter().enumerate() {
+            let values = values.iter().map(quoted).chain(numbers.iter().cloned());
+            let cells = std::iter::once((number + 1).to_string()).chain(values);
+            text += &(cells.collect::<Vec<_>>().join(",") + "\n");
+        }
+        text
     }
-    Ok(lines.join("\n") + "\n")
 }
 
 /// What a run that was killed left half written of these cases.

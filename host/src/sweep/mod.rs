@@ -5,12 +5,13 @@
 //! or not at all, and a case whose file is there is not computed again. Shards take every n-th case.
 
 mod case;
+mod page;
 
 use crate::failure::Failure;
 use crate::plan::PlanFile;
 use crate::progress::Progress;
 use crate::{interrupt, output};
-use case::{Case, cases};
+use case::{Case, Table, cases};
 use smartbed_bed::equilibrium::side_by_side;
 use std::path::Path;
 use std::sync::Mutex;
@@ -21,7 +22,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 #[command(after_help = "Examples:
   cargo smartbed sweep ball_on_four -o sweep
   cargo smartbed sweep ball_on_four -o sweep --shard 2/4
-  cargo smartbed sweep ball_on_four -o sweep --merge")]
+  cargo smartbed sweep ball_on_four -o sweep --merge --page sweep.html")]
 pub struct Arguments {
     /// The plan: a path, or a name under models/plans.
     pub plan: String,
@@ -34,6 +35,9 @@ pub struct Arguments {
     /// Put the table together from the cases that are there; compute nothing.
     #[arg(long)]
     pub merge: bool,
+    /// A page that compares all cases, once all are there.
+    #[arg(long, value_name = "FILE.html")]
+    pub page: Option<String>,
     /// Processors to use; all unless given.
     #[arg(long, value_name = "COUNT")]
     pub cores: Option<usize>,
@@ -69,8 +73,11 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             )),
         };
     }
-    let table = folder.join("sweep.csv");
-    output::replace(&table, &case::table(&all, folder)?)?;
+    let (table, found) = (folder.join("sweep.csv"), Table::read(&all, folder)?);
+    output::replace(&table, &found.csv())?;
+    if let Some(page) = &arguments.page {
+        output::replace(Path::new(page), &page::text(&arguments.plan, &found))?;
+    }
     output::print(&format!("{}: {}\n", table.display(), smartbed_codegen::words::count(all.len(), "case")))
 }
 
