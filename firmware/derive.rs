@@ -1,8 +1,7 @@
 //! The equations that a build needs: the model's with its demonstration, and those of the tile that the controller is tried on.
 
 use super::option;
-use smartbed_codegen::model::{Model, StartRef};
-use smartbed_codegen::{Effort, Options, Program, ScalarType};
+use smartbed_codegen::{Effort, Options, ScalarType};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -41,46 +40,10 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
     if env::var_os("CARGO_FEATURE_EVERYTHING").is_some() {
         options.parameters.keep = read.parameters.iter().map(|p| p.name.clone()).collect();
     }
-    let has_law = !read.laws.is_empty();
-    if has_law {
-        options.answers = vec!["law".to_owned()];
-    }
     let (_, program) = smartbed_codegen::build_program(model, &options);
-    let start = start(&read, &program)?;
-    let alias = format!(
-        "/// The equations of motion with their parameters.\npub type Model = {};\n",
-        smartbed_codegen::rust::struct_name(&program)
-    );
-    let text = alias + &start + &command(has_law);
-    fs::write(out.join("model.rs"), text)?;
+    program.start()?;
+    fs::write(out.join("model.rs"), command(!read.laws.is_empty()))?;
     Ok(())
-}
-
-/// The model's `[start]`: coordinates on the constraints, and the independent speeds; what it leaves out is nominal, or 0.
-fn start(model: &Model, program: &Program) -> Result<String, Box<dyn Error>> {
-    let (mut q, mut u) = (program.nominal.clone(), vec![0.0; program.u.len()]);
-    for (owner, value) in &model.start {
-        let (list, numbers, name) = match owner {
-            StartRef::Coordinate(id) => (&program.q, &mut q, &model.coordinates[*id].name),
-            StartRef::Speed(id) => (&program.u, &mut u, &model.speeds[*id].name),
-        };
-        if let Some(place) = list.iter().position(|quantity| quantity.name == *name) {
-            numbers[place] = *value;
-        }
-    }
-    if q != program.nominal {
-        let mut assembly = program.assembly.clone();
-        q = assembly
-            .continue_to(&program.nominal, &q)
-            .map_err(|e| format!("[start] cannot be assembled: {e}"))?;
-    }
-    let list = |numbers: &[f64]| numbers.iter().map(|x| format!("{}f32, ", *x as f32)).collect::<String>();
-    Ok(format!(
-        "/// Coordinates at the model's start.\npub const START_Q: [f32; NQ] = [{}];\n\
-         /// Independent speeds at the model's start.\npub const START_U: [f32; NU] = [{}];\n",
-        list(&q),
-        list(&u)
-    ))
 }
 
 /// The model's law as a function of the state; without one the inputs stay as they are.

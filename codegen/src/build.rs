@@ -35,9 +35,28 @@ pub fn generate(path: &Path, options: &Options) -> Result<String, Diagnostics> {
     Ok(rust::emit(&program, &options.emit))
 }
 
+/// An emitted file, and what it was made from.
+#[derive(Clone, Debug)]
+pub struct Generated {
+    /// Formatted Rust.
+    pub text: String,
+    /// The model and the files that it extends, from the folder.
+    pub files: Vec<PathBuf>,
+}
+
+/// [`generate`] of a model in a folder that no message names, with the files that were read.
+///
+/// # Errors
+/// As [`generate`].
+pub fn generate_in(folder: &Path, path: &str, options: &Options) -> Result<Generated, Diagnostics> {
+    let model = model::read_in(folder, Path::new(path))?;
+    let files = model.source.files.iter().map(|file| PathBuf::from(&file.path)).collect();
+    Ok(Generated { text: rust::emit(&derived(&model, options)?, &options.emit), files })
+}
+
 /// All stages between reading and emitting.
 fn derived(model: &Model, options: &Options) -> Result<Program, Diagnostics> {
-    let asked = asked(&options.answers).map_err(failure)?;
+    let asked = Asked::complete(model, functions(&options.answers).map_err(failure)?);
     let program = program::derive_asked(model, &options.parameters, options.settings, &asked)?;
     // What a scalar cannot hold would be emitted as an infinity.
     if let Some(why) = program.beyond_single().filter(|_| options.emit.scalar.is_single()) {
@@ -47,12 +66,8 @@ fn derived(model: &Model, options: &Options) -> Result<Program, Diagnostics> {
 }
 
 /// Functions besides those of every mechanism: one an entry, `answers`, `answers_2` and so on where it asks for several.
-fn asked(entries: &[String]) -> Result<Asked, String> {
-    let mut functions = Vec::new();
-    for entry in entries {
-        functions.push(Function::parse(entry, functions.len())?);
-    }
-    Ok(Asked::besides(functions))
+fn functions(entries: &[String]) -> Result<Vec<Function>, String> {
+    entries.iter().enumerate().map(|(place, entry)| Function::parse(entry, place)).collect()
 }
 
 /// For build scripts: derives the model at `path` into `OUT_DIR` and returns the file written.
@@ -68,11 +83,11 @@ pub fn build_program(path: impl AsRef<Path>, options: &Options) -> (PathBuf, Pro
     match try_build(path.as_ref(), options) {
         Ok(built) => built,
         Err(errors) => {
-            eprintln!("{errors}");
+            // Cargo shows these lines once and stops; what else a script that fails has written it would show again.
             for line in errors.to_string().lines() {
                 println!("cargo::error={line}");
             }
-            std::process::exit(1);
+            std::process::exit(0);
         }
     }
 }

@@ -51,6 +51,7 @@
 pub mod escape;
 pub mod expr;
 pub mod id;
+pub mod section;
 pub mod source;
 pub mod words;
 
@@ -70,7 +71,7 @@ pub mod rust;
 
 mod build;
 
-pub use build::{Options, build, build_program, generate, try_build};
+pub use build::{Generated, Options, build, build_program, generate, generate_in, try_build};
 pub use diagnostic::Diagnostics;
 pub use kinematics::ParameterChoice;
 pub use program::answer::{Answer, Asked, Function, Request};

@@ -29,6 +29,14 @@ pub struct Source {
     pub files: Arc<Vec<File>>,
 }
 
+impl File {
+    /// The last part of its path: what is written of it elsewhere, so that no text depends on where the model lies.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.path.rsplit(['/', '\\']).next().unwrap_or(&self.path)
+    }
+}
+
 impl Source {
     /// A source of one file.
     #[must_use]
@@ -51,5 +59,21 @@ impl Source {
             before.as_bytes().chunks(u8::MAX.into()).map(|part| usize::from(breaks(part))).sum::<usize>() + 1;
         let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
         (line, column)
+    }
+
+    /// File and line of the start of `span`, such as `tile.toml:11`.
+    #[must_use]
+    pub fn place(&self, span: Span) -> String {
+        let file = self.files.get(span.file as usize).map_or("", File::name);
+        format!("{file}:{}", self.line_column(span).0)
+    }
+
+    /// FNV-1a, 64 bits, of the text of all files.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        let bytes = self.files.iter().flat_map(|file| file.text.bytes());
+        bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
     }
 }

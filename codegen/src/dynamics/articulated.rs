@@ -16,10 +16,11 @@ use super::spatial::Wrench;
 use super::tree::{self, Node};
 use super::{Unprojected, active_force, shared_axis};
 use crate::expr::tape::SampleTable;
-use crate::expr::{Dag, ExprId};
+use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind, derivative_of};
 use crate::model::Model;
+use crate::section::Section;
 use crate::vector::{Components, cross_components, dot_components, turn_components};
 use std::collections::BTreeMap;
 
@@ -112,7 +113,7 @@ pub(super) fn derive(
             return None;
         }
         if !k.dag.is_constant(pivot) {
-            k.dag.name(pivot, &format!("pivot_{row}"));
+            k.dag.label(pivot, Label::named(Section::Inertia, format!("pivot_{row}")));
             pivots.push(pivot_of(&k.dag, table, pivot));
         }
     }

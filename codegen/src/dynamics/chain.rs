@@ -19,12 +19,13 @@
 use super::segment::Segment;
 use super::{Unprojected, active_force, inertia_force};
 use crate::expr::tape::SampleTable;
-use crate::expr::{Binary, Dag, ExprId, Node};
+use crate::expr::{Binary, Dag, ExprId, Label, Node};
 use crate::id::Id;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::kinematics::sparse::{self, Equation, Screening, Values};
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
+use crate::section::Section;
 use crate::vector::{Components, TriadId, Vector};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -75,7 +76,8 @@ fn name(k: &mut Kinematics, segments: &[Segment], values: &Values) {
     for (s, segment) in segments.iter().enumerate() {
         for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
             if let Some(value) = values.get(&force(k, s, axis)) {
-                k.dag.name(value[0], &format!("force_{}_{letter}", segment.name));
+                let name = format!("force_{}_{letter}", segment.name);
+                k.dag.label(value[0], Label::named(Section::Forces, name));
             }
         }
     }

@@ -36,10 +36,11 @@ pub(crate) use power::powers;
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
-use crate::expr::{Dag, ExprId, SymbolId};
+use crate::expr::{Dag, ExprId, Label, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::model::Model;
+use crate::section::Section;
 use given::Given;
 use reduce::Reduced;
 use rustc_hash::FxHashMap as HashMap;
@@ -142,7 +143,7 @@ pub fn derive(
         of_ties.map_or(power, |part| k.dag.sub(power, part))
     });
     if let Some(power) = drive {
-        k.dag.name(power, "drive");
+        k.dag.label(power, Label::named(Section::Results, "drive"));
     }
     Ok(Dynamics {
         mass_matrix,
@@ -276,7 +277,7 @@ pub(crate) fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap
     for step in solution.steps.iter().rev() {
         let terms: Vec<_> = step.coefficients.iter().map(|(z, &c)| k.dag.mul(c, values[z])).collect();
         let value = k.dag.sum(&terms);
-        k.dag.name(value, &k.unknowns[step.unknown].name);
+        k.dag.label(value, Label::named(Section::Velocities, &*k.unknowns[step.unknown].name));
         values.insert(step.unknown, value);
         if let Some(symbol) = k.dag.as_symbol(k.unknowns[step.unknown].value) {
             by_symbol.insert(symbol, value);

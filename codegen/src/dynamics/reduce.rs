@@ -11,9 +11,10 @@
 
 use super::Unprojected;
 use crate::expr::number::Number;
-use crate::expr::{Dag, ExprId};
+use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Solution, Step};
 use crate::kinematics::{Kinematics, UnknownId};
+use crate::section::Section;
 use std::collections::BTreeMap;
 
 /// The equations of the independent speeds, M u' = forcing.
@@ -28,7 +29,7 @@ pub(super) struct Reduced {
 pub(super) fn reduce(k: &mut Kinematics, solution: &Solution, mut parts: Unprojected) -> Reduced {
     for step in &solution.steps {
         eliminate(&mut k.dag, &mut parts, step);
-        name_step(k, step);
+        label_step(k, step);
     }
     let independent = k.independent_unknowns();
     let zero = k.dag.zero();
@@ -43,9 +44,9 @@ pub(super) fn reduce(k: &mut Kinematics, solution: &Solution, mut parts: Unproje
         let name = k.unknowns[*a].name.clone();
         for (j, b) in independent.iter().enumerate().skip(i) {
             let name = format!("mass_{name}_{}", k.unknowns[*b].name);
-            k.dag.name(mass[i][j], &name);
+            k.dag.label(mass[i][j], Label::named(Section::Inertia, name));
         }
-        k.dag.name(forcing[i], &format!("forcing_{name}"));
+        k.dag.label(forcing[i], Label::named(Section::Forces, format!("forcing_{name}")));
     }
     Reduced { mass, forcing, drive }
 }
@@ -108,12 +109,11 @@ fn add_masses(
     }
 }
 
-/// Names for the generated code.
-fn name_step(k: &mut Kinematics, step: &Step) {
-    let name = k.unknowns[step.unknown].name.clone();
-    for (&z, &c) in &step.coefficients {
-        let of = k.unknowns[z].name.clone();
-        k.dag.name(c, &format!("{name}_per_{of}"));
+/// Labels for the generated code. A coefficient has no name: its value often serves several speeds.
+fn label_step(k: &mut Kinematics, step: &Step) {
+    for &coefficient in step.coefficients.values() {
+        k.dag.label(coefficient, Label::of(Section::Constraints));
     }
-    k.dag.name(step.bias, &format!("{name}_dot_bias"));
+    let bias = format!("{}_dot_bias", k.unknowns[step.unknown].name);
+    k.dag.label(step.bias, Label::named(Section::Velocities, bias));
 }

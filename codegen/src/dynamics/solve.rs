@@ -3,10 +3,11 @@
 use super::absolute::Absolute;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
-use crate::expr::{Dag, ExprId};
+use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::model::Model;
+use crate::section::Section;
 use std::convert::Infallible;
 
 /// M = L D L', for right-hand sides that are known later.
@@ -104,7 +105,7 @@ pub(super) fn ldl(
         if !values.iter().zip(&reference).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
             return Err(order[i]);
         }
-        dag.name(entry, &format!("pivot_{}", order[i]));
+        dag.label(entry, Label::named(Section::Results, format!("pivot_{}", order[i])));
         if !dag.is_constant(entry) {
             pivots.push(pivot_of(dag, table, entry));
         }

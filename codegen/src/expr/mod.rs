@@ -10,6 +10,7 @@ pub mod differentiate;
 pub mod evaluate;
 mod intern;
 mod jacobian;
+mod label;
 pub mod number;
 pub mod print;
 pub(crate) mod rounding;
@@ -20,6 +21,7 @@ pub mod tape;
 
 use crate::id::{Id, IdVec, ids};
 use intern::{Facts, Index, Results};
+pub use label::Label;
 use number::Number;
 use rustc_hash::FxHashMap as HashMap;
 pub(crate) use set::NodeSet;
@@ -99,7 +101,7 @@ pub struct Dag {
     zero: Option<ExprId>,
     one: Option<ExprId>,
     symbols: IdVec<SymbolId, (String, Dependence)>,
-    names: HashMap<ExprId, String>,
+    labels: HashMap<ExprId, Label>,
     derivatives: HashMap<(ExprId, SymbolId), ExprId>,
     /// Sines and cosines of differences take them unrounded; see [`Dag::as_difference`].
     pub(crate) unrounded_differences: bool,
@@ -177,19 +179,6 @@ impl Dag {
     #[must_use]
     pub fn is_one(&self, id: ExprId) -> bool {
         Some(id) == self.one
-    }
-
-    /// Gives a node a readable name for the generated code; the first name stays.
-    pub fn name(&mut self, id: ExprId, name: &str) {
-        if !matches!(self.nodes[id], Node::Number(_) | Node::Symbol(_) | Node::Pi) {
-            self.names.entry(id).or_insert_with(|| name.to_owned());
-        }
-    }
-
-    /// The name given to a node.
-    #[must_use]
-    pub fn name_of(&self, id: ExprId) -> Option<&str> {
-        self.names.get(&id).map(String::as_str)
     }
 
     /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.

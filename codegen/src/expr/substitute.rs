@@ -32,9 +32,9 @@ impl Dag {
                 None => self.with_operands(id, &image),
             };
             if new != id
-                && let Some(name) = self.name_of(id).map(str::to_owned)
+                && let Some(label) = self.label_of(id).cloned()
             {
-                self.name(new, &name);
+                self.label(new, label);
             }
             image.0[id.index()] = new;
         }

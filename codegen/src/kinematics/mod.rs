@@ -10,6 +10,7 @@
 mod angular;
 mod assemble;
 mod basis;
+mod choice;
 mod choose;
 mod constraint;
 pub(crate) mod diagnose;
@@ -44,6 +45,7 @@ use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
 pub use assemble::{Assembly, tunable_values};
+pub use choice::ParameterChoice;
 pub use constraint::Row;
 pub use lower::Value;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
@@ -93,15 +95,6 @@ pub struct Place {
     pub name: String,
     /// Where it is declared.
     pub span: Span,
-}
-
-/// How the derivation treats parameters.
-#[derive(Clone, Debug, Default)]
-pub struct ParameterChoice {
-    /// Names of fixed parameters to keep as fields all the same.
-    pub keep: Vec<String>,
-    /// Other default values, by name.
-    pub values: BTreeMap<String, f64>,
 }
 
 /// Positions, motions and constraint rows of a model.
@@ -254,6 +247,7 @@ pub fn derive(
     choice: &ParameterChoice,
     optimise: Optimise,
 ) -> Result<Kinematics, Diagnostics> {
+    choice.check(model)?;
     let mut k = lower::symbols(model, choice);
     k.dag.unrounded_differences = optimise == Optimise::Accuracy;
     position::derive(model, &mut k);

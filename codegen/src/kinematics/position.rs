@@ -3,7 +3,9 @@
 
 use super::lower::{self, Value};
 use super::{Kinematics, orientation, speed_map};
+use crate::expr::Label;
 use crate::model::{Entity, Model, PointId};
+use crate::section::Section;
 use crate::vector::Vector;
 
 /// Fills triads, positions and those definitions that need no velocities.
@@ -18,7 +20,8 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 }
                 let value = lower::value(k, &definition.value);
                 if let Value::Scalar(e) = value {
-                    k.dag.name(e, &definition.name);
+                    let label = Label::named(Section::Orientations, &*definition.name);
+                    k.dag.label(e, label.at(model.source.place(definition.span)));
                 }
                 k.definitions[id] = value;
             }
@@ -26,7 +29,8 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 if let Some(form) = &model.coordinates[id].closed_form {
                     let value = lower::scalar(k, form);
                     let name = &model.coordinates[id].name;
-                    k.dag.name(value, name);
+                    let label = Label::named(Section::Orientations, name);
+                    k.dag.label(value, label.at(model.source.place(model.coordinates[id].span)));
                     k.q[id] = if speed_map::is_variable(model, id) {
                         k.closed_forms.push((id, value));
                         k.dag.symbol(name)

@@ -7,10 +7,11 @@
 use super::angular::angular_velocity;
 use super::lower::{self, Value};
 use super::{Kinematics, Unknown, UnknownId, UnknownKind, orientation, position, way};
-use crate::expr::ExprId;
 use crate::expr::number::Number;
+use crate::expr::{ExprId, Label};
 use crate::id::Id;
 use crate::model::{Axis, DefinitionId, Entity, FrameId, Model, PointId};
+use crate::section::Section;
 use crate::vector::{TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -101,7 +102,9 @@ fn lower_definition(model: &Model, k: &mut Kinematics, id: DefinitionId) {
     }
     let value = lower::value(k, &model.definitions[id].value);
     if let Value::Scalar(e) = value {
-        k.dag.name(e, &model.definitions[id].name);
+        let definition = &model.definitions[id];
+        let label = Label::named(Section::Velocities, &*definition.name);
+        k.dag.label(e, label.at(model.source.place(definition.span)));
     }
     k.definitions[id] = value;
 }

@@ -143,6 +143,14 @@ pub enum SpeedMeaning {
     Combination(Expr),
 }
 
+impl Coordinate {
+    /// Does the model state an end of its range?
+    #[must_use]
+    pub fn states_range(&self) -> bool {
+        self.written[1..].iter().any(Option::is_some)
+    }
+}
+
 /// An input.
 #[derive(Clone, Debug)]
 pub struct Input {

@@ -24,7 +24,7 @@ pub use check::quantity::quantity;
 pub use data::*;
 pub use expression::{Axis, Expr};
 pub use ids::*;
-pub use read::{parse, parse_with, read};
+pub use read::{parse, parse_with, read, read_in};
 pub(crate) use release::{COMPONENTS, Cut};
 pub use text::amount::marks;
 pub use text::scope::{RESERVED, is_keyword};

@@ -40,9 +40,17 @@ pub fn parse(path: &str, text: &str) -> Result<Model, Diagnostics> {
 /// # Errors
 /// The file cannot be read, or what [`parse`] finds.
 pub fn read(path: &Path) -> Result<Model, Diagnostics> {
+    read_in(Path::new(""), path)
+}
+
+/// Reads a model from a file in a folder that no message names.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_in(folder: &Path, path: &Path) -> Result<Model, Diagnostics> {
     let name = path.display().to_string();
-    match text_of(path) {
-        Ok(text) => parse(&name, &text),
+    match text_of(&folder.join(path)) {
+        Ok(text) => parse_with(&name, &text, &|file| text_of(&folder.join(file))),
         Err(error) => {
             let message = format!("cannot read {name}: {error}");
             Err(Diagnostics::one(Source::new(&name, ""), Diagnostic::error(message)))

@@ -5,7 +5,7 @@
 
 use super::answer::{self, Asked, Stages};
 use super::stage::{self, Stage};
-use super::{Effort, Program, assemble, constraints, mark_angles, relative, shorten};
+use super::{Effort, Origin, Program, assemble, constraints, mark_angles, relative, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
@@ -46,7 +46,8 @@ pub(super) fn derive(
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
     let sizes = Sizes::new(model, &k);
-    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
+    let origin = Origin::new(model, choice, effort.into());
+    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered, origin));
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);

@@ -15,6 +15,7 @@ mod reorder;
 mod roots;
 mod shorten;
 pub mod stage;
+mod start;
 
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::dynamics::{self, Augmented, Dynamics};
@@ -25,13 +26,14 @@ use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{self, Assembly, Kinematics, ParameterChoice, projection, redundant};
-use crate::model::{CoordinateId, Model, Speed};
-use crate::value::Effort;
+use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
+pub use crate::value::Effort;
 
 pub use answer::{Answer, Asked, Function, Request};
 use answer::{Answered, Stages};
 pub use kinematic::derive_kinematic;
 use stage::Stage;
+pub use start::Start;
 
 impl Program {
     /// Are all speeds state, tied by the constraints, because the motion passes dead points of the independent ones?
@@ -50,6 +52,8 @@ pub struct Program {
     pub doc: String,
     /// Path of the model text as given.
     pub path: String,
+    /// From which text it was derived, and how.
+    pub origin: Origin,
     /// The expressions of all answers.
     pub dag: Dag,
     /// Time.
@@ -72,6 +76,8 @@ pub struct Program {
     pub speeds: Vec<(String, ExprId)>,
     /// Requested outputs.
     pub outputs: Vec<(String, ExprId)>,
+    /// Unit and declaration of each of them.
+    pub output_facts: Vec<[String; 2]>,
     /// Newton's correction of the dependent coordinates: (index into q, correction).
     pub correction: Vec<(usize, ExprId)>,
     /// Correction of the speeds where they are redundant: all of them are state, tied by the constraints. Else empty.
@@ -96,8 +102,31 @@ pub struct Program {
     pub assembly: Assembly,
     /// The nominal configuration.
     pub nominal: Vec<f64>,
+    /// Names and values of `[start]`; [`Program::start`] makes a state of them.
+    pub stated_start: Vec<(String, f64)>,
     /// What only numbers show and is no error: redundant constraints that were dropped.
     pub warnings: Diagnostics,
+}
+
+/// From which text a program was derived, and how.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    /// Name of the model's file, without its folder.
+    pub file: String,
+    /// Fingerprint of the model's text, with the files that it extends.
+    pub fingerprint: u64,
+    /// Parameters kept and changed.
+    pub choice: ParameterChoice,
+    /// How the equations were derived.
+    pub settings: Settings,
+}
+
+impl Origin {
+    fn new(model: &Model, choice: &ParameterChoice, settings: Settings) -> Self {
+        let source = &model.source;
+        let file = source.files.first().map_or_else(String::new, |file| file.name().to_owned());
+        Self { file, fingerprint: source.fingerprint(), choice: choice.clone(), settings }
+    }
 }
 
 /// The forward dynamics answer.
@@ -124,10 +153,10 @@ pub struct Quantity {
     pub doc: String,
     /// Default (parameters), nominal value (coordinates), else 0.
     pub value: f64,
-    /// Lowest and highest value of a parameter; of anything else every number.
+    /// Lowest and highest value, of parameters and of coordinates for which the model states them; else every number.
     pub range: (f64, f64),
-    /// Line of the declaration.
-    pub line: usize,
+    /// File and line of the declaration.
+    pub place: String,
     /// Appears only inside sine and cosine: may be wrapped by whole turns.
     pub is_angle: bool,
 }
@@ -177,7 +206,8 @@ pub fn derive_asked(
     settings: impl Into<Settings>,
     asked: &Asked,
 ) -> Result<Program, Diagnostics> {
-    let Settings { effort, optimise } = settings.into();
+    let settings = settings.into();
+    let Settings { effort, optimise } = settings;
     let requests = answer::resolve(model, asked)?;
     if asked.only && requests.iter().all(|request| request.kind.needs == answer::Needs::Motion) {
         return kinematic::derive(model, choice, effort, asked);
@@ -202,7 +232,8 @@ pub fn derive_asked(
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);
     let sizes = Sizes::new(model, &k);
-    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered));
+    let origin = Origin::new(model, choice, settings);
+    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered, origin));
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);
@@ -265,7 +296,7 @@ fn assemble(
     mut k: Kinematics,
     (solution, table): (&Solution, &mut SampleTable),
     dynamics: Dynamics,
-    (assembly, answered): (Assembly, Answered),
+    (assembly, answered, origin): (Assembly, Answered, Origin),
 ) -> Program {
     let state: Vec<CoordinateId> =
         model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
@@ -300,6 +331,7 @@ fn assemble(
         name: model.name.clone(),
         doc: model.doc.clone(),
         path: model.source.files.first().map_or(String::new(), |f| f.path.clone()),
+        origin,
         time: k.dag.as_symbol(k.time).expect("time is a symbol"),
         q,
         u,
@@ -310,6 +342,7 @@ fn assemble(
         drive: dynamics.drive,
         speeds: speeds.into_iter().map(|(name, _)| name).zip(speed_values).collect(),
         outputs: model.outputs.iter().map(|o| o.name.clone()).zip(outputs).collect(),
+        output_facts: model.outputs.iter().map(|o| [o.unit.clone(), model.source.place(o.span)]).collect(),
         correction,
         speed_correction: dynamics.speed_correction,
         residual,
@@ -322,6 +355,7 @@ fn assemble(
         n_samples: k.samples.len(),
         assembly,
         nominal: k.samples[0].clone(),
+        stated_start: start::stated(model),
         warnings: Diagnostics::default(),
         dag: k.dag,
     };
@@ -406,7 +440,7 @@ fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec
             doc: "derivative of the speed".to_owned(),
             value: 0.0,
             range: ANY,
-            line: model.source.line_column(speed.span).0,
+            place: model.source.place(speed.span),
             is_angle: false,
         })
     };
@@ -414,7 +448,6 @@ fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec
 }
 
 fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Quantity>; 4] {
-    let line = |span| model.source.line_column(span).0;
     let quantity = |name: &str, expr: ExprId, unit: &str, doc: &str, value: f64, span| {
         k.dag.as_symbol(expr).map(|symbol| Quantity {
             name: name.to_owned(),
@@ -423,7 +456,7 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
             doc: doc.to_owned(),
             value,
             range: ANY,
-            line: line(span),
+            place: model.source.place(span),
             is_angle: false,
         })
     };
@@ -432,7 +465,10 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
         .zip(&k.samples[0])
         .filter_map(|(&c, &nominal)| {
             let declared = &model.coordinates[c];
-            quantity(&declared.name, k.q[c], &declared.unit, &declared.doc, nominal, declared.span)
+            let found =
+                quantity(&declared.name, k.q[c], &declared.unit, &declared.doc, nominal, declared.span)?;
+            let range = if declared.states_range() { declared.range } else { ANY };
+            Some(Quantity { range, ..found })
         })
         .collect();
     let u = model
@@ -440,7 +476,11 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
         .enumerate()
         .filter(|(id, _)| k.is_independent(*id))
         .filter_map(|(id, s)| {
-            quantity(&s.name, k.unknowns[k.unknown_of(id)].value, &s.unit, "speed", 0.0, s.span)
+            let doc = match s.meaning {
+                SpeedMeaning::RateOf(c) => format!("rate of {}", model.coordinates[c].name),
+                SpeedMeaning::Combination(_) => "speed".to_owned(),
+            };
+            quantity(&s.name, k.unknowns[k.unknown_of(id)].value, &s.unit, &doc, 0.0, s.span)
         })
         .collect();
     let inputs = model

@@ -68,9 +68,9 @@ fn inner_sums(dag: &Dag, roots: &[ExprId]) -> Vec<bool> {
     inner
 }
 
-/// A sum without a name of its own.
+/// A sum without a label of its own.
 fn is_sum(dag: &Dag, id: ExprId) -> bool {
-    dag.name_of(id).is_none() && has_terms(dag, id)
+    dag.label_of(id).is_none() && has_terms(dag, id)
 }
 
 fn has_terms(dag: &Dag, id: ExprId) -> bool {

@@ -96,16 +96,16 @@ impl Emitted {
             };
             defined.push(name.clone());
             let parts = field.answer.parts.iter();
-            let members = parts.map(|p| format!("///{}.\n    pub {}: {}", sentence(p), p.name, type_of(p)));
-            text += &format!("///{}\n{PLAIN_STRUCT}", field.answer.doc);
+            let members = parts.map(|p| format!("/// {}.\n    pub {}: {}", sentence(p), p.name, type_of(p)));
+            text += &format!("/// {}\n{PLAIN_STRUCT}", field.answer.doc);
             text += &layout::block(&format!("pub struct {name}"), members, "");
         }
         if let Some(name) = &self.together {
             let members = self
                 .answers
                 .iter()
-                .map(|field| format!("///{}\n    pub {}: {}", field.answer.doc, field.name, field.output()));
-            text += &format!("///{}\n{PLAIN_STRUCT}", self.doc);
+                .map(|field| format!("/// {}\n    pub {}: {}", field.answer.doc, field.name, field.output()));
+            text += &format!("/// {}\n{PLAIN_STRUCT}", self.doc);
             text += &layout::block(&format!("pub struct {name}"), members, "");
         }
         text

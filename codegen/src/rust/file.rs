@@ -21,7 +21,9 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     let names = functions.iter().map(|function| function.name.as_str());
     let mut text = header::text(program, options, names.zip(&costs), &preparing);
     let runtime = options.runtime.trim();
-    text += &format!("\nuse {runtime}::real::Real;\n/// The scalar of this file.\n");
+    text += &format!(
+        "\n#[allow(unused_imports, reason = \"sums and products need no function\")]\nuse {runtime}::real::Real;\n/// The scalar of this file.\n"
+    );
     text += &format!("pub type S = {};\n", options.scalar.path());
     text += &items::constants(program, &options.scalar);
     let fields = name::fields(program);

@@ -17,8 +17,8 @@ pub(super) fn prepare(
     options: &EmitOptions,
 ) -> String {
     let fields = prepared.fields.iter().map(|(id, field)| match program.dag.as_symbol(*id) {
-        Some(_) => format!("///The parameter `{field}`.\n    pub {field}: S"),
-        None => format!("///Of parameters alone.\n    pub {field}: S"),
+        Some(_) => format!("/// The parameter `{field}`.\n    pub {field}: S"),
+        None => format!("/// Of parameters alone.\n    pub {field}: S"),
     });
     let body = Body::new(program, &prepared.roots(), options, Parameters::Given(names));
     let values: Vec<String> = (prepared.fields.iter().zip(&body.results))
@@ -31,7 +31,7 @@ pub(super) fn prepare(
     format!(
         "/// What the functions below need of the parameters, from [`prepare`].\n{PLAIN_STRUCT}{}\
          /// Computes what depends on parameters alone: once, and again when one of them changes.\n\
-         ///\n///{operations} operations.\n{STRAIGHT_LINE}{}{}    Prepared {{ {} }}\n}}\n",
+         ///\n/// {operations} operations.\n{STRAIGHT_LINE}{}{}    Prepared {{ {} }}\n}}\n",
         layout::block("pub struct Prepared", fields, ""),
         layout::signature("pub fn prepare", &body.arguments(), "Prepared", ""),
         body.statements,
@@ -53,9 +53,23 @@ pub(super) fn answer(
     let head = format!("pub fn {}", function.name);
     let signature = layout::signature(&head, &body.arguments(), &function.output(), "");
     format!(
-        "///{}\n///\n///{operations}.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
+        "/// {}\n///\n{}/// {operations}.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
         function.doc,
+        arguments(function.takes_u_dot()),
         body.statements,
         function.result(&body.results)
     )
+}
+
+/// What the arguments are, as lines of documentation.
+fn arguments(takes_u_dot: bool) -> String {
+    let mut text = "\
+/// - `t`: time (s)
+/// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
+"
+    .to_owned();
+    if takes_u_dot {
+        text += "/// - `u_dot`: derivatives of the speeds, at their places\n";
+    }
+    text + "/// - `p`: what [`prepare`] makes of the parameters\n///\n"
 }

@@ -9,6 +9,7 @@ use crate::program::Program;
 /// parameters, and [`TIME`] where places depend on time.
 const STRUCT: &str = "\
 #[derive(Clone, Copy, Debug)]
+$unread\
 pub struct $name {
     parameters: Parameters,
     prepared: Prepared,
@@ -18,6 +19,7 @@ impl Default for $name {
         Self::new(Parameters::default())
     }
 }
+$unread\
 impl $name {
     /// The mechanism with these parameters.
     #[must_use]
@@ -39,16 +41,15 @@ $time_start        }
     }
     /// Changes all parameters and prepares anew.
     pub fn set_parameters(&mut self, parameters: Parameters) {
-        *self = $anew;
+        self.prepared = prepare(&parameters);
+        self.parameters = parameters;
     }
     /// The parameter at a position of `PARAMETER_NAMES`; none beyond the last.
     #[must_use]
     pub fn parameter(&self, index: usize) -> Option<S> {
-        Some(
-            match index {
-$getters                _ => return None,
-            },
-        )
+        Some(match index {
+$getters            _ => return None,
+        })
     }
     /// Changes the parameter at a position of `PARAMETER_NAMES` and prepares anew; false beyond the last$refusal.
     pub fn set_parameter(&mut self, index: usize, value: S) -> bool {
@@ -119,26 +120,23 @@ $project        let Ok(q) = <&mut [S; NQ]>::try_from(q) else {
 $speed_projection$energy        let (Ok(q), Ok(u)) = (<&[S; NQ]>::try_from(q), <&[S; NU]>::try_from(u)) else {
             return Err($runtime::mechanism::Fault::Shape);
         };
-        Ok(
-            energy(
-                $time,
-                q,
-                u,
-                &[<S as Real>::ZERO; N_INPUTS],
-                &self.prepared,
-            ),
-        )
+        Ok(energy(
+            $time,
+            q,
+            u,
+            &[<S as Real>::ZERO; N_INPUTS],
+            &self.prepared,
+        ))
     }
 }
 ";
 
 /// What stands for the placeholders of time: nothing is kept where projection and energy do not read it.
-const TIME: [(&str, &str, &str); 6] = [
+const TIME: [(&str, &str, &str); 5] = [
     ("$time_field", "    time: S,\n", ""),
     ("$time_start", "            time: <S as Real>::ZERO,\n", ""),
     ("$time_given", "        self.time = t;\n", ""),
     ("$time_setter", "    fn set_time(&mut self, t: S) {\n        self.time = t;\n    }\n", ""),
-    ("$anew", "Self { time: self.time, ..Self::new(parameters) }", "Self::new(parameters)"),
     ("$time", "self.time", "<S as Real>::ZERO"),
 ];
 
@@ -153,8 +151,7 @@ const IMPLIED: [(&str, &str); 4] = [
     ),
     (
         "$can_be_assembled",
-        "\
-    /// Do Newton's corrections lead from the nominal configuration to one that satisfies every constraint, those
+        "    /// Do Newton's corrections lead from the nominal configuration to one that satisfies every constraint, those
     /// included that follow from the others at the default parameters?
     #[must_use]
     #[allow(
@@ -187,8 +184,7 @@ const IMPLIED: [(&str, &str); 4] = [
 ];
 
 /// The correction of speeds, where they are redundant.
-const SPEEDS: &str = "\
-    #[allow(
+const SPEEDS: &str = "    #[allow(
         clippy::assign_op_pattern,
         reason = \"scalars need not have assigning operators\"
     )]
@@ -259,12 +255,14 @@ pub(super) fn mechanism(program: &Program, fields: &[String], runtime: &str, sca
         text.replace(place, if keeps { kept } else { not_kept })
     });
     let text = timed
+        .replace("$unread", layout::UNREAD)
         .replace("$name", &struct_name(program))
-        .replace("$getters", &arms(&" ".repeat(16), "self.parameters"))
+        .replace("$getters", &arms(&" ".repeat(12), "self.parameters"))
         .replace("$setters", &arms(&" ".repeat(12), "&mut self.parameters"))
         .replace("$project", &method("fn project", &["&mut self", "q: &mut [S]"], "S"))
         .replace("$speeds_head", &method("fn project_speeds", &["&mut self", "q: &[S]", "u: &mut [S]"], "()"))
         .replace("$energy", &method("fn energy", &["&mut self", "q: &[S]", "u: &[S]"], "(S, S)"))
         .replace("$runtime", runtime);
-    layout::doc(&doc) + &text
+    let alias = format!("/// The mechanism of this file, whatever it is called.\n{}", layout::UNREAD);
+    layout::doc(&doc) + &text + &alias + &format!("pub type Model = {};\n", struct_name(program))
 }

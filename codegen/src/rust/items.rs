@@ -1,8 +1,8 @@
 //! Constants of the emitted file and the struct of its parameters.
 
-use super::layout::PLAIN_STRUCT;
+use super::layout::{NUMBERS, PLAIN_STRUCT, UNREAD};
 use super::options::ScalarType;
-use super::{layout, name};
+use super::{layout, name, places};
 use crate::escape;
 use crate::expr::ExprId;
 use crate::program::{Program, Quantity};
@@ -10,7 +10,16 @@ use crate::program::{Program, Quantity};
 /// An array of names.
 pub(super) fn names(name: &str, doc: &str, names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("{name:?}")).collect();
-    layout::doc(doc) + &layout::array(&format!("pub const {name}: [&str; {}usize] = ", names.len()), &quoted)
+    list(&format!("{name}: [&str; {}usize]", names.len()), doc, &quoted)
+}
+
+/// A constant that is a list.
+fn list(declared: &str, doc: &str, elements: &[String]) -> String {
+    marked(UNREAD, declared, doc, elements)
+}
+
+fn marked(attribute: &str, declared: &str, doc: &str, elements: &[String]) -> String {
+    layout::doc(doc) + attribute + &layout::array(&format!("pub const {declared} = "), elements, "")
 }
 
 /// Sizes, names, and what is known of the coordinates.
@@ -29,7 +38,7 @@ pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
         ("N_INPUTS", "Number of inputs.", program.inputs.len()),
     ];
     for (name, doc, size) in sizes {
-        text += &format!("/// {doc}\npub const {name}: usize = {size}usize;\n");
+        text += &format!("/// {doc}\n{UNREAD}pub const {name}: usize = {size}usize;\n");
     }
     text += &names("Q_NAMES", "Coordinates in order.", &of(&program.q));
     let speeds = match program.is_redundant() {
@@ -41,19 +50,34 @@ pub(super) fn constants(program: &Program, scalar: &ScalarType) -> String {
     text += &names("PARAMETER_NAMES", "Tunable parameters in order.", &of(&program.parameters));
     text += &names("SPEED_NAMES", "All speeds in order.", &firsts(&program.speeds));
     text += &names("OUTPUT_NAMES", "Outputs in order.", &firsts(&program.outputs));
+    text += &places::modules(program);
     let corrected: Vec<String> = program.correction.iter().map(|(i, _)| format!("{i}usize")).collect();
-    text += "/// Indices of the coordinates that the projection corrects.\n";
-    text += &layout::array(&format!("pub const CORRECTED: [usize; {}usize] = ", corrected.len()), &corrected);
+    let declared = format!("CORRECTED: [usize; {}usize]", corrected.len());
+    text += &list(&declared, "Indices of the coordinates that the projection corrects.", &corrected);
     let angles: Vec<String> = program.q.iter().map(|q| q.is_angle.to_string()).collect();
-    text += "/// Coordinates read only by sines and cosines: they may be wrapped by whole turns.\n";
-    text += &layout::array(&format!("pub const IS_ANGLE: [bool; {nq}usize] = "), &angles);
-    let (scalar, nominal): (_, Vec<String>) = match scalar {
-        ScalarType::F32 => ("f32", program.q.iter().map(|q| format!("{}f32", q.value as f32)).collect()),
-        _ => ("f64", program.q.iter().map(|q| format!("{}f64", q.value)).collect()),
-    };
-    text += "/// The nominal configuration.\n";
-    text += &layout::array(&format!("pub const NOMINAL: [{scalar}; {nq}usize] = "), &nominal);
+    let doc = "Coordinates read only by sines and cosines: they may be wrapped by whole turns.";
+    text += &list(&format!("IS_ANGLE: [bool; {nq}usize]"), doc, &angles);
+    let nominal: Vec<f64> = program.q.iter().map(|q| q.value).collect();
+    text += &numbers("NOMINAL", "The nominal configuration.", &nominal, scalar);
+    match program.start() {
+        Ok(start) => {
+            let doc =
+                "Coordinates where the model starts, on the constraints; nominal ones if it does not say.";
+            text += &numbers("START_Q", doc, &start.q, scalar);
+            text += &numbers("START_U", "Speeds where the model starts.", &start.u, scalar);
+        }
+        Err(why) => text += &format!("// No START_Q and START_U: {}.\n", escape::line(&why)),
+    }
     text
+}
+
+/// A list of numbers: of the file's scalar, in f64 where it is no number of Rust's own.
+fn numbers(name: &str, doc: &str, values: &[f64], scalar: &ScalarType) -> String {
+    let (scalar, values): (_, Vec<String>) = match scalar {
+        ScalarType::F32 => ("f32", values.iter().map(|x| format!("{}f32", *x as f32)).collect()),
+        _ => ("f64", values.iter().map(|x| format!("{x}f64")).collect()),
+    };
+    marked(NUMBERS, &format!("{name}: [{scalar}; {}usize]", values.len()), doc, &values)
 }
 
 /// The struct of tunable parameters, with these names for its fields, and its defaults.
@@ -61,8 +85,8 @@ pub(super) fn parameters(program: &Program, names: &[String], scalar: &ScalarTyp
     let named = || program.parameters.iter().zip(names);
     let fields = named().map(|(p, name)| {
         let what = name::sentence(&p.doc, &p.name);
-        let doc = escape::markdown(&format!("{what} ({}), {}:{}.", p.unit, program.path, p.line));
-        format!("///{doc}\n    pub {name}: S")
+        let doc = escape::markdown(&format!("{what} ({}), {}.", p.unit, p.place));
+        format!("/// {doc}\n    pub {name}: S")
     });
     let defaults = named().map(|(p, name)| format!("{name}: {}", scalar.literal(p.value)));
     let values = layout::block("Self", defaults, "        ");
@@ -82,24 +106,19 @@ fn check(program: &Program, names: &[String], scalar: &ScalarType, runtime: &str
     let ends = |p: &Quantity| format!("[{}, {}]", scalar.literal(p.range.0), scalar.literal(p.range.1));
     let ranges: Vec<String> = program.parameters.iter().map(ends).collect();
     let count = ranges.len();
-    let mut text = "/// Lowest and highest value of every tunable parameter, SI units.\n".to_owned();
-    text += &layout::array(&format!("pub const PARAMETER_RANGES: [[S; 2]; {count}usize] = "), &ranges);
-    let values: String = names.iter().map(|name| format!("            self.{name},\n")).collect();
-    let values = if count == 0 {
-        "let values = [];".to_owned()
-    } else {
-        format!("let values = [\n{values}        ];")
-    };
+    let declared = format!("PARAMETER_RANGES: [[S; 2]; {count}usize]");
+    let mut text = list(&declared, "Lowest and highest value of every tunable parameter, SI units.", &ranges);
+    let values: Vec<String> = names.iter().map(|name| format!("self.{name}")).collect();
+    let values = layout::array("let values = ", &values, "        ");
     text += &format!(
         "\
-impl Parameters {{
+{UNREAD}impl Parameters {{
     /// Is every parameter a finite number within its range?
     ///
     /// # Errors
     /// The first that is not, with its value and range.
     pub fn check(&self) -> Result<(), {runtime}::mechanism::OutOfRange<S>> {{
-        {values}
-        {runtime}::mechanism::check_parameters(&PARAMETER_NAMES, &values, &PARAMETER_RANGES)
+{values}        {runtime}::mechanism::check_parameters(&PARAMETER_NAMES, &values, &PARAMETER_RANGES)
     }}
 }}
 "

@@ -1,12 +1,18 @@
-//! Lines of emitted items: lists stand on one line where they fit, else one element a line; whole numbers and truth
-//! values share lines.
+//! Lines of emitted items as rustfmt lays them out: a list stands on one line where it fits, else short elements share
+//! lines, and long ones have one each.
 
-/// Columns of a line.
-const WIDTH: usize = 89;
+/// Columns of a line, rustfmt's `max_width`.
+const WIDTH: usize = 100;
+/// Widest list on one line, rustfmt's `array_width`.
+const LIST_WIDTH: usize = 60;
+/// Widest element that shares a line, rustfmt's `short_array_element_width_threshold`.
+const SHORT: usize = 10;
 
-/// Of a function that nobody reads line by line.
+/// Of a function: statements stay one a line, however long.
 pub(super) const STRAIGHT_LINE: &str = "\
+#[rustfmt::skip]
 #[allow(
+    dead_code,
     non_snake_case,
     clippy::all,
     clippy::pedantic,
@@ -18,30 +24,40 @@ pub(super) const STRAIGHT_LINE: &str = "\
 pub(super) const PLAIN_STRUCT: &str = "\
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-#[allow(non_snake_case, reason = \"names are the model's\")]
+#[allow(dead_code, non_snake_case, reason = \"names are the model's\")]
 ";
 
+/// Of what a program may leave aside: a constant, a method.
+pub(super) const UNREAD: &str = "#[allow(dead_code, reason = \"a program reads what it needs\")]\n";
+
+/// Of a list of numbers, among which a quarter of a turn may stand.
+pub(super) const NUMBERS: &str =
+    "#[allow(dead_code, clippy::approx_constant, reason = \"numbers of the model\")]\n";
+
 /// `head[a, b];`
-pub(super) fn array(head: &str, elements: &[String]) -> String {
-    list(head, ('[', ']'), elements, ";", "")
+pub(super) fn array(head: &str, elements: &[String], indent: &str) -> String {
+    let (joined, inside) = (elements.join(", "), format!("{indent}    "));
+    if joined.len() <= LIST_WIDTH {
+        return match indent.len() + head.len() + joined.len() + "[];".len() <= WIDTH {
+            true => format!("{indent}{head}[{joined}];\n"),
+            false => format!("{indent}{}\n{inside}[{joined}];\n", head.trim_end()),
+        };
+    }
+    let elements = match elements.iter().all(|element| element.len() <= SHORT) {
+        true => filled(elements, &inside),
+        false => elements.iter().map(|element| format!("{inside}{element},\n")).collect(),
+    };
+    format!("{indent}{head}[\n{elements}{indent}];\n")
 }
 
 /// `head(a, b) -> output {`
 pub(super) fn signature(head: &str, arguments: &[String], output: &str, indent: &str) -> String {
-    list(head, ('(', ')'), arguments, &format!(" -> {output} {{"), indent)
-}
-
-fn list(head: &str, (open, close): (char, char), elements: &[String], tail: &str, indent: &str) -> String {
-    let line = format!("{indent}{head}{open}{}{close}{tail}\n", elements.join(", "));
-    if line.chars().count() <= WIDTH + 1 {
-        return line;
+    let line = format!("{indent}{head}({}) -> {output} {{", arguments.join(", "));
+    if line.chars().count() <= WIDTH {
+        return line + "\n";
     }
-    let elements: String = if elements.iter().any(|element| element.contains(['"', '.', ':', ' '])) {
-        elements.iter().map(|element| format!("{indent}    {element},\n")).collect()
-    } else {
-        filled(elements, &format!("{indent}    "))
-    };
-    format!("{indent}{head}{open}\n{elements}{indent}{close}{tail}\n")
+    let arguments: String = arguments.iter().map(|argument| format!("{indent}    {argument},\n")).collect();
+    format!("{indent}{head}(\n{arguments}{indent}) -> {output} {{\n")
 }
 
 /// As many elements a line as fit.
@@ -49,7 +65,7 @@ fn filled(elements: &[String], indent: &str) -> String {
     let mut text = String::new();
     let mut column = 0;
     for element in elements {
-        if column > 0 && column + element.len() + 2 <= WIDTH {
+        if column > 0 && column + element.len() + 2 < WIDTH {
             text.push(' ');
             column += 1;
         } else {
@@ -75,7 +91,8 @@ pub(super) fn block(head: &str, elements: impl IntoIterator<Item = String>, inde
 
 /// A doc comment; one line a line of the text.
 pub(super) fn doc(text: &str) -> String {
-    text.lines().map(|line| format!("///{line}\n")).collect()
+    let marked = |line: &str| if line.is_empty() { "///\n".to_owned() } else { format!("/// {line}\n") };
+    text.lines().map(marked).collect()
 }
 
 #[cfg(test)]
@@ -85,20 +102,20 @@ mod tests {
     #[test]
     fn a_list_is_broken_where_it_does_not_fit() {
         let short: Vec<String> = ["1.", "2."].map(String::from).to_vec();
-        assert_eq!(array("const A: [S; 2] = ", &short), "const A: [S; 2] = [1., 2.];\n");
+        assert_eq!(array("const A: [S; 2] = ", &short, ""), "const A: [S; 2] = [1., 2.];\n");
         let head = "h".repeat(WIDTH - "[1., 2.];".len());
-        assert_eq!(array(&head, &short).lines().count(), 1);
-        assert_eq!(array(&format!("{head}h"), &short), format!("{head}h[\n    1.,\n    2.,\n];\n"));
+        assert_eq!(array(&head, &short, "").lines().count(), 1);
+        assert_eq!(array(&format!("{head}h = "), &short, ""), format!("{head}h =\n    [1., 2.];\n"));
     }
 
     #[test]
-    fn whole_numbers_share_lines() {
-        let many = vec!["1usize".to_owned(); 11];
-        let lines = format!("{}1usize,\n    1usize,\n", "1usize, ".repeat(9));
-        assert_eq!(
-            array("const A: [usize; 11usize] = ", &many),
-            format!("const A: [usize; 11usize] = [\n    {lines}];\n")
-        );
+    fn short_elements_share_lines_and_long_ones_do_not() {
+        let many = vec!["1usize".to_owned(); 12];
+        let lines = format!("{}1usize,\n        1usize,\n", "1usize, ".repeat(10));
+        assert_eq!(array("let a = ", &many, "    "), format!("    let a = [\n        {lines}    ];\n"));
+        let long = vec!["1.000000000".to_owned(); 6];
+        let lines = "    1.000000000,\n".repeat(6);
+        assert_eq!(array("const A = ", &long, ""), format!("const A = [\n{lines}];\n"));
     }
 
     #[test]

@@ -15,8 +15,10 @@ mod layout;
 mod name;
 mod options;
 mod pairs;
+mod places;
 mod prepared;
 mod schedule;
+mod sections;
 mod statement;
 
 pub use file::emit;

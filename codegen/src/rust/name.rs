@@ -21,7 +21,7 @@ const KEYWORDS: [&str; 53] = [
 pub(super) const ARGUMENTS: [&str; 6] = ["t", "q", "u", "inputs", "u_dot", "p"];
 
 /// Constants of the emitted file. A `let` with such a name would compare with the constant.
-const CONSTANTS: [&str; 13] = [
+const CONSTANTS: [&str; 16] = [
     "NQ",
     "NU",
     "N_INPUTS",
@@ -35,10 +35,13 @@ const CONSTANTS: [&str; 13] = [
     "CORRECTED",
     "IS_ANGLE",
     "NOMINAL",
+    "START_Q",
+    "START_U",
+    "PARAMETER_RANGES",
 ];
 
 /// Types and traits of the emitted file and of the module that it reads.
-const TYPES: [&str; 6] = ["S", "Real", "Parameters", "Prepared", "Mechanism", "Fault"];
+const TYPES: [&str; 7] = ["S", "Real", "Parameters", "Prepared", "Mechanism", "Fault", "Model"];
 
 /// Types, traits and variants that every Rust file has in scope: a type of that name would hide them in the
 /// emitted file and in the module that includes it, and a `let` cannot have the name of a variant.

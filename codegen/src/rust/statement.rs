@@ -13,6 +13,8 @@ use super::name::{ARGUMENTS, Scope};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
 use super::schedule;
+use super::sections::Sections;
+use crate::escape;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
 use crate::id::Id;
@@ -92,9 +94,14 @@ impl<'p> Body<'p> {
         let order = schedule::order(&steps, &results, options.core());
         body.count_uses(&steps, &results);
         body.break_up(order.iter().map(|&step| &steps[step]));
+        let mut sections =
+            matches!(parameters, Parameters::Prepared { .. }).then(|| Sections::new(&program.dag, roots));
         for step in order {
             let id = steps[step].makes[0];
             if body.own_statement.contains(id) {
+                if let Some(heading) = sections.as_mut().and_then(|sections| sections.begin(id)) {
+                    let _ = writeln!(body.statements, "    // {heading}.");
+                }
                 steps[step].makes.iter().for_each(|&id| body.read_arguments(id));
                 body.statement(id);
             }
@@ -152,6 +159,12 @@ impl<'p> Body<'p> {
         self.n_statements += 1;
     }
 
+    /// Says behind the last statement where the model declares its value.
+    fn note(&mut self, place: &str) {
+        self.statements.truncate(self.statements.trim_end().len());
+        let _ = writeln!(self.statements, " // {}", escape::line(place));
+    }
+
     /// Reads the arguments of a statement that have not been read yet.
     fn read_arguments(&mut self, id: ExprId) {
         let dag = self.dag();
@@ -186,6 +199,7 @@ impl<'p> Body<'p> {
                 let ident = self.scope.unique(&list[index].name);
                 let array = ARGUMENTS[group + 1];
                 self.push(&ident, format_args!("{array}[{index}]"));
+                self.note(&list[index].place);
                 self.name(id, ident);
                 return;
             }
@@ -222,6 +236,9 @@ impl<'p> Body<'p> {
         text.push_str(";\n");
         self.statements = text;
         self.n_statements += 1;
+        if let Some(place) = dag.label_of(id).and_then(|label| label.place.as_deref()) {
+            self.note(place);
+        }
         self.name(id, ident);
     }
 

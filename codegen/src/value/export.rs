@@ -1,7 +1,7 @@
 //! Classes -> expressions: the definitions in use, as nodes of the DAG.
 
 use super::graph::{ClassId, Graph, Operation, Signed};
-use crate::expr::{Dag, ExprId, Node};
+use crate::expr::{Dag, ExprId, Label, Node};
 use crate::id::IdVec;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -14,23 +14,23 @@ struct Made {
 
 /// Builds the live classes (operands first) and returns the roots' expressions.
 ///
-/// `names` says which classes have a name in the generated code, and with which sign.
+/// `labels` says which classes have a label in the generated code, and with which sign.
 pub(super) fn roots(
     graph: &Graph,
     dag: &mut Dag,
     live: &[ClassId],
     roots: &[Option<Signed>],
-    names: &HashMap<ClassId, (bool, String)>,
+    labels: &HashMap<ClassId, (bool, Label)>,
 ) -> Vec<ExprId> {
     let nothing = Made { expr: dag.zero(), negative: false };
     let mut made: IdVec<ClassId, Made> = graph.classes.ids().map(|_| nothing).collect();
     for &class in live {
-        let name = names.get(&class);
-        let result = build(graph, dag, class, &made, name.is_some_and(|(negative, _)| *negative));
-        if let Some((negative, name)) = name
+        let label = labels.get(&class);
+        let result = build(graph, dag, class, &made, label.is_some_and(|(negative, _)| *negative));
+        if let Some((negative, label)) = label
             && *negative == result.negative
         {
-            dag.name(result.expr, name);
+            dag.label(result.expr, label.clone());
         }
         made[class] = result;
     }

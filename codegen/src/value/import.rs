@@ -5,7 +5,7 @@ use super::field::{Field, mix};
 use super::graph::{ClassId, Definition, Graph, Operation, Signed, Value};
 use super::guard::{self, Estimate};
 use crate::expr::number::Number;
-use crate::expr::{Binary, Dag, Dependence, ExprId, Node, SymbolId, Unary};
+use crate::expr::{Binary, Dag, Dependence, ExprId, Label, Node, SymbolId, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -42,17 +42,20 @@ impl<'a> Import<'a> {
         self.classes[id.index()].expect("operands are loaded before what reads them")
     }
 
-    /// Names of the loaded nodes by class; with each whether it names the class's negative.
-    pub fn names(&self) -> HashMap<ClassId, (bool, String)> {
-        let mut names = HashMap::default();
+    /// Labels of the loaded nodes by class; with each whether it is of the class's negative, if all of them are of one sign.
+    pub fn labels(&self) -> HashMap<ClassId, (bool, Label)> {
+        let mut labels: HashMap<ClassId, (bool, Label)> = HashMap::default();
         for (index, class) in self.classes.iter().enumerate() {
             if let Some(Some(class)) = class
-                && let Some(name) = self.dag.name_of(ExprId::from_index(index))
+                && let Some(label) = self.dag.label_of(ExprId::from_index(index))
             {
-                names.entry(class.class).or_insert_with(|| (class.negative, name.to_owned()));
+                let known = labels.entry(class.class).or_insert_with(|| (class.negative, label.clone()));
+                if known.0 == class.negative {
+                    known.1.join(label);
+                }
             }
         }
-        names
+        labels
     }
 
     fn class(&mut self, id: ExprId) -> Option<Signed> {

@@ -122,7 +122,7 @@ fn round(
     let mut import = Import::new(&mut graph, dag, guard, zero);
     let one = import.load(&[one])[0].expect("1 is not 0");
     let classes: Vec<Vec<Option<Signed>>> = groups.iter().map(|group| import.load(group)).collect();
-    let names = import.names();
+    let labels = import.labels();
     let mut roots: Vec<Signed> = Vec::new();
     let mut settled: Vec<ClassId> = Vec::new();
     let mut treated: Vec<bool> = Vec::new();
@@ -149,6 +149,6 @@ fn round(
         let roots: Vec<Signed> = all.iter().copied().flatten().collect();
         settled = Extraction::new(&mut graph, &roots, &[]).live();
     }
-    let mut exprs = export::roots(&graph, dag, &settled, &all, &names).into_iter();
+    let mut exprs = export::roots(&graph, dag, &settled, &all, &labels).into_iter();
     groups.iter().map(|group| exprs.by_ref().take(group.len()).collect()).collect()
 }

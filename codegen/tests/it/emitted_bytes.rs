@@ -40,7 +40,7 @@ fn record(lines: &mut String, program: &Program, settings: &str, form: &str, fun
 }
 
 /// Names of the mechanisms under `models/`, sorted.
-fn mechanisms() -> Vec<String> {
+pub fn mechanisms() -> Vec<String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models");
     let files = std::fs::read_dir(folder).expect("models/").map(|entry| entry.expect("an entry").path());
     let is_mechanism =
@@ -51,10 +51,8 @@ fn mechanisms() -> Vec<String> {
     names
 }
 
-/// The program with its model's path from the root of the repository, wherever that lies.
-fn located(name: &str, derived: Result<Program, Diagnostics>) -> Program {
-    let program = derived.unwrap_or_else(|found| panic!("{found}"));
-    Program { path: format!("models/{name}.toml"), ..program }
+fn derived(program: Result<Program, Diagnostics>) -> Program {
+    program.unwrap_or_else(|found| panic!("{found}"))
 }
 
 /// Everything that is emitted for a model.
@@ -63,16 +61,16 @@ fn of_model(name: &str) -> String {
     let choice = ParameterChoice::default();
     let mut lines = String::new();
     for (settings, how) in SETTINGS {
-        let program = located(name, derive_asked(&model, &choice, how, &Asked::default()));
+        let program = derived(derive_asked(&model, &choice, how, &Asked::complete(&model, Vec::new())));
         record(&mut lines, &program, settings, "reduced", &[]);
         if how.effort == Effort::Default {
             let augmented = Function::each(&["augmented"]);
             let asked = Asked::besides(augmented.clone());
-            let program = located(name, derive_asked(&model, &choice, how, &asked));
+            let program = derived(derive_asked(&model, &choice, how, &asked));
             record(&mut lines, &program, settings, "augmented", &augmented);
         }
     }
-    let program = located(name, derive_kinematic(&model, &choice, Effort::Default));
+    let program = derived(derive_kinematic(&model, &choice, Effort::Default));
     record(&mut lines, &program, "default", "kinematic", &Function::each(&program.kinematic()));
     lines
 }

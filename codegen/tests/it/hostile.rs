@@ -204,6 +204,8 @@ fn items(text: &str) -> Vec<String> {
     let name = |item: &syn::Item| match item {
         syn::Item::Const(item) => item.ident.to_string(),
         syn::Item::Fn(item) => item.sig.ident.to_string(),
+        syn::Item::Mod(item) => item.ident.to_string(),
+        // `Model` stands for the mechanism, whose name is the model's.
         syn::Item::Type(item) => item.ident.to_string(),
         // The mechanism alone has fields that are not public.
         syn::Item::Struct(item)

@@ -4,20 +4,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Module, and the modules it may name by `crate::`.
-const MAY_IMPORT: [(&str, &[&str]); 14] = [
+const MAY_IMPORT: [(&str, &[&str]); 15] = [
     ("id", &[]),
     ("source", &[]),
     ("words", &[]),
+    ("section", &[]),
     ("escape", &[]),
     ("diagnostic", &["escape", "source"]),
-    ("expr", &["id"]),
+    ("expr", &["id", "section"]),
     ("model", &["id", "source", "words", "diagnostic"]),
     ("vector", &["id", "expr", "model"]),
-    ("kinematics", &["id", "source", "words", "diagnostic", "expr", "model", "vector"]),
-    ("dynamics", &["id", "source", "diagnostic", "expr", "model", "vector", "kinematics"]),
+    ("kinematics", &["id", "source", "words", "section", "diagnostic", "expr", "model", "vector"]),
+    ("dynamics", &["id", "source", "section", "diagnostic", "expr", "model", "vector", "kinematics"]),
     ("program", &["id", "source", "diagnostic", "expr", "model", "kinematics", "dynamics", "value"]),
     ("value", &["id", "expr"]),
-    ("rust", &["escape", "id", "words", "expr", "program"]), // no mechanics
+    ("rust", &["escape", "id", "words", "section", "expr", "program"]), // no mechanics
     ("build", &["escape", "source", "diagnostic", "model", "kinematics", "program", "rust", "value"]),
 ];
 

@@ -9,6 +9,7 @@ mod dead_points;
 mod driven;
 mod driven_models;
 mod emitted_bytes;
+mod emitted_layout;
 mod example_crate;
 mod expr;
 mod expressions;

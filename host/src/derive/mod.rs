@@ -178,7 +178,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     let waiting = Waiting::deriving();
     let program = match (arguments.form, arguments.answers.is_empty()) {
         (Form::Kinematic, true) => program::derive_kinematic(&model, &choice, settings.effort),
-        (_, true) if functions.is_empty() => program::derive_with(&model, &choice, settings),
+        (_, true) if functions.is_empty() => {
+            program::derive_asked(&model, &choice, settings, &Asked::complete(&model, Vec::new()))
+        }
         _ => program::derive_asked(&model, &choice, settings, &Asked::only(functions.clone())),
     };
     drop(waiting);
@@ -256,8 +258,7 @@ fn choice(arguments: &Arguments, model: &Model) -> Result<ParameterChoice, Failu
         }
     }
     for (name, value) in &choice.values {
-        let declared = model.parameters.iter().find(|p| p.name == *name);
-        if let Some(message) = declared.and_then(|p| p.refuses(*value)) {
+        if let Some(message) = model.refuses(name, *value) {
             return Err(Failure::Wrong(format!("--set {name}={value}: {message}")));
         }
     }

@@ -137,8 +137,7 @@ pub fn parameters(states: &[State], model: &Model) -> Result<Vec<String>, Failur
     let mut named = std::collections::BTreeSet::new();
     for (n, state) in states.iter().enumerate() {
         for (name, value) in &state.parameters {
-            let declared = model.parameters.iter().find(|p| p.name == *name);
-            if let Some(message) = declared.and_then(|p| p.refuses(*value)) {
+            if let Some(message) = model.refuses(name, *value) {
                 return Err(Failure::Wrong(format!("states[{n}].parameters: {message}")));
             }
             if !known.contains(&name.as_str()) {

@@ -250,7 +250,10 @@ fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
     let names: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
     let values = set.iter().filter_map(|change| change.split_once('='));
     let values = values.filter_map(|(name, value)| Some((name, value.parse().ok()?)));
-    check_numbers::<f32>(values).map_err(|why| Failure::Wrong(format!("--set: {why}")))?;
+    check_numbers::<f32>(values.clone()).map_err(|why| Failure::Wrong(format!("--set: {why}")))?;
+    if let Some(message) = values.clone().find_map(|(name, value)| model.refuses(name, value)) {
+        return Err(Failure::Wrong(format!("--set: {message}")));
+    }
     match set.iter().find(|change| !names.contains(&change.split('=').next().unwrap_or_default())) {
         Some(change) => Err(Failure::Wrong(format!(
             "--set {change}: {} has no such parameter; expected one of {}",

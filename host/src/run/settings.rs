@@ -102,10 +102,10 @@ impl Settings {
                 )));
             }
             names.push(name.clone());
-            if let Some(parameter) = model.parameters.iter().find(|p| p.name == name) {
-                if let Some(message) = parameter.refuses(value) {
-                    return Err(Failure::Wrong(format!("--set {change}: {message}")));
-                }
+            if let Some(message) = model.refuses(&name, value) {
+                return Err(Failure::Wrong(format!("--set {change}: {message}")));
+            }
+            if model.parameters.iter().any(|p| p.name == name) {
                 settings.choice.values.insert(name, value);
             } else {
                 settings.set_start(model, &name, value)?;

@@ -189,7 +189,11 @@ fn the_kinematic_form_needs_no_masses() {
     sections.sort_by_key(|range| std::cmp::Reverse(range.start));
     sections.into_iter().for_each(|range| bare.replace_range(range, ""));
     let path = written("bare.toml", &bare.replace("name = \"fourbar\"", "name = \"bare\""));
-    let functions = |text: &str| text[text.find("pub fn speeds").expect("speeds")..].to_owned();
+    // Without the lines of the model that comments name: the sections before them are gone.
+    let functions = |text: &str| {
+        let lines = text[text.find("pub fn speeds").expect("speeds")..].lines();
+        lines.filter_map(|line| line.split(" // ").next().map(str::to_owned)).collect::<Vec<_>>()
+    };
     let done = smartbed(&["derive", &path, "--form", "kinematic"]);
     assert_eq!(done.status, 0, "{done:?}");
     // Masses do not enter: the functions are those of the complete model but for the unused fields.
@@ -261,26 +265,62 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
     }
 }
 
-#[test]
-fn a_derived_crate_compiles_for_the_microcontroller() {
-    const TARGET: &str = "thumbv7em-none-eabihf";
-    let folder = file("tile_chip");
-    let done = smartbed(&["derive", "tile", "--scalar", "f32", "--crate", &folder.display().to_string()]);
+/// A crate of equations in f32, with the workspace's lock file: its versions are at hand without a network.
+fn derived_crate(model: &str) -> std::path::PathBuf {
+    let folder = file(&format!("{model}_chip"));
+    let done = smartbed(&["derive", model, "--scalar", "f32", "--crate", &folder.display().to_string()]);
     assert_eq!(done.status, 0, "{done:?}");
-    let toolchain = smartbed::firmware::toolchain::toolchain(TARGET).expect("a toolchain");
-    // A crate fresh from `derive` has no lock file; the workspace's versions are at hand without a network.
+    lock(&folder);
+    folder
+}
+
+fn lock(folder: &std::path::Path) {
     let locked = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
     std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
+}
+
+/// Builds a crate for a core without an operating system; `core` itself from source where the tool-chain lacks it.
+fn build_for(target: &str, folder: &std::path::Path) {
+    let toolchain = smartbed::firmware::toolchain::toolchain(target).expect("a toolchain");
     let mut cargo = toolchain.cargo();
-    cargo.args(["build", "--quiet", "--release", "--target", TARGET, "--target-dir"]).arg(file("chip"));
+    cargo.args(["build", "--quiet", "--release", "--target", target, "--target-dir"]).arg(file("chip"));
     if toolchain.core_from_source {
         cargo.arg("-Zbuild-std=core");
     }
-    cargo.env_remove("RUSTFLAGS").current_dir(&folder);
+    cargo.env_remove("RUSTFLAGS").current_dir(folder);
     let done = finish(cargo);
-    assert_eq!((done.status, done.err.as_str()), (0, ""), "{}", toolchain.describe());
-    let library = file("chip").join(TARGET).join("release/libtile.rlib");
-    assert!(std::fs::metadata(library).expect("a library").len() > 10_000);
+    assert_eq!((done.status, done.err.as_str()), (0, ""), "{target}, {}", toolchain.describe());
+}
+
+#[test]
+fn a_derived_crate_compiles_for_microcontrollers() {
+    let folder = derived_crate("tile");
+    for target in ["thumbv7em-none-eabihf", "thumbv8m.main-none-eabihf", "riscv32imafc-unknown-none-elf"] {
+        build_for(target, &folder);
+        let library = file("chip").join(target).join("release/libtile.rlib");
+        assert!(std::fs::metadata(library).expect("a library").len() > 10_000, "{target}");
+    }
+}
+
+/// Each carries the numbers of the runtime, one symbol of assembly among them: under fat LTO all of it is one module.
+#[test]
+fn two_derived_crates_link_together() {
+    let crates = ["cart_pole", "fourbar"].map(derived_crate);
+    let folder = file("both_chip");
+    std::fs::create_dir_all(folder.join("src")).expect("a folder");
+    let manifest = format!(
+        "[package]\nname = \"both\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[lib]\ncrate-type = [\"staticlib\"]\n\
+         [dependencies]\ncart_pole = {{ path = {:?} }}\nfourbar = {{ path = {:?} }}\n\
+         [profile.release]\npanic = \"abort\"\nlto = \"fat\"\n[workspace]\n",
+        crates[0], crates[1]
+    );
+    std::fs::write(folder.join("Cargo.toml"), manifest).expect("written");
+    let root = "#![no_std]\nuse cart_pole::real::Real as A;\nuse fourbar::real::Real as B;\n#[panic_handler]\n\
+        fn stop(_: &core::panic::PanicInfo) -> ! {\n    loop {}\n}\n#[unsafe(no_mangle)]\n\
+        pub extern \"C\" fn both(x: f32) -> f32 {\n    A::sqrt(x) + B::sqrt(x + 1.0)\n}\n";
+    std::fs::write(folder.join("src/lib.rs"), root).expect("written");
+    lock(&folder);
+    build_for("thumbv7em-none-eabihf", &folder);
 }
 
 #[test]

@@ -95,6 +95,23 @@ fn numbers_beyond_single_precision_are_refused_by_name() {
     assert!(done.status == 0 && !done.out.contains("inf_f"), "{done:?}");
 }
 
+/// A mass below 0: whichever command would set it.
+#[test]
+fn a_parameter_outside_its_range_is_refused_by_every_command() {
+    let states = "{\"states\": [{\"q\": {\"q\": 0.1}, \"parameters\": {\"m\": -1}}]}";
+    let mut said = vec![eval("range.json", "pendulum", states, &[])];
+    for command in ["derive", "run", "firmware"] {
+        said.push(smartbed(&[command, "pendulum", "--set", "m=-1"]));
+    }
+    for done in said {
+        assert!(
+            done.message().contains("parameter `m` is -1; expected a number from 0 to inf kg"),
+            "{done:?}"
+        );
+        assert_eq!(done.status, 1, "{done:?}");
+    }
+}
+
 #[test]
 fn a_run_shorter_than_a_step_takes_one() {
     for (model, more) in [

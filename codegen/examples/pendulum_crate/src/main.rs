@@ -1,36 +1,39 @@
-//! A pendulum swings for one second, by Heun's rule; the energy is printed at both ends.
+//! A pendulum swings for one second from where its model starts, by Kutta's method; the energy is printed at both ends.
 
+use pendulum::{START_Q, START_U, q, u};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
+use smartbed_runtime::ode::{Driven, State, rk4, runge_kutta};
 
-/// The generated module: `Pendulum`, `Parameters`, names, sizes.
+/// The generated module: `Pendulum`, also called `Model`, its parameters, names, places and start.
 mod pendulum {
     include!(concat!(env!("OUT_DIR"), "/pendulum.rs"));
 }
 
+const STEPS: u32 = 1_000;
+
 fn main() -> Result<(), Fault> {
     // Any parameter of the model is a field.
     let parameters = pendulum::Parameters { c: 0.0, ..Default::default() };
-    let mut mechanism = pendulum::Pendulum::new(parameters);
-    let (mut q, mut u) = ([0.5], [0.0]);
-    let before = total(&mut mechanism, &q, &u)?;
-    const STEPS: u32 = 10_000;
-    let step = 1.0 / f64::from(STEPS);
-    for _ in 0..STEPS {
-        let (mut q_dot, mut u_dot) = ([0.0], [0.0]);
-        mechanism.rates(0.0, &q, &u, &[], &mut q_dot, &mut u_dot)?;
-        let (mut q_next, mut u_next) = ([0.0], [0.0]);
-        let (q_end, u_end) = ([q[0] + step * q_dot[0]], [u[0] + step * u_dot[0]]);
-        mechanism.rates(0.0, &q_end, &u_end, &[], &mut q_next, &mut u_next)?;
-        q[0] += step / 2.0 * (q_dot[0] + q_next[0]);
-        u[0] += step / 2.0 * (u_dot[0] + u_next[0]);
+    // A law would write the inputs at (t, q, u); this pendulum has none.
+    let law = |_t: f64, _q: &[f64], _u: &[f64], _inputs: &mut [f64]| {};
+    let mut driven = Driven::new(pendulum::Model::new(parameters), law, &mut [])?;
+
+    let (mut x, mut low) = ([START_Q[q::q], START_U[u::u_q]], [0.0; 2]);
+    let before = total(&mut driven.mechanism, &x)?;
+    let mut scratch = [0.0; runge_kutta::rk4_scratch(2)];
+    let mut state = State::new(&mut x, &mut low)?;
+    let h = 1.0 / f64::from(STEPS);
+    for step in 0..STEPS {
+        rk4(&mut driven, h * f64::from(step), h, &mut state, &mut scratch)?;
     }
-    let after = total(&mut mechanism, &q, &u)?;
-    println!("q = {:.6} rad, energy {before:.9} J -> {after:.9} J", q[0]);
+    let after = total(&mut driven.mechanism, &x)?;
+    println!("q = {:.6} rad, energy {before:.9} J -> {after:.9} J", x[0]);
     Ok(())
 }
 
 /// Kinetic and potential energy (J).
-fn total(mechanism: &mut pendulum::Pendulum, q: &[f64], u: &[f64]) -> Result<f64, Fault> {
+fn total(mechanism: &mut pendulum::Model, x: &[f64]) -> Result<f64, Fault> {
+    let (q, u) = x.split_at(pendulum::NQ);
     let (kinetic, potential) = mechanism.energy(q, u)?;
     Ok(kinetic + potential)
 }

@@ -162,6 +162,12 @@ impl Parameter {
 }
 
 impl Model {
+    /// Why the parameter of this name cannot have a value (SI); nothing if there is no such parameter.
+    #[must_use]
+    pub fn refuses(&self, name: &str, value: f64) -> Option<String> {
+        self.parameters.iter().find(|parameter| parameter.name == name)?.refuses(value)
+    }
+
     /// Default value of every parameter, SI.
     #[must_use]
     pub fn parameter_defaults(&self) -> IdVec<ParameterId, f64> {

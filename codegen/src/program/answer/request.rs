@@ -3,6 +3,7 @@
 //! In: text such as `rates`, `pose:platform` or `jacobian:arm@tip`. Out: [`Request`]s, and [`Function`]s of those that
 //! are asked together: they share what they have in common.
 
+use crate::model::Model;
 use std::fmt;
 use std::str::FromStr;
 
@@ -118,6 +119,17 @@ impl Asked {
     #[must_use]
     pub fn only(functions: Vec<Function>) -> Self {
         Self { functions, only: true }
+    }
+
+    /// What a complete file holds: these functions, the model's law if it has one, and what every mechanism has.
+    #[must_use]
+    pub fn complete(model: &Model, functions: Vec<Function>) -> Self {
+        let law = Request::new("law");
+        let mut asked = Self::besides(functions);
+        if !model.laws.is_empty() && !asked.requests().contains(&law) {
+            asked.functions.push(Function::single(law));
+        }
+        asked
     }
 
     /// These functions beside those that every mechanism has.

@@ -14,7 +14,7 @@ impl<'p> Body<'p> {
         let dag = self.dag();
         while let Node::Negate(positive) = dag.node(id)
             && self.field(id).is_none()
-            && dag.name_of(id).is_none()
+            && dag.label_of(id).is_none()
         {
             id = positive;
         }
@@ -110,7 +110,7 @@ impl<'p> Body<'p> {
             }
             let angle = matches!(dag.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
             let shared = self.uses[id.index()] > 1;
-            let own = shared || angle || dag.name_of(id).is_some() || size > LONGEST_STATEMENT;
+            let own = shared || angle || dag.label_of(id).is_some() || size > LONGEST_STATEMENT;
             if own || waiting.iter().any(|(late, _)| step.reads.contains(late)) {
                 waiting.drain(..).for_each(|(late, _)| self.own_statement.insert(late));
             }

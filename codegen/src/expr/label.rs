@@ -1,0 +1,115 @@
+//! What generated code says of a value: its name, where the model declares it, the section that it belongs to.
+//!
+//! A name stays only while it is true of every use: a value that the derivation names twice, or that the value graph merges
+//! from two of different names, has none. Whatever has a label stays a value of its own: no sum is taken apart there.
+
+use super::{Dag, ExprId, Node};
+use crate::section::Section;
+
+/// A label.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Label {
+    /// The section of the equations.
+    pub section: Section,
+    name: Name,
+    /// File and line of its declaration.
+    pub place: Option<String>,
+}
+
+#[derive(Clone, PartialEq, Eq, Debug)]
+enum Name {
+    Unnamed,
+    One(String),
+    Several,
+}
+
+impl Label {
+    /// Without a name.
+    #[must_use]
+    pub fn of(section: Section) -> Self {
+        Self { section, name: Name::Unnamed, place: None }
+    }
+
+    /// With this name.
+    #[must_use]
+    pub fn named(section: Section, name: impl Into<String>) -> Self {
+        Self { section, name: Name::One(name.into()), place: None }
+    }
+
+    /// Declared there.
+    #[must_use]
+    pub fn at(self, place: String) -> Self {
+        Self { place: Some(place), ..self }
+    }
+
+    /// The one name that is true of the value.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        match &self.name {
+            Name::One(name) => Some(name),
+            Name::Unnamed | Name::Several => None,
+        }
+    }
+
+    /// Both labels are of one value.
+    pub fn join(&mut self, other: &Self) {
+        self.section = self.section.min(other.section);
+        match (&self.name, &other.name) {
+            (_, Name::Unnamed) => {}
+            (Name::Unnamed, _) => (self.name, self.place) = (other.name.clone(), other.place.clone()),
+            (one, another) if one == another => {}
+            _ => (self.name, self.place) = (Name::Several, None),
+        }
+    }
+}
+
+impl Dag {
+    /// Labels a node for the generated code; constants and symbols need none.
+    pub fn label(&mut self, id: ExprId, label: Label) {
+        if matches!(self.nodes[id], Node::Number(_) | Node::Symbol(_) | Node::Pi) {
+            return;
+        }
+        match self.labels.get_mut(&id) {
+            Some(known) => known.join(&label),
+            None => {
+                self.labels.insert(id, label);
+            }
+        }
+    }
+
+    /// The label of a node.
+    #[must_use]
+    pub fn label_of(&self, id: ExprId) -> Option<&Label> {
+        self.labels.get(&id)
+    }
+
+    /// The name of a node.
+    #[must_use]
+    pub fn name_of(&self, id: ExprId) -> Option<&str> {
+        self.label_of(id)?.name()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_two_names_neither_stays() {
+        let mut dag = Dag::default();
+        let (x, y) = (dag.symbol("x"), dag.symbol("y"));
+        let sum = dag.add(x, y);
+        dag.label(sum, Label::named(Section::Forces, "a").at("m.toml:3".to_owned()));
+        dag.label(sum, Label::of(Section::Constraints));
+        dag.label(sum, Label::named(Section::Forces, "a"));
+        let label = dag.label_of(sum).expect("a label");
+        assert_eq!((label.name(), label.section), (Some("a"), Section::Constraints));
+        assert_eq!(label.place.as_deref(), Some("m.toml:3"));
+        for name in ["b", "a"] {
+            dag.label(sum, Label::named(Section::Forces, name));
+            assert_eq!(dag.name_of(sum), None);
+        }
+        dag.label(x, Label::named(Section::Forces, "c"));
+        assert_eq!(dag.label_of(x), None, "symbols have their own names");
+    }
+}

@@ -1,0 +1,41 @@
+//! Parameters that a derivation keeps or changes.
+//!
+//! In: names and values from a command line or a build script. Out: nothing, or an error each that the model does not have
+//! or whose value it does not allow, so that no caller has to compare.
+
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Model;
+use std::collections::BTreeMap;
+
+/// How the derivation treats parameters.
+#[derive(Clone, Debug, Default)]
+pub struct ParameterChoice {
+    /// Names of fixed parameters to keep as fields all the same.
+    pub keep: Vec<String>,
+    /// Other default values, by name.
+    pub values: BTreeMap<String, f64>,
+}
+
+impl ParameterChoice {
+    /// Has the model these parameters, and does it allow the values?
+    ///
+    /// # Errors
+    /// Every one that it has not, or whose value lies outside its range.
+    pub fn check(&self, model: &Model) -> Result<(), Diagnostics> {
+        let mut found = Diagnostics::new(model.source.clone());
+        let is_unknown = |name: &&String| model.parameters.iter().all(|p| p.name != **name);
+        for name in self.keep.iter().chain(self.values.keys()).filter(is_unknown) {
+            let known: Vec<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+            let error = Diagnostic::error(format!("`{}` has no parameter `{name}`", model.name));
+            found.push(error.help(format!("expected one of {}", known.join(", "))));
+        }
+        for parameter in model.parameters.iter() {
+            let value = self.values.get(&parameter.name);
+            if let Some(message) = value.and_then(|value| parameter.refuses(*value)) {
+                let error = Diagnostic::error(message).label(parameter.span, "declared here");
+                found.push(error.help("set another value, or give another `range`"));
+            }
+        }
+        if found.has_errors() { Err(found) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,49 @@
+//! Where a motion starts: the model's `[start]` as coordinates and speeds.
+//!
+//! In: what `[start]` states. Out: a configuration that meets the constraints, on the branch of the nominal one, and the
+//! independent speeds; what is not stated is nominal, or 0.
+
+use super::Program;
+use crate::model::{Model, StartRef};
+
+/// Coordinates and speeds at the start, in the program's order (SI).
+#[derive(Clone, PartialEq, Debug)]
+pub struct Start {
+    /// Coordinates, dependent ones included.
+    pub q: Vec<f64>,
+    /// Speeds that are state.
+    pub u: Vec<f64>,
+}
+
+/// Names and values that `[start]` states.
+pub(super) fn stated(model: &Model) -> Vec<(String, f64)> {
+    let name = |owner: &StartRef| match owner {
+        StartRef::Coordinate(id) => model.coordinates[*id].name.clone(),
+        StartRef::Speed(id) => model.speeds[*id].name.clone(),
+    };
+    model.start.iter().map(|(owner, value)| (name(owner), *value)).collect()
+}
+
+impl Program {
+    /// The model's start.
+    ///
+    /// # Errors
+    /// Why there is none: it cannot be assembled, or it states some of several speeds that the constraints tie.
+    pub fn start(&self) -> Result<Start, String> {
+        let stated =
+            |name: &str| self.stated_start.iter().find(|(of, _)| of == name).map(|(_, value)| *value);
+        let u: Vec<f64> = self.u.iter().map(|speed| stated(&speed.name).unwrap_or(0.0)).collect();
+        if self.is_redundant() && u.iter().any(|speed| *speed != 0.0) {
+            return Err("all speeds are state and [start] states some of them".to_owned());
+        }
+        let wanted = self.q.iter().zip(&self.nominal);
+        let wanted: Vec<f64> = wanted.map(|(q, nominal)| stated(&q.name).unwrap_or(*nominal)).collect();
+        if wanted == self.nominal {
+            return Ok(Start { q: wanted, u });
+        }
+        match self.assembly.clone().continue_to(&self.nominal, &wanted) {
+            Ok(q) => Ok(Start { q, u }),
+            Err(unreachable) => Err(format!("[start] cannot be assembled: {unreachable}")),
+        }
+    }
+}
