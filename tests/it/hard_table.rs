@@ -14,6 +14,7 @@ const ROWS: usize = 30;
 pub fn folder(package: &str, program: &str) -> Option<PathBuf> {
     let folder = match (package, program) {
         ("smartbed-codegen", "it") => "codegen/tests/it",
+        ("smartbed-macros", "it") => "macros/tests/it",
         ("smartbed-runtime", "it") => "runtime/tests/it",
         ("smartbed-tests", "it") => "tests/it",
         ("smartbed-firmware", "it") => "firmware/tests/it",

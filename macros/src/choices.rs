@@ -1,0 +1,127 @@
+//! What stands between the macro's parentheses.
+//!
+//! In: its text. Out: the model's path and the options of a build script; an error says which word was not expected.
+
+use smartbed_codegen::{Effort, Options, ScalarType};
+use syn::parse::{Parse, ParseStream};
+use syn::{Ident, LitFloat, LitInt, LitStr, Token, braced, bracketed};
+
+/// Path and options.
+pub struct Choices {
+    /// From the folder of the package.
+    pub path: String,
+    /// As in a build script.
+    pub options: Options,
+}
+
+impl Parse for Choices {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let path: LitStr = input.parse()?;
+        let mut chosen = Self { path: path.value(), options: Options::default() };
+        while !input.is_empty() {
+            input.parse::<Token![,]>()?;
+            if input.is_empty() {
+                break;
+            }
+            let choice: Ident = input.parse()?;
+            input.parse::<Token![=]>()?;
+            let options = &mut chosen.options;
+            match choice.to_string().as_str() {
+                "scalar" => options.emit.scalar = scalar(input)?,
+                "effort" => options.settings.effort = effort(input)?,
+                "answers" => options.answers = list(input)?,
+                "keep" => options.parameters.keep = list(input)?,
+                "set" => options.parameters.values = values(input)?.into_iter().collect(),
+                _ => return Err(syn::Error::new(choice.span(), expected(&choice))),
+            }
+        }
+        Ok(chosen)
+    }
+}
+
+fn expected(choice: &Ident) -> String {
+    format!("unknown choice `{choice}`; expected scalar, answers, keep, set or effort")
+}
+
+/// `f32`, `f64` or a type's path in quotes.
+fn scalar(input: ParseStream) -> syn::Result<ScalarType> {
+    if input.peek(LitStr) {
+        return Ok(ScalarType::Path(input.parse::<LitStr>()?.value()));
+    }
+    let word: Ident = input.parse()?;
+    match word.to_string().as_str() {
+        "f32" => Ok(ScalarType::F32),
+        "f64" => Ok(ScalarType::F64),
+        _ => Err(syn::Error::new(word.span(), "scalar: expected f32, f64 or a type's path in quotes")),
+    }
+}
+
+fn effort(input: ParseStream) -> syn::Result<Effort> {
+    let word: Ident = input.parse()?;
+    match word.to_string().as_str() {
+        "none" => Ok(Effort::None),
+        "default" => Ok(Effort::Default),
+        "all" => Ok(Effort::All),
+        _ => Err(syn::Error::new(word.span(), "effort: expected none, default or all")),
+    }
+}
+
+/// `["a", "b"]`.
+fn list(input: ParseStream) -> syn::Result<Vec<String>> {
+    let inside;
+    bracketed!(inside in input);
+    let entries = inside.parse_terminated(|input| input.parse::<LitStr>(), Token![,])?;
+    Ok(entries.iter().map(LitStr::value).collect())
+}
+
+/// `{ M = 8.0, z_payload = -0.1 }`.
+fn values(input: ParseStream) -> syn::Result<Vec<(String, f64)>> {
+    let inside;
+    braced!(inside in input);
+    let entries = inside.parse_terminated(value, Token![,])?;
+    Ok(entries.into_iter().collect())
+}
+
+fn value(input: ParseStream) -> syn::Result<(String, f64)> {
+    let name: Ident = input.parse()?;
+    input.parse::<Token![=]>()?;
+    let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1.0 } else { 1.0 };
+    let size: f64 = match input.peek(LitInt) {
+        true => input.parse::<LitInt>()?.base10_parse()?,
+        false => input.parse::<LitFloat>()?.base10_parse()?,
+    };
+    Ok((name.to_string(), sign * size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_choice_is_read() {
+        let text = r#""models/press.toml", scalar = f32, answers = ["law", "rates,bias"], keep = ["m"],
+            set = { M = 8, z = -0.5 }, effort = all,"#;
+        let Choices { path, options } = syn::parse_str(text).expect("it reads");
+        assert_eq!(path, "models/press.toml");
+        assert_eq!(options.emit.scalar, ScalarType::F32);
+        assert_eq!(options.answers, ["law", "rates,bias"]);
+        assert_eq!(options.parameters.keep, ["m"]);
+        let values: Vec<(String, f64)> = options.parameters.values.into_iter().collect();
+        assert_eq!(values, [("M".to_owned(), 8.0), ("z".to_owned(), -0.5)]);
+        assert_eq!(options.settings.effort, Effort::All);
+    }
+
+    #[test]
+    fn what_is_not_known_is_named() {
+        for (text, message) in [
+            ("press", "expected string literal"),
+            ("\"p.toml\", speed = 3", "unknown choice `speed`"),
+            ("\"p.toml\", scalar = i32", "scalar: expected f32"),
+            ("\"p.toml\", effort = most", "effort: expected none"),
+            ("\"p.toml\" scalar = f32", "expected `,`"),
+        ] {
+            let said = syn::parse_str::<Choices>(text).err().map(|e| e.to_string()).unwrap_or_default();
+            assert!(said.contains(message), "{text}: {said}");
+        }
+    }
+}

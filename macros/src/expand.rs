@@ -1,0 +1,28 @@
+//! From the macro's text to items.
+//!
+//! In: what stands between the parentheses; the model in the package's folder. Out: the emitted file as text, and a line a
+//! file read, by which the compiler notices that one has changed.
+
+use crate::choices::Choices;
+use smartbed_codegen::generate_in;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// The items.
+///
+/// # Errors
+/// What was wrong with the choices or the model, as the error's text.
+pub fn expand(text: &str) -> Result<String, String> {
+    let Choices { path, options } = syn::parse_str(text).map_err(|e| format!("mechanism!: {e}"))?;
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let folder = folder.ok_or(
+        "mechanism!: no CARGO_MANIFEST_DIR: compile by cargo, or set it to the folder of the models",
+    )?;
+    let generated = generate_in(&folder, &path, &options).map_err(|errors| errors.to_string())?;
+    let mut items = generated.text;
+    for file in generated.files {
+        let file = folder.join(file);
+        let _ = writeln!(items, "const _: &[u8] = ::core::include_bytes!({:?});", file.display().to_string());
+    }
+    Ok(items)
+}
