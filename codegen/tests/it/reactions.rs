@@ -317,38 +317,38 @@ const LEGS_AT_REST: [Vector; 3] = [
     [2.150077139625586, 0.0, 9.432629464834347],
 ];
 
-#[test]
-fn thrusts_and_reactions_of_the_tile_are_those_of_its_geometry() {
-    let massless = ["ms", "mr", "mc", "Ic1", "Ic2", "Ic3", "c"].map(|name| (name, 0.0));
-    let platform = [("R", 0.1), ("M", 3.0), ("Ix", 0.012), ("Iy", 0.016), ("Iz", 0.026)];
-    let values = massless.into_iter().chain(platform).map(|(name, value)| (name.to_owned(), value)).collect();
-    let choice = ParameterChoice { values, ..ParameterChoice::default() };
-    let requests = ["inverse_dynamics", "reaction:PA", "reaction:PB", "reaction:PC"];
+/// A model of the tile at its start, asked for what its screws push and its guides carry.
+fn at_start(name: &str) -> (Asking, State) {
+    let requests = ["inverse_dynamics", "law", "rates", "reaction:PA", "reaction:PB", "reaction:PC"];
     let requests: Vec<Request> = requests.iter().map(|text| text.parse().expect("a request")).collect();
     let asked = Asked::besides(vec![Function { name: "answers".to_owned(), requests }]);
-    let program = program::derive_asked(&shipped("tile"), &choice, program::Settings::default(), &asked)
+    let (choice, settings) = (ParameterChoice::default(), program::Settings::default());
+    let program = program::derive_asked(&shipped(name), &choice, settings, &asked)
         .unwrap_or_else(|found| panic!("{found}"));
-    let mut q = program.nominal.clone();
-    for (name, height) in [("hA", 0.03), ("hB", 0.01), ("hC", -0.01)] {
-        q[program.q.iter().position(|x| x.name == name).expect("a height")] = height;
-    }
-    program.assembly.clone().correct(&mut q).expect("near the level tile");
-    let engine = Interpreted::new(&program);
-    let moving = State {
-        t: 0.0,
-        q,
-        u: vec![0.004, -0.001, 0.002],
-        inputs: vec![0.0; 3],
-        u_dot: vec![0.1, -0.05, 0.02],
-    };
-    let mut resting = State { u: vec![0.0; 3], u_dot: vec![0.0; 3], ..moving.clone() };
-    let mut tile = Asking { state: moving.clone(), program, engine };
+    let program::Start { q, u } = program.start().expect("it can be assembled");
+    let state = State { t: 0.0, q, u, inputs: vec![0.0; 3], u_dot: vec![0.0; 3] };
+    (Asking { state: state.clone(), engine: Interpreted::new(&program), program }, state)
+}
+
+#[test]
+fn thrusts_of_the_moving_tile_are_those_of_its_geometry() {
+    let (mut tile, start) = at_start("tile_inverse");
+    let moving = State { u_dot: vec![0.1, -0.05, 0.02], ..start.clone() };
     close(&tile.part(&moving, "inverse_dynamics", "inputs"), &IN_MOTION, 1e-12, "in motion");
+    let resting = State { u: vec![0.0; 3], ..start };
     close(&tile.part(&resting, "inverse_dynamics", "inputs"), &AT_REST, 1e-12, "at rest");
-    // With these thrusts nothing is accelerated; what the guides give is all but the thrusts.
-    resting.inputs = tile.part(&resting, "inverse_dynamics", "inputs");
+}
+
+/// Its law gives the thrusts with which nothing is accelerated; what the guides give is all but the thrusts.
+#[test]
+fn reactions_of_the_resting_tile_are_those_of_its_geometry() {
+    let (mut tile, mut start) = at_start("tile_reactions");
+    start.inputs = tile.part(&start, "law", "inputs");
+    close(&start.inputs, &AT_REST, 1e-12, "the law");
+    let accelerations = tile.part(&start, "rates", "u_dot");
+    assert!(accelerations.iter().all(|a| a.abs() < 1e-12 * 9.81), "{accelerations:?}");
     for (leg, expected) in ["PA", "PB", "PC"].iter().zip(LEGS_AT_REST) {
-        let found = tile.part(&resting, &format!("reaction:{leg}"), "reaction");
+        let found = tile.part(&start, &format!("reaction:{leg}"), "reaction");
         close(&found, &[expected[0], expected[1], 0.0], 1e-12, leg);
     }
 }
