@@ -1,5 +1,6 @@
 //! Everything of the runtime that can be judged from outside.
 
+mod by_blocks;
 mod double_double;
 mod flexible;
 mod flexible_impact;

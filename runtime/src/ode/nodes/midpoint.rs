@@ -5,7 +5,8 @@
 //! undamped energy stays, damped energy never rises, for any step; momentum and angular momentum stay.
 //! Solved by fixed-point iteration (h w_max < 2).
 
-use super::{Motion, Newton, NodeFault, Way, Workspace, movable, set};
+use super::{Motion, Newton, NodeFault, Way, Workspace, rows, set};
+use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3;
 
@@ -67,7 +68,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
     let unit_strain = newton.acceleration_of_unit_strain();
     let (mut smallest, mut without_gain) = (None, 0_u32);
     for _ in 0..ITERATIONS {
-        place_middle(newton, start, h, work);
+        kernel::run(PlaceMiddle { newton, start, h, work });
         work.evaluations += 1;
         force(work)?;
         let (mut change, mut size) = (S::ZERO, S::ZERO);
@@ -88,7 +89,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
         let patience = if change <= S::from_f64(ROUNDED) * S::EPSILON * scale { 1 } else { PATIENCE };
         let stalled = change <= S::EPSILON.sqrt() * scale && without_gain >= patience;
         if change <= rounding || stalled {
-            place_middle(newton, start, h, work);
+            kernel::run(PlaceMiddle { newton, start, h, work });
             for i in 0..n {
                 set(work.dv, i, vec3::scale(vec3::at(work.stages, i), h));
             }
@@ -99,15 +100,37 @@ fn iterate<S: Scalar, N: Newton<S>>(
 }
 
 /// Middle and end of the step from the accelerations k.
-fn place_middle<S: Scalar>(newton: &impl Newton<S>, start: &Motion<S>, h: S, work: &mut Workspace<S>) {
-    let half = S::from_f64(0.5);
-    for i in 0..newton.nodes() {
-        let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
-        let k = vec3::at(work.stages, i);
-        let step = movable(newton, i, vec3::axpy(vec3::scale(v, h), half * h * h, k));
-        set(work.dx, i, step);
-        set(work.stage_pos, i, vec3::axpy(x, half, step));
-        set(work.end.pos, i, vec3::add(x, step));
-        set(work.stage_vel, i, vec3::axpy(v, half * h, k));
+struct PlaceMiddle<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    h: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let PlaceMiddle { newton, start, h, work } = self;
+        let Workspace { end, dx, dv, stage_pos, stage_vel, stages, .. } = work;
+        let half = S::from_f64(0.5);
+        for first in rows::blocks(newton.nodes()) {
+            let inverse = newton.inverse_masses(first, rows::block_mut(dv, first)).as_flattened().iter();
+            let [x, v, k] =
+                [&*start.pos, start.vel, stages].map(|row| rows::block(row, first).as_flattened().iter());
+            let [step, pos, end, vel] = [&mut **dx, stage_pos, end.pos, stage_vel]
+                .map(|row| rows::block_mut(row, first).as_flattened_mut().iter_mut());
+            for (((x, v), (k, inverse)), ((step, pos), (end, vel))) in
+                x.zip(v).zip(k.zip(inverse)).zip(step.zip(pos).zip(end.zip(vel)))
+            {
+                let way = h * *v + half * h * h * *k;
+                // A node that no force moves stays.
+                *step = if *inverse > S::ZERO { way } else { S::ZERO };
+                *pos = *x + half * *step;
+                *end = *x + *step;
+                *vel = *v + half * h * *k;
+            }
+        }
     }
 }

@@ -3,7 +3,8 @@
 //! k_s = a(x + c_s h v + h^2 sum abar_sj k_j,  v + h sum a_sj k_j)
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
 
-use super::{Motion, Newton, Workspace, movable, set};
+use super::{Motion, Newton, Workspace, rows};
+use crate::kernel::{self, Kernel};
 use crate::ode::tableau::Tableau;
 use crate::real::{Constant, Scalar};
 use crate::vec3::{self, Vec3};
@@ -20,38 +21,143 @@ pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
     let n = newton.nodes();
     for (s, (abar, a)) in tableau.abar.iter().zip(&tableau.a).enumerate() {
         if s == 0 {
-            for (i, k) in work.stages.iter_mut().take(n).enumerate() {
-                *k = newton.acceleration(i, start.force(i));
-            }
+            kernel::run(Accelerate {
+                newton,
+                forces: [start.elastic, start.viscous],
+                memory: work.dx,
+                out: work.stages,
+            });
             continue;
         }
-        let c = tableau.drift.get(s).map_or(S::ZERO, |c| S::constant(*c));
-        for i in 0..n {
-            let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
-            let drift = vec3::axpy(x, h * c, v);
-            let bend = weighted(work.stages, n, i, abar, s);
-            let kick = weighted(work.stages, n, i, a, s);
-            set(work.stage_pos, i, vec3::axpy(drift, h * h, bend));
-            set(work.stage_vel, i, vec3::axpy(v, h, kick));
-        }
+        let drift = tableau.drift.get(s).map_or(S::ZERO, |c| h * S::constant(*c));
+        kernel::run(Reach { n, start, weights: [abar, a], count: s, h, drift, work });
         work.evaluations += 1;
         newton.elastic(work.stage_pos, work.stage_elastic)?;
         newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
-        for (i, k) in work.stages.iter_mut().skip(s * n).take(n).enumerate() {
-            let force = vec3::add(vec3::at(work.stage_elastic, i), vec3::at(work.stage_viscous, i));
-            *k = newton.acceleration(i, force);
-        }
+        let out = work.stages.get_mut(s * n..).unwrap_or_default();
+        kernel::run(Accelerate {
+            newton,
+            forces: [work.stage_elastic, work.stage_viscous],
+            memory: work.dx,
+            out,
+        });
     }
-    for i in 0..n {
-        let v = vec3::at(start.vel, i);
-        let bend = weighted(work.stages, n, i, &tableau.bbar, K);
-        let kick = weighted(work.stages, n, i, &tableau.b, K);
-        set(work.dx, i, vec3::axpy(vec3::scale(movable(newton, i, v), h), h * h, bend));
-        set(work.dv, i, vec3::scale(kick, h));
-    }
+    kernel::run(Arrive { newton, start, weights: [&tableau.bbar, &tableau.b], h, work });
     let error = error_estimate(tableau, start, h, tolerance, work, n);
     work.finish(newton, start)?;
     Ok(error)
+}
+
+/// Accelerations of all nodes under the sum of two forces; `memory` is one row.
+struct Accelerate<'a, S, N> {
+    newton: &'a N,
+    forces: [&'a [Vec3<S>]; 2],
+    memory: &'a mut [Vec3<S>],
+    out: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Accelerate<'_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Accelerate { newton, forces: [elastic, viscous], memory, out } = self;
+        let out = out.get_mut(..newton.nodes()).unwrap_or_default();
+        for first in rows::blocks(newton.nodes()) {
+            let inverse = newton.inverse_masses(first, rows::block_mut(memory, first));
+            let out = rows::block_mut(out, first);
+            rows::multiply_sum(out, [elastic, viscous].map(|force| rows::block(force, first)), inverse);
+            if newton.holds(first, out.len()) {
+                newton.admit(first, out);
+            }
+        }
+    }
+}
+
+/// Positions and velocities of a stage from `count` stages before it; `drift` is c h.
+struct Reach<'a, 'm, 'w, S> {
+    n: usize,
+    start: &'a Motion<'m, S>,
+    weights: [&'a [Constant]; 2],
+    count: usize,
+    h: S,
+    drift: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar> Kernel for Reach<'_, '_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Reach { n, start, weights: [abar, a], count, h, drift, work } = self;
+        let Workspace { stage_pos, stage_vel, stages, .. } = work;
+        for first in rows::blocks(n) {
+            let [pos, vel] = [&mut **stage_pos, stage_vel].map(|row| rows::block_mut(row, first));
+            let [x, v] = [&*start.pos, start.vel].map(|row| rows::block(row, first));
+            weigh(pos, stages, (n, first), abar, count);
+            weigh(vel, stages, (n, first), a, count);
+            let starts = x.as_flattened().iter().zip(v.as_flattened());
+            let ends = pos.as_flattened_mut().iter_mut().zip(vel.as_flattened_mut());
+            for ((bend, kick), (x, v)) in ends.zip(starts) {
+                *bend = *x + drift * *v + h * h * *bend;
+                *kick = *v + h * *kick;
+            }
+        }
+    }
+}
+
+/// Changes of positions and velocities over the step.
+struct Arrive<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    weights: [&'a [Constant]; 2],
+    h: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Arrive { newton, start, weights: [bbar, b], h, work } = self;
+        let Workspace { dx, dv, stage_pos, stages, .. } = work;
+        let (n, every) = (newton.nodes(), bbar.len());
+        for first in rows::blocks(n) {
+            let inverse = newton.inverse_masses(first, rows::block_mut(stage_pos, first));
+            let [dx, dv] = [&mut **dx, dv].map(|row| rows::block_mut(row, first));
+            weigh(dx, stages, (n, first), bbar, every);
+            weigh(dv, stages, (n, first), b, every);
+            let starts = rows::block(start.vel, first).as_flattened().iter().zip(inverse.as_flattened());
+            let ends = dx.as_flattened_mut().iter_mut().zip(dv.as_flattened_mut());
+            for ((bend, kick), (v, inverse)) in ends.zip(starts) {
+                // A node that no force moves stays.
+                let way = h * *v;
+                let way = if *inverse > S::ZERO { way } else { S::ZERO };
+                *bend = way + h * h * *bend;
+                *kick = *kick * h;
+            }
+        }
+    }
+}
+
+/// Sums over the first `count` stages of weight_j k_j, for a block of n nodes.
+#[inline(always)]
+fn weigh<S: Scalar>(
+    sums: &mut [Vec3<S>],
+    stages: &[Vec3<S>],
+    (n, first): (usize, usize),
+    weights: &[Constant],
+    count: usize,
+) {
+    sums.as_flattened_mut().fill(S::ZERO);
+    for (stage, weight) in stages.chunks_exact(n.max(1)).zip(weights).take(count) {
+        let weight = S::constant(*weight);
+        if weight != S::ZERO {
+            rows::add_scaled(sums, weight, rows::block(stage, first));
+        }
+    }
 }
 
 /// Sum over the first `count` stages of weight_j k_j of node i.

@@ -38,6 +38,23 @@ pub(super) fn add_product<S: Scalar>(y: &mut [Vec3<S>], h: S, a: &[Vec3<S>], b: 
     }
 }
 
+/// y + s a into y.
+#[inline(always)]
+pub(super) fn add_scaled<S: Scalar>(y: &mut [Vec3<S>], s: S, a: &[Vec3<S>]) {
+    for (y, a) in y.as_flattened_mut().iter_mut().zip(a.as_flattened()) {
+        *y = *y + s * *a;
+    }
+}
+
+/// (a + b) c into y, component by component.
+#[inline(always)]
+pub(super) fn multiply_sum<S: Scalar>(y: &mut [Vec3<S>], [a, b]: [&[Vec3<S>]; 2], c: &[Vec3<S>]) {
+    let factors = a.as_flattened().iter().zip(b.as_flattened()).zip(c.as_flattened());
+    for (y, ((a, b), c)) in y.as_flattened_mut().iter_mut().zip(factors) {
+        *y = (*a + *b) * *c;
+    }
+}
+
 /// a b into y, component by component.
 #[inline(always)]
 pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>]) {
