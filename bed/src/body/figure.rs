@@ -6,11 +6,14 @@
 //! moduli of tissue are ours, scaled with the root of mass over stature.
 
 use super::anthropometry::{Part, Table};
-use super::{Body, Joint, Segment, Shape};
+use super::{Body, Joint, Limits, Segment, Shape};
 use crate::map::Region;
 use crate::pose::Pose;
 use smartbed_runtime::vec3::Vec3;
 use std::fmt;
+
+/// Of a joint beyond its range (N m/rad); an estimate of ours.
+const STOP: f64 = 300.0;
 
 /// How the figure lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,6 +197,8 @@ pub struct Figure {
     pub parts: Vec<Part>,
     /// Poses, the lower trunk's middle above the origin.
     pub poses: Vec<Pose>,
+    /// What each joint allows.
+    pub limits: Vec<Limits>,
 }
 
 impl Figure {
@@ -222,6 +227,7 @@ impl Figure {
             .map(|(name, part, _)| segment(name, *part, table, mass, stature, girth))
             .collect();
         let mut body = Body { segments, joints: Vec::new() };
+        let mut allowed = Vec::new();
         let mut poses = vec![Pose::at([0.0; 3]); SEGMENTS.len()];
         poses[0] = root(posture);
         for link in &links {
@@ -230,13 +236,14 @@ impl Figure {
             check(link, angles)?;
             // Spread and twist of the right side are those of the left in a mirror.
             let mirror = if link.name.starts_with("right") { -1.0 } else { 1.0 };
-            let joint =
-                joint(link, [angles[0], mirror * angles[1], mirror * angles[2]], table, stature, girth);
+            let turned = [angles[0], mirror * angles[1], mirror * angles[2]];
+            let joint = joint(link, turned, table, stature, girth);
             let inner = Pose { place: joint.points[0], attitude: joint.posture };
             let outer = poses[link.segments[0]].of(&inner);
             let place = outer.outwards(joint.points[1].map(|x| -x));
             poses[link.segments[1]] = Pose { place, attitude: outer.attitude };
             body.joints.push(joint);
+            allowed.push(limits(link, turned, link.name.starts_with("right")));
         }
         // What keeps trunk and head as they are besides the bed: a cushion, or muscles.
         for segment in &mut body.segments[..4] {
@@ -247,7 +254,18 @@ impl Figure {
             }
         }
         let parts = SEGMENTS.iter().map(|s| s.1).collect();
-        Ok(Figure { body, parts, poses })
+        Ok(Figure { body, parts, poses, limits: allowed })
+    }
+
+    /// The same with stops at the ends of its joints' ranges.
+    #[must_use]
+    pub fn with_stops(mut self) -> Figure {
+        self.body
+            .joints
+            .iter_mut()
+            .zip(&self.limits)
+            .for_each(|(joint, limits)| joint.limits = Some(*limits));
+        self
     }
 
     /// Which region a point of a segment's skin belongs to, given in the segment's axes with its normal outwards.
@@ -314,7 +332,18 @@ fn joint(link: &Link, angles: Angles, table: Table, stature: f64, girth: f64) ->
         posture: turns.attitude,
         stiffness: 2e5,
         turning: link.turning,
+        limits: None,
     }
+}
+
+/// What a joint allows, on the right side in a mirror.
+fn limits(link: &Link, posture: Angles, is_right: bool) -> Limits {
+    let mut range = link.range;
+    if is_right {
+        (1..3).for_each(|k| range[k] = [-range[k][1], -range[k][0]]);
+    }
+    let radians = |degrees: [f64; 2]| degrees.map(f64::to_radians);
+    Limits { posture: posture.map(f64::to_radians), range: range.map(radians), stiffness: STOP }
 }
 
 fn check(link: &Link, angles: Angles) -> Result<(), FigureError> {

@@ -6,8 +6,10 @@
 
 pub mod anthropometry;
 pub mod figure;
+mod limits;
 pub mod shape;
 mod skeleton;
 
+pub use limits::{Limits, Stop};
 pub use shape::Shape;
 pub use skeleton::{Body, Joint, Rows, Segment, lever};

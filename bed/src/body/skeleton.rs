@@ -4,6 +4,7 @@
 //! and b_k the axes of the second segment as the posture has them and as they are, E = kappa/2 (3 - sum a_k . b_k), which is
 //! kappa/2 angle^2 for small angles; its moments are -+kappa/2 sum a_k x b_k.
 
+use super::limits::Limits;
 use super::shape::Shape;
 use crate::pose::Pose;
 use smartbed_runtime::rigid::attitude::Attitude;
@@ -41,6 +42,8 @@ pub struct Joint {
     pub stiffness: f64,
     /// kappa (N m/rad).
     pub turning: f64,
+    /// What it allows.
+    pub limits: Option<Limits>,
 }
 
 /// Segments and joints.
@@ -159,7 +162,9 @@ impl Joint {
 
     fn energy(&self, poses: &[Pose]) -> f64 {
         let (_, apart) = self.parted(poses);
-        0.5 * self.stiffness * dot(apart, apart) + 0.5 * self.turning * (3.0 - self.trace(poses))
+        let [inner, outer] = self.segments.map(|s| poses[s].attitude.axes());
+        let beyond = self.limits.as_ref().map_or(0.0, |limits| limits.energy(&inner, &outer));
+        0.5 * self.stiffness * dot(apart, apart) + 0.5 * self.turning * (3.0 - self.trace(poses)) + beyond
     }
 
     /// Angle by which the segments have left their posture (rad).
@@ -182,6 +187,28 @@ impl Joint {
         rows.add_hessian([b, a], [arms[1], arms[0]], &h, -1.0);
         let axes = self.axes(poses);
         self.add_turning(axes, self.turning, rows);
+        self.add_stops(poses, rows);
+    }
+
+    /// Moments that keep the joint within its limits.
+    fn add_stops(&self, poses: &[Pose], rows: &mut Rows) {
+        let [a, b] = self.segments;
+        let (Some(limits), size) = (&self.limits, rows.gradient.len()) else { return };
+        let [inner, outer] = [a, b].map(|s| poses[s].attitude.axes());
+        for stop in limits.stops(&inner, &outer) {
+            let moment = scale(stop.direction, limits.stiffness * stop.beyond);
+            for (row, sign) in [(a, -1.0), (b, 1.0)] {
+                for (i, (moment, g)) in moment.into_iter().zip(stop.direction).enumerate() {
+                    rows.gradient[6 * row + 3 + i] += sign * moment;
+                    for (column, other) in [(a, -1.0), (b, 1.0)] {
+                        let start = (6 * row + 3 + i) * size + 6 * column + 3;
+                        for (entry, along) in rows.hessian[start..].iter_mut().zip(stop.direction) {
+                            *entry += sign * other * limits.stiffness * g * along;
+                        }
+                    }
+                }
+            }
+        }
     }
 
     /// Energy (J) of a spring like that which turns the segments back, but towards how they stood before.

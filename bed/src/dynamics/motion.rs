@@ -87,6 +87,7 @@ impl Motion {
             before: state,
             powers: [0.0; 4],
         };
+        (motion.now.carried, motion.now.imbalance) = motion.balance();
         motion.weigh();
         motion.ledger.start = motion.ledger.energy();
         motion
@@ -200,7 +201,7 @@ impl Motion {
         self.before = std::mem::replace(&mut self.now, next).state;
         self.bed = bed;
         self.stages += 1;
-        self.now.imbalance = self.imbalance();
+        (self.now.carried, self.now.imbalance) = self.balance();
         let powers =
             [self.power_of_sheets(), self.power_of_tissue(), self.power_of_joints(), moved / formula.seconds];
         let [sheets, tissue, joints, drives] =
@@ -230,8 +231,8 @@ impl Motion {
         self.layers.iter().zip(&next.contacts).map(of_tile).collect()
     }
 
-    /// Contact forces less m (a - g) of the segments that are free, of the weight.
-    fn imbalance(&self) -> f64 {
+    /// What contacts must carry, sum m (a - g) of the segments that are free (N), and how far they are from it, of the weight.
+    fn balance(&self) -> (f64, f64) {
         let weight = Bed::weight(&self.body);
         let is_free = |segment: usize| self.body.segments[segment].free[2];
         let contacts = self.now.contacts.iter().flatten().filter(|c| is_free(c.touch.segment));
@@ -241,7 +242,7 @@ impl Motion {
             mass * (GRAVITY + tracks.iter().map(|t| t.acceleration[2]).sum::<f64>() / 6.0)
         };
         let needed: f64 = self.segments.iter().enumerate().map(needed).sum();
-        if weight > 0.0 { (up - needed).abs() / weight } else { 0.0 }
+        (needed, if weight > 0.0 { (up - needed).abs() / weight } else { 0.0 })
     }
 
     /// Energies of now.

@@ -18,7 +18,7 @@ mod touch;
 
 pub use bed::{Bed, GRAVITY, Tile};
 pub(crate) use newton::find;
-pub use newton::{Fault, put_down, solve, stiffness};
+pub use newton::{Fault, lay_on, put_down, solve, stiffness};
 pub(crate) use solution::read;
 pub use solution::{Contact, Solution};
 pub use state::State;

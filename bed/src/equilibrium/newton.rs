@@ -89,6 +89,27 @@ pub fn put_down(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault
     Ok(Solution { steps: down.steps + free.steps, ..free })
 }
 
+/// Lays a body's weight on in equal parts, so that friction holds what touches first, as where it falls. Its first segment
+/// is led straight down, then let go.
+///
+/// # Errors
+/// [`Fault`].
+pub fn lay_on(bed: &Bed, body: &Body, start: &State, parts: usize) -> Result<Solution, Fault> {
+    let mut led = body.clone();
+    if let Some(first) = led.segments.first_mut() {
+        first.free = [false, false, first.free[2], false, false, false];
+    }
+    let (mut state, mut steps) = (start.clone(), 0);
+    for part in 1..=parts {
+        let segments = led.segments.iter_mut().zip(&body.segments);
+        segments.for_each(|(own, whole)| own.mass = part as f64 / parts as f64 * whole.mass);
+        let down = solve(bed, &led, &state)?;
+        (state, steps) = (down.state, steps + down.steps);
+    }
+    let free = solve(bed, body, &state)?;
+    Ok(Solution { steps: steps + free.steps, ..free })
+}
+
 /// Gives every anchor the normal and the limit of now; returns the largest change of a limit (N).
 fn renew(scene: &Scene, state: &mut State) -> f64 {
     let bed = scene.bed;

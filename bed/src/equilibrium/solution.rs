@@ -34,7 +34,9 @@ pub struct Solution {
     pub bottomed: Vec<usize>,
     /// Newton steps taken.
     pub steps: usize,
-    /// Contact forces on all segments that are free less their weight, of that weight.
+    /// What contacts must carry (N): the weight of all segments that are free; in motion sum m (a - g).
+    pub carried: f64,
+    /// Contact forces on those segments less that, of the weight.
     pub imbalance: f64,
 }
 
@@ -85,11 +87,12 @@ pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution 
     let is_free = |segment: usize| body.segments[segment].free[2];
     let up: f64 = contacts.iter().flatten().filter(|c| is_free(c.touch.segment)).map(|c| c.force()[2]).sum();
     let weight: f64 = body.segments.iter().filter(|s| s.free[2]).map(|s| s.mass * GRAVITY).sum();
+    let carried = weight;
     let imbalance = if weight > 0.0 { (up - weight).abs() / weight } else { 0.0 };
     for (own, contacts) in state.anchors.iter_mut().zip(&contacts) {
         *own = anchors(bed, contacts, &state.segments);
     }
-    Solution { state, contacts, gauges, bottomed, steps, imbalance }
+    Solution { state, contacts, gauges, bottomed, steps, carried, imbalance }
 }
 
 /// What friction holds at each node; one between two segments is held by that in which it is deeper.

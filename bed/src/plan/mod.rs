@@ -5,12 +5,14 @@
 
 pub mod check;
 mod maps;
+pub mod motion;
 pub mod run;
 
 pub use maps::{SkinPoint, sensel, skin};
 
 use crate::body::Body;
 use crate::body::figure::Figure;
+use crate::dynamics::{Matter, Method};
 use crate::equilibrium::{Bed, Tile};
 use crate::pose::Pose;
 use crate::sheet::air::Air;
@@ -51,6 +53,8 @@ pub struct Layout {
     pub above: f64,
     /// Valves are shut between changes of pressure.
     pub is_sealed: bool,
+    /// n of p V^n in a sealed bladder: 1 where its gas keeps the temperature, 1.4 where nothing is quick enough to.
+    pub exponent: f64,
 }
 
 impl Default for Layout {
@@ -71,11 +75,21 @@ impl Default for Layout {
             most_pressure: 12e3,
             above: 0.13,
             is_sealed: false,
+            exponent: 1.0,
         }
     }
 }
 
 impl Layout {
+    /// The air of a bladder whose valves are shut at a volume (m^3), if they are not already.
+    #[must_use]
+    pub fn shut(&self, air: Air, volume: f64) -> Air {
+        match air {
+            Air::Regulated(gauge) => Air::sealed(gauge, volume, self.exponent),
+            Air::Sealed(..) => air,
+        }
+    }
+
     /// Tiles.
     #[must_use]
     pub fn count(&self) -> usize {
@@ -183,6 +197,34 @@ impl Load {
     }
 }
 
+/// How what happens is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// One equilibrium after the other.
+    QuasiStatic,
+    /// Motion.
+    Dynamics(Dynamics),
+}
+
+/// How motion is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dynamics {
+    /// Longest step (s).
+    pub step: f64,
+    /// Method of steps.
+    pub method: Method,
+    /// Distance (m) that the load begins above the sheets.
+    pub drop: f64,
+    /// Masses and losses.
+    pub matter: Matter,
+}
+
+impl Default for Dynamics {
+    fn default() -> Dynamics {
+        Dynamics { step: 2e-3, method: Method::Bdf2, drop: 0.02, matter: Matter::default() }
+    }
+}
+
 /// A plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
@@ -202,6 +244,10 @@ pub struct Plan {
     pub every: f64,
     /// Length of a cycle for metrics (s).
     pub cycle: f64,
+    /// How what happens is computed.
+    pub clock: Clock,
+    /// Parts in which the weight is laid on before the first equilibrium; 1 puts it down at once.
+    pub parts: usize,
 }
 
 impl Plan {
@@ -269,11 +315,16 @@ impl Plan {
     pub fn bed(&self, time: f64) -> Result<Bed, LatticeError> {
         let layout = &self.layout;
         let lattice = Lattice::new(layout.intervals, layout.size(), layout.modulus)?;
+        Ok(Bed { lattice, depth: layout.depth, tiles: self.tiles(time), friction: layout.friction })
+    }
+
+    /// Tiles at a time, regulated.
+    #[must_use]
+    pub fn tiles(&self, time: f64) -> Vec<Tile> {
         let tile = |tile: usize| {
             let order = self.order(tile, time);
-            Tile { pose: layout.rim(tile, &order.command), air: Air::Regulated(order.pressure) }
+            Tile { pose: self.layout.rim(tile, &order.command), air: Air::Regulated(order.pressure) }
         };
-        let tiles = (0..layout.count()).map(tile).collect();
-        Ok(Bed { lattice, depth: layout.depth, tiles, friction: layout.friction })
+        (0..self.layout.count()).map(tile).collect()
     }
 }

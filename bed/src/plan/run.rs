@@ -5,13 +5,13 @@
 
 use super::check::Refusal;
 use super::maps::{self, Map, SkinPoint};
-use super::{Move, Order, Plan};
-use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, put_down, solve};
+use super::motion::{self, Watched};
+use super::{Clock, Move, Order, Plan};
+use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, State, lay_on, put_down, solve};
 use crate::map::{Frame, Grid, MapError, Recording, Site};
 use crate::metrics::spatial::load_error;
 use crate::pose::Pose;
 use crate::sheet::LatticeError;
-use crate::sheet::air::Air;
 use std::fmt;
 
 /// Contact forces must carry the weight to this, or the run is not valid.
@@ -55,6 +55,8 @@ pub struct History {
     pub moments: Vec<Moment>,
     /// What they were told: the plan's moves, and those that were decided on the way.
     pub moves: Vec<Move>,
+    /// What happened between moments, in motion.
+    pub watched: Option<Watched>,
 }
 
 /// What there is to decide by at a time.
@@ -122,20 +124,32 @@ pub fn run(plan: &Plan, at: impl FnMut(f64) -> bool) -> Result<History, RunError
 pub fn run_by(
     plan: &Plan,
     decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
-    mut at: impl FnMut(f64) -> bool,
+    at: impl FnMut(f64) -> bool,
 ) -> Result<History, RunError> {
+    match plan.clock {
+        Clock::QuasiStatic => equilibria(plan, decide, at),
+        Clock::Dynamics(dynamics) => motion::run(plan, &dynamics, decide, at),
+    }
+}
+
+/// Says what is told from a moment on.
+pub(super) type Decide<'a> = &'a mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>;
+
+/// One equilibrium after the other.
+fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) -> Result<History, RunError> {
     let times = plan.times();
     let mut told = plan.clone();
     let plan = &mut told;
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
-    let mut solution =
-        put_down(&bed, &plan.load.body, &bed.start(plan.load.poses.clone())).map_err(fault(0.0))?;
-    let (points, skin) = maps::skin(&plan.load);
-    let mut history = Recorder::new(plan, &bed, &solution, points, skin);
+    let (body, start) = (&plan.load.body, bed.start(plan.load.poses.clone()));
+    let down =
+        if plan.parts > 1 { lay_on(&bed, body, &start, plan.parts) } else { put_down(&bed, body, &start) };
+    let mut solution = down.map_err(fault(0.0))?;
+    let mut history = Recorder::new(plan, &bed, &solution);
     history.take(plan, &bed, &solution, 0.0)?;
     history.decide(plan, decide)?;
-    seal(plan, &mut bed, &solution);
+    seal(plan, &mut bed, &solution.state);
     for pair in times.windows(2) {
         if !at(pair[0] / plan.seconds) {
             return Err(RunError::Stopped);
@@ -163,7 +177,7 @@ fn onwards(
         keep_sealed(plan, &bed, &mut ordered, now, next);
         match solve(&ordered, &plan.load.body, &solution.state) {
             Ok(found) => {
-                seal(plan, &mut ordered, &found);
+                seal(plan, &mut ordered, &found.state);
                 (bed, solution, now) = (ordered, found, next);
             }
             Err(fault) if share <= SHORTEST => return Err(RunError::Fault(next, fault)),
@@ -174,16 +188,13 @@ fn onwards(
 }
 
 /// Shuts the valves of sealed bladders at the volumes that they have.
-fn seal(plan: &Plan, bed: &mut Bed, solution: &Solution) {
+pub(super) fn seal(plan: &Plan, bed: &mut Bed, state: &State) {
     if !plan.layout.is_sealed {
         return;
     }
-    let volumes: Vec<f64> = solution.state.sheets.iter().map(|sheet| bed.volume(sheet)).collect();
+    let volumes: Vec<f64> = state.sheets.iter().map(|sheet| bed.volume(sheet)).collect();
     for (tile, volume) in bed.tiles.iter_mut().zip(volumes) {
-        if let Air::Regulated(gauge) = tile.air {
-            // A therapy is slow: the gas keeps the temperature of the room.
-            tile.air = Air::sealed(gauge, volume, 1.0);
-        }
+        tile.air = plan.layout.shut(tile.air, volume);
     }
 }
 
@@ -211,7 +222,7 @@ fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
 }
 
 /// Frames as they come.
-struct Recorder {
+pub(super) struct Recorder {
     grid: Grid,
     sites: Vec<Site>,
     points: Vec<SkinPoint>,
@@ -221,19 +232,14 @@ struct Recorder {
 }
 
 impl Recorder {
-    fn new(
-        plan: &Plan,
-        bed: &Bed,
-        solution: &Solution,
-        points: Vec<SkinPoint>,
-        skin_sites: Vec<Site>,
-    ) -> Recorder {
+    pub fn new(plan: &Plan, bed: &Bed, solution: &Solution) -> Recorder {
+        let (points, skin_sites) = maps::skin(&plan.load);
         let sites = maps::sensels(&plan.layout, bed, solution);
         let grid = maps::grid(&plan.layout);
         Recorder { grid, sites, points, skin_sites, frames: [Vec::new(), Vec::new()], moments: Vec::new() }
     }
 
-    fn take(&mut self, plan: &Plan, bed: &Bed, solution: &Solution, time: f64) -> Result<(), RunError> {
+    pub fn take(&mut self, plan: &Plan, bed: &Bed, solution: &Solution, time: f64) -> Result<(), RunError> {
         if solution.imbalance.is_nan() || solution.imbalance > GATE {
             return Err(RunError::Invalid(time, solution.imbalance));
         }
@@ -259,7 +265,7 @@ impl Recorder {
     }
 
     /// Adds what is decided by the last frame.
-    fn decide(
+    pub fn decide(
         &self,
         plan: &mut Plan,
         decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
@@ -273,10 +279,11 @@ impl Recorder {
         Ok(())
     }
 
-    /// What sensels feel against the weight: p A n_z of their own areas and directions, and shear upwards.
+    /// What sensels feel against what must be carried: p A n_z of their own areas and directions, and shear upwards.
     fn sensed(&self, plan: &Plan, solution: &Solution, felt: &Map) -> f64 {
         let weight = plan.load.body.mass() * GRAVITY;
-        if weight <= 0.0 {
+        // Where next to nothing is carried, as in flight, there is nothing to feel.
+        if solution.carried <= 0.01 * weight {
             return 0.0;
         }
         let count = felt.pressure.len();
@@ -291,10 +298,10 @@ impl Recorder {
                 }
             }
         }
-        load_error(&self.sites, &felt.pressure, &up, &shear, weight)
+        load_error(&self.sites, &felt.pressure, &up, &shear, solution.carried)
     }
 
-    fn finish(self, plan: &Plan) -> Result<History, RunError> {
+    pub fn finish(self, plan: &Plan) -> Result<History, RunError> {
         let [mut sensels, mut skin] = self.frames;
         // The last equilibrium is an end, not a stretch of time: it is left out where others stand for all of it.
         if sensels.len() > 1 && plan.seconds > 0.0 {
@@ -307,6 +314,7 @@ impl Recorder {
             skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
             moments: self.moments,
             moves: plan.moves.clone(),
+            watched: None,
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use smartbed_bed::body::anthropometry::{Part, Table};
 use smartbed_bed::body::figure::{Figure, FigureError, Posture};
+use smartbed_bed::body::{Limits, Rows};
 use smartbed_bed::equilibrium::{Bed, Solution, Tile, put_down};
 use smartbed_bed::map::Region;
 use smartbed_bed::pose::Pose;
@@ -115,6 +116,62 @@ fn a_figure_rests_on_the_bed_in_each_posture() {
         for joint in &figure.body.joints {
             let angle = joint.angle(&solution.state.segments).to_degrees();
             assert!(angle < 50.0, "{posture:?} {}: {angle}", joint.name);
+        }
+    }
+}
+
+/// A figure with its left knee bent by an angle (deg), and what its limits say there.
+fn knee(degrees: f64) -> (Figure, [[[f64; 3]; 3]; 2], Limits) {
+    let own = [("left knee".to_owned(), [-60.0, 0.0, 0.0])];
+    let mut figure =
+        Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &own).expect("a figure").with_stops();
+    let joint = figure.body.joints.iter().find(|j| j.name == "left knee").expect("a knee").clone();
+    let [inner, outer] = joint.segments;
+    let turn = Pose::turned([0.0; 3], [1.0, 0.0, 0.0], degrees.to_radians());
+    figure.poses[outer].attitude = figure.poses[inner].of(&turn).attitude;
+    let axes = [inner, outer].map(|s| figure.poses[s].attitude.axes());
+    (figure, axes, joint.limits.expect("limits"))
+}
+
+#[test]
+fn a_joint_presses_back_beyond_its_range() {
+    // A knee bends by 140 deg and stretches by 5.
+    for (degrees, beyond) in [(-60.0, 0.0), (4.9, 0.0), (10.0, 5.0_f64), (-145.0, -5.0)] {
+        let (figure, [inner, outer], limits) = knee(degrees);
+        assert!((limits.angles(&inner, &outer)[0] - degrees.to_radians()).abs() < 1e-12);
+        let stops: Vec<_> = limits.stops(&inner, &outer).collect();
+        assert_eq!(stops.len(), usize::from(beyond != 0.0), "{degrees}: {stops:?}");
+        let energy = 0.5 * limits.stiffness * beyond.to_radians().powi(2);
+        assert!((limits.energy(&inner, &outer) - energy).abs() < 1e-9);
+        // Moments are the slope of the energy, about any axis.
+        let joint = figure.body.joints.iter().find(|j| j.name == "left knee").expect("a knee");
+        let mut rows = Rows::new(figure.body.segments.len());
+        figure.body.add_to(&figure.poses, 0.0, &mut rows);
+        for k in 0..3 {
+            let energy = |way: f64| {
+                let mut turned = figure.poses.clone();
+                let mut axis = [0.0; 3];
+                axis[k] = way;
+                turned[joint.segments[1]] = turned[joint.segments[1]].moved([0.0; 3], axis);
+                figure.body.energy(&turned, 0.0)
+            };
+            let slope = (energy(1e-5) - energy(-1e-5)) / 2e-5;
+            let found = rows.gradient[6 * joint.segments[1] + 3 + k];
+            assert!(
+                (slope - found).abs() < 1e-5 * (1.0 + slope.abs()) + 1e-4,
+                "{degrees} {k}: {slope} {found}"
+            );
+        }
+    }
+    // A raised arm is spread by more than a right angle and still within its range.
+    for spread in [60.0, 120.0, 170.0] {
+        let own = [("right shoulder".to_owned(), [20.0, spread, 10.0])];
+        let figure =
+            Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &own).expect("a figure").with_stops();
+        for joint in &figure.body.joints {
+            let [inner, outer] = joint.segments.map(|s| figure.poses[s].attitude.axes());
+            let limits = joint.limits.expect("limits");
+            assert!(limits.energy(&inner, &outer) < 1e-12, "{} {spread}", joint.name);
         }
     }
 }

@@ -4,7 +4,7 @@ use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
 use smartbed_bed::metrics::time;
 use smartbed_bed::plan::run::{History, RunError};
-use smartbed_bed::plan::{Layout, Load, Move, Plan};
+use smartbed_bed::plan::{Clock, Layout, Load, Move, Plan};
 use smartbed_bed::policy::planner::{Goal, Planner};
 use smartbed_bed::policy::scheduled::Scheduled;
 use smartbed_bed::policy::{self, Bounds, Policy, View};
@@ -26,6 +26,8 @@ fn supine(seconds: f64, every: f64) -> Plan {
         seconds,
         every,
         cycle: 600.0,
+        clock: Clock::QuasiStatic,
+        parts: 1,
     }
 }
 

@@ -151,6 +151,7 @@ fn a_joint_holds_two_segments_and_turns_them_back() {
         posture: Attitude::identity(),
         stiffness: 1e6,
         turning: 20.0,
+        limits: None,
     });
     let bed = four([14, 16], Air::Regulated(4000.0), 0.3);
     let poses = vec![Pose::at([-0.1, 0.0, 0.1]), Pose::at([0.1, 0.0, 0.1])];

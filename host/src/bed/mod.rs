@@ -15,6 +15,7 @@ use crate::progress::Progress;
 use smartbed_bed::files::{Mapped, tekscan, xsensor};
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
+use smartbed_bed::plan::motion::Watched;
 use smartbed_bed::plan::run::{GATE, History, RunError};
 use std::fmt::Write as _;
 use std::path::Path;
@@ -205,17 +206,57 @@ fn json(read: &Read, history: &History) -> String {
         )
     });
     format!(
-        "{{\"bed\": {}, \"equilibria\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \
-         \"policy\": {}, \"moves\": {}, {}, \"note\": {}}}\n",
+        "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \
+         \"policy\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
         json_string(&read.plan.title),
+        moments(history),
         history.moments.len(),
         json_number(imbalance),
         json_number(felt),
         is_valid([imbalance, felt], sensed.as_ref()),
         read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
         history.moves.len(),
+        history.watched.as_ref().map_or_else(String::new, motion_json),
         lists.join(", "),
         json_string(DISCLAIMER)
+    )
+}
+
+/// What the moments of a run are.
+fn moments(history: &History) -> &'static str {
+    if history.watched.is_some() { "moments" } else { "equilibria" }
+}
+
+/// What motion adds to the JSON object.
+fn motion_json(watched: &Watched) -> String {
+    format!(
+        "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"energy_lost\": {}, \
+         \"energy_left_over\": {}, ",
+        json_number(watched.step),
+        watched.steps,
+        json_number(watched.peak),
+        json_number(watched.peak_time),
+        watched.still.map_or_else(|| "null".to_owned(), json_number),
+        json_number(watched.lost),
+        json_number(watched.left_over)
+    )
+}
+
+/// What motion adds for people.
+fn motion_text(watched: &Watched) -> String {
+    let rest = watched.still.map_or_else(
+        || "it is not at rest at the end".to_owned(),
+        |time| format!("slower than 1 mm/s from {time:.2} s on"),
+    );
+    format!(
+        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {:.3} J are lost, \
+         {:.1e} J left over\n",
+        watched.steps,
+        1e3 * watched.step,
+        watched.peak,
+        watched.peak_time,
+        watched.lost,
+        watched.left_over
     )
 }
 
@@ -223,12 +264,16 @@ fn json(read: &Read, history: &History) -> String {
 fn text(read: &Read, history: &History) -> String {
     let [imbalance, felt] = validity(history);
     let mut text = format!(
-        "{}: {} equilibria over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
+        "{}: {} {} over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
         read.plan.title,
         history.moments.len(),
+        moments(history),
         read.plan.seconds,
         100.0 * felt
     );
+    if let Some(watched) = &history.watched {
+        text += &motion_text(watched);
+    }
     if let Some(policy) = read.policy {
         let _ = writeln!(text, "policy {}: {} moves", policy.name, history.moves.len());
     }

@@ -41,7 +41,7 @@ fn place(fields: &Fields<'_>, found: &mut Diagnostics) -> Option<[f64; 2]> {
 }
 
 /// One of several words, each with its meaning; the first where the key is missing.
-fn named<T: Copy>(
+pub(super) fn named<T: Copy>(
     fields: &Fields<'_>,
     key: &'static str,
     known: &[(&'static str, T)],
@@ -59,6 +59,7 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
     let by = named(&fields, "table", &TABLES, found);
     let mass = number(&fields, "mass", "kg", Bound::Positive, found).unwrap_or(75.0);
     let stature = number(&fields, "stature", "m", Bound::Positive, found).unwrap_or(1.75);
+    let stops = fields.boolean("stops", found).unwrap_or(false);
     let place = place(&fields, found);
     let joints = match fields.table("joints", found) {
         Some(table) => joints(table, found)?,
@@ -66,6 +67,7 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
     };
     fields.finish(found);
     let figure = match Figure::new(by?, mass, stature, posture?, &joints) {
+        Ok(figure) if stops => figure.with_stops(),
         Ok(figure) => figure,
         Err(error) => {
             let error = Diagnostic::error(error.to_string()).label(table.span, "of this patient");

@@ -3,6 +3,7 @@
 //! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
 //! limits, or what is wrong. `load` reads what lies on the bed, `sensing` what it is read by, `policy` who decides.
 
+mod dynamics;
 mod load;
 pub mod policy;
 pub mod sensing;
@@ -13,7 +14,7 @@ use crate::world::read::value::{Bound, count, list, number, scalar};
 use crate::{input, model_argument};
 use smartbed_bed::plan::check::{MOST_TILES, check};
 use smartbed_bed::plan::run::{self, History, RunError};
-use smartbed_bed::plan::{Layout, Move, Plan};
+use smartbed_bed::plan::{Clock, Layout, Move, Plan};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
@@ -23,6 +24,8 @@ use smartbed_codegen::source::{Source, Span};
 const MOST_EQUILIBRIA: f64 = 100_000.0;
 /// Most moves times equilibria: every equilibrium asks every move.
 const MOST_ORDERS: f64 = 1e7;
+/// Most parts in which a weight is laid on.
+const MOST_PARTS: usize = 100;
 /// Most nodes of all sheets.
 const MOST_NODES: usize = 100_000;
 
@@ -125,7 +128,11 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let empty = Table::default();
     let (layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
     let load = load::read(&fields, found)?;
-    let (seconds, every, cycle) = timing(fields.table("run", found).unwrap_or(&empty), found)?;
+    let (seconds, every, cycle, is_motion, parts) =
+        timing(fields.table("run", found).unwrap_or(&empty), found)?;
+    let in_motion = if is_motion { seconds } else { 0.0 };
+    let dynamics = dynamics::read(fields.table("dynamics", found).unwrap_or(&empty), in_motion, found)?;
+    let clock = if is_motion { Clock::Dynamics(dynamics) } else { Clock::QuasiStatic };
     let mut moves = Vec::new();
     for item in fields.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
@@ -156,7 +163,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     };
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
     fields.finish(found);
-    let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle };
+    let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, parts };
     Some(Read { plan, axes, sensors, policy })
 }
 
@@ -180,6 +187,7 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     };
     let pressure = positive("pressure", "Pa", 4000.0);
     layout.friction = number(&fields, "friction", "", Bound::NotNegative, found).unwrap_or(usual.friction);
+    layout.exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(usual.exponent);
     layout.rows = count(&fields, "rows", 1, found).unwrap_or(usual.rows);
     layout.columns = count(&fields, "columns", 1, found).unwrap_or(usual.columns);
     layout.is_sealed = fields.boolean("sealed", found).unwrap_or(false);
@@ -214,18 +222,26 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     Some((layout, pressure))
 }
 
-fn timing(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64)> {
+fn timing(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64, bool, usize)> {
     let fields = Fields::of("run", table.span, table);
     let seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let every = number(&fields, "every", "s", Bound::Positive, found).unwrap_or(10.0);
     let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
+    let parts = count(&fields, "parts", 1, found).unwrap_or(1);
+    let clock = load::named(&fields, "clock", &dynamics::CLOCKS, found);
     fields.finish(found);
+    if parts > MOST_PARTS {
+        let error =
+            Diagnostic::error(format!("a weight laid on in {parts} parts, expected 1 to {MOST_PARTS}"));
+        found.push(error.label(table.span, "of this run").help("parts = 8"));
+        return None;
+    }
     if seconds / every > MOST_EQUILIBRIA {
         let error = Diagnostic::error(format!("more than {MOST_EQUILIBRIA} equilibria"));
         found.push(error.label(table.span, "of this run").help("a longer `every`"));
         return None;
     }
-    Some((seconds, every, cycle))
+    Some((seconds, every, cycle, clock?, parts))
 }
 
 /// One [[move]].

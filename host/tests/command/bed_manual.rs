@@ -60,6 +60,7 @@ fn every_key_of_a_plan_is_in_the_manual() {
         ("alternating", "[alternating]\nlow = 1\nzzzzzzzzzzzz = 1"),
         ("sensors", "[sensors]\nzzzzzzzzzzzz = 1"),
         ("policy", "[policy]\nkind = \"planner\"\nzzzzzzzzzzzz = 1"),
+        ("dynamics", "[dynamics]\nzzzzzzzzzzzz = 1"),
         ("run", "[run]\nzzzzzzzzzzzz = 1"),
         ("", "zzzzzzzzzzzz = 1"),
     ];
@@ -96,6 +97,9 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[bed]\nintervals = [1, 1]".to_owned(),
         "[bed]\nintervals = [8, 30]".to_owned(),
         "[run]\nseconds = 1e9".to_owned(),
+        "[run]\nparts = 101".to_owned(),
+        "[dynamics]\ntissue_at_once = 0.5".to_owned(),
+        "[run]\nclock = \"dynamics\"\nseconds = 1e5\n[dynamics]\nstep = 1e-4".to_owned(),
         "[alternating]\nlow = 1\ncycle = 1\n[run]\nseconds = 1e5".to_owned(),
         "[alternating]\nlow = 1\ncycle = 10\n[run]\nseconds = 9e4\nevery = 1".to_owned(),
         "[alternating]\nhigh = 1".to_owned(),

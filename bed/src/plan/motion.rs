@@ -1,0 +1,118 @@
+//! Runs a plan in motion: the load falls on the bed, settles, and tiles move under it.
+//!
+//! In: a plan and how motion is computed. Out: the same [`History`] as that of equilibria, and what happened between its
+//! moments. Steps divide the time between two moments evenly.
+
+use super::run::{Decide, History, Recorder, RunError, seal};
+use super::{Dynamics, Plan};
+use crate::dynamics::{Motion, dropped};
+use crate::equilibrium::Bed;
+use std::collections::VecDeque;
+
+/// Time (s) over which a force is averaged before its peak is taken.
+const WINDOW: f64 = 0.01;
+/// Nothing is faster in a bed at rest (m/s).
+const STILL: f64 = 1e-3;
+
+/// What happened in motion.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct Watched {
+    /// Largest mean over 10 ms of the upward force of all contacts (N).
+    pub peak: f64,
+    /// When it ended (s).
+    pub peak_time: f64,
+    /// When everything was slower than 1 mm/s for good (s); none if it never was.
+    pub still: Option<f64>,
+    /// Energy (J) lost by the end.
+    pub lost: f64,
+    /// Largest energy (J) that the method made or lost.
+    pub left_over: f64,
+    /// Steps.
+    pub steps: usize,
+    /// Length of a step (s).
+    pub step: f64,
+    /// Newton's steps in all of them.
+    pub newton: usize,
+}
+
+/// Runs it.
+pub(super) fn run(
+    plan: &Plan,
+    dynamics: &Dynamics,
+    decide: Decide<'_>,
+    mut at: impl FnMut(f64) -> bool,
+) -> Result<History, RunError> {
+    let times = plan.times();
+    let mut told = plan.clone();
+    let plan = &mut told;
+    let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
+    let body = plan.load.body.clone();
+    let fault = |time: f64| move |fault| RunError::Fault(time, fault);
+    let state = dropped(&bed, &body, &plan.load.poses, dynamics.drop).map_err(fault(0.0))?;
+    seal(plan, &mut bed, &state);
+    let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);
+    let step = plan.every / count;
+    let mut motion = Motion::new(bed, body, state, dynamics.matter, dynamics.method, step);
+    let mut history = Recorder::new(plan, &motion.bed, &motion.now);
+    history.take(plan, &motion.bed, &motion.now, 0.0)?;
+    history.decide(plan, decide)?;
+    let mut watch = Watch::new(step);
+    for pair in times.windows(2) {
+        for _ in 0..count as usize {
+            if !at(motion.time() / plan.seconds) {
+                return Err(RunError::Stopped);
+            }
+            let (before, now) = (motion.bed.clone(), motion.time());
+            let volumes: Vec<f64> =
+                motion.now.state.sheets.iter().map(|sheet| before.volume(sheet)).collect();
+            motion.step(|time| ordered(plan, &before, &volumes, now, time)).map_err(fault(now))?;
+            watch.see(&motion);
+        }
+        history.take(plan, &motion.bed, &motion.now, pair[1])?;
+        history.decide(plan, decide)?;
+    }
+    Ok(History { watched: Some(watch.watched), ..history.finish(plan)? })
+}
+
+/// The bed as it is told to stand at a time. Bladders whose pressure nobody changes are shut, if the plan says so.
+fn ordered(plan: &Plan, before: &Bed, volumes: &[f64], from: f64, to: f64) -> Bed {
+    let mut bed = Bed { tiles: plan.tiles(to), ..before.clone() };
+    for (index, (tile, old)) in bed.tiles.iter_mut().zip(&before.tiles).enumerate() {
+        if plan.layout.is_sealed && plan.order(index, from).pressure == plan.order(index, to).pressure {
+            tile.air = plan.layout.shut(old.air, volumes[index]);
+        }
+    }
+    bed
+}
+
+/// Looks at every step.
+struct Watch {
+    forces: VecDeque<f64>,
+    window: usize,
+    watched: Watched,
+}
+
+impl Watch {
+    fn new(step: f64) -> Watch {
+        let window = ((WINDOW / step).round() as usize).max(1);
+        Watch { forces: VecDeque::new(), window, watched: Watched { step, ..Watched::default() } }
+    }
+
+    fn see(&mut self, motion: &Motion) {
+        let up = motion.now.contacts.iter().flatten().map(|c| c.force()[2]).sum();
+        self.forces.push_back(up);
+        if self.forces.len() > self.window {
+            self.forces.pop_front();
+        }
+        let mean = self.forces.iter().sum::<f64>() / self.forces.len() as f64;
+        let own = &mut self.watched;
+        if mean > own.peak {
+            (own.peak, own.peak_time) = (mean, motion.time());
+        }
+        own.still = if motion.fastest() >= STILL { None } else { own.still.or(Some(motion.time())) };
+        own.left_over = own.left_over.max(motion.ledger.left_over().abs());
+        own.lost = motion.ledger.lost();
+        own.steps += 1;
+        own.newton += motion.now.steps;
+    }
+}

@@ -1,0 +1,58 @@
+//! How what happens is computed: `run.clock`, and `[dynamics]`.
+
+use super::load::named;
+use crate::world::read::value::{Bound, number};
+use smartbed_bed::dynamics::{Matter, Method};
+use smartbed_bed::plan::Dynamics;
+use smartbed_bed::tissue::Tissue;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::Table;
+
+/// Most steps of a run.
+const MOST_STEPS: f64 = 1e7;
+
+/// Clocks by name: is there motion?
+pub(super) const CLOCKS: [(&str, bool); 2] = [("quasi_static", false), ("dynamics", true)];
+
+/// Reads `[dynamics]`; a run with the other clock has no seconds in motion.
+pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Option<Dynamics> {
+    let fields = Fields::of("dynamics", table.span, table);
+    let (usual, matter) = (Dynamics::default(), Matter::default());
+    let mut key = |key: &'static str, of: &str, bound: Bound, usual: f64| {
+        number(&fields, key, of, bound, found).unwrap_or(usual)
+    };
+    let step = key("step", "s", Bound::Positive, usual.step);
+    let drop = key("drop", "m", Bound::NotNegative, usual.drop);
+    let density = key("density", "kg/m^2", Bound::Positive, matter.density);
+    let sheet_loss = key("sheet_loss", "s", Bound::NotNegative, matter.sheet_loss);
+    let joint_loss = key("joint_loss", "s", Bound::NotNegative, matter.joint_loss);
+    let tissue = Tissue {
+        loss: key("tissue_loss", "s", Bound::NotNegative, matter.tissue.loss),
+        at_once: key("tissue_at_once", "", Bound::Positive, matter.tissue.at_once),
+        relaxation: key("tissue_relaxation", "s", Bound::Positive, matter.tissue.relaxation),
+    };
+    let method = named(&fields, "method", &METHODS, found);
+    fields.finish(found);
+    let mut refuse = |what: String, help: &str| {
+        found.push(Diagnostic::error(what).label(table.span, "of this motion").help(help));
+        None
+    };
+    if tissue.at_once < 1.0 {
+        let what = format!("`tissue_at_once` is {}, expected 1 or more", tissue.at_once);
+        return refuse(what, "it is the stiffness of tissue at once over that at last; 1 does not relax");
+    }
+    if seconds / step > MOST_STEPS {
+        return refuse(format!("more than {MOST_STEPS} steps"), "a longer `step`");
+    }
+    let matter = Matter { density, sheet_loss, joint_loss, tissue };
+    Some(Dynamics { step, method: method?, drop, matter })
+}
+
+/// Methods by name, the usual one first.
+const METHODS: [(&str, Method); 4] = [
+    ("bdf2", Method::Bdf2),
+    ("tr_bdf2", Method::TrBdf2),
+    ("backward_euler", Method::BackwardEuler),
+    ("trapezoid", Method::Trapezoid),
+];
