@@ -6,6 +6,7 @@ mod files;
 mod metrics;
 mod plan;
 mod policy;
+mod published;
 mod rest;
 mod sensor;
 mod sheet;
