@@ -66,6 +66,8 @@ pub mod new;
 #[cfg(feature = "whole")]
 pub mod plan;
 #[cfg(feature = "whole")]
+pub mod plan_file;
+#[cfg(feature = "whole")]
 pub mod report;
 pub mod run;
 #[cfg(feature = "whole")]

@@ -4,7 +4,8 @@
 
 use crate::failure::Failure;
 use crate::interrupt;
-use crate::plan::{PlanFile, Read};
+use crate::plan::Read;
+use crate::plan_file::PlanFile;
 use crate::plot::chart::{LARGE, SMALL, line, text};
 use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 use crate::progress::Progress;

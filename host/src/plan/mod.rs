@@ -8,10 +8,8 @@ mod load;
 pub mod policy;
 pub mod sensing;
 
-use crate::failure::Failure;
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
-use crate::{input, model_argument};
 use smartbed_bed::plan::check::{MOST_TILES, check};
 use smartbed_bed::plan::run::{self, History, RunError};
 use smartbed_bed::plan::{Clock, Layout, Move, Plan};
@@ -28,35 +26,6 @@ const MOST_ORDERS: f64 = 1e7;
 const MOST_PARTS: usize = 100;
 /// Most nodes of all sheets.
 const MOST_NODES: usize = 100_000;
-
-/// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
-#[derive(Clone, Debug)]
-pub struct PlanFile {
-    path: String,
-    /// What stands in it.
-    pub text: String,
-}
-
-impl PlanFile {
-    /// Opens the plan of a command line: a path, or a name under `models/plans`.
-    ///
-    /// # Errors
-    /// There is none, or it cannot be read.
-    pub fn open(argument: &str) -> Result<Self, Failure> {
-        let path = model_argument::find_plan(argument)?.display().to_string();
-        let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
-        Ok(Self { path, text })
-    }
-
-    /// Reads it with `settings` on top and holds it against its limits.
-    ///
-    /// # Errors
-    /// Everything that is wrong in its text, or the first limit that it exceeds.
-    pub fn read(&self, settings: &[String]) -> Result<Read, Failure> {
-        let read = parse(&self.path, &self.text, settings).map_err(|found| model_argument::wrong(&found))?;
-        Ok(checked(&self.path, read)?)
-    }
-}
 
 /// What a sweep changes: keys with the texts of their values, in the author's order.
 pub type Axes = Vec<(String, Vec<String>)>;

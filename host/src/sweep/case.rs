@@ -5,7 +5,8 @@
 
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
-use crate::plan::{Axes, PlanFile};
+use crate::plan::Axes;
+use crate::plan_file::PlanFile;
 use crate::{bed, input};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};

@@ -8,7 +8,7 @@ mod case;
 mod page;
 
 use crate::failure::Failure;
-use crate::plan::PlanFile;
+use crate::plan_file::PlanFile;
 use crate::progress::Progress;
 use crate::{interrupt, output};
 use case::{Case, Table, cases};

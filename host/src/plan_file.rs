@@ -1,0 +1,36 @@
+//! The plan on a command line: its file, found and read once.
+//!
+//! In: a path, or a name under `models/plans`, and settings. Out: the plan within its limits, or why not.
+
+use crate::failure::Failure;
+use crate::plan::{Read, checked, parse};
+use crate::{input, model_argument};
+
+/// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
+#[derive(Clone, Debug)]
+pub struct PlanFile {
+    path: String,
+    /// What stands in it.
+    pub text: String,
+}
+
+impl PlanFile {
+    /// Opens the plan of a command line: a path, or a name under `models/plans`.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be read.
+    pub fn open(argument: &str) -> Result<Self, Failure> {
+        let path = model_argument::find_plan(argument)?.display().to_string();
+        let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
+        Ok(Self { path, text })
+    }
+
+    /// Reads it with `settings` on top and holds it against its limits.
+    ///
+    /// # Errors
+    /// Everything that is wrong in its text, or the first limit that it exceeds.
+    pub fn read(&self, settings: &[String]) -> Result<Read, Failure> {
+        let read = parse(&self.path, &self.text, settings).map_err(|found| model_argument::wrong(&found))?;
+        Ok(checked(&self.path, read)?)
+    }
+}
