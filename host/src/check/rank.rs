@@ -177,28 +177,29 @@ fn gradient(model: &Model, k: &mut Kinematics, of: ExprId) -> BTreeMap<usize, Ex
     row
 }
 
-/// Scales rows and columns by factors alike at all samples until the mean squares of each sum to the same: so that what
-/// vanishes at a sample is small there, and neither units nor factors of equations matter.
+/// Scales rows and columns by factors alike at all samples until the sizes of each (root mean squares over the samples)
+/// have the geometric mean 1: so that what vanishes at a sample is small there, and neither units nor factors of equations
+/// matter. Unlike sums, geometric means can be had of any pattern of zeros (Curtis & Reid 1972).
 fn scale(matrices: &mut [DMatrix<f64>]) {
-    /// Sweeps over rows and columns at most; they converge geometrically, but slowly where few entries are large.
+    /// Sweeps over rows and columns at most; they converge geometrically.
     const SWEEPS: usize = 1000;
-    /// A factor that changes by less stands.
+    /// A logarithm that changes by less stands.
     const STANDS: f64 = 1e-9;
     let (rows, columns) = matrices.first().map_or((0, 0), DMatrix::shape);
     let squares = matrices.iter().fold(DMatrix::zeros(rows, columns), |sum: DMatrix<f64>, matrix| {
         sum + matrix.component_mul(matrix) / matrices.len() as f64
     });
-    let inverse_root = |sum: f64| if sum > 0.0 { sum.sqrt().recip() } else { 1.0 };
-    let (mut of_rows, mut of_columns) = (vec![1.0_f64; rows], vec![1.0_f64; columns]);
+    let (mut of_rows, mut of_columns) = (vec![0.0_f64; rows], vec![0.0_f64; columns]);
+    let logarithm = |r: usize, c: usize| Some(0.5 * squares[(r, c)].ln()).filter(|log| log.is_finite());
     for _ in 0..SWEEPS {
         let mut change = 0.0_f64;
         for (r, factor) in of_rows.iter_mut().enumerate() {
-            let new = inverse_root((0..columns).map(|c| squares[(r, c)] * of_columns[c].powi(2)).sum());
-            change = change.max((new / *factor - 1.0).abs());
+            let new = -mean((0..columns).filter_map(|c| Some(logarithm(r, c)? + of_columns[c])));
+            change = change.max((new - *factor).abs());
             *factor = new;
         }
         for (c, factor) in of_columns.iter_mut().enumerate() {
-            *factor = inverse_root((0..rows).map(|r| squares[(r, c)] * of_rows[r].powi(2)).sum());
+            *factor = -mean((0..rows).filter_map(|r| Some(logarithm(r, c)? + of_rows[r])));
         }
         if change < STANDS {
             break;
@@ -206,9 +207,15 @@ fn scale(matrices: &mut [DMatrix<f64>]) {
     }
     for matrix in matrices {
         for (c, mut column) in matrix.column_iter_mut().enumerate() {
-            column.iter_mut().zip(&of_rows).for_each(|(x, factor)| *x *= factor * of_columns[c]);
+            column.iter_mut().zip(&of_rows).for_each(|(x, factor)| *x *= (factor + of_columns[c]).exp());
         }
     }
+}
+
+/// 0 of nothing.
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0), |(sum, count), value| (sum + value, count + 1));
+    if count > 0 { sum / f64::from(count) } else { 0.0 }
 }
 
 /// Rank, and the smallest singular value that counts over the largest.
@@ -263,5 +270,14 @@ mod tests {
         for (x, y) in conditioning(plain).iter().zip(conditioning(scaled)) {
             assert!((x - y).abs() < 1e-6 * x, "{x} {y}");
         }
+    }
+
+    #[test]
+    fn a_pattern_of_zeros_does_not_make_columns_vanish() {
+        // Sums of rows and columns cannot be equal here but with nothing on the diagonal's left.
+        let mut matrices = vec![DMatrix::from_row_slice(2, 3, &[1.0, 1.0, 0.0, 0.0, 1.0, 1.0])];
+        scale(&mut matrices);
+        let dependent = matrices[0].clone().remove_columns_at(&[0]);
+        assert!(nth_singular_value(&dependent, 2) > 0.3, "{dependent}");
     }
 }
