@@ -9,6 +9,7 @@ pub mod dynamics;
 pub mod equilibrium;
 pub mod files;
 pub mod map;
+pub mod method;
 pub mod metrics;
 pub mod plan;
 pub mod policy;

@@ -5,8 +5,10 @@
 
 use crate::map::MMHG;
 use crate::metrics::{shear, spatial};
-use crate::plan::run::{History, RunError, run};
-use crate::plan::{Move, Plan, skin};
+use crate::plan::history::{History, RunError};
+use crate::plan::maps::skin;
+use crate::plan::run::run;
+use crate::plan::{Move, Plan};
 use smartbed_runtime::vec3::{norm, sub};
 
 /// Below this (Pa) a point of the skin is not pressed.

@@ -5,7 +5,7 @@
 //! (Kelvin and Voigt) and r the stiffness at once over that at last (standard linear solid; Zener). With p = (r - 1) w - q,
 //! p' = q/theta. Where nothing presses the layer comes back by itself: f = 0 gives its depth.
 
-use crate::dynamics::Formula;
+use crate::method::Formula;
 use std::collections::BTreeMap;
 
 /// What tissue does besides being a spring.

@@ -7,11 +7,10 @@
 //! an equilibrium.
 
 mod ledger;
-mod method;
 mod motion;
 mod start;
 
+pub use crate::method::{Formula, Method, Track};
 pub use ledger::Ledger;
-pub use method::{Formula, Method, Track};
 pub use motion::{Matter, Motion};
 pub use start::{dropped, lowered};

@@ -4,11 +4,11 @@
 //! segment are followed in the bed's frame, so that a tile that moves takes its sheet along.
 
 use super::ledger::Ledger;
-use super::method::{Formula, Method, Track};
 use crate::body::Body;
 use crate::equilibrium::increment::{Damper, Increment, points};
 use crate::equilibrium::scene::Scene;
 use crate::equilibrium::{Anchor, Bed, Fault, GRAVITY, Solution, State, find, read};
+use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
 use crate::sheet::membrane;
 use crate::tissue::{Layers, Memory, Tissue};

@@ -19,7 +19,9 @@ const NEAR: f64 = 0.03;
 /// Pressure (Pa) and shear (Pa) at sites.
 #[derive(Clone, Debug, Default)]
 pub struct Map {
+    /// Pa.
     pub pressure: Vec<f64>,
+    /// Pa, along x and y.
     pub shear: Vec<[f64; 2]>,
 }
 

@@ -4,11 +4,10 @@
 //! ([`check`]), and what happens ([`run`]).
 
 pub mod check;
-mod maps;
+pub mod history;
+pub mod maps;
 pub mod motion;
 pub mod run;
-
-pub use maps::{SkinPoint, sensel, skin};
 
 use crate::body::Body;
 use crate::body::figure::Figure;

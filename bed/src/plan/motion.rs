@@ -3,7 +3,7 @@
 //! In: a plan and how motion is computed. Out: the same [`History`] as that of equilibria, and what happened between its
 //! moments. Steps divide the time between two moments evenly.
 
-use super::run::{Decide, History, Recorder, RunError, seal};
+use super::history::{Decide, History, Recorder, RunError, Watched, seal};
 use super::{Dynamics, Plan};
 use crate::dynamics::{Motion, dropped};
 use crate::equilibrium::Bed;
@@ -13,27 +13,6 @@ use std::collections::VecDeque;
 const WINDOW: f64 = 0.01;
 /// Nothing is faster in a bed at rest (m/s).
 const STILL: f64 = 1e-3;
-
-/// What happened in motion.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-pub struct Watched {
-    /// Largest mean over 10 ms of the upward force of all contacts (N).
-    pub peak: f64,
-    /// When it ended (s).
-    pub peak_time: f64,
-    /// When everything was slower than 1 mm/s for good (s); none if it never was.
-    pub still: Option<f64>,
-    /// Energy (J) lost by the end.
-    pub lost: f64,
-    /// Largest energy (J) that the method made or lost.
-    pub left_over: f64,
-    /// Steps.
-    pub steps: usize,
-    /// Length of a step (s).
-    pub step: f64,
-    /// Newton's steps in all of them.
-    pub newton: usize,
-}
 
 /// Runs it.
 pub(super) fn run(

@@ -3,11 +3,13 @@
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
 use smartbed_bed::metrics::time;
-use smartbed_bed::plan::run::{History, RunError};
+use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::{Clock, Layout, Load, Move, Plan};
+use smartbed_bed::policy::bounds::Bounds;
 use smartbed_bed::policy::planner::{Goal, Planner};
+use smartbed_bed::policy::run::run as run_policy;
 use smartbed_bed::policy::scheduled::Scheduled;
-use smartbed_bed::policy::{self, Bounds, Policy, View};
+use smartbed_bed::policy::{Policy, View};
 use smartbed_bed::sensor::reader::{Quality, Reader};
 use smartbed_bed::sensor::site::Site;
 
@@ -52,7 +54,7 @@ fn motion(plan: &Plan, history: &History) -> f64 {
 fn the_planner_relieves_more_than_alternating_pressure_with_less_motion_within_its_bounds() {
     let plan = supine(600.0, 10.0);
     let run = |policy: &mut dyn Policy, bounds: &Bounds| {
-        policy::run(&plan, policy, bounds, Some(&reader()), |_| true).expect("runs")
+        run_policy(&plan, policy, bounds, Some(&reader()), |_| true).expect("runs")
     };
     let shut =
         |history: &History| time::persistent_occlusion(&history.skin, 600.0, OCCLUSION).expect("a cycle");
@@ -100,12 +102,16 @@ fn a_policy_is_refused_by_name_before_a_tile_hears_of_it() {
     let plan = supine(40.0, 10.0);
     let told =
         |tiles: Vec<usize>| Move { at: 10.0, over: 20.0, tiles, pressure: None, heave: None, slope: None };
-    let say =
-        |told: Move, bounds: Bounds| match policy::run(&plan, &mut Once(Some(told)), &bounds, None, |_| true)
-        {
-            Err(RunError::Refused(refusal)) => refusal.to_string(),
-            other => panic!("{other:?}"),
-        };
+    let say = |told: Move, bounds: Bounds| match run_policy(
+        &plan,
+        &mut Once(Some(told)),
+        &bounds,
+        None,
+        |_| true,
+    ) {
+        Err(RunError::Refused(refusal)) => refusal.to_string(),
+        other => panic!("{other:?}"),
+    };
     let usual = Bounds::default();
     let low = |tiles: Vec<usize>| Move { pressure: Some(1000.0), ..told(tiles) };
     assert_eq!(
@@ -135,7 +141,7 @@ fn a_policy_sees_what_sensors_read_and_the_same_again() {
             Reader::new(&Site::default(), Quality { seed, ..Quality::default() }).expect("a surface");
         let goal = Goal { cycle: 60.0, slots: 2, ramp: 10.0, hold: 10.0, ..Goal::default() };
         let mut planner = Planner::new(goal, Bounds::default());
-        policy::run(&plan, &mut planner, &Bounds::default(), Some(&reader), |_| true).expect("runs")
+        run_policy(&plan, &mut planner, &Bounds::default(), Some(&reader), |_| true).expect("runs")
     };
     let [one, again] = [run(3), run(3)];
     assert_eq!((&one.moments, &one.moves), (&again.moments, &again.moves));
@@ -145,6 +151,6 @@ fn a_policy_sees_what_sensors_read_and_the_same_again() {
     empty.load = Load { body: Default::default(), poses: Vec::new(), figure: None };
     let mut planner = Planner::new(Goal::default(), Bounds::default());
     let history =
-        policy::run(&empty, &mut planner, &Bounds::default(), Some(&reader()), |_| true).expect("runs");
+        run_policy(&empty, &mut planner, &Bounds::default(), Some(&reader()), |_| true).expect("runs");
     assert!(history.moves.is_empty());
 }

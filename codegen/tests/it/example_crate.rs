@@ -55,5 +55,5 @@ fn example_crate_builds_runs_and_explains() {
     let err = String::from_utf8_lossy(&bad.stderr);
     assert!(!bad.status.success());
     assert!(err.contains("models/pendulum.toml:"), "{err}");
-    assert_eq!(err.matches("unknown name `rodd`").count(), 1, "once:\n{err}");
+    assert_eq!(err.matches("unknown frame `rodd`").count(), 1, "once:\n{err}");
 }

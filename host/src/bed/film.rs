@@ -7,8 +7,9 @@
 
 use crate::view::film::base64;
 use smartbed_bed::map::{Frame, MMHG};
-use smartbed_bed::plan::run::{History, Moment};
-use smartbed_bed::plan::{Plan, sensel};
+use smartbed_bed::plan::Plan;
+use smartbed_bed::plan::history::{History, Moment};
+use smartbed_bed::plan::maps::sensel;
 
 /// Effort of the compressor, 0 to 10.
 const EFFORT: u8 = 9;

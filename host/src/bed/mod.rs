@@ -16,8 +16,8 @@ use crate::progress::Progress;
 use smartbed_bed::files::{Mapped, tekscan, xsensor};
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
-use smartbed_bed::plan::motion::Watched;
-use smartbed_bed::plan::run::{GATE, History, RunError};
+use smartbed_bed::plan::history::Watched;
+use smartbed_bed::plan::history::{GATE, History, RunError};
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -136,8 +136,9 @@ pub(crate) fn is_valid([imbalance, felt]: [f64; 2], sensed: Option<&sensing::Rea
 
 /// How well the worst equilibrium carries the weight: by contact forces, and as sensed.
 pub(crate) fn validity(history: &History) -> [f64; 2] {
-    let worst =
-        |of: fn(&smartbed_bed::plan::run::Moment) -> f64| history.moments.iter().map(of).fold(0.0, f64::max);
+    let worst = |of: fn(&smartbed_bed::plan::history::Moment) -> f64| {
+        history.moments.iter().map(of).fold(0.0, f64::max)
+    };
     [worst(|m| m.imbalance), worst(|m| m.sensed)]
 }
 

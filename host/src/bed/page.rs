@@ -12,7 +12,7 @@ use crate::view::THREE;
 use smartbed_bed::metrics::DISCLAIMER;
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::plan::Plan;
-use smartbed_bed::plan::run::History;
+use smartbed_bed::plan::history::History;
 use std::fmt::Write as _;
 
 const PAGE: &str = include_str!("page.html");

@@ -5,7 +5,7 @@
 
 use smartbed_bed::map::{MMHG, Recording, Region};
 use smartbed_bed::metrics::time;
-use smartbed_bed::plan::run::History;
+use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::{Move, Plan};
 
 /// Capillaries close above this (Pa).

@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use smartbed_bed::body::Shape;
 use smartbed_bed::map::MMHG;
 use smartbed_bed::plan::Plan;
-use smartbed_bed::plan::run::{History, Moment, RunError};
+use smartbed_bed::plan::history::{History, Moment, RunError};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::soft::{Claim, Comparison, NAMES, compare};
 
@@ -95,7 +95,7 @@ fn section(plan: &Plan, history: &History, moment: &Moment, middle: (f64, f64), 
     for (i, (px, py)) in sheet.iter().enumerate() {
         let node = along[row] * wide + across[i];
         let pressure =
-            smartbed_bed::plan::sensel(&plan.layout, 0, node).map_or(0.0, |site| frame.pressure[site]);
+            smartbed_bed::plan::maps::sensel(&plan.layout, 0, node).map_or(0.0, |site| frame.pressure[site]);
         if pressure > 5.0 * MMHG {
             items.push(line(vec![(*px, *py), (*px, *py + 60.0 * pressure / longest)], SKIN, 2.0));
         }

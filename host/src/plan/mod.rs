@@ -11,7 +11,8 @@ pub mod sensing;
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
 use smartbed_bed::plan::check::{MOST_TILES, check};
-use smartbed_bed::plan::run::{self, History, RunError};
+use smartbed_bed::plan::history::{History, RunError};
+use smartbed_bed::plan::run;
 use smartbed_bed::plan::{Clock, Layout, Move, Plan};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -52,7 +53,7 @@ impl Read {
         let Some(chosen) = &self.policy else { return run::run(&self.plan, at) };
         let reader = self.sensors.as_ref().map(|sensors| &sensors.reader);
         let mut policy = chosen.policy(&self.plan);
-        smartbed_bed::policy::run(&self.plan, policy.as_mut(), &chosen.bounds, reader, at)
+        smartbed_bed::policy::run::run(&self.plan, policy.as_mut(), &chosen.bounds, reader, at)
     }
 }
 

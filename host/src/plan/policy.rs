@@ -2,9 +2,10 @@
 
 use crate::world::read::value::{Bound, count, number, one_of};
 use smartbed_bed::plan::Plan;
+use smartbed_bed::policy::Policy;
+use smartbed_bed::policy::bounds::Bounds;
 use smartbed_bed::policy::planner::{Goal, Planner};
 use smartbed_bed::policy::scheduled::Scheduled;
-use smartbed_bed::policy::{Bounds, Policy};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};

@@ -1,7 +1,7 @@
 //! `[sensors]`: the surface that a bed is read by, and what it reads of a run.
 
 use crate::world::read::value::{Bound, number};
-use smartbed_bed::plan::run::History;
+use smartbed_bed::plan::history::History;
 use smartbed_bed::sensor::fine;
 use smartbed_bed::sensor::reader::{Quality, Reader, error};
 use smartbed_bed::sensor::site::Site;

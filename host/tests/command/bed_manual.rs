@@ -5,8 +5,8 @@ use crate::guide::{messages, run_page, same};
 use smartbed::plan::{checked, parse};
 use smartbed_bed::equilibrium::Fault;
 use smartbed_bed::plan::check::Refusal;
-use smartbed_bed::plan::run::RunError;
-use smartbed_bed::policy::Bounds;
+use smartbed_bed::plan::history::RunError;
+use smartbed_bed::policy::bounds::Bounds;
 use std::collections::BTreeSet;
 
 const MANUAL: &str = include_str!("../../../docs/bed.md");

@@ -73,9 +73,14 @@ fn fuzzed_plans_are_read_or_refused_with_their_place() {
         std::fs::read_dir(folder).expect("plans").map(|e| e.expect("a plan").path()).collect();
     files.sort();
     let texts: Vec<String> = files.iter().map(|f| std::fs::read_to_string(f).expect("text")).collect();
+    // Every second one begins as a plan of a few tiles: those are run.
+    let is_small =
+        |text: &&String| parse("own.toml", text, &[]).is_ok_and(|read| read.plan.layout.count() <= 4);
+    let small: Vec<String> = texts.iter().filter(is_small).cloned().collect();
     let (mut refused, mut beyond, mut ran) = (0, 0, 0);
     for case in 0..cases {
         let mut random = Random::new(case);
+        let texts = if case % 2 == 0 { &small } else { &texts };
         let text = mutated(&texts[random.below(texts.len())], &mut random, &KEYS, &VALUES);
         let read = match parse("fuzz.toml", &text, &[]) {
             Err(found) => {

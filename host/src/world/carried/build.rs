@@ -2,41 +2,19 @@
 //!
 //! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
 
+use super::methods::method;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
 use crate::scene::{Lists, Simulation, Surroundings};
-use crate::suggest;
 use crate::world::assembly::{Assembly, Kind, Rigid};
 use crate::world::carriers::HostCarrier;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
 use smartbed_runtime::flexible::{PressureForm, Spring};
-use smartbed_runtime::ode::{Method, Ode};
+use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Still, Wrench};
-
-/// Methods by name, with their order.
-pub const METHODS: [(&str, Method, u32); 6] = [
-    ("euler", Method::ExplicitEuler, 1),
-    ("semi-implicit", Method::SemiImplicitEuler, 1),
-    ("verlet", Method::Verlet, 2),
-    ("implicit_midpoint", Method::ImplicitMidpoint, 2),
-    ("blanes_moan4", Method::BlanesMoan4, 4),
-    ("rk4", Method::Rk4, 4),
-];
-
-/// The method of this name.
-///
-/// # Errors
-/// There is none, with the likely name.
-pub(super) fn method(name: &str) -> Result<(&'static str, Method), String> {
-    let found = METHODS.iter().find(|(known, ..)| *known == name);
-    found.map(|(known, method, _)| (*known, *method)).ok_or_else(|| {
-        let known = METHODS.map(|(known, ..)| known);
-        format!("run.method = \"{name}\": no method of worlds{}", suggest::help(name, known))
-    })
-}
 
 impl CarriedWorld {
     /// At its start.

@@ -1,6 +1,6 @@
 //! What can be asked of a world's equations, and another method or state put in their place: for measuring.
 
-use super::{CarriedWorld, build, words};
+use super::{CarriedWorld, methods, words};
 
 impl CarriedWorld {
     /// Without contacts: its equations are smooth.
@@ -9,7 +9,7 @@ impl CarriedWorld {
         self.touching.is_none()
     }
 
-    /// Is it stepped by one of [`METHODS`](super::METHODS), or by Moreau's step alone?
+    /// Is it stepped by one of [`METHODS`](methods::METHODS), or by Moreau's step alone?
     #[must_use]
     pub fn takes_method(&self) -> bool {
         self.touching.as_ref().is_none_or(super::Touching::is_located)
@@ -26,7 +26,7 @@ impl CarriedWorld {
     /// # Errors
     /// There is none.
     pub fn choose(&mut self, name: &str) -> Result<(), String> {
-        self.method = build::method(name)?;
+        self.method = methods::method(name)?;
         self.scratch = vec![0.0; self.method.1.scratch(self.x.len())];
         if let Some(touching) = &mut self.touching {
             touching.choose(self.method.1, self.x.len());

@@ -7,6 +7,7 @@
 
 mod build;
 mod choice;
+pub mod methods;
 mod rest;
 mod rows;
 pub mod tables;
@@ -16,7 +17,6 @@ use super::engine::Event;
 use super::ported::Ported;
 use super::touching::Touching;
 use crate::scene::grid::Woven;
-pub use build::METHODS;
 use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::Fault;

@@ -20,27 +20,18 @@ pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
 ) -> Result<S, N::Fault> {
     let n = newton.nodes();
     for (s, (abar, a)) in tableau.abar.iter().zip(&tableau.a).enumerate() {
-        if s == 0 {
-            kernel::run(Accelerate {
-                newton,
-                forces: [start.elastic, start.viscous],
-                memory: work.dx,
-                out: work.stages,
-            });
-            continue;
-        }
-        let drift = tableau.drift.get(s).map_or(S::ZERO, |c| h * S::constant(*c));
-        kernel::run(Reach { n, start, weights: [abar, a], count: s, h, drift, work });
-        work.evaluations += 1;
-        newton.elastic(work.stage_pos, work.stage_elastic)?;
-        newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
+        let forces: [&[Vec3<S>]; 2] = if s == 0 {
+            [start.elastic, start.viscous]
+        } else {
+            let drift = tableau.drift.get(s).map_or(S::ZERO, |c| h * S::constant(*c));
+            kernel::run(Reach { n, start, weights: [abar, a], count: s, h, drift, work });
+            work.evaluations += 1;
+            newton.elastic(work.stage_pos, work.stage_elastic)?;
+            newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
+            [work.stage_elastic, work.stage_viscous]
+        };
         let out = work.stages.get_mut(s * n..).unwrap_or_default();
-        kernel::run(Accelerate {
-            newton,
-            forces: [work.stage_elastic, work.stage_viscous],
-            memory: work.dx,
-            out,
-        });
+        kernel::run(Accelerate { newton, forces, memory: work.dx, out });
     }
     kernel::run(Arrive { newton, start, weights: [&tableau.bbar, &tableau.b], h, work });
     let error = error_estimate(tableau, start, h, tolerance, work, n);

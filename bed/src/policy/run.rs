@@ -1,0 +1,52 @@
+//! Runs a plan under a policy.
+//!
+//! In: a plan, a policy with its bounds, the surface that it sees through. Out: the run, or the first limit that it exceeds.
+
+use super::bounds::{Bounds, Reach};
+use super::{Policy, View};
+use crate::plan::check::check_from;
+use crate::plan::history::{History, RunError, Seen};
+use crate::plan::{Order, Plan, run as plan_run};
+use crate::sensor::reader::Reader;
+
+/// Runs a plan under a policy; `reader` is what it sees through, nothing for the truth. `at` hears the share that is done and
+/// says whether to go on.
+///
+/// # Errors
+/// [`RunError`]; [`RunError::Refused`] for a policy that exceeds a limit.
+pub fn run(
+    plan: &Plan,
+    policy: &mut dyn Policy,
+    bounds: &Bounds,
+    reader: Option<&Reader>,
+    at: impl FnMut(f64) -> bool,
+) -> Result<History, RunError> {
+    let (mut reach, mut number) = (Reach::default(), 0);
+    let mut decide = |seen: &Seen<'_>| {
+        let frame = reader.map_or_else(|| seen.frame.clone(), |reader| reader.frame(number, seen.frame));
+        number += 1;
+        reach.widen(&seen.plan.layout, seen.grid, &frame.pressure);
+        let areas = reach.areas(&seen.plan.layout, seen.grid, seen.sites);
+        let weight = plan.load.body.mass() * crate::equilibrium::GRAVITY;
+        let orders: Vec<Order> =
+            (0..plan.layout.count()).map(|tile| seen.plan.order(tile, seen.frame.time)).collect();
+        let view = View {
+            time: seen.frame.time,
+            layout: &seen.plan.layout,
+            grid: seen.grid,
+            sites: seen.sites,
+            frame: &frame,
+            orders: &orders,
+            reach: &areas,
+            weight,
+        };
+        let moves = policy.decide(&view);
+        let told = seen.plan.with(&moves);
+        if !moves.is_empty() {
+            check_from(&told, view.time)?;
+        }
+        bounds.check(&told, view.time, &areas, weight)?;
+        Ok(moves)
+    };
+    plan_run::run_by(plan, &mut decide, at)
+}
