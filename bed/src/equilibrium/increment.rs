@@ -1,14 +1,12 @@
 //! What a stage of time adds to the energy: inertia and losses, so that its end is found as an equilibrium is.
 //!
 //! In: what a method of steps expects of every point. Out: terms of energy, gradient and Hessian. Every formula of
-//! [`Method`](crate::dynamics::Method) gives the velocity at the end as v = b (p - p~) and the acceleration as b (v - v~) =
+//! [`Method`](crate::method::Method) gives the velocity at the end as v = b (p - p~) and the acceleration as b (v - v~) =
 //! b^2 (p - p^), so that the equations of motion at the end make m b^2/2 |p - p^|^2 + energy least. A segment's inertia is
 //! that of six points on its axes. Losses are Kelvin and Voigt's: a damper of retardation times stiffness beside a spring.
 
-use super::scene::Scene;
-use super::tile::Placed;
 use crate::band::Band;
-use crate::body::{Rows, Segment};
+use crate::body::{Body, Rows, Segment};
 use crate::pose::Pose;
 use crate::sheet::Lattice;
 use crate::tissue::Memory;
@@ -35,6 +33,14 @@ pub struct Increment<'a> {
     pub resting: Vec<Pose>,
     /// What tissue remembers, by tile.
     pub tissue: Vec<Memory<'a>>,
+}
+
+/// A sheet of a tile.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    pub lattice: &'a Lattice,
+    pub sheet: &'a [Vec3<f64>],
+    pub tile: usize,
 }
 
 /// Beside a spring.
@@ -111,21 +117,21 @@ impl Increment<'_> {
     }
 
     /// Energy of the segments' inertia and of what joints lose.
-    pub(super) fn body_energy(&self, scene: &Scene, poses: &[Pose]) -> f64 {
+    pub(super) fn body_energy(&self, body: &Body, poses: &[Pose]) -> f64 {
         let one = |(segment, (pose, hats)): (&Segment, (&Pose, &[Vec3<f64>; 6]))| {
             let factor = segment.mass / 12.0 * self.rate * self.rate;
             let off = points(segment, pose).into_iter().zip(hats).map(|(p, hat)| sub(p, *hat));
             factor * off.map(|o| dot(o, o)).sum::<f64>()
         };
-        let kinetic: f64 = scene.body.segments.iter().zip(poses.iter().zip(&self.segments)).map(one).sum();
+        let kinetic: f64 = body.segments.iter().zip(poses.iter().zip(&self.segments)).map(one).sum();
         let share = self.joint_loss * self.rate;
-        let lost: f64 = scene.body.joints.iter().map(|j| share * j.turning_since(&self.resting, poses)).sum();
+        let lost: f64 = body.joints.iter().map(|j| share * j.turning_since(&self.resting, poses)).sum();
         kinetic + lost
     }
 
     /// Adds their gradient and Hessian; what turns of a segment have of second order is left out.
-    pub(super) fn add_body(&self, scene: &Scene, poses: &[Pose], rows: &mut Rows) {
-        for (index, (segment, pose)) in scene.body.segments.iter().zip(poses).enumerate() {
+    pub(super) fn add_body(&self, body: &Body, poses: &[Pose], rows: &mut Rows) {
+        for (index, (segment, pose)) in body.segments.iter().zip(poses).enumerate() {
             let factor = segment.mass / 6.0 * self.rate * self.rate;
             let same = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { factor } else { 0.0 }));
             for (point, hat) in points(segment, pose).into_iter().zip(self.segments[index]) {
@@ -135,7 +141,7 @@ impl Increment<'_> {
             }
         }
         let share = self.joint_loss * self.rate;
-        scene.body.joints.iter().for_each(|j| j.add_turning_since(&self.resting, poses, share, rows));
+        body.joints.iter().for_each(|j| j.add_turning_since(&self.resting, poses, share, rows));
     }
 }
 

@@ -167,7 +167,7 @@ fn named<T>(results: Vec<Result<T, Collapsed>>) -> Result<Vec<T>, Fault> {
 fn energy(scene: &Scene, state: &State) -> Result<f64, Fault> {
     let one = |tile| Patch::new(scene, state, tile).energy();
     let tiles = named(side_by_side::run(scene.bed.tiles.len(), one))?;
-    let motion = scene.increment.map_or(0.0, |i| i.body_energy(scene, &state.segments));
+    let motion = scene.increment.map_or(0.0, |i| i.body_energy(scene.body, &state.segments));
     Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion)
 }
 

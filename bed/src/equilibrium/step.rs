@@ -38,7 +38,7 @@ pub fn of_body(scene: &Scene, state: &State) -> Rows {
     let mut rows = Rows::new(scene.body.segments.len());
     scene.body.add_to(&state.segments, GRAVITY, &mut rows);
     if let Some(increment) = scene.increment {
-        increment.add_body(scene, &state.segments, &mut rows);
+        increment.add_body(scene.body, &state.segments, &mut rows);
     }
     rows
 }

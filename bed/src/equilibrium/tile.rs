@@ -5,7 +5,7 @@
 //! that couple nodes to segments: (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
 
 use super::bed::{Bed, PLATE, Tile};
-use super::increment::Increment;
+use super::increment::{Increment, Placed};
 use super::scene::Scene;
 use super::state::State;
 use super::touch::{self, Pull, Touch};
@@ -13,7 +13,7 @@ use crate::band::{Band, Factor};
 use crate::body::{Body, lever};
 use crate::pose::Pose;
 use crate::sheet::air::Collapsed;
-use crate::sheet::{Lattice, membrane};
+use crate::sheet::membrane;
 use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub};
 
@@ -30,14 +30,6 @@ pub struct Patch<'a> {
     poses: &'a [Pose],
     /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
     is_exact: bool,
-}
-
-/// A sheet of a tile.
-#[derive(Clone, Copy)]
-pub struct Placed<'a> {
-    pub lattice: &'a Lattice,
-    pub sheet: &'a [Vec3<f64>],
-    pub tile: usize,
 }
 
 /// What a node and a segment do to each other.
