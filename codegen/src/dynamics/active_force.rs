@@ -2,7 +2,7 @@
 //!
 //! F_k = sum v_k . F + w_k . tau. Sign of a spring: tension > 0 pulls its ends together.
 
-use super::Unprojected;
+use super::unprojected::Unprojected;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, Motion, flatten, lower_scalar, lower_vector, value_of};
 use crate::model::{CoordinateId, Expr, LoadKind, Model, PointId};

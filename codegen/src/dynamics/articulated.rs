@@ -9,12 +9,13 @@
 //! Featherstone 2008, chapter 7; D are the pivots of M = L' D L.
 
 use super::articulated_inertia::Articulated;
-use super::composite::{self, Base, Moves, State, power};
 use super::given::Given;
 use super::solve::NO_INERTIA;
 use super::spatial::Wrench;
 use super::tree::{self, Node};
-use super::{Unprojected, active_force, shared_axis};
+use super::tree_motion::{self, Base, Moves, State, power};
+use super::unprojected::Unprojected;
+use super::{active_force, shared_axis};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Pivot, pivot_of};
@@ -138,7 +139,7 @@ impl Tree {
         let mut nodes = nodes.to_vec();
         tree::move_inwards(k, &mut nodes, root, tree::Wheels::Whole);
         let base = Base::new(model, k, &Given::default(), &nodes[root]);
-        let (states, moves) = composite::motions(k, &Given::default(), &nodes, root, &base.state);
+        let (states, moves) = tree_motion::motions(k, &Given::default(), &nodes, root, &base.state);
         let (mut places, mut place_of): (Vec<Place>, _) = (Vec::new(), vec![None; nodes.len()]);
         for (i, node) in nodes.iter().enumerate() {
             let (Some(joint), Some(motion)) = (&node.joint, &moves[i]) else { continue };

@@ -6,7 +6,7 @@
 //! y: all speeds and lifted twists. The multipliers depend on how the rows are written: they are
 //! not joint reactions.
 
-use super::Unprojected;
+use super::unprojected::Unprojected;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::Solution;

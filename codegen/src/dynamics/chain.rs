@@ -17,7 +17,8 @@
 //! length of a chain; no recursion is written anywhere. Where speeds depend on others the form is not offered.
 
 use super::segment::Segment;
-use super::{Unprojected, active_force, inertia_force};
+use super::unprojected::Unprojected;
+use super::{active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Label, Node};
 use crate::id::Id;

@@ -2,7 +2,8 @@
 //!
 //! T = 1/2 y' M_y y over all unknowns; V = - sum m g . p + sum 1/2 K (stretch)^2.
 
-use super::{Unprojected, active_force};
+use super::active_force;
+use super::unprojected::Unprojected;
 use crate::expr::ExprId;
 use crate::expr::number::Number;
 use crate::kinematics::{Kinematics, flatten, lower_scalar, lower_vector};

@@ -5,14 +5,17 @@
 //! Bodies that hang on one another may instead be taken as a tree of composite bodies: whichever
 //! takes fewer operations.
 
-use super::composite::{self, Contributions};
+use super::composite;
+use super::contributions::Contributions;
 use super::given::Given;
-use super::shared_axis::{self, Massive};
-use super::{Unprojected, tree};
-use crate::expr::{Dag, ExprId};
-use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vector, value_of};
+use super::rigid_inertia::RigidInertia;
+use super::rotation::rotation;
+use super::unprojected::Unprojected;
+use super::{shared_axis, tree};
+use crate::expr::ExprId;
+use crate::kinematics::{Kinematics, Motion, UnknownId, lower_scalar, lower_vector};
 use crate::model::{Body, Model};
-use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
+use crate::vector::{TriadId, Vector};
 
 /// A tree whose bodies, each for itself, take more scalar products than this is taken as composite bodies at once:
 /// that of a chain of fifteen hinges.
@@ -22,11 +25,12 @@ const LONG: usize = 680;
 pub(super) fn accumulate(model: &Model, k: &mut Kinematics, given: &Given, parts: &mut Unprojected) {
     // A tree weighs all that it carries: a body without weight stands alone.
     let bodies = shared_axis::bodies(model, k);
-    let (hanging, alone): (Vec<Massive>, Vec<Massive>) = bodies.into_iter().partition(|m| m.body.weight);
+    let (hanging, alone): (Vec<RigidInertia>, Vec<RigidInertia>) =
+        bodies.into_iter().partition(|m| m.body.weight);
     let mut all = body_by_body(model, k, given, &alone);
     let forest = tree::build(model, k, &hanging);
     for (root, bodies) in forest.roots() {
-        let bodies: Vec<Massive> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
+        let bodies: Vec<RigidInertia> = bodies.into_iter().map(|i| hanging[i].clone()).collect();
         // Of a long tree every body for itself takes products of all pairs of joints below it: never the cheaper way.
         let is_long = forest.has_joints(root) && n_products(k, &bodies) > LONG;
         let mut best = (!is_long).then(|| body_by_body(model, k, given, &bodies));
@@ -45,37 +49,26 @@ pub(super) fn accumulate(model: &Model, k: &mut Kinematics, given: &Given, parts
 }
 
 /// How many scalar products the translations of the bodies, each for itself, take.
-fn n_products(k: &Kinematics, bodies: &[Massive]) -> usize {
-    let moving = bodies.iter().map(|massive| k.velocities[massive.body.centre].partials.len());
+fn n_products(k: &Kinematics, bodies: &[RigidInertia]) -> usize {
+    let moving = bodies.iter().map(|rigid| k.velocities[rigid.body.centre].partials.len());
     moving.map(|n| n * (n + 1) / 2).sum()
-}
-
-impl Contributions {
-    fn join(self, dag: &mut Dag, parts: &mut Unprojected) {
-        for (a, b, term) in self.mass {
-            parts.add_mass(dag, a, b, term);
-        }
-        for (a, term) in self.force {
-            parts.add_force(dag, a, term);
-        }
-    }
 }
 
 /// Adds every body's moment of inertia only.
 pub(super) fn rotations(model: &Model, k: &mut Kinematics, parts: &mut Unprojected) {
     let mut found = Contributions::default();
-    for massive in shared_axis::bodies(model, k) {
-        rotation(k, &Given::default(), &massive, &mut found);
+    for rigid in shared_axis::bodies(model, k) {
+        rotation(k, &Given::default(), &rigid, &mut found);
     }
     found.join(&mut k.dag, parts);
 }
 
 /// Every body for itself.
-fn body_by_body(model: &Model, k: &mut Kinematics, given: &Given, bodies: &[Massive]) -> Contributions {
+fn body_by_body(model: &Model, k: &mut Kinematics, given: &Given, bodies: &[RigidInertia]) -> Contributions {
     let mut found = Contributions::default();
-    for massive in bodies {
-        translation(model, k, given, massive.body, &mut found);
-        rotation(k, given, massive, &mut found);
+    for rigid in bodies {
+        translation(model, k, given, rigid.body, &mut found);
+        rotation(k, given, rigid, &mut found);
     }
     found
 }
@@ -165,68 +158,4 @@ fn cost(k: &Kinematics, given: &Given, products: &Products) -> usize {
     let mass = products.mass.iter().filter(|_| !given.is_given()).map(|(_, _, e)| *e);
     let roots: Vec<_> = mass.chain(products.force.iter().map(|(_, e)| *e)).collect();
     k.dag.cone_cost(&roots)
-}
-
-pub(super) fn rotation(k: &mut Kinematics, given: &Given, massive: &Massive, found: &mut Contributions) {
-    let Some(frame) = massive.body.frame else { return };
-    let [xx, yy, zz, xy, xz, yz] = massive.inertia;
-    if massive.inertia.iter().all(|&e| k.dag.is_zero(e)) {
-        return;
-    }
-    let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
-    let triad = k.frame_triad[frame];
-    let angular = k.angular[triad].clone();
-    let angular = given.motion(k, angular);
-    let partials: Vec<(UnknownId, Components)> =
-        angular.partials.iter().map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad))).collect();
-    let moment = bias_moment(k, triad, &angular, &inertia);
-    for (i, (a, w)) in partials.iter().enumerate() {
-        let momentum = times(&mut k.dag, &inertia, w);
-        for (b, other) in &partials[i..] {
-            let term = dot_components(&mut k.dag, &momentum, other);
-            if !k.dag.is_zero(term) {
-                found.mass.push((*a, *b, term));
-            }
-        }
-        let term = dot_components(&mut k.dag, w, &moment);
-        found.force.push((*a, k.dag.negate(term)));
-    }
-}
-
-/// I alpha_bias + w x I w in the body's triad.
-fn bias_moment(
-    k: &mut Kinematics,
-    triad: TriadId,
-    angular: &Motion,
-    inertia: &[Components; 3],
-) -> Components {
-    let alpha = k.triads.express(&mut k.dag, &angular.bias, triad);
-    let w = value_of(k, angular);
-    let w = k.triads.express(&mut k.dag, &w, triad);
-    let linear = times(&mut k.dag, inertia, &alpha);
-    let momentum = times(&mut k.dag, inertia, &w);
-    let gyroscopic = if is_diagonal(&k.dag, inertia) {
-        euler_products(&mut k.dag, inertia, &w)
-    } else {
-        cross_components(&mut k.dag, &w, &momentum)
-    };
-    std::array::from_fn(|i| k.dag.add(linear[i], gyroscopic[i]))
-}
-
-fn is_diagonal(dag: &Dag, inertia: &[Components; 3]) -> bool {
-    (0..3).all(|i| (0..3).all(|j| i == j || dag.is_zero(inertia[i][j])))
-}
-
-/// Euler's form for principal axes, (I_l - I_j) w_j w_l: the difference depends on parameters only.
-fn euler_products(dag: &mut Dag, inertia: &[Components; 3], w: &Components) -> Components {
-    std::array::from_fn(|i| {
-        let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-        let difference = dag.sub(inertia[l][l], inertia[j][j]);
-        let product = dag.mul(w[j], w[l]);
-        dag.mul(difference, product)
-    })
-}
-
-fn times(dag: &mut Dag, matrix: &[Components; 3], v: &Components) -> Components {
-    std::array::from_fn(|i| dot_components(dag, &matrix[i], v))
 }

@@ -5,7 +5,8 @@
 
 use super::given::Given;
 use super::solve::Factors;
-use super::{Unprojected, active_force, inertia_force};
+use super::unprojected::Unprojected;
+use super::{active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::Id;

@@ -12,6 +12,7 @@ mod articulated_inertia;
 mod augmented;
 mod chain;
 mod composite;
+mod contributions;
 mod energy;
 mod given;
 mod inertia_force;
@@ -20,12 +21,16 @@ mod parallel;
 mod power;
 mod reduce;
 mod redundant;
+mod rigid_inertia;
+mod rotation;
 mod segment;
 mod segment_inertia;
 mod shared_axis;
 mod solve;
 mod spatial;
 mod tree;
+mod tree_motion;
+mod unprojected;
 
 pub use augmented::Augmented;
 pub(crate) use inverse::{
@@ -45,7 +50,7 @@ use given::Given;
 use reduce::Reduced;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
-use std::collections::BTreeMap;
+use unprojected::Unprojected;
 
 /// Equations of motion of the independent speeds, and the energies.
 #[derive(Clone, Debug)]
@@ -70,34 +75,6 @@ pub struct Dynamics {
     pub pivots: Vec<Pivot>,
     /// The same equations before the elimination, where they are asked for.
     pub augmented: Augmented,
-}
-
-/// Inertia and forces over all unknowns.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Unprojected {
-    /// Upper triangle of M_y: keys (k, l) with k <= l.
-    mass: BTreeMap<(UnknownId, UnknownId), ExprId>,
-    /// F_y - h_y: active forces less the inertia bias.
-    force: BTreeMap<UnknownId, ExprId>,
-}
-
-impl Unprojected {
-    fn add_mass(&mut self, dag: &mut Dag, k: UnknownId, l: UnknownId, term: ExprId) {
-        let key = (k.min(l), k.max(l));
-        let sum = match self.mass.get(&key) {
-            Some(&mine) => dag.add(mine, term),
-            None => term,
-        };
-        self.mass.insert(key, sum);
-    }
-
-    fn add_force(&mut self, dag: &mut Dag, k: UnknownId, term: ExprId) {
-        let sum = match self.force.get(&k) {
-            Some(&mine) => dag.add(mine, term),
-            None => term,
-        };
-        self.force.insert(k, sum);
-    }
 }
 
 /// Derives the equations of motion; before the elimination too, where that is asked for.

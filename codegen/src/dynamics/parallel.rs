@@ -7,9 +7,9 @@
 //! M_bb, M_ab = M_bb + d, M_aa = M'_aa + d + M_ab, and solved in absolute rates (`solve`), where what they share
 //! is never formed.
 
-use super::composite::{Moves, power};
 use super::spatial::{Inertia, Wrench};
 use super::tree::Node;
+use super::tree_motion::{Moves, power};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
 use crate::vector::{Components, cross_components};

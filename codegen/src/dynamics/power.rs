@@ -3,7 +3,8 @@
 //! In: loads as generalised forces over all unknowns y. Out: F . y for each, what it puts into the mechanism (W). With
 //! the drive's power they sum to the rate of the kinetic energy: constraints do no work.
 
-use super::{Unprojected, active_force};
+use super::active_force;
+use super::unprojected::Unprojected;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, lower_scalar, lower_vector, value_of};
 use crate::model::{LoadKind, Model};

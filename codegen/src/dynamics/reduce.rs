@@ -9,7 +9,7 @@
 //! The clock, which no step eliminates, keeps its row too: M_t u' - f_t is the power that the drive puts in, since
 //! virtual power along v_t is that of all forces but those which make the mechanism follow time.
 
-use super::Unprojected;
+use super::unprojected::Unprojected;
 use crate::expr::number::Number;
 use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Solution, Step};

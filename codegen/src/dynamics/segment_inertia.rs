@@ -5,8 +5,8 @@
 //! the inner one leads to it, else 0; and h_k = sum_s v_k . H_s, with H_s = sum m (a_bias - g) over the centres at
 //! and beyond segment s.
 
-use super::Unprojected;
 use super::segment::Segment;
+use super::unprojected::Unprojected;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, UnknownId};
 use crate::vector::{TriadId, Vector};

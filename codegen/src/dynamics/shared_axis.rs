@@ -5,31 +5,22 @@
 //! J w across e of a part J (1 - e e') that is alike all round e: this part is handed to the body of the other
 //! frame, where it is constant and adds to that body's own. What turns about e stays.
 
-use super::composite::Contributions;
+use super::contributions::Contributions;
 use super::given::Given;
-use super::inertia_force;
+use super::rigid_inertia::{Moments, RigidInertia};
+use super::rotation::rotation;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
-use crate::model::{Axis, Body, Model};
+use crate::model::{Axis, Model};
 use crate::vector::Components;
 
-/// Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
-pub(super) type Moments = [ExprId; 6];
-
-/// A body and the inertia that the equations take for its own, about its centre, in its frame.
-#[derive(Clone, Debug)]
-pub(super) struct Massive<'m> {
-    pub body: &'m Body,
-    pub inertia: Moments,
-}
-
 /// All bodies, with inertia handed over wherever that takes fewer operations.
-pub(super) fn bodies<'m>(model: &'m Model, k: &mut Kinematics) -> Vec<Massive<'m>> {
+pub(super) fn bodies<'m>(model: &'m Model, k: &mut Kinematics) -> Vec<RigidInertia<'m>> {
     let zero = k.dag.zero();
-    let mut list: Vec<Massive> = Vec::new();
+    let mut list: Vec<RigidInertia> = Vec::new();
     for body in model.bodies.iter() {
         let inertia = std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
-        list.push(Massive { body, inertia });
+        list.push(RigidInertia { body, inertia });
     }
     for i in 0..list.len() {
         let Some((carrier, axis, direction)) = carrier(model, k, &list, i) else { continue };
@@ -43,12 +34,17 @@ pub(super) fn bodies<'m>(model: &'m Model, k: &mut Kinematics) -> Vec<Massive<'m
 }
 
 /// A body whose frame is lifted and holds an axis of body `i`: its place, the axis, its components there.
-fn carrier(model: &Model, k: &Kinematics, list: &[Massive], i: usize) -> Option<(usize, usize, Components)> {
-    let triad_of = |massive: &Massive| massive.body.frame.map(|frame| k.frame_triad[frame]);
+fn carrier(
+    model: &Model,
+    k: &Kinematics,
+    list: &[RigidInertia],
+    i: usize,
+) -> Option<(usize, usize, Components)> {
+    let triad_of = |rigid: &RigidInertia| rigid.body.frame.map(|frame| k.frame_triad[frame]);
     let own = triad_of(&list[i])?;
     for axis in [Axis::X, Axis::Y, Axis::Z] {
         for &(other, direction) in k.triads.constants_of(own, axis) {
-            let place = list.iter().position(|massive| triad_of(massive) == Some(other));
+            let place = list.iter().position(|rigid| triad_of(rigid) == Some(other));
             if let (Some(place), true) = (place, other != own && is_lifted_triad(model, k, other)) {
                 return Some((place, axis as usize, direction));
             }
@@ -58,8 +54,8 @@ fn carrier(model: &Model, k: &Kinematics, list: &[Massive], i: usize) -> Option<
 }
 
 /// The body without `part`, which is alike all round the axis.
-fn without<'m>(k: &mut Kinematics, massive: &Massive<'m>, axis: usize, part: ExprId) -> Massive<'m> {
-    let mut rest = massive.clone();
+fn without<'m>(k: &mut Kinematics, rigid: &RigidInertia<'m>, axis: usize, part: ExprId) -> RigidInertia<'m> {
+    let mut rest = rigid.clone();
     for other in (0..3).filter(|&other| other != axis) {
         rest.inertia[other] = k.dag.sub(rest.inertia[other], part);
     }
@@ -69,9 +65,9 @@ fn without<'m>(k: &mut Kinematics, massive: &Massive<'m>, axis: usize, part: Exp
 /// Entries of the mass matrix that a body's turning by itself takes, and its operations.
 ///
 /// Every entry goes through all eliminations: that one is saved counts before what it takes to form it.
-fn cost(k: &mut Kinematics, massive: &Massive) -> (usize, usize) {
+fn cost(k: &mut Kinematics, rigid: &RigidInertia) -> (usize, usize) {
     let mut found = Contributions::default();
-    inertia_force::rotation(k, &Given::default(), massive, &mut found);
+    rotation(k, &Given::default(), rigid, &mut found);
     (found.mass.len(), found.cost(&k.dag, &Given::default()))
 }
 

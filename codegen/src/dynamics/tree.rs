@@ -5,7 +5,7 @@
 //! O that is resolved in that triad. What a turn leaves as it is moves inwards: mass and moments
 //! along a hinge's axis, and all of a wheel but its spin. Those sums depend on parameters alone.
 
-use super::shared_axis::Massive;
+use super::rigid_inertia::RigidInertia;
 use super::spatial::Inertia;
 use crate::expr::{Dependence, ExprId};
 use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
@@ -64,10 +64,10 @@ impl Forest {
 }
 
 /// The tree of the bodies given.
-pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[Massive]) -> Forest {
+pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[RigidInertia]) -> Forest {
     let mut nodes = Vec::new();
     let mut node_of_body = Vec::new();
-    for Massive { body, inertia } in bodies {
+    for RigidInertia { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
         let own = body.frame.map(|f| k.frame_triad[f]);
         let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::INERTIAL);

@@ -1,7 +1,7 @@
 //! Operation counts: + - * / sqrt sin cos and the other functions count 1 each, negation 0. And an estimate of
 //! the time they take.
 
-use super::intern::NO_OPERATION;
+use super::node::NO_OPERATION;
 use super::{Binary, Dag, Dependence, ExprId, Node, NodeSet, Unary};
 use crate::id::Id;
 use rustc_hash::{FxHashMap as HashMap, FxHashSet as HashSet};

@@ -1,7 +1,8 @@
 //! Partial derivatives on the DAG, memoised: each node is differentiated once per symbol.
 
+use super::node::symbol_bit;
 use super::number::Number;
-use super::{Binary, Dag, ExprId, Node, SymbolId, Unary, symbol_bit};
+use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use rustc_hash::FxHashMap as HashMap;
 

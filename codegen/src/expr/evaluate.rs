@@ -1,7 +1,8 @@
 //! The interpreter: evaluates nodes over any scalar. The oracle that emitted Rust is tested against.
 
+use super::dag::Dag;
+use super::node::{Binary, ExprId, Node, SymbolId, Unary};
 use super::number::Number;
-use super::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::id::Id;
 use smartbed_runtime::real::Real;
 

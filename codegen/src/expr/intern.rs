@@ -1,7 +1,7 @@
 //! Ids by node: open addressing over the arena, which alone holds the nodes. What is known of a node, and results of
 //! operations.
 
-use super::{Binary, Dag, Dependence, ExprId, Node, symbol_bit};
+use super::node::{Binary, Dependence, ExprId, Node};
 use crate::id::{Id, IdVec};
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
@@ -52,49 +52,16 @@ impl Index {
     }
 }
 
-/// Stands for a missing operation: the first node has no operands, so it is none.
-pub(super) const NO_OPERATION: ExprId = ExprId(0);
-
 /// What is known of a node since it was made.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facts {
     pub dependence: Dependence,
     /// Bit k is set if it depends on a symbol whose index is k modulo 64.
     pub symbols_read: u64,
-    /// Itself if it is an operation, what it is the negative of; [`NO_OPERATION`] for constants and symbols.
+    /// Itself if it is an operation, what it is the negative of; [`super::node::NO_OPERATION`] for constants and symbols.
     pub operation: ExprId,
     /// The operations that its operands are.
     pub operations_read: [ExprId; 2],
-}
-
-impl Dag {
-    /// The id of a node, which is new or known.
-    pub(super) fn intern(&mut self, node: Node) -> ExprId {
-        let slot = match self.index.find(&self.nodes, &node) {
-            Ok(id) => return id,
-            Err(slot) => slot,
-        };
-        let of = |a: ExprId| self.facts[a];
-        let (dependence, symbols_read) = match node {
-            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
-            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
-            Node::Negate(a) | Node::Unary(_, a) => (of(a).dependence, of(a).symbols_read),
-            Node::Binary(_, a, b) => {
-                let (a, b) = (of(a), of(b));
-                (a.dependence.max(b.dependence), a.symbols_read | b.symbols_read)
-            }
-        };
-        let id = self.nodes.push(node);
-        let operation = match node {
-            Node::Negate(a) => of(a).operation,
-            Node::Unary(..) | Node::Binary(..) if dependence != Dependence::Constant => id,
-            _ => NO_OPERATION,
-        };
-        let operations_read = self.operands(id).map(|a| a.map_or(NO_OPERATION, |a| of(a).operation));
-        self.facts.push(Facts { dependence, symbols_read, operation, operations_read });
-        self.index.insert(slot, &self.nodes);
-        id
-    }
 }
 
 fn hash(node: &Node) -> u64 {

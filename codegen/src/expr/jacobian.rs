@@ -5,7 +5,8 @@
 //! products (chain rule). Operands first is the forward mode, results first the reverse mode. Here chains are shortened
 //! first, which costs no edge, then comes the reverse mode (Griewank and Walther 2008, chapter 10, on such orders).
 
-use super::{Dag, ExprId, Node, SymbolId, symbol_bit};
+use super::node::symbol_bit;
+use super::{Dag, ExprId, Node, SymbolId};
 use rustc_hash::FxHashMap as HashMap;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};

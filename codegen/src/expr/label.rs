@@ -3,7 +3,6 @@
 //! A name stays only while it is true of every use: a value that the derivation names twice, or that the value graph merges
 //! from two of different names, has none. Whatever has a label stays a value of its own: no sum is taken apart there.
 
-use super::{Dag, ExprId, Node};
 use crate::section::Section;
 
 /// A label.
@@ -63,36 +62,10 @@ impl Label {
     }
 }
 
-impl Dag {
-    /// Labels a node for the generated code; constants and symbols need none.
-    pub fn label(&mut self, id: ExprId, label: Label) {
-        if matches!(self.nodes[id], Node::Number(_) | Node::Symbol(_) | Node::Pi) {
-            return;
-        }
-        match self.labels.get_mut(&id) {
-            Some(known) => known.join(&label),
-            None => {
-                self.labels.insert(id, label);
-            }
-        }
-    }
-
-    /// The label of a node.
-    #[must_use]
-    pub fn label_of(&self, id: ExprId) -> Option<&Label> {
-        self.labels.get(&id)
-    }
-
-    /// The name of a node.
-    #[must_use]
-    pub fn name_of(&self, id: ExprId) -> Option<&str> {
-        self.label_of(id)?.name()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expr::Dag;
 
     #[test]
     fn of_two_names_neither_stays() {

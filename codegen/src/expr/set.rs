@@ -1,6 +1,6 @@
 //! Sets of nodes as bits: a cone is a few words, so cones are walked, united and compared by words.
 
-use super::ExprId;
+use super::node::ExprId;
 use crate::id::Id;
 
 /// Nodes in one word.

@@ -1,8 +1,10 @@
 //! Local identities, one per line, directed: the right side never costs more than the left (a square
 //! root less than two transcendental functions).
 
+use super::dag::Dag;
+use super::evaluate;
+use super::node::{Binary, Dependence, ExprId, Node, Unary};
 use super::number::Number;
-use super::{Binary, Dag, Dependence, ExprId, Node, Unary, evaluate};
 use smartbed_runtime::real::Real;
 
 /// Shorter form of -a.

@@ -1,7 +1,7 @@
 //! Angular velocities: w of a simple rotation adds to its parent's; w of a triad of directions by Kane's definition.
 
-use super::velocity::{Motion, Rate, motion_value, rate_value, scalar_rate};
-use super::{Kinematics, UnknownId};
+use super::quantities::{Kinematics, Motion, Rate, UnknownId};
+use super::rate::{motion_value, rate_value, scalar_rate};
 use crate::expr::ExprId;
 use crate::model::Axis;
 use crate::vector::{TriadId, Turn, Vector, dot_components};

@@ -3,7 +3,7 @@
 //! Gram-Schmidt over all samples at once: a vector is a list of columns with one value a sample, so that what is
 //! zero by structure costs nothing and the rest goes through the loops that a compiler turns into wide arithmetic.
 
-use super::{Row, UnknownId};
+use super::quantities::{Row, UnknownId};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use rustc_hash::FxHashMap as HashMap;

@@ -4,7 +4,7 @@
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::{Kinematics, Row, UnknownId, UnknownKind};
+use super::quantities::{Kinematics, Row, UnknownId, UnknownKind};
 use crate::expr::NodeSet;
 use crate::expr::tape::SampleTable;
 use rustc_hash::FxHashMap as HashMap;

@@ -6,30 +6,14 @@
 //! of each of its expressions, one short row per leg; (2) a vector fixed in a frame turns with it.
 //! Any set of independent rows that spans all of them is equivalent on the constraints.
 
-use super::velocity::{self, Motion, Rate};
-use super::{Kinematics, Place, UnknownId, lower, orientation, position, rank};
+use super::quantities::{Kinematics, Motion, Place, Rate, Row, UnknownId, Value};
+use super::{lifted, lower, orientation, rank, rate};
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
 use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
 use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
-
-/// One scalar equation: `sum_k coefficients[k] y_k = 0` (the clock's coefficient is its part without speeds), `sum_k coefficients[k] y_k' + bias = 0`,
-/// and for Newton's correction d of the configuration `sum_k coefficients[k] d_k = -residual`.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// Which equation it comes from.
-    pub name: String,
-    /// Non-zero coefficients.
-    pub coefficients: BTreeMap<UnknownId, ExprId>,
-    /// Acceleration level: what the speeds contribute.
-    pub bias: ExprId,
-    /// Configuration level; 0 for motion constraints.
-    pub residual: ExprId,
-    /// Operations of the coefficients plus a charge per unknown.
-    pub cost: usize,
-}
 
 /// A vector equation with the vectors that are worth projecting on.
 struct Equation {
@@ -49,35 +33,35 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             rows.extend(project(k, equation));
         }
     }
-    for frame in model.frames.ids().filter(|&f| orientation::is_lifted(model, f)) {
+    for frame in model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f)) {
         for equation in turning(model, k, frame) {
             rows.extend(project(k, equation));
         }
     }
     for constraint in &model.configuration_constraints {
         match lower::value(k, &constraint.expression) {
-            lower::Value::Vector(v) => {
-                let residual = position::flatten(k, &v);
-                let motion = velocity::derivative(k, &residual);
+            Value::Vector(v) => {
+                let residual = lifted::flatten(k, &v);
+                let motion = rate::derivative(k, &residual);
                 let triads = triads_of(&motion);
                 let name = constraint.name.clone();
                 add_residuals(k, &residual, &Place { name: name.clone(), span: constraint.span });
                 let residual = rigid(model, k, residual);
                 rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
             }
-            lower::Value::Scalar(e) => {
-                let rate = velocity::scalar_rate(k, e);
+            Value::Scalar(e) => {
+                let rate = rate::scalar_rate(k, e);
                 k.residuals.push(e);
                 k.residual_names.push(Place { name: constraint.name.clone(), span: constraint.span });
                 rows.extend(row(k, &constraint.name, rate, e));
             }
-            lower::Value::Pending => {}
+            Value::Pending => {}
         }
     }
     for constraint in &model.motion_constraints {
         match lower::value(k, &constraint.expression) {
-            lower::Value::Vector(v) => {
-                let motion = velocity::linear_motion(k, &v);
+            Value::Vector(v) => {
+                let motion = rate::linear_motion(k, &v);
                 let triads = triads_of(&motion);
                 // A component that vanishes all the time has a rate that vanishes, in any triad.
                 for &triad in &triads {
@@ -88,8 +72,8 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 let (name, residual) = (constraint.name.clone(), Vector::zero());
                 rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
             }
-            lower::Value::Scalar(e) => rows.extend(motion_row(k, &constraint.name, e)),
-            lower::Value::Pending => {}
+            Value::Scalar(e) => rows.extend(motion_row(k, &constraint.name, e)),
+            Value::Pending => {}
         }
     }
     rows.sort_by_key(|row| row.cost);
@@ -114,7 +98,7 @@ fn speeds_in_closed_form(model: &Model, k: &mut Kinematics) -> Vec<Row> {
         if !k.is_state[coordinate] {
             let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
             let closed = match form {
-                Some(form) => velocity::scalar_rate(k, form),
+                Some(form) => rate::scalar_rate(k, form),
                 None => k.rates[coordinate].clone(),
             };
             let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.negate(closed.bias) };
@@ -142,7 +126,7 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
     for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
         let place = lower::vector(k, expression);
         if nth > 0 {
-            let flat = position::flatten(k, &place);
+            let flat = lifted::flatten(k, &place);
             let residual = reference.minus(&mut k.dag, &flat);
             let name = format!("{} closure {}", declared.name, nth + 1);
             add_residuals(k, &residual, &Place { name, span: expression.span });
@@ -152,12 +136,12 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
         let leg = orientation::aligned(k, &place, home);
         let place = k.triads.with_constants(&mut k.dag, &place, leg);
         let place = k.triads.with_constants(&mut k.dag, &place, home);
-        let flat = position::flatten(k, &place);
+        let flat = lifted::flatten(k, &place);
         let flat = in_frame(k, &flat, leg, home);
         let flat = orientation::flattened(k, &flat, home);
         let residual = reference.minus(&mut k.dag, &flat);
         let residual = rigid(model, k, residual);
-        let rate = velocity::derivative(k, &place);
+        let rate = rate::derivative(k, &place);
         let mut motion = velocity.clone();
         let minus_one = {
             let one = k.dag.one();
@@ -183,14 +167,14 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
         let along = orientation::aligned(k, &vector, triad);
         let turning = k.triads.with_constants(&mut k.dag, &vector, along);
         let turning = if along == triad { here.clone() } else { turning };
-        let mut motion = velocity::derivative(k, &vector);
-        let turned = velocity::derivative(k, &turning);
+        let mut motion = rate::derivative(k, &vector);
+        let turned = rate::derivative(k, &turning);
         let minus_one = {
             let one = k.dag.one();
             k.dag.negate(one)
         };
         motion.add(k, &turned, minus_one);
-        let flat = position::flatten(k, &vector);
+        let flat = lifted::flatten(k, &vector);
         let residual = match orthonormal {
             Some(rows) => {
                 let stated = std::array::from_fn(|i| {
@@ -223,7 +207,7 @@ fn in_frame(k: &mut Kinematics, vector: &Vector, triad: TriadId, frame: TriadId)
 
 /// The vector with what stands in frames of fixed vectors taken as rigid, as its rate takes it: Newton's residual.
 fn rigid(model: &Model, k: &mut Kinematics, vector: Vector) -> Vector {
-    let lifted = model.frames.ids().filter(|&f| orientation::is_lifted(model, f));
+    let lifted = model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f));
     let triads: Vec<TriadId> = lifted.map(|f| k.frame_triad[f]).collect();
     triads.into_iter().fold(vector, |vector, triad| orientation::flattened(k, &vector, triad))
 }
@@ -333,8 +317,8 @@ fn row(k: &Kinematics, name: &str, rate: Rate, residual: ExprId) -> Option<Row> 
 
 /// A motion constraint e(q, u, t) = 0, linear in the speeds: e = sum_k c_k y_k.
 fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
-    let partials = velocity::coefficients(k, [e]).into_iter().map(|(unknown, [c])| (unknown, c)).collect();
-    let rate = Rate { partials, bias: velocity::configuration_rate(k, e) };
+    let partials = rate::coefficients(k, [e]).into_iter().map(|(unknown, [c])| (unknown, c)).collect();
+    let rate = Rate { partials, bias: rate::configuration_rate(k, e) };
     let zero = k.dag.zero();
     row(k, name, rate, zero)
 }

@@ -5,7 +5,8 @@
 //! is singular: there the mechanism moves in ways that the equation forbids, and no speed can be
 //! solved from it. Such a model is refused.
 
-use super::{Kinematics, linear};
+use super::linear;
+use super::quantities::Kinematics;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
 use crate::expr::rounding::Rounded;

@@ -7,14 +7,15 @@
 use super::basis::NumericRow;
 use super::choose;
 use super::least_squares;
+use super::quantities::{Kinematics, Row, UnknownId};
+use super::rank;
 use super::regular::{self, Regularity};
+use super::sampling::{sample_table, table_at};
 use super::sparse::{self, Equation};
-use super::{Kinematics, Row, Sample, UnknownId, rank};
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
-use crate::expr::{Dag, ExprId, SymbolId};
+use crate::expr::{Dag, ExprId};
 use crate::model::Model;
-use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
@@ -339,46 +340,4 @@ pub(crate) fn pivot_of(dag: &Dag, table: &mut SampleTable, value: ExprId) -> Piv
     let nominal = values[0].abs();
     let smallest = values.iter().fold(f64::INFINITY, |m, x| m.min(x.abs()));
     Pivot { value, nominal, worst: smallest / nominal }
-}
-
-/// Table of all symbols at the sampled configurations: speeds and inputs random, parameters default.
-#[must_use]
-pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
-    table_at(model, k, &k.sampled())
-}
-
-/// The same at other configurations.
-pub(super) fn table_at(model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
-    let points = samples.len();
-    let mut random = super::assemble::Random(0x00C0_FFEE);
-    let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
-    let mut set = |dag: &Dag, expr: ExprId, values: Vec<f64>| {
-        if let Some(symbol) = dag.as_symbol(expr) {
-            symbols.insert(symbol, values);
-        }
-    };
-    let state: Vec<_> = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
-    let sizes = state.iter().filter_map(|&c| {
-        let (low, high) = model.coordinates[c].range;
-        Some((k.coordinate_symbol(c)?, low.abs().max(high.abs())))
-    });
-    let sizes = sizes.collect();
-    for (i, &c) in state.iter().enumerate() {
-        set(&k.dag, k.q[c], samples.iter().map(|sample| sample.q[i]).collect());
-    }
-    for (id, &expr) in k.parameters.enumerate() {
-        set(&k.dag, expr, vec![k.parameter_values[id]; points]);
-    }
-    set(&k.dag, k.time, samples.iter().map(|sample| sample.t).collect());
-    for &input in k.inputs.iter() {
-        set(&k.dag, input, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
-    }
-    for unknown in k.unknowns.iter() {
-        set(&k.dag, unknown.value, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
-    }
-    for &(coordinate, form) in &k.closed_forms {
-        let values = SampleTable::new(symbols.clone(), points).values(&k.dag, form).to_vec();
-        symbols.extend(k.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
-    }
-    SampleTable::new(symbols, points).with_sizes(sizes)
 }

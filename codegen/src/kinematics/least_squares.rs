@@ -4,7 +4,7 @@
 //! diagonal vanish only where A itself loses rank: one elimination for every regular configuration. Its pivots are
 //! squares of distances, so the conditioning of A counts twice: taken only where no choice of rows is regular.
 
-use super::UnknownId;
+use super::quantities::UnknownId;
 use super::sparse::Equation;
 use crate::expr::Dag;
 use std::collections::BTreeMap;

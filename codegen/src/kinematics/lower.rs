@@ -1,23 +1,15 @@
 //! From the model's expression trees to the shared DAG.
 
-use super::{Kinematics, ParameterChoice, Unknown, UnknownKind};
+use super::choice::ParameterChoice;
+use super::lifted;
+use super::quantities::{Kinematics, Unknown, UnknownKind, Value};
+use super::rate;
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, ExprId, Unary};
 use crate::id::IdVec;
 use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::{Entity, Model};
 use crate::vector::{Triads, Turn, Vector};
-
-/// What an expression may be.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Value {
-    /// A number at run time.
-    Scalar(ExprId),
-    /// A vector.
-    Vector(Vector),
-    /// Not lowered yet: it needs velocities.
-    Pending,
-}
 
 /// Symbols for time, coordinates, inputs, parameters and speeds; empty tables for the rest.
 pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
@@ -159,7 +151,7 @@ pub(super) fn value(k: &mut Kinematics, expr: &Expr) -> Value {
         ExprKind::Coordinate(id) => Value::Scalar(k.q[*id]),
         ExprKind::Rate(id) => {
             let rate = k.rates[*id].clone();
-            Value::Scalar(super::velocity::rate_value(k, &rate))
+            Value::Scalar(rate::rate_value(k, &rate))
         }
         ExprKind::Speed(id) => Value::Scalar(k.unknowns[k.unknown_of(*id)].value),
         ExprKind::Input(id) => Value::Scalar(k.inputs[*id]),
@@ -167,11 +159,11 @@ pub(super) fn value(k: &mut Kinematics, expr: &Expr) -> Value {
         ExprKind::Point(id) => Value::Vector(k.positions[*id].clone()),
         ExprKind::Velocity(id) => {
             let motion = k.velocities[*id].clone();
-            Value::Vector(super::velocity::motion_value(k, &motion))
+            Value::Vector(rate::motion_value(k, &motion))
         }
         ExprKind::AngularVelocity(id) => {
             let motion = k.angular[k.frame_triad[*id]].clone();
-            Value::Vector(super::velocity::motion_value(k, &motion))
+            Value::Vector(rate::motion_value(k, &motion))
         }
         ExprKind::Axis(frame, axis) => {
             let triad = k.frame_triad[*frame];
@@ -266,7 +258,7 @@ fn as_vector(value: Value) -> Vector {
 
 fn flat_vector(k: &mut Kinematics, expr: &Expr) -> Vector {
     let v = vector(k, expr);
-    super::position::flatten(k, &v)
+    lifted::flatten(k, &v)
 }
 
 fn call(dag: &mut Dag, function: Function, arguments: &[ExprId]) -> ExprId {

@@ -5,8 +5,9 @@
 //! `twist = J u + v_t` and `twist' = J u' + bias` (Kane's v_t: what time alone moves).
 
 use super::eliminate::Solution;
-use super::position::{flatten, is_lifted};
-use super::{Kinematics, Motion, UnknownId, value_of};
+use super::lifted::{flatten, point_is_lifted};
+use super::quantities::{Kinematics, Motion, UnknownId};
+use super::rate::motion_value as value_of;
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId};
 use crate::vector::{TriadId, Vector};
@@ -26,7 +27,7 @@ impl Marker {
     #[must_use]
     pub fn unlocated(&self, model: &Model, k: &Kinematics) -> Option<PointId> {
         let points = self.point.into_iter().flat_map(|p| k.positions[p].points.keys().copied());
-        points.into_iter().find(|&p| is_lifted(model, p) && model.points[p].velocity.is_some())
+        points.into_iter().find(|&p| point_is_lifted(model, p) && model.points[p].velocity.is_some())
     }
 
     /// Position of the point from O.

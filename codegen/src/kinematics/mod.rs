@@ -16,16 +16,20 @@ mod constraint;
 pub(crate) mod diagnose;
 pub mod eliminate;
 mod least_squares;
+mod lifted;
 pub mod linear;
 mod lower;
 mod marker;
 mod orientation;
-
 mod position;
 pub mod projection;
+mod quantities;
+mod random;
 mod rank;
+mod rate;
 pub mod redundant;
 mod regular;
+pub mod sampling;
 pub mod sizes;
 mod slopes;
 pub(crate) mod sparse;
@@ -36,205 +40,21 @@ mod way;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
-use crate::expr::{Dag, ExprId, SymbolId};
-use crate::id::{Id, IdVec, ids};
-use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, Model, ParameterId, PointId, SpeedId};
-use crate::source::Span;
-use crate::vector::{Components, TriadId, Triads, Vector};
-use rustc_hash::FxHashMap as HashMap;
-use std::collections::BTreeMap;
+use crate::model::Model;
 
 pub use assemble::{Assembly, tunable_values};
 pub use choice::ParameterChoice;
-pub use constraint::Row;
-pub use lower::Value;
+pub(crate) use lifted::flatten;
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub use marker::Marker;
-pub(crate) use position::flatten;
-pub(crate) use slopes::dependent_slopes;
-pub use unreachable::Unreachable;
-pub use velocity::{Motion, Rate};
-pub(crate) use velocity::{
-    derivative as derivative_of, is_lifted_triad, motion_value as value_of, rate_value as rate_of,
+pub use quantities::{Kinematics, Motion, Place, Rate, Row, Unknown, UnknownId, UnknownKind, Value};
+pub(crate) use rate::{
+    derivative as derivative_of, motion_value as value_of, rate_value as rate_of,
     scalar_rate as scalar_rate_of,
 };
-
-ids! {
-    /// An unknown of the velocity level: a speed, or a component of a lifted twist.
-    UnknownId,
-}
-
-/// An unknown of the velocity level.
-#[derive(Clone, Debug)]
-pub struct Unknown {
-    /// Its name in the generated code.
-    pub name: String,
-    /// The symbol that stands for its value until the constraints are solved.
-    pub value: ExprId,
-    /// What it is.
-    pub kind: UnknownKind,
-}
-
-/// What an unknown is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum UnknownKind {
-    /// An independent speed: known to the elimination.
-    Independent(SpeedId),
-    /// A dependent speed.
-    Dependent(SpeedId),
-    /// A component of the velocity or angular velocity of a body that closes a loop.
-    Lifted,
-    /// Time as a coordinate: its rate is 1, its partial velocities are what velocities have without speeds.
-    Clock,
-}
-
-/// An equation of the model, for messages.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Place {
-    /// Its name.
-    pub name: String,
-    /// Where it is declared.
-    pub span: Span,
-}
-
-/// Positions, motions and constraint rows of a model.
-#[derive(Clone, Debug)]
-pub struct Kinematics {
-    /// The expressions.
-    pub dag: Dag,
-    /// All triads; 0 is inertial.
-    pub triads: Triads,
-    /// Time.
-    pub time: ExprId,
-    /// Coordinates: symbols, those of [`Self::closed_forms`] included, or closed forms of other coordinates.
-    pub q: IdVec<CoordinateId, ExprId>,
-    /// Is the coordinate state? (Else it is given in closed form.)
-    pub is_state: IdVec<CoordinateId, bool>,
-    /// Coordinates in closed form that the derivation treats as symbols, with their forms, in an order in which
-    /// each form needs earlier ones only.
-    pub closed_forms: Vec<(CoordinateId, ExprId)>,
-    /// Inputs: symbols.
-    pub inputs: IdVec<InputId, ExprId>,
-    /// Parameters: symbols where tunable, folded expressions where fixed.
-    pub parameters: IdVec<ParameterId, ExprId>,
-    /// Default values of the parameters, overrides applied.
-    pub parameter_values: IdVec<ParameterId, f64>,
-    /// Unknowns: first the speeds in the model's order, then the clock if the model is driven, then the lifted ones.
-    pub unknowns: IdVec<UnknownId, Unknown>,
-    /// The unknown whose value is 1, if the model is driven.
-    pub clock: Option<UnknownId>,
-    /// Triad of every frame.
-    pub frame_triad: IdVec<FrameId, TriadId>,
-    /// Position of every point from O; lifted points appear as themselves.
-    pub positions: IdVec<PointId, Vector>,
-    /// Positions of lifted points in plain terms (through their first expression).
-    pub flat_positions: BTreeMap<PointId, Vector>,
-    /// Values of definitions (those of velocities only after the motions are known).
-    pub definitions: IdVec<DefinitionId, Value>,
-    /// Rate of every coordinate.
-    pub rates: IdVec<CoordinateId, Rate>,
-    /// Angular velocity of every triad in N.
-    pub angular: IdVec<TriadId, Motion>,
-    /// Velocity of every point in N.
-    pub velocities: IdVec<PointId, Motion>,
-    /// Derivatives of terms of positions, by triad and components: those of [`Self::angular`] and [`Self::rates`].
-    pub term_derivatives: HashMap<(TriadId, Components), Motion>,
-    /// Candidate constraint rows, cheapest first.
-    pub rows: Vec<Row>,
-    /// Rows of constraints that follow from the others: needed only where the others are not enough.
-    pub spare_rows: Vec<Row>,
-    /// Configuration constraints as scalars: 0 when satisfied.
-    pub residuals: Vec<ExprId>,
-    /// What each residual belongs to.
-    pub residual_names: Vec<Place>,
-    /// Constraints that follow from the others at the nominal parameters: no equations, but they must stay satisfied.
-    pub implied: Vec<ExprId>,
-    /// What each of them belongs to.
-    pub implied_names: Vec<Place>,
-    /// Vectors stated to be fixed in a frame: inertial components less the stated ones.
-    pub fixed_vectors: Vec<(Place, [ExprId; 3])>,
-    /// What the speeds' definition divides by.
-    pub rate_pivots: Vec<ExprId>,
-    /// Coordinates at sampled configurations that satisfy the constraints, nominal first.
-    pub samples: Vec<Vec<f64>>,
-    /// Times (s) of the samples: 0 unless the model is driven.
-    pub sample_times: Vec<f64>,
-}
-
-/// A configuration that satisfies the constraints at a time.
-#[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Sample {
-    /// Coordinates.
-    pub q: Vec<f64>,
-    /// Time (s).
-    pub t: f64,
-}
-
-impl Kinematics {
-    /// The sampled configurations with their times.
-    pub(crate) fn sampled(&self) -> Vec<Sample> {
-        let samples = self.samples.iter().zip(&self.sample_times);
-        samples.map(|(q, &t)| Sample { q: q.clone(), t }).collect()
-    }
-
-    /// Symbol of a coordinate; `None` for a closed form.
-    #[must_use]
-    pub fn coordinate_symbol(&self, coordinate: CoordinateId) -> Option<SymbolId> {
-        if self.is_state[coordinate] { self.dag.as_symbol(self.q[coordinate]) } else { None }
-    }
-
-    /// Symbol that a coordinate has while velocities are derived: state, or closed form put in at the end.
-    pub(crate) fn variable(&self, coordinate: CoordinateId) -> Option<SymbolId> {
-        let is_variable =
-            self.is_state[coordinate] || self.closed_forms.iter().any(|(c, _)| *c == coordinate);
-        if is_variable { self.dag.as_symbol(self.q[coordinate]) } else { None }
-    }
-
-    /// What stands for the symbols of coordinates in closed form: functions of the state.
-    pub(crate) fn closed_form_values(&mut self) -> HashMap<SymbolId, ExprId> {
-        let mut values = HashMap::default();
-        for (coordinate, form) in self.closed_forms.clone() {
-            let value = self.dag.substitute(&[form], &values)[0];
-            if let Some(symbol) = self.dag.as_symbol(self.q[coordinate]) {
-                values.insert(symbol, value);
-            }
-        }
-        values
-    }
-
-    /// Unknowns that the constraints give: dependent speeds and lifted twists.
-    #[must_use]
-    pub fn dependent_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| matches!(kind, UnknownKind::Dependent(_) | UnknownKind::Lifted))
-    }
-
-    /// Unknowns that are independent speeds.
-    #[must_use]
-    pub fn independent_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| matches!(kind, UnknownKind::Independent(_)))
-    }
-
-    /// Unknowns that move: all but the clock.
-    #[must_use]
-    pub fn moving_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| kind != UnknownKind::Clock)
-    }
-
-    fn unknowns_where(&self, wanted: impl Fn(UnknownKind) -> bool) -> Vec<UnknownId> {
-        self.unknowns.enumerate().filter(|(_, u)| wanted(u.kind)).map(|(id, _)| id).collect()
-    }
-
-    /// Is the speed independent, or one of redundant ones?
-    pub(crate) fn is_independent(&self, speed: SpeedId) -> bool {
-        matches!(self.unknowns[self.unknown_of(speed)].kind, UnknownKind::Independent(_))
-    }
-
-    /// The unknown of a speed.
-    #[must_use]
-    pub fn unknown_of(&self, speed: SpeedId) -> UnknownId {
-        UnknownId::from_index(speed.index())
-    }
-}
+pub(crate) use slopes::dependent_slopes;
+pub use unreachable::Unreachable;
+pub(crate) use velocity::is_lifted_triad;
 
 /// Derives the kinematics of `model`; for accuracy by differences of angles.
 ///

@@ -1,6 +1,7 @@
 //! Frames -> triads: one triad per simple rotation, or unit vectors in inertial components.
 
-use super::{Kinematics, lower, position};
+use super::quantities::Kinematics;
+use super::{lifted, lower};
 use crate::expr::ExprId;
 use crate::expr::number::Number;
 use crate::model::{Axis, FrameId, Model, Orientation};
@@ -25,7 +26,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics, frame: FrameId) {
             let given: [Option<Components>; 3] = std::array::from_fn(|j| {
                 axes[j].as_ref().map(|expr| {
                     let v = lower::vector(k, expr);
-                    let v = position::flatten(k, &v);
+                    let v = lifted::flatten(k, &v);
                     k.triads.express(&mut k.dag, &v, TriadId::INERTIAL)
                 })
             });
@@ -118,11 +119,6 @@ fn single_axis(k: &Kinematics, vector: &Vector) -> Option<(TriadId, Axis, bool)>
         found = Some((triad, axis, value < 0.0));
     }
     found
-}
-
-/// Is the frame's angular velocity an unknown of its own? Yes where the model states fixed vectors.
-pub(super) fn is_lifted(model: &Model, frame: FrameId) -> bool {
-    !model.frames[frame].fixed_vectors.is_empty()
 }
 
 /// Inertial components of an exactly orthonormal version of a frame of two stated directions.

@@ -1,10 +1,11 @@
 //! Orientations of frames, positions of points, values of definitions and of coordinates in closed
 //! form, in the model's order.
 
-use super::lower::{self, Value};
-use super::{Kinematics, orientation, speed_map};
+use super::lifted::{flatten, point_is_lifted};
+use super::quantities::{Kinematics, Value};
+use super::{lower, orientation, speed_map};
 use crate::expr::Label;
-use crate::model::{Entity, Model, PointId};
+use crate::model::{Entity, Model};
 use crate::section::Section;
 use crate::vector::Vector;
 
@@ -43,7 +44,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             Entity::Point(id) => {
                 let position = lower::vector(k, &model.points[id].position);
                 k.positions[id] = position.clone();
-                if is_lifted(model, id) {
+                if point_is_lifted(model, id) {
                     let flat = flatten(k, &position);
                     k.flat_positions.insert(id, flat);
                     k.positions[id] = Vector::position(&mut k.dag, id);
@@ -51,20 +52,4 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
             }
         }
     }
-}
-
-/// A point that closes loops, whose velocity is an unknown of its own, or whose velocity is stated:
-/// later positions refer to it by itself.
-pub(super) fn is_lifted(model: &Model, point: PointId) -> bool {
-    !model.points[point].closures.is_empty() || model.points[point].velocity.is_some()
-}
-
-/// The same vector without lifted points: each is replaced by its first position expression.
-pub(crate) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
-    let mut flat = Vector { terms: vector.terms.clone(), ..Vector::default() };
-    for (&point, &factor) in &vector.points {
-        let base = k.flat_positions[&point].clone().scaled(&mut k.dag, factor);
-        flat = flat.plus(&mut k.dag, &base);
-    }
-    flat
 }

@@ -6,7 +6,8 @@
 //! no constraint says that they are wrong.
 
 use super::eliminate::{self, Form, Solution, System};
-use super::{Kinematics, Row, UnknownId, UnknownKind, rank};
+use super::quantities::{Kinematics, Row, UnknownId, UnknownKind};
+use super::rank;
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
 use crate::model::{Model, SpeedMeaning};

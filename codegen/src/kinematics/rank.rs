@@ -3,7 +3,8 @@
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::{Kinematics, Row, UnknownId};
+use super::quantities::{Kinematics, Row, UnknownId};
+use super::sampling;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
@@ -31,7 +32,7 @@ pub(super) fn ranks(
 
 /// Do the rows give every dependent unknown, at every sample?
 pub(super) fn determined(model: &Model, k: &Kinematics) -> bool {
-    let mut table = super::eliminate::sample_table(model, k);
+    let mut table = sampling::sample_table(model, k);
     determine(k, &mut table, &k.rows, &k.dependent_unknowns())
 }
 

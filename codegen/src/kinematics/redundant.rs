@@ -9,11 +9,14 @@
 //! changes its sign there. The motion is walked along in small steps of all coordinates at once, and of the time that drives
 //! them, within their ranges.
 
-use super::assemble::Random;
-use super::eliminate::{self, Pivot, Solution, System, table_at};
+use super::assemble::Assembly;
+use super::eliminate::{self, Pivot, Solution, System};
+use super::quantities::{Kinematics, Row, Sample, UnknownId, UnknownKind};
+use super::random::Random;
 use super::regular::Regularity;
+use super::sampling::{sample_table, table_at};
 use super::sparse::{self, Equation};
-use super::{Assembly, Kinematics, Row, Sample, UnknownId, UnknownKind, choose, linear, rank};
+use super::{choose, linear, rank};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;
@@ -71,7 +74,7 @@ pub fn solve(
             k.unknowns[speed].kind = UnknownKind::Independent(meaning);
         }
     }
-    let mut table = eliminate::sample_table(model, &k);
+    let mut table = sample_table(model, &k);
     let solution = between_speeds(&mut k, &mut table, rows)?;
     Some((k, solution, table))
 }

@@ -4,9 +4,10 @@
 //! although the rows determine the unknowns there; none if the elimination serves them all. A pivot of two signs
 //! vanishes in between: the place is found by bisection along the motion from one sample to the other.
 
+use super::assemble::Assembly;
 use super::basis::NumericRow;
-use super::eliminate::table_at;
-use super::{Assembly, Kinematics, Row, Sample, UnknownId};
+use super::quantities::{Kinematics, Row, Sample, UnknownId};
+use super::sampling::table_at;
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
 use crate::model::Model;

@@ -5,7 +5,7 @@
 //! as the model's lengths have where it is a length. What was measured at the nominal parameters is carried over to others
 //! by the quotient of two sizes.
 
-use super::{Kinematics, UnknownKind};
+use super::quantities::{Kinematics, UnknownKind};
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::model::Model;
 use crate::model::unit::{self, Unit};

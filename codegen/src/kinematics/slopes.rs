@@ -2,8 +2,9 @@
 //!
 //! In: configuration constraints f(q, t) = 0. Out: one row a dependent coordinate. Motion constraints have no part in it.
 
+use super::linear;
+use super::quantities::{Kinematics, UnknownId};
 use super::sparse::{self, Equation};
-use super::{Kinematics, UnknownId, linear};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;

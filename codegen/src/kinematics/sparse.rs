@@ -4,7 +4,7 @@
 //! least fill (Markowitz), never from structure alone: a pivot must be far from zero, relative to
 //! its row, at every sample.
 
-use super::UnknownId;
+use super::quantities::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use std::collections::BTreeMap;

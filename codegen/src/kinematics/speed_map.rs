@@ -6,8 +6,10 @@
 //! one: its rate is that speed, a dependent one, and constraint rows give it where they are shorter than
 //! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
 
+use super::quantities::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, Value};
+use super::random::Random;
 use super::sparse::{self, Equation, Values};
-use super::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, assemble, lower, velocity};
+use super::{lower, rate};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
@@ -58,7 +60,7 @@ pub(super) fn is_variable(model: &Model, coordinate: CoordinateId) -> bool {
 fn closed_forms(model: &Model, k: &mut Kinematics) {
     for id in model.coordinates.ids() {
         if k.variable(id).is_none() {
-            k.rates[id] = velocity::scalar_rate(k, k.q[id]);
+            k.rates[id] = rate::scalar_rate(k, k.q[id]);
         }
     }
 }
@@ -86,7 +88,7 @@ fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     }
     for &coordinate in &states {
         let rate = k.rates[coordinate].clone();
-        k.rates[coordinate].bias = velocity::bias_of(k, &rate.partials);
+        k.rates[coordinate].bias = rate::bias_of(k, &rate.partials);
     }
     Ok(())
 }
@@ -184,7 +186,7 @@ fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnos
     }
     (k.unknowns, k.clock) = real;
     for definition in pending {
-        k.definitions[definition] = lower::Value::Pending;
+        k.definitions[definition] = Value::Pending;
     }
     for rate in model.coordinates.ids() {
         k.rates[rate].partials.clear();
@@ -216,7 +218,7 @@ fn lower_definitions(model: &Model, k: &mut Kinematics) -> Vec<crate::model::Def
     for entity in &model.order {
         let Entity::Definition(id) = *entity else { continue };
         let definition = &model.definitions[id];
-        if k.definitions[id] == lower::Value::Pending && !needs_speeds(k, &definition.value) {
+        if k.definitions[id] == Value::Pending && !needs_speeds(k, &definition.value) {
             k.definitions[id] = lower::value(k, &definition.value);
             lowered.push(id);
         }
@@ -229,7 +231,7 @@ fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
     expr.visit(&mut |e| {
         found |= match &e.kind {
             ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Speed(_) => true,
-            ExprKind::Definition(id) => k.definitions[*id] == lower::Value::Pending,
+            ExprKind::Definition(id) => k.definitions[*id] == Value::Pending,
             _ => false,
         };
     });
@@ -259,7 +261,7 @@ fn coefficients(
 
 /// Coordinates at the nominal and at random places of their ranges, constraints or not.
 pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
-    let mut random = assemble::Random(0x5CA1_AB1E);
+    let mut random = Random(0x5CA1_AB1E);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     for (id, coordinate) in model.coordinates.enumerate() {
         if let Some(symbol) = k.coordinate_symbol(id) {
@@ -278,7 +280,7 @@ pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
 
 /// [`screening_table`] with other parameters at every place: what is equal there is equal for all parameters.
 fn identity_table(model: &Model, k: &Kinematics) -> SampleTable {
-    let mut random = assemble::Random(0x1DE7_717E);
+    let mut random = Random(0x1DE7_717E);
     let table = screening_table(model, k);
     let parameters = k.parameters.enumerate().filter_map(|(id, &expr)| {
         let size = k.parameter_values[id].abs().max(1.0);

@@ -3,8 +3,8 @@
 //! For a constraint L = 0 between vectors the places P, P - L and P + L are one: the rocker of a four-bar is
 //! reached along crank and coupler, or from its own bearing, where it turns by its own speed alone.
 
-use super::Kinematics;
-use super::lower::{self, Value};
+use super::lower;
+use super::quantities::{Kinematics, Value};
 use crate::expr::{ExprId, SymbolId};
 use crate::model::Model;
 use crate::vector::{TriadId, Turn, Vector};

@@ -3,7 +3,7 @@
 //! In: slices of the state. Out: one list, or [`Fault::Shape`] where a slice has not the program's length.
 //! Interpreter and compiled code take them from here, so that they refuse the same calls.
 
-use super::Program;
+use super::derived::Program;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::real::Real;
 

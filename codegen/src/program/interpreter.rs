@@ -1,7 +1,7 @@
 //! A program run by the interpreter: the same operations as the emitted Rust, hence the same bits.
 
 use super::arguments::Arguments;
-use super::{Program, Quantity};
+use super::derived::{Program, Quantity};
 use crate::expr::tape::Tape;
 use crate::expr::{ExprId, Node, SymbolId};
 use smartbed_runtime::mechanism::{Fault, Mechanism};

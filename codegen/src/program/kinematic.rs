@@ -4,14 +4,17 @@
 //! those of [`Program::kinematic`], and those on request whose [`Needs`](super::answer::Needs) say so.
 
 use super::answer::{self, Asked, Stages};
+use super::assemble::{assemble, constraints, mark_angles};
+use super::derived::{Origin, Program};
 use super::stage::{self, Stage};
-use super::{Effort, Origin, Program, assemble, constraints, mark_angles, relative, shorten};
+use super::{relative, shorten};
 use crate::diagnostic::Diagnostics;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
 use crate::kinematics::sizes::Sizes;
-use crate::kinematics::{self, Assembly, ParameterChoice, eliminate};
+use crate::kinematics::{self, Assembly, ParameterChoice, sampling};
 use crate::model::Model;
+use crate::value::Effort;
 
 /// Derives what needs no mass.
 ///
@@ -36,7 +39,7 @@ pub(super) fn derive(
     stage::begin(Stage::Kinematics);
     let mut k = kinematics::derive(model, choice, Optimise::default())?;
     stage::begin(Stage::Constraints);
-    let mut table = eliminate::sample_table(model, &k);
+    let mut table = sampling::sample_table(model, &k);
     let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
     let solution = constraints(model, &mut k, &mut table)?;
     let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);

@@ -1,6 +1,6 @@
 //! What a program's numbers must keep to: the range of single precision, and angles whose sine is known.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::{ExprId, Node, Unary};
 use std::collections::BTreeSet;
 

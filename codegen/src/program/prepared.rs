@@ -3,7 +3,7 @@
 //! An evaluation reads the values at the border: those that depend on parameters only and are used
 //! by something that depends on the state. All operations below that border are `prepare()`'s.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::{Dag, Dependence, ExprId, Node, NodeSet};
 
 impl Program {

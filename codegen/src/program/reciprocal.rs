@@ -4,7 +4,7 @@
 //! buys all but one of the divisions by the same divisor. The reciprocal of what depends on parameters
 //! alone is prepared: every division by it is bought.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::{Binary, Dependence, ExprId, Node};
 use rustc_hash::FxHashMap as HashMap;
 

@@ -3,7 +3,7 @@
 //! In: the smallest of several pivots, each over its size at the nominal parameters. Out: the same over the sizes that
 //! follow the parameters (`kinematics/sizes.rs`). They are prepared: an evaluation takes no operation more.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, ExprId, Node};
 use crate::kinematics::sizes::Sizes;

@@ -4,7 +4,7 @@
 //! so those that are small, because their terms are or because they cancel, come first. Greedy: always the two whose sum is
 //! smallest over the sampled states. As many operations as before, in any scalar.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, Dependence, ExprId, Node};
 use crate::id::Id;

@@ -1,7 +1,7 @@
 //! The results of a program as roots of its DAG, and what replaces them all.
 
-use super::Program;
 use super::answer::Answer;
+use super::derived::Program;
 use crate::expr::{ExprId, SymbolId};
 use rustc_hash::FxHashMap as HashMap;
 

@@ -1,6 +1,6 @@
 //! All answers expressed anew by the value graph, forward dynamics first.
 
-use super::Program;
+use super::derived::Program;
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, Node, SymbolId};
 use crate::value::{self, Effort, States};

@@ -3,7 +3,7 @@
 //! In: what `[start]` states. Out: a configuration that meets the constraints, on the branch of the nominal one, and the
 //! independent speeds; what is not stated is nominal, or 0.
 
-use super::Program;
+use super::derived::Program;
 use crate::model::{Model, StartRef};
 
 /// Coordinates and speeds at the start, in the program's order (SI).

@@ -1,7 +1,7 @@
 //! The check behind the guard: programs in f64 against the original in twice the digits.
 
-use super::States;
 use super::double_double::{self, Double2};
+use super::states::States;
 use crate::expr::{Dag, ExprId};
 
 /// How many times the original's error a new program's may be: the median over the states,

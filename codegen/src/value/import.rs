@@ -1,9 +1,9 @@
 //! Expressions -> classes: equal values merge, zeros and constants drop out, signs are canonical.
 
-use super::States;
 use super::field::{Field, mix};
 use super::graph::{ClassId, Definition, Graph, Operation, Signed, Value};
 use super::guard::{self, Estimate};
+use super::states::States;
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, Dependence, ExprId, Label, Node, SymbolId, Unary};
 use crate::id::Id;

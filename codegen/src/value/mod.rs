@@ -18,15 +18,16 @@ mod guard;
 mod import;
 mod pairs;
 mod rules;
+mod states;
 
-use crate::expr::{Dag, ExprId, SymbolId};
+use crate::expr::{Dag, ExprId};
 use crate::id::Id;
 use check::Check;
 use extract::Extraction;
 use graph::{ClassId, Graph, Signed};
 use import::Import;
 use pairs::Pairs;
-use rustc_hash::FxHashMap as HashMap;
+pub use states::States;
 
 /// How hard to look for fewer operations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -38,21 +39,6 @@ pub enum Effort {
     Default,
     /// All rules and the search over pairs: a tenth of a second, for release builds.
     All,
-}
-
-/// States at which round-off is watched: values by symbol.
-#[derive(Clone, Debug, Default)]
-pub struct States {
-    /// Number of states.
-    pub points: usize,
-    /// One value a state. A symbol without values counts as 1.
-    pub symbols: HashMap<SymbolId, Vec<f64>>,
-}
-
-impl States {
-    fn value(&self, symbol: SymbolId, point: usize) -> f64 {
-        self.symbols.get(&symbol).map_or(1.0, |values| values[point])
-    }
 }
 
 /// Sweeps of the search in a round of the default effort.

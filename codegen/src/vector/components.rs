@@ -1,6 +1,6 @@
 //! Arithmetic of components in one triad.
 
-use super::Components;
+use super::triads::Components;
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
 

@@ -4,7 +4,8 @@
 //! turned against each other by the difference. It rounds as if one of the angles were off by one rounding;
 //! the products instead cancel where the difference is small.
 
-use super::{Components, TriadId, Triads, Turn, turn_components};
+use super::components::turn_components;
+use super::triads::{Components, TriadId, Triads, Turn};
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
 

@@ -2,7 +2,7 @@
 
 use smartbed_codegen::expr::{Dag, ExprId, SymbolId};
 use smartbed_codegen::id::{Id, IdVec};
-use smartbed_codegen::kinematics::{self, Kinematics, Row, eliminate};
+use smartbed_codegen::kinematics::{self, Kinematics, Row, eliminate, sampling};
 use smartbed_codegen::model::{Axis, Model};
 use smartbed_codegen::vector::{Triads, Turn, Vector};
 use smartbed_codegen::{Interpreted, Optimise, ParameterChoice, Program, model, program};
@@ -37,7 +37,7 @@ fn a_point_is_reached_the_shorter_way_round_a_loop() {
 #[test]
 fn a_leg_across_its_rod_is_free_of_its_slide() {
     let (model, mut k) = derived("tile");
-    let mut table = eliminate::sample_table(&model, &k);
+    let mut table = sampling::sample_table(&model, &k);
     let solution = eliminate::solve(&model, &mut k, &mut table).unwrap_or_else(|e| panic!("{e}"));
     // Resolved along the leg and across: offered always, taken where it is the cheaper choice.
     for (closure, height) in [("G closure 1", "u_hA"), ("G closure 2", "u_hB"), ("G closure 3", "u_hC")] {

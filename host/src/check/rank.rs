@@ -9,7 +9,7 @@
 use nalgebra::DMatrix;
 use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
-use smartbed_codegen::kinematics::{Kinematics, Row, eliminate};
+use smartbed_codegen::kinematics::{Kinematics, Row, sampling};
 use smartbed_codegen::model::{Model, SpeedMeaning};
 use std::collections::BTreeMap;
 
@@ -104,7 +104,7 @@ fn jacobians(
     rows: &[BTreeMap<usize, ExprId>],
     columns: usize,
 ) -> Vec<DMatrix<f64>> {
-    let mut table = eliminate::sample_table(model, k);
+    let mut table = sampling::sample_table(model, k);
     let samples = k.samples.len();
     let mut matrices = vec![DMatrix::zeros(rows.len(), columns); samples];
     for (r, row) in rows.iter().enumerate() {

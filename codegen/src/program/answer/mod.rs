@@ -8,13 +8,13 @@ mod inertia;
 mod law;
 mod linear;
 mod motion;
-mod part;
+pub(super) mod part;
 mod reaction;
-mod request;
+pub(super) mod request;
 mod stages;
 mod standing;
 
-use super::Program;
+use super::derived::Program;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::ExprId;
 use crate::kinematics::Marker;

@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
 use crate::expr::{ExprId, SymbolId};
-use crate::kinematics::{self, Kinematics, diagnose, eliminate};
+use crate::kinematics::{self, Kinematics, diagnose, eliminate, sampling};
 use crate::model::{COMPONENTS, Cut, Model};
 use rustc_hash::FxHashMap as HashMap;
 
@@ -65,7 +65,7 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
 fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
     let model = stages.model.released(cut, components).ok()?;
     let mut k = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
-    let mut table = eliminate::sample_table(&model, &k);
+    let mut table = sampling::sample_table(&model, &k);
     diagnose::check(&model, &mut k, &mut table).ok()?;
     let solution = eliminate::solve(&model, &mut k, &mut table).ok()?;
     let zero = k.dag.zero();

@@ -1,7 +1,7 @@
 //! Answers that every program has: those that the runtime's `Mechanism` needs, and what stands beside them.
 
 use super::part::Part;
-use crate::program::Program;
+use crate::program::derived::Program;
 
 pub(super) fn rates(program: &Program) -> Vec<Part> {
     let rates = &program.rates;

@@ -1,0 +1,252 @@
+//! The arena of nodes: what it holds, what is known of a node, what roots need.
+//!
+//! Equal nodes exist once. The constructors that look for a shorter equal node first stand in `mod.rs`.
+
+use super::intern::{Facts, Index, Results};
+use super::label::Label;
+use super::node::{Binary, Dependence, ExprId, NO_OPERATION, Node, SymbolId, symbol_bit};
+use super::number::Number;
+use super::set::NodeSet;
+use crate::id::{Id, IdVec};
+use rustc_hash::FxHashMap as HashMap;
+
+/// The arena of nodes.
+#[derive(Clone, Debug, Default)]
+pub struct Dag {
+    pub(super) nodes: IdVec<ExprId, Node>,
+    pub(super) facts: IdVec<ExprId, Facts>,
+    pub(super) index: Index,
+    pub(super) results: Results,
+    pub(super) zero: Option<ExprId>,
+    pub(super) one: Option<ExprId>,
+    pub(super) symbols: IdVec<SymbolId, (String, Dependence)>,
+    pub(super) labels: HashMap<ExprId, Label>,
+    pub(super) derivatives: HashMap<(ExprId, SymbolId), ExprId>,
+    /// Sines and cosines of differences take them unrounded; see [`Dag::as_difference`].
+    pub(crate) unrounded_differences: bool,
+}
+
+impl Dag {
+    /// A new free symbol. Two symbols may share a name; they stay two.
+    pub fn symbol(&mut self, name: &str) -> ExprId {
+        let symbol = self.symbols.push((name.to_owned(), Dependence::State));
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// A new symbol that stands for a parameter.
+    pub fn parameter(&mut self, name: &str) -> ExprId {
+        let symbol = self.symbols.push((name.to_owned(), Dependence::Parameters));
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// Number of nodes ever made.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// No node yet?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The node behind an id.
+    #[must_use]
+    pub fn node(&self, id: ExprId) -> Node {
+        self.nodes[id]
+    }
+
+    /// What its value may change with.
+    #[must_use]
+    pub fn dependence(&self, id: ExprId) -> Dependence {
+        self.facts[id].dependence
+    }
+
+    /// Name of a symbol.
+    #[must_use]
+    pub fn symbol_name(&self, symbol: SymbolId) -> &str {
+        &self.symbols[symbol].0
+    }
+
+    /// The symbol that `id` is, if it is one.
+    #[must_use]
+    pub fn as_symbol(&self, id: ExprId) -> Option<SymbolId> {
+        match self.nodes[id] {
+            Node::Symbol(symbol) => Some(symbol),
+            _ => None,
+        }
+    }
+
+    /// The constant that `id` is, if it is one.
+    #[must_use]
+    pub fn as_number(&self, id: ExprId) -> Option<Number> {
+        match self.nodes[id] {
+            Node::Number(number) => Some(number),
+            Node::Pi => Some(Number::from_f64(std::f64::consts::PI)),
+            _ => None,
+        }
+    }
+
+    /// Is it the constant 0?
+    #[must_use]
+    pub fn is_zero(&self, id: ExprId) -> bool {
+        Some(id) == self.zero
+    }
+
+    /// Is it the constant 1?
+    #[must_use]
+    pub fn is_one(&self, id: ExprId) -> bool {
+        Some(id) == self.one
+    }
+
+    /// Does the node depend on one of the symbols with these bits? Perhaps not even if the answer is yes.
+    pub(super) fn may_read(&self, id: ExprId, bits: u64) -> bool {
+        self.facts[id].symbols_read & bits != 0
+    }
+
+    /// A constant.
+    pub fn number(&mut self, number: Number) -> ExprId {
+        let id = self.intern(Node::Number(number));
+        match number {
+            Number::ZERO => self.zero = Some(id),
+            Number::ONE => self.one = Some(id),
+            _ => {}
+        }
+        id
+    }
+
+    /// An f64 constant.
+    pub fn constant(&mut self, x: f64) -> ExprId {
+        self.number(Number::from_f64(x))
+    }
+
+    /// 0.
+    pub fn zero(&mut self) -> ExprId {
+        self.zero.unwrap_or_else(|| self.number(Number::ZERO))
+    }
+
+    /// 1.
+    pub fn one(&mut self) -> ExprId {
+        self.one.unwrap_or_else(|| self.number(Number::ONE))
+    }
+
+    /// Pi.
+    pub fn pi(&mut self) -> ExprId {
+        self.intern(Node::Pi)
+    }
+
+    /// a of -a, else the expression itself.
+    #[must_use]
+    pub fn unsigned(&self, expr: ExprId) -> ExprId {
+        if let Node::Negate(a) = self.nodes[expr] { a } else { expr }
+    }
+
+    /// Operands of a node.
+    #[must_use]
+    pub fn operands(&self, id: ExprId) -> [Option<ExprId>; 2] {
+        match self.nodes[id] {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => [None, None],
+            Node::Negate(a) | Node::Unary(_, a) => [Some(a), None],
+            Node::Binary(_, a, b) => [Some(a), Some(b)],
+        }
+    }
+
+    /// a and b, if sine and cosine of the node, no constant, are to be those of a - b unrounded:
+    /// `Real::sin_cos_of_difference`.
+    #[must_use]
+    pub fn as_difference(&self, angle: ExprId) -> Option<[ExprId; 2]> {
+        match self.nodes[angle] {
+            Node::Binary(Binary::Sub, a, b) if self.unrounded_differences && !self.is_constant(angle) => {
+                Some([a, b])
+            }
+            _ => None,
+        }
+    }
+
+    /// All nodes that the roots need, in ascending (hence topological) order.
+    #[must_use]
+    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        self.reachable_above(roots, |_| false)
+    }
+
+    /// The same without what is below the nodes that `is_leaf` names.
+    #[must_use]
+    pub fn reachable_above(&self, roots: &[ExprId], is_leaf: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
+        self.cone_above(roots, is_leaf).to_vec()
+    }
+
+    /// All nodes that the roots need, as a set.
+    pub(crate) fn cone(&self, roots: &[ExprId]) -> NodeSet {
+        self.cone_above(roots, |_| false)
+    }
+
+    /// The same without what is below the nodes that `is_leaf` names; it is asked once about every node.
+    pub(crate) fn cone_above(&self, roots: &[ExprId], mut is_leaf: impl FnMut(ExprId) -> bool) -> NodeSet {
+        let bound = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
+        let mut needed = NodeSet::below(bound);
+        roots.iter().for_each(|&root| needed.insert(root));
+        // Operands are always older than their node: one sweep downwards marks everything.
+        needed.sweep_down(|id| {
+            if is_leaf(id) { [None, None] } else { self.operands(id) }.into_iter().flatten()
+        });
+        needed
+    }
+}
+
+impl Dag {
+    /// The id of a node, which is new or known.
+    pub(super) fn intern(&mut self, node: Node) -> ExprId {
+        let slot = match self.index.find(&self.nodes, &node) {
+            Ok(id) => return id,
+            Err(slot) => slot,
+        };
+        let of = |a: ExprId| self.facts[a];
+        let (dependence, symbols_read) = match node {
+            Node::Number(_) | Node::Pi => (Dependence::Constant, 0),
+            Node::Symbol(symbol) => (self.symbols[symbol].1, symbol_bit(symbol)),
+            Node::Negate(a) | Node::Unary(_, a) => (of(a).dependence, of(a).symbols_read),
+            Node::Binary(_, a, b) => {
+                let (a, b) = (of(a), of(b));
+                (a.dependence.max(b.dependence), a.symbols_read | b.symbols_read)
+            }
+        };
+        let id = self.nodes.push(node);
+        let operation = match node {
+            Node::Negate(a) => of(a).operation,
+            Node::Unary(..) | Node::Binary(..) if dependence != Dependence::Constant => id,
+            _ => NO_OPERATION,
+        };
+        let operations_read = self.operands(id).map(|a| a.map_or(NO_OPERATION, |a| of(a).operation));
+        self.facts.push(Facts { dependence, symbols_read, operation, operations_read });
+        self.index.insert(slot, &self.nodes);
+        id
+    }
+}
+
+impl Dag {
+    /// Labels a node for the generated code; constants and symbols need none.
+    pub fn label(&mut self, id: ExprId, label: Label) {
+        if matches!(self.nodes[id], Node::Number(_) | Node::Symbol(_) | Node::Pi) {
+            return;
+        }
+        match self.labels.get_mut(&id) {
+            Some(known) => known.join(&label),
+            None => {
+                self.labels.insert(id, label);
+            }
+        }
+    }
+
+    /// The label of a node.
+    #[must_use]
+    pub fn label_of(&self, id: ExprId) -> Option<&Label> {
+        self.labels.get(&id)
+    }
+
+    /// The name of a node.
+    #[must_use]
+    pub fn name_of(&self, id: ExprId) -> Option<&str> {
+        self.label_of(id)?.name()
+    }
+}

@@ -1,0 +1,26 @@
+//! Which points and frames have unknowns of their own, and vectors without them.
+
+use super::quantities::Kinematics;
+use crate::model::{FrameId, Model, PointId};
+use crate::vector::Vector;
+
+/// Is the frame's angular velocity an unknown of its own? Yes where the model states fixed vectors.
+pub(super) fn frame_is_lifted(model: &Model, frame: FrameId) -> bool {
+    !model.frames[frame].fixed_vectors.is_empty()
+}
+
+/// A point that closes loops, whose velocity is an unknown of its own, or whose velocity is stated:
+/// later positions refer to it by itself.
+pub(super) fn point_is_lifted(model: &Model, point: PointId) -> bool {
+    !model.points[point].closures.is_empty() || model.points[point].velocity.is_some()
+}
+
+/// The same vector without lifted points: each is replaced by its first position expression.
+pub(crate) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
+    let mut flat = Vector { terms: vector.terms.clone(), ..Vector::default() };
+    for (&point, &factor) in &vector.points {
+        let base = k.flat_positions[&point].clone().scaled(&mut k.dag, factor);
+        flat = flat.plus(&mut k.dag, &base);
+    }
+    flat
+}
