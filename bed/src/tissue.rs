@@ -80,6 +80,13 @@ impl Tissue {
         Line { slope, rest: (held / slope).max(0.0) }
     }
 
+    /// The layer as long pressing to a depth (m) leaves it.
+    #[must_use]
+    pub fn rested(&self, depth: f64) -> Layer {
+        let at = |value: f64| Course { value, ..Course::default() };
+        Layer { depth: at(depth), relaxed: at((self.at_once - 1.0) * depth) }
+    }
+
     fn kept(&self, formula: &Formula) -> f64 {
         formula.rate / (formula.rate + 1.0 / self.relaxation)
     }

@@ -7,12 +7,15 @@ use super::ledger::Ledger;
 use crate::body::Body;
 use crate::equilibrium::increment::{Damper, Increment, points};
 use crate::equilibrium::scene::Scene;
-use crate::equilibrium::{Anchor, Bed, Fault, GRAVITY, Solution, State, find, read};
+use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Solution, State, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
 use crate::sheet::membrane;
 use crate::tissue::{Layers, Memory, Tissue};
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub, tangential};
+
+/// A body is in equilibrium where contacts miss its weight by less than this share.
+const CARRIED: f64 = 1e-3;
 
 /// What matters in motion alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,20 +61,22 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// From rest: nothing moves yet, the body is let go.
+    /// From rest: in equilibrium, tissue relaxed, or let go where nothing carries the body.
     #[must_use]
     pub fn new(bed: Bed, body: Body, state: State, matter: Matter, method: Method, step: f64) -> Motion {
         let of_tile = |(tile, sheet): (&crate::equilibrium::Tile, &Vec<Vec3<f64>>)| {
             sheet.iter().map(|x| Track::at_rest(tile.pose.outwards(*x), [0.0; 3])).collect()
         };
         let nodes = bed.tiles.iter().zip(&state.sheets).map(of_tile).collect();
-        let falls = [0.0, 0.0, -GRAVITY];
+        let now = read(&Scene::at_rest(&bed, &body), state.clone());
+        let is_carried = now.imbalance < CARRIED;
+        let falls = [0.0, 0.0, if is_carried { 0.0 } else { -GRAVITY }];
         let of_segment = |(segment, pose): (&crate::body::Segment, &Pose)| {
             points(segment, pose).map(|p| Track::at_rest(p, if segment.is_held() { [0.0; 3] } else { falls }))
         };
         let segments = body.segments.iter().zip(&state.segments).map(of_segment).collect();
-        let layers = vec![Layers::new(); bed.tiles.len()];
-        let now = read(&Scene::at_rest(&bed, &body), state.clone());
+        let rested = |c: &Contact| ((c.touch.node, c.touch.segment), matter.tissue.rested(c.touch.depth));
+        let layers = now.contacts.iter().map(|own| own.iter().map(rested).collect()).collect();
         let mut motion = Motion {
             bed,
             body,
@@ -217,7 +222,7 @@ impl Motion {
     /// Tissue's layers at the end of a stage; those that have come back are forgotten.
     fn remembered(&self, formula: &Formula, next: &Solution) -> Vec<Layers> {
         let tissue = &self.matter.tissue;
-        let of_tile = |(old, contacts): (&Layers, &Vec<crate::equilibrium::Contact>)| {
+        let of_tile = |(old, contacts): (&Layers, &Vec<Contact>)| {
             let mut depths: std::collections::BTreeMap<(usize, usize), f64> =
                 old.keys().map(|key| (*key, 0.0)).collect();
             depths.extend(contacts.iter().map(|c| ((c.touch.node, c.touch.segment), c.touch.depth)));

@@ -8,6 +8,7 @@ pub mod history;
 pub mod maps;
 pub mod motion;
 pub mod run;
+mod start;
 
 use crate::body::Body;
 use crate::body::figure::Figure;
@@ -212,15 +213,24 @@ pub struct Dynamics {
     pub step: f64,
     /// Method of steps.
     pub method: Method,
-    /// Distance (m) that the load begins above the sheets.
-    pub drop: f64,
+    /// Where the load begins.
+    pub start: Start,
     /// Masses and losses.
     pub matter: Matter,
 }
 
+/// Where a load begins to move.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// This far (m) above the sheets, let go.
+    Dropped(f64),
+    /// In the equilibrium that the other clock begins with.
+    AtRest,
+}
+
 impl Default for Dynamics {
     fn default() -> Dynamics {
-        Dynamics { step: 2e-3, method: Method::Bdf2, drop: 0.02, matter: Matter::default() }
+        Dynamics { step: 2e-3, method: Method::Bdf2, start: Start::Dropped(0.02), matter: Matter::default() }
     }
 }
 

@@ -4,7 +4,8 @@
 //! moments. Steps divide the time between two moments evenly.
 
 use super::history::{Decide, History, Recorder, RunError, Watched, seal};
-use super::{Dynamics, Plan};
+use super::start::laid;
+use super::{Dynamics, Plan, Start};
 use crate::dynamics::{Motion, dropped};
 use crate::equilibrium::Bed;
 use std::collections::VecDeque;
@@ -27,7 +28,10 @@ pub(super) fn run(
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
     let body = plan.load.body.clone();
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
-    let state = dropped(&bed, &body, &plan.load.poses, dynamics.drop).map_err(fault(0.0))?;
+    let state = match dynamics.start {
+        Start::Dropped(height) => dropped(&bed, &body, &plan.load.poses, height).map_err(fault(0.0))?,
+        Start::AtRest => laid(plan, &bed).map_err(fault(0.0))?.state,
+    };
     seal(plan, &mut bed, &state);
     let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);
     let step = plan.every / count;

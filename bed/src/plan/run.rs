@@ -5,8 +5,9 @@
 use super::check::Refusal;
 use super::history::{Decide, History, Recorder, RunError, Seen, seal};
 use super::motion;
+use super::start::laid;
 use super::{Clock, Move, Plan};
-use crate::equilibrium::{Bed, Solution, lay_on, put_down, solve};
+use crate::equilibrium::{Bed, Solution, solve};
 
 /// Shortest part of a move that is taken at once, as a share of the time between two equilibria.
 const SHORTEST: f64 = 1.0 / 64.0;
@@ -41,10 +42,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
     let plan = &mut told;
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
-    let (body, start) = (&plan.load.body, bed.start(plan.load.poses.clone()));
-    let down =
-        if plan.parts > 1 { lay_on(&bed, body, &start, plan.parts) } else { put_down(&bed, body, &start) };
-    let mut solution = down.map_err(fault(0.0))?;
+    let mut solution = laid(plan, &bed).map_err(fault(0.0))?;
     let mut history = Recorder::new(plan, &bed, &solution);
     history.take(plan, &bed, &solution, 0.0)?;
     history.decide(plan, decide)?;

@@ -1,5 +1,6 @@
 //! The bed's numbers against closed forms, hand-made maps and independent references.
 
+mod clocks;
 mod dynamics;
 mod figure;
 mod files;

@@ -3,7 +3,7 @@
 use super::load::named;
 use crate::world::read::value::{Bound, number};
 use smartbed_bed::dynamics::{Matter, Method};
-use smartbed_bed::plan::Dynamics;
+use smartbed_bed::plan::{Dynamics, Start};
 use smartbed_bed::tissue::Tissue;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -23,7 +23,6 @@ pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Opti
         number(&fields, key, of, bound, found).unwrap_or(usual)
     };
     let step = key("step", "s", Bound::Positive, usual.step);
-    let drop = key("drop", "m", Bound::NotNegative, usual.drop);
     let density = key("density", "kg/m^2", Bound::Positive, matter.density);
     let sheet_loss = key("sheet_loss", "s", Bound::NotNegative, matter.sheet_loss);
     let joint_loss = key("joint_loss", "s", Bound::NotNegative, matter.joint_loss);
@@ -33,6 +32,8 @@ pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Opti
         relaxation: key("tissue_relaxation", "s", Bound::Positive, matter.tissue.relaxation),
     };
     let method = named(&fields, "method", &METHODS, found);
+    let start = named(&fields, "start", &STARTS, found);
+    let drop = number(&fields, "drop", "m", Bound::NotNegative, found);
     fields.finish(found);
     let mut refuse = |what: String, help: &str| {
         found.push(Diagnostic::error(what).label(table.span, "of this motion").help(help));
@@ -42,12 +43,23 @@ pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Opti
         let what = format!("`tissue_at_once` is {}, expected 1 or more", tissue.at_once);
         return refuse(what, "it is the stiffness of tissue at once over that at last; 1 does not relax");
     }
+    let is_at_rest = start?;
+    if is_at_rest && drop.is_some() {
+        return refuse("`drop` beside a start at rest".to_owned(), "leave one of the two out");
+    }
     if seconds / step > MOST_STEPS {
         return refuse(format!("more than {MOST_STEPS} steps"), "a longer `step`");
     }
     let matter = Matter { density, sheet_loss, joint_loss, tissue };
-    Some(Dynamics { step, method: method?, drop, matter })
+    let start = if is_at_rest { Start::AtRest } else { Start::Dropped(drop.unwrap_or(DROP)) };
+    Some(Dynamics { step, method: method?, start, matter })
 }
+
+/// Height (m) that a load falls from where none is told.
+const DROP: f64 = 0.02;
+
+/// Starts by name, the usual one first: is it at rest?
+const STARTS: [(&str, bool); 2] = [("dropped", false), ("at_rest", true)];
 
 /// Methods by name, the usual one first.
 const METHODS: [(&str, Method); 4] = [

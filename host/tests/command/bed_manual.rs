@@ -99,6 +99,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[run]\nseconds = 1e9".to_owned(),
         "[run]\nparts = 101".to_owned(),
         "[dynamics]\ntissue_at_once = 0.5".to_owned(),
+        "[dynamics]\nstart = \"at_rest\"\ndrop = 0.02".to_owned(),
         "[run]\nclock = \"dynamics\"\nseconds = 1e5\n[dynamics]\nstep = 1e-4".to_owned(),
         "[alternating]\nlow = 1\ncycle = 1\n[run]\nseconds = 1e5".to_owned(),
         "[alternating]\nlow = 1\ncycle = 10\n[run]\nseconds = 9e4\nevery = 1".to_owned(),
