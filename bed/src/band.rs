@@ -1,13 +1,22 @@
 //! Symmetric positive definite matrices whose entries lie near the diagonal: Cholesky's factors and solutions.
 //!
-//! In: entries on and below the diagonal, at most `width` columns away from it. Out: L with A = L L', in the same
-//! place; rows are slices, so that the inner loop is a dot product. Width n - 1 is a full matrix.
+//! In: entries on and above the diagonal, at most `width` columns away from it. Out: U with A = U' U, in the same place.
+//! Rows are slices, so that what a row takes from those above it is a sum of slices, [`ROWS`] at a time (a
+//! [`Kernel`]). Width n - 1 is a full matrix.
+
+use smartbed_runtime::kernel::{self, Kernel};
+
+/// Rows that are taken out of those below them at a time.
+const ROWS: usize = 8;
+/// Numbers side by side.
+const LANES: usize = 16;
 
 /// A band of a symmetric matrix, or of its factor.
 #[derive(Clone, Debug)]
 pub struct Band {
     size: usize,
     width: usize,
+    /// Row by row from the diagonal on; zeros behind a row, for a pass to read.
     entries: Vec<f64>,
 }
 
@@ -16,7 +25,7 @@ impl Band {
     #[must_use]
     pub fn new(size: usize, width: usize) -> Band {
         let width = width.min(size.saturating_sub(1));
-        Band { size, width, entries: vec![0.0; size * (width + 1)] }
+        Band { size, width, entries: vec![0.0; size * Band::stride_of(width)] }
     }
 
     /// Rows.
@@ -25,10 +34,26 @@ impl Band {
         self.size
     }
 
-    /// Adds to the entry of a row and a column, which lies on or below the diagonal; what lies above is left out.
+    /// From a row to the next one.
+    fn stride(&self) -> usize {
+        Band::stride_of(self.width)
+    }
+
+    /// A pass is as long as its last row, and then to a whole number of lanes.
+    fn stride_of(width: usize) -> usize {
+        width + ROWS + LANES
+    }
+
+    /// A row from the diagonal on.
+    #[inline(always)]
+    fn row(&self, i: usize) -> &[f64] {
+        &self.entries[i * self.stride()..][..=self.width]
+    }
+
+    /// Adds to the entry of a row and a column, which lies on or above the diagonal; what lies below is left out.
     pub fn add(&mut self, row: usize, column: usize, value: f64) {
-        if column <= row {
-            let place = row * (self.width + 1) + column + self.width - row;
+        if row <= column {
+            let place = row * self.stride() + column - row;
             self.entries[place] += value;
         }
     }
@@ -41,7 +66,7 @@ impl Band {
                 if row == column {
                     self.add(a, b, *value);
                 } else {
-                    self.add(a.max(b), a.min(b), *value);
+                    self.add(a.min(b), a.max(b), *value);
                 }
             }
         }
@@ -52,34 +77,85 @@ impl Band {
         (0..self.size).for_each(|i| self.add(i, i, value));
     }
 
-    /// Row i from column i - width on.
-    fn row(&self, i: usize) -> &[f64] {
-        &self.entries[i * (self.width + 1)..(i + 1) * (self.width + 1)]
-    }
-
-    /// L of A = L L'; `None` if a pivot is not positive.
+    /// U of A = U' U; `None` if a pivot is not positive.
     #[must_use]
     pub fn factor(mut self) -> Option<Factor> {
-        let wide = self.width + 1;
-        for i in 0..self.size {
-            let first = i.saturating_sub(self.width);
-            let (done, rest) = self.entries.split_at_mut(i * wide);
-            let line = &mut rest[..wide];
-            for j in first..i {
-                let above = &done[j * wide..(j + 1) * wide];
-                let (at, shared) = (j + self.width - i, j - first);
-                let sum = dot(&line[at - shared..at], &above[self.width - shared..self.width]);
-                line[at] = (line[at] - sum) / above[self.width];
+        kernel::run(Factoring(&mut self)).then_some(Factor(self))
+    }
+}
+
+/// Turns a band into its factor; false if a pivot is not positive.
+struct Factoring<'a>(&'a mut Band);
+
+impl Kernel for Factoring<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        let Factoring(band) = self;
+        let (size, stride) = (band.size, band.stride());
+        for first in (0..size).step_by(ROWS) {
+            let last = (first + ROWS).min(size);
+            for k in first..last {
+                if !band.pivot(k) {
+                    return false;
+                }
+                for i in k + 1..last {
+                    let (above, below) = band.entries.split_at_mut(i * stride);
+                    let row = &above[k * stride + i - k..(k + 1) * stride];
+                    take(below, row[0], row);
+                }
             }
-            let known = &line[self.width - (i - first)..self.width];
-            let pivot = line[self.width] - dot(known, known);
-            // A comparison that not-a-number fails too.
-            if !(pivot > 0.0 && pivot.is_finite()) {
-                return None;
+            // Behind the last rows nothing is left.
+            for i in last..(last + band.width).min(size) {
+                let (above, below) = band.entries.split_at_mut(i * stride);
+                let long = (last + band.width - i).next_multiple_of(LANES);
+                let others = std::array::from_fn(|k| &above[(first + k) * stride + i - first - k..][..long]);
+                take_all(&mut below[..long], others.map(|row| row[0]), others);
             }
-            line[self.width] = pivot.sqrt();
         }
-        Some(Factor(self))
+        true
+    }
+}
+
+/// Takes a multiple of a row out of a row.
+#[inline(always)]
+fn take(row: &mut [f64], factor: f64, other: &[f64]) {
+    row.iter_mut().zip(other).for_each(|(own, x)| *own -= factor * x);
+}
+
+/// Takes multiples of several rows out of a row.
+#[inline(always)]
+fn take_all(row: &mut [f64], factors: [f64; ROWS], others: [&[f64]; ROWS]) {
+    let long = row.len();
+    let [a, b, c, d, e, f, g, h] = others.map(|other| &other[..long]);
+    for k in 0..long {
+        let mut sum = row[k];
+        sum -= factors[0] * a[k];
+        sum -= factors[1] * b[k];
+        sum -= factors[2] * c[k];
+        sum -= factors[3] * d[k];
+        sum -= factors[4] * e[k];
+        sum -= factors[5] * f[k];
+        sum -= factors[6] * g[k];
+        sum -= factors[7] * h[k];
+        row[k] = sum;
+    }
+}
+
+impl Band {
+    /// Divides a row by its pivot's root.
+    #[inline(always)]
+    fn pivot(&mut self, k: usize) -> bool {
+        let stride = self.stride();
+        let row = &mut self.entries[k * stride..(k + 1) * stride];
+        // A comparison that not-a-number fails too.
+        if !(row[0] > 0.0 && row[0].is_finite()) {
+            return false;
+        }
+        let root = row[0].sqrt();
+        row.iter_mut().for_each(|x| *x /= root);
+        true
     }
 }
 
@@ -90,59 +166,86 @@ pub struct Factor(Band);
 impl Factor {
     /// Solves A x = b in place for several b at once, row by row: rows of the factor are read once for all.
     pub fn solve_all<const N: usize>(&self, b: &mut [[f64; N]]) {
-        let Factor(band) = self;
-        let width = band.width;
-        for i in 0..band.size {
-            let first = i.saturating_sub(width);
-            let row = band.row(i);
-            let (known, own) = b.split_at_mut(i);
-            for (l, x) in row[width - (i - first)..width].iter().zip(&known[first..]) {
-                (0..N).for_each(|k| own[0][k] -= l * x[k]);
-            }
-            own[0].iter_mut().for_each(|x| *x /= row[width]);
-        }
-        for i in (0..band.size).rev() {
-            let first = i.saturating_sub(width);
-            let row = band.row(i);
-            let (rest, own) = b.split_at_mut(i);
-            own[0].iter_mut().for_each(|x| *x /= row[width]);
-            for (l, x) in row[width - (i - first)..width].iter().zip(&mut rest[first..]) {
-                (0..N).for_each(|k| x[k] -= l * own[0][k]);
-            }
-        }
+        kernel::run(Solving { band: &self.0, b });
     }
 
     /// Solves A x = b in place.
     pub fn solve(&self, b: &mut [f64]) {
-        let Factor(band) = self;
-        let width = band.width;
+        kernel::run(SolvingOne { band: &self.0, b });
+    }
+}
+
+/// Solves for several right sides.
+struct Solving<'a, const N: usize> {
+    band: &'a Band,
+    b: &'a mut [[f64; N]],
+}
+
+impl<const N: usize> Kernel for Solving<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Solving { band, b } = self;
         for i in 0..band.size {
-            let first = i.saturating_sub(width);
             let row = band.row(i);
-            let sum = dot(&row[width - (i - first)..width], &b[first..i]);
-            b[i] = (b[i] - sum) / row[width];
+            let (known, rest) = b.split_at_mut(i + 1);
+            let own = &mut known[i];
+            own.iter_mut().for_each(|x| *x /= row[0]);
+            for (u, x) in row[1..].iter().zip(rest) {
+                (0..N).for_each(|k| x[k] -= u * own[k]);
+            }
         }
         for i in (0..band.size).rev() {
-            let first = i.saturating_sub(width);
             let row = band.row(i);
-            let x = b[i] / row[width];
-            b[i] = x;
-            for (entry, l) in b[first..i].iter_mut().zip(&row[width - (i - first)..width]) {
-                *entry -= l * x;
+            let (rest, known) = b.split_at_mut(i + 1);
+            let own = &mut rest[i];
+            for (u, x) in row[1..].iter().zip(known.iter()) {
+                (0..N).for_each(|k| own[k] -= u * x[k]);
             }
+            own.iter_mut().for_each(|x| *x /= row[0]);
         }
     }
 }
 
-/// Dot product in four sums, which the compiler computes side by side.
+/// Solves for one right side.
+struct SolvingOne<'a> {
+    band: &'a Band,
+    b: &'a mut [f64],
+}
+
+impl Kernel for SolvingOne<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let SolvingOne { band, b } = self;
+        for i in 0..band.size {
+            let row = band.row(i);
+            let (known, rest) = b.split_at_mut(i + 1);
+            let x = known[i] / row[0];
+            known[i] = x;
+            take(rest, x, &row[1..]);
+        }
+        for i in (0..band.size).rev() {
+            let row = band.row(i);
+            let long = (band.size - i - 1).min(band.width);
+            b[i] = (b[i] - dot(&row[1..=long], &b[i + 1..=i + long])) / row[0];
+        }
+    }
+}
+
+/// Dot product in eight sums, which the compiler computes side by side.
+#[inline(always)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let tail: f64 = a4.remainder().iter().zip(b4.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a4.zip(b4) {
-        for k in 0..4 {
+    let mut sums = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    for (x, y) in a8.zip(b8) {
+        for k in 0..8 {
             sums[k] += x[k] * y[k];
         }
     }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + tail
+    let [a, b, c, d, e, f, g, h] = sums;
+    ((a + b) + (c + d)) + ((e + f) + (g + h)) + tail
 }

@@ -5,6 +5,7 @@
 
 use super::ledger::Ledger;
 use crate::body::Body;
+use crate::equilibrium::alone::{self, Kept};
 use crate::equilibrium::increment::{Damper, Increment, points};
 use crate::equilibrium::scene::Scene;
 use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Solution, State, find, read};
@@ -56,6 +57,8 @@ pub struct Motion {
     segments: Vec<[Track; 6]>,
     layers: Vec<Layers>,
     before: State,
+    /// Stiffnesses of sheets that nothing touches.
+    kept: Kept,
     /// Lost power of sheets, tissue and joints, and that of the drives (W).
     powers: [f64; 4],
 }
@@ -90,6 +93,7 @@ impl Motion {
             segments,
             layers,
             before: state,
+            kept: Kept::new(),
             powers: [0.0; 4],
         };
         (motion.now.carried, motion.now.imbalance) = motion.balance();
@@ -125,11 +129,14 @@ impl Motion {
 
     /// One stage.
     fn stage(&mut self, formula: &Formula, bed: Bed) -> Result<(), Fault> {
-        let guess = self.guess(&bed);
-        let next = {
+        let mut guess = self.guess(&bed);
+        let (next, kept) = {
             let increment = self.increment(formula, &bed);
-            find(&Scene::in_motion(&bed, &self.body, &increment), &guess)?
+            let scene = Scene::in_motion(&bed, &self.body, &increment);
+            let kept = alone::settle(&scene, &mut guess, &self.kept);
+            (find(&scene, &guess)?, kept)
         };
+        self.kept = kept;
         self.follow(formula, bed, next);
         Ok(())
     }

@@ -5,6 +5,7 @@
 //! method with a search along each step (`newton`); each tile's sheet is a band, bodies are what is left when all sheets
 //! are eliminated (`tile`), so that tiles are solved side by side and the result does not depend on how many at a time.
 
+pub(crate) mod alone;
 mod bed;
 pub(crate) mod increment;
 mod newton;
@@ -13,6 +14,7 @@ pub mod side_by_side;
 mod solution;
 mod state;
 mod step;
+mod stiffness;
 mod tile;
 mod touch;
 

@@ -136,8 +136,8 @@ fn renew(scene: &Scene, state: &mut State) -> f64 {
 /// Newton's steps with friction's limits as they are; returns how many.
 fn descend(scene: &Scene, state: &mut State, weight: f64) -> Result<usize, Fault> {
     let (bed, body) = (scene.bed, scene.body);
-    let calm = scene.accuracy.node * 1000.0 * bed.lattice.cell();
-    let mut energy = energy(scene, state)?;
+    let calm = scene.calm();
+    let mut last = None;
     for step in 0..STEPS {
         let tiles = eliminate(scene, state, calm)?;
         let rows = rows(scene, state, &tiles);
@@ -149,8 +149,9 @@ fn descend(scene: &Scene, state: &mut State, weight: f64) -> Result<usize, Fault
         let gradients: Vec<&[f64]> =
             tiles.iter().map(|t| t.as_ref().map_or(&[][..], |t| &t.gradient)).collect();
         let steepness = ways.slope(&gradients, &rows).abs();
-        match search(scene, state, &ways, energy, steepness)? {
-            Some((next, after)) if step + 1 < STEPS => (*state, energy) = (next, after),
+        let before = last.map_or_else(|| energy(scene, state), Ok)?;
+        match search(scene, state, &ways, before, steepness)? {
+            Some((next, after)) if step + 1 < STEPS => (*state, last) = (next, Some(after)),
             _ => return Err(Fault::NotFound(left[0], left[1])),
         }
     }

@@ -35,6 +35,11 @@ impl<'a> Scene<'a> {
         Scene { bed, body, increment: None, accuracy }
     }
 
+    /// Force (N) that may be left over on a node.
+    pub fn calm(&self) -> f64 {
+        self.accuracy.node * 1000.0 * self.bed.lattice.cell()
+    }
+
     /// A stage of time.
     pub fn in_motion(bed: &'a Bed, body: &'a Body, increment: &'a Increment<'a>) -> Scene<'a> {
         // Limits of friction lag by a stage: they are those of its start.

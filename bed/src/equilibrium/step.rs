@@ -6,7 +6,8 @@
 use super::bed::{Bed, GRAVITY};
 use super::scene::Scene;
 use super::state::State;
-use super::tile::{Eliminated, product};
+use super::stiffness::product;
+use super::tile::Eliminated;
 use crate::band::Band;
 use crate::body::{Body, Rows};
 use smartbed_runtime::vec3::{add, scale};
@@ -130,7 +131,7 @@ fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f6
         let mut band = Band::new(size, size);
         for i in 0..size {
             for j in 0..i {
-                band.add(i, j, if is_held(i) || is_held(j) { 0.0 } else { hessian[i * size + j] });
+                band.add(j, i, if is_held(i) || is_held(j) { 0.0 } else { hessian[i * size + j] });
             }
             band.add(i, i, shift + if is_held(i) { 1.0 } else { hessian[i * size + i] });
         }

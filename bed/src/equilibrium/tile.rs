@@ -1,15 +1,15 @@
 //! One tile's share: its energy, and its sheet eliminated from the step that is looked for.
 //!
-//! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved for.
-//! With K the sheet's band, c g g' what a sealed gas adds to it (g the gradient of the volume, c = -dp/dV) and B the columns
-//! that couple nodes to segments: (K + c g g')^-1 b = K^-1 b - K^-1 g c (g . K^-1 b)/(1 + c g . K^-1 g).
+//! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved for, by the
+//! sheet's [`Stiffness`], and so the columns B that couple nodes to segments.
 
 use super::bed::{Bed, PLATE, Tile};
 use super::increment::{Increment, Placed};
 use super::scene::Scene;
 use super::state::State;
+use super::stiffness::Stiffness;
 use super::touch::{self, Pull, Touch};
-use crate::band::{Band, Factor};
+use crate::band::Band;
 use crate::body::{Body, lever};
 use crate::pose::Pose;
 use crate::sheet::air::Collapsed;
@@ -80,6 +80,31 @@ impl<'a> Patch<'a> {
     /// The same with whole Hessians.
     pub fn exact(self) -> Patch<'a> {
         Patch { is_exact: true, ..self }
+    }
+
+    /// The same with the sheet elsewhere.
+    pub fn with<'b>(&'b self, sheet: &'b [Vec3<f64>]) -> Patch<'b> {
+        Patch { sheet, ..*self }
+    }
+
+    /// Nodes in the tile's frame.
+    pub fn sheet(&self) -> &'a [Vec3<f64>] {
+        self.sheet
+    }
+
+    /// No segment can reach the sheet, and friction holds nothing.
+    pub fn is_alone(&self) -> bool {
+        let is_free = self.anchors.iter().all(Option::is_none);
+        is_free && touch::near(self.bed, self.body, &self.tile.pose, self.poses).is_empty()
+    }
+
+    /// Changes the free nodes of a sheet, each with its place among them.
+    pub fn free_nodes(&self, sheet: &mut [Vec3<f64>], mut change: impl FnMut(&mut Vec3<f64>, usize)) {
+        for (node, x) in sheet.iter_mut().enumerate() {
+            if let Some(free) = self.bed.lattice.free(node) {
+                change(x, free);
+            }
+        }
     }
 
     fn placed(&self) -> Placed<'a> {
@@ -190,7 +215,7 @@ impl<'a> Patch<'a> {
     }
 
     /// Gradient by the free nodes, and the volume's.
-    fn gradients(&self, bonds: &[Bond]) -> Result<[Vec<f64>; 2], Collapsed> {
+    pub fn gradients(&self, bonds: &[Bond]) -> Result<[Vec<f64>; 2], Collapsed> {
         let (lattice, count) = (&self.bed.lattice, self.sheet.len());
         let pressure = self.tile.air.gauge(self.bed.volume(self.sheet))?;
         let (mut force, mut volume) = (vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
@@ -212,8 +237,8 @@ impl<'a> Patch<'a> {
         }))
     }
 
-    /// Factors of the free nodes' Hessian without what a sealed gas adds.
-    fn factor(&self, bonds: &[Bond]) -> Result<Factor, Collapsed> {
+    /// The free nodes' Hessian, factored; the volume's gradient is known.
+    pub fn stiffness(&self, bonds: &[Bond], by_nodes: Vec<f64>) -> Result<Stiffness, Collapsed> {
         let lattice = &self.bed.lattice;
         let volume = self.bed.volume(self.sheet);
         let mut band = Band::new(3 * lattice.free_nodes(), lattice.width());
@@ -239,7 +264,7 @@ impl<'a> Patch<'a> {
             let mut shifted = band.clone();
             shifted.shift(shift);
             if let Some(factor) = shifted.factor() {
-                return Ok(factor);
+                return Ok(Stiffness::new(factor, by_nodes, self.tile.air.stiffness(volume)?));
             }
             shift = if shift == 0.0 { 1.0 } else { 4.0 * shift };
         }
@@ -266,23 +291,11 @@ impl<'a> Patch<'a> {
         if bonds.is_empty() && gradient.iter().all(|g| g.abs() <= calm) {
             return Ok(None);
         }
-        let factor = self.factor(&bonds)?;
-        let gas = self.tile.air.stiffness(self.bed.volume(self.sheet))?;
-        let mut by_volume = volume.clone();
-        factor.solve(&mut by_volume);
-        let share = gas / (1.0 + gas * product(&volume, &by_volume));
+        let stiffness = self.stiffness(&bonds, volume)?;
         let mut couplings = self.couplings(&bonds, gradient.len());
-        for coupling in &mut couplings {
-            factor.solve_all(&mut coupling.solved);
-            for k in 0..6 {
-                let along: f64 = volume.iter().zip(&coupling.solved).map(|(g, x)| g * x[k]).sum();
-                coupling.solved.iter_mut().zip(&by_volume).for_each(|(x, z)| x[k] -= share * along * z);
-            }
-        }
+        couplings.iter_mut().for_each(|coupling| stiffness.solve_all(&mut coupling.solved));
         let mut solved = gradient.clone();
-        factor.solve(&mut solved);
-        let along = product(&volume, &solved);
-        solved.iter_mut().zip(&by_volume).for_each(|(x, z)| *x -= share * along * z);
+        stiffness.solve(&mut solved);
         Ok(Some(Eliminated { solved, gradient, couplings, bonds }))
     }
 
@@ -305,9 +318,4 @@ impl<'a> Patch<'a> {
         };
         touched.into_iter().map(one).collect()
     }
-}
-
-/// Dot product.
-pub fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

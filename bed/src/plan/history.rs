@@ -122,7 +122,7 @@ pub struct Watched {
     pub steps: usize,
     /// Length of a step (s).
     pub step: f64,
-    /// Newton's steps in all of them.
+    /// Newton's steps of the whole bed in all of them; sheets that nothing touches have come to rest before.
     pub newton: usize,
 }
 

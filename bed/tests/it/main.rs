@@ -1,7 +1,9 @@
 //! The bed's numbers against closed forms, hand-made maps and independent references.
 
+mod band;
 mod clocks;
 mod dynamics;
+mod empty;
 mod figure;
 mod files;
 mod metrics;
