@@ -19,6 +19,21 @@ pub fn text(path: &str) -> Result<String, String> {
     bounded(File::open(path).map_err(|e| e.to_string())?)
 }
 
+/// The bytes of a file of at most so many.
+///
+/// # Errors
+/// Why it cannot be read.
+pub fn bytes(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+    refuse_special(path)?;
+    let mut bytes = Vec::new();
+    let file = File::open(path).map_err(|e| e.to_string())?;
+    file.take(most + 1).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+    match bytes.len() as u64 <= most {
+        true => Ok(bytes),
+        false => Err(format!("it has more than {} MiB; expected a smaller one", most >> 20)),
+    }
+}
+
 /// Only a file has an end; what a shell hands over as `/dev/fd/3` has one too.
 fn refuse_special(path: &Path) -> Result<(), String> {
     let kind = std::fs::metadata(path).map_err(|e| e.to_string())?.file_type();

@@ -25,6 +25,12 @@ impl PlanFile {
         Ok(Self { path, text })
     }
 
+    /// The mesh that it names with `settings` on top, if it names one.
+    #[must_use]
+    pub fn mesh(&self, settings: &[String]) -> Option<std::path::PathBuf> {
+        crate::plan::mesh_file(&self.path, &self.text, settings)
+    }
+
     /// Reads it with `settings` on top and holds it against its limits.
     ///
     /// # Errors

@@ -271,8 +271,8 @@ impl Figure {
     /// Which region a point of a segment's skin belongs to, given in the segment's axes with its normal outwards.
     #[must_use]
     pub fn region(&self, segment: usize, point: Vec3<f64>, normal: Vec3<f64>) -> Option<Region> {
-        let half = self.body.segments[segment].shape;
-        let length = half.half[1] + half.radius;
+        let Shape { half, radius } = *self.body.segments[segment].shape.round()?;
+        let length = half[1] + radius;
         let (is_back, is_side) = (normal[2] < -0.5, normal[0].abs() > 0.6);
         match self.parts[segment] {
             Part::Head if is_back => Some(Region::Occiput),
@@ -283,7 +283,7 @@ impl Figure {
             Part::Thigh if is_side && point[1] > 0.4 * length => Some(Region::Trochanters),
             Part::UpperArm if point[1] < -0.6 * length => Some(Region::Elbows),
             Part::Forearm if point[1] > 0.6 * length => Some(Region::Elbows),
-            Part::Foot if point[2] < -0.5 * (half.half[2] + half.radius) => Some(Region::Heels),
+            Part::Foot if point[2] < -0.5 * (half[2] + radius) => Some(Region::Heels),
             _ => None,
         }
     }
@@ -306,7 +306,7 @@ fn segment(name: &str, part: Part, table: Table, mass: f64, stature: f64, girth:
     let mass = table.share(part) * mass;
     Segment {
         name: name.to_owned(),
-        shape: Shape { half, radius },
+        shape: Shape { half, radius }.into(),
         mass,
         centre,
         foundation,

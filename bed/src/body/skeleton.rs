@@ -5,7 +5,7 @@
 //! kappa/2 angle^2 for small angles; its moments are -+kappa/2 sum a_k x b_k.
 
 use super::limits::Limits;
-use super::shape::Shape;
+use super::surface::Surface;
 use crate::pose::Pose;
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};
@@ -16,7 +16,7 @@ pub struct Segment {
     /// Its name.
     pub name: String,
     /// Surface of the tissue, about the segment's origin.
-    pub shape: Shape,
+    pub shape: Surface,
     /// kg.
     pub mass: f64,
     /// Mass centre (m) in the segment's axes.

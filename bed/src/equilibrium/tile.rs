@@ -209,7 +209,7 @@ impl<'a> Patch<'a> {
             let columns = bent.map(|row| pose.attitude.to_inertial(row));
             let bed =
                 [0, 1, 2].map(|k| pose.attitude.to_inertial([columns[0][k], columns[1][k], columns[2][k]]));
-            (0..3).for_each(|i| (0..3).for_each(|j| pull.hessian[i][j] -= touch.force() * bed[i][j]));
+            (0..3).for_each(|i| (0..3).for_each(|j| pull.hessian[i][j] -= touch.tension() * bed[i][j]));
         }
         pull
     }

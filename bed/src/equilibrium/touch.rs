@@ -6,7 +6,7 @@
 //! mu N (|t| - mu N/2)/k_t. Normal and limit are those of the pass before and are renewed until they do not change.
 
 use super::bed::{ALONG, Bed};
-use crate::body::Body;
+use crate::body::{Body, Inside};
 use crate::pose::Pose;
 use crate::tissue::Line;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, norm, scale, sub, tangential};
@@ -22,6 +22,8 @@ pub struct Touch {
     pub depth: f64,
     /// Out of the tissue, in the bed's frame.
     pub normal: Vec3<f64>,
+    /// What the depth loses per way along the normal.
+    pub slope: f64,
     /// N/m.
     pub stiffness: f64,
     /// Depth (m) at which tissue presses nothing.
@@ -80,21 +82,23 @@ pub fn touch(
     if dot(away, away) >= part.shape.reach() * part.shape.reach() {
         return None;
     }
-    let (gap, normal) = part.shape.gap(pose.attitude.to_body(away));
-    if gap >= 0.0 {
-        return None;
-    }
-    let Line { slope, rest } = line();
+    let Inside { depth, normal, slope } = part.shape.inside(pose.attitude.to_body(away))?;
+    let Line { slope: share, rest } = line();
     let layer = part.foundation * bed.lattice.cell();
-    let (stiffness, along) = (slope * layer, ALONG * layer);
+    let (stiffness, along) = (share * layer, ALONG * layer);
     let normal = pose.attitude.to_inertial(normal);
-    (-gap > rest).then_some(Touch { node, segment, depth: -gap, normal, stiffness, rest, along })
+    (depth > rest).then_some(Touch { node, segment, depth, normal, slope, stiffness, rest, along })
 }
 
 impl Touch {
     /// Normal force (N).
     #[must_use]
     pub fn force(&self) -> f64 {
+        self.slope * self.tension()
+    }
+
+    /// What the layer's energy gains per depth (N).
+    pub(super) fn tension(&self) -> f64 {
         self.stiffness * (self.depth - self.rest)
     }
 
@@ -106,7 +110,8 @@ impl Touch {
     /// Gradient and Hessian without that of the surface's curvature, which is negative.
     pub(super) fn pull(&self) -> Pull {
         let n = self.normal;
-        Pull { gradient: scale(n, -self.force()), hessian: n.map(|x| scale(n, self.stiffness * x)) }
+        let stiffness = self.stiffness * self.slope * self.slope;
+        Pull { gradient: scale(n, -self.force()), hessian: n.map(|x| scale(n, stiffness * x)) }
     }
 
     /// What friction can hold from here on, with a force that it holds already (on the tissue, in the bed's frame).
@@ -144,7 +149,16 @@ impl Anchor {
     pub(super) fn without_touch(&self, node: usize, pose: &Pose) -> Touch {
         let normal = pose.attitude.to_inertial(self.normal);
         let along = self.stiffness;
-        Touch { node, segment: self.segment, depth: 0.0, normal, stiffness: 0.0, rest: 0.0, along }
+        Touch {
+            node,
+            segment: self.segment,
+            depth: 0.0,
+            normal,
+            slope: 1.0,
+            stiffness: 0.0,
+            rest: 0.0,
+            along,
+        }
     }
 
     /// Energy (J) that the surface holds.

@@ -5,6 +5,8 @@
 //! presses on a point is read off the sheet below it, between nodes.
 
 use super::{Layout, Load};
+use crate::body::mesh::Patch;
+use crate::body::{Shape, Surface};
 use crate::equilibrium::{Bed, Solution};
 use crate::map::{Grid, Site};
 use crate::pose::Pose;
@@ -86,37 +88,49 @@ pub struct SkinPoint {
     pub normal: Vec3<f64>,
 }
 
-/// Points of a load's skin, but for its front, with their sites.
+/// Points of a load's skin, but for the front of boxes, with their sites.
 #[must_use]
 pub fn skin(load: &Load) -> (Vec<SkinPoint>, Vec<Site>) {
     let (mut points, mut sites) = (Vec::new(), Vec::new());
     for (segment, part) in load.body.segments.iter().enumerate() {
-        let (half, radius) = (part.shape.half, part.shape.radius);
-        // Looked at along each axis from either side; what looks up belongs to no bed.
-        for (axis, side) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0), (2, -1.0)] {
-            let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
-            let count = |k: usize| ((2.0 * (half[k] + radius)) / SKIN).ceil() as usize;
-            let at = |n: usize, k: usize| (n as f64 + 0.5) * SKIN - 0.5 * count(k) as f64 * SKIN;
-            for n in 0..count(u) * count(v) {
-                let (a, b) = (at(n % count(u), u), at(n / count(u), v));
-                let beyond = |x: f64, k: usize| x - x.clamp(-half[k], half[k]);
-                let mut normal = [0.0; 3];
-                (normal[u], normal[v]) = (beyond(a, u) / radius, beyond(b, v) / radius);
-                let left = 1.0 - normal[u] * normal[u] - normal[v] * normal[v];
-                normal[axis] = side * left.max(0.0).sqrt();
-                if left <= 0.0 || normal[axis].abs() < normal[u].abs().max(normal[v].abs()) {
-                    continue;
-                }
-                let mut place = [0.0; 3];
-                (place[u], place[v]) = (a, b);
-                place[axis] = side * half[axis] + radius * normal[axis];
-                let region = load.figure.as_ref().and_then(|f| f.region(segment, place, normal));
-                points.push(SkinPoint { segment, place, normal });
-                sites.push(Site { area: SKIN * SKIN / normal[axis].abs(), region });
-            }
+        let patches = match &part.shape {
+            Surface::Round(shape) => round(shape),
+            Surface::Mesh(solid) => solid.skin(SKIN),
+        };
+        for Patch { place, normal, area } in patches {
+            let region = load.figure.as_ref().and_then(|f| f.region(segment, place, normal));
+            points.push(SkinPoint { segment, place, normal });
+            sites.push(Site { area, region });
         }
     }
     (points, sites)
+}
+
+/// Patches of a box with round edges, looked at along each axis from either side; what looks up belongs to no bed.
+fn round(shape: &Shape) -> Vec<Patch> {
+    let Shape { half, radius } = *shape;
+    let mut patches = Vec::new();
+    for (axis, side) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0), (2, -1.0)] {
+        let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+        let count = |k: usize| ((2.0 * (half[k] + radius)) / SKIN).ceil() as usize;
+        let at = |n: usize, k: usize| (n as f64 + 0.5) * SKIN - 0.5 * count(k) as f64 * SKIN;
+        for n in 0..count(u) * count(v) {
+            let (a, b) = (at(n % count(u), u), at(n / count(u), v));
+            let beyond = |x: f64, k: usize| x - x.clamp(-half[k], half[k]);
+            let mut normal = [0.0; 3];
+            (normal[u], normal[v]) = (beyond(a, u) / radius, beyond(b, v) / radius);
+            let left = 1.0 - normal[u] * normal[u] - normal[v] * normal[v];
+            normal[axis] = side * left.max(0.0).sqrt();
+            if left <= 0.0 || normal[axis].abs() < normal[u].abs().max(normal[v].abs()) {
+                continue;
+            }
+            let mut place = [0.0; 3];
+            (place[u], place[v]) = (a, b);
+            place[axis] = side * half[axis] + radius * normal[axis];
+            patches.push(Patch { place, normal, area: SKIN * SKIN / normal[axis].abs() });
+        }
+    }
+    patches
 }
 
 /// What the skin feels.

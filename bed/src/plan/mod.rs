@@ -181,10 +181,7 @@ impl Load {
     #[must_use]
     pub fn placed(mut self, [x, y]: [f64; 2]) -> Load {
         let bottom = |(segment, pose): (&crate::body::Segment, &Pose)| {
-            let half = segment.shape.half;
-            let axes = pose.attitude.axes();
-            let down: f64 = (0..3).map(|k| half[k] * axes[k][2].abs()).sum();
-            pose.place[2] - down - segment.shape.radius
+            pose.place[2] - segment.shape.extent(pose.attitude.to_body([0.0, 0.0, -1.0]))
         };
         let lowest = self.body.segments.iter().zip(&self.poses).map(bottom).fold(f64::INFINITY, f64::min);
         // Bladders bulge by some 40 mm; tissue and sheets give way to as much.

@@ -14,7 +14,7 @@ const BALL: f64 = 5.0;
 fn ball() -> Body {
     let segment = Segment {
         name: "ball".to_owned(),
-        shape: Shape::ball(0.1),
+        shape: Shape::ball(0.1).into(),
         mass: BALL,
         centre: [0.0; 3],
         foundation: 2e6,
@@ -37,7 +37,7 @@ fn between_four(intervals: usize, friction: f64, shape: Shape, step: f64) -> Mot
     let mut bed = crate::rest::four([intervals; 2], Air::Regulated(4000.0), friction);
     bed.friction = friction;
     let mut body = ball();
-    body.segments[0].shape = shape;
+    body.segments[0].shape = shape.into();
     body.segments[0].mass = 15.0;
     let state = dropped(&bed, &body, &[Pose::at([0.01, -0.01, 0.3])], 0.02).expect("sheets at rest");
     Motion::new(bed, body, state, Matter::default(), Method::Bdf2, step)

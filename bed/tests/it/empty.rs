@@ -115,7 +115,7 @@ fn a_sheet_comes_to_the_same_end_by_itself_and_with_the_bed() {
         let airs: Vec<Air> = bed.tiles.iter().map(|tile| tile.air).collect();
         let body = Body::single(Segment {
             name: "ball".to_owned(),
-            shape: Shape::ball(0.05),
+            shape: Shape::ball(0.05).into(),
             mass: 1.0,
             centre: [0.0; 3],
             foundation: 1e6,

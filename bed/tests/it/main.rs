@@ -6,6 +6,7 @@ mod dynamics;
 mod empty;
 mod figure;
 mod files;
+mod mesh;
 mod metrics;
 mod plan;
 mod policy;

@@ -13,7 +13,8 @@ use smartbed_bed::sheet::air::AMBIENT;
 fn slab(mass: f64) -> Load {
     let shape = Shape { half: [0.1, 0.15, 0.02], radius: 0.03 };
     let name = "slab".to_owned();
-    let segment = Segment { name, shape, mass, centre: [0.0; 3], foundation: 1e6, free: [true; 6] };
+    let segment =
+        Segment { name, shape: shape.into(), mass, centre: [0.0; 3], foundation: 1e6, free: [true; 6] };
     Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None }.placed([0.0; 2])
 }
 
@@ -178,7 +179,14 @@ fn a_finer_sheet_changes_the_peak_pressure_index_little() {
         p.pressure = 2000.0;
         let name = "ball".to_owned();
         let shape = Shape::ball(0.1);
-        let segment = Segment { name, shape, mass: 5.0, centre: [0.0; 3], foundation: 2e6, free: [true; 6] };
+        let segment = Segment {
+            name,
+            shape: shape.into(),
+            mass: 5.0,
+            centre: [0.0; 3],
+            foundation: 2e6,
+            free: [true; 6],
+        };
         let load = Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None };
         p.load = load.placed([0.0; 2]);
         p.seconds = 0.0;

@@ -11,7 +11,7 @@ use smartbed_runtime::vec3::{dot, norm, sub};
 
 fn segment(shape: Shape, mass: f64) -> Segment {
     let name = "load".to_owned();
-    Segment { name, shape, mass, centre: [0.0; 3], foundation: 2e6, free: [true; 6] }
+    Segment { name, shape: shape.into(), mass, centre: [0.0; 3], foundation: 2e6, free: [true; 6] }
 }
 
 fn place(bed: &Bed, body: &Body, poses: Vec<Pose>) -> Solution {

@@ -139,7 +139,7 @@ fn gradients_are_differences_of_the_energy() {
 fn held(shape: Shape, foundation: f64, height: f64) -> (Body, Pose) {
     let segment = Segment {
         name: "piston".to_owned(),
-        shape,
+        shape: shape.into(),
         mass: 0.0,
         centre: [0.0; 3],
         foundation,

@@ -10,7 +10,8 @@ fn what_the_thesis_says_of_soft_manipulation_is_shown_or_refuted() {
     let layout = Layout { rows: 1, columns: 1, intervals: [16, 20], ..Layout::default() };
     let shape = Shape { half: [0.05, 0.05, 0.0], radius: 0.06 };
     let name = "body".to_owned();
-    let segment = Segment { name, shape, mass: 6.0, centre: [0.0; 3], foundation: 1e6, free: [true; 6] };
+    let segment =
+        Segment { name, shape: shape.into(), mass: 6.0, centre: [0.0; 3], foundation: 1e6, free: [true; 6] };
     let load = Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None };
     let plan = Plan {
         title: "soft".to_owned(),

@@ -81,9 +81,19 @@ class Space {
     return mesh;
   }
 
-  // A box with round edges as its ball or, longer, as balls at the corners' middles and a box between.
-  segment([a, b, c, r]) {
+  // A mesh as it is; a box with round edges as its ball or, longer, as balls at the corners' middles and a box between.
+  segment(shape) {
     const group = new THREE.Group(), skin = new THREE.MeshLambertMaterial({ color: 0xe0b49a, transparent: true, opacity: 0.55 });
+    if (shape.corners) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(shape.corners), 3));
+      geometry.setIndex(shape.triangles);
+      geometry.computeVertexNormals();
+      group.add(new THREE.Mesh(geometry, skin));
+      this.scene.add(group);
+      return group;
+    }
+    const [a, b, c, r] = shape;
     const put = (geometry, x, y, z) => { const mesh = new THREE.Mesh(geometry, skin); mesh.position.set(x, y, z); group.add(mesh); };
     for (const x of a ? [-a, a] : [0]) for (const y of b ? [-b, b] : [0]) for (const z of c ? [-c, c] : [0]) put(new THREE.SphereGeometry(r, 16, 12), x, y, z);
     if (a + b + c) put(new THREE.BoxGeometry(2 * a + (a ? 0 : 1.6 * r), 2 * b + (b ? 0 : 1.6 * r), 2 * c + (c ? 0 : 1.6 * r)), 0, 0, 0);

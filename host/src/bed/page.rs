@@ -9,6 +9,7 @@ use crate::number::json_string;
 use crate::plot::svg::escaped;
 use crate::template::filled;
 use crate::view::THREE;
+use smartbed_bed::body::{Shape, Surface};
 use smartbed_bed::metrics::DISCLAIMER;
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::plan::Plan;
@@ -17,6 +18,8 @@ use std::fmt::Write as _;
 
 const PAGE: &str = include_str!("page.html");
 const SCRIPT: &str = include_str!("page.js");
+/// Most triangles of a mesh that a page shows.
+const MOST_TRIANGLES: usize = 4000;
 
 /// The page's text.
 pub fn text(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]) -> String {
@@ -55,6 +58,19 @@ fn tables(metrics: &[(&'static str, Vec<Row>)]) -> String {
     text
 }
 
+/// A segment's shape: half its sides and the radius around them, or a mesh's corners and triangles.
+fn shape(surface: &Surface) -> String {
+    match surface {
+        Surface::Round(Shape { half: [a, b, c], radius }) => format!("[{a:.4},{b:.4},{c:.4},{radius:.4}]"),
+        Surface::Mesh(solid) => {
+            let mesh = solid.coarse(MOST_TRIANGLES);
+            let corners: Vec<String> = mesh.corners.iter().flatten().map(|x| format!("{x:.4}")).collect();
+            let triangles: Vec<String> = mesh.triangles.iter().flatten().map(usize::to_string).collect();
+            format!("{{\"corners\":[{}],\"triangles\":[{}]}}", corners.join(","), triangles.join(","))
+        }
+    }
+}
+
 /// What does not move as JSON, frames as [`film::bytes`].
 fn data(plan: &Plan, history: &History) -> String {
     let joined = |values: &mut dyn Iterator<Item = String>| values.collect::<Vec<_>>().join(",");
@@ -66,10 +82,7 @@ fn data(plan: &Plan, history: &History) -> String {
         let [x, y] = layout.middle(tile);
         format!("[{x:.4},{y:.4}]")
     }));
-    let segments = joined(&mut plan.load.body.segments.iter().map(|segment| {
-        let [a, b, c] = segment.shape.half;
-        format!("[{a:.4},{b:.4},{c:.4},{:.4}]", segment.shape.radius)
-    }));
+    let segments = joined(&mut plan.load.body.segments.iter().map(|segment| shape(&segment.shape)));
     let times = joined(&mut history.sensels.frames().iter().map(|frame| format!("{:.3}", frame.time)));
     let text = format!(
         "{{\"title\":{},\"note\":{},\"tiles\":[{},{}],\"size\":[{},{}],\"middles\":[{middles}],\"across\":[{}],\"along\":[{}],\

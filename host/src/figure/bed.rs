@@ -9,7 +9,7 @@ use crate::plan_file::PlanFile;
 use crate::plot::chart::{LARGE, SMALL, line, text};
 use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 use crate::progress::Progress;
-use smartbed_bed::body::Shape;
+use smartbed_bed::body::Surface;
 use smartbed_bed::map::MMHG;
 use smartbed_bed::plan::Plan;
 use smartbed_bed::plan::history::{History, Moment, RunError};
@@ -108,20 +108,11 @@ fn section(plan: &Plan, history: &History, moment: &Moment, middle: (f64, f64), 
 }
 
 /// The outline of a shape as seen along the axis that is neither `u` nor `v`: the farthest points in all directions.
-fn outline(shape: &Shape, pose: &Pose, u: usize, v: usize) -> Vec<[f64; 2]> {
-    let axes = pose.attitude.axes();
+fn outline(shape: &Surface, pose: &Pose, u: usize, v: usize) -> Vec<[f64; 2]> {
     let farthest = |angle: f64| {
         let mut direction = [0.0; 3];
         (direction[u], direction[v]) = (angle.cos(), angle.sin());
-        let place: [f64; 3] = std::array::from_fn(|k| {
-            let along = |axis: usize| {
-                let towards: f64 = (0..3).map(|n| axes[axis][n] * direction[n]).sum();
-                // A side that the direction is square to is halved.
-                let sign = if towards.abs() < 1e-9 { 0.0 } else { towards.signum() };
-                sign * shape.half[axis] * axes[axis][k]
-            };
-            pose.place[k] + (0..3).map(along).sum::<f64>() + shape.radius * direction[k]
-        });
+        let place = pose.outwards(shape.farthest(pose.attitude.to_body(direction)));
         [place[u], place[v]]
     };
     (0..=96).map(|n| farthest(f64::from(n) / 96.0 * std::f64::consts::TAU)).collect()

@@ -1,14 +1,17 @@
-//! What lies on the bed: a patient, or a ball, a cylinder or a plate.
+//! What lies on the bed: a patient, or a ball, a cylinder, a plate or a mesh.
 
+use super::mesh;
 use crate::world::read::value::{Bound, list, needed, number, one_of};
 use smartbed_bed::body::anthropometry::Table as Anthropometry;
 use smartbed_bed::body::figure::{Angles, Figure, Posture};
-use smartbed_bed::body::{Body, Segment, Shape};
+use smartbed_bed::body::{Body, Segment, Shape, Surface};
 use smartbed_bed::plan::Load;
 use smartbed_bed::pose::Pose;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};
+use smartbed_runtime::vec3::norm;
+use std::sync::Arc;
 
 /// Tables by name.
 const TABLES: [(&str, Anthropometry); 3] = [
@@ -20,13 +23,13 @@ const TABLES: [(&str, Anthropometry); 3] = [
 const POSTURES: [(&str, Posture); 3] =
     [("supine", Posture::Supine), ("side_lying", Posture::SideLying), ("sitting", Posture::Sitting)];
 /// Shapes by name.
-const SHAPES: [&str; 3] = ["ball", "cylinder", "plate"];
+const SHAPES: [&str; 4] = ["ball", "cylinder", "plate", "mesh"];
 
-/// Reads `[patient]` or `[load]`; a plan without either has an empty bed.
-pub(super) fn read(plan: &Fields<'_>, found: &mut Diagnostics) -> Option<Load> {
+/// Reads `[patient]` or `[load]` of the plan at a path; a plan without either has an empty bed.
+pub(super) fn read(plan: &Fields<'_>, path: &str, found: &mut Diagnostics) -> Option<Load> {
     match (plan.table("patient", found), plan.table("load", found)) {
         (Some(table), None) => patient(table, found),
-        (None, Some(table)) => solid(table, found),
+        (None, Some(table)) => solid(table, path, found),
         (None, None) => Some(Load { body: Body::default(), poses: Vec::new(), figure: None }),
         (Some(_), Some(table)) => {
             let error = Diagnostic::error("a bed bears a patient or a load, not both");
@@ -94,30 +97,60 @@ fn joints(table: &Table, found: &mut Diagnostics) -> Option<Vec<(String, Angles)
     table.entries.iter().map(one).collect()
 }
 
-fn solid(table: &Table, found: &mut Diagnostics) -> Option<Load> {
+fn solid(table: &Table, plan: &str, found: &mut Diagnostics) -> Option<Load> {
     let fields = Fields::of("load", table.span, table);
     let word = fields.need("shape", "\"ball\"", found)?;
     let Value::Text(text) = word else {
-        found.push(wrong_kind("shape", "ball, cylinder or plate", word));
+        found.push(wrong_kind("shape", "ball, cylinder, plate or mesh", word));
         return None;
     };
     let kind = one_of(&text.text, text.span, ("shape", &SHAPES), found)?;
-    let radius = needed(&fields, "radius", ("m", "\"0.1_m\""), found);
+    let surface = if kind == "mesh" { of_mesh(&fields, plan, found) } else { round(&fields, kind, found) };
+    let mass = needed(&fields, "mass", ("kg", "\"10_kg\""), found);
+    let foundation = number(&fields, "foundation", "Pa/m", Bound::Positive, found).unwrap_or(1e7);
+    let turn = fields.get("turn").map_or(Some([0.0; 3]), |value| list::<3>(value, "turn", "", found));
+    let place = place(&fields, found);
+    fields.finish(found);
+    let ((shape, own), turn) = (surface?, turn?);
+    let angle = norm(turn);
+    let axis = if angle > 0.0 { turn.map(|x| x / angle) } else { [1.0, 0.0, 0.0] };
+    let pose = Pose::turned([0.0; 3], axis, angle).of(&own);
+    let name = kind.to_owned();
+    let segment = Segment { name, shape, mass: mass?, centre: [0.0; 3], foundation, free: [true; 6] };
+    let load = Load { body: Body::single(segment), poses: vec![pose], figure: None };
+    Some(load.placed(place?))
+}
+
+/// A box with round edges, its axes those of the load.
+fn round(fields: &Fields<'_>, kind: &str, found: &mut Diagnostics) -> Option<(Surface, Pose)> {
+    let radius = needed(fields, "radius", ("m", "\"0.1_m\""), found);
     let half = match kind {
         "ball" => Some([0.0; 3]),
-        "cylinder" => needed(&fields, "length", ("m", "\"0.4_m\""), found).map(|l| [0.5 * l, 0.0, 0.0]),
+        "cylinder" => needed(fields, "length", ("m", "\"0.4_m\""), found).map(|l| [0.5 * l, 0.0, 0.0]),
         _ => {
             let value = fields.need("size", "[\"0.3_m\", \"0.4_m\", \"0.02_m\"]", found)?;
             list::<3>(value, "size", "m", found).map(|size| size.map(|s| (0.5 * s).max(0.0)))
         }
     };
-    let mass = needed(&fields, "mass", ("kg", "\"10_kg\""), found);
-    let foundation = number(&fields, "foundation", "Pa/m", Bound::Positive, found).unwrap_or(1e7);
-    let place = place(&fields, found);
-    fields.finish(found);
-    let shape = Shape { half: half?, radius: radius? };
-    let name = kind.to_owned();
-    let segment = Segment { name, shape, mass: mass?, centre: [0.0; 3], foundation, free: [true; 6] };
-    let load = Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None };
-    Some(load.placed(place?))
+    Some((Shape { half: half?, radius: radius? }.into(), Pose::at([0.0; 3])))
+}
+
+/// A mesh's file, and the pose of its principal axes.
+fn of_mesh(fields: &Fields<'_>, plan: &str, found: &mut Diagnostics) -> Option<(Surface, Pose)> {
+    let value = fields.need("file", "\"body.stl\"", found)?;
+    let unit = number(fields, "unit", "m", Bound::Positive, found).unwrap_or(1.0);
+    let Value::Text(file) = value else {
+        found.push(wrong_kind("file", "the name of a mesh's file", value).help("file = \"body.stl\""));
+        return None;
+    };
+    match mesh::read(&mesh::path(plan, &file.text), unit) {
+        Ok((solid, pose)) => Some((Surface::Mesh(Arc::new(solid)), pose)),
+        Err(what) => {
+            let error = Diagnostic::error(format!("{}: {what}", file.text)).label(file.span, "this mesh");
+            found.push(error.help(
+                "a closed surface of triangles as .obj, .stl or .msh beside the plan; unit = \"1_mm\" says how long its unit is",
+            ));
+            None
+        }
+    }
 }

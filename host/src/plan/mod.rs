@@ -1,10 +1,13 @@
 //! Plan text -> [`Plan`] of the bed: layout, load, moves, run; all errors with their places.
 //!
 //! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
-//! limits, or what is wrong. `load` reads what lies on the bed, `sensing` what it is read by, `policy` who decides.
+//! limits, or what is wrong. `load` reads what lies on the bed (`mesh` its
+//! file, if it has one), `sensing` what it is read by, `policy` who decides.
 
 mod dynamics;
+mod gmsh;
 mod load;
+pub mod mesh;
 pub mod policy;
 pub mod sensing;
 
@@ -18,6 +21,7 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
 use smartbed_codegen::source::{Source, Span};
+use std::path::PathBuf;
 
 /// Most equilibria of a run.
 const MOST_EQUILIBRIA: f64 = 100_000.0;
@@ -75,6 +79,18 @@ pub fn parse(path: &str, text: &str, settings: &[String]) -> Result<Read, Diagno
     }
 }
 
+/// The mesh that a plan names, if it names one: what its results depend on beside its text.
+#[must_use]
+pub fn mesh_file(path: &str, text: &str, settings: &[String]) -> Option<PathBuf> {
+    let mut found = Diagnostics::new(Source::new(path, text));
+    let table = settings::apply(document::parse(text, 0).ok()?, settings, &mut found);
+    let load = Fields::of("plan", table.span, &table).table("load", &mut found)?;
+    match Fields::of("load", load.span, load).get("file")? {
+        Value::Text(file) => Some(mesh::path(path, &file.text)),
+        _ => None,
+    }
+}
+
 /// Holds a plan against its limits.
 ///
 /// # Errors
@@ -97,7 +113,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let title = fields.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
     let empty = Table::default();
     let (layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
-    let load = load::read(&fields, found)?;
+    let load = load::read(&fields, path, found)?;
     let (seconds, every, cycle, is_motion, parts) =
         timing(fields.table("run", found).unwrap_or(&empty), found)?;
     let in_motion = if is_motion { seconds } else { 0.0 };

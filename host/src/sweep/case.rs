@@ -1,7 +1,7 @@
 //! One case of a sweep: its settings, its file, its row of the table.
 //!
-//! A result names version, command, settings and the hash (SHA-256) of the plan's text, so that it can be made again; a
-//! file of another plan, version or setting does not count as done.
+//! A result names version, command, settings and the hashes (SHA-256) of the plan's text and of the mesh that it names, so
+//! that it can be made again; a file of another plan, mesh, version or setting does not count as done.
 
 use crate::failure::Failure;
 use crate::number::{json_number, json_string};
@@ -9,6 +9,7 @@ use crate::plan::Axes;
 use crate::plan_file::PlanFile;
 use crate::{bed, input};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Most cases of a sweep.
@@ -27,6 +28,8 @@ pub struct Case {
     /// What the sweep sets, by key.
     values: Vec<(String, String)>,
     hash: String,
+    /// Of the mesh, if there is one.
+    mesh: Option<String>,
 }
 
 /// All cases of a plan.
@@ -41,8 +44,14 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
     if count > MOST {
         return Err(Failure::Wrong(format!("{name}: its [sweep] has more than {MOST} cases")));
     }
-    let hash: String =
-        Sha256::digest(plan.text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+    let hash = hex(plan.text.as_bytes());
+    let mut meshes: BTreeMap<PathBuf, String> = BTreeMap::new();
+    let mut mesh = |settings: &[String]| {
+        let path = plan.mesh(settings)?;
+        // One that cannot be read ends its case, by name.
+        let own = || crate::plan::mesh::bytes(&path).map(|bytes| hex(&bytes)).unwrap_or_default();
+        Some(meshes.entry(path.clone()).or_insert_with(own).clone())
+    };
     let one = |number: usize| {
         let (mut rest, mut values) = (number, Vec::new());
         for (key, known) in axes.iter().rev() {
@@ -51,10 +60,16 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
         }
         values.reverse();
         let swept = values.iter().map(|(key, value)| format!("{key}={value}"));
-        let settings = settings.iter().cloned().chain(swept).collect();
-        Case { number, name: name.to_owned(), plan: plan.clone(), settings, values, hash: hash.clone() }
+        let settings: Vec<String> = settings.iter().cloned().chain(swept).collect();
+        let mesh = mesh(&settings);
+        Case { number, name: name.to_owned(), plan: plan.clone(), settings, values, hash: hash.clone(), mesh }
     };
     Ok((0..count).map(one).collect())
+}
+
+/// SHA-256 in letters.
+fn hex(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 impl Case {
@@ -72,8 +87,10 @@ impl Case {
     /// What its file begins with.
     fn head(&self) -> String {
         let settings: Vec<String> = self.settings.iter().map(|s| json_string(s)).collect();
+        let mesh =
+            self.mesh.as_ref().map_or_else(String::new, |mesh| format!("\"mesh_sha256\": \"{mesh}\", "));
         format!(
-            "{{\"version\": {}, \"command\": {}, \"plan_sha256\": {}, \"settings\": [{}], ",
+            "{{\"version\": {}, \"command\": {}, \"plan_sha256\": {}, {mesh}\"settings\": [{}], ",
             json_string(env!("CARGO_PKG_VERSION")),
             json_string(&format!("smartbed sweep {}", self.name)),
             json_string(&self.hash),

@@ -56,6 +56,7 @@ fn every_key_of_a_plan_is_in_the_manual() {
         ("patient", "[patient]\nzzzzzzzzzzzz = 1"),
         ("load", "[load]\nshape = \"cylinder\"\nradius = 1\nmass = 1\nlength = 1\nzzzzzzzzzzzz = 1"),
         ("load", "[load]\nshape = \"plate\"\nradius = 1\nmass = 1\nsize = [1, 1, 1]\nzzzzzzzzzzzz = 1"),
+        ("load", "[load]\nshape = \"mesh\"\nfile = \"a.stl\"\nunit = 1\nmass = 1\nzzzzzzzzzzzz = 1"),
         ("move", "[[move]]\ntiles = \"all\"\nheave = 0\nzzzzzzzzzzzz = 1"),
         ("alternating", "[alternating]\nlow = 1\nzzzzzzzzzzzz = 1"),
         ("sensors", "[sensors]\nzzzzzzzzzzzz = 1"),
@@ -129,6 +130,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
     let faults = [Fault::Collapsed(3, -1e-3), Fault::NotFound(1.0, 2.0)];
     let runs = faults.map(|fault| RunError::Fault(10.0, fault)).into_iter();
     found.extend(runs.chain([RunError::Invalid(10.0, 1e-3)]).map(|error| error.to_string()));
+    found.extend(crate::bed_mesh::refusals());
     let bounds =
         [(1, 1.2), (4, 9.0)].map(|(most_low, support)| Bounds { most_low, support, ..Bounds::default() });
     found.extend(bounds.map(|bounds| {

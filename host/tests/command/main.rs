@@ -2,6 +2,7 @@
 
 mod bed;
 mod bed_manual;
+mod bed_mesh;
 mod bed_page;
 mod browser;
 mod check_and_derive;

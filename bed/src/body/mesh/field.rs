@@ -1,0 +1,155 @@
+//! A smooth field of the distance: cubic splines through values on a grid.
+//!
+//! In: the bounds of a surface and its distance at a point. Out: value, gradient and second derivatives anywhere near, all
+//! continuous, f = sum c_ijk B(x - i) B(y - j) B(z - k), through the exact distance at every point of the grid, with
+//! natural ends. A smooth surface is met to h^4; faces that meet are rounded over about a cell h.
+
+use crate::equilibrium::side_by_side;
+use smartbed_runtime::vec3::Vec3;
+
+/// Points of the grid within the bounds, about.
+const POINTS: f64 = 3e5;
+/// Smallest cell (m).
+const SMALLEST: f64 = 5e-4;
+/// Cells around the bounds.
+const AROUND: usize = 3;
+
+/// Values on a grid, as coefficients of splines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    cell: f64,
+    start: Vec3<f64>,
+    counts: [usize; 3],
+    coefficients: Vec<f64>,
+}
+
+/// Distance (m) with its first and second derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Near {
+    /// m.
+    pub distance: f64,
+    /// Of length 1 but where faces meet.
+    pub gradient: Vec3<f64>,
+    /// 1/m.
+    pub hessian: [Vec3<f64>; 3],
+}
+
+/// Distance of a grid's points within bounds (m).
+pub(super) fn cell([low, high]: &[Vec3<f64>; 2]) -> f64 {
+    let volume: f64 = (0..3).map(|k| high[k] - low[k]).product();
+    (volume / POINTS).cbrt().max(SMALLEST)
+}
+
+impl Field {
+    /// Fills a grid around bounds; `distance` is told how far the surface is at most.
+    pub(super) fn new(bounds: [Vec3<f64>; 2], distance: impl Fn(Vec3<f64>, f64) -> f64 + Sync) -> Field {
+        let sides = [0, 1, 2].map(|k| bounds[1][k] - bounds[0][k]);
+        let cell = cell(&bounds);
+        let counts = sides.map(|side| (side / cell).ceil() as usize + 1 + 2 * AROUND);
+        let start = [0, 1, 2].map(|k| {
+            let spare = (counts[k] - 1) as f64 * cell - sides[k];
+            bounds[0][k] - 0.5 * spare
+        });
+        let at = |i: usize, j: usize, k: usize| {
+            let cells = [i, j, k];
+            [0, 1, 2].map(|axis| start[axis] + cells[axis] as f64 * cell)
+        };
+        let slab = |k: usize| {
+            let mut values = Vec::with_capacity(counts[0] * counts[1]);
+            for j in 0..counts[1] {
+                // A step along a row changes the distance by no more than its length.
+                let mut near = f64::INFINITY;
+                for i in 0..counts[0] {
+                    let value: f64 = distance(at(i, j, k), near);
+                    near = value.abs() + cell;
+                    values.push(value);
+                }
+            }
+            values
+        };
+        let mut coefficients = side_by_side::run(counts[2], slab).concat();
+        let strides = [1, counts[0], counts[0] * counts[1]];
+        for axis in 0..3 {
+            for line in 0..coefficients.len() / counts[axis] {
+                let (low, high) = (line % strides[axis], line / strides[axis]);
+                let first = high * strides[axis] * counts[axis] + low;
+                through(&mut coefficients[first..], strides[axis], counts[axis]);
+            }
+        }
+        Field { cell, start, counts, coefficients }
+    }
+
+    /// Distance of the grid's points (m).
+    #[must_use]
+    pub fn cell(&self) -> f64 {
+        self.cell
+    }
+
+    /// The field at a point no further than two cells beyond the bounds; none elsewhere.
+    #[must_use]
+    pub fn near(&self, point: Vec3<f64>) -> Option<Near> {
+        let (mut first, mut weights) = ([0; 3], [[[0.0; 3]; 4]; 3]);
+        for axis in 0..3 {
+            let x = (point[axis] - self.start[axis]) / self.cell;
+            if !(1.0..(self.counts[axis] - 2) as f64).contains(&x) {
+                return None;
+            }
+            first[axis] = x as usize - 1;
+            weights[axis] = splines(x.fract());
+        }
+        let [wx, wy, wz] = weights;
+        // Sums over a row of values, first and second derivatives along x, then over y, then over z.
+        let mut sums = [0.0; 10];
+        for (k, [w, dw, ddw]) in wz.into_iter().enumerate() {
+            let mut plane = [0.0; 6];
+            for (j, wy) in wy.iter().enumerate() {
+                let from = ((first[2] + k) * self.counts[1] + first[1] + j) * self.counts[0] + first[0];
+                let row = &self.coefficients[from..from + 4];
+                let x = [0, 1, 2].map(|of| row.iter().zip(&wx).map(|(c, w)| c * w[of]).sum::<f64>());
+                for (own, (dx, dy)) in plane.iter_mut().zip(ORDERS) {
+                    *own += x[dx] * wy[dy];
+                }
+            }
+            let [f, fx, fy, fxx, fxy, fyy] = plane;
+            let values = [f, fx, fy, fxx, fxy, fyy].map(|value| value * w).into_iter();
+            let terms = values.chain([f * dw, fx * dw, fy * dw, f * ddw]);
+            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+        }
+        let (h, square) = (self.cell, self.cell * self.cell);
+        let [f, fx, fy, fxx, fxy, fyy, fz, fxz, fyz, fzz] = sums;
+        Some(Near {
+            distance: f,
+            gradient: [fx, fy, fz].map(|g| g / h),
+            hessian: [[fxx, fxy, fxz], [fxy, fyy, fyz], [fxz, fyz, fzz]].map(|row| row.map(|x| x / square)),
+        })
+    }
+}
+
+/// Orders of derivatives by x and y that a plane sums up.
+const ORDERS: [(usize, usize); 6] = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
+
+/// The four splines over a cell at a share of it, each with first and second derivatives.
+fn splines(t: f64) -> [[f64; 3]; 4] {
+    let s = 1.0 - t;
+    let inner = |t: f64| (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0;
+    [
+        [s * s * s / 6.0, -0.5 * s * s, s],
+        [inner(t), 1.5 * t * t - 2.0 * t, 3.0 * t - 2.0],
+        [inner(s), 2.0 * s - 1.5 * s * s, 3.0 * s - 2.0],
+        [t * t * t / 6.0, 0.5 * t * t, t],
+    ]
+}
+
+/// Values along a line become coefficients: c_0 = f_0, c_i-1 + 4 c_i + c_i+1 = 6 f_i, c_n = f_n.
+fn through(values: &mut [f64], stride: usize, count: usize) {
+    let mut factors = vec![0.0; count];
+    for i in 1..count - 1 {
+        let before = values[(i - 1) * stride];
+        factors[i] = 1.0 / (4.0 - factors[i - 1]);
+        values[i * stride] = (6.0 * values[i * stride] - before) * factors[i];
+    }
+    // The line ahead of the last: its neighbour is known.
+    for i in (1..count - 1).rev() {
+        values[i * stride] -= factors[i] * values[(i + 1) * stride];
+    }
+}

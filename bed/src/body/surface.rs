@@ -1,0 +1,119 @@
+//! What a segment is outside: a box with round edges, or a mesh.
+//!
+//! In: a point in the segment's axes. Out: how deep it lies and which way out leads; moments and extents of the whole.
+
+use super::mesh::Solid;
+use super::shape::Shape;
+use smartbed_runtime::vec3::{Vec3, dot, norm, scale};
+use std::sync::Arc;
+
+/// A segment's surface.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Surface {
+    /// A box with round edges.
+    Round(Shape),
+    /// A mesh in its principal axes about its mass centre.
+    Mesh(Arc<Solid>),
+}
+
+/// Where a point lies that is inside of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inside {
+    /// m, > 0.
+    pub depth: f64,
+    /// The way out, of length 1.
+    pub normal: Vec3<f64>,
+    /// What the depth loses per way along the normal: 1, less where faces of a mesh meet.
+    pub slope: f64,
+}
+
+impl From<Shape> for Surface {
+    fn from(shape: Shape) -> Surface {
+        Surface::Round(shape)
+    }
+}
+
+impl Surface {
+    /// How deep a point lies inside; none outside.
+    #[must_use]
+    pub fn inside(&self, point: Vec3<f64>) -> Option<Inside> {
+        match self {
+            Surface::Round(shape) => {
+                let (gap, normal) = shape.gap(point);
+                (gap < 0.0).then_some(Inside { depth: -gap, normal, slope: 1.0 })
+            }
+            Surface::Mesh(solid) => {
+                let near = solid.field().near(point)?;
+                let slope = norm(near.gradient);
+                let normal = scale(near.gradient, 1.0 / slope.max(f64::MIN_POSITIVE));
+                (near.distance < 0.0).then_some(Inside { depth: -near.distance, normal, slope })
+            }
+        }
+    }
+
+    /// Second derivatives of the distance (1/m).
+    #[must_use]
+    pub fn curvature(&self, point: Vec3<f64>) -> [Vec3<f64>; 3] {
+        match self {
+            Surface::Round(shape) => shape.curvature(point),
+            Surface::Mesh(solid) => solid.field().near(point).map_or([[0.0; 3]; 3], |near| near.hessian),
+        }
+    }
+
+    /// Distance of a point (m), below 0 inside.
+    #[must_use]
+    pub fn distance(&self, point: Vec3<f64>) -> f64 {
+        match self {
+            Surface::Round(shape) => shape.gap(point).0,
+            Surface::Mesh(solid) => {
+                solid.field().near(point).map_or_else(|| solid.distance(point), |near| near.distance)
+            }
+        }
+    }
+
+    /// No point is further from the origin than this (m).
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        match self {
+            Surface::Round(shape) => shape.reach(),
+            Surface::Mesh(solid) => solid.reach(),
+        }
+    }
+
+    /// The farthest point (m) in a direction of length 1.
+    #[must_use]
+    pub fn farthest(&self, direction: Vec3<f64>) -> Vec3<f64> {
+        match self {
+            Surface::Round(shape) => {
+                // A side that the direction is square to is halved.
+                let sign = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x.signum() };
+                [0, 1, 2].map(|k| sign(direction[k]) * shape.half[k] + shape.radius * direction[k])
+            }
+            Surface::Mesh(solid) => solid.farthest(direction),
+        }
+    }
+
+    /// How far it goes in a direction of length 1 (m).
+    #[must_use]
+    pub fn extent(&self, direction: Vec3<f64>) -> f64 {
+        dot(self.farthest(direction), direction)
+    }
+
+    /// As [`Shape::gyration`].
+    #[must_use]
+    pub fn gyration(&self) -> Vec3<f64> {
+        match self {
+            Surface::Round(shape) => shape.gyration(),
+            Surface::Mesh(solid) => solid.gyration(),
+        }
+    }
+
+    /// The box with round edges, if it is one.
+    #[must_use]
+    pub fn round(&self) -> Option<&Shape> {
+        match self {
+            Surface::Round(shape) => Some(shape),
+            Surface::Mesh(_) => None,
+        }
+    }
+}
