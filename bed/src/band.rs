@@ -1,7 +1,7 @@
 //! Symmetric positive definite matrices whose entries lie near the diagonal: Cholesky's factors and solutions.
 //!
 //! In: entries on and above the diagonal, at most `width` columns away from it. Out: U with A = U' U, in the same place.
-//! Rows are slices, so that what a row takes from those above it is a sum of slices, [`ROWS`] at a time (a
+//! Rows are slices, so that what a row takes from those above it is a sum of slices, `ROWS` at a time (a
 //! [`Kernel`]). Width n - 1 is a full matrix.
 
 use smartbed_runtime::kernel::{self, Kernel};

@@ -5,7 +5,7 @@
 //! around a corner must follow each other in one ring. Surfaces that run through themselves are not looked for.
 
 use super::mass::Moments;
-use super::{Mesh, doubled_area};
+use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, norm};
 use std::collections::BTreeMap;
 use std::fmt;

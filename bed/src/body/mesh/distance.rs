@@ -3,7 +3,7 @@
 //! In: a mesh. Out: the distance of the nearest point, found in a tree of boxes, below 0 inside. The sign is that of the
 //! pseudonormal there: a face's normal, the sum of two on an edge, the sum by angles at a corner (Baerentzen and Aanaes 2005).
 
-use super::{Mesh, doubled_area};
+use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, norm, scale, sub};
 use std::collections::BTreeMap;
 

@@ -3,7 +3,7 @@
 //! In: triangles. Out: integrals over the tetrahedra that each spans with one corner of the surface, signed: V = a . (b x c)/6,
 //! int x = V/4 (a + b + c), int x x' = V/20 (a a' + b b' + c c' + s s') with s = a + b + c (Mirtich 1996; Eberly 2002).
 
-use super::{Mesh, doubled_area};
+use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::rigid::attitude::Attitude;
 use smartbed_runtime::vec3::{Vec3, add, axpy, dot, scale, sub};
 

@@ -1,6 +1,6 @@
 //! Patches of a mesh's skin for maps, and a coarser mesh for pictures.
 
-use super::{Mesh, doubled_area};
+use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, add, axpy, norm, scale};
 use std::collections::BTreeMap;
 
