@@ -273,6 +273,7 @@ impl Motion {
             ledger.tissue +=
                 pressed.map(|((_, s), layer)| self.layer(*s) * self.matter.tissue.energy(layer)).sum::<f64>();
         }
+        ledger.sheets += self.now.met.iter().map(|m| m.energy(&self.bed, &state.sheets)).sum::<f64>();
         for (segment, tracks) in self.body.segments.iter().zip(&self.segments) {
             ledger.kinetic +=
                 tracks.iter().map(|t| segment.mass / 12.0 * dot(t.velocity, t.velocity)).sum::<f64>();
@@ -325,7 +326,12 @@ impl Motion {
         let inertia: f64 = inertia.map(|(_, (t, x))| self.node_mass() * dot(t.acceleration, way(*x))).sum();
         let pressed = next.contacts[tile].iter();
         let sheet = &next.state.sheets[tile];
-        inertia + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
+        let met = next.met.iter().map(|meeting| {
+            let force = meeting.force(bed, &next.state.sheets);
+            let own = meeting.ends.iter().filter(|end| end.0 == tile);
+            own.map(|(_, node, share)| force * share * dot(meeting.normal, way(sheet[*node]))).sum::<f64>()
+        });
+        inertia + met.sum::<f64>() + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
     }
 }
 

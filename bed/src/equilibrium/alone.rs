@@ -1,9 +1,10 @@
-//! Sheets that nothing touches, each by itself: they come to the end of a stage before the whole bed is looked at.
+//! Sheets that nothing touches, not even a neighbour, each by itself: they come to the end of a stage before the whole bed is looked at.
 //!
 //! In: a scene in motion, a guess, stiffnesses kept from the stage before. Out: the guess with those sheets where their
 //! forces balance. Newton's method with a stiffness that is kept as long as each step takes most of what is left over away
 //! (modified Newton): a solution costs a tenth of a factor. What does not come near stays a guess for the search.
 
+use super::beside::meetings;
 use super::scene::Scene;
 use super::side_by_side;
 use super::state::State;
@@ -30,10 +31,15 @@ struct Settled {
 
 /// Brings sheets that nothing touches to rest; returns the stiffnesses to keep.
 pub fn settle(scene: &Scene, guess: &mut State, kept: &Kept) -> Kept {
+    let met = meetings(scene.bed, guess);
     let one = |tile: usize| {
         let patch = Patch::new(scene, guess, tile);
         let old = kept.get(tile).cloned().flatten();
-        if patch.is_alone() { own(&patch, old, scene.calm()) } else { None }
+        if patch.is_alone() && !met.iter().any(|m| m.is_of(tile)) {
+            own(&patch, old, scene.calm())
+        } else {
+            None
+        }
     };
     let found = side_by_side::run(scene.bed.tiles.len(), one);
     let keep = |(sheet, settled): (&mut Vec<Vec3<f64>>, Option<Settled>)| {

@@ -33,6 +33,8 @@ pub struct Bed {
     pub tiles: Vec<Tile>,
     /// Coulomb's coefficient of tissue on sheets.
     pub friction: f64,
+    /// Neighbours whose sheets may touch.
+    pub beside: Vec<[usize; 2]>,
 }
 
 impl Bed {

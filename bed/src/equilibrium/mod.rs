@@ -7,6 +7,8 @@
 
 pub(crate) mod alone;
 mod bed;
+mod beside;
+mod bridge;
 pub(crate) mod increment;
 mod newton;
 pub(crate) mod scene;
@@ -19,6 +21,7 @@ mod tile;
 mod touch;
 
 pub use bed::{Bed, GRAVITY, Tile};
+pub use beside::Meeting;
 pub(crate) use newton::find;
 pub use newton::{Fault, lay_on, put_down, solve, stiffness};
 pub(crate) use solution::read;

@@ -3,6 +3,8 @@
 //! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the pass before; passes end when they do not change.
 
 use super::bed::{Bed, GRAVITY};
+use super::beside;
+use super::bridge::Bridge;
 use super::scene::Scene;
 use super::side_by_side;
 use super::solution::{Solution, finish};
@@ -64,14 +66,19 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     let mut state = start.clone();
     let weight = Bed::weight(scene.body).max(1e-3);
     let mut steps = 0;
+    let mut met = beside::meetings(scene.bed, &state);
     for _ in 0..PASSES {
+        let scene = &Scene { met: &met, ..*scene };
         steps += descend(scene, &mut state, weight)?;
         let Some(least) = scene.accuracy.friction else { break };
-        if renew(scene, &mut state) <= least * weight {
+        let now = beside::meetings(scene.bed, &state);
+        let pushed = beside::change(scene.bed, &state, [&met, &now]);
+        if renew(scene, &mut state) <= least * weight && pushed <= 100.0 * scene.calm() {
             break;
         }
+        met = now;
     }
-    Ok(finish(scene, state, steps))
+    Ok(finish(&Scene { met: &met, ..*scene }, state, steps))
 }
 
 /// Puts a body down: it goes straight down first, whatever would tip it, then it is let go, held by friction where it has
@@ -135,17 +142,16 @@ fn renew(scene: &Scene, state: &mut State) -> f64 {
 
 /// Newton's steps with friction's limits as they are; returns how many.
 fn descend(scene: &Scene, state: &mut State, weight: f64) -> Result<usize, Fault> {
-    let (bed, body) = (scene.bed, scene.body);
     let calm = scene.calm();
     let mut last = None;
     for step in 0..STEPS {
         let tiles = eliminate(scene, state, calm)?;
         let rows = rows(scene, state, &tiles);
-        let left = left_over(body, &rows, &tiles);
+        let left = left_over(scene.body, &rows, &tiles);
         if left[0] <= calm && left[1] <= scene.accuracy.segment * weight {
             return Ok(step);
         }
-        let ways = Ways::new(bed, body, &rows, &tiles);
+        let ways = Ways::new(scene, &rows, &tiles);
         let gradients: Vec<&[f64]> =
             tiles.iter().map(|t| t.as_ref().map_or(&[][..], |t| &t.gradient)).collect();
         let steepness = ways.slope(&gradients, &rows).abs();
@@ -169,7 +175,8 @@ fn energy(scene: &Scene, state: &State) -> Result<f64, Fault> {
     let one = |tile| Patch::new(scene, state, tile).energy();
     let tiles = named(side_by_side::run(scene.bed.tiles.len(), one))?;
     let motion = scene.increment.map_or(0.0, |i| i.body_energy(scene.body, &state.segments));
-    Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion)
+    let met: f64 = scene.met.iter().map(|m| m.energy(scene.bed, &state.sheets)).sum();
+    Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion + met)
 }
 
 fn eliminate(scene: &Scene, state: &State, calm: f64) -> Result<Vec<Option<Eliminated>>, Fault> {
@@ -241,12 +248,13 @@ pub fn stiffness(
 ) -> Result<(Vec3<f64>, [Vec3<f64>; 3]), Fault> {
     let mut free = body.clone();
     free.segments[segment].free = [true; 6];
-    let scene = Scene::at_rest(bed, &free);
+    let met = beside::meetings(bed, state);
+    let scene = Scene { met: &met, ..Scene::at_rest(bed, &free) };
     let one = |tile| Patch::new(&scene, state, tile).exact().eliminate(0.0);
     let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
     let rows = rows(&scene, state, &tiles);
     let size = rows.gradient.len();
-    let condensed = condensed(&rows, &tiles);
+    let condensed = condensed(&rows, &tiles, &Bridge::new(&met, &tiles, size));
     let entry = |i: usize, j: usize| condensed[(6 * segment + i) * size + 6 * segment + j];
     let matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)));
     let gradient = [0, 1, 2].map(|i| rows.gradient[6 * segment + i]);

@@ -1,6 +1,7 @@
 //! What a state of least energy is looked for in.
 
 use super::bed::Bed;
+use super::beside::Meeting;
 use super::increment::Increment;
 use crate::body::Body;
 
@@ -13,6 +14,8 @@ pub struct Scene<'a> {
     pub body: &'a Body,
     /// Inertia and losses of a stage of time; none in equilibrium.
     pub increment: Option<&'a Increment<'a>>,
+    /// Where sheets of neighbours meet.
+    pub met: &'a [Meeting],
     /// When a state is good enough.
     pub accuracy: Accuracy,
 }
@@ -32,7 +35,7 @@ impl<'a> Scene<'a> {
     /// Where nothing moves.
     pub fn at_rest(bed: &'a Bed, body: &'a Body) -> Scene<'a> {
         let accuracy = Accuracy { node: 1e-8, segment: 1e-9, friction: Some(1e-7) };
-        Scene { bed, body, increment: None, accuracy }
+        Scene { bed, body, increment: None, met: &[], accuracy }
     }
 
     /// Force (N) that may be left over on a node.
@@ -44,6 +47,6 @@ impl<'a> Scene<'a> {
     pub fn in_motion(bed: &'a Bed, body: &'a Body, increment: &'a Increment<'a>) -> Scene<'a> {
         // Limits of friction lag by a stage: they are those of its start.
         let accuracy = Accuracy { node: 1e-6, segment: 1e-7, friction: None };
-        Scene { bed, body, increment: Some(increment), accuracy }
+        Scene { bed, body, increment: Some(increment), met: &[], accuracy }
     }
 }

@@ -1,6 +1,7 @@
 //! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
 
 use super::bed::{Bed, GRAVITY};
+use super::beside::Meeting;
 use super::scene::Scene;
 use super::state::State;
 use super::tile::Patch;
@@ -28,6 +29,8 @@ pub struct Solution {
     pub state: State,
     /// Nodes in tissue, by tile.
     pub contacts: Vec<Vec<Contact>>,
+    /// Where sheets of neighbours meet.
+    pub met: Vec<Meeting>,
     /// Gauge pressures (Pa), by tile.
     pub gauges: Vec<f64>,
     /// Nodes on the plate, by tile.
@@ -92,7 +95,8 @@ pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution 
     for (own, contacts) in state.anchors.iter_mut().zip(&contacts) {
         *own = anchors(bed, contacts, &state.segments);
     }
-    Solution { state, contacts, gauges, bottomed, steps, carried, imbalance }
+    let met = scene.met.to_vec();
+    Solution { state, contacts, met, gauges, bottomed, steps, carried, imbalance }
 }
 
 /// What friction holds at each node; one between two segments is held by that in which it is deeper.

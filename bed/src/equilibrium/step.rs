@@ -4,6 +4,7 @@
 //! Z = (K + c g g')^-1 B of each tile: (D - sum B' Z) y = -(g_y - sum B' K^-1 g_x), x = -K^-1 g_x - Z y.
 
 use super::bed::{Bed, GRAVITY};
+use super::bridge::Bridge;
 use super::scene::Scene;
 use super::state::State;
 use super::stiffness::product;
@@ -46,8 +47,10 @@ pub fn of_body(scene: &Scene, state: &State) -> Rows {
 
 impl Ways {
     /// The step.
-    pub fn new(bed: &Bed, body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Ways {
-        let segments = of_segments(body, rows, tiles);
+    pub fn new(scene: &Scene, rows: &Rows, tiles: &[Option<Eliminated>]) -> Ways {
+        let (bed, body) = (scene.bed, scene.body);
+        let bridge = Bridge::new(scene.met, tiles, rows.gradient.len());
+        let segments = of_segments(body, rows, tiles, &bridge);
         let size = 3 * bed.lattice.free_nodes();
         let nodes = |tile: &Option<Eliminated>| {
             let Some(tile) = tile else { return vec![0.0; size] };
@@ -55,6 +58,10 @@ impl Ways {
             for coupling in &tile.couplings {
                 let y = &segments[6 * coupling.segment..6 * coupling.segment + 6];
                 way.iter_mut().zip(&coupling.solved).for_each(|(w, z)| *w -= product(y, z));
+            }
+            for crossing in &tile.crossings {
+                let force = bridge.force(crossing.meeting, &segments);
+                way.iter_mut().zip(&crossing.solved).for_each(|(w, z)| *w -= force * z);
             }
             way
         };
@@ -90,8 +97,8 @@ impl Ways {
     }
 }
 
-/// D - sum B' Z, row by row.
-pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
+/// D - sum B' Z and what meetings add, row by row.
+pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>], bridge: &Bridge) -> Vec<f64> {
     let size = rows.gradient.len();
     let mut hessian = rows.hessian.clone();
     for tile in tiles.iter().flatten() {
@@ -108,13 +115,14 @@ pub fn condensed(rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
             }
         }
     }
+    bridge.add_to(&mut hessian);
     hessian
 }
 
 /// Ways and turns of the segments.
-fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f64> {
+fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>], bridge: &Bridge) -> Vec<f64> {
     let size = rows.gradient.len();
-    let hessian = condensed(rows, tiles);
+    let hessian = condensed(rows, tiles, bridge);
     let is_held = |row: usize| !body.segments[row / 6].free[row % 6];
     let mut right: Vec<f64> = rows.gradient.iter().map(|g| -g).collect();
     for tile in tiles.iter().flatten() {
@@ -124,6 +132,7 @@ fn of_segments(body: &Body, rows: &Rows, tiles: &[Option<Eliminated>]) -> Vec<f6
             }
         }
     }
+    (0..size).for_each(|i| right[i] += bridge.right(i));
     (0..size).filter(|i| is_held(*i)).for_each(|i| right[i] = 0.0);
     let right = right;
     let mut shift = SPIN;

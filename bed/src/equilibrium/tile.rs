@@ -4,6 +4,7 @@
 //! sheet's [`Stiffness`], and so the columns B that couple nodes to segments.
 
 use super::bed::{Bed, PLATE, Tile};
+use super::beside::Meeting;
 use super::increment::{Increment, Placed};
 use super::scene::Scene;
 use super::state::State;
@@ -28,6 +29,8 @@ pub struct Patch<'a> {
     sheet: &'a [Vec3<f64>],
     anchors: &'a [Option<touch::Anchor>],
     poses: &'a [Pose],
+    sheets: &'a [Vec<Vec3<f64>>],
+    met: &'a [Meeting],
     /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
     is_exact: bool,
 }
@@ -50,6 +53,23 @@ pub struct Coupling {
     pub solved: Vec<[f64; 6]>,
 }
 
+/// A meeting with a neighbour's sheet that presses.
+pub struct Crossing {
+    /// Which.
+    pub meeting: usize,
+    /// W: how its depth follows the free nodes, by their places among them.
+    column: Vec<(usize, Vec3<f64>)>,
+    /// (K + c g g')^-1 W.
+    pub solved: Vec<f64>,
+}
+
+impl Crossing {
+    /// W' times a vector of the nodes.
+    pub fn along(&self, x: &[f64]) -> f64 {
+        self.column.iter().map(|(free, w)| dot(*w, [x[3 * free], x[3 * free + 1], x[3 * free + 2]])).sum()
+    }
+}
+
 /// What a tile gives to the segments' rows, and what it takes to find its nodes' step.
 pub struct Eliminated {
     /// (K + c g g')^-1 times the nodes' gradient.
@@ -60,6 +80,8 @@ pub struct Eliminated {
     pub couplings: Vec<Coupling>,
     /// Forces on segments.
     pub bonds: Vec<Bond>,
+    /// Where neighbours press.
+    pub crossings: Vec<Crossing>,
 }
 
 impl<'a> Patch<'a> {
@@ -73,6 +95,8 @@ impl<'a> Patch<'a> {
             sheet: &state.sheets[index],
             anchors: &state.anchors[index],
             poses: &state.segments,
+            sheets: &state.sheets,
+            met: scene.met,
             is_exact: false,
         }
     }
@@ -228,6 +252,9 @@ impl<'a> Patch<'a> {
             *f = add(*f, scale(*v, -pressure));
             f[2] -= PLATE * lattice.cell() * self.below(x);
         }
+        for (meeting, node, way) in self.meetings() {
+            force[node] = add(force[node], scale(way, meeting.force(self.bed, self.sheets)));
+        }
         for bond in bonds {
             force[bond.node] = add(force[bond.node], self.tile.pose.attitude.to_body(bond.pull.gradient));
         }
@@ -288,7 +315,8 @@ impl<'a> Patch<'a> {
     pub fn eliminate(&self, calm: f64) -> Result<Option<Eliminated>, Collapsed> {
         let bonds = self.bonds();
         let [gradient, volume] = self.gradients(&bonds)?;
-        if bonds.is_empty() && gradient.iter().all(|g| g.abs() <= calm) {
+        let is_met = self.meetings().any(|(m, ..)| m.depth(self.bed, self.sheets) > 0.0);
+        if bonds.is_empty() && !is_met && gradient.iter().all(|g| g.abs() <= calm) {
             return Ok(None);
         }
         let stiffness = self.stiffness(&bonds, volume)?;
@@ -296,7 +324,35 @@ impl<'a> Patch<'a> {
         couplings.iter_mut().for_each(|coupling| stiffness.solve_all(&mut coupling.solved));
         let mut solved = gradient.clone();
         stiffness.solve(&mut solved);
-        Ok(Some(Eliminated { solved, gradient, couplings, bonds }))
+        let crossings = self.crossings(&stiffness, gradient.len());
+        Ok(Some(Eliminated { solved, gradient, couplings, bonds, crossings }))
+    }
+
+    /// Meetings with neighbours by their nodes in this sheet: how the depth follows the node, in the tile's axes.
+    fn meetings(&self) -> impl Iterator<Item = (&'a Meeting, usize, Vec3<f64>)> {
+        let (index, attitude) = (self.index, self.tile.pose.attitude);
+        self.met.iter().flat_map(move |meeting| {
+            let own = meeting.ends.into_iter().filter(move |end| end.0 == index);
+            own.map(move |(_, node, share)| (meeting, node, attitude.to_body(scale(meeting.normal, share))))
+        })
+    }
+
+    /// Those that press, solved for.
+    fn crossings(&self, stiffness: &Stiffness, size: usize) -> Vec<Crossing> {
+        let one = |(index, meeting): (usize, &Meeting)| {
+            if !meeting.is_of(self.index) || meeting.depth(self.bed, self.sheets) <= 0.0 {
+                return None;
+            }
+            let (mut column, mut solved) = (Vec::new(), vec![0.0; size]);
+            for (_, node, way) in self.meetings().filter(|(m, ..)| std::ptr::eq(*m, meeting)) {
+                let Some(free) = self.bed.lattice.free(node) else { continue };
+                (0..3).for_each(|k| solved[3 * free + k] += way[k]);
+                column.push((free, way));
+            }
+            stiffness.solve(&mut solved);
+            Some(Crossing { meeting: index, column, solved })
+        };
+        self.met.iter().enumerate().filter_map(one).collect()
     }
 
     /// B, one segment after the other: -H (e_k, e_k x r) in the tile's axes; not solved yet.

@@ -321,7 +321,8 @@ impl Plan {
     pub fn bed(&self, time: f64) -> Result<Bed, LatticeError> {
         let layout = &self.layout;
         let lattice = Lattice::new(layout.intervals, layout.size(), layout.modulus)?;
-        Ok(Bed { lattice, depth: layout.depth, tiles: self.tiles(time), friction: layout.friction })
+        let beside = layout.neighbours().map(|(a, b, _)| [a, b]).collect();
+        Ok(Bed { lattice, depth: layout.depth, tiles: self.tiles(time), friction: layout.friction, beside })
     }
 
     /// Tiles at a time, regulated.

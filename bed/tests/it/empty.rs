@@ -40,7 +40,14 @@ fn busy(layout: &Layout, course: Course, time: f64) -> Bed {
         let air = Air::Regulated(4000.0 + 1000.0 * value(3, 0.2));
         Tile { pose: layout.rim(tile, &command), air }
     };
-    Bed { lattice, depth: layout.depth, tiles: (0..layout.count()).map(tile).collect(), friction: 0.4 }
+    let beside = layout.neighbours().map(|(a, b, _)| [a, b]).collect();
+    Bed {
+        lattice,
+        depth: layout.depth,
+        tiles: (0..layout.count()).map(tile).collect(),
+        friction: 0.4,
+        beside,
+    }
 }
 
 /// Processor time (s) of this thread so far, as Linux counts it.

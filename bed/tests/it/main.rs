@@ -1,6 +1,7 @@
 //! The bed's numbers against closed forms, hand-made maps and independent references.
 
 mod band;
+mod beside;
 mod clocks;
 mod dynamics;
 mod empty;

@@ -12,7 +12,13 @@ const ET: f64 = 5000.0;
 
 pub fn bed(intervals: [usize; 2], size: [f64; 2], air: Air) -> Bed {
     let lattice = Lattice::new(intervals, size, ET).expect("a sheet");
-    Bed { lattice, depth: 0.1, tiles: vec![Tile { pose: Pose::at([0.0; 3]), air }], friction: 0.0 }
+    Bed {
+        lattice,
+        depth: 0.1,
+        tiles: vec![Tile { pose: Pose::at([0.0; 3]), air }],
+        friction: 0.0,
+        beside: Vec::new(),
+    }
 }
 
 fn alone(bed: &Bed) -> Solution {

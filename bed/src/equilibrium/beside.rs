@@ -1,0 +1,160 @@
+//! Sheets of neighbours that meet: a node of one presses on a facet of the other.
+//!
+//! In: a bed's pairs of neighbours and a state. Out: where nodes are near facets, with the shares w_i of the facet's corners
+//! in the foot and the normal n there (the runtime's facets, whose normals pass from one to the next without a jump). A
+//! depth d = n . (sum w_i b_i - x) > 0 stores k d^2/2; w and n stand for a pass and are renewed as friction's limits are.
+//! Forces at node and foot are equal, opposite and in one line. Sheets slide on one another without friction.
+
+use super::bed::Bed;
+use super::state::State;
+use smartbed_runtime::surface::facet::{Facet, vertex_normals};
+use smartbed_runtime::vec3::{Vec3, axpy, dot, norm, sub};
+use std::collections::BTreeMap;
+
+/// Pressure per depth (Pa/m) of one sheet in another: air that presses by 5 kPa takes a tenth of a millimetre.
+const SHEET: f64 = 5e7;
+/// Nodes this far (m) outside a facet are followed within a pass.
+const OUTSIDE: f64 = 0.002;
+/// No node is deeper (m) in a neighbour.
+const INSIDE: f64 = 0.04;
+
+/// A node near a facet of a neighbour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// Tile, node and share in the depth: the facet's corners w_i, the node -1.
+    pub ends: [(usize, usize, f64); 5],
+    /// Out of the facet, in the bed's frame.
+    pub normal: Vec3<f64>,
+    /// N/m.
+    pub stiffness: f64,
+}
+
+impl Meeting {
+    /// Depth (m), < 0 where they are apart.
+    #[must_use]
+    pub fn depth(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
+        let along = |(tile, node, share): (usize, usize, f64)| {
+            share * dot(self.normal, bed.tiles[tile].pose.outwards(sheets[tile][node]))
+        };
+        self.ends.into_iter().map(along).sum()
+    }
+
+    /// Force (N) that drives them apart.
+    #[must_use]
+    pub fn force(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
+        self.stiffness * self.depth(bed, sheets).max(0.0)
+    }
+
+    /// Energy (J).
+    #[must_use]
+    pub fn energy(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
+        0.5 * self.stiffness * self.depth(bed, sheets).max(0.0).powi(2)
+    }
+
+    /// One of its ends is a tile's.
+    #[must_use]
+    pub fn is_of(&self, tile: usize) -> bool {
+        self.ends.iter().any(|end| end.0 == tile)
+    }
+}
+
+/// A sheet in the bed's frame.
+struct Laid {
+    places: Vec<Vec3<f64>>,
+    low: Vec3<f64>,
+    high: Vec3<f64>,
+}
+
+impl Laid {
+    fn new(bed: &Bed, state: &State, tile: usize) -> Laid {
+        let pose = &bed.tiles[tile].pose;
+        let places: Vec<Vec3<f64>> = state.sheets[tile].iter().map(|x| pose.outwards(*x)).collect();
+        let bound = |start: f64, pick: fn(f64, f64) -> f64| {
+            places.iter().fold([start; 3], |b, x| [0, 1, 2].map(|k| pick(b[k], x[k])))
+        };
+        let (low, high) = (bound(f64::INFINITY, f64::min), bound(f64::NEG_INFINITY, f64::max));
+        Laid { places, low, high }
+    }
+
+    /// Is a place within its bounds and some more?
+    fn holds(&self, x: Vec3<f64>) -> bool {
+        (0..3).all(|k| self.low[k] - OUTSIDE <= x[k] && x[k] <= self.high[k] + OUTSIDE)
+    }
+
+    fn reaches(&self, other: &Laid) -> bool {
+        (0..3).all(|k| self.low[k] - OUTSIDE <= other.high[k] && other.low[k] - OUTSIDE <= self.high[k])
+    }
+}
+
+/// Nodes near facets of neighbours.
+#[must_use]
+pub fn meetings(bed: &Bed, state: &State) -> Vec<Meeting> {
+    let mut all = Vec::new();
+    let laid: Vec<Laid> = if bed.beside.is_empty() {
+        Vec::new()
+    } else {
+        (0..bed.tiles.len()).map(|tile| Laid::new(bed, state, tile)).collect()
+    };
+    for [a, b] in &bed.beside {
+        if laid[*a].reaches(&laid[*b]) {
+            add(bed, [*a, *b], [&laid[*a], &laid[*b]], &mut all);
+            add(bed, [*b, *a], [&laid[*b], &laid[*a]], &mut all);
+        }
+    }
+    all
+}
+
+/// Adds nodes of the first that are near facets of the second: the nearest facet of each.
+fn add(bed: &Bed, [a, b]: [usize; 2], [nodes, sheet]: [&Laid; 2], all: &mut Vec<Meeting>) {
+    let near: Vec<usize> = (0..nodes.places.len())
+        .filter(|n| bed.lattice.free(*n).is_some() && sheet.holds(nodes.places[*n]))
+        .collect();
+    let facets: Vec<[usize; 4]> = bed.lattice.facets().collect();
+    let mut normals = vec![[0.0; 3]; sheet.places.len()];
+    if !near.is_empty() {
+        vertex_normals(&facets, &sheet.places, &mut normals);
+    }
+    let [wide, long] = bed.lattice.size;
+    let [nx, ny] = bed.lattice.intervals;
+    let reach = INSIDE + (wide / nx as f64).hypot(long / ny as f64);
+    let is_above = |x: Vec3<f64>| bed.tiles[b].pose.inwards(x)[2] > 0.0;
+    for node in near.into_iter().filter(|n| is_above(nodes.places[*n])) {
+        let x = nodes.places[node];
+        let mut best: Option<(f64, Meeting)> = None;
+        for corners in facets.iter().filter(|f| norm(sub(sheet.places[f[0]], x)) < 2.0 * reach) {
+            let facet =
+                Facet { corners: corners.map(|c| sheet.places[c]), normals: corners.map(|c| normals[c]) };
+            let Some(found) = facet.nearest(x, 1e-9) else { continue };
+            let is_near = (-INSIDE..OUTSIDE).contains(&found.gap) && is_above(found.foot);
+            if is_near && best.as_ref().is_none_or(|(gap, _)| found.gap.abs() < gap.abs()) {
+                let corner = |k: usize| (b, corners[k], found.weights[k]);
+                let ends = [corner(0), corner(1), corner(2), corner(3), (a, node, -1.0)];
+                // Nodes of both press on facets of the other: each bears half.
+                let stiffness = 0.5 * SHEET * bed.lattice.cell();
+                best = Some((found.gap, Meeting { ends, normal: found.normal, stiffness }));
+            }
+        }
+        all.extend(best.map(|(_, meeting)| meeting));
+    }
+}
+
+/// Forces (N) on nodes in the bed's frame.
+fn pushes(bed: &Bed, state: &State, meetings: &[Meeting]) -> BTreeMap<(usize, usize), Vec3<f64>> {
+    let mut all = BTreeMap::new();
+    for meeting in meetings {
+        let force = meeting.force(bed, &state.sheets);
+        for (tile, node, share) in meeting.ends.into_iter().filter(|_| force > 0.0) {
+            let sum = all.entry((tile, node)).or_insert([0.0; 3]);
+            *sum = axpy(*sum, -share * force, meeting.normal);
+        }
+    }
+    all
+}
+
+/// Largest change of a force on a node (N) from one pass's meetings to the next one's.
+pub fn change(bed: &Bed, state: &State, [old, new]: [&[Meeting]; 2]) -> f64 {
+    let [old, new] = [old, new].map(|meetings| pushes(bed, state, meetings));
+    let of = |all: &BTreeMap<_, Vec3<f64>>, key| all.get(key).copied().unwrap_or_default();
+    let keys = old.keys().chain(new.keys());
+    keys.map(|key| norm(sub(of(&old, key), of(&new, key)))).fold(0.0, f64::max)
+}

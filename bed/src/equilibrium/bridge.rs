@@ -1,0 +1,82 @@
+//! Sheets that meet in a Newton step: forces mu between them are unknowns beside the segments' ways y.
+//!
+//! In: what each tile gives. Out: what meetings add to the segments' rows, and mu. With W the directions of depths,
+//! x = -K^-1 g - Z y - K^-1 W mu and W' x = mu/k give R mu = -W' K^-1 g - Q' y, where R = 1/k + W' K^-1 W and Q = B' K^-1 W;
+//! the segments' matrix grows by Q R^-1 Q'.
+
+use super::beside::Meeting;
+use super::stiffness::product;
+use super::tile::{Crossing, Eliminated};
+use crate::band::Band;
+
+/// Meetings that press.
+pub struct Bridge {
+    /// Which.
+    meetings: Vec<usize>,
+    /// Rows of Q', by meeting.
+    coupled: Vec<Vec<f64>>,
+    /// R^-1 Q', by row of a segment.
+    solved: Vec<Vec<f64>>,
+    /// R^-1 (-W' K^-1 g).
+    alone: Vec<f64>,
+}
+
+impl Bridge {
+    /// Of all tiles; segments have so many rows.
+    pub fn new(met: &[Meeting], tiles: &[Option<Eliminated>], size: usize) -> Bridge {
+        let mut meetings: Vec<usize> =
+            tiles.iter().flatten().flat_map(|t| &t.crossings).map(|c| c.meeting).collect();
+        meetings.sort_unstable();
+        meetings.dedup();
+        let place = |c: &Crossing| meetings.partition_point(|m| *m < c.meeting);
+        let count = meetings.len();
+        let mut matrix = Band::new(count, count);
+        (0..count).for_each(|i| matrix.add(i, i, 1.0 / met[meetings[i]].stiffness));
+        let (mut coupled, mut alone) = (vec![vec![0.0; size]; count], vec![0.0; count]);
+        for tile in tiles.iter().flatten() {
+            for a in &tile.crossings {
+                let i = place(a);
+                alone[i] -= a.along(&tile.solved);
+                tile.crossings.iter().for_each(|b| matrix.add(i, place(b), a.along(&b.solved)));
+                for coupling in &tile.couplings {
+                    let rows = &mut coupled[i][6 * coupling.segment..6 * coupling.segment + 6];
+                    for (column, x) in coupling.columns.iter().zip(&a.solved) {
+                        rows.iter_mut().zip(column).for_each(|(row, c)| *row += c * x);
+                    }
+                }
+            }
+        }
+        let mut solved = vec![vec![0.0; count]; size];
+        // K^-1 is positive, so is R.
+        if let Some(factor) = matrix.factor().filter(|_| count > 0) {
+            factor.solve(&mut alone);
+            for (row, own) in solved.iter_mut().enumerate() {
+                own.iter_mut().zip(&coupled).for_each(|(x, q)| *x = q[row]);
+                factor.solve(own);
+            }
+        }
+        Bridge { meetings, coupled, solved, alone }
+    }
+
+    /// Adds Q R^-1 Q' to the segments' matrix.
+    pub fn add_to(&self, matrix: &mut [f64]) {
+        let size = self.solved.len();
+        for (i, q) in self.coupled.iter().enumerate() {
+            for row in (0..size).filter(|row| q[*row] != 0.0) {
+                (0..size).for_each(|j| matrix[row * size + j] += q[row] * self.solved[j][i]);
+            }
+        }
+    }
+
+    /// Q R^-1 (-W' K^-1 g), which stands on the right side of a segment's row.
+    pub fn right(&self, row: usize) -> f64 {
+        self.coupled.iter().zip(&self.alone).map(|(q, mu)| q[row] * mu).sum()
+    }
+
+    /// mu of a meeting by the segments' ways.
+    pub fn force(&self, meeting: usize, segments: &[f64]) -> f64 {
+        let i = self.meetings.partition_point(|m| *m < meeting);
+        let by_ways: Vec<f64> = self.solved.iter().map(|row| row[i]).collect();
+        self.alone[i] - product(&by_ways, segments)
+    }
+}
