@@ -11,6 +11,7 @@ use super::solution::{Solution, finish};
 use super::state::State;
 use super::step::{Ways, condensed, of_body, rows};
 use super::tile::{Eliminated, Patch};
+use super::touch::Anchor;
 use crate::body::{Body, Rows};
 use crate::sheet::air::Collapsed;
 use smartbed_runtime::vec3::{Vec3, sub};
@@ -67,16 +68,18 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     let weight = Bed::weight(scene.body).max(1e-3);
     let mut steps = 0;
     let mut met = beside::meetings(scene.bed, &state);
-    for _ in 0..PASSES {
+    for pass in 1..=PASSES {
         let scene = &Scene { met: &met, ..*scene };
         steps += descend(scene, &mut state, weight)?;
         let Some(least) = scene.accuracy.friction else { break };
         let now = beside::meetings(scene.bed, &state);
         let pushed = beside::change(scene.bed, &state, [&met, &now]);
-        if renew(scene, &mut state) <= least * weight && pushed <= 100.0 * scene.calm() {
+        let (anchors, change) = renewed(scene, &state);
+        // What is read off balances with the limits of this pass: those of the next one would miss it, node by node.
+        if change <= least * weight && pushed <= 100.0 * scene.calm() || pass == PASSES {
             break;
         }
-        met = now;
+        (state.anchors, met) = (anchors, now);
     }
     Ok(finish(&Scene { met: &met, ..*scene }, state, steps))
 }
@@ -117,16 +120,16 @@ pub fn lay_on(bed: &Bed, body: &Body, start: &State, parts: usize) -> Result<Sol
     Ok(Solution { steps: steps + free.steps, ..free })
 }
 
-/// Gives every anchor the normal and the limit of now; returns the largest change of a limit (N).
-fn renew(scene: &Scene, state: &mut State) -> f64 {
+/// Anchors with the normals and the limits of now, and the largest change of a limit (N).
+fn renewed(scene: &Scene, state: &State) -> (Vec<Vec<Option<Anchor>>>, f64) {
     let bed = scene.bed;
-    let mut most = 0.0_f64;
-    for tile in 0..bed.tiles.len() {
-        if state.anchors[tile].iter().all(Option::is_none) {
+    let (mut all, mut most) = (state.anchors.clone(), 0.0_f64);
+    for (tile, anchors) in all.iter_mut().enumerate() {
+        if anchors.iter().all(Option::is_none) {
             continue;
         }
         let touches = Patch::new(scene, state, tile).touches();
-        for (node, anchor) in state.anchors[tile].iter_mut().enumerate() {
+        for (node, anchor) in anchors.iter_mut().enumerate() {
             let Some(anchor) = anchor else { continue };
             let now = touches.iter().find(|(t, _)| t.node == node && t.segment == anchor.segment);
             let limit = now.map_or(0.0, |(t, _)| bed.friction * t.force());
@@ -137,7 +140,7 @@ fn renew(scene: &Scene, state: &mut State) -> f64 {
             }
         }
     }
-    most
+    (all, most)
 }
 
 /// Newton's steps with friction's limits as they are; returns how many.
