@@ -29,8 +29,8 @@ use proc_macro::{Group, Span, TokenStream, TokenTree};
 pub fn mechanism(input: TokenStream) -> TokenStream {
     let place = input.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
     let text = input.to_string();
-    // The derivation parses text with proc-macro2, which decides once, at its first use, whether it speaks to the compiler:
-    // on a thread of its own it does not, so that models are read as in a build script.
+    // Choices are parsed by proc-macro2, which decides once, at its first use, whether it speaks to the compiler:
+    // on a thread of its own it does not, so that they are read as in a test.
     let expanded = std::thread::scope(|scope| scope.spawn(|| expand::expand(&text)).join());
     let items = match expanded {
         Ok(Ok(items)) => items,

@@ -27,6 +27,7 @@ pub use ids::*;
 pub use read::{parse, parse_with, read, read_in};
 pub(crate) use release::{COMPONENTS, Cut};
 pub use text::amount::marks;
-pub use text::scope::{RESERVED, is_keyword};
+pub use text::scope::RESERVED;
+pub use text::syntax::is_keyword;
 pub use text::{document, fields::Fields};
 pub use walk::Role;

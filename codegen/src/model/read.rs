@@ -8,7 +8,6 @@ use super::check::{evaluate, order, reach, units};
 use super::data::Model;
 use super::text::amount;
 use super::text::document::{self, Table, Value, wrong_kind};
-use super::text::expression::on_own_thread;
 use super::text::repeat::{self, Sections};
 use super::text::{extend, joints, sections};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -88,7 +87,7 @@ pub fn parse_with(path: &str, text: &str, load: Loader<'_>) -> Result<Model, Dia
     if !joints::expand(&mut sections, &mut found) {
         return Err(found);
     }
-    let mut draft = on_own_thread(|| sections::read(&source, &sections, &mut found));
+    let mut draft = sections::read(&source, &sections, &mut found);
     let mut found = next_stage(found)?;
     draft.model.order = order::sort(&draft.model, &mut found);
     let mut found = next_stage(found)?;

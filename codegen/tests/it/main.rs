@@ -24,6 +24,7 @@ mod joints;
 mod layering;
 mod loops;
 mod machines;
+mod manifests;
 mod mentioned;
 mod model_errors;
 mod models;

@@ -19,7 +19,7 @@ pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) ->
         return value;
     }
     let before = found.items.len();
-    let expr = expression::on_own_thread(|| expression::parse(text, &Scope::default(), found))?;
+    let expr = expression::parse(text, &Scope::default(), found)?;
     let draft = Draft::empty(&found.source);
     let mut checker = Checker { draft: &draft, definitions: Vec::new(), found };
     checker.expect(&expr, Type::scalar(unit), what);

@@ -1,21 +1,18 @@
-//! Expression text -> tree: Rust's notation read with syn, names resolved, every node with its place.
+//! Expression text -> tree: Rust's notation, names resolved, every node with its place.
 //!
 //! In: a [`Text`] and the model's [`Scope`]. Out: [`Expr`]. All faults of an expression that can
 //! be told apart are reported; the tree is then incomplete and never used.
 
-extern crate proc_macro;
-
-use crate::model::ids::FrameId;
-use proc_macro2::Span as RustSpan;
-use syn::spanned::Spanned;
-
 use super::document::Text;
 use super::lexing;
 use super::scope::{Binding, RESERVED, Scope, suggestion, usage};
+use super::syntax::{self, Fault, Kind, Number, Syntax, Word};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::expression::{Axis, Expr, ExprKind, Function};
+use crate::model::ids::FrameId;
 use crate::model::unit::{self, Unit};
 use crate::source::Span;
+use std::ops::Range;
 
 /// Largest integer exponent.
 pub const LARGEST_EXPONENT: i32 = 64;
@@ -56,24 +53,21 @@ pub fn parse(text: &Text, scope: &Scope, found: &mut Diagnostics) -> Option<Expr
         let place = text.place(start..start + text.text.trim().len());
         return Some(Expr { kind, span: place, unit: Unit::NONE });
     }
-    let result = match syn::parse_str::<syn::Expr>(&text.text) {
+    match syntax::read(&text.text) {
         Ok(syntax) => reader.expression(&syntax),
-        // A keyword of Rust that the parser is built without.
-        Err(error) if error.to_string().starts_with("unsupported expression") => {
-            found.push(foreign_notation(text.place(error.span().byte_range())));
+        Err(Fault::Foreign(range)) => {
+            found.push(foreign_notation(text.place(range)));
             None
         }
-        Err(error) => {
+        Err(Fault::Broken(why, range)) => {
             found.push(
-                Diagnostic::error(format!("not an expression: {error}"))
-                    .label(text.place(error.span().byte_range()), "the notation breaks here")
+                Diagnostic::error(format!("not an expression: {why}"))
+                    .label(text.place(range), "the notation breaks here")
                     .help("expressions follow Rust's notation: 2*(a + b)*sin(q) - x.powi(2), with * in every product and units as in 20_deg"),
             );
             None
         }
-    };
-    forget_spans();
-    result
+    }
 }
 
 /// Rust that no expression of a model has.
@@ -83,36 +77,6 @@ fn foreign_notation(place: Span) -> Diagnostic {
         .help("expressions consist of names, numbers, + - * / ( ) , and calls such as sin(q)")
 }
 
-/// Stack of the thread that reads expressions (bytes): nesting is bounded by [`lexing::DEEPEST`].
-const STACK: usize = 8 << 20;
-
-/// Reads expressions on a thread of its own: the text that proc-macro2 keeps for the places of its words belongs to
-/// a thread, and a caller who uses proc-macro2 too keeps its own. A procedural macro's places belong to the
-/// compiler, which knows them on the caller's thread alone.
-pub fn on_own_thread<T: Send>(read: impl FnOnce() -> T + Send) -> T {
-    if proc_macro::is_available() {
-        return read();
-    }
-    let mut read = Some(read);
-    let ended = std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().stack_size(STACK);
-        thread.spawn_scoped(scope, || read.take().map(|read| read())).map(std::thread::ScopedJoinHandle::join)
-    });
-    match ended {
-        Ok(Ok(Some(value))) => value,
-        Ok(Err(panic)) => std::panic::resume_unwind(panic),
-        // A system without threads.
-        _ => read.take().expect("read once")(),
-    }
-}
-
-/// Frees the text of the expression that has just been read, on [`on_own_thread`].
-fn forget_spans() {
-    if !proc_macro::is_available() {
-        proc_macro2::extra::invalidate_current_thread_spans();
-    }
-}
-
 struct Reader<'a> {
     text: &'a Text,
     scope: &'a Scope,
@@ -120,63 +84,46 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn place(&self, span: RustSpan) -> Span {
-        self.text.place(span.byte_range())
+    fn node(&self, kind: ExprKind, range: &Range<usize>) -> Option<Expr> {
+        Some(Expr { kind, span: self.text.place(range.clone()), unit: Unit::NONE })
     }
 
-    fn node(&self, kind: ExprKind, span: RustSpan) -> Option<Expr> {
-        Some(Expr { kind, span: self.place(span), unit: Unit::NONE })
-    }
-
-    fn refuse<T>(&mut self, span: RustSpan, message: String, label: &str, help: &str) -> Option<T> {
-        self.found.push(Diagnostic::error(message).label(self.place(span), label).help(help));
+    fn refuse<T>(&mut self, range: &Range<usize>, message: String, label: &str, help: &str) -> Option<T> {
+        self.found.push(Diagnostic::error(message).label(self.text.place(range.clone()), label).help(help));
         None
     }
 
-    fn expression(&mut self, syntax: &syn::Expr) -> Option<Expr> {
-        match syntax {
-            syn::Expr::Paren(inner) => self.expression(&inner.expr),
-            syn::Expr::Lit(literal) => self.literal(&literal.lit),
-            syn::Expr::Path(path) => {
-                let name = self.word(syntax)?;
-                self.name(&name, path.span())
+    fn expression(&mut self, syntax: &Syntax) -> Option<Expr> {
+        let range = &syntax.range;
+        match &syntax.kind {
+            Kind::Group(inner) => self.expression(inner),
+            Kind::Number(number) => self.number(number, range),
+            Kind::Word(name) => self.name(name, range),
+            Kind::Negate(inner) => {
+                let inner = self.expression(inner)?;
+                self.node(ExprKind::Negate(Box::new(inner)), range)
             }
-            syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => {
-                let inner = self.expression(expr)?;
-                self.node(ExprKind::Negate(Box::new(inner)), syntax.span())
+            Kind::Binary(sign, left, right) => self.binary(*sign, left, right),
+            Kind::Part(base, part) => self.axis(base, part, range),
+            Kind::Call(function, arguments) => {
+                let name = self.word(function)?;
+                self.call(&name, &function.range, &arguments.iter().collect::<Vec<_>>(), range)
             }
-            syn::Expr::Binary(binary) => self.binary(binary),
-            syn::Expr::Field(field) => self.axis(field),
-            syn::Expr::Call(call) => {
-                let name = self.word(&call.func)?;
-                let arguments: Vec<&syn::Expr> = call.args.iter().collect();
-                self.call(&name, call.func.span(), &arguments, syntax.span())
+            Kind::Method(method, arguments) => {
+                self.call(&method.text, &method.range, &arguments.iter().collect::<Vec<_>>(), range)
             }
-            syn::Expr::MethodCall(call) if call.turbofish.is_none() => {
-                let arguments: Vec<&syn::Expr> = std::iter::once(&*call.receiver).chain(&call.args).collect();
-                self.call(&call.method.to_string(), call.method.span(), &arguments, syntax.span())
-            }
-            // Python's a**2 reads as a*(*2).
-            syn::Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Deref(_)) => {
-                self.refuse(unary.span(), "unexpected `*`".to_owned(), "here", "powers are written x.powi(2)")
-            }
-            other => {
-                self.found.push(foreign_notation(self.place(other.span())));
-                None
+            Kind::Star => {
+                self.refuse(range, "unexpected `*`".to_owned(), "here", "powers are written x.powi(2)")
             }
         }
     }
 
-    /// A single identifier.
-    fn word(&mut self, syntax: &syn::Expr) -> Option<String> {
-        let name = match syntax {
-            syn::Expr::Path(path) if path.qself.is_none() => path.path.get_ident().map(ToString::to_string),
-            _ => None,
-        };
-        match name {
-            Some(name) => Some(name),
-            None => self.refuse(
-                syntax.span(),
+    /// A single word.
+    fn word(&mut self, syntax: &Syntax) -> Option<String> {
+        match &syntax.kind {
+            Kind::Word(name) => Some(name.clone()),
+            _ => self.refuse(
+                &syntax.range,
                 "a name is expected here".to_owned(),
                 "not a name",
                 "names are single words",
@@ -184,28 +131,18 @@ impl Reader<'_> {
         }
     }
 
-    fn literal(&mut self, literal: &syn::Lit) -> Option<Expr> {
-        let (digits, suffix, whole) = match literal {
-            syn::Lit::Int(int) => (int.base10_digits(), int.suffix(), int.to_string()),
-            syn::Lit::Float(float) => (float.base10_digits(), float.suffix(), float.to_string()),
-            other => {
-                return self.refuse(
-                    other.span(),
-                    "this is not a number".to_owned(),
-                    "here",
-                    "write a number such as 0.25",
-                );
-            }
-        };
+    fn number(&mut self, number: &Number, range: &Range<usize>) -> Option<Expr> {
+        let Number { digits, suffix, .. } = number;
         let value: f64 = digits.parse().unwrap_or(f64::INFINITY);
         if !value.is_finite() {
             return self.refuse(
-                literal.span(),
+                range,
                 "the number is too large".to_owned(),
                 "beyond 1.8e308",
                 "write a finite number",
             );
         }
+        let whole = &self.text.text[range.clone()];
         let suffix = suffix.trim_start_matches('_');
         // 2m would be two metres to one reader and twice m to another.
         if !suffix.is_empty() && !whole.contains('_') {
@@ -216,7 +153,7 @@ impl Reader<'_> {
                 None => format!("write {digits}*{suffix}"),
             };
             return self.refuse(
-                literal.span(),
+                range,
                 format!("`{whole}` is neither a product nor a number with a unit"),
                 "a number and a name side by side",
                 &help,
@@ -228,19 +165,14 @@ impl Reader<'_> {
             None => {
                 let help = suggestion(suffix, unit::names())
                     .unwrap_or_else(|| "a number may carry one unit: 0.12_m, 0.8_Hz, 90_deg".to_owned());
-                return self.refuse(
-                    literal.span(),
-                    format!("unknown unit `{suffix}`"),
-                    "on this number",
-                    &help,
-                );
+                return self.refuse(range, format!("unknown unit `{suffix}`"), "on this number", &help);
             }
         };
-        let node = self.node(ExprKind::Number(value * scale.factor), literal.span())?;
+        let node = self.node(ExprKind::Number(value * scale.factor), range)?;
         Some(Expr { unit: scale.unit, ..node })
     }
 
-    fn name(&mut self, name: &str, span: RustSpan) -> Option<Expr> {
+    fn name(&mut self, name: &str, span: &Range<usize>) -> Option<Expr> {
         match self.known(name) {
             Some(kind) => self.node(kind, span),
             None => self.unknown(name, span),
@@ -265,7 +197,7 @@ impl Reader<'_> {
         })
     }
 
-    fn unknown<T>(&mut self, name: &str, span: RustSpan) -> Option<T> {
+    fn unknown<T>(&mut self, name: &str, span: &Range<usize>) -> Option<T> {
         let help = if self.scope.frames.contains_key(name) {
             format!("`{name}` is a frame: its unit vectors are {name}.x, {name}.y, {name}.z")
         } else if let Some(speed) = self.rate_meant(name) {
@@ -289,37 +221,29 @@ impl Reader<'_> {
         self.scope.values.contains_key(&speed).then_some(speed)
     }
 
-    fn binary(&mut self, binary: &syn::ExprBinary) -> Option<Expr> {
-        let left = self.expression(&binary.left);
-        let right = self.expression(&binary.right);
+    fn binary(&mut self, sign: char, left: &Syntax, right: &Syntax) -> Option<Expr> {
+        let left = self.expression(left);
+        let right = self.expression(right);
         let (left, right) = (Box::new(left?), Box::new(right?));
         let span =
             Span { start: left.span.start, end: right.span.end.max(left.span.end), file: left.span.file };
-        let kind = match binary.op {
-            syn::BinOp::Add(_) => ExprKind::Add(left, right),
-            syn::BinOp::Sub(_) => ExprKind::Subtract(left, right),
-            syn::BinOp::Mul(_) => ExprKind::Multiply(left, right),
-            syn::BinOp::Div(_) => ExprKind::Divide(left, right),
-            _ => {
-                return self.refuse(
-                    binary.op.span(),
-                    "unknown operator".to_owned(),
-                    "not in the language",
-                    "operators are + - * /",
-                );
-            }
+        let kind = match sign {
+            '+' => ExprKind::Add(left, right),
+            '-' => ExprKind::Subtract(left, right),
+            '*' => ExprKind::Multiply(left, right),
+            _ => ExprKind::Divide(left, right),
         };
         Some(Expr { kind, span, unit: Unit::NONE })
     }
 
     /// `F.x`
-    fn axis(&mut self, field: &syn::ExprField) -> Option<Expr> {
-        let name = self.word(&field.base)?;
-        let axis = match &field.member {
-            syn::Member::Named(member) if member == "x" => Axis::X,
-            syn::Member::Named(member) if member == "y" => Axis::Y,
-            syn::Member::Named(member) if member == "z" => Axis::Z,
-            other => {
+    fn axis(&mut self, base: &Syntax, part: &Word, range: &Range<usize>) -> Option<Expr> {
+        let name = self.word(base)?;
+        let axis = match part.text.as_str() {
+            "x" => Axis::X,
+            "y" => Axis::Y,
+            "z" => Axis::Z,
+            _ => {
                 let help = match self.scope.values.get(&name) {
                     Some((binding, _)) => format!(
                         "`{name}` is {}: its name alone is its value; a component of a vector is dot(vector, N.x)",
@@ -328,18 +252,18 @@ impl Reader<'_> {
                     None => "write .x, .y or .z".to_owned(),
                 };
                 return self.refuse(
-                    other.span(),
+                    &part.range,
                     "only a frame has parts: the unit vectors x, y and z".to_owned(),
                     "not one of them",
                     &help,
                 );
             }
         };
-        let id = self.frame(&name, field.base.span())?;
-        self.node(ExprKind::Axis(id, axis), field.span())
+        let id = self.frame(&name, &base.range)?;
+        self.node(ExprKind::Axis(id, axis), range)
     }
 
-    fn frame(&mut self, name: &str, span: RustSpan) -> Option<FrameId> {
+    fn frame(&mut self, name: &str, span: &Range<usize>) -> Option<FrameId> {
         if let Some((id, _)) = self.scope.frames.get(name) {
             return Some(*id);
         }
@@ -356,9 +280,9 @@ impl Reader<'_> {
     fn call(
         &mut self,
         name: &str,
-        place: RustSpan,
-        arguments: &[&syn::Expr],
-        span: RustSpan,
+        place: &Range<usize>,
+        arguments: &[&Syntax],
+        span: &Range<usize>,
     ) -> Option<Expr> {
         let wanted = FUNCTIONS.iter().find(|(known, ..)| *known == name).map(|(_, f, n)| (Some(*f), *n));
         let wanted = wanted.or(match name {
@@ -397,22 +321,22 @@ impl Reader<'_> {
         self.node(kind, span)
     }
 
-    fn power(&mut self, arguments: &[&syn::Expr], span: RustSpan) -> Option<Expr> {
+    fn power(&mut self, arguments: &[&Syntax], span: &Range<usize>) -> Option<Expr> {
         let base = self.expression(arguments[0]);
-        let (sign, literal) = match arguments[1] {
-            syn::Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => (-1, &**expr),
+        let (sign, literal) = match &arguments[1].kind {
+            Kind::Negate(inner) => (-1, &inner.kind),
             other => (1, other),
         };
         let exponent = match literal {
-            syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(int), .. }) if int.suffix().is_empty() => {
-                int.base10_parse::<i32>().ok().filter(|n| *n <= LARGEST_EXPONENT)
+            Kind::Number(number) if number.is_integer => {
+                number.digits.parse::<i32>().ok().filter(|n| *n <= LARGEST_EXPONENT)
             }
             _ => None,
         };
         match exponent {
             Some(n) => self.node(ExprKind::Power(Box::new(base?), sign * n), span),
             None => self.refuse(
-                arguments[1].span(),
+                &arguments[1].range,
                 format!("an exponent is an integer between -{LARGEST_EXPONENT} and {LARGEST_EXPONENT}"),
                 "not such a literal",
                 "for a root write sqrt(x), for any other power exp(n*ln(x))",
@@ -421,20 +345,20 @@ impl Reader<'_> {
     }
 
     /// `velocity(P)`, `angular_velocity(F)`, `q_dot(q)`
-    fn of_name(&mut self, function: &str, argument: &syn::Expr, span: RustSpan) -> Option<Expr> {
+    fn of_name(&mut self, function: &str, argument: &Syntax, span: &Range<usize>) -> Option<Expr> {
         let name = self.word(argument)?;
         if function == "angular_velocity" {
-            let id = self.frame(&name, argument.span())?;
+            let id = self.frame(&name, &argument.range)?;
             return self.node(ExprKind::AngularVelocity(id), span);
         }
         match (function, self.scope.values.get(&name)) {
             ("velocity", Some((Binding::Point(id), _))) => self.node(ExprKind::Velocity(*id), span),
             ("q_dot", Some((Binding::Coordinate(id), _))) => self.node(ExprKind::Rate(*id), span),
-            (_, None) => self.unknown(&name, argument.span()),
+            (_, None) => self.unknown(&name, &argument.range),
             (_, Some((binding, _))) => {
                 let expected = if function == "velocity" { "a point" } else { "a coordinate" };
                 self.refuse(
-                    argument.span(),
+                    &argument.range,
                     format!("`{function}` wants {expected}"),
                     &format!("this is {}", binding.kind()),
                     "give the name itself",

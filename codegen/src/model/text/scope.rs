@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::syntax::is_keyword;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::ids::{
     BodyId, CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId,
@@ -124,13 +125,6 @@ pub(super) fn check_name(name: &str, span: Span, found: &mut Diagnostics) {
                 .help("choose another name: expressions follow Rust's notation"),
         );
     }
-}
-
-/// Would Rust's notation read this word as something else than a name?
-pub fn is_keyword(name: &str) -> bool {
-    // All but one are of two small letters and more: most names need no parser.
-    let looks_like_one = name.len() > 1 && name.bytes().all(|b| b.is_ascii_lowercase()) || name == "Self";
-    looks_like_one && syn::parse_str::<syn::Ident>(name).is_err()
 }
 
 /// `did you mean ...?`, if a known name is near.
