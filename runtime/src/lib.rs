@@ -71,3 +71,18 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("real/sqrt.rs", include_str!("real/sqrt.rs")),
     ("real/trig.rs", include_str!("real/trig.rs")),
 ];
+
+/// The same of the integrators, for a stand-alone crate that steps its mechanism: besides [`SOURCES`] they need nothing.
+/// `ode::nodes`, the methods for the nodes of bodies, is not among them, so its line in `ode/mod.rs` is left out.
+#[cfg(feature = "source")]
+pub const INTEGRATOR_SOURCES: &[(&str, &str)] = &[
+    ("ode/mod.rs", include_str!("ode/mod.rs")),
+    ("ode/dormand_prince.rs", include_str!("ode/dormand_prince.rs")),
+    ("ode/driven.rs", include_str!("ode/driven.rs")),
+    ("ode/root.rs", include_str!("ode/root.rs")),
+    ("ode/runge_kutta.rs", include_str!("ode/runge_kutta.rs")),
+    ("ode/splitting.rs", include_str!("ode/splitting.rs")),
+    ("ode/state.rs", include_str!("ode/state.rs")),
+    ("ode/step_size.rs", include_str!("ode/step_size.rs")),
+    ("ode/tableau.rs", include_str!("ode/tableau.rs")),
+];

@@ -5,6 +5,7 @@
 //! angle are one call, in f64 of two angles; constants are rounded once, from f64, to the file's scalar.
 
 mod answer;
+mod cost;
 mod few;
 mod file;
 mod function;
@@ -21,6 +22,7 @@ mod schedule;
 mod sections;
 mod statement;
 
+pub use cost::{FunctionCost, cost};
 pub use file::emit;
 pub use glue::struct_name;
 pub use options::{Core, EmitOptions, ScalarType};

@@ -50,6 +50,11 @@ pub(super) fn order(steps: &[Step], results: &[ExprId], core: Core) -> Vec<usize
     tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default()
 }
 
+/// How many values wait at once, at most, in the order of [`order()`].
+pub(super) fn most_waiting(steps: &[Step], results: &[ExprId], core: Core) -> usize {
+    Graph::new(steps, results).waiting(&order(steps, results, core)).max().unwrap_or(0)
+}
+
 /// Position of each step in an order.
 fn ranks(order: &[usize]) -> Vec<usize> {
     let mut ranks = vec![0; order.len()];
@@ -249,11 +254,16 @@ impl Graph {
 
     /// Values that find no register, summed over the steps.
     fn overfull(&self, order: &[usize]) -> usize {
+        self.waiting(order).map(|waiting| waiting.saturating_sub(REGISTERS)).sum()
+    }
+
+    /// How many values wait for a reader after each step; arguments from their first reader on.
+    fn waiting(&self, order: &[usize]) -> impl Iterator<Item = usize> {
         let mut left = self.readers.counts(self.maker.len());
         self.results.iter().for_each(|&value| left[value] += 1);
         let mut live = vec![false; self.maker.len()];
-        let (mut waiting, mut total) = (0_usize, 0);
-        for &step in order {
+        let mut waiting = 0_usize;
+        order.iter().map(move |&step| {
             for &value in self.reads[step].iter() {
                 waiting += usize::from(!std::mem::replace(&mut live[value], true));
                 left[value] -= 1;
@@ -263,9 +273,8 @@ impl Graph {
                 live[value] = true;
                 waiting += usize::from(left[value] > 0);
             }
-            total += waiting.saturating_sub(REGISTERS);
-        }
-        total
+            waiting
+        })
     }
 }
 

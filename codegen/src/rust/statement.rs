@@ -12,7 +12,7 @@ mod steps;
 use super::name::{ARGUMENTS, Scope};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
-use super::schedule;
+use super::schedule::{self, Step};
 use super::sections::Sections;
 use crate::escape;
 use crate::expr::print::{binary_name, infix, unary_name};
@@ -72,8 +72,35 @@ impl<'p> Body<'p> {
         options: &'p EmitOptions,
         parameters: Parameters<'p>,
     ) -> Self {
+        let mut body = Self::empty(program, roots, options, parameters);
+        let steps = body.steps(roots);
+        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
+        let order = schedule::order(&steps, &results, options.core());
+        body.write(roots, (&steps, &results), &order);
+        body
+    }
+
+    /// How many values wait at once, at most, while `roots` are computed.
+    pub fn most_waiting(
+        program: &'p Program,
+        roots: &[ExprId],
+        options: &'p EmitOptions,
+        parameters: Parameters<'p>,
+    ) -> usize {
+        let mut body = Self::empty(program, roots, options, parameters);
+        let steps = body.steps(roots);
+        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
+        schedule::most_waiting(&steps, &results, options.core())
+    }
+
+    fn empty(
+        program: &'p Program,
+        roots: &[ExprId],
+        options: &'p EmitOptions,
+        parameters: Parameters<'p>,
+    ) -> Self {
         let n = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
-        let mut body = Self {
+        Self {
             program,
             options,
             parameters,
@@ -88,29 +115,29 @@ impl<'p> Body<'p> {
             scope: Scope::of_function(),
             read: [false; 6],
             stack: Vec::new(),
-        };
-        let steps = body.steps(roots);
-        let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        let order = schedule::order(&steps, &results, options.core());
-        body.count_uses(&steps, &results);
-        body.break_up(order.iter().map(|&step| &steps[step]));
-        let mut sections =
-            matches!(parameters, Parameters::Prepared { .. }).then(|| Sections::new(&program.dag, roots));
-        for step in order {
+        }
+    }
+
+    /// Writes the steps as statements, in this order.
+    fn write(&mut self, roots: &[ExprId], (steps, results): (&[Step], &[ExprId]), order: &[usize]) {
+        self.count_uses(steps, results);
+        self.break_up(order.iter().map(|&step| &steps[step]));
+        let mut sections = matches!(self.parameters, Parameters::Prepared { .. })
+            .then(|| Sections::new(&self.program.dag, roots));
+        for &step in order {
             let id = steps[step].makes[0];
-            if body.own_statement.contains(id) {
+            if self.own_statement.contains(id) {
                 if let Some(heading) = sections.as_mut().and_then(|sections| sections.begin(id)) {
-                    let _ = writeln!(body.statements, "    // {heading}.");
+                    let _ = writeln!(self.statements, "    // {heading}.");
                 }
-                steps[step].makes.iter().for_each(|&id| body.read_arguments(id));
-                body.statement(id);
+                steps[step].makes.iter().for_each(|&id| self.read_arguments(id));
+                self.statement(id);
             }
         }
         for &root in roots {
-            body.read_arguments(root);
+            self.read_arguments(root);
         }
-        body.results = roots.iter().map(|&root| body.operand(root)).collect();
-        body
+        self.results = roots.iter().map(|&root| self.operand(root)).collect();
     }
 
     fn dag(&self) -> &'p Dag {

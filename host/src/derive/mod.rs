@@ -1,5 +1,7 @@
 //! `smartbed derive`: the equations of motion as Rust, one file or a crate that stands on its own.
 
+mod costs;
+
 use crate::engine::crate_text;
 use crate::failure::Failure;
 use crate::progress::Waiting;
@@ -20,6 +22,7 @@ use std::path::Path;
   cargo smartbed derive tile --scalar f32 -o tile.rs
   cargo smartbed derive fourbar --crate ../fourbar
   cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
+  cargo smartbed derive tile --answers rates,energy,linearisation --costs
 
 Answers: rates, energy, speeds, outputs, projection, drive (where the mechanism is driven), mass_matrix, bias,
 inverse_dynamics, linearisation, parameter_derivatives, multipliers, power, law; of a port, a point or a frame: pose:NAME, twist:NAME, bias_acceleration:NAME, jacobian:NAME,
@@ -34,6 +37,9 @@ pub struct Arguments {
     /// not write, or that were changed since, are left alone.
     #[arg(long = "crate", value_name = "DIR", conflicts_with = "output")]
     pub folder: Option<String>,
+    /// The crate carries the runtime's integrators too: it steps its mechanism under a law of its inputs.
+    #[arg(long, requires = "folder", conflicts_with = "answers")]
+    pub integrator: bool,
     /// The scalar of the emitted code.
     #[arg(long, value_enum, default_value_t)]
     pub scalar: EmittedScalar,
@@ -59,6 +65,10 @@ pub struct Arguments {
     /// Changes a parameter's default, or the folded value of a fixed one; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
+    /// Print what each answer adds instead of writing code: operations and values alive in f32, ordered for the chip
+    /// unless `--core` says otherwise; code, stack and instructions there, where a toolchain for it is found.
+    #[arg(long, conflicts_with_all = ["output", "folder", "scalar"])]
+    pub costs: bool,
     /// Print one JSON object about what was derived.
     #[arg(long)]
     pub json: bool,
@@ -198,22 +208,37 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             model.name
         )));
     }
+    if arguments.integrator && arguments.form != Form::Reduced {
+        return Err(Failure::Wrong(
+            "--integrator: only the form that gives u' can be stepped; leave out --form".to_owned(),
+        ));
+    }
+    let core = arguments.core.map(CoreChoice::core);
+    if arguments.costs {
+        limits::check_program(&program, &ScalarType::F32)?;
+        return costs::print(&program, &all(&program, &functions), core, arguments.json);
+    }
     let scalar = arguments.scalar.scalar_type();
     limits::check_program(&program, &scalar)?;
-    let options =
-        EmitOptions { scalar, functions, core: arguments.core.map(CoreChoice::core), ..Default::default() };
+    let options = EmitOptions { scalar, functions, core, ..Default::default() };
     let written = match &arguments.folder {
         None => {
             output::write(&arguments.output, rust::emit(&program, &options).as_bytes())?;
             arguments.output.clone()
         }
         Some(folder) => {
-            let files = crate_text::library(&program, &options.scalar, &options);
+            let text = if arguments.integrator { crate_text::with_integrators } else { crate_text::library };
+            let files = text(&program, &options.scalar, &options);
             crate_folder::write(Path::new(folder), &files)?;
             folder.clone()
         }
     };
     report(arguments, &program, &options.functions, &written)
+}
+
+/// The functions that are asked for; all that every program has, if none.
+fn all(program: &Program, asked: &[Function]) -> Vec<Function> {
+    if asked.is_empty() { Function::each(&program.standing()) } else { asked.to_vec() }
 }
 
 /// What was written, where the text itself does not go to standard output.
@@ -226,8 +251,7 @@ fn report(
     if written == "-" {
         return Ok(());
     }
-    let functions =
-        if functions.is_empty() { Function::each(&program.standing()) } else { functions.to_vec() };
+    let functions = all(program, functions);
     let operations = |function: &Function| program.dag.state_cost(&program.function_roots(function));
     let text = if arguments.json {
         let costs = functions.iter().map(|f| (f.name.clone(), serde_json::Value::from(operations(f))));

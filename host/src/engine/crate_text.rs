@@ -4,7 +4,7 @@
 //! lanes; nothing else of this project.
 
 use smartbed_codegen::{EmitOptions, Program, ScalarType, escape, rust};
-use smartbed_runtime::SOURCES;
+use smartbed_runtime::{INTEGRATOR_SOURCES, SOURCES};
 
 /// (path within the crate, text).
 pub type Files = Vec<(String, String)>;
@@ -60,6 +60,25 @@ pub use equations::*;
     let options = EmitOptions { runtime: "crate".to_owned(), ..options.clone() };
     files.push(("src/equations.rs".to_owned(), rust::emit(program, &options)));
     files.extend(sources());
+    files
+}
+
+/// The same crate with the runtime's integrators: a step of its mechanism under a law of its inputs.
+#[must_use]
+pub fn with_integrators(program: &Program, scalar: &ScalarType, options: &EmitOptions) -> Files {
+    let mut files = library(program, scalar, options);
+    for (path, text) in &mut files {
+        if path == "src/lib.rs" {
+            *text = text.replace(
+                "pub mod mechanism;\n",
+                "pub mod mechanism;\n/// One step of the equations by any method: `ode::rk4` of an `ode::Driven`.\npub mod ode;\n",
+            );
+        }
+    }
+    files.extend(INTEGRATOR_SOURCES.iter().map(|(path, text)| {
+        // Methods for the nodes of bodies, which the crate has none of.
+        (format!("src/{path}"), text.replace("pub mod nodes;\n", ""))
+    }));
     files
 }
 

@@ -287,16 +287,8 @@ pub fn image(
     chip: &Chip,
     settings: &Settings,
 ) -> Result<PathBuf, Failure> {
-    let target = chip.target.to_uppercase().replace(['-', '.'], "_");
     let mut cargo = build(toolchain, workspace, folder, settings)?;
-    for_target(&mut cargo, toolchain, chip.target);
-    if let Some(linker) = &toolchain.linker {
-        cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
-    }
-    cargo.env(
-        format!("CARGO_TARGET_{target}_RUSTFLAGS"),
-        format!("-Ctarget-cpu={} {}", chip.cpu, chip.options),
-    );
+    for_chip(&mut cargo, toolchain, chip);
     cargo.env("SMARTBED_CHIP", chip.short);
     succeed(cargo, "the image does not build")?;
     let built = folder.join(chip.target).join("firmware").join(settings.program());
@@ -377,8 +369,21 @@ fn for_target(cargo: &mut Command, toolchain: &Toolchain, target: &str) {
     }
 }
 
+/// Makes it one for a chip: its target, its processor, a linker.
+pub(super) fn for_chip(cargo: &mut Command, toolchain: &Toolchain, chip: &Chip) {
+    for_target(cargo, toolchain, chip.target);
+    let target = chip.target.to_uppercase().replace(['-', '.'], "_");
+    if let Some(linker) = &toolchain.linker {
+        cargo.env(format!("CARGO_TARGET_{target}_LINKER"), linker);
+    }
+    cargo.env(
+        format!("CARGO_TARGET_{target}_RUSTFLAGS"),
+        format!("-Ctarget-cpu={} {}", chip.cpu, chip.options),
+    );
+}
+
 /// Runs a build; its messages go to standard error.
-fn succeed(mut cargo: Command, what: &str) -> Result<(), Failure> {
+pub(super) fn succeed(mut cargo: Command, what: &str) -> Result<(), Failure> {
     let status = cargo.stdout(Stdio::null()).status();
     match status {
         Ok(status) if status.success() => Ok(()),

@@ -9,7 +9,7 @@
 
 use super::compile::Settings;
 use super::emulator::Count;
-use super::image::Image;
+use super::image::{Image, straight};
 use super::thumb::Kind;
 use crate::failure::Failure;
 use crate::model_argument::{assignment, wrong};
@@ -94,20 +94,8 @@ fn rates_of(settings: &Settings) -> Result<(u64, u64), Failure> {
 
 /// Bytes of the answers and of all functions that they call.
 fn bytes(image: &Image) -> Option<u32> {
-    let mut called: Vec<usize> = ANSWERS.iter().map(|name| image.find(name)).collect::<Option<_>>()?;
-    let mut next = 0;
-    while let Some(&function) = called.get(next) {
-        next += 1;
-        for (_, kind) in &image.functions[function].effects {
-            if let Kind::Call(target) | Kind::Jump(target) = kind
-                && let Some(callee) = image.owner(*target)
-                && !called.contains(&callee)
-            {
-                called.push(callee);
-            }
-        }
-    }
-    Some(called.iter().map(|&f| image.functions[f].end - image.functions[f].address).sum())
+    let answers: Vec<usize> = ANSWERS.iter().map(|name| image.find(name)).collect::<Option<_>>()?;
+    Some(straight::bytes(image, &answers))
 }
 
 #[cfg(test)]

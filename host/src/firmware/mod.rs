@@ -13,6 +13,7 @@ pub mod cycles;
 pub mod emulator;
 pub mod equations;
 pub mod fit;
+pub mod functions;
 pub mod image;
 pub mod process;
 pub mod report;

@@ -81,6 +81,12 @@ pub fn announce(target: &str) {
     }
 }
 
+/// A toolchain for `target`, if the machine has one: nothing is installed.
+#[must_use]
+pub fn present(target: &str) -> Option<Toolchain> {
+    find(target)
+}
+
 /// A toolchain for `target`; installs one where none is found.
 ///
 /// # Errors

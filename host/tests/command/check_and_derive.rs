@@ -213,6 +213,42 @@ fn the_kinematic_form_needs_no_masses() {
 }
 
 #[test]
+fn costs_tell_what_each_answer_adds() {
+    let answers = ["--answers", "both=rates,energy", "--answers", "energy"];
+    let sheet = smartbed(&[&["derive", "fourbar", "--costs", "--json"][..], &answers].concat()).json();
+    let rows = sheet["costs"].as_array().expect("rows");
+    let names: Vec<_> = rows.iter().map(|row| [row["function"].as_str(), row["answer"].as_str()]).collect();
+    assert_eq!(names, [["both", "rates"], ["both", "energy"], ["energy", "energy"]].map(|row| row.map(Some)));
+    let number = |row: usize, name: &str| rows[row][name].as_u64().expect("a number");
+    // What the emitted file says of the same functions.
+    let out = file("costs.rs").display().to_string();
+    let written = smartbed(&[&["derive", "fourbar", "-o", &out, "--json"][..], &answers].concat()).json();
+    assert_eq!(number(1, "operations"), written["operations"]["both"]);
+    assert_eq!(number(2, "operations"), written["operations"]["energy"]);
+    assert_eq!(number(0, "added") + number(1, "added"), number(1, "operations"));
+    assert!(number(1, "added") < number(2, "operations"), "energy shares what rates have: {sheet}");
+    assert!((2..number(0, "operations")).contains(&number(0, "values_alive")), "{sheet}");
+    // Straight lines: an instruction or more an operation, two or four bytes each.
+    let has_toolchain = smartbed::firmware::functions::toolchain().is_some();
+    for row in rows {
+        let chip = &row["chip"];
+        assert_eq!(chip.is_object(), has_toolchain, "{sheet}");
+        if has_toolchain {
+            let cost = ["bytes", "stack", "instructions"].map(|name| chip[name].as_u64().expect("a number"));
+            assert!(row["operations"].as_u64() < Some(cost[2]) && chip["has_loops"] == false, "{sheet}");
+            assert!(
+                (2 * cost[2]..8 * cost[2]).contains(&cost[0]) && 0 < cost[1] && cost[1] < 4096,
+                "{sheet}"
+            );
+        }
+    }
+    let done = smartbed(&[&["derive", "fourbar", "--costs"][..], &answers].concat());
+    assert!(done.out.contains(&format!("+{} = {}", number(1, "added"), number(1, "operations"))), "{done:?}");
+    // The four-bar asks for no outputs: nothing to count.
+    assert!(!smartbed(&["derive", "fourbar", "--costs"]).out.contains("outputs"));
+}
+
+#[test]
 fn a_derived_crate_compiles_on_its_own() {
     let forms = [("f32", "operations"), ("f64", "accuracy"), ("f64x4", "operations"), ("f64x4", "accuracy")];
     for (scalar, optimise) in forms {
@@ -232,6 +268,58 @@ fn a_derived_crate_compiles_on_its_own() {
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}, {optimise}");
     }
+}
+
+/// Its own equations give the energy; what it steps is a closed loop under projection.
+const STEPPED: &str = "
+use fourbar::mechanism::Mechanism;
+use fourbar::ode::{Driven, Ode, State, rk4, runge_kutta};
+use fourbar::{Model, N_INPUTS, NOMINAL, NQ, NU, Parameters};
+#[test]
+fn a_second() {
+    let mut inputs = [0.0; N_INPUTS];
+    let law = |_t: f64, _q: &[f64], _u: &[f64], inputs: &mut [f64]| inputs.fill(0.0);
+    let mut plant = Driven::new(Model::new(Parameters::default()), law, &mut inputs).unwrap();
+    let (mut x, mut low) = ([0.0; NQ + NU], [0.0; NQ + NU]);
+    x[..NQ].copy_from_slice(&NOMINAL);
+    x[NQ] = 1.0;
+    let energy = |x: &[f64]| Model::new(Parameters::default()).energy(&x[..NQ], &x[NQ..]).unwrap();
+    let before = energy(&x);
+    let mut scratch = [0.0; runge_kutta::rk4_scratch(NQ + NU)];
+    let mut state = State::new(&mut x, &mut low).unwrap();
+    for n in 0..1000_u16 {
+        rk4(&mut plant, 1e-3 * f64::from(n), 1e-3, &mut state, &mut scratch).unwrap();
+    }
+    let mut end = [0.0; NQ + NU];
+    end.copy_from_slice(state.x());
+    let after = energy(&end);
+    let drift = (after.0 + after.1) - (before.0 + before.1);
+    assert!(drift.abs() < 1e-9 * before.0, \"{drift}\");
+    assert!((0..NQ).any(|i| 0.1 < (end[i] - NOMINAL[i]).abs()), \"{end:?} has moved\");
+    assert!(plant.project(&mut end).unwrap() < 1e-12);
+}
+";
+
+#[test]
+fn a_derived_crate_with_an_integrator_steps_its_mechanism() {
+    let folder = file("fourbar_steps");
+    let path = folder.display().to_string();
+    let done = smartbed(&["derive", "fourbar", "--crate", &path, "--integrator"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    std::fs::create_dir_all(folder.join("tests")).expect("a folder");
+    std::fs::write(folder.join("tests/stepped.rs"), STEPPED).expect("written");
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["test", "--quiet", "--offline", "--test", "stepped", "--target-dir"]).arg(file("derived"));
+    let done = finish({
+        cargo.current_dir(&folder);
+        cargo
+    });
+    assert_eq!(done.status, 0, "{done:?}");
+    // Without a folder there is no crate, and what is not u' cannot be stepped.
+    let done = smartbed(&["derive", "fourbar", "--integrator"]);
+    assert!(done.status == 1 && done.err.contains("--crate"), "{done:?}");
+    let done = smartbed(&["derive", "fourbar", "--crate", &path, "--integrator", "--form", "kinematic"]);
+    assert!(done.status == 1 && done.err.contains("only the form that gives u'"), "{done:?}");
 }
 
 #[test]

@@ -165,7 +165,12 @@ fn asked_of_redundant_speeds() -> String {
         "crank = { centre = \"B\", mass = \"m\", frame = \"crank\", inertia = { Izz = \"m*r*r\" } }\n";
     let text = std::fs::read_to_string(rejected).expect("text") + turned;
     let model = written("dead_point_with_mass.toml", &text);
-    let done = smartbed(&["derive", &model, "--answers", "mass_matrix", "-o", "-"]);
+    error_of(&["derive", &model, "--answers", "mass_matrix", "-o", "-"])
+}
+
+/// What a command that fails says first.
+fn error_of(arguments: &[&str]) -> String {
+    let done = smartbed(arguments);
     let first = done.message().lines().next().and_then(|line| line.strip_prefix("error: "));
     first.expect("an error").to_owned()
 }
@@ -186,6 +191,8 @@ fn every_error_of_a_model_has_its_cause_and_cure() {
         .collect();
     assert!(found.len() >= 80, "{}", found.len());
     found.push(asked_of_redundant_speeds());
+    found.push(error_of(&["derive", "pendulum", "--set", "masss=1"]));
+    found.push(error_of(&["derive", "pendulum", "--integrator", "--crate", "steps", "--form", "kinematic"]));
     same(&found, &messages("## Notation", Some("## While it runs")));
 }
 

@@ -113,3 +113,24 @@ fn a_stand_alone_crate_gets_every_file_of_the_numbers() {
         assert!(known, "{path} imports what the stand-alone crate does not have");
     }
 }
+
+#[cfg(feature = "source")]
+#[test]
+fn a_stand_alone_crate_that_steps_gets_every_integrator() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/ode");
+    let files = fs::read_dir(source).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let mut want: Vec<String> = files
+        .filter(|path| path.is_file())
+        .map(|path| format!("ode/{}", path.file_name().expect("a file").to_string_lossy()))
+        .collect();
+    let mut got = smartbed_runtime::INTEGRATOR_SOURCES.to_vec();
+    got.sort_unstable();
+    want.sort();
+    assert_eq!(got.iter().map(|(path, _)| *path).collect::<Vec<_>>(), want);
+    for (path, text) in got {
+        let known = imports(text).iter().all(|layer| ["real", "mechanism", "ode"].contains(&layer.as_str()));
+        assert!(known, "{path} imports what the stand-alone crate does not have");
+        let nodes = if path == "ode/mod.rs" { 1 } else { 0 };
+        assert_eq!(text.matches("nodes").count(), nodes, "{path} names the methods for nodes");
+    }
+}

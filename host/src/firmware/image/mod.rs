@@ -11,6 +11,7 @@ mod handmade;
 pub mod rules;
 pub mod size;
 pub mod stack;
+pub mod straight;
 
 use super::riscv;
 use super::thumb::{self, Instruction, Kind};
@@ -30,6 +31,8 @@ pub struct Function {
     pub address: u32,
     /// One past its last byte; what lies between functions is padding.
     pub end: u32,
+    /// How many instructions it has.
+    pub instructions: u64,
     /// Address and meaning of every instruction that is not [`Kind::Other`].
     pub effects: Vec<(u32, Kind)>,
 }
@@ -39,6 +42,8 @@ pub struct Function {
 pub struct Image {
     /// Functions by address.
     pub functions: Vec<Function>,
+    /// Readable names of functions with their addresses, of one address perhaps several.
+    pub entries: Vec<(String, u32)>,
     /// Every defined symbol's readable name, sorted.
     pub symbols: Vec<String>,
     /// Addresses in the vector table: the reset handler, then the exceptions' and interrupts'.
@@ -72,7 +77,8 @@ impl Image {
             .collect();
         symbols.sort();
         symbols.dedup();
-        Ok(Self { functions, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
+        let entries = text_symbols(&file).map(|(name, address, _)| (name, address)).collect();
+        Ok(Self { functions, entries, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
     }
 
     /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no
@@ -120,12 +126,7 @@ fn word(address: u64) -> u32 {
 /// without a size, as hand-written assembly may be, extends to the next.
 fn functions(file: &object::File) -> Vec<Function> {
     let mut found = BTreeMap::<u32, (u32, String)>::new();
-    for symbol in file.symbols().filter(|s| s.kind() == SymbolKind::Text && s.is_definition()) {
-        let Ok(name) = symbol.name() else { continue };
-        if name.is_empty() || name.starts_with('$') {
-            continue;
-        }
-        let (address, size, name) = (word(symbol.address()) & !1, word(symbol.size()), readable(name));
+    for (name, address, size) in text_symbols(file) {
         let entry = found.entry(address).or_insert((size, name.clone()));
         entry.0 = entry.0.max(size);
         entry.1 = entry.1.clone().min(name);
@@ -135,9 +136,18 @@ fn functions(file: &object::File) -> Vec<Function> {
     with_ends
         .map(|((address, (size, name)), next)| {
             let end = if size == 0 { next } else { address.saturating_add(size) };
-            Function { name, address, end, effects: Vec::new() }
+            Function { name, address, end, instructions: 0, effects: Vec::new() }
         })
         .collect()
+}
+
+/// Name, address and size of every function's symbol.
+fn text_symbols(file: &object::File) -> impl Iterator<Item = (String, u32, u32)> {
+    let defined = file.symbols().filter(|s| s.kind() == SymbolKind::Text && s.is_definition());
+    defined.filter_map(|symbol| {
+        let name = symbol.name().ok().filter(|name| !name.is_empty() && !name.starts_with('$'))?;
+        Some((readable(name), word(symbol.address()) & !1, word(symbol.size())))
+    })
 }
 
 /// Is it code from this address on? The mapping symbols of the ABI.
@@ -188,6 +198,7 @@ fn decode_section(
         };
         let instruction = decode(address, &code[at..]);
         at += instruction.size as usize;
+        functions[function].instructions += 1;
         if instruction.kind != Kind::Other {
             functions[function].effects.push((address, instruction.kind));
         }
@@ -208,18 +219,28 @@ pub(crate) mod tests {
         marks.insert(address, true);
         for (name, halves) in functions {
             let end = address + 2 * u32::try_from(halves.len()).unwrap();
-            decoded.push(Function { name: (*name).to_owned(), address, end, effects: Vec::new() });
+            let name = (*name).to_owned();
+            decoded.push(Function { name, address, end, instructions: 0, effects: Vec::new() });
             address = end;
             code.extend(halves.iter().flat_map(|h| h.to_le_bytes()));
         }
         decode_section(0x0800_0000, &code, arm, &marks, &mut decoded);
         let symbols = functions.iter().map(|(name, _)| (*name).to_owned()).collect();
-        Image { functions: decoded, symbols, vectors: Vec::new(), size: size::Size::default() }
+        Image {
+            functions: decoded,
+            entries: Vec::new(),
+            symbols,
+            vectors: Vec::new(),
+            size: size::Size::default(),
+        }
     }
 
     #[test]
     fn data_and_padding_are_not_decoded() {
-        let f = |address, end| Function { name: "f".to_owned(), address, end, effects: Vec::new() };
+        let f = |address, end| {
+            let name = "f".to_owned();
+            Function { name, address, end, instructions: 0, effects: Vec::new() }
+        };
         let mut functions = vec![f(0, 8), f(12, 14)];
         let halves = [0xB510_u16, 0xBD10, 0xB5F0, 0xB5F0, 0xD4D4, 0xD4D4, 0xB510];
         let code: Vec<u8> = halves.iter().flat_map(|h| h.to_le_bytes()).collect();

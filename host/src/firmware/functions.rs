@@ -1,0 +1,138 @@
+//! Functions of a mechanism on the chip: code, stack and instructions of each, read off an image that calls them all.
+//!
+//! In: files of a derived crate in f32 and the names of its functions. Out: a cost each. Emitted functions are straight
+//! lines, so that their instructions are counted where they stand; the image is linked, never run.
+
+use super::chip::STM32F405;
+use super::image::straight::{self, Instructions};
+use super::image::{Image, stack};
+use super::toolchain::{self, Toolchain};
+use super::{compile, lock, read, workspace};
+use crate::engine::crate_text::Files;
+use crate::failure::Failure;
+use std::fs;
+use std::path::Path;
+
+/// What a function takes on the chip, with all that it calls.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ChipCost {
+    /// Code and the constants within it (bytes).
+    pub bytes: u32,
+    /// Stack below its caller's frame (bytes).
+    pub stack: u32,
+    /// Instructions of a call.
+    pub instructions: Instructions,
+}
+
+/// A function to be measured.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Measured {
+    /// Its name in `equations`.
+    pub name: String,
+    /// Does it take derivatives of the speeds?
+    pub takes_u_dot: bool,
+}
+
+/// A toolchain for the chip, if there is one; nothing is installed.
+#[must_use]
+pub fn toolchain() -> Option<Toolchain> {
+    toolchain::present(STM32F405.target)
+}
+
+/// Costs in the order of `functions`; `files` are those of `crate_text::library`.
+///
+/// # Errors
+/// Status 1 if it does not build, status 2 where the folder cannot be written.
+pub fn costs(
+    toolchain: &Toolchain,
+    mut files: Files,
+    functions: &[Measured],
+) -> Result<Vec<ChipCost>, Failure> {
+    for (path, text) in &mut files {
+        if path == "src/equations.rs" {
+            for Measured { name, .. } in functions {
+                // A copy inside the caller would be counted with the caller.
+                *text =
+                    text.replace(&format!("pub fn {name}("), &format!("#[inline(never)]\npub fn {name}("));
+            }
+        }
+        if path == "src/lib.rs" {
+            *text = text.replace("#![no_std]", "#![no_std]\n#![no_main]") + &calls(functions);
+        }
+        if path == "Cargo.toml" {
+            *text = text.replace(
+                "[dependencies]",
+                "[[bin]]\nname = \"functions\"\npath = \"src/lib.rs\"\n\n[dependencies]",
+            );
+        }
+    }
+    let workspace = workspace()?;
+    let folder = workspace.join("target/functions");
+    let _lock = lock(&folder)?;
+    let source = folder.join("source");
+    files.push((
+        "Cargo.lock".to_owned(),
+        fs::read_to_string(workspace.join("Cargo.lock")).unwrap_or_default(),
+    ));
+    for (path, text) in &files {
+        let file = source.join(path);
+        let written =
+            fs::create_dir_all(file.parent().unwrap_or(&source)).and_then(|()| fs::write(&file, text));
+        written.map_err(|e| Failure::Lacking(format!("{}: {e}", file.display())))?;
+    }
+    let image = read(&build(toolchain, &source, &folder)?)?;
+    functions.iter().map(|function| cost(&image, &function.name)).collect()
+}
+
+/// An entry that calls every function with numbers that the compiler does not know.
+fn calls(functions: &[Measured]) -> String {
+    let call = |Measured { name, takes_u_dot }: &Measured| {
+        let u_dot = if *takes_u_dot { "&u, " } else { "" };
+        format!("    black_box({name}(black_box(0.0), &q, &u, &inputs, {u_dot}&p));\n")
+    };
+    format!(
+        "
+#[panic_handler]
+fn stop(_: &core::panic::PanicInfo) -> ! {{
+    loop {{}}
+}}
+
+/// Where the image begins.
+#[unsafe(no_mangle)]
+pub extern \"C\" fn _start() -> ! {{
+    use core::hint::black_box;
+    let p = black_box(prepare(&Parameters::default()));
+    let (q, u, inputs) = (black_box([0.0; NQ]), black_box([0.0; NU]), black_box([0.0; N_INPUTS]));
+{}    loop {{}}
+}}
+",
+        functions.iter().map(call).collect::<String>()
+    )
+}
+
+/// Builds as the firmware is built; the path of the image.
+fn build(toolchain: &Toolchain, source: &Path, folder: &Path) -> Result<std::path::PathBuf, Failure> {
+    let mut cargo = toolchain.cargo();
+    cargo
+        .args(["build", "--quiet", "--release", "--bin", "functions", "--target-dir"])
+        .arg(folder)
+        .current_dir(source);
+    cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2").env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1");
+    cargo.env("CARGO_PROFILE_RELEASE_LTO", "fat").env("CARGO_PROFILE_RELEASE_DEBUG", "0");
+    compile::for_chip(&mut cargo, toolchain, &STM32F405);
+    compile::succeed(cargo, "the functions do not build for the chip")?;
+    Ok(folder.join(STM32F405.target).join("release/functions"))
+}
+
+fn cost(image: &Image, name: &str) -> Result<ChipCost, Failure> {
+    let ending = format!("::equations::{name}");
+    // Functions of equal code are one, of several names.
+    let entry = image.entries.iter().find(|(name, _)| name.ends_with(&ending));
+    let found = entry.and_then(|(_, address)| image.owner(*address));
+    let function = found.ok_or_else(|| Failure::Wrong(format!("the image lacks the function `{name}`")))?;
+    Ok(ChipCost {
+        bytes: straight::bytes(image, &[function]),
+        stack: stack::bound(image, function, &[]).bytes,
+        instructions: straight::instructions(image, function),
+    })
+}
