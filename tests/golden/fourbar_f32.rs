@@ -310,7 +310,7 @@ pub fn rates(
     let t5 = sin_q1 * cos_q2 - cos_q1 * sin_q2;
     let k20 = p.k20;
     let t6 = t2 * (t5 * k20);
-    let u3 = u1 * t6;
+    let u3 = u1 * t6; // fourbar.toml:27
     let l3 = p.l3;
     let t7 = l3 * (u3 * u3);
     let t8 = t4 * t4;
@@ -401,7 +401,7 @@ pub fn energy(
     let k16 = p.k16;
     let t3 = k16 * (t2 * t2);
     let k20 = p.k20;
-    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20));
+    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20)); // fourbar.toml:27
     let k17 = p.k17;
     let t4 = t3 + k17 * (u3 * u3);
     let k15 = p.k15;
@@ -460,7 +460,7 @@ pub fn speeds(
     let k19 = p.k19;
     let t2 = u1 * (t1 * ((sin_q1 * cos_q3 - cos_q1 * sin_q3) * k19));
     let k20 = p.k20;
-    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20));
+    let u3 = u1 * (t1 * ((sin_q1 * cos_q2 - cos_q1 * sin_q2) * k20)); // fourbar.toml:27
     [u1, -t2, u3]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.

@@ -346,7 +346,7 @@ pub fn rates(
     let u1 = u[0]; // fourbar.toml:25
     let t10 = u1 * t8;
     let t11 = t2 * t9;
-    let u3 = u1 * t11;
+    let u3 = u1 * t11; // fourbar.toml:27
     let t12 = t10 * t10;
     let t13 = cos_q3 * cos_q2;
     let t14 = sin_q3 * sin_q2;
@@ -483,7 +483,7 @@ pub fn energy(
     let t11 = t1 * t9;
     let u1 = u[0]; // fourbar.toml:25
     let t12 = u1 * t10;
-    let u3 = u1 * t11;
+    let u3 = u1 * t11; // fourbar.toml:27
     let t13 = t12 * t12;
     let t14 = u3 * u3;
     let k10 = p.k10;
@@ -571,7 +571,7 @@ pub fn speeds(
     let t11 = t1 * t9;
     let u1 = u[0]; // fourbar.toml:25
     let t12 = u1 * t10;
-    let u3 = u1 * t11;
+    let u3 = u1 * t11; // fourbar.toml:27
     [u1, -t12, u3]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.

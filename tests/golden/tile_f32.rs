@@ -491,7 +491,7 @@ pub fn rates(
     let t48 = 1.0_f32 / cos_thA;
     let t49 = t48 * t29;
     let t50 = t48 * t42;
-    let u_thA = w_platform_y * t49 - t38 * t50;
+    let u_thA = w_platform_y * t49 - t38 * t50; // tile.toml:55
     let t51 = u_hA * t42;
     let v_G_y = sA * t38 - t51;
     let t52 = 0.6666667_f32 * t36;
@@ -513,7 +513,7 @@ pub fn rates(
     let t66 = t64 * t65;
     let t67 = w_platform_y * t66 + t28 * w_platform_x;
     let t68 = t64 * t9;
-    let u_thB = t38 * t68 - t67;
+    let u_thB = t38 * t68 - t67; // tile.toml:55
     let t69 = cos_thC * cos_thC;
     let t70 = Real::min(t57, t69);
     let t71 = 1.0_f32 / t69;
@@ -535,8 +535,8 @@ pub fn rates(
     let t87 = u_hC * t22 - t86;
     let t88 = u_hA * sin_thA + v_G_x;
     let t89 = 2.0_f32 * v_G_x;
-    let u_sB = t40 + t89;
-    let u_sC = t89 + t87;
+    let u_sB = t40 + t89; // tile.toml:56
+    let u_sC = t89 + t87; // tile.toml:56
     let t90 = 2.0_f32 * (t38 * t88);
     let t91 = w_platform_y * w_platform_x;
     let t92 = sA * t91 + t90;
@@ -993,7 +993,7 @@ pub fn speeds(
     let t28 = t14 + w_platform_y * (t12 * t27);
     let t29 = 1.0_f32 / cos_thA;
     let t30 = t29 * t11;
-    let u_thA = w_platform_y * t30 - t9 * (t29 * t27);
+    let u_thA = w_platform_y * t30 - t9 * (t29 * t27); // tile.toml:55
     let v_G_y = sA * t9 - u_hA * t27;
     let t31 = 0.57735026_f32 * v_G_y;
     let t32 = 1.1547005_f32 * sC * t9;
@@ -1013,10 +1013,10 @@ pub fn speeds(
     let t44 = 0.5_f32 * t11;
     let t45 = 1.0_f32 / cos_thB;
     let t46 = w_platform_y * (t45 * t44) + t10 * w_platform_x;
-    let u_thB = t9 * (t45 * t37) - t46;
+    let u_thB = t9 * (t45 * t37) - t46; // tile.toml:55
     let t47 = 2.0_f32 * v_G_x;
     let t48 = 1.7320508_f32 * sB * t9;
-    let u_sB = u_hB * t6 + t48 + t47;
+    let u_sB = u_hB * t6 + t48 + t47; // tile.toml:56
     let t49 = 1.0_f32 / (cos_thC * cos_thC);
     let t50 = t49 * t11;
     let t51 = t9 * t50;
@@ -1032,7 +1032,7 @@ pub fn speeds(
     let t61 = w_platform_x * t60 - t59;
     let t62 = 1.7320508_f32 * sC;
     let t63 = t62 * t9;
-    let u_sC = t47 + (u_hC * t6 - t63);
+    let u_sC = t47 + (u_hC * t6 - t63); // tile.toml:56
     [u_hA, -t28, u_thA, -t33, u_hB, -t43, u_thB, u_sB, u_hC, -t55, t61, u_sC]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.

@@ -607,7 +607,7 @@ pub fn rates(
     let t104 = 0.8660254037844386_f64 * w_platform_x;
     let t105 = 0.5_f64 * w_platform_y;
     let t106 = t90 + t89;
-    let u_thA = t91 - t92;
+    let u_thA = t91 - t92; // tile.toml:55
     let t107 = t93 + t94;
     let t108 = w_platform_y * t95;
     let t109 = t10 * w_platform_x;
@@ -619,7 +619,7 @@ pub fn rates(
     let t115 = 0.8660254037844386_f64 * t18;
     let t116 = t68 * t83;
     let t117 = t68 * t67;
-    let u_sC = t96 + t101;
+    let u_sC = t96 + t101; // tile.toml:56
     let t118 = t102 + t103;
     let t119 = t104 - t105;
     let t120 = t108 + t109;
@@ -636,8 +636,8 @@ pub fn rates(
     let t131 = sin_thB * t107;
     let t132 = t106 * u_thA;
     let t133 = u_hA * sin_thA;
-    let u_thB = t121 - t120;
-    let u_sB = t122 + t96;
+    let u_thB = t121 - t120; // tile.toml:55
+    let u_sB = t122 + t96; // tile.toml:56
     let t134 = w_platform_x * t124;
     let t135 = t125 + t126;
     let t136 = sC * t127;
@@ -1476,14 +1476,14 @@ pub fn speeds(
     let t118 = t100 + t101;
     let t119 = t103 - t102;
     let t120 = t105 + t104;
-    let u_thA = t106 - t107;
+    let u_thA = t106 - t107; // tile.toml:55
     let t121 = t108 + v_G_x;
     let t122 = t109 + t110;
-    let u_thB = t112 - t111;
-    let u_sB = t114 + t113;
+    let u_thB = t112 - t111; // tile.toml:55
+    let u_sB = t114 + t113; // tile.toml:56
     let t123 = t115 + t116;
     let t124 = t117 - t118;
-    let u_sC = t113 + t119;
+    let u_sC = t113 + t119; // tile.toml:56
     [u_hA, -t120, u_thA, -t121, u_hB, -t122, u_thB, u_sB, u_hC, -t123, t124, u_sC]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.

@@ -43,7 +43,7 @@ use crate::expr::cost::Optimise;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, Label, SymbolId};
 use crate::kinematics::eliminate::{Pivot, Solution};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
 use crate::model::Model;
 use crate::section::Section;
 use given::Given;
@@ -99,7 +99,7 @@ pub fn derive(
     }
     active_force::accumulate(model, k, &mut parts);
     let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
-    let values = unknown_values(k, solution);
+    let values = unknown_values(model, k, solution);
     let augmented = match with_augmented {
         true => augmented::derive(k, solution, &parts, &values),
         false => Augmented::default(),
@@ -185,7 +185,7 @@ pub(crate) fn is_inert(
 ) -> bool {
     let mut parts = Unprojected::default();
     inertia_force::accumulate(model, k, &Given::default(), &mut parts);
-    let values = unknown_values(k, solution);
+    let values = unknown_values(model, k, solution);
     let Reduced { mass, .. } = reduce::reduce(k, solution, parts);
     let forcing = vec![k.dag.zero(); mass.len()];
     redundant::solve(model, k, table, (&solution.ties, &values), (&mass, &forcing)).is_some()
@@ -198,7 +198,7 @@ pub(crate) fn without_mass(
     solution: &Solution,
     table: &mut SampleTable,
 ) -> Dynamics {
-    let values = unknown_values(k, solution);
+    let values = unknown_values(model, k, solution);
     let speed_correction = match solution.ties.is_empty() {
         true => Vec::new(),
         false => redundant::shortest_correction(model, k, table, &solution.ties).unwrap_or_default(),
@@ -246,15 +246,24 @@ fn accelerations(
 }
 
 /// Value of every unknown that is not an independent speed, each from those eliminated after it;
-/// named after the unknown.
-pub(crate) fn unknown_values(k: &mut Kinematics, solution: &Solution) -> HashMap<SymbolId, ExprId> {
+/// named after the unknown, a dependent speed with the model's line.
+pub(crate) fn unknown_values(
+    model: &Model,
+    k: &mut Kinematics,
+    solution: &Solution,
+) -> HashMap<SymbolId, ExprId> {
     let mut values: HashMap<UnknownId, ExprId> =
         k.unknowns.enumerate().map(|(id, u)| (id, u.value)).collect();
     let mut by_symbol = HashMap::default();
     for step in solution.steps.iter().rev() {
         let terms: Vec<_> = step.coefficients.iter().map(|(z, &c)| k.dag.mul(c, values[z])).collect();
         let value = k.dag.sum(&terms);
-        k.dag.label(value, Label::named(Section::Velocities, &*k.unknowns[step.unknown].name));
+        let Unknown { name, kind, .. } = &k.unknowns[step.unknown];
+        let mut label = Label::named(Section::Velocities, &**name);
+        if let UnknownKind::Dependent(speed) = *kind {
+            label = label.at(model.source.place(model.speeds[speed].span));
+        }
+        k.dag.label(value, label);
         values.insert(step.unknown, value);
         if let Some(symbol) = k.dag.as_symbol(k.unknowns[step.unknown].value) {
             by_symbol.insert(symbol, value);

@@ -132,3 +132,16 @@ fn the_start_meets_the_constraints() {
         assert!(residual < 1e-12 * program.assembly.size().max(1.0), "{name}: {residual:e}");
     }
 }
+
+#[test]
+fn a_dependent_speed_says_where_it_is_declared() {
+    let model = shipped("fourbar");
+    let text = emitted(&derived("fourbar", &[]), ScalarType::F64);
+    let declared =
+        model.source.files[0].text.lines().position(|line| line.starts_with("q3 = ")).expect("q3") + 1;
+    let speeds: Vec<&str> = text.lines().filter(|line| line.starts_with("    let u3 = ")).collect();
+    assert!(!speeds.is_empty());
+    for line in speeds {
+        assert!(line.ends_with(&format!("; // fourbar.toml:{declared}")), "{line}");
+    }
+}

@@ -73,7 +73,7 @@ fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<Exp
     let u_dot: Vec<ExprId> = moving.iter().copied().chain(components.iter().map(|_| zero)).collect();
     let missing = dynamics::missing_forces(&model, &mut k, &solution, &u_dot);
     let forces = dynamics::on_independent(&mut k, &solution, missing);
-    let values = dynamics::unknown_values(&mut k, &solution);
+    let values = dynamics::unknown_values(&model, &mut k, &solution);
     let lacking = k.dag.substitute(forces.get(moving.len()..)?, &values);
     let known = known(stages, &k, &moving);
     stages.k.dag.graft(&k.dag, &lacking, &known)
