@@ -529,7 +529,7 @@ pub fn rates(
     let t62 = 0.8660254_f32 * sA;
     let t63 = t61 + t60 * t62;
     let t64 = t33 * t56;
-    let u_psiB = t59 + t64 * t60;
+    let u_psiB = t59 + t64 * t60; // tile_minimal.toml:43
     let t65 = 1.0_f32 - t55;
     let t66 = Real::sqrt(t65);
     let t67 = 1.0_f32 / t66;
@@ -539,7 +539,7 @@ pub fn rates(
     let t71 = t70 * t67;
     let t72 = w_platform_y * t69 - t54 * t71;
     let t73 = t42 * t67;
-    let u_thB = t60 * t73 - t72;
+    let u_thB = t60 * t73 - t72; // tile_minimal.toml:44
     let t74 = t37 * u_psiB;
     let t75 = t74 * (u_psiB * t66);
     let t76 = t74 * u_thB;
@@ -568,7 +568,7 @@ pub fn rates(
     let t98 = t96 * (0.8660254_f32 * t43);
     let t99 = t97 * w_platform_y + t98 * t54;
     let t100 = t33 * t96;
-    let u_psiC = t99 - t100 * t60;
+    let u_psiC = t99 - t100 * t60; // tile_minimal.toml:43
     let k5 = p.k5;
     let t101 = k5 * t75;
     let t102 = t69 * t101;
@@ -590,7 +590,7 @@ pub fn rates(
     let t117 = 0.57735026_f32 * t39;
     let t118 = t117 * t115;
     let t119 = t116 * t60;
-    let u_psiA = t118 * w_platform_y - t119;
+    let u_psiA = t118 * w_platform_y - t119; // tile_minimal.toml:43
     let t120 = Real::sqrt(t107);
     let t121 = t36 * u_psiA;
     let t122 = k5 * (t121 * (u_psiA * t120));
@@ -601,7 +601,7 @@ pub fn rates(
     let t127 = t117 * t123;
     let t128 = w_platform_y * t124;
     let t129 = t127 * t122;
-    let u_thA = t60 * t127 + t128;
+    let u_thA = t60 * t127 + t128; // tile_minimal.toml:44
     let t130 = 2.0_f32 * t121 * u_thA;
     let t131 = t110 * t70;
     let t132 = t43 * t110;
@@ -637,7 +637,7 @@ pub fn rates(
     let t160 = 1.1547005_f32 * t42;
     let t161 = u_hB * t160 + t159;
     let t162 = u_hB * t37;
-    let u_sA = t161 - u_hA * t36;
+    let u_sA = t161 - u_hA * t36; // tile_minimal.toml:45
     let t163 = 0.5_f32 * t161;
     let t164 = t163 + t63 - t162;
     let t165 = u_hC * t38 - t163;
@@ -650,7 +650,7 @@ pub fn rates(
     let t171 = k19 * (w_platform_y * t60);
     let t172 = t60 * u_sA;
     let v_G_y = sA * t60 + u_hA * t117;
-    let u_sC = t165 + 0.8660254_f32 * v_G_y;
+    let u_sC = t165 + 0.8660254_f32 * v_G_y; // tile_minimal.toml:45
     let t173 = t135 + 2.0_f32 * (t88 * u_sC);
     let t174 = t26 * t170;
     let t175 = t46 * (t174 + (t169 + t173));
@@ -875,7 +875,7 @@ pub fn energy(
     let t36 = (u_hA - u_hB) * t18 + t35;
     let t37 = t34 - t33 * (0.8660254_f32 * t31) * t36;
     let t38 = t1 * t8 * w_platform_y + t3 * t8 * t36;
-    let u_psiB = t37 + t17 * t33 * t38;
+    let u_psiB = t37 + t17 * t33 * t38; // tile_minimal.toml:43
     // Results: elimination of M, accelerations and what else is returned.
     let t39 = u_psiB * u_psiB;
     let k5 = p.k5;
@@ -887,14 +887,14 @@ pub fn energy(
     let t44 = t43 * t42;
     let t45 = t44 * w_platform_y + t43 * (0.8660254_f32 * t41) * t36;
     let t46 = t17 * t43;
-    let u_psiC = t45 - t46 * t38;
+    let u_psiC = t45 - t46 * t38; // tile_minimal.toml:43
     let t47 = u_psiC * u_psiC;
     let t48 = t40 + (t26 * (k5 * t26) - k4) * t47;
     let t49 = 1.0_f32 / (1.0_f32 - t29 * t29);
     let t50 = t17 * t49;
     let t51 = t50 * t38;
     let t52 = 0.57735026_f32 * t27;
-    let u_psiA = t52 * t49 * w_platform_y - t51;
+    let u_psiA = t52 * t49 * w_platform_y - t51; // tile_minimal.toml:43
     let t53 = u_psiA * u_psiA;
     let t54 = (t29 * (k5 * t29) - k4) * t53 + t48;
     let k15 = p.k15;
@@ -1003,11 +1003,11 @@ pub fn speeds(
     let t36 = (t34 - t33) * t16;
     let t37 = t35 - t36;
     let t38 = 0.57735026_f32 * t37;
-    let u_psiA = t38 * t30 * w_platform_y - t32;
+    let u_psiA = t38 * t30 * w_platform_y - t32; // tile_minimal.toml:43
     let t39 = 1.0_f32 / Real::sqrt(t29);
     let t40 = t27 * (t38 * t39);
     let t41 = t16 * t39;
-    let u_thA = t40 + w_platform_y * t41;
+    let u_thA = t40 + w_platform_y * t41; // tile_minimal.toml:44
     let t42 = 1.3333334_f32 * (0.4330127_f32 * sA + t11);
     let t43 = t42 * t27;
     let t44 = u_hA * (0.33333334_f32 * t37) + t43;
@@ -1015,17 +1015,17 @@ pub fn speeds(
     let t46 = 0.8660254_f32 * t28;
     let t47 = t46 - t45;
     let t48 = u_hB * (1.1547005_f32 * t47) + t44;
-    let u_sA = t48 - u_hA * t28;
+    let u_sA = t48 - u_hA * t28; // tile_minimal.toml:45
     let t49 = 0.5_f32 * t47;
     let t50 = t35 * t35;
     let t51 = 1.0_f32 / (t50 - 1.0_f32);
-    let u_psiB = t51 * t49 * w_platform_y - t51 * (0.8660254_f32 * t47) * t25 + t16 * t51 * t27;
+    let u_psiB = t51 * t49 * w_platform_y - t51 * (0.8660254_f32 * t47) * t25 + t16 * t51 * t27; // tile_minimal.toml:43
     let t52 = 1.0_f32 / Real::sqrt(1.0_f32 - t50);
     let t53 = t27 * (t47 * t52);
     let t54 = 0.5_f32 * t16;
     let t55 = w_platform_y * (t54 * t52);
     let t56 = 0.8660254_f32 * t16;
-    let u_thB = t53 - (t55 - t25 * (t56 * t52));
+    let u_thB = t53 - (t55 - t25 * (t56 * t52)); // tile_minimal.toml:44
     let t57 = 0.5_f32 * t48;
     let t58 = 0.8660254_f32 * sA;
     // Results: elimination of M, accelerations and what else is returned.
@@ -1039,7 +1039,7 @@ pub fn speeds(
     let t66 = t65 * t63;
     let t67 = t66 * w_platform_y + t65 * (0.8660254_f32 * t62) * t25;
     let t68 = t16 * t65;
-    let u_psiC = t67 - t68 * t27;
+    let u_psiC = t67 - t68 * t27; // tile_minimal.toml:43
     let t69 = 1.0_f32 / Real::sqrt(t64);
     let t70 = t62 * t69;
     let t71 = t27 * t70;
@@ -1048,12 +1048,12 @@ pub fn speeds(
     let t74 = t25 * t73 + t72;
     let t75 = u_hC * t36 - t57;
     let v_G_y = sA * t27 + u_hA * t38;
-    let u_sC = t75 + 0.8660254_f32 * v_G_y;
-    let u_root = w_platform_y * (t3 * root) - t25 * (t1 * root);
+    let u_sC = t75 + 0.8660254_f32 * v_G_y; // tile_minimal.toml:45
+    let u_root = w_platform_y * (t3 * root) - t25 * (t1 * root); // tile_minimal.toml:16
     let t76 = t26 * u_root;
-    let u_slope_x = root * w_platform_y + t76;
+    let u_slope_x = root * w_platform_y + t76; // tile_minimal.toml:14
     let t77 = t22 * u_root;
-    let u_slope_y = root * t25 - t77;
+    let u_slope_y = root * t25 - t77; // tile_minimal.toml:15
     [u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, t61, u_hC, u_psiC, -t74, u_sC, u_slope_x, u_slope_y, u_root]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.

@@ -694,7 +694,7 @@ pub fn rates(
     let t139 = t128 * w_platform_y;
     let t140 = t110 * t95;
     let t141 = t103 * t116;
-    let u_psiA = t130 - t129;
+    let u_psiA = t130 - t129; // tile_minimal.toml:43
     let t142 = t26 * t104;
     let t143 = t90 * t103;
     let t144 = t108 * t104;
@@ -707,7 +707,7 @@ pub fn rates(
     let t151 = t97 * t132;
     let t152 = t71 * t110;
     let t153 = t67 * t109;
-    let u_psiB = t134 + t135;
+    let u_psiB = t134 + t135; // tile_minimal.toml:43
     let t154 = t115 * t136;
     let t155 = t137 - t138;
     let t156 = t139 + t140;
@@ -731,14 +731,14 @@ pub fn rates(
     let t173 = t110 * t152;
     let t174 = t109 * t153;
     let t175 = t37 * u_psiB;
-    let u_thB = t154 - t155;
+    let u_thB = t154 - t155; // tile_minimal.toml:44
     let t176 = 0.8660254037844386_f64 * w_platform_y;
     let t177 = 0.5_f64 * t95;
-    let u_psiC = t156 - t157;
+    let u_psiC = t156 - t157; // tile_minimal.toml:43
     let t178 = t160 + t159;
     let t179 = t95 * t161;
     let t180 = 2.0_f64 * t158;
-    let u_thA = t162 + t163;
+    let u_thA = t162 + t163; // tile_minimal.toml:44
     let t181 = t165 + t164;
     let t182 = t115 * t166;
     let t183 = u_hA * t167;
@@ -799,7 +799,7 @@ pub fn rates(
     let t237 = t217 - t216;
     let t238 = t26 * t218;
     let t239 = t219 - t220;
-    let u_sA = t181 - t221;
+    let u_sA = t181 - t221; // tile_minimal.toml:45
     let t240 = t222 + t223;
     let t241 = t30 * t224;
     let t242 = t96 * t225;
@@ -915,7 +915,7 @@ pub fn rates(
     let t345 = 1.3333333333333333_f64 * t327;
     let t346 = t127 * t265;
     let t347 = t161 * t285;
-    let u_sC = t328 + t329;
+    let u_sC = t328 + t329; // tile_minimal.toml:45
     let t348 = t330 - t331;
     let t349 = t332 - t333;
     let t350 = t26 * t334;
@@ -1248,9 +1248,9 @@ pub fn energy(
     let t93 = t30 * t65;
     let t94 = t86 * t65;
     let t95 = 0.4330127018922193_f64 * sA;
-    let u_psiB = t87 + t88;
+    let u_psiB = t87 + t88; // tile_minimal.toml:43
     let t96 = t39 * t89;
-    let u_psiC = t90 - t91;
+    let u_psiC = t90 - t91; // tile_minimal.toml:43
     let t97 = t40 * t92;
     let t98 = t93 * t81;
     let t99 = t94 * w_platform_y;
@@ -1261,7 +1261,7 @@ pub fn energy(
     let t103 = t96 - k4;
     let t104 = u_psiC * u_psiC;
     let t105 = t97 - k4;
-    let u_psiA = t99 - t98;
+    let u_psiA = t99 - t98; // tile_minimal.toml:43
     let t106 = t48 * t100;
     let t107 = 1.3333333333333333_f64 * t101;
     let t108 = 0.3333333333333333_f64 * t53;
@@ -1511,7 +1511,7 @@ pub fn speeds(
     let t131 = t75 * t92;
     let t132 = u_hC * t40;
     let v_G_y = t110 + t111;
-    let u_root = t112 - t113;
+    let u_root = t112 - t113; // tile_minimal.toml:16
     let t133 = t114 * t76;
     let t134 = t115 * w_platform_y;
     let t135 = t76 * t116;
@@ -1533,17 +1533,17 @@ pub fn speeds(
     let t151 = root * w_platform_y;
     let t152 = t61 * u_root;
     let t153 = root * t62;
-    let u_psiA = t134 - t133;
-    let u_thA = t135 + t136;
-    let u_sA = t99 - t137;
-    let u_psiB = t138 + t139;
-    let u_thB = t140 - t141;
+    let u_psiA = t134 - t133; // tile_minimal.toml:43
+    let u_thA = t135 + t136; // tile_minimal.toml:44
+    let u_sA = t99 - t137; // tile_minimal.toml:45
+    let u_psiB = t138 + t139; // tile_minimal.toml:43
+    let u_thB = t140 - t141; // tile_minimal.toml:44
     let t154 = t143 - t142;
-    let u_psiC = t144 - t145;
+    let u_psiC = t144 - t145; // tile_minimal.toml:43
     let t155 = t147 + t146;
-    let u_sC = t148 + t149;
-    let u_slope_x = t151 + t150;
-    let u_slope_y = t153 - t152;
+    let u_sC = t148 + t149; // tile_minimal.toml:45
+    let u_slope_x = t151 + t150; // tile_minimal.toml:14
+    let u_slope_y = t153 - t152; // tile_minimal.toml:15
     [u_hA, u_psiA, u_thA, u_sA, u_hB, u_psiB, u_thB, t154, u_hC, u_psiC, -t155, u_sC, u_slope_x, u_slope_y, u_root]
 }
 /// Requested outputs in the order of `OUTPUT_NAMES`.
