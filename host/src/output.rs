@@ -78,15 +78,16 @@ impl Output {
 ///
 /// # Errors
 /// [`Failure::Wrong`] if that fails.
-pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
+pub fn replace(file: &Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
+    let text = text.as_ref();
     let place = std::fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
     if place.exists() && !place.is_file() {
-        return write(&place.display().to_string(), text.as_bytes());
+        return write(&place.display().to_string(), text);
     }
     let beside = place.with_extension(format!("part-{}", std::process::id()));
     let put = || -> io::Result<()> {
         let mut open = File::create(&beside)?;
-        open.write_all(text.as_bytes())?;
+        open.write_all(text)?;
         open.sync_all()
     };
     put().and_then(|()| std::fs::rename(&beside, &place)).map_err(|e| {

@@ -98,6 +98,26 @@ impl Case {
         )
     }
 
+    /// What all cases are made from, for a table of them: version, command, hashes, settings before those of the sweep, seeds.
+    #[cfg(feature = "parquet")]
+    pub fn made_from(&self) -> Vec<(&'static str, String)> {
+        let own = &self.settings[..self.settings.len() - self.values.len()];
+        let settings: Vec<String> = own.iter().map(|s| json_string(s)).collect();
+        let mut pairs = vec![
+            ("version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("command", format!("smartbed sweep {}", self.name)),
+            ("plan_sha256", self.hash.clone()),
+            ("settings", format!("[{}]", settings.join(", "))),
+            ("note", smartbed_bed::metrics::DISCLAIMER.to_owned()),
+        ];
+        pairs.extend(self.mesh.clone().map(|hash| ("mesh_sha256", hash)));
+        if let Ok(read) = self.plan.read(own) {
+            pairs.extend(read.sensors.map(|sensors| ("sensors.seed", sensors.seed.to_string())));
+            pairs.extend(read.instruments.map(|own| ("instruments.seed", own.seed.to_string())));
+        }
+        pairs
+    }
+
     /// Runs it: the text of its file.
     pub fn compute(&self) -> Result<String, Failure> {
         let read = self.plan.read(&self.settings)?;

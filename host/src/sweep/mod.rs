@@ -6,6 +6,8 @@
 
 mod case;
 mod page;
+#[cfg(feature = "parquet")]
+mod parquet;
 
 use crate::failure::Failure;
 use crate::plan_file::PlanFile;
@@ -38,6 +40,9 @@ pub struct Arguments {
     /// A page that compares all cases, once all are there.
     #[arg(long, value_name = "FILE.html")]
     pub page: Option<String>,
+    /// The table also as Parquet, once all cases are there.
+    #[arg(long, value_name = "FILE.parquet")]
+    pub parquet: Option<String>,
     /// Processors to use; all unless given.
     #[arg(long, value_name = "COUNT")]
     pub cores: Option<usize>,
@@ -51,6 +56,10 @@ pub struct Arguments {
 /// # Errors
 /// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.parquet.is_some() && !cfg!(feature = "parquet") {
+        let what = "--parquet: this program was built without it; build it with --features parquet";
+        return Err(Failure::Wrong(what.to_owned()));
+    }
     let plan = PlanFile::open(&arguments.plan)?;
     let axes = plan.read(&arguments.set)?.axes;
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;
@@ -78,7 +87,23 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(page) = &arguments.page {
         output::replace(Path::new(page), &page::text(&arguments.plan, &found))?;
     }
+    if let Some(file) = &arguments.parquet {
+        write_parquet(file, &found, &all)?;
+    }
     output::print(&format!("{}: {}\n", table.display(), smartbed_codegen::words::count(all.len(), "case")))
+}
+
+/// The table as Parquet.
+#[cfg(feature = "parquet")]
+fn write_parquet(file: &str, table: &Table, all: &[Case]) -> Result<(), Failure> {
+    let pairs = all.first().map_or_else(Vec::new, Case::made_from);
+    let bytes = parquet::bytes(table, &pairs).map_err(|e| format!("{file}: {e}"))?;
+    output::replace(Path::new(file), bytes)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn write_parquet(_: &str, _: &Table, _: &[Case]) -> Result<(), Failure> {
+    Ok(())
 }
 
 /// `2/4` as the second of four, from 0.

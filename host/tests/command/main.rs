@@ -26,6 +26,8 @@ mod scene_manual;
 mod schema;
 mod settings;
 mod support;
+#[cfg(feature = "parquet")]
+mod sweep_parquet;
 mod tile;
 mod view;
 mod view_world;
