@@ -3,7 +3,6 @@
 //! In: a plan with what a policy has told, where a body reaches. Out: the first bound that it exceeds. Pressures change along
 //! straight lines, so their ends are all that is tried.
 
-use super::View;
 use crate::map::{Grid, MMHG, Site};
 use crate::plan::check::Refusal;
 use crate::plan::{Layout, Plan};
@@ -61,14 +60,6 @@ impl Bounds {
             ));
         }
         Ok(())
-    }
-
-    /// Would these tiles be low together without exceeding a bound, the others as they are told?
-    #[must_use]
-    pub fn allow(&self, view: &View<'_>, tiles: &[usize], pressure: f64) -> bool {
-        let told = |tile: usize| if tiles.contains(&tile) { pressure } else { view.orders[tile].pressure };
-        let pressures: Vec<f64> = (0..view.orders.len()).map(told).collect();
-        self.of(&pressures, view.reach, view.weight).is_ok()
     }
 }
 

@@ -13,7 +13,7 @@ use crate::map::{Frame, Grid, Site};
 use crate::plan::{Layout, Move, Order};
 
 /// What a policy sees at a time.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct View<'a> {
     /// s.
     pub time: f64,
@@ -31,6 +31,8 @@ pub struct View<'a> {
     pub reach: &'a [f64],
     /// N.
     pub weight: f64,
+    /// Would these moves keep to the plan's limits and the bounds, beside all that is told already?
+    pub allows: &'a dyn Fn(&[Move]) -> bool,
 }
 
 /// Who decides.

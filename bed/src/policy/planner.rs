@@ -1,13 +1,18 @@
-//! A planner: lets down, a few at a time, those bladders on which skin has been pressed shut all cycle, and no others.
+//! A planner: relieves, a few at a time, those tiles on which skin has been pressed shut all cycle, and no others.
 //!
 //! In: what sensors read, step by step. Out: moves. A sensel is shut while it has read more than capillaries bear in every
-//! frame of the cycle so far. In each slot of a cycle those tiles with most shut area are let down, as many as bounds allow,
-//! held, and filled again; what is let down once in vain counts half the next time. Nothing shut: nothing moves.
+//! frame of the cycle so far. In each slot of a cycle those tiles with most shut area are relieved, as many as limits and
+//! bounds allow, held, and brought back. The least motion comes first: a bladder is let down; where that was in vain its
+//! tile goes down as well, and at last it tilts as well, its shut side down, as far as limits let it. What is tried in vain
+//! counts half the next time.
 
-use super::bounds::{Bounds, tile_of};
+use super::bounds::tile_of;
 use super::{Policy, View};
 use crate::map::MMHG;
 use crate::plan::Move;
+
+/// Most motion: let down, lowered and tilted.
+const MOST: u32 = 2;
 
 /// What a planner goes by.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,11 +29,24 @@ pub struct Goal {
     pub low: f64,
     /// A tile with less shut area (m^2) than this is left alone.
     pub least: f64,
+    /// How far a tile goes down (m); 0 for none.
+    pub lower: f64,
+    /// Slope of a tile that tilts; 0 for none.
+    pub tilt: f64,
 }
 
 impl Default for Goal {
     fn default() -> Goal {
-        Goal { cycle: 600.0, slots: 10, ramp: 10.0, hold: 40.0, low: 1.6e3, least: 2e-4 }
+        Goal {
+            cycle: 600.0,
+            slots: 10,
+            ramp: 10.0,
+            hold: 40.0,
+            low: 1.6e3,
+            least: 2e-4,
+            lower: 0.015,
+            tilt: 0.035,
+        }
     }
 }
 
@@ -36,42 +54,82 @@ impl Default for Goal {
 #[derive(Clone, Debug)]
 pub struct Planner {
     goal: Goal,
-    bounds: Bounds,
     /// Least that each sensel has read in this cycle (Pa).
     lowest: Vec<f64>,
-    /// How often each tile was let down in this cycle.
+    /// How often each tile was relieved in this cycle.
     tried: Vec<u32>,
     /// When the next slot and the next cycle begin (s).
     next: [f64; 2],
 }
 
+/// What is shut on a tile.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Shut {
+    /// m^2.
+    area: f64,
+    /// Its first moments about the tile's middle, in halves of the tile's sides.
+    moments: [f64; 2],
+}
+
 impl Planner {
-    /// A planner that keeps to bounds.
+    /// A planner.
     #[must_use]
-    pub fn new(goal: Goal, bounds: Bounds) -> Planner {
-        Planner { goal, bounds, lowest: Vec::new(), tried: Vec::new(), next: [0.0; 2] }
+    pub fn new(goal: Goal) -> Planner {
+        Planner { goal, lowest: Vec::new(), tried: Vec::new(), next: [0.0; 2] }
     }
 
-    /// Shut area of each tile (m^2).
-    fn shut(&self, view: &View<'_>) -> Vec<f64> {
-        let mut areas = vec![0.0; view.layout.count()];
+    /// What is shut on each tile.
+    fn shut(&self, view: &View<'_>) -> Vec<Shut> {
+        let mut found = vec![Shut::default(); view.layout.count()];
         for (site, _) in self.lowest.iter().enumerate().filter(|(_, p)| **p > 32.0 * MMHG) {
-            areas[tile_of(view.layout, view.grid, site)] += view.sites[site].area;
+            let own = &mut found[tile_of(view.layout, view.grid, site)];
+            let area = view.sites[site].area;
+            own.area += area;
+            let at = [site % view.grid.columns, site / view.grid.columns];
+            for ((moment, at), count) in own.moments.iter_mut().zip(at).zip(view.layout.intervals) {
+                *moment += area * (2.0 * (at % count) as f64 / count as f64 - 1.0);
+            }
         }
-        areas
+        found
     }
 
-    /// Tiles of a slot: by shut area, each only if bounds still hold with it.
-    fn chosen(&self, view: &View<'_>) -> Vec<usize> {
+    /// What relieves a tile now, by this much motion, and brings it back after it was held.
+    fn relief(&self, view: &View<'_>, tile: usize, shut: &Shut, much: u32) -> [Move; 2] {
+        let Goal { ramp, hold, low, lower, tilt, .. } = self.goal;
+        let order = &view.orders[tile];
+        let told =
+            |at: f64| Move { at, over: ramp, tiles: vec![tile], pressure: None, heave: None, slope: None };
+        let (mut down, mut back) = (told(view.time), told(view.time + ramp + hold));
+        (down.pressure, back.pressure) = (Some(low), Some(order.pressure));
+        if lower > 0.0 && much >= 1 {
+            (down.heave, back.heave) = (Some(order.command.heave - lower), Some(order.command.heave));
+        }
+        if tilt > 0.0 && much >= 2 {
+            // A slope raises what lies ahead: shut skin is to lie behind.
+            let size = shut.moments[0].hypot(shut.moments[1]).max(f64::MIN_POSITIVE);
+            let slope = order.command.slope;
+            down.slope = Some([0, 1].map(|k| slope[k] - tilt * shut.moments[k] / size));
+            back.slope = Some(slope);
+        }
+        [down, back]
+    }
+
+    /// Moves of a slot: by shut area, each only if limits and bounds still hold with it.
+    fn chosen(&self, view: &View<'_>) -> Vec<Move> {
         let shut = self.shut(view);
-        let hope = |tile: &usize| shut[*tile] * 0.5_f64.powi(self.tried[*tile] as i32);
-        let mut order: Vec<usize> = (0..shut.len()).filter(|tile| shut[*tile] > self.goal.least).collect();
+        let hope = |tile: &usize| shut[*tile].area * 0.5_f64.powi(self.tried[*tile] as i32);
+        let mut order: Vec<usize> = (0..shut.len()).filter(|t| shut[*t].area > self.goal.least).collect();
         order.sort_by(|a, b| hope(b).total_cmp(&hope(a)).then(a.cmp(b)));
         let mut chosen = Vec::new();
         for tile in order {
-            chosen.push(tile);
-            if !self.bounds.allow(view, &chosen, self.goal.low) {
-                chosen.pop();
+            // As much motion as the tile needs by now; less where a limit does not let it.
+            for much in (0..=self.tried[tile].min(MOST)).rev() {
+                let before = chosen.len();
+                chosen.extend(self.relief(view, tile, &shut[tile], much));
+                if (view.allows)(&chosen) {
+                    break;
+                }
+                chosen.truncate(before);
             }
         }
         chosen
@@ -80,13 +138,12 @@ impl Planner {
 
 impl Policy for Planner {
     fn decide(&mut self, view: &View<'_>) -> Vec<Move> {
-        let Goal { cycle, slots, ramp, hold, low, .. } = self.goal;
         // Times are sums of steps: a step is not missed by rounding.
         let is_due = |at: f64| view.time >= at - 1e-6;
         if is_due(self.next[1]) {
             self.lowest = vec![f64::INFINITY; view.frame.pressure.len()];
             self.tried = vec![0; view.layout.count()];
-            self.next[1] += cycle;
+            self.next[1] += self.goal.cycle;
         }
         for (least, p) in self.lowest.iter_mut().zip(&view.frame.pressure) {
             *least = least.min(*p);
@@ -94,23 +151,12 @@ impl Policy for Planner {
         if !is_due(self.next[0]) {
             return Vec::new();
         }
-        self.next[0] += cycle / slots as f64;
-        let tiles = self.chosen(view);
-        for tile in &tiles {
+        self.next[0] += self.goal.cycle / self.goal.slots as f64;
+        let moves = self.chosen(view);
+        // Each tile is told twice: there and back.
+        for tile in moves.iter().step_by(2).flat_map(|told| &told.tiles) {
             self.tried[*tile] += 1;
         }
-        let told = |at: f64, tile: usize, pressure: f64| Move {
-            at,
-            over: ramp,
-            tiles: vec![tile],
-            pressure: Some(pressure),
-            heave: None,
-            slope: None,
-        };
-        // Each is filled to what it had.
-        let both = |tile: &usize| {
-            [told(view.time, *tile, low), told(view.time + ramp + hold, *tile, view.orders[*tile].pressure)]
-        };
-        tiles.iter().flat_map(both).collect()
+        moves
     }
 }

@@ -6,7 +6,7 @@ use super::bounds::{Bounds, Reach};
 use super::{Policy, View};
 use crate::plan::check::check_from;
 use crate::plan::history::{History, RunError, Seen};
-use crate::plan::{Order, Plan, run as plan_run};
+use crate::plan::{Move, Order, Plan, run as plan_run};
 use crate::sensor::reader::Reader;
 
 /// Runs a plan under a policy; `reader` is what it sees through, nothing for the truth. `at` hears the share that is done and
@@ -30,6 +30,13 @@ pub fn run(
         let weight = plan.load.body.mass() * crate::equilibrium::GRAVITY;
         let orders: Vec<Order> =
             (0..plan.layout.count()).map(|tile| seen.plan.order(tile, seen.frame.time)).collect();
+        let judge = |moves: &[Move]| {
+            let told = seen.plan.with(moves);
+            if !moves.is_empty() {
+                check_from(&told, seen.frame.time)?;
+            }
+            bounds.check(&told, seen.frame.time, &areas, weight)
+        };
         let view = View {
             time: seen.frame.time,
             layout: &seen.plan.layout,
@@ -39,13 +46,10 @@ pub fn run(
             orders: &orders,
             reach: &areas,
             weight,
+            allows: &|moves| judge(moves).is_ok(),
         };
         let moves = policy.decide(&view);
-        let told = seen.plan.with(&moves);
-        if !moves.is_empty() {
-            check_from(&told, view.time)?;
-        }
-        bounds.check(&told, view.time, &areas, weight)?;
+        judge(&moves)?;
         Ok(moves)
     };
     plan_run::run_by(plan, &mut decide, at)

@@ -44,12 +44,22 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Chosen> {
         hold: get("hold", "s", usual.hold),
         low: get("low", "Pa", usual.low),
         least: get("least", "m^2", usual.least),
+        lower: usual.lower,
+        tilt: usual.tilt,
         slots: usual.slots,
     };
     let bounds = Bounds {
         low: get("low_below", "Pa", bounds.low),
         support: get("support", "", bounds.support),
         most_low: bounds.most_low,
+    };
+    let mut not_negative = |key: &'static str, of: &str, usual: f64| {
+        number(&fields, key, of, Bound::NotNegative, found).unwrap_or(usual)
+    };
+    let goal = Goal {
+        lower: not_negative("lower", "m", goal.lower),
+        tilt: not_negative("tilt", "", goal.tilt.atan()).min(1.5).tan(),
+        ..goal
     };
     let goal = Goal { slots: count(&fields, "slots", 1, found).unwrap_or(goal.slots), ..goal };
     let bounds =
@@ -72,7 +82,7 @@ impl Chosen {
     pub fn policy(&self, plan: &Plan) -> Box<dyn Policy> {
         let Goal { low, cycle, .. } = self.goal;
         match self.name {
-            "planner" => Box::new(Planner::new(self.goal, self.bounds)),
+            "planner" => Box::new(Planner::new(self.goal)),
             _ => Box::new(Scheduled::alternating(&plan.layout, low, plan.pressure, cycle, plan.seconds)),
         }
     }
