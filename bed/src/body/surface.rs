@@ -16,7 +16,7 @@ pub enum Surface {
     Mesh(Arc<Solid>),
 }
 
-/// Where a point lies that is inside of a surface.
+/// Where a point lies that is inside of a surface, or of a cover around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inside {
     /// m, > 0.
@@ -34,19 +34,19 @@ impl From<Shape> for Surface {
 }
 
 impl Surface {
-    /// How deep a point lies inside; none outside.
+    /// How deep a point lies inside a cover of this thickness (m) around the surface; none outside.
     #[must_use]
-    pub fn inside(&self, point: Vec3<f64>) -> Option<Inside> {
+    pub fn within(&self, point: Vec3<f64>, cover: f64) -> Option<Inside> {
         match self {
             Surface::Round(shape) => {
                 let (gap, normal) = shape.gap(point);
-                (gap < 0.0).then_some(Inside { depth: -gap, normal, slope: 1.0 })
+                (gap < cover).then_some(Inside { depth: cover - gap, normal, slope: 1.0 })
             }
             Surface::Mesh(solid) => {
                 let near = solid.field().near(point)?;
                 let slope = norm(near.gradient);
                 let normal = scale(near.gradient, 1.0 / slope.max(f64::MIN_POSITIVE));
-                (near.distance < 0.0).then_some(Inside { depth: -near.distance, normal, slope })
+                (near.distance < cover).then_some(Inside { depth: cover - near.distance, normal, slope })
             }
         }
     }

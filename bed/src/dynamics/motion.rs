@@ -8,7 +8,7 @@ use crate::body::Body;
 use crate::equilibrium::alone::{self, Kept};
 use crate::equilibrium::increment::{Damper, Increment, points};
 use crate::equilibrium::scene::Scene;
-use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Solution, State, find, read};
+use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Solution, State, Tile, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
 use crate::sheet::membrane;
@@ -174,7 +174,7 @@ impl Motion {
     }
 
     fn node_mass(&self) -> f64 {
-        self.matter.density * self.bed.lattice.cell()
+        (self.matter.density + self.bed.cover.density) * self.bed.lattice.cell()
     }
 
     /// The state if all went on as in the stage before.
@@ -266,6 +266,7 @@ impl Motion {
             let free = self.nodes[tile].iter().enumerate().filter(|(node, _)| lattice.free(*node).is_some());
             ledger.kinetic += free.map(|(_, t)| of_node * dot(t.velocity, t.velocity)).sum::<f64>();
             ledger.sheets += membrane::energy(lattice, sheet) + self.bed.plate_energy(sheet);
+            ledger.sheets += self.bed.cover_energy(&self.bed.tiles[tile], sheet);
             // A bladder without air has ended the step before.
             ledger.air += self.bed.tiles[tile].air.energy(self.bed.volume(sheet)).unwrap_or(f64::NAN);
             ledger.tissue += state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
@@ -331,7 +332,12 @@ impl Motion {
             let own = meeting.ends.iter().filter(|end| end.0 == tile);
             own.map(|(_, node, share)| force * share * dot(meeting.normal, way(sheet[*node]))).sum::<f64>()
         });
-        inertia + met.sum::<f64>() + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
+        let lifted = |tile: &Tile| bed.cover_energy(tile, sheet);
+        let borne = lifted(&bed.tiles[tile]) - lifted(&self.bed.tiles[tile]);
+        borne
+            + inertia
+            + met.sum::<f64>()
+            + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
     }
 }
 

@@ -26,7 +26,7 @@ pub fn lowered(bed: &Bed, body: &Body, state: &State, poses: &[Pose], distance: 
             for node in sheet {
                 let place = tile.pose.outwards(*node);
                 let gap = |(segment, pose): (&crate::body::Segment, &Pose)| {
-                    segment.shape.distance(pose.inwards(place))
+                    segment.shape.distance(pose.inwards(place)) - bed.cover.thickness
                 };
                 least = body.segments.iter().zip(&poses).map(gap).fold(least, f64::min);
             }

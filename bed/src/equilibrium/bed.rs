@@ -35,6 +35,17 @@ pub struct Bed {
     pub friction: f64,
     /// Neighbours whose sheets may touch.
     pub beside: Vec<[usize; 2]>,
+    /// What is mounted on the sheets.
+    pub cover: Cover,
+}
+
+/// What is mounted on sheets: it weighs on them, and stands between them and tissue.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cover {
+    /// Mass over area (kg/m^2).
+    pub density: f64,
+    /// m.
+    pub thickness: f64,
 }
 
 impl Bed {
@@ -50,6 +61,22 @@ impl Bed {
     pub fn plate_energy(&self, sheet: &[Vec3<f64>]) -> f64 {
         let below = |x: &Vec3<f64>| (-self.depth - x[2]).max(0.0);
         0.5 * PLATE * self.lattice.cell() * sheet.iter().map(|x| below(x).powi(2)).sum::<f64>()
+    }
+
+    /// Weight of what a free node bears (N).
+    #[must_use]
+    pub fn borne(&self) -> f64 {
+        self.cover.density * self.lattice.cell() * GRAVITY
+    }
+
+    /// Energy (J) of the weight that a tile's sheet bears.
+    #[must_use]
+    pub fn cover_energy(&self, tile: &Tile, sheet: &[Vec3<f64>]) -> f64 {
+        if self.cover.density == 0.0 {
+            return 0.0;
+        }
+        let free = sheet.iter().enumerate().filter(|(node, _)| self.lattice.free(*node).is_some());
+        self.borne() * free.map(|(_, x)| tile.pose.outwards(*x)[2]).sum::<f64>()
     }
 
     /// Weight of a body (N).

@@ -20,7 +20,7 @@ mod stiffness;
 mod tile;
 mod touch;
 
-pub use bed::{Bed, GRAVITY, Tile};
+pub use bed::{Bed, Cover, GRAVITY, Tile};
 pub use beside::Meeting;
 pub(crate) use newton::find;
 pub use newton::{Fault, lay_on, put_down, solve, stiffness};

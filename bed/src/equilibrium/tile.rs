@@ -179,7 +179,7 @@ impl<'a> Patch<'a> {
         let mut energy = membrane::energy(lattice, self.sheet);
         energy += self.increment.map_or(0.0, |i| i.sheet_energy(self.placed()));
         energy += self.tile.air.energy(self.bed.volume(self.sheet))?;
-        energy += self.bed.plate_energy(self.sheet);
+        energy += self.bed.plate_energy(self.sheet) + self.bed.cover_energy(self.tile, self.sheet);
         energy += self.touches().iter().map(|(touch, _)| touch.energy()).sum::<f64>();
         let held = self.anchors.iter().zip(self.sheet).filter_map(|(anchor, x)| {
             let anchor = anchor.as_ref()?;
@@ -248,8 +248,9 @@ impl<'a> Patch<'a> {
         if let Some(increment) = self.increment {
             increment.add_sheet_gradient(self.placed(), &mut force);
         }
+        let borne = self.tile.pose.attitude.to_body([0.0, 0.0, self.bed.borne()]);
         for ((f, v), x) in force.iter_mut().zip(&volume).zip(self.sheet) {
-            *f = add(*f, scale(*v, -pressure));
+            *f = add(add(*f, scale(*v, -pressure)), borne);
             f[2] -= PLATE * lattice.cell() * self.below(x);
         }
         for (meeting, node, way) in self.meetings() {

@@ -61,8 +61,9 @@ pub fn near(bed: &Bed, body: &Body, tile: &Pose, poses: &[Pose]) -> Vec<usize> {
     let [a, b] = bed.lattice.size;
     // A sheet bulges less than it is wide.
     let reach = 0.5 * a.hypot(b) + 0.5 * a.min(b);
-    let is_near =
-        |s: &usize| norm(sub(poses[*s].place, tile.place)) < reach + body.segments[*s].shape.reach();
+    let is_near = |s: &usize| {
+        norm(sub(poses[*s].place, tile.place)) < reach + body.segments[*s].shape.reach() + bed.cover.thickness
+    };
     (0..poses.len()).filter(is_near).collect()
 }
 
@@ -79,10 +80,12 @@ pub fn touch(
     let part = &body.segments[segment];
     // Most nodes are far away: their squared distance says so.
     let away = sub(place, pose.place);
-    if dot(away, away) >= part.shape.reach() * part.shape.reach() {
+    let reach = part.shape.reach() + bed.cover.thickness;
+    if dot(away, away) >= reach * reach {
         return None;
     }
-    let Inside { depth, normal, slope } = part.shape.inside(pose.attitude.to_body(away))?;
+    let Inside { depth, normal, slope } =
+        part.shape.within(pose.attitude.to_body(away), bed.cover.thickness)?;
     let Line { slope: share, rest } = line();
     let layer = part.foundation * bed.lattice.cell();
     let (stiffness, along) = (share * layer, ALONG * layer);

@@ -150,7 +150,7 @@ pub fn on_skin(bed: &Bed, solution: &Solution, points: &[SkinPoint]) -> Map {
         });
         let Some((tile, u, v, z)) = hit else { return [0.0; 3] };
         let height = between(bed, u, v, |node| [solution.state.sheets[tile][node][2], 0.0, 0.0])[0];
-        if (z - height).abs() > NEAR {
+        if (z - bed.cover.thickness - height).abs() > NEAR {
             return [0.0; 3];
         }
         between(bed, u, v, |node| fields[tile][node])

@@ -7,13 +7,14 @@ pub mod check;
 pub mod history;
 pub mod maps;
 pub mod motion;
+pub mod readings;
 pub mod run;
 mod start;
 
 use crate::body::Body;
 use crate::body::figure::Figure;
 use crate::dynamics::{Matter, Method};
-use crate::equilibrium::{Bed, Tile};
+use crate::equilibrium::{Bed, Cover, Tile};
 use crate::pose::Pose;
 use crate::sheet::air::Air;
 use crate::sheet::{Lattice, LatticeError};
@@ -53,6 +54,8 @@ pub struct Layout {
     pub above: f64,
     /// Valves are shut between changes of pressure.
     pub is_sealed: bool,
+    /// What is mounted on the sheets.
+    pub cover: Cover,
     /// n of p V^n in a sealed bladder: 1 where its gas keeps the temperature, 1.4 where nothing is quick enough to.
     pub exponent: f64,
 }
@@ -75,6 +78,7 @@ impl Default for Layout {
             most_pressure: 12e3,
             above: 0.13,
             is_sealed: false,
+            cover: Cover::default(),
             exponent: 1.0,
         }
     }
@@ -322,7 +326,14 @@ impl Plan {
         let layout = &self.layout;
         let lattice = Lattice::new(layout.intervals, layout.size(), layout.modulus)?;
         let beside = layout.neighbours().map(|(a, b, _)| [a, b]).collect();
-        Ok(Bed { lattice, depth: layout.depth, tiles: self.tiles(time), friction: layout.friction, beside })
+        Ok(Bed {
+            lattice,
+            depth: layout.depth,
+            tiles: self.tiles(time),
+            friction: layout.friction,
+            beside,
+            cover: layout.cover,
+        })
     }
 
     /// Tiles at a time, regulated.

@@ -18,7 +18,14 @@ fn pair(pressures: [f64; 2], degrees: f64) -> Bed {
         let pose = Pose::turned([0.1125 * side, 0.0, 0.0], [0.0, 1.0, 0.0], -side * degrees.to_radians());
         Tile { pose, air: Air::Regulated(pressures[k]) }
     };
-    Bed { lattice, depth: 0.1, tiles: vec![tile(0), tile(1)], friction: 0.4, beside: vec![[0, 1]] }
+    Bed {
+        lattice,
+        depth: 0.1,
+        tiles: vec![tile(0), tile(1)],
+        friction: 0.4,
+        beside: vec![[0, 1]],
+        cover: smartbed_bed::equilibrium::Cover::default(),
+    }
 }
 
 fn alone(bed: &Bed) -> Solution {

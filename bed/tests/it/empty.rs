@@ -47,6 +47,7 @@ fn busy(layout: &Layout, course: Course, time: f64) -> Bed {
         tiles: (0..layout.count()).map(tile).collect(),
         friction: 0.4,
         beside,
+        cover: smartbed_bed::equilibrium::Cover::default(),
     }
 }
 

@@ -3,6 +3,7 @@
 mod band;
 mod beside;
 mod clocks;
+mod cover;
 mod dynamics;
 mod empty;
 mod figure;
@@ -12,6 +13,7 @@ mod metrics;
 mod plan;
 mod policy;
 mod published;
+mod readings;
 mod rest;
 mod sensor;
 mod sheet;

@@ -4,7 +4,7 @@
 use smartbed_bed::body::mesh::{Mesh, MeshFault, Solid};
 use smartbed_bed::body::{Body, Segment, Shape, Surface};
 use smartbed_bed::dynamics::{Matter, Method, Motion, dropped};
-use smartbed_bed::equilibrium::{Bed, Solution, Tile, put_down, stiffness};
+use smartbed_bed::equilibrium::{Bed, Cover, Solution, Tile, put_down, stiffness};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::sheet::Lattice;
 use smartbed_bed::sheet::air::Air;
@@ -195,7 +195,7 @@ fn four(friction: f64) -> Bed {
     let lattice = Lattice::new([10, 12], [0.219, 0.2797], 5000.0).unwrap();
     let at = |x: f64, y: f64| Tile { pose: Pose::at([x, y, 0.0]), air: Air::Regulated(4000.0) };
     let tiles = vec![at(-0.1125, 0.14285), at(0.1125, 0.14285), at(-0.1125, -0.14285), at(0.1125, -0.14285)];
-    Bed { lattice, depth: 0.1, tiles, friction, beside: Vec::new() }
+    Bed { lattice, depth: 0.1, tiles, friction, beside: Vec::new(), cover: Cover::default() }
 }
 
 fn single(shape: Surface) -> Body {

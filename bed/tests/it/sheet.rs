@@ -1,7 +1,7 @@
 //! The bladder against closed forms, differences of itself, the runtime's forces and an independent static solve.
 
 use smartbed_bed::body::{Body, Segment, Shape};
-use smartbed_bed::equilibrium::{Bed, Solution, State, Tile, solve, stiffness};
+use smartbed_bed::equilibrium::{Bed, Cover, Solution, State, Tile, solve, stiffness};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::sheet::air::{AMBIENT, Air};
 use smartbed_bed::sheet::{Lattice, LatticeError, membrane};
@@ -18,6 +18,7 @@ pub fn bed(intervals: [usize; 2], size: [f64; 2], air: Air) -> Bed {
         tiles: vec![Tile { pose: Pose::at([0.0; 3]), air }],
         friction: 0.0,
         beside: Vec::new(),
+        cover: Cover::default(),
     }
 }
 

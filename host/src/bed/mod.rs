@@ -4,6 +4,7 @@
 
 mod film;
 mod page;
+mod readings;
 mod words;
 
 use crate::failure::Failure;
@@ -18,6 +19,7 @@ use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
 use smartbed_bed::plan::history::Watched;
 use smartbed_bed::plan::history::{GATE, History, RunError};
+use smartbed_bed::plan::readings::Reading;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -55,6 +57,9 @@ pub struct Run {
     /// Pressure maps over time: .csv as XSENSOR's, .asf as Tekscan's.
     #[arg(long, value_name = "FILE")]
     pub map: Option<String>,
+    /// What the tiles' instruments read, as CSV; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    pub readings: Option<String>,
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
@@ -88,7 +93,10 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             if let Some(file) = &asked.map {
                 write(file, &map(file, &read, &history)?)?;
             }
-            if asked.csv.as_deref() == Some("-") {
+            if let Some(file) = &asked.readings {
+                write(file, &readings::csv(&read_off(&read, &history, file)?))?;
+            }
+            if [&asked.csv, &asked.readings].iter().any(|file| file.as_deref() == Some("-")) {
                 return Ok(());
             }
             output::print(&if asked.json { json(&read, &history) } else { text(&read, &history) })
@@ -113,6 +121,12 @@ fn history(read: &Read) -> Result<History, Failure> {
         RunError::Stopped => Failure::Wrong("interrupted: nothing is written".to_owned()),
         other => Failure::Wrong(format!("{}: {other}", read.plan.title)),
     })
+}
+
+/// What the tiles' instruments read.
+fn read_off(read: &Read, history: &History, file: &str) -> Result<Vec<Reading>, Failure> {
+    let missing = || format!("--readings {file}: the plan has no [instruments]");
+    Ok(read.instruments.ok_or_else(missing)?.of(&read.plan, history))
 }
 
 /// All metrics: of sensels, and of the skin.
@@ -207,8 +221,10 @@ fn json(read: &Read, history: &History) -> String {
             json_number(sensed.mass)
         )
     });
+    let instruments = read.instruments.map(|own| readings::json(&own.of(&read.plan, history)));
+    let instruments = instruments.unwrap_or_else(|| "null".to_owned());
     format!(
-        "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \
+        "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \"instruments\": {instruments}, \
          \"policy\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
         json_string(&read.plan.title),
         moments(history),
@@ -288,6 +304,9 @@ fn text(read: &Read, history: &History) -> String {
             skin[0],
             skin[1]
         );
+    }
+    if let Some(own) = read.instruments {
+        text += &readings::text(&own.of(&read.plan, history));
     }
     if !is_valid([imbalance, felt], sensed.as_ref()) {
         text += "NOT VALID: what is felt or read is more than 1 % off\n";

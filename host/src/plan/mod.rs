@@ -2,10 +2,11 @@
 //!
 //! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
 //! limits, or what is wrong. `load` reads what lies on the bed (`mesh` its
-//! file, if it has one), `sensing` what it is read by, `policy` who decides.
+//! file, if it has one), `sensing` and `instruments` what it is read by, `policy` who decides.
 
 mod dynamics;
 mod gmsh;
+pub mod instruments;
 mod load;
 pub mod mesh;
 pub mod policy;
@@ -44,6 +45,8 @@ pub struct Read {
     pub axes: Axes,
     /// The surface that it is read by.
     pub sensors: Option<sensing::Sensing>,
+    /// What is read of the tiles.
+    pub instruments: Option<instruments::Instrumented>,
     /// Who decides on the way.
     pub policy: Option<policy::Chosen>,
 }
@@ -112,7 +115,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     }
     let title = fields.text("title", found).map_or_else(|| path.to_owned(), |text| text.text.clone());
     let empty = Table::default();
-    let (layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
+    let (mut layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
     let load = load::read(&fields, path, found)?;
     let (seconds, every, cycle, is_motion, parts) =
         timing(fields.table("run", found).unwrap_or(&empty), found)?;
@@ -143,6 +146,14 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         Some(table) => Some(sensing::read(table, area, found)?),
         None => None,
     };
+    if let Some(sensors) = &sensors {
+        let ([nx, ny], [a, b]) = (layout.intervals, layout.size());
+        layout.cover = sensors.cover(a * b / (nx * ny) as f64);
+    }
+    let instruments = match fields.table("instruments", found) {
+        Some(table) => Some(instruments::read(table, found)?),
+        None => None,
+    };
     let policy = match fields.table("policy", found) {
         Some(table) => Some(policy::read(table, found)?),
         None => None,
@@ -150,7 +161,7 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
     fields.finish(found);
     let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, parts };
-    Some(Read { plan, axes, sensors, policy })
+    Some(Read { plan, axes, sensors, instruments, policy })
 }
 
 fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {

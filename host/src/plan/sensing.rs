@@ -1,6 +1,8 @@
 //! `[sensors]`: the surface that a bed is read by, and what it reads of a run.
 
 use crate::world::read::value::{Bound, number};
+use smartbed_bed::body::mesh::field::AROUND;
+use smartbed_bed::equilibrium::Cover;
 use smartbed_bed::plan::history::History;
 use smartbed_bed::sensor::fine;
 use smartbed_bed::sensor::reader::{Quality, Reader, error};
@@ -25,6 +27,8 @@ pub struct Sensing {
     pub pitch: Option<f64>,
     /// Moisture (%) and pH of the skin.
     pub skin: [f64; 2],
+    /// They are mounted on the sheets: they weigh there and stand between sheet and skin.
+    pub is_mounted: bool,
 }
 
 /// What a surface reads of a run.
@@ -66,6 +70,7 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
     };
     let skin = [get("moisture", "", Bound::NotNegative, 30.0), get("ph", "", Bound::Positive, 5.0)];
     let pitch = number(&fields, "pitch", "m", Bound::Positive, found);
+    let is_mounted = fields.boolean("mounted", found).unwrap_or(false);
     fields.finish(found);
     let mut refuse = |what: String, help: &str| {
         found.push(Diagnostic::error(what).label(table.span, "of these sensors").help(help));
@@ -84,8 +89,22 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
             "thickness = \"10_mm\", or a smaller `gap`",
         );
     }
+    if is_mounted && pitch.is_some_and(|pitch| pitch < site.side) {
+        let side = 1e3 * site.side;
+        return refuse(
+            format!("mounted sensors of {side} mm stand closer than they are wide"),
+            "pitch = \"5_mm\", or more; or mounted = false",
+        );
+    }
+    if is_mounted && site.thickness > AROUND {
+        let (found, most) = (1e3 * site.thickness, 1e3 * AROUND);
+        return refuse(
+            format!("mounted sensors of {found} mm height, expected {most} mm at most"),
+            "a smaller `thickness`; or mounted = false",
+        );
+    }
     match Reader::new(&site, quality) {
-        Ok(reader) => Some(Sensing { site, reader, seed, pitch, skin }),
+        Ok(reader) => Some(Sensing { site, reader, seed, pitch, skin, is_mounted }),
         Err(_) => {
             refuse("these sensors do not tell loads apart".to_owned(), "a softer spacer: a lower `modulus`")
         }
@@ -93,6 +112,16 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
 }
 
 impl Sensing {
+    /// What they are on sheets with cells of this area (m^2): nothing unless they are mounted.
+    #[must_use]
+    pub fn cover(&self, cell: f64) -> Cover {
+        if !self.is_mounted {
+            return Cover::default();
+        }
+        let density = self.site.mass / self.pitch.map_or(cell, |pitch| pitch * pitch);
+        Cover { density, thickness: self.site.thickness }
+    }
+
     /// What is read of the last frame, on the sensors' own grid.
     #[must_use]
     pub fn of(&self, history: &History) -> Option<Read> {

@@ -60,6 +60,7 @@ fn every_key_of_a_plan_is_in_the_manual() {
         ("move", "[[move]]\ntiles = \"all\"\nheave = 0\nzzzzzzzzzzzz = 1"),
         ("alternating", "[alternating]\nlow = 1\nzzzzzzzzzzzz = 1"),
         ("sensors", "[sensors]\nzzzzzzzzzzzz = 1"),
+        ("instruments", "[instruments]\nzzzzzzzzzzzz = 1"),
         ("policy", "[policy]\nkind = \"planner\"\nzzzzzzzzzzzz = 1"),
         ("dynamics", "[dynamics]\nzzzzzzzzzzzz = 1"),
         ("run", "[run]\nzzzzzzzzzzzz = 1"),
@@ -122,8 +123,11 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[patient]\n[bed]\npressure = 100".to_owned(),
         "[sensors]\npitch = 1e-4".to_owned(),
         "[sensors]\nph = 12".to_owned(),
+        "[sensors]\nmounted = true\npitch = 1e-3".to_owned(),
+        "[sensors]\nmounted = true\nthickness = 0.03".to_owned(),
         "[sensors]\nthickness = \"1_mm\"".to_owned(),
         "[sensors]\nmodulus = 1e30".to_owned(),
+        "[instruments]\ndelay = 1".to_owned(),
         "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();

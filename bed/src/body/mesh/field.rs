@@ -11,8 +11,8 @@ use smartbed_runtime::vec3::Vec3;
 const POINTS: f64 = 3e5;
 /// Smallest cell (m).
 const SMALLEST: f64 = 5e-4;
-/// Cells around the bounds.
-const AROUND: usize = 3;
+/// The field goes this far beyond the bounds (m): as far as the thickest sensors stand between tissue and sheets.
+pub const AROUND: f64 = 0.02;
 
 /// Values on a grid, as coefficients of splines.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +45,9 @@ impl Field {
     pub(super) fn new(bounds: [Vec3<f64>; 2], distance: impl Fn(Vec3<f64>, f64) -> f64 + Sync) -> Field {
         let sides = [0, 1, 2].map(|k| bounds[1][k] - bounds[0][k]);
         let cell = cell(&bounds);
-        let counts = sides.map(|side| (side / cell).ceil() as usize + 1 + 2 * AROUND);
+        // Splines at the ends are those of a line: one cell more is not used.
+        let around = (AROUND / cell).ceil() as usize + 2;
+        let counts = sides.map(|side| (side / cell).ceil() as usize + 1 + 2 * around);
         let start = [0, 1, 2].map(|k| {
             let spare = (counts[k] - 1) as f64 * cell - sides[k];
             bounds[0][k] - 0.5 * spare
@@ -85,7 +87,7 @@ impl Field {
         self.cell
     }
 
-    /// The field at a point no further than two cells beyond the bounds; none elsewhere.
+    /// The field at a point no further than [`AROUND`] beyond the bounds; none elsewhere.
     #[must_use]
     pub fn near(&self, point: Vec3<f64>) -> Option<Near> {
         let (mut first, mut weights) = ([0; 3], [[[0.0; 3]; 4]; 3]);

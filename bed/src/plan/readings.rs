@@ -1,0 +1,96 @@
+//! What the instruments of all tiles read while a plan runs.
+//!
+//! In: a run, the instruments of a tile, a seed. Out: readings at each moment, as late, held and noisy as they are. Screws
+//! stand where they were told to; pressures go straight from moment to moment. Instruments are watched for the last
+//! quarter of a second before each moment: what a pressure sensor has seen before that is forgotten.
+
+use super::Plan;
+use super::history::History;
+use crate::sensor::drive::{Instruments, Readings, TICKS, TileSensors};
+use crate::tile;
+use smartbed_runtime::sensor::ChannelFault;
+
+/// Ticks before a moment for which instruments are watched.
+const WATCHED: u64 = 250;
+
+/// What was read, and what was so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// s.
+    pub time: f64,
+    /// From 0.
+    pub tile: usize,
+    /// By the instruments.
+    pub read: Readings,
+    /// Heights of the screws (m).
+    pub heights: [f64; 3],
+    /// Gauge pressure (Pa).
+    pub gauge: f64,
+}
+
+/// Largest errors of all readings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Errors {
+    /// Of encoders (m).
+    pub encoder: f64,
+    /// Of LVDTs (m).
+    pub lvdt: f64,
+    /// Of pressures (Pa).
+    pub pressure: f64,
+    /// Readings whose encoder and LVDT disagree.
+    pub disagree: usize,
+}
+
+/// Readings of all tiles at each moment of a run.
+///
+/// # Errors
+/// [`ChannelFault`] for a pressure sensor that cannot be.
+pub fn readings(
+    plan: &Plan,
+    history: &History,
+    instruments: Instruments,
+    seed: u64,
+) -> Result<Vec<Reading>, ChannelFault> {
+    let told = Plan { moves: history.moves.clone(), ..plan.clone() };
+    let mut found = Vec::new();
+    for tile in 0..plan.layout.count() {
+        let gauge = history.moments.first().map_or(0.0, |moment| moment.gauges[tile]);
+        let own = seed.wrapping_mul(64).wrapping_add(tile as u64);
+        let mut sensors = TileSensors::new(instruments, own, gauge)?;
+        let mut before: Option<(f64, f64)> = None;
+        for moment in &history.moments {
+            let (end, now) = ((moment.time * TICKS).round() as u64, moment.gauges[tile]);
+            let since = before.map_or(end, |(time, _)| (time * TICKS).round() as u64 + 1);
+            let (then, old) = before.unwrap_or((moment.time, now));
+            let mut last = None;
+            for tick in since.max(end.saturating_sub(WATCHED))..=end {
+                let time = tick as f64 / TICKS;
+                let share = if moment.time > then { (time - then) / (moment.time - then) } else { 1.0 };
+                let heights = tile::heights(&told.order(tile, time).command, plan.layout.circle);
+                let gauge = old + share * (now - old);
+                let read = sensors.observe(tick, heights, gauge);
+                last = Some(Reading { time: moment.time, tile, read, heights, gauge });
+            }
+            found.extend(last);
+            before = Some((moment.time, now));
+        }
+    }
+    found.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.tile.cmp(&b.tile)));
+    Ok(found)
+}
+
+impl Errors {
+    /// Those of readings.
+    #[must_use]
+    pub fn of(readings: &[Reading]) -> Errors {
+        let apart = |a: &[f64; 3], b: &[f64; 3]| (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
+        let mut errors = Errors::default();
+        for Reading { read, heights, gauge, .. } in readings {
+            errors.encoder = errors.encoder.max(apart(&read.encoders, heights));
+            errors.lvdt = errors.lvdt.max(apart(&read.lvdts, heights));
+            errors.pressure = errors.pressure.max((read.pressure - gauge).abs());
+            errors.disagree += usize::from(read.disagree().is_some());
+        }
+        errors
+    }
+}

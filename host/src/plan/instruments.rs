@@ -1,0 +1,63 @@
+//! `[instruments]`: what is read of the tiles themselves while a plan runs.
+
+use crate::world::read::value::{Bound, number};
+use smartbed_bed::plan::Plan;
+use smartbed_bed::plan::history::History;
+use smartbed_bed::plan::readings::{Reading, readings};
+use smartbed_bed::sensor::drive::{Instruments, TICKS};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::Table;
+
+/// Samples of a pressure that may be on their way.
+const ON_THEIR_WAY: u32 = 3;
+
+/// Instruments of all tiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Instrumented {
+    /// Those of a tile.
+    pub instruments: Instruments,
+    /// Of all noise.
+    pub seed: u64,
+}
+
+/// Reads `[instruments]`.
+pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Instrumented> {
+    let fields = Fields::of("instruments", table.span, table);
+    let usual = Instruments::default();
+    let mut get = |key: &'static str, of: &str, bound: Bound, left_out: f64| {
+        number(&fields, key, of, bound, found).unwrap_or(left_out)
+    };
+    let ticks = |seconds: f64| (seconds * TICKS).round().clamp(0.0, 1e9) as u32;
+    let seed = get("seed", "", Bound::NotNegative, 1.0) as u64;
+    let mut instruments = Instruments {
+        encoder: get("encoder", "m", Bound::Positive, usual.encoder),
+        lvdt_noise: [get("lvdt_noise", "m", Bound::NotNegative, usual.lvdt_noise[0]), usual.lvdt_noise[1]],
+        lag: get("lag", "s", Bound::NotNegative, usual.lag),
+        ..usual
+    };
+    let channel = &mut instruments.pressure;
+    channel.period = ticks(get("period", "s", Bound::Positive, f64::from(channel.period) / TICKS)).max(1);
+    channel.delay = ticks(get("delay", "s", Bound::NotNegative, f64::from(channel.delay) / TICKS));
+    channel.noise = get("noise", "Pa", Bound::NotNegative, channel.noise);
+    channel.bias = get("bias", "Pa", Bound::NotNegative, channel.bias);
+    channel.resolution = get("resolution", "Pa", Bound::NotNegative, channel.resolution);
+    let is_late = channel.delay > ON_THEIR_WAY.saturating_mul(channel.period);
+    fields.finish(found);
+    if is_late {
+        let error = Diagnostic::error(format!("`delay` is longer than {ON_THEIR_WAY} times `period`"));
+        found.push(
+            error.label(table.span, "of these instruments").help("a shorter `delay`, or a longer `period`"),
+        );
+        return None;
+    }
+    Some(Instrumented { instruments, seed })
+}
+
+impl Instrumented {
+    /// What they read of a run; nothing where no sensor can be made, which reading has refused.
+    #[must_use]
+    pub fn of(&self, plan: &Plan, history: &History) -> Vec<Reading> {
+        readings(plan, history, self.instruments, self.seed).unwrap_or_default()
+    }
+}
