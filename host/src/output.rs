@@ -78,8 +78,15 @@ impl Output {
 ///
 /// # Errors
 /// [`Failure::Wrong`] if that fails.
-pub fn replace(file: &Path, text: impl AsRef<[u8]>) -> Result<(), Failure> {
-    let text = text.as_ref();
+pub fn replace(file: &Path, text: &str) -> Result<(), Failure> {
+    replace_bytes(file, text.as_bytes())
+}
+
+/// The same with bytes.
+///
+/// # Errors
+/// As [`replace`].
+pub fn replace_bytes(file: &Path, text: &[u8]) -> Result<(), Failure> {
     let place = std::fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
     if place.exists() && !place.is_file() {
         return write(&place.display().to_string(), text);

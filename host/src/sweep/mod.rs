@@ -98,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn write_parquet(file: &str, table: &Table, all: &[Case]) -> Result<(), Failure> {
     let pairs = all.first().map_or_else(Vec::new, Case::made_from);
     let bytes = parquet::bytes(table, &pairs).map_err(|e| format!("{file}: {e}"))?;
-    output::replace(Path::new(file), bytes)
+    output::replace_bytes(Path::new(file), &bytes)
 }
 
 #[cfg(not(feature = "parquet"))]
