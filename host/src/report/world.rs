@@ -93,6 +93,16 @@ impl World {
     /// # Errors
     /// [`Failure::Wrong`] if it cannot be assembled.
     pub fn of(name: &str, assembly: Assembly) -> Result<Self, Failure> {
+        let why = match (assembly.controllers.is_empty(), assembly.has_lines()) {
+            (false, _) => Some("it has controllers, which act at times of their own"),
+            (true, true) => Some("gas flows through lines beside its motion, of order 2 with every method"),
+            (true, false) => None,
+        };
+        if let Some(why) = why {
+            return Err(Failure::Wrong(format!(
+                "{name}: no method is measured on it: {why}; compare runs at two steps"
+            )));
+        }
         let mut start = Start::new(&assembly).map_err(Failure::Wrong)?;
         let columns = start.engine().columns();
         // Lengths, angles and Euler parameters; not speeds, volumes or pressures.

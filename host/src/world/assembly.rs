@@ -4,6 +4,7 @@
 
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
+use smartbed_runtime::gas::Line;
 use smartbed_runtime::rigid::law;
 use smartbed_runtime::rigid::{RigidBody, RigidState};
 use smartbed_runtime::surface::Shape;
@@ -24,6 +25,8 @@ pub struct Assembly {
     pub contacts: Vec<Contact>,
     /// What is observed.
     pub sensors: Vec<Sensing>,
+    /// What is controlled.
+    pub controllers: Vec<Controlling>,
     /// How it is run.
     pub run: Run,
     /// What pictures show.
@@ -97,6 +100,8 @@ pub struct Flexible {
     pub air_drag: f64,
     /// Gas inside.
     pub gas: Option<Content<f64>>,
+    /// Supply and vent of gas that keeps its mass else.
+    pub lines: [Option<Line<f64>>; 2],
 }
 
 /// A rigid body.
@@ -175,6 +180,39 @@ pub struct Sensing {
     pub seed: u64,
 }
 
+/// A controller: PI with limits, held between its samples.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Controlling {
+    /// Its name.
+    pub name: String,
+    /// The number of the rows, or `sensors.NAME`, that it reads.
+    pub reads: String,
+    /// The input that it gives.
+    pub drives: String,
+    /// From sample to sample (s).
+    pub period: f64,
+    /// Targets from times on (s), first time first; in the unit of what it reads.
+    pub target: Vec<[f64; 2]>,
+    /// Output by error.
+    pub gain: f64,
+    /// Output by error and second.
+    pub integral: f64,
+    /// Output without error.
+    pub bias: f64,
+    /// Least and largest output.
+    pub limits: [f64; 2],
+}
+
+impl Controlling {
+    /// The target at a time.
+    #[must_use]
+    pub fn target_at(&self, t: f64) -> f64 {
+        // A sample stands for the time of its step, whatever rounding says.
+        let now = t + 1e-9 * self.period;
+        self.target.iter().take_while(|[from, _]| *from <= now).last().map_or(0.0, |[_, value]| *value)
+    }
+}
+
 /// What a quantity becomes before it is sampled.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Transducer {
@@ -224,6 +262,15 @@ impl Assembly {
         self.parts.iter().filter_map(|part| match &part.kind {
             Kind::Rigid(rigid) => Some((part.name.as_str(), rigid)),
             _ => None,
+        })
+    }
+
+    /// Has gas of some part a supply or a vent?
+    #[must_use]
+    pub fn has_lines(&self) -> bool {
+        self.parts.iter().any(|part| match &part.kind {
+            Kind::Flexible(body) => body.lines.iter().any(Option::is_some),
+            _ => false,
         })
     }
 

@@ -128,6 +128,12 @@ pub trait Engine {
     /// # Errors
     /// Why it cannot go on, and what to do; the state is that before the step.
     fn step(&mut self, h: f64, events: &mut Vec<Event>) -> Result<(), String>;
+    /// What controllers may drive: valves `PART.supply`, `PART.vent`, `PART.valves`, inputs of mechanisms `PART.INPUT`.
+    fn inputs(&self) -> Vec<String> {
+        Vec::new()
+    }
+    /// Holds an input, by its number among them, at a value until the next one.
+    fn set_input(&mut self, _input: usize, _value: f64) {}
     /// Goes to static equilibrium from the start.
     ///
     /// # Errors

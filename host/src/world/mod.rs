@@ -3,11 +3,12 @@
 //! In: a scene text. Out: an [`Assembly`], plain data in SI units, then rows, energies and events of its motion.
 //! `read` turns text into the assembly, `run` steps it by an `engine`: `rigid` moves worlds of rigid bodies, `carried`
 //! flexible parts on mechanisms (`ported`) and other `carriers`, `touching` what of all that meets, `settle` finds
-//! their equilibrium; `sensors` observe it; `picture` is what pages show.
+//! their equilibrium; `sensors` observe it, `controllers` drive its inputs; `picture` is what pages show.
 
 pub mod assembly;
 pub mod carried;
 pub mod carriers;
+pub mod controllers;
 pub mod engine;
 pub mod picture;
 pub mod ported;

@@ -29,6 +29,7 @@ pub struct Ported {
     /// The model's own inputs, then six for each port.
     inputs: Vec<f64>,
     own: usize,
+    own_inputs: Vec<String>,
     /// First inputs of each port's wrench.
     wrenches: Vec<usize>,
     u_dot: Vec<f64>,
@@ -98,6 +99,7 @@ impl Ported {
             law_inputs: observers.law_inputs.clone(),
             inputs: vec![0.0; program.inputs.len()],
             own: model.inputs.len(),
+            own_inputs: model.inputs.iter().map(|input| input.name.clone()).collect(),
             wrenches,
             u_dot: vec![0.0; program.u_dot.len()],
             first,
@@ -112,6 +114,20 @@ impl Ported {
             names: quantities.map(|x| (x.name.clone(), x.unit.clone())).collect(),
         };
         Ok((ported, start))
+    }
+
+    /// Inputs of the model that no law gives, by number and name: they stay where they are held, 0 at the start.
+    #[must_use]
+    pub fn free_inputs(&self) -> Vec<(usize, String)> {
+        let own = self.own_inputs.iter().cloned().enumerate();
+        own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
+    }
+
+    /// Holds one of them at a value.
+    pub fn hold(&mut self, input: usize, value: f64) {
+        if let Some(own) = self.inputs[..self.own].get_mut(input) {
+            *own = value;
+        }
     }
 
     /// Sets the inputs: laws at this state, wrenches at the ports.

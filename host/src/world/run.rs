@@ -5,6 +5,7 @@
 
 use super::assembly::Assembly;
 use super::carried::CarriedWorld;
+use super::controllers::Controllers;
 use super::engine::{Energies, Engine, Event};
 use super::rigid::RigidWorld;
 use super::sensors::Probes;
@@ -109,8 +110,10 @@ pub fn run<E: From<String>>(
         }
     };
     let mut probes = Probes::new(assembly, &engine.columns())?;
-    if first > 0 && !probes.is_empty() {
-        return Err(E::from("a run with sensors is not resumed: what they have seen is not kept".to_owned()));
+    let mut controllers = Controllers::new(assembly, &engine.columns(), &engine.inputs())?;
+    if first > 0 && !(probes.is_empty() && controllers.is_empty()) {
+        let why = "a run with sensors or controllers is not resumed: what they have seen is not kept";
+        return Err(E::from(why.to_owned()));
     }
     let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
     for n in first..=assembly.run.steps() {
@@ -122,8 +125,11 @@ pub fn run<E: From<String>>(
             // Not a sum, whose rounding would grow.
             t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
         }
-        if !probes.is_empty() {
-            probes.observe(n as u64, &engine.state().map_err(|why| at(t, why))?);
+        if !(probes.is_empty() && controllers.is_empty()) {
+            let state = engine.state().map_err(|why| at(t, why))?;
+            probes.observe(n as u64, &state);
+            let readings = probes.readings(n as u64);
+            controllers.act(n as u64, &state, &readings, engine).map_err(|why| at(t, why))?;
         }
         if n % assembly.run.every == 0 || n == assembly.run.steps() {
             let (state, energies) = (engine.state(), engine.energies());

@@ -36,6 +36,18 @@ pub struct Probes {
     list: Vec<Probe>,
 }
 
+/// A time as a whole number of steps (s).
+///
+/// # Errors
+/// It is none, in words.
+pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Result<u32, String> {
+    let ticks = seconds / step;
+    let whole = (ticks - ticks.round()).abs() < WHOLE && ticks.round() <= f64::from(u32::MAX);
+    whole
+        .then_some(ticks.round() as u32)
+        .ok_or_else(|| format!("{of}: {what} = {seconds} s is no whole number of steps of {step} s"))
+}
+
 impl Probes {
     /// For an assembly whose rows have these columns.
     ///
@@ -48,16 +60,8 @@ impl Probes {
                 let help = crate::suggest::help(&own.of, names);
                 format!("sensors.{}: no number `{}` in the rows{help}", own.name, own.of)
             })?;
-            let ticks = |what: &str, seconds: f64| {
-                let ticks = seconds / assembly.run.step;
-                let whole = (ticks - ticks.round()).abs() < WHOLE && ticks.round() <= f64::from(u32::MAX);
-                whole.then_some(ticks.round() as u32).ok_or_else(|| {
-                    format!(
-                        "sensors.{}: {what} = {seconds} s is no whole number of steps of {} s",
-                        own.name, assembly.run.step
-                    )
-                })
-            };
+            let name = format!("sensors.{}", own.name);
+            let ticks = |what: &str, seconds: f64| whole_steps(&name, what, seconds, assembly.run.step);
             let channel = Channel {
                 period: ticks("period", own.period.unwrap_or(assembly.run.step))?,
                 delay: ticks("delay", own.delay)?,

@@ -169,7 +169,7 @@ fn asked_of_redundant_speeds() -> String {
 }
 
 /// What a command that fails says first.
-fn error_of(arguments: &[&str]) -> String {
+pub fn error_of(arguments: &[&str]) -> String {
     let done = smartbed(arguments);
     let first = done.message().lines().next().and_then(|line| line.strip_prefix("error: "));
     first.expect("an error").to_owned()

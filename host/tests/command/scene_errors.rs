@@ -1,6 +1,7 @@
 //! Every refusal of a scene of format 2 has its row in docs/guide/every-error.md.
 
-use crate::guide::{messages, same};
+use crate::guide::{error_of, messages, same};
+use crate::support::written;
 use smartbed::world::read::parse;
 use smartbed::world::run::{engine, run};
 use std::path::{Path, PathBuf};
@@ -11,6 +12,10 @@ const BALL: &str = "[parts.ball]\nrigid = \"sphere\"\nradius = 0.1\nmass = 1\n";
 const HIGH: &str = "start = { height = 1 }\n";
 const SHEET: &str = "[parts.sheet]\nshape = \"sheet\"\nrows = 3\ncolumns = 3\n";
 const CUBE: &str = "[parts.cube]\nshape = \"cube\"\nstart = { height = 1 }\n";
+
+const BLADDER: &str = "[parts.cube]\nshape = \"cube\"\ngas = { gauge = 0, sealed = true";
+const DRIVEN: &str = "[parts.arm]\nmechanism = \"double_pendulum\"\n";
+const HELD: &str = "reads = \"arm.q1\"\ndrives = \"arm.T\"\ntarget = 0\n";
 
 fn find(name: &str) -> Result<PathBuf, String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../models").join(format!("{name}.toml"));
@@ -43,6 +48,10 @@ fn pair(contact: &str) -> String {
 
 fn attached(items: &str) -> String {
     format!("{TILE}{BALL}{HIGH}{SHEET}attach = {items}\n")
+}
+
+fn controlled(lines: &str) -> String {
+    format!("{BALL}{HIGH}[controllers.c]\n{lines}")
 }
 
 fn rigid(words: &str) -> String {
@@ -104,6 +113,17 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
             "{GROUND}{CUBE}[[contacts]]\nbetween = [\"cube\", \"ground\"]\nimpact = \"moreau\"\n[run]\nmethod = \"rk4\""
         ),
         format!("{CUBE}air_drag = 1\n[parts.other]\nshape = \"cube\"\nstart = {{ height = 3 }}"),
+        // Gas and controllers.
+        format!("{BLADDER}, supply = {{ gauge = \"-200_kPa\", conductance = 1e-8 }} }}"),
+        format!("{BLADDER}, vent = {{ conductance = 1e6, opening = 1 }} }}")
+            .replace("gauge = 0", "gauge = 1000"),
+        format!("{BLADDER}, vent = {{ critical_ratio = 1, conductance = 1e-8 }} }}"),
+        controlled("reads = \"ball.w\"\ndrives = \"ball.F\"\ntarget = 0\nperiod = 0.001"),
+        controlled("reads = \"ball.z\"\ndrives = \"ball.F\"\ntarget = 0\nperiod = 0.001"),
+        controlled("reads = \"ball.z\"\ndrives = \"ball.F\"\ntarget = [[1, 0]]\nperiod = 0.001"),
+        controlled("reads = \"ball.z\"\ndrives = \"ball.F\"\ntarget = 0\nperiod = 0.001\nlimits = [1, 0]"),
+        format!("{DRIVEN}[controllers.a]\n{HELD}period = \"1.5_ms\""),
+        format!("{DRIVEN}[controllers.a]\n{HELD}period = 0.001\n[controllers.b]\n{HELD}period = 0.001"),
         // Run.
         format!("{BALL}[run]\nstart = \"settled\""),
         format!("{CUBE}[run]\nstart = \"settled\""),
@@ -114,7 +134,10 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
             ["hA", "hB", "hC"].map(|height| format!("{height} = \"0.01_m*t/1_s\"")).join(", ")
         ),
     ];
-    let found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
+    let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
+    let controlled = format!("format = 2\n{DRIVEN}[controllers.a]\n{HELD}period = 0.001");
+    let file = written("controlled.toml", &controlled);
+    found.extend([error_of(&["run", &file, "--error", "1e-3"]), error_of(&["firmware", &file])]);
     found.iter().for_each(|said| println!("{said}"));
     same(&found, &messages("## Scenes of format 2", Some("## Plans of the bed")));
 }

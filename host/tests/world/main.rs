@@ -1,6 +1,7 @@
 //! Scenes of format 2 as a user runs them.
 
 mod aims;
+mod air;
 mod carried;
 mod reading;
 mod rigid;

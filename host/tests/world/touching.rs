@@ -1,7 +1,7 @@
 //! Flexible parts and mechanisms in touch.
 
 use super::rigid::G;
-use super::support::{json, number, rows, run};
+use super::support::{json, number, rows, run, smartbed};
 use std::path::Path;
 
 /// A cube that falls on its edge, written in either format.
@@ -95,6 +95,15 @@ fn a_bladder_carries_a_plate_and_a_ball() {
         // In the middle of a symmetric sheet nothing moves it aside; more weight sinks deeper.
         assert!((x - 0.14).abs() < 1e-6 && (y - 0.14).abs() < 1e-6, "{load}: {x} {y}");
         assert!(more.1[2] < z && z < less.1[2], "{load}");
+    }
+}
+
+#[test]
+fn sweeps_over_contacts_come_to_their_end() {
+    for scene in ["ball_on_tilted_bladder", "ball_on_bladder", "plate_on_bladder", "stack_cubes", "bed"] {
+        let done = smartbed(&["run", scene]);
+        let said = [done.stdout, done.stderr].map(|text| String::from_utf8(text).expect("text")).concat();
+        assert!(said.contains("largest imbalance") && !said.contains("cut short"), "{scene}: {said}");
     }
 }
 

@@ -4,6 +4,9 @@ use super::ideal::Gas;
 use super::nozzle::{Nozzle, Source};
 use crate::real::Scalar;
 
+/// Parts of a step at most in [`Chamber::flow`].
+pub const PARTS: u16 = 4096;
+
 /// What does not change of a chamber.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chamber<S> {
@@ -68,6 +71,8 @@ pub enum GasFault<S> {
     Collapsed(S),
     /// The mass (kg) is not positive: more flowed out in one step than was there; take a shorter one.
     Empty(S),
+    /// Pressures meet this many times faster than a step follows; take a shorter one, or a narrower line.
+    TooFast(S),
 }
 
 impl<S: Scalar> Account<S> {
@@ -168,12 +173,8 @@ impl<S: Scalar> Chamber<S> {
     /// As for [`Chamber::pressure`].
     pub fn potential(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
         self.pressure(state, volume)?;
-        let (power, log) = (self.exponent - S::ONE, (volume / self.reference_volume).ln());
-        // n = 1 is the limit, taken where the quotient loses its digits.
-        let length =
-            if power.abs() > S::from_f64(1e-6) { (S::ONE - (-(power * log)).exp()) / power } else { log };
         let outside = self.ambient * (volume - self.reference_volume);
-        Ok(outside - state.reference_pressure * self.reference_volume * length)
+        Ok(outside - state.reference_pressure * self.reference_volume * self.length(volume))
     }
 
     /// Rates at a volume (m^3) that changes (m^3/s), through these lines.
@@ -207,6 +208,65 @@ impl<S: Scalar> Chamber<S> {
         };
         let reference_pressure = self.exponent * self.expansion(volume) * carried / volume;
         Ok(Rates { reference_pressure, mass, power })
+    }
+
+    /// The gas after h (s) through lines at a volume (m^3) that rests, and what it took (J).
+    ///
+    /// The explicit trapezoidal rule (order 2), in parts short enough for where pressures meet: there p relaxes at the rate
+    /// n R T/V sum dm'/dp.
+    ///
+    /// # Errors
+    /// [`GasFault`] without volume or mass, or with more than [`PARTS`] parts.
+    pub fn flow(
+        &self,
+        state: &GasState<S>,
+        volume: S,
+        lines: &[Line<S>],
+        h: S,
+    ) -> Result<(GasState<S>, Account<S>), GasFault<S>> {
+        let inside = self.inside(state, volume)?;
+        let steepest = lines.iter().fold(S::ZERO, |sum, line| {
+            sum + line.opening * line.nozzle.steepest(inside).max(line.nozzle.steepest(line.reservoir))
+        });
+        let rate = self.exponent * self.gas.gas_constant * inside.temperature / volume * steepest;
+        let wanted = S::from_f64(4.0) * h * rate;
+        if wanted > S::from_f64(f64::from(PARTS)) {
+            return Err(GasFault::TooFast(wanted));
+        }
+        let (mut parts, mut length) = (1, h);
+        while S::from_f64(f64::from(parts)) < wanted {
+            (parts, length) = (2 * parts, S::from_f64(0.5) * length);
+        }
+        let (mut state, mut account) = (*state, Account::empty());
+        let moved = |from: &GasState<S>, by: S, rates: &Rates<S>| GasState {
+            reference_pressure: from.reference_pressure + by * rates.reference_pressure,
+            mass: from.mass + by * rates.mass,
+        };
+        let half = S::from_f64(0.5) * length;
+        for _ in 0..parts {
+            let first = self.rates(&state, volume, S::ZERO, lines)?;
+            let last = self.rates(&moved(&state, length, &first), volume, S::ZERO, lines)?;
+            state = moved(&moved(&state, half, &first), half, &last);
+            account = account.plus(half, &first.power).plus(half, &last.power);
+        }
+        Ok((state, account))
+    }
+
+    /// What the gas, lines shut, takes (J) on the way from one volume (m^3) to another: W = integral of p dV on the walls, heat
+    /// (n - gamma)/(gamma - 1) (-W).
+    #[must_use]
+    pub fn pushed(&self, state: &GasState<S>, from: S, to: S) -> Account<S> {
+        let length = self.length(to) - self.length(from);
+        let work = state.reference_pressure * self.reference_volume * length;
+        let ratio = self.gas.heat_capacity_ratio;
+        Account { heat: (self.exponent - ratio) / (ratio - S::ONE) * -work, work, ..Account::empty() }
+    }
+
+    /// The integral of (V_r/V)^n dV/V_r from V_r to a volume.
+    fn length(&self, volume: S) -> S {
+        let (power, log) = (self.exponent - S::ONE, (volume / self.reference_volume).ln());
+        // n = 1 is the limit, taken where the quotient loses its digits.
+        if power.abs() > S::from_f64(1e-6) { (S::ONE - (-(power * log)).exp()) / power } else { log }
     }
 
     /// (V/V_r)^n.

@@ -66,6 +66,14 @@ impl<S: Scalar> Nozzle<S> {
         self.conductance * density * upstream.pressure * cooling * self.share(ratio)
     }
 
+    /// The most that mass flow from upstream changes with the pressure downstream (kg/(s Pa)): where the pressures meet.
+    #[must_use]
+    pub fn steepest(&self, upstream: Source<S>) -> S {
+        let range = S::from_f64(LINEAR_RANGE);
+        let cooling = (S::from_f64(REFERENCE_TEMPERATURE) / upstream.temperature).sqrt();
+        self.conductance * S::from_f64(REFERENCE_DENSITY) * cooling * self.ellipse(range) / range
+    }
+
     /// psi(r), the flow as a share of the choked one.
     fn share(&self, ratio: S) -> S {
         let range = S::from_f64(LINEAR_RANGE);

@@ -11,6 +11,7 @@
 
 use super::island::Attachment;
 use super::thing::{Pair, Thing};
+use super::trail::Trail;
 use crate::flexible::Body;
 use crate::mechanism::Fault;
 use crate::real::Scalar;
@@ -51,9 +52,9 @@ pub struct Touch<S> {
     pub(super) start: Vec3<S>,
     /// Normal velocity (m/s) that an overlap is left with, at least.
     pub(super) out: S,
-    /// What the last sweep changed of the impulse, and the way of all sweeps.
+    /// What the last sweep changed of the impulse, and what the ones before it did.
     pub(super) change: Vec3<S>,
-    pub(super) way: Vec3<S>,
+    pub(super) trail: Trail<S>,
 }
 
 impl<S: Scalar> Touch<S> {
@@ -61,6 +62,12 @@ impl<S: Scalar> Touch<S> {
     #[must_use]
     pub fn velocity(&self) -> Vec3<S> {
         self.start
+    }
+
+    /// Largest of what it yields to an impulse (1/kg).
+    pub(super) fn weight(&self) -> S {
+        let [[a, ..], [_, b, _], [.., c]] = self.inverse_mass;
+        a.max(b).max(c)
     }
 
     /// A place for one.
@@ -79,7 +86,7 @@ impl<S: Scalar> Touch<S> {
             start: zero,
             out: S::ZERO,
             change: zero,
-            way: zero,
+            trail: Trail::empty(),
         }
     }
 }
@@ -251,19 +258,35 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     /// A point of a shape's core over the facet below it.
-    fn shape_over_mesh(
-        &self,
-        (shape, port, frame): &Standing<S>,
-        number: usize,
-        mesh: &Mesh<'a, S>,
-    ) -> Option<Place<S>> {
+    fn shape_over_mesh(&self, standing: &Standing<S>, number: usize, mesh: &Mesh<'a, S>) -> Option<Place<S>> {
+        let (shape, port, frame) = standing;
         let (points, _, radius) = core_points(shape);
         let (facet, near) = self.facet_below(mesh, frame.point(*points.get(number)?), radius)?;
-        if near.weights.iter().any(|weight| *weight > self.at_node) {
+        let gap = near.gap - radius;
+        let one_corner = near.weights.iter().any(|weight| *weight > self.at_node);
+        if one_corner || self.left_to_corners(facet, &near, gap, standing) {
             return None;
         }
         let sides = [self.side_of_port(*port, near.foot), self.side_of_facet(facet, &near)];
-        Some((near.gap - radius, near.foot, Contact::between(sides, near.normal)))
+        Some((gap, near.foot, Contact::between(sides, near.normal)))
+    }
+
+    /// Are the corners under a foot nearer to the shape's surface than the foot, on the mean by its shares?
+    ///
+    /// A chord between corners that touch a round shape lies inside it: a contact at the foot would say what theirs say, and
+    /// share their load with them in any way.
+    fn left_to_corners(
+        &self,
+        facet: &[usize; 4],
+        near: &FacetNearest<S>,
+        gap: S,
+        shape: &Standing<S>,
+    ) -> bool {
+        let mean = facet.iter().zip(near.weights).fold(S::ZERO, |sum, (node, weight)| {
+            let (own, ..) = self.node_over_shape(*node, shape);
+            sum + weight * own.abs()
+        });
+        self.at_node < S::ONE && mean < gap.abs()
     }
 
     /// A node over the facet below it.

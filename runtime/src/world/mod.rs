@@ -22,6 +22,7 @@ mod pressed;
 mod step;
 mod sweep;
 mod thing;
+mod trail;
 
 pub use accounts::Accounts;
 pub use carrier::{Carrier, Commanded, Floating, InverseInertia, Still, Wrench};

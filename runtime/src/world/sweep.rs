@@ -1,4 +1,4 @@
-//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method, accelerated where it is slow.
+//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method, accelerated where it is slow (`trail`).
 //!
 //! In: contacts with gap and relative velocity v- at the start, velocities at the end without impulses. Out: impulses, and the
 //! velocities v+ with them.
@@ -12,6 +12,7 @@
 //! taken by the part that gives nothing ([`take_no_more`]). Whatever the sides, contacts take energy only.
 
 use super::detect::Touch;
+use super::trail::Ahead;
 use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
 use crate::rigid::impact::InverseMass;
@@ -22,7 +23,10 @@ pub const FEW: usize = 64;
 /// Sweeps at most, few contacts and many.
 const SWEEPS: [usize; 2] = [500, 100];
 /// Sweeps by themselves; those behind them are accelerated.
-const PLAIN: usize = 20;
+const PLAIN: usize = 5;
+/// By this share of the speeds contacts may contradict one another where more of them stick than can: sweeps then push them
+/// against each other by the same amount each time, and velocities are as near as they come.
+const CONTRADICTION: f64 = 1e-6;
 /// With many contacts, what a sweep may still change of the speeds.
 const COARSE: f64 = 1e-9;
 
@@ -69,42 +73,32 @@ pub(super) fn sweep<S: Scalar>(
     }
     let mut number = 0;
     let mut settled = touches.is_empty() || fastest <= S::ZERO;
-    let (mut left, mut last) = (S::ZERO, S::ZERO);
+    let (mut left, mut ahead) = (S::ZERO, Ahead::new());
     while number < limit && !settled {
-        let (mut moved, mut square) = (S::ZERO, S::ZERO);
+        let mut moved = S::ZERO;
         for touch in touches.iter_mut() {
             let before = touch.contact.impulse;
             moved = moved.max(relax(touch, h, inertia, twists));
             touch.change = vec3::sub(touch.contact.impulse, before);
-            square = square + vec3::dot(touch.change, touch.change);
         }
         number += 1;
         left = moved / fastest;
         settled = left <= fine;
         if number > PLAIN && number < limit && !settled {
-            go_on(touches, if square < last { square / last } else { S::ZERO }, inertia, twists);
+            let alike = ahead.note(touches).is_some_and(|apart| apart <= fine * fastest);
+            settled = alike && left <= S::from_f64(CONTRADICTION);
+            if !settled {
+                ahead.go_on(touches, inertia, twists);
+            }
         }
-        last = square;
     }
     Sweeps { number, settled, left }
-}
-
-/// Goes on the way of the sweeps so far, as conjugate gradients do (Silcowitz-Hansen, Niebe and Erleben 2010): a sweep's change
-/// takes the gradient's place, p = beta p + change, beta = |change|^2/|change before|^2. The next sweep puts impulses back into
-/// their cones; beta = 0 begins anew.
-fn go_on<S: Scalar>(touches: &mut [Touch<S>], beta: S, inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) {
-    for touch in touches {
-        let more = vec3::scale(touch.way, beta);
-        touch.contact.push(inertia, twists, more);
-        touch.contact.impulse = vec3::add(touch.contact.impulse, more);
-        touch.way = vec3::add(more, touch.change);
-    }
 }
 
 /// One contact's impulse, the others as they are; returns by how much it changes velocities.
 fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) -> S {
     let (k, before) = (touch.inverse_mass, touch.contact.impulse);
-    let size = k[0][0].max(k[1][1]).max(k[2][2]);
+    let size = touch.weight();
     let Some(end) = wanted(touch, h).filter(|_| k[0][0] > S::ZERO) else {
         touch.contact.push(inertia, twists, vec3::scale(before, -S::ONE));
         touch.contact.impulse = vec3::zero();

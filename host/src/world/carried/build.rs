@@ -2,6 +2,7 @@
 //!
 //! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
 
+use super::air::Air;
 use super::methods::method;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
@@ -14,7 +15,7 @@ use smartbed_runtime::flexible::{PressureForm, Spring};
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3;
-use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, Group, Inertias, Still, Wrench};
+use smartbed_runtime::world::{Attachment, Carrier, Cell, Content, Floating, Group, Inertias, Still, Wrench};
 
 impl CarriedWorld {
     /// At its start.
@@ -40,6 +41,7 @@ impl CarriedWorld {
             damping: 0.0,
             impact: 0.0,
             friction: 0.0,
+            airs: Vec::new(),
             touching: None,
             unsettled: 0,
             forced: 0,
@@ -106,7 +108,7 @@ impl CarriedWorld {
     /// All flexible parts as one body.
     fn flexible(&mut self, assembly: &Assembly) -> Result<(), String> {
         let mut drag = None;
-        for (part, place) in assembly.parts.iter().zip(&mut self.places) {
+        for (number, (part, place)) in assembly.parts.iter().zip(&mut self.places).enumerate() {
             let Kind::Flexible(body) = &part.kind else { continue };
             if drag.is_some_and(|drag| drag != body.air_drag) {
                 return Err(format!("`{}`: flexible parts of one scene have one air_drag", part.name));
@@ -123,7 +125,11 @@ impl CarriedWorld {
             let cell = body.gas.map(|content| {
                 let facets = [first_facet, fixed.facets.len()];
                 fixed.cells.push(Cell { facets, content, form: PressureForm::Exact });
-                fixed.cells.len() - 1
+                let cell = fixed.cells.len() - 1;
+                if matches!(content, Content::Sealed { .. }) {
+                    self.airs.push(Air::new(number, cell, body.lines));
+                }
+                cell
             });
             self.room.pos.extend(&lists.points);
             self.room.vel.extend(&lists.velocities);

@@ -5,11 +5,13 @@
 //! runtime's `World` steps it and keeps the accounts; elsewhere works (drives, damping) are integrals of powers by
 //! Simpson's rule over each step.
 
+mod air;
 mod build;
 mod choice;
 pub mod methods;
 mod rest;
 mod rows;
+mod stepping;
 pub mod tables;
 
 use super::carriers::HostCarrier;
@@ -89,6 +91,7 @@ pub struct CarriedWorld {
     damping: f64,
     impact: f64,
     friction: f64,
+    airs: Vec<air::Air>,
     touching: Option<Touching>,
     unsettled: usize,
     forced: usize,

@@ -64,6 +64,7 @@ impl Relaxing for CarriedWorld {
     fn restart(&mut self, x: Vec<f64>) {
         self.low = vec![0.0; x.len()];
         (self.x, self.t) = (x, 0.0);
+        self.forget_volumes();
         [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
     }
 }

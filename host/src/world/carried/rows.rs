@@ -1,11 +1,11 @@
 //! Rows, energies, pictures and steps of a world of flexible parts.
 
+use super::air::SAVED;
 use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
 use crate::world::settle::relax;
-use smartbed_runtime::ode::State;
 use smartbed_runtime::world::Carrier;
 
 impl Engine for CarriedWorld {
@@ -14,7 +14,7 @@ impl Engine for CarriedWorld {
         let mut add = |name: String, unit: &str, by_default: bool| {
             columns.push(Column { name, unit: unit.to_owned(), by_default });
         };
-        for (name, place) in self.names.iter().zip(&self.places) {
+        for (number, (name, place)) in self.names.iter().zip(&self.places).enumerate() {
             match place {
                 Place::Carrier(number, _) => match &self.carriers[*number] {
                     HostCarrier::Mechanism(ported) => {
@@ -32,10 +32,16 @@ impl Engine for CarriedWorld {
                 },
                 Place::Shape(..) => {}
                 Place::Nodes(nodes, _, cell) => {
+                    let air = self.air_of(number);
                     add(format!("{name}.top"), "m", true);
                     if cell.is_some() {
                         add(format!("{name}.volume"), "m^3", true);
                         add(format!("{name}.gauge"), "Pa", true);
+                    }
+                    if air.is_some() {
+                        add(format!("{name}.temperature"), "K", false);
+                        add(format!("{name}.gas_mass"), "kg", false);
+                        add(format!("{name}.heat"), "J", false);
                     }
                     for node in 0..nodes.len() {
                         ["x", "y", "z"]
@@ -66,7 +72,7 @@ impl Engine for CarriedWorld {
             });
             (q, u) = (q + carrier.n_q(), u + carrier.n_u());
         }
-        for place in &self.places {
+        for (part, place) in self.places.iter().enumerate() {
             match place {
                 Place::Carrier(number, _) => values.extend(&rows[*number]),
                 Place::Shape(..) => {}
@@ -77,6 +83,9 @@ impl Engine for CarriedWorld {
                         let volume = cell.volume(&self.fixed.facets, &self.room.pos);
                         values.push(volume);
                         values.push(cell.content.gauge_pressure(volume).unwrap_or(f64::NAN));
+                        values.extend(
+                            self.air_of(part).iter().flat_map(|air| air.told(&self.fixed.cells, volume)),
+                        );
                     }
                     values.extend(pos.as_flattened());
                 }
@@ -161,46 +170,17 @@ impl Engine for CarriedWorld {
     }
 
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        if self.touching.is_some() {
-            let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
-            let done = self.step_touching(h, (&mut x, &mut low), false, found);
-            (self.x, self.low) = (x, low);
-            let accounts = done.map_err(words)?;
-            self.drive += accounts.drive;
-            self.damping += accounts.damping + accounts.drag;
-            self.impact += accounts.impact;
-            self.friction += accounts.friction;
-            self.t += h;
-            return Ok(());
+        self.breathing(h, |world| world.move_on(h, found))
+    }
+
+    fn inputs(&self) -> Vec<String> {
+        self.drivable().into_iter().map(|(name, _)| name).collect()
+    }
+
+    fn set_input(&mut self, input: usize, value: f64) {
+        if let Some((_, drivable)) = self.drivable().into_iter().nth(input) {
+            self.drive_input(drivable, value);
         }
-        let (t, old) = (self.t, self.x.clone());
-        let before = self.rates(t, &old).map_err(words)?;
-        let first = self.powers(t, &old).map_err(words)?;
-        let (mut x, mut low, mut scratch) =
-            (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
-        let method = self.method.1;
-        // Where time gives everything there is nothing to integrate.
-        let done = if x.is_empty() {
-            Ok(())
-        } else {
-            self.with(|mut island| {
-                let mut state = State::resume(&mut x, &mut low)?;
-                method.step(&mut island, t, h, &mut state, &mut scratch).map(|_| ())
-            })
-        };
-        (self.x, self.low, self.scratch) = (x, low, scratch);
-        done.map_err(words)?;
-        let new = self.x.clone();
-        let after = self.rates(t + h, &new).map_err(words)?;
-        let last = self.powers(t + h, &new).map_err(words)?;
-        let ends = old.iter().zip(&new).zip(before.iter().zip(&after));
-        let middle: Vec<f64> = ends.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * h * (da - db)).collect();
-        self.rates(t + 0.5 * h, &middle).map_err(words)?;
-        let between = self.powers(t + 0.5 * h, &middle).map_err(words)?;
-        self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
-        self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
-        self.t = t + h;
-        Ok(())
     }
 
     fn settle(&mut self) -> Result<Settled, String> {
@@ -209,19 +189,24 @@ impl Engine for CarriedWorld {
 
     fn save(&self) -> Vec<f64> {
         let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
-        [&accounts[..], &self.x, &self.low].concat()
+        let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
+        [&accounts[..], &self.x, &self.low, &airs].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
-        if numbers.len() != 5 + 2 * n {
+        if numbers.len() != 5 + 2 * n + SAVED * self.airs.len() {
             return Err(engine::other_world());
         }
         let (accounts, state) = numbers.split_at(5);
         [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];
         [self.impact, self.friction] = [accounts[3], accounts[4]];
         self.x.copy_from_slice(&state[..n]);
-        self.low.copy_from_slice(&state[n..]);
+        self.low.copy_from_slice(&state[n..2 * n]);
+        for (air, own) in self.airs.iter_mut().zip(state[2 * n..].chunks_exact(SAVED)) {
+            air.load(own, &mut self.fixed.cells);
+        }
+        self.forget_volumes();
         Ok(())
     }
 

@@ -53,6 +53,10 @@ impl CarriedWorld {
         if self.touching.is_some() {
             return Err("the chip steps worlds without contacts; leave [[contacts]] out".to_owned());
         }
+        if assembly.has_lines() || !assembly.controllers.is_empty() {
+            let why = "the chip steps worlds without lines of gas and controllers; leave supply, vent and [controllers] out";
+            return Err(why.to_owned());
+        }
         let fixed = &self.fixed;
         let mut text = String::new();
         let mut constant = |name: &str, kind: &str, value: &dyn Debug| {

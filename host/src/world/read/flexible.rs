@@ -2,7 +2,7 @@
 //!
 //! Numbers are read with their units and handed to the reader of format 1, which knows the shapes.
 
-use super::value::{Bound, list, number, scalar};
+use super::value::{Bound, list, needed, number, scalar};
 use crate::scene::Lists;
 use crate::scene::fields::Fields as Plain;
 use crate::scene::keys::{Choice, READERS, shapes};
@@ -12,7 +12,7 @@ use serde_json::{Map, Value as Json};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value};
-use smartbed_runtime::gas::{Chamber, Gas, Regulated, Source};
+use smartbed_runtime::gas::{Chamber, Gas, Line, Nozzle, Regulated, Source};
 use smartbed_runtime::world::Content;
 use std::collections::BTreeMap;
 
@@ -42,11 +42,16 @@ const UNITS: [(&str, &str); 18] = [
 const FLAT: f64 = 1e-9;
 /// Temperature of gas unless it is given (K).
 const ROOM: f64 = 293.15;
+/// Critical ratio of a line unless it is given (ISO 6358: valves have 0.2 to 0.5).
+const CRITICAL_RATIO: f64 = 0.3;
 
 /// Keys of every flexible part, beside those of its shape.
 pub const COMMON: [&str; 4] = ["shape", "fixed", "C", "stretch"];
 /// Keys of this format alone.
 pub const OWN: [&str; 6] = ["start", "air_drag", "gas", "base", "attach", "grid"];
+
+/// Gas, and its supply and vent.
+type Filled = (Content<f64>, [Option<Line<f64>>; 2]);
 
 /// Reads it; `offset` is where a copy of a grid stands.
 pub(super) fn read(
@@ -95,7 +100,8 @@ pub(super) fn read(
         None => None,
         Some(table) => Some(gas(table, &lists, found)?),
     };
-    Some(Flexible { lists, air_drag, gas })
+    let (gas, lines) = gas.map_or((None, [None; 2]), |(content, lines)| (Some(content), lines));
+    Some(Flexible { lists, air_drag, gas, lines })
 }
 
 /// Keys that the part's shape reads.
@@ -201,8 +207,8 @@ fn ring(lists: &Lists) -> Option<Vec<usize>> {
     (nodes.len() == open.len()).then_some(nodes)
 }
 
-/// `gas = { gauge, ambient, sealed, exponent, volume, temperature }`; the last three are of sealed gas.
-fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Content<f64>> {
+/// `gas = { gauge, ambient, sealed, exponent, volume, temperature, supply, vent }`; those behind `sealed` are of sealed gas.
+fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> {
     let fields = Fields::of("gas", table.span, table);
     let gauge = scalar(fields.need("gauge", "\"4_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?;
     let sealed = fields.boolean("sealed", found).unwrap_or(false);
@@ -231,10 +237,13 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Content<
         found.push(error.label(table.span, label).help(help));
         return None;
     }
+    let (mut supply, mut vent) = (None, None);
     let content = if sealed {
         let exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(1.4);
         let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
         let volume = given.unwrap_or(enclosed);
+        supply = fields.table("supply", found).and_then(|table| line(table, Some(()), ambient, found));
+        vent = fields.table("vent", found).and_then(|table| line(table, None, ambient, found));
         let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient };
         let state = chamber.filled(Source { pressure: ambient + gauge, temperature }, volume);
         Content::Sealed { chamber, state }
@@ -242,7 +251,34 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Content<
         Content::Regulated(Regulated { gas: Gas::air(), gauge, ambient })
     };
     fields.finish(found);
-    Some(content)
+    Some((content, [supply, vent]))
+}
+
+/// `supply = { gauge, conductance, critical_ratio, opening, temperature }`; a vent leads to the air outside.
+fn line(table: &Table, supply: Option<()>, ambient: f64, found: &mut Diagnostics) -> Option<Line<f64>> {
+    let fields = Fields::of(if supply.is_some() { "supply" } else { "vent" }, table.span, table);
+    let gauge = match supply {
+        Some(()) => scalar(fields.need("gauge", "\"30_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?,
+        None => 0.0,
+    };
+    if ambient + gauge <= 0.0 {
+        let error = Diagnostic::error("the supply has no pressure")
+            .label(table.span, "gauge + ambient is not above 0");
+        found.push(error.help("gauge is the pressure above `ambient`"));
+        return None;
+    }
+    let conductance = needed(&fields, "conductance", ("m^3/(s Pa)", "\"1e-8 m^3/(s Pa)\""), found)?;
+    let critical_ratio = number(&fields, "critical_ratio", "", Bound::Share, found).unwrap_or(CRITICAL_RATIO);
+    if critical_ratio >= 1.0 {
+        let error = Diagnostic::error("`critical_ratio` must be below 1").label(table.span, "this line");
+        found.push(error.help("0.2 to 0.5 is usual (ISO 6358)"));
+        return None;
+    }
+    let opening = number(&fields, "opening", "", Bound::Share, found).unwrap_or(0.0);
+    let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
+    fields.finish(found);
+    let reservoir = Source { pressure: ambient + gauge, temperature };
+    Some(Line { nozzle: Nozzle { conductance, critical_ratio }, opening, reservoir })
 }
 
 /// Volume inside the facets (m^3): a sixth of the sum of the triple products of two triangles each.

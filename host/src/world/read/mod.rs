@@ -3,6 +3,7 @@
 //! `value` reads numbers with units, `settings` lays `--set` on top; `mechanism`, `flexible` and `rigid` read a part
 //! each, `join` attachments and contacts, `view` what pictures show, `overlap` judges where rigid parts start.
 
+mod controller;
 mod flexible;
 mod join;
 mod mechanism;
@@ -86,10 +87,14 @@ fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> O
     }
     let observed = scene.table("sensors", found).map_or(&[][..], |table| &table.entries);
     let sensors = observed.iter().filter_map(|(key, value)| sensor::read(key, value, found)).collect();
+    let controlled = scene.table("controllers", found).map_or(&[][..], |table| &table.entries);
+    let controllers =
+        controlled.iter().filter_map(|(key, value)| controller::read(key, value, found)).collect();
     let run = run(&scene, found);
     let view = scene.table("view", found).map(|table| view::read(table, &parts, found)).unwrap_or_default();
     scene.finish(found);
-    let assembly = Assembly { title, gravity, parts, attachments, contacts, sensors, run: run?, view };
+    let assembly =
+        Assembly { title, gravity, parts, attachments, contacts, sensors, controllers, run: run?, view };
     let spans = |name: &str| {
         let own = name.split('[').next().unwrap_or(name);
         named.and_then(|t| t.entries.iter().find(|(key, _)| key.name == own)).map(|(key, _)| key.span)

@@ -1,0 +1,115 @@
+//! A step of a world of flexible parts, and what may be held from outside over it.
+//!
+//! In: state, length of the step, inputs. Out: the state behind it, works and events. Where something can touch, the
+//! runtime's step keeps the accounts; elsewhere works are integrals of powers by Simpson's rule.
+
+use super::{CarriedWorld, words};
+use crate::world::carriers::HostCarrier;
+use crate::world::engine::Event;
+use smartbed_runtime::ode::State;
+
+/// What controllers drive.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Drivable {
+    /// The opening of a line, by number of the gas: supply or vent.
+    Line(usize, usize),
+    /// Both: above 0 the supply opens, below it the vent.
+    Valves(usize),
+    /// An input of a mechanism, by number of the carrier.
+    Input(usize, usize),
+}
+
+impl CarriedWorld {
+    /// A step of motion, lines of gas shut.
+    pub(super) fn move_on(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
+        if self.touching.is_some() {
+            let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
+            let done = self.step_touching(h, (&mut x, &mut low), false, found);
+            (self.x, self.low) = (x, low);
+            let accounts = done.map_err(words)?;
+            self.drive += accounts.drive;
+            self.damping += accounts.damping + accounts.drag;
+            self.impact += accounts.impact;
+            self.friction += accounts.friction;
+            self.t += h;
+            return Ok(());
+        }
+        let (t, old) = (self.t, self.x.clone());
+        let before = self.rates(t, &old).map_err(words)?;
+        let first = self.powers(t, &old).map_err(words)?;
+        let (mut x, mut low, mut scratch) =
+            (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
+        let method = self.method.1;
+        // Where time gives everything there is nothing to integrate.
+        let done = if x.is_empty() {
+            Ok(())
+        } else {
+            self.with(|mut island| {
+                let mut state = State::resume(&mut x, &mut low)?;
+                method.step(&mut island, t, h, &mut state, &mut scratch).map(|_| ())
+            })
+        };
+        (self.x, self.low, self.scratch) = (x, low, scratch);
+        done.map_err(words)?;
+        let new = self.x.clone();
+        let after = self.rates(t + h, &new).map_err(words)?;
+        let last = self.powers(t + h, &new).map_err(words)?;
+        let ends = old.iter().zip(&new).zip(before.iter().zip(&after));
+        let middle: Vec<f64> = ends.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * h * (da - db)).collect();
+        self.rates(t + 0.5 * h, &middle).map_err(words)?;
+        let between = self.powers(t + 0.5 * h, &middle).map_err(words)?;
+        self.drive += h / 6.0 * (first.driven + 4.0 * between.driven + last.driven);
+        self.damping += h / 6.0 * (first.damped + 4.0 * between.damped + last.damped);
+        self.t = t + h;
+        Ok(())
+    }
+
+    /// What there is to drive, by name.
+    pub(super) fn drivable(&self) -> Vec<(String, Drivable)> {
+        let mut list = Vec::new();
+        for (number, air) in self.airs.iter().enumerate() {
+            let name = &self.names[air.part];
+            for (line, own) in
+                ["supply", "vent"].iter().enumerate().filter(|(line, _)| air.lines[*line].is_some())
+            {
+                list.push((format!("{name}.{own}"), Drivable::Line(number, line)));
+            }
+            if air.lines.iter().all(Option::is_some) {
+                list.push((format!("{name}.valves"), Drivable::Valves(number)));
+            }
+        }
+        for (name, place) in self.names.iter().zip(&self.places) {
+            let super::Place::Carrier(carrier, _) = place else { continue };
+            if let HostCarrier::Mechanism(ported) = &self.carriers[*carrier] {
+                let inputs = ported.free_inputs();
+                list.extend(
+                    inputs
+                        .into_iter()
+                        .map(|(input, own)| (format!("{name}.{own}"), Drivable::Input(*carrier, input))),
+                );
+            }
+        }
+        list
+    }
+
+    /// Holds one at a value.
+    pub(super) fn drive_input(&mut self, what: Drivable, value: f64) {
+        let mut open = |air: usize, line: usize, share: f64| {
+            if let Some(line) = &mut self.airs[air].lines[line] {
+                line.opening = share.clamp(0.0, 1.0);
+            }
+        };
+        match what {
+            Drivable::Line(air, line) => open(air, line, value),
+            Drivable::Valves(air) => {
+                open(air, 0, value);
+                open(air, 1, -value);
+            }
+            Drivable::Input(carrier, input) => {
+                if let HostCarrier::Mechanism(ported) = &mut self.carriers[carrier] {
+                    ported.hold(input, value);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Controllers of a world: at their own period they read a number, compare it with a target and hold an output until the next.
+//!
+//! In: what a scene says of each, the rows' columns, the sensors' readings. Out: numbers for an engine's inputs.
+//! ```text
+//! e = target(t) - reading,   I += integral * period * e  (not where the output is at a limit and e drives it further)
+//! output = bias + gain * e + I, within the limits
+//! ```
+//! They act through inputs alone: valves of gas, inputs of mechanisms that no law of the model gives.
+
+use super::assembly::{Assembly, Controlling};
+use super::engine::{Column, Engine};
+use super::sensors::whole_steps;
+
+/// What a controller reads.
+#[derive(Clone, Copy, Debug)]
+enum Source {
+    Column(usize),
+    Sensor(usize),
+}
+
+/// A controller at work.
+#[derive(Clone, Debug)]
+struct Controller {
+    own: Controlling,
+    source: Source,
+    input: usize,
+    /// Steps from sample to sample.
+    period: u64,
+    integral: f64,
+}
+
+/// All of them.
+#[derive(Clone, Debug)]
+pub struct Controllers {
+    list: Vec<Controller>,
+    step: f64,
+}
+
+impl Controllers {
+    /// For an assembly whose rows have these columns and whose engine takes these inputs.
+    ///
+    /// # Errors
+    /// What a controller reads is no number, what it drives no input, two drive one, or a period is no whole number of steps.
+    pub fn new(assembly: &Assembly, columns: &[Column], inputs: &[String]) -> Result<Self, String> {
+        let mut list: Vec<Controller> = Vec::new();
+        for own in &assembly.controllers {
+            let name = &own.name;
+            let source = source(own, assembly, columns)?;
+            let input = inputs.iter().position(|input| *input == own.drives).ok_or_else(|| {
+                let known = match inputs.is_empty() {
+                    true => "; give gas lines (supply, vent), or a mechanism an input that no law gives"
+                        .to_owned(),
+                    false => crate::suggest::help(&own.drives, inputs.iter().map(String::as_str)),
+                };
+                format!("controllers.{name}: nothing takes `{}`{known}", own.drives)
+            })?;
+            let both = |other: &&Controller| {
+                let [one, two] = [&other.own.drives, &own.drives];
+                let valves =
+                    |a: &str, b: &str| a.strip_suffix("valves").is_some_and(|part| b.starts_with(part));
+                one == two || valves(one, two) || valves(two, one)
+            };
+            if let Some(other) = list.iter().find(both) {
+                return Err(format!(
+                    "controllers.{name}: `{}` is driven by controllers.{} already; give it to one of them",
+                    own.drives, other.own.name
+                ));
+            }
+            let period =
+                whole_steps(&format!("controllers.{name}"), "period", own.period, assembly.run.step)?;
+            list.push(Controller {
+                own: own.clone(),
+                source,
+                input,
+                period: u64::from(period.max(1)),
+                integral: 0.0,
+            });
+        }
+        Ok(Self { list, step: assembly.run.step })
+    }
+
+    /// Are there none?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Behind step `tick`: those whose time it is give the engine their outputs.
+    ///
+    /// # Errors
+    /// A reading that is no number.
+    pub fn act(
+        &mut self,
+        tick: u64,
+        state: &[f64],
+        readings: &[f64],
+        engine: &mut dyn Engine,
+    ) -> Result<(), String> {
+        for controller in self.list.iter_mut().filter(|own| tick.is_multiple_of(own.period)) {
+            let reading = match controller.source {
+                Source::Column(column) => state[column],
+                Source::Sensor(sensor) => readings[sensor],
+            };
+            if !reading.is_finite() {
+                return Err(format!("controllers.{}: it reads no number", controller.own.name));
+            }
+            engine
+                .set_input(controller.input, controller.output(tick as f64 * self.step, reading, self.step));
+        }
+        Ok(())
+    }
+}
+
+impl Controller {
+    /// The output for a reading at a time (s).
+    fn output(&mut self, t: f64, reading: f64, step: f64) -> f64 {
+        let Controlling { gain, integral, bias, limits: [low, high], .. } = self.own;
+        let error = self.own.target_at(t) - reading;
+        let added = integral * self.period as f64 * step * error;
+        let output = |sum: f64| bias + gain * error + sum;
+        let (kept, gone) = (output(self.integral), output(self.integral + added));
+        let further = gone > high && gone > kept || gone < low && gone < kept;
+        if !further {
+            self.integral += added;
+        }
+        output(self.integral).clamp(low, high)
+    }
+}
+
+/// What it reads: a number of the rows, or a sensor.
+fn source(own: &Controlling, assembly: &Assembly, columns: &[Column]) -> Result<Source, String> {
+    let sensor = own.reads.strip_prefix("sensors.");
+    let place = match sensor {
+        Some(name) => assembly.sensors.iter().position(|sensor| sensor.name == name).map(Source::Sensor),
+        None => columns.iter().position(|column| column.name == own.reads).map(Source::Column),
+    };
+    place.ok_or_else(|| {
+        let sensors: Vec<String> =
+            assembly.sensors.iter().map(|sensor| format!("sensors.{}", sensor.name)).collect();
+        let known =
+            columns.iter().map(|column| column.name.as_str()).chain(sensors.iter().map(String::as_str));
+        let help = crate::suggest::help(&own.reads, known);
+        format!("controllers.{}: no number `{}` in the rows or of a sensor{help}", own.name, own.reads)
+    })
+}

@@ -1,0 +1,84 @@
+//! `[controllers.NAME]`: what is read, what is driven, how often, towards which target.
+//!
+//! Targets in quotes are in the unit that `unit` names; plain ones, gains and outputs are in SI units.
+
+use super::value::{Bound, list, needed, number, scalar};
+use crate::world::assembly::Controlling;
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Key, Value, wrong_kind};
+
+/// Reads one.
+pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<Controlling> {
+    let Value::Table(table) = value else {
+        found.push(wrong_kind(&key.name, "a table of its own: [controllers.NAME]", value));
+        return None;
+    };
+    let fields = Fields::of(&key.name, key.span, table);
+    let reads = word(&fields, "reads", "\"bladder.gauge\"", found)?;
+    let drives = word(&fields, "drives", "\"bladder.valves\"", found)?;
+    let unit = fields.text("unit", found).map_or_else(String::new, |text| text.text.clone());
+    let target = targets(fields.need("target", "\"4_kPa\"", found)?, &unit, found)?;
+    let period = needed(&fields, "period", ("s", "\"10_ms\""), found)?;
+    let mut get = |name: &'static str| number(&fields, name, "", Bound::Any, found).unwrap_or(0.0);
+    let (gain, integral, bias) = (get("gain"), get("integral"), get("bias"));
+    let limits = match fields.get("limits") {
+        Some(value) => list(value, "limits", "", found)?,
+        None => [f64::NEG_INFINITY, f64::INFINITY],
+    };
+    fields.finish(found);
+    if limits[0] >= limits[1] {
+        let error = Diagnostic::error("`limits` must be the least output, then the largest");
+        found.push(
+            error
+                .label(key.span, format!("these are {} and {}", limits[0], limits[1]))
+                .help("limits = [-1, 1]"),
+        );
+        return None;
+    }
+    Some(Controlling { name: key.name.clone(), reads, drives, period, target, gain, integral, bias, limits })
+}
+
+/// A name in quotes that must be there.
+fn word(fields: &Fields<'_>, key: &'static str, example: &str, found: &mut Diagnostics) -> Option<String> {
+    match fields.need(key, example, found)? {
+        Value::Text(text) => Some(text.text.clone()),
+        other => {
+            found.push(wrong_kind(key, "a name in quotes", other).help(format!("for example {example}")));
+            None
+        }
+    }
+}
+
+/// One target, or a list of `[time, target]` in the order of time.
+fn targets(value: &Value, unit: &str, found: &mut Diagnostics) -> Option<Vec<[f64; 2]>> {
+    let Value::Array(items, span) = value else {
+        return Some(vec![[0.0, scalar(value, "target", unit, Bound::Any, found)?]]);
+    };
+    let mut targets: Vec<[f64; 2]> = Vec::new();
+    for item in items {
+        let Value::Array(pair, _) = item else {
+            found.push(
+                wrong_kind("target", "pairs [time, target]", item)
+                    .help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"),
+            );
+            return None;
+        };
+        let [time, own] = pair.as_slice() else {
+            found.push(
+                wrong_kind("target", "pairs [time, target]", item)
+                    .help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"),
+            );
+            return None;
+        };
+        let time = scalar(time, "target", "s", Bound::NotNegative, found)?;
+        targets.push([time, scalar(own, "target", unit, Bound::Any, found)?]);
+    }
+    let rises = targets.windows(2).all(|two| two[0][0] < two[1][0]);
+    if !rises || targets.first().is_none_or(|[first, _]| *first != 0.0) {
+        let error = Diagnostic::error("the times of `target` must begin with 0 and rise");
+        found.push(error.label(*span, "this list").help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"));
+        return None;
+    }
+    Some(targets)
+}

@@ -1,0 +1,143 @@
+//! Lines of gas and controllers.
+
+use super::support::{fails, json, number};
+use std::path::Path;
+
+const R: f64 = 287.05;
+const ROOM: f64 = 293.15;
+const AMBIENT: f64 = 101_325.0;
+/// rho_0 of ISO 6358 (kg/m^3).
+const DENSITY: f64 = 1.185;
+
+/// A scene in a file of its own.
+fn scene(name: &str, text: &str) -> String {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("air_{name}.toml"));
+    std::fs::write(&file, format!("format = 2\n{text}")).expect("a file");
+    file.display().to_string()
+}
+
+/// A litre that cannot move.
+fn litre(gas: &str) -> String {
+    format!(
+        "gravity = [0, 0, 0]\n[parts.box]\nshape = \"cube\"\nside = \"0.1_m\"\nmass = \"1_kg\"\nK = \"1 kN/m\"\n\
+         fixed = [0, 1, 2, 3, 4, 5, 6, 7]\ngas = {{ sealed = true, {gas} }}\n[run]\nseconds = 0.05\nstep = \"1_ms\"\n"
+    )
+}
+
+#[test]
+fn a_fixed_volume_fills_as_choked_flow_says() {
+    let line = "supply = { gauge = \"500_kPa\", conductance = \"1e-8 m^3/(s Pa)\", opening = 1 }";
+    let done = json(&[&scene("fill", &litre(&format!("gauge = 0, {line}")))]);
+    // Choked: m' = C rho_0 p_1; n = gamma: V p' = gamma R T_in m'.
+    let mass = 1e-8 * DENSITY * (AMBIENT + 500e3) * 0.05;
+    let gauge = 1.4 * R * ROOM * mass / 1e-3;
+    let last = |name: &str| number(&done["last"][format!("box.{name}")]);
+    assert!((last("gauge") / gauge - 1.0).abs() < 1e-9, "{} {gauge}", last("gauge"));
+    let whole = mass + AMBIENT * 1e-3 / (R * ROOM);
+    assert!((last("gas_mass") / whole - 1.0).abs() < 1e-9);
+    assert!(last("heat").abs() < 1e-9, "n = gamma takes no heat: {}", last("heat"));
+}
+
+#[test]
+fn a_fixed_volume_blows_down_isothermally_and_books_its_heat() {
+    let line = "vent = { conductance = \"1e-8 m^3/(s Pa)\", opening = 0.5 }";
+    let done = json(&[&scene("vent", &litre(&format!("gauge = \"400_kPa\", exponent = 1, {line}")))]);
+    let last = |name: &str| number(&done["last"][format!("box.{name}")]);
+    // Choked, T = T_0: p' = -(R T/V) C rho_0 p/2.
+    let rate = R * ROOM / 1e-3 * 0.5e-8 * DENSITY;
+    let pressure = (AMBIENT + 400e3) * (-rate * 0.05).exp();
+    assert!((last("gauge") / (pressure - AMBIENT) - 1.0).abs() < 1e-7, "{} {pressure}", last("gauge"));
+    assert!((last("temperature") / ROOM - 1.0).abs() < 1e-9);
+    // The gas that left took c_p T each kg, what is left keeps c_v T: heat R T for each kg that left.
+    let left = (AMBIENT + 400e3) * 1e-3 / (R * ROOM) - last("gas_mass");
+    assert!((last("heat") / (R * ROOM * left) - 1.0).abs() < 1e-7, "{}", last("heat"));
+}
+
+/// A bladder on the ground with supply and vent.
+const BLADDER: &str = "[parts.ground]\nrigid = \"half_space\"\n[parts.bladder]\nshape = \"sheet\"\nrows = 5\ncolumns = 5\n\
+    width = \"0.28_m\"\ndepth = \"0.28_m\"\nbase = \"40_mm\"\nmass = \"50_g\"\nK = \"2 kN/m\"\nC = \"2 N s/m\"\nair_drag = \"0.2 N s/m\"\n\
+    start = { position = [0, 0, \"40_mm\"] }\n\
+    gas = { gauge = \"1_kPa\", sealed = true, exponent = 1.2, supply = { gauge = \"30_kPa\", conductance = \"2e-8 m^3/(s Pa)\" }, \
+    vent = { conductance = \"4e-8 m^3/(s Pa)\" } }\n\
+    attach = [{ nodes = \"rim\", to = \"ground\" }, { facets = \"base\", to = \"ground\" }]\n";
+
+#[test]
+fn flow_beside_motion_is_of_order_two_and_the_accounts_close() {
+    let run = |step: &str| {
+        let text = format!("{BLADDER}[run]\nseconds = 0.1\nstep = {step}\n");
+        let open = "parts.bladder.gas.supply.opening=1";
+        let done = json(&[&scene("order", &text), "--step", step, "--set", open]);
+        let last = |name: &str| number(&done["last"][format!("bladder.{name}")]);
+        assert!(number(&done["last"]["drive"]) < 0.0, "gas that flows in lowers its potential");
+        ([last("gauge"), last("top")], number(&done["imbalance"]), number(&done["last"]["drive"]))
+    };
+    let [a, b, c] = ["2.5e-4", "1.25e-4", "6.25e-5"].map(run);
+    for k in 0..2 {
+        let fall = (a.0[k] - b.0[k]) / (b.0[k] - c.0[k]);
+        assert!((3.3..4.8).contains(&fall), "{fall}: {:?} {:?} {:?}", a.0, b.0, c.0);
+    }
+    assert!(c.1.abs() < 1e-5 * c.2.abs(), "{} of {}", c.1, c.2);
+}
+
+/// A controller of the bladder's pressure.
+const HELD: &str = "[sensors.pressure]\nof = \"bladder.gauge\"\nkind = \"pressure\"\nunit = \"Pa\"\nlag = \"1_ms\"\n\
+    [controllers.air]\nreads = \"sensors.pressure\"\ndrives = \"bladder.valves\"\nunit = \"Pa\"\nperiod = \"5_ms\"\n\
+    target = [[0, \"2_kPa\"], [\"3_s\", \"1.5_kPa\"]]\ngain = 5e-3\nintegral = 2e-3\nlimits = [-1, 1]\n";
+
+#[test]
+fn a_controller_holds_a_bladder_at_its_pressures() {
+    let text = format!("{BLADDER}{HELD}[run]\nseconds = 1\nstep = \"0.5_ms\"\n");
+    let file = scene("held", &text);
+    let gauge = |seconds: &str| number(&json(&[&file, "--seconds", seconds])["last"]["bladder.gauge"]);
+    for (seconds, target) in [("2.995", 2e3), ("6", 1.5e3)] {
+        let found = gauge(seconds);
+        assert!((found / target - 1.0).abs() < 0.01, "{found} at {seconds} s");
+    }
+    // The same run, the same bits.
+    assert_eq!(gauge("0.2").to_bits(), gauge("0.2").to_bits());
+}
+
+#[test]
+fn a_held_input_is_what_a_law_of_that_value_is() {
+    let run = |name: &str, given: &str| {
+        let text = format!(
+            "[parts.arm]\nmechanism = \"double_pendulum\"\n{given}\n[run]\nseconds = 0.5\nstep = \"1_ms\"\n"
+        );
+        let done = json(&[&scene(name, &text)]);
+        ["arm.q1", "arm.q2"].map(|q| number(&done["last"][q]).to_bits())
+    };
+    let held = "[controllers.hold]\nreads = \"arm.q1\"\ndrives = \"arm.T\"\ntarget = 0\nperiod = \"10_ms\"\nbias = 0.3\n";
+    assert_eq!(run("held_input", held), run("law", "law = { T = 0.3 }"));
+    assert_ne!(run("held_input", held), run("free", ""));
+}
+
+#[test]
+fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
+    let text = format!("{BLADDER}{HELD}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n");
+    let file = scene("refused", &text);
+    let says = |arguments: &[&str], words: &str| {
+        let said = fails(&[&["run", &file], arguments].concat());
+        assert!(said.contains(words), "{arguments:?}: {said}");
+    };
+    says(&["--set", "controllers.air.drives=bladder.valve"], "did you mean `bladder.valves`?");
+    says(&["--set", "controllers.air.reads=bladder.gage"], "did you mean `bladder.gauge`?");
+    says(&["--set", "controllers.air.period=\"0.7_ms\""], "is no whole number of steps");
+    says(&["--set", "controllers.air.target=[[1, 2]]"], "must begin with 0 and rise");
+    says(&["--set", "controllers.air.limits=[1, -1]"], "the least output, then the largest");
+    says(&["--error", "1e-3"], "it has controllers");
+    let other =
+        "controllers.other={ reads = \"bladder.top\", drives = \"bladder.vent\", target = 0, period = 0.01 }";
+    says(&["--set", other], "is driven by controllers.air already");
+    says(&["--set", "parts.bladder.gas.supply.conductance=\"2_kg\""], "conductance");
+    says(&["--set", "parts.bladder.gas.supply.critical_ratio=1"], "must be below 1");
+    says(&["--set", "parts.bladder.gas.supply.gauge=\"-200_kPa\""], "the supply has no pressure");
+    let wide = ["--set", "parts.bladder.gas.vent={ conductance = 1000, opening = 1 }"];
+    says(&[&wide[..], &["--set", "controllers.air.limits=[-1, -0.5]"]].concat(), "meets that of a line");
+    let saved = Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_saved.state").display().to_string();
+    super::support::run(&["run", &file, "--seconds", "0.05", "--save", &saved]);
+    says(&["--resume", &saved], "sensors or controllers is not resumed");
+    // Gas that keeps its pressure has no lines.
+    says(&["--set", "parts.bladder.gas.sealed=false"], "supply");
+    let chip = fails(&["firmware", &file]);
+    assert!(chip.contains("without lines of gas and controllers"), "{chip}");
+}
