@@ -10,6 +10,7 @@
 //! ```
 
 mod accounts;
+mod anderson;
 mod carrier;
 mod cell;
 mod detect;

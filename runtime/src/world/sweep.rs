@@ -1,4 +1,4 @@
-//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method, accelerated where it is slow (`trail`).
+//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method, accelerated where it is slow (`anderson`).
 //!
 //! In: contacts with gap and relative velocity v- at the start, velocities at the end without impulses. Out: impulses, and the
 //! velocities v+ with them.
@@ -11,8 +11,8 @@
 //! turns slip around within the step could give a little, and so could sweeps that are cut short: then all impulses are
 //! taken by the part that gives nothing ([`take_no_more`]). Whatever the sides, contacts take energy only.
 
+use super::anderson::Ahead;
 use super::detect::Touch;
-use super::trail::Ahead;
 use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
 use crate::rigid::impact::InverseMass;

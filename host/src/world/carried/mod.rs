@@ -6,6 +6,7 @@
 //! Simpson's rule over each step.
 
 mod air;
+mod breathing;
 mod build;
 mod choice;
 pub mod methods;
