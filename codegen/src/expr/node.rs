@@ -4,7 +4,7 @@ use super::number::Number;
 use crate::id::{Id, ids};
 
 ids! {
-    /// A node of the [`Dag`].
+    /// A node of the graph of expressions ([`super::Dag`]).
     ExprId,
     /// A free symbol: time, coordinate, speed, input or parameter.
     SymbolId,

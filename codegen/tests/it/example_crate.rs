@@ -1,4 +1,4 @@
-//! The example crate is built offline as it stands, runs, and shows a model's errors with their place.
+//! The example crate is built as it stands, runs, and shows a model's errors with their place.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -18,7 +18,7 @@ fn copy(from: &Path, to: &Path) {
 fn cargo_run(crate_folder: &Path) -> Output {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     Command::new(cargo)
-        .args(["run", "--offline", "--quiet", "--target-dir"])
+        .args(["run", "--quiet", "--target-dir"])
         .arg(crate_folder.join("target"))
         .current_dir(crate_folder)
         .env_remove("CARGO_TARGET_DIR")
@@ -31,7 +31,7 @@ fn example_crate_builds_runs_and_explains() {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("pendulum_crate");
     copy(&here.join("examples/pendulum_crate"), &folder);
-    // Its paths from the copy; the versions of this repository, which are at hand without a network.
+    // Its paths from the copy; the versions of this repository.
     let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).expect("readable");
     let manifest = manifest
         .replace("\"../../../runtime\"", &format!("{:?}", here.join("../runtime")))

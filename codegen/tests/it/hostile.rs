@@ -238,7 +238,7 @@ fn faults(text: &str) -> Vec<String> {
     found
 }
 
-/// The crate of all modules, compiled without network; what the compiler says.
+/// The crate of all modules, compiled at the versions of this workspace; what the compiler says.
 fn compile(modules: &[String]) -> String {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("hostile");
@@ -262,7 +262,7 @@ fn compile(modules: &[String]) -> String {
     std::fs::write(folder.join("src/lib.rs"), root).expect("written");
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["check", "--offline", "--quiet", "--target-dir"]).arg(folder.join("target"));
+    command.args(["check", "--quiet", "--target-dir"]).arg(folder.join("target"));
     let done = command.current_dir(&folder).env_remove("CARGO_TARGET_DIR").output().expect("cargo runs");
     match done.status.success() {
         true => String::new(),

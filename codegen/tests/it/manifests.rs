@@ -71,16 +71,7 @@ fn what_is_newer_than_the_declared_compiler_is_found() {
 #[test]
 fn the_generator_asks_nothing_of_the_packages_of_procedural_macros() {
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args([
-        "tree",
-        "--package",
-        "smartbed-codegen",
-        "--edges",
-        "normal,build",
-        "--prefix",
-        "none",
-        "--offline",
-    ]);
+    cargo.args(["tree", "--package", "smartbed-codegen", "--edges", "normal,build", "--prefix", "none"]);
     let done = cargo.current_dir(root()).output().expect("cargo tree");
     let tree = String::from_utf8_lossy(&done.stdout);
     let names: Vec<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();

@@ -261,8 +261,7 @@ fn a_derived_crate_compiles_on_its_own() {
         assert_eq!(text.contains("sin_cos_of_difference"), optimise == "accuracy");
         let mut cargo = Command::new(env!("CARGO"));
         // Its dependencies are those of the workspace. That of lanes may be fetched: nothing else here is built with it.
-        let lock = concat!(env!("CARGO_MANIFEST_DIR"), "/../Cargo.lock");
-        std::fs::copy(lock, folder.join("Cargo.lock")).expect("the workspace's lock file");
+        lock(&folder);
         cargo.args(["check", "--quiet", "--target-dir"]).arg(file("derived")).current_dir(&folder);
         let done = finish(cargo);
         assert_eq!((done.status, done.err.as_str()), (0, ""), "{scalar}, {optimise}");
@@ -307,8 +306,9 @@ fn a_derived_crate_with_an_integrator_steps_its_mechanism() {
     assert_eq!(done.status, 0, "{done:?}");
     std::fs::create_dir_all(folder.join("tests")).expect("a folder");
     std::fs::write(folder.join("tests/stepped.rs"), STEPPED).expect("written");
+    lock(&folder);
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["test", "--quiet", "--offline", "--test", "stepped", "--target-dir"]).arg(file("derived"));
+    cargo.args(["test", "--quiet", "--test", "stepped", "--target-dir"]).arg(file("derived"));
     let done = finish({
         cargo.current_dir(&folder);
         cargo
@@ -328,9 +328,10 @@ fn a_derived_crate_compiles_in_half_a_second_of_processor_time() {
         let folder = file(&format!("{model}_timed"));
         let done = smartbed(&["derive", model, "--crate", &folder.display().to_string()]);
         assert_eq!(done.status, 0, "{done:?}");
+        lock(&folder);
         let compile = || {
             let mut shell = Command::new("sh");
-            let build = "touch src/lib.rs && \"$CARGO\" build --quiet --release --offline && times";
+            let build = "touch src/lib.rs && \"$CARGO\" build --quiet --release && times";
             shell.args(["-c", build]).current_dir(&folder).env("CARGO", env!("CARGO"));
             shell.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "2").env("CARGO_TARGET_DIR", file("timed"));
             let done = finish(shell);

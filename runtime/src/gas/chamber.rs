@@ -216,7 +216,7 @@ impl<S: Scalar> Chamber<S> {
     /// n R T/V sum dm'/dp.
     ///
     /// # Errors
-    /// [`GasFault`] without volume or mass, or with more than [`PARTS`] parts.
+    /// [`GasFault`] without volume or mass, or with more parts than an interval may be split into.
     pub fn flow(
         &self,
         state: &GasState<S>,
