@@ -60,8 +60,12 @@ pub(super) fn signature(head: &str, arguments: &[String], output: &str, indent: 
     format!("{indent}{head}(\n{arguments}{indent}) -> {output} {{\n")
 }
 
-/// As many elements a line as fit.
+/// All elements on one line, else as many a line as fit beside a last column that rustfmt leaves free.
 fn filled(elements: &[String], indent: &str) -> String {
+    let line = format!("{indent}{},\n", elements.join(", "));
+    if line.len() <= WIDTH + "\n".len() {
+        return line;
+    }
     let mut text = String::new();
     let mut column = 0;
     for element in elements {
@@ -116,6 +120,18 @@ mod tests {
         let long = vec!["1.000000000".to_owned(); 6];
         let lines = "    1.000000000,\n".repeat(6);
         assert_eq!(array("const A = ", &long, ""), format!("const A = [\n{lines}];\n"));
+    }
+
+    #[test]
+    fn the_last_column_is_taken_by_a_whole_list_only() {
+        let lengths = |n: usize| -> Vec<usize> {
+            let text = array("let a = ", &vec!["1".to_owned(); n], "    ");
+            text.lines().map(str::len).collect()
+        };
+        // Eight columns of indent, elements of three with their comma and space.
+        assert_eq!(lengths(31), [13, 8 + 31 * 3 - 1, 6]);
+        assert_eq!(lengths(32), [13, 8 + 30 * 3 - 1, 8 + 2 * 3 - 1, 6]);
+        assert_eq!(lengths(61), [13, 97, 97, 10, 6]);
     }
 
     #[test]
