@@ -4,10 +4,10 @@
 //! H' a + J alpha + n. A rigid body has M = m 1, H = -[h] and J = tr(S) 1 - S; a free hinge takes away what it gives
 //! way to, a matrix of rank one. Featherstone 2008, chapter 7.
 
-use super::spatial::{Inertia, Symmetric, Wrench, entry};
+use super::spatial::{Inertia, Symmetric, Wrench, entry, turned_matrix, turned_symmetric};
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
-use crate::vector::{Components, cross_components, turn_components};
+use crate::vector::{Components, cross_components};
 
 /// M, H, J and the wrench (f, n) at the accelerations from which others are counted; about an origin, in one triad.
 #[derive(Clone, Debug)]
@@ -80,14 +80,12 @@ impl Articulated {
 
     /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
     pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
-        let full = |m: &Symmetric| [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[entry(i, j)]));
-        let half = |m: [Components; 3]| [m[0][0], m[1][1], m[2][2], m[1][2], m[2][0], m[0][1]];
-        let mass = turned_matrix(dag, axis, angle, &full(&self.mass));
-        let inertia = turned_matrix(dag, axis, angle, &full(&self.inertia));
+        let mass = turned_symmetric(dag, axis, angle, &self.mass);
+        let inertia = turned_symmetric(dag, axis, angle, &self.inertia);
         Self {
-            mass: half(mass),
+            mass,
             coupling: turned_matrix(dag, axis, angle, &self.coupling),
-            inertia: half(inertia),
+            inertia,
             wrench: self.wrench.turned(dag, axis, angle),
         }
     }
@@ -126,29 +124,6 @@ impl Articulated {
         }
         Self { mass: self.mass, coupling, inertia, wrench: self.wrench.shifted(dag, offset) }
     }
-}
-
-/// R A R' by products of single angles: with r = A_ij + A_ji and x = s (A_ii - A_jj) + c r the turned block is
-/// A_ii - s x, c x - A_ji, c x - A_ij and A_jj + s x.
-fn turned_matrix(dag: &mut Dag, axis: Axis, angle: ExprId, a: &[Components; 3]) -> [Components; 3] {
-    let l = axis as usize;
-    let (i, j) = ((l + 1) % 3, (l + 2) % 3);
-    let (sin, cos) = (dag.sin(angle), dag.cos(angle));
-    let mut turned = *a;
-    let difference = dag.sub(a[i][i], a[j][j]);
-    let both = dag.add(a[i][j], a[j][i]);
-    let (along, across) = (dag.mul(sin, difference), dag.mul(cos, both));
-    let x = dag.add(along, across);
-    let (sx, cx) = (dag.mul(sin, x), dag.mul(cos, x));
-    turned[i][i] = dag.sub(a[i][i], sx);
-    turned[j][j] = dag.add(a[j][j], sx);
-    turned[i][j] = dag.sub(cx, a[j][i]);
-    turned[j][i] = dag.sub(cx, a[i][j]);
-    turned[l] = turn_components(dag, axis, angle, a[l], false);
-    let column = turn_components(dag, axis, angle, [0, 1, 2].map(|m| a[m][l]), false);
-    turned[i][l] = column[i];
-    turned[j][l] = column[j];
-    turned
 }
 
 #[cfg(test)]

@@ -121,31 +121,8 @@ impl Inertia {
     }
 
     /// In the parent's axes, the triad being turned against them by `angle` about `axis`.
-    ///
-    /// With x = s (S_ii - S_jj) + 2 c S_ij the turned entries are S_ii - s x, S_jj + s x and
-    /// c x - S_ij: sixteen operations with the other products.
     pub(super) fn turned(&self, dag: &mut Dag, axis: Axis, angle: ExprId) -> Self {
-        let a = axis as usize;
-        let (i, j) = ((a + 1) % 3, (a + 2) % 3);
-        let (sin, cos) = (dag.sin(angle), dag.cos(angle));
-        let s = &self.second;
-        let mut second = *s;
-        let difference = dag.sub(s[i], s[j]);
-        let along = dag.mul(sin, difference);
-        let two = dag.number(crate::expr::number::Number::integer(2));
-        let doubled = dag.mul(two, s[entry(i, j)]);
-        let across = dag.mul(cos, doubled);
-        let x = dag.add(along, across);
-        let (sx, cx) = (dag.mul(sin, x), dag.mul(cos, x));
-        second[i] = dag.sub(s[i], sx);
-        second[j] = dag.add(s[j], sx);
-        second[entry(i, j)] = dag.sub(cx, s[entry(i, j)]);
-        let mut row = [dag.zero(); 3];
-        row[i] = s[entry(a, i)];
-        row[j] = s[entry(a, j)];
-        let row = turn_components(dag, axis, angle, row, false);
-        second[entry(a, i)] = row[i];
-        second[entry(a, j)] = row[j];
+        let second = turned_symmetric(dag, axis, angle, &self.second);
         let first = turn_components(dag, axis, angle, self.first, false);
         Self { mass: self.mass, first, second }
     }
@@ -248,6 +225,42 @@ impl Wrench {
         let moment = std::array::from_fn(|i| dag.add(self.moment[i], lever[i]));
         Self { force: self.force, moment }
     }
+}
+
+/// R S R': sixteen operations, for what stands on both sides of the diagonal is formed once.
+pub(super) fn turned_symmetric(dag: &mut Dag, axis: Axis, angle: ExprId, s: &Symmetric) -> Symmetric {
+    let full = [0, 1, 2].map(|i| [0, 1, 2].map(|j| s[entry(i, j)]));
+    let [x, y, z] = turned_matrix(dag, axis, angle, &full);
+    [x[0], y[1], z[2], y[2], z[0], x[1]]
+}
+
+/// R A R' by products of single angles: with r = A_ij + A_ji and x = s (A_ii - A_jj) + c r the turned block is
+/// A_ii - s x, c x - A_ji, c x - A_ij and A_jj + s x.
+pub(super) fn turned_matrix(
+    dag: &mut Dag,
+    axis: Axis,
+    angle: ExprId,
+    a: &[Components; 3],
+) -> [Components; 3] {
+    let l = axis as usize;
+    let (i, j) = ((l + 1) % 3, (l + 2) % 3);
+    let (sin, cos) = (dag.sin(angle), dag.cos(angle));
+    let mut turned = *a;
+    let difference = dag.sub(a[i][i], a[j][j]);
+    let along = dag.mul(sin, difference);
+    let both = dag.add(a[i][j], a[j][i]);
+    let across = dag.mul(cos, both);
+    let x = dag.add(along, across);
+    let (sx, cx) = (dag.mul(sin, x), dag.mul(cos, x));
+    turned[i][i] = dag.sub(a[i][i], sx);
+    turned[j][j] = dag.add(a[j][j], sx);
+    turned[i][j] = dag.sub(cx, a[j][i]);
+    turned[j][i] = dag.sub(cx, a[i][j]);
+    turned[l] = turn_components(dag, axis, angle, a[l], false);
+    let column = turn_components(dag, axis, angle, [0, 1, 2].map(|m| a[m][l]), false);
+    turned[i][l] = column[i];
+    turned[j][l] = column[j];
+    turned
 }
 
 #[cfg(test)]
