@@ -20,6 +20,11 @@ impl Given {
         Self(solution.derivatives(k, y_dot))
     }
 
+    /// Derivatives of all unknowns but the clock.
+    pub fn all(y_dot: BTreeMap<UnknownId, ExprId>) -> Self {
+        Self(y_dot)
+    }
+
     /// Are accelerations given?
     pub fn is_given(&self) -> bool {
         !self.0.is_empty()

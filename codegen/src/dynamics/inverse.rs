@@ -3,6 +3,7 @@
 //! In: M u' = forcing, or bodies with given accelerations. Out: expressions. Featherstone 2008, chapters 5 (inverse
 //! dynamics) and 6.
 
+use super::absolute::Absolute;
 use super::given::Given;
 use super::solve::Factors;
 use super::unprojected::Unprojected;
@@ -24,8 +25,13 @@ pub(crate) fn missing_forces(
     u_dot: &[ExprId],
 ) -> BTreeMap<UnknownId, ExprId> {
     let given = Given::new(k, solution, u_dot);
+    missing_at(model, k, &given)
+}
+
+/// [`missing_forces`] at given derivatives of all unknowns.
+pub(super) fn missing_at(model: &Model, k: &mut Kinematics, given: &Given) -> BTreeMap<UnknownId, ExprId> {
     let mut parts = Unprojected::default();
-    inertia_force::accumulate(model, k, &given, &mut parts);
+    inertia_force::accumulate(model, k, given, &mut parts);
     active_force::accumulate(model, k, &mut parts);
     parts.force.into_iter().map(|(unknown, force)| (unknown, k.dag.negate(force))).collect()
 }
@@ -78,13 +84,29 @@ pub(crate) fn multipliers(
     (0..solution.rows.len()).map(|r| values.get(&UnknownId::from_index(r)).map(|v| v[0])).collect()
 }
 
-/// -M^-1 columns: how u' answers to a change of M u' - forcing at held u'.
+/// -M^-1 columns: how u' answers to a change of M u' - forcing at held u'. The factors are those of the forward
+/// dynamics. Columns of one entry are taken from M^-1, which is symmetric: half of it is formed.
 pub(crate) fn response(dag: &mut Dag, mass: &[Vec<ExprId>], columns: &[Vec<ExprId>]) -> Vec<Vec<ExprId>> {
-    let factors = Factors::new(dag, mass);
+    let mut inverse = None;
     let mut solved = Vec::new();
     for column in columns {
-        let x = factors.solve(dag, column);
-        solved.push(x.into_iter().map(|x| dag.negate(x)).collect());
+        let absolute = Absolute::new(dag, mass, column);
+        let factors = Factors::new(dag, &absolute.mass);
+        let entries: Vec<usize> = (0..column.len()).filter(|&i| !dag.is_zero(column[i])).collect();
+        let rates = match entries.len() {
+            1 => {
+                let inverse = inverse.get_or_insert_with(|| factors.inverse(dag));
+                let product = |row: &Vec<ExprId>, dag: &mut Dag| {
+                    let terms: Vec<ExprId> =
+                        row.iter().zip(&absolute.forcing).map(|(&m, &f)| dag.mul(m, f)).collect();
+                    dag.sum(&terms)
+                };
+                inverse.iter().map(|row| product(row, dag)).collect()
+            }
+            _ => factors.solve(dag, &absolute.forcing),
+        };
+        let speeds = absolute.relative(dag, &rates);
+        solved.push(speeds.into_iter().map(|x| dag.negate(x)).collect());
     }
     solved
 }

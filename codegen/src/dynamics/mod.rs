@@ -15,6 +15,7 @@ mod composite;
 mod contributions;
 mod energy;
 mod given;
+mod implicit;
 mod inertia_force;
 mod inverse;
 mod parallel;
@@ -33,6 +34,7 @@ mod tree_motion;
 mod unprojected;
 
 pub use augmented::Augmented;
+pub(crate) use implicit::Implicit;
 pub(crate) use inverse::{
     forces_for, inputs_for, inverse_inertia, missing_forces, multipliers, on_independent, response,
 };

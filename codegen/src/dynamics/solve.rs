@@ -82,6 +82,29 @@ impl Factors {
         }
         x
     }
+
+    /// M^-1 = L^-T D^-1 L^-1: with X = L^-1, entry (i, j) is sum over k >= i, j of X_ki X_kj / D_k.
+    pub fn inverse(&self, dag: &mut Dag) -> Vec<Vec<ExprId>> {
+        let n = self.diagonal.len();
+        let (zero, one) = (dag.zero(), dag.one());
+        let mut columns = Vec::new();
+        for j in 0..n {
+            let mut unit = vec![zero; n];
+            unit[j] = one;
+            columns.push(self.forward(dag, &unit));
+        }
+        let mut inverse = vec![vec![zero; n]; n];
+        for j in 0..n {
+            let scaled = self.divide(dag, &columns[j]);
+            for i in 0..=j {
+                let terms: Vec<ExprId> =
+                    columns[i].iter().zip(&scaled).map(|(&x, &y)| dag.mul(x, y)).collect();
+                inverse[i][j] = dag.sum(&terms);
+                inverse[j][i] = inverse[i][j];
+            }
+        }
+        inverse
+    }
 }
 
 /// A pivot of the mass matrix this small against its diagonal entry means: no inertia.

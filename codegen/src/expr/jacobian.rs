@@ -137,8 +137,8 @@ impl Graph {
     /// When it is a vertex's turn.
     fn turn(&self, vertex: usize) -> Turn {
         match (self.reads[vertex].len(), self.read_by[vertex].len()) {
-            (..=1, _) => Turn::ReadsOne(vertex),
             (_, ..=1) => Turn::ReadByOne(Reverse(vertex)),
+            (..=1, _) => Turn::ReadsOne(vertex),
             _ => Turn::FromTheResults(Reverse(vertex)),
         }
     }
@@ -148,8 +148,8 @@ impl Graph {
 /// the results towards the directions.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Turn {
-    ReadsOne(usize),
     ReadByOne(Reverse<usize>),
+    ReadsOne(usize),
     FromTheResults(Reverse<usize>),
 }
 

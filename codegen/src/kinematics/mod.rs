@@ -15,6 +15,7 @@ mod choose;
 mod constraint;
 pub(crate) mod diagnose;
 pub mod eliminate;
+pub(crate) mod factored;
 mod least_squares;
 mod lifted;
 pub mod linear;
@@ -52,7 +53,7 @@ pub(crate) use rate::{
     derivative as derivative_of, motion_value as value_of, rate_value as rate_of,
     scalar_rate as scalar_rate_of,
 };
-pub(crate) use slopes::dependent_slopes;
+pub(crate) use slopes::{dependent_slopes, slopes_by_speeds, speeds_of};
 pub use unreachable::Unreachable;
 pub(crate) use velocity::is_lifted_triad;
 

@@ -1,13 +1,17 @@
 //! How dependent coordinates follow the independent ones: P of dq = P dq_i with f_q P = 0.
 //!
 //! In: configuration constraints f(q, t) = 0. Out: one row a dependent coordinate. Motion constraints have no part in it.
+//! Where there are none, and the independent speeds are the rates of the independent coordinates, P is what the
+//! eliminations of the velocities have found: q_dependent' = P q_independent'.
 
+use super::eliminate::Solution;
 use super::linear;
 use super::quantities::{Kinematics, UnknownId};
 use super::sparse::{self, Equation};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;
+use crate::model::{CoordinateId, Model};
 
 /// Slopes of the dependent coordinates; none where the constraints do not determine them.
 pub(crate) fn dependent_slopes(
@@ -51,4 +55,52 @@ pub(crate) fn dependent_slopes(
     }
     let (values, _) = sparse::solve(&mut k.dag, table, equations)?;
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).cloned()).collect()
+}
+
+/// Which independent speed is the rate of each of these coordinates, where no constraint is one of motion; none
+/// where a speed is something else. Then P is what the eliminations of the velocities have found.
+pub(crate) fn speeds_of(
+    model: &Model,
+    k: &Kinematics,
+    solution: &Solution,
+    independent: &[CoordinateId],
+) -> Option<Vec<usize>> {
+    let is_holonomic =
+        model.motion_constraints.is_empty() && model.points.iter().all(|point| point.velocity.is_none());
+    if !is_holonomic || !solution.ties.is_empty() {
+        return None;
+    }
+    let speeds = k.independent_unknowns();
+    let mut places = Vec::new();
+    for &c in independent {
+        let mut partials = k.rates[c].partials.iter();
+        let (Some((unknown, &factor)), None) = (partials.next(), partials.next()) else { return None };
+        let place = speeds.iter().position(|speed| speed == unknown)?;
+        if !k.dag.is_one(factor) || places.contains(&place) {
+            return None;
+        }
+        places.push(place);
+    }
+    Some(places)
+}
+
+/// P by the partial velocities: q_dependent' = P q_independent'.
+pub(crate) fn slopes_by_speeds(
+    k: &mut Kinematics,
+    solution: &Solution,
+    dependent: &[CoordinateId],
+    speeds: &[usize],
+) -> Vec<Vec<ExprId>> {
+    let mut rows = Vec::new();
+    for &c in dependent {
+        let partials = k.rates[c].partials.clone();
+        let mut row = Vec::new();
+        for &speed in speeds {
+            let each = partials.iter().map(|(unknown, &n)| k.dag.mul(n, solution.partials[unknown][speed]));
+            let terms: Vec<ExprId> = each.collect();
+            row.push(k.dag.sum(&terms));
+        }
+        rows.push(row);
+    }
+    rows
 }

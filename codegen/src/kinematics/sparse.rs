@@ -7,6 +7,7 @@
 use super::quantities::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
+use crate::id::Id;
 use std::collections::BTreeMap;
 
 /// A pivot relative to the largest entry of its row, at the worst sample.
@@ -37,6 +38,10 @@ pub(crate) struct Elimination {
     pub right: Vec<ExprId>,
     /// 1, or the pivot where the sum is divided by it, not its terms.
     pub divisor: ExprId,
+    /// Which of the equations it is solved from.
+    pub row: usize,
+    /// The equations that held the unknown too, with its coefficient there.
+    pub others: Vec<(usize, ExprId)>,
 }
 
 /// What a pivot must pass.
@@ -68,19 +73,22 @@ pub(crate) fn eliminate_screened(
     screening: &Screening,
 ) -> Vec<Elimination> {
     let mut done = Vec::new();
+    let mut places: Vec<usize> = (0..equations.len()).collect();
     let mut candidates: Vec<Vec<Candidate>> =
         equations.iter().map(|e| candidates_of(dag, table, e, &screening.sizes)).collect();
     while let Some((r, column)) = pick(&candidates, screening.last_resort) {
         let row = equations.swap_remove(r);
         candidates.swap_remove(r);
+        let place = places.swap_remove(r);
         let pivot = row.coefficients[&column];
         // Its value at the samples, before what follows adds nodes.
         table.values(dag, pivot);
         let alone = equations.iter().all(|other| !other.coefficients.contains_key(&column));
         let divisor = if alone && screening.divide_sums { pivot } else { dag.one() };
-        let step = solved_for(dag, row, column, pivot, divisor);
-        for (other, theirs) in equations.iter_mut().zip(&mut candidates) {
-            if substitute(dag, other, &step) {
+        let mut step = solved_for(dag, row, (column, pivot), divisor, place);
+        for ((other, theirs), &place) in equations.iter_mut().zip(&mut candidates).zip(&places) {
+            if let Some(entry) = substitute(dag, other, &step) {
+                step.others.push((place, entry));
                 *theirs = candidates_of(dag, table, other, &screening.sizes);
             }
         }
@@ -102,9 +110,10 @@ pub(crate) fn eliminate_definite(
         let Some(&pivot) = row.coefficients.get(&column) else { break };
         table.values(dag, pivot);
         let one = dag.one();
-        let step = solved_for(dag, row, column, pivot, one);
-        for other in equations.values_mut() {
-            substitute(dag, other, &step);
+        let mut step = solved_for(dag, row, (column, pivot), one, column.index());
+        for (unknown, other) in &mut equations {
+            let entry = substitute(dag, other, &step);
+            step.others.extend(entry.map(|entry| (unknown.index(), entry)));
         }
         done.push(step);
     }
@@ -185,9 +194,9 @@ fn pick(rows: &[Vec<Candidate>], last_resort: bool) -> Option<(usize, UnknownId)
 fn solved_for(
     dag: &mut Dag,
     row: Equation,
-    unknown: UnknownId,
-    pivot: ExprId,
+    (unknown, pivot): (UnknownId, ExprId),
     divisor: ExprId,
+    place: usize,
 ) -> Elimination {
     let mut coefficients = row.coefficients;
     coefficients.remove(&unknown);
@@ -197,12 +206,12 @@ fn solved_for(
         *x = dag.negate(quotient);
     }
     let right = row.right.into_iter().map(|x| dag.div(x, factor)).collect();
-    Elimination { unknown, pivot, coefficients, right, divisor }
+    Elimination { unknown, pivot, coefficients, right, divisor, row: place, others: Vec::new() }
 }
 
-/// Puts an unknown's expression in its place; false if it has none.
-fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> bool {
-    let Some(entry) = other.coefficients.remove(&step.unknown) else { return false };
+/// Puts an unknown's expression in its place; the coefficient that it had there, if it has one.
+fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> Option<ExprId> {
+    let entry = other.coefficients.remove(&step.unknown)?;
     for (&c, &x) in &step.coefficients {
         let product = dag.mul(entry, x);
         let new = match other.coefficients.get(&c) {
@@ -219,7 +228,7 @@ fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> bool {
         let product = dag.mul(entry, x);
         *mine = dag.sub(*mine, product);
     }
-    true
+    Some(entry)
 }
 
 /// Every unknown by the right-hand sides alone; None if one never had a pivot.

@@ -44,7 +44,7 @@ pub(super) fn derive(
     let solution = constraints(model, &mut k, &mut table)?;
     let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
     stage::begin(Stage::Answers);
-    let given = (model.inputs.len(), false);
+    let given = (model.inputs.len(), false, effort);
     let mut stages = Stages::new((model, choice), &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);

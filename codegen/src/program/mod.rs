@@ -86,7 +86,7 @@ pub fn derive_asked(
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
     let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, (optimise, with_augmented))?;
     stage::begin(Stage::Answers);
-    let given = (own_inputs, answer::holds_u_dot(&requests));
+    let given = (own_inputs, answer::holds_u_dot(&requests), effort);
     let mut stages = Stages::new((model, choice), &mut k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
     let assembly = Assembly::new(model, &mut k);

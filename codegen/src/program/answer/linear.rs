@@ -1,30 +1,20 @@
 //! Linearisation: how the rates and the outputs answer to small changes of state, inputs and parameters.
 //!
 //! In: the equations with u' held as symbols, r = M u' - forcing. Out: by the implicit function theorem
-//! du'/dx = -M^-1 dr/dx, with dr/dx by one sweep a direction or by eliminations on the graph of operations. State: the
-//! coordinates that the configuration constraints leave independent, and the independent speeds; the other coordinates
+//! du'/dx = -M^-1 dr/dx (`accelerations`). State: the coordinates that the configuration constraints leave independent, and the independent speeds; the other coordinates
 //! follow, dq = P dq_i with f_q P = 0, while motion constraints restrict the speeds only (Peterson, Gede, Hubbard
 //! 2015). The state need not be an equilibrium.
 
+use super::accelerations::{self, Direction, Functions};
 use super::inertia;
 use super::part::Part;
 use super::stages::{Stages, Target};
 use crate::diagnostic::Diagnostic;
-use crate::dynamics;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics;
 use crate::model::CoordinateId;
-use rustc_hash::FxHashMap as HashMap;
 
 type Parts = Result<Vec<Part>, Diagnostic>;
-/// Symbols that change together, and how fast.
-type Direction = HashMap<SymbolId, ExprId>;
-
-/// Operations by eliminations on the graph over those by one sweep a direction, from which on the former are taken: the
-/// value graph shortens the latter by up to a tenth more (bicycle: 5,696 and 6,130 become 5,777 and 5,049).
-const CLEARLY_LESS: f64 = 0.9;
-/// Nodes times directions times results, beyond which eliminations on the graph take too long.
-const MOST_WORK: usize = 4_000_000;
 
 /// What is differentiated.
 struct Equations {
@@ -33,6 +23,8 @@ struct Equations {
     /// Rates of the independent coordinates.
     q_dot: Vec<ExprId>,
     outputs: Vec<ExprId>,
+    /// Both with the dependent unknowns as symbols.
+    unsolved: Vec<ExprId>,
     mass: Vec<Vec<ExprId>>,
     /// Names of the independent coordinates and speeds.
     state: Vec<String>,
@@ -119,7 +111,10 @@ fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> 
         return Some(directions);
     }
     let follow = symbols(stages, &dependent);
-    let slopes = kinematics::dependent_slopes(stages.k, stages.table, &follow, &own)?;
+    let slopes = match kinematics::speeds_of(stages.model, stages.k, stages.solution, independent) {
+        Some(speeds) => kinematics::slopes_by_speeds(stages.k, stages.solution, &dependent, &speeds),
+        None => kinematics::dependent_slopes(stages.k, stages.table, &follow, &own)?,
+    };
     for (&symbol, row) in follow.iter().zip(&slopes) {
         for (direction, &slope) in directions.iter_mut().zip(row) {
             direction.insert(symbol, slope);
@@ -138,6 +133,7 @@ impl Equations {
         }
         let outputs = stages.model.outputs.iter().map(|o| kinematics::lower_scalar(stages.k, &o.value));
         let outputs: Vec<ExprId> = outputs.collect();
+        let unsolved = [&q_dot[..], &outputs].concat();
         let (q_dot, outputs) = (stages.solved(&q_dot), stages.solved(&outputs));
         // Coordinates in closed form change with those that they are forms of.
         let forms = stages.k.closed_form_values();
@@ -147,49 +143,20 @@ impl Equations {
         let names = independent.iter().map(|&c| stages.model.coordinates[c].name.clone());
         let state = names.chain(stages.speed_names()).collect();
         let output_names = stages.model.outputs.iter().map(|o| o.name.clone()).collect();
-        Self { residual, q_dot, outputs, mass, state, output_names }
+        Self { residual, q_dot, outputs, unsolved, mass, state, output_names }
     }
 
     fn columns(&self, stages: &mut Stages, directions: &[Direction]) -> Columns {
-        let q_dot = forward(stages, &self.q_dot, directions);
-        let outputs = forward(stages, &self.outputs, directions);
-        let residual = forward(stages, &self.residual, directions);
-        let mut u_dot = self.accelerations(stages, &residual);
-        let work = stages.k.dag.reachable(&self.residual).len() * directions.len() * self.residual.len();
-        if work <= MOST_WORK {
-            let residual = eliminated(stages, &self.residual, directions);
-            let other = self.accelerations(stages, &residual);
-            let cost = |columns: &[Vec<ExprId>]| {
-                stages.k.dag.state_cost(&[&stages.dynamics.u_dot[..], &columns.concat()].concat()) as f64
-            };
-            if cost(&other) < CLEARLY_LESS * cost(&u_dot) {
-                u_dot = other;
-            }
+        let Self { residual, mass, unsolved, .. } = self;
+        let others = [&self.q_dot[..], &self.outputs].concat();
+        let functions = Functions { residual, mass, others: &others, unsolved };
+        let mut columns = Columns { rates: Vec::new(), outputs: Vec::new() };
+        for column in accelerations::columns(stages, &functions, directions) {
+            let (u_dot, others) = column.split_at(residual.len());
+            let (q_dot, outputs) = others.split_at(self.q_dot.len());
+            columns.rates.push([q_dot, u_dot].concat());
+            columns.outputs.push(outputs.to_vec());
         }
-        let rates = q_dot.into_iter().zip(u_dot).map(|(first, second)| [first, second].concat()).collect();
-        Columns { rates, outputs }
+        columns
     }
-
-    /// Columns of u' from those of the residual.
-    fn accelerations(&self, stages: &mut Stages, residual: &[Vec<ExprId>]) -> Vec<Vec<ExprId>> {
-        let dag = &mut stages.k.dag;
-        let u_dot = dynamics::response(dag, &self.mass, residual);
-        // The u' that were held are those of the state.
-        let held: HashMap<SymbolId, ExprId> = (stages.u_dot.iter().zip(&stages.dynamics.u_dot))
-            .filter_map(|(&symbol, &value)| Some((dag.as_symbol(symbol)?, value)))
-            .collect();
-        u_dot.iter().map(|column| dag.substitute(column, &held)).collect()
-    }
-}
-
-/// One sweep a direction.
-fn forward(stages: &mut Stages, of: &[ExprId], directions: &[Direction]) -> Vec<Vec<ExprId>> {
-    let dag = &mut stages.k.dag;
-    directions.iter().map(|along| of.iter().map(|&e| dag.rate(e, along)).collect()).collect()
-}
-
-/// All of them at once, by eliminations on the graph of operations.
-fn eliminated(stages: &mut Stages, of: &[ExprId], directions: &[Direction]) -> Vec<Vec<ExprId>> {
-    let rows = stages.k.dag.jacobian(of, directions);
-    (0..directions.len()).map(|d| rows.iter().map(|row| row[d]).collect()).collect()
 }

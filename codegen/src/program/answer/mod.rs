@@ -4,6 +4,7 @@
 //! DAG. Interpreter, emitted files, `eval`, `check` and the command line know of answers by this list only: a new one is
 //! a function that returns its parts, and an entry of [`CATALOGUE`]. What is not asked for is not derived.
 
+mod accelerations;
 mod inertia;
 mod law;
 mod linear;

@@ -6,6 +6,7 @@ use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::eliminate::Solution;
 use crate::kinematics::{Kinematics, Marker, ParameterChoice};
 use crate::model::Model;
+use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
 
 /// Numbers in [-1, 1] that repeat nowhere: multiples of the golden section.
@@ -32,6 +33,8 @@ pub struct Stages<'s> {
     pub own_inputs: usize,
     /// How its parameters are treated.
     pub choice: &'s ParameterChoice,
+    /// How hard to look for fewer operations.
+    pub effort: Effort,
 }
 
 /// What an answer is about.
@@ -50,7 +53,7 @@ impl<'s> Stages<'s> {
         k: &'s mut Kinematics,
         (solution, dynamics): (&'s Solution, &'s Dynamics),
         table: &'s mut SampleTable,
-        (own_inputs, takes_u_dot): (usize, bool),
+        (own_inputs, takes_u_dot, effort): (usize, bool, Effort),
     ) -> Self {
         let mut u_dot = Vec::new();
         if takes_u_dot {
@@ -62,7 +65,7 @@ impl<'s> Stages<'s> {
             }
             table.set_symbols(values);
         }
-        Self { model, k, solution, dynamics, table, u_dot, own_inputs, choice }
+        Self { model, k, solution, dynamics, table, u_dot, own_inputs, choice, effort }
     }
 
     /// Number of independent speeds.

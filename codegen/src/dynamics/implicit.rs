@@ -1,0 +1,172 @@
+//! M u' - forcing as a function whose derivatives are those of the mechanism, with the eliminations held.
+//!
+//! In: rows J y = 0 and J y' + b = 0, forces f missing on the unknowns y at given y'. Out: r = T' (f - J' lambda) as a
+//! function of coordinates, independent speeds and inputs, in which T, lambda of J_d' lambda = f_d and the factors of
+//! J_d are symbols. y and y' are corrected once by Newton's method, y <- y - J_d^-1 (J y), whose derivative is that of
+//! the implicit function theorem: no coefficient of the eliminations is differentiated.
+
+use super::given::Given;
+use super::inverse::{missing_at, on_independent};
+use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, Dependence, ExprId, SymbolId};
+use crate::kinematics::eliminate::Solution;
+use crate::kinematics::factored::Factored;
+use crate::kinematics::{Kinematics, UnknownId};
+use crate::model::Model;
+use rustc_hash::FxHashMap as HashMap;
+use std::collections::BTreeMap;
+
+type ByUnknown = BTreeMap<UnknownId, ExprId>;
+
+/// r, and what its symbols stand for.
+pub(crate) struct Implicit {
+    /// r, one an independent speed.
+    pub residual: Vec<ExprId>,
+    /// Other expressions of q and y, with y as corrected.
+    pub others: Vec<ExprId>,
+    /// What stands for its symbols, to be put in one after the other: each list reads symbols of later ones.
+    values: [HashMap<SymbolId, ExprId>; 3],
+}
+
+impl Implicit {
+    /// At given u'; none where nothing was eliminated, or the rows were not solved one by one. The table learns the
+    /// values of the symbols.
+    pub fn new(
+        model: &Model,
+        k: &mut Kinematics,
+        table: &mut SampleTable,
+        solution: &Solution,
+        (u_dot, others): (&[ExprId], &[ExprId]),
+    ) -> Option<Self> {
+        if solution.steps.is_empty() {
+            return None;
+        }
+        let factored = Factored::new(k, table, solution)?;
+        let mut coefficients = Held::default();
+        let factors = factored.map(|e| coefficients.hold(&mut k.dag, e));
+        let mut held = solution.clone();
+        for c in held.steps.iter_mut().flat_map(|step| step.coefficients.values_mut()) {
+            *c = coefficients.hold(&mut k.dag, *c);
+        }
+        let mut y_dot: ByUnknown = k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
+        let derivatives = solution.derivatives(k, y_dot.clone());
+        let mut accelerations = Held::default();
+        for y in k.dependent_unknowns() {
+            y_dot.insert(y, accelerations.fresh(&mut k.dag, derivatives[&y]));
+        }
+        let mut forces = missing_at(model, k, &Given::all(y_dot.clone()));
+        let mut multipliers = Held::default();
+        take_multipliers(k, solution, &factored, (&y_dot, &mut forces), &mut multipliers);
+        let corrected = corrected(k, solution, &factors, &y_dot);
+        let residual = on_independent(k, &held, forces);
+        let residual = k.dag.substitute(&residual, &corrected);
+        let others = k.dag.substitute(others, &corrected);
+        for held in [&coefficients, &accelerations, &multipliers] {
+            let values = held.values.iter().map(|(&s, &value)| (s, table.values(&k.dag, value).to_vec()));
+            let values = values.collect();
+            table.set_symbols(values);
+        }
+        Some(Self {
+            residual,
+            others,
+            values: [multipliers, accelerations, coefficients].map(|held| held.values),
+        })
+    }
+
+    /// Expressions with what the symbols stand for.
+    pub fn put_in(&self, dag: &mut Dag, list: &[ExprId]) -> Vec<ExprId> {
+        self.values.iter().fold(list.to_vec(), |list, values| dag.substitute(&list, values))
+    }
+}
+
+/// f - J' lambda, with lambda of J_d' lambda = f_d held.
+fn take_multipliers(
+    k: &mut Kinematics,
+    solution: &Solution,
+    factored: &Factored,
+    (y_dot, forces): (&ByUnknown, &mut ByUnknown),
+    held: &mut Held,
+) {
+    let dependent = k.dependent_unknowns();
+    let of_dependent = dependent.into_iter().filter_map(|y| Some((y, *forces.get(&y)?))).collect();
+    let lambda = factored.solve_transposed(&mut k.dag, of_dependent);
+    for (row, lambda) in solution.rows.iter().zip(lambda) {
+        let lambda = held.hold(&mut k.dag, lambda);
+        for (&y, &coefficient) in row.coefficients.iter().filter(|(y, _)| y_dot.contains_key(y)) {
+            let term = k.dag.mul(coefficient, lambda);
+            let force = forces.get(&y).copied().unwrap_or_else(|| k.dag.zero());
+            forces.insert(y, k.dag.sub(force, term));
+        }
+    }
+}
+
+/// What stands for the symbols of the dependent y and y': each less its correction.
+fn corrected(
+    k: &mut Kinematics,
+    solution: &Solution,
+    factors: &Factored,
+    y_dot: &ByUnknown,
+) -> HashMap<SymbolId, ExprId> {
+    let dependent = k.dependent_unknowns();
+    let (mut velocity, mut acceleration) = (Vec::new(), Vec::new());
+    for row in &solution.rows {
+        let (mut first, mut second) = (k.dag.zero(), row.bias);
+        for (unknown, &coefficient) in &row.coefficients {
+            let term = k.dag.mul(coefficient, k.unknowns[*unknown].value);
+            first = k.dag.add(first, term);
+            // The clock has no y'.
+            if let Some(&y_dot) = y_dot.get(unknown) {
+                let term = k.dag.mul(coefficient, y_dot);
+                second = k.dag.add(second, term);
+            }
+        }
+        velocity.push(first);
+        acceleration.push(second);
+    }
+    let mut corrected: HashMap<SymbolId, ExprId> = HashMap::default();
+    let values: Vec<ExprId> = dependent.iter().map(|&y| k.unknowns[y].value).collect();
+    let derivatives: Vec<ExprId> = dependent.iter().map(|y| y_dot[y]).collect();
+    for (rows, symbols) in [(velocity, values), (acceleration, derivatives)] {
+        let rows = k.dag.substitute(&rows, &corrected);
+        let change = factors.solve(&mut k.dag, rows);
+        for (y, symbol) in dependent.iter().zip(symbols) {
+            let new = k.dag.sub(symbol, change[y]);
+            corrected.extend(k.dag.as_symbol(symbol).map(|id| (id, new)));
+        }
+    }
+    corrected
+}
+
+/// Symbols in the place of expressions that are not to be differentiated.
+#[derive(Default)]
+struct Held {
+    symbols: HashMap<ExprId, ExprId>,
+    values: HashMap<SymbolId, ExprId>,
+}
+
+impl Held {
+    /// The symbol of an expression; what depends on parameters alone stands for itself.
+    fn hold(&mut self, dag: &mut Dag, value: ExprId) -> ExprId {
+        if dag.dependence(value) < Dependence::State {
+            return value;
+        }
+        let unsigned = dag.unsigned(value);
+        if unsigned != value {
+            let symbol = self.hold(dag, unsigned);
+            return dag.negate(symbol);
+        }
+        if let Some(&symbol) = self.symbols.get(&value) {
+            return symbol;
+        }
+        let symbol = self.fresh(dag, value);
+        self.symbols.insert(value, symbol);
+        symbol
+    }
+
+    /// A symbol of its own for an expression.
+    fn fresh(&mut self, dag: &mut Dag, value: ExprId) -> ExprId {
+        let symbol = dag.symbol("held");
+        self.values.extend(dag.as_symbol(symbol).map(|id| (id, value)));
+        symbol
+    }
+}

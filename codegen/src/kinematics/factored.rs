@@ -1,0 +1,96 @@
+//! Constraint rows as eliminated, for right-hand sides that are known later.
+//!
+//! In: J_d of as many rows as dependent unknowns. Out: y of J_d y = right, and lambda of J_d' lambda = force. The
+//! elimination is that which gave the dependent speeds: its pivots and coefficients are the same expressions.
+
+use super::eliminate::{Solution, Step};
+use super::quantities::{Kinematics, Row, UnknownId};
+use super::sparse::{self, Elimination, Equation};
+use crate::expr::tape::SampleTable;
+use crate::expr::{Dag, ExprId};
+use std::collections::BTreeMap;
+
+/// J_d, eliminated.
+#[derive(Clone)]
+pub(crate) struct Factored {
+    done: Vec<Elimination>,
+}
+
+impl Factored {
+    /// None where the rows are not what was eliminated, because there are more of them than dependent unknowns.
+    pub fn new(k: &mut Kinematics, table: &mut SampleTable, solution: &Solution) -> Option<Self> {
+        let dependent = k.dependent_unknowns();
+        let of_dependent = |row: &Row| {
+            let mut coefficients = row.coefficients.clone();
+            coefficients.retain(|unknown, _| dependent.contains(unknown));
+            Equation { coefficients, right: Vec::new() }
+        };
+        let equations = solution.rows.iter().map(of_dependent).collect();
+        let done = sparse::eliminate(&mut k.dag, table, equations);
+        let is_same = |(mine, step): (&Elimination, &Step)| {
+            let holds = |(z, c): (&UnknownId, &ExprId)| step.coefficients.get(z) == Some(c);
+            mine.unknown == step.unknown && mine.coefficients.iter().all(holds)
+        };
+        let is_whole = solution.rows.len() == dependent.len() && done.len() == solution.steps.len();
+        (is_whole && done.iter().zip(&solution.steps).all(is_same)).then_some(Self { done })
+    }
+
+    /// The same with other expressions in the place of its pivots and coefficients.
+    pub fn map(&self, mut image: impl FnMut(ExprId) -> ExprId) -> Self {
+        let mut this = self.clone();
+        for step in &mut this.done {
+            step.pivot = image(step.pivot);
+            step.coefficients.values_mut().for_each(|c| *c = image(*c));
+            step.others.iter_mut().for_each(|(_, entry)| *entry = image(*entry));
+        }
+        this
+    }
+
+    /// y of J_d y = right.
+    pub fn solve(&self, dag: &mut Dag, mut right: Vec<ExprId>) -> BTreeMap<UnknownId, ExprId> {
+        let mut quotients = Vec::new();
+        for step in &self.done {
+            let quotient = dag.div(right[step.row], step.pivot);
+            for &(other, entry) in &step.others {
+                let product = dag.mul(entry, quotient);
+                right[other] = dag.sub(right[other], product);
+            }
+            quotients.push(quotient);
+        }
+        let mut known: BTreeMap<UnknownId, ExprId> = BTreeMap::new();
+        for (step, quotient) in self.done.iter().zip(quotients).rev() {
+            let mut value = quotient;
+            for (z, &c) in &step.coefficients {
+                let product = dag.mul(c, known[z]);
+                value = dag.add(value, product);
+            }
+            known.insert(step.unknown, value);
+        }
+        known
+    }
+
+    /// lambda of J_d' lambda = force, one a row: the same steps, transposed and the other way round.
+    pub fn solve_transposed(&self, dag: &mut Dag, mut force: BTreeMap<UnknownId, ExprId>) -> Vec<ExprId> {
+        let zero = dag.zero();
+        let mut carried = Vec::new();
+        for step in &self.done {
+            let own = force.remove(&step.unknown).unwrap_or(zero);
+            for (&z, &c) in &step.coefficients {
+                let product = dag.mul(c, own);
+                let sum = force.get(&z).map_or(product, |&mine| dag.add(mine, product));
+                force.insert(z, sum);
+            }
+            carried.push(own);
+        }
+        let mut lambda = vec![zero; self.done.len()];
+        for (step, own) in self.done.iter().zip(carried).rev() {
+            let mut rest = own;
+            for &(other, entry) in &step.others {
+                let product = dag.mul(entry, lambda[other]);
+                rest = dag.sub(rest, product);
+            }
+            lambda[step.row] = dag.div(rest, step.pivot);
+        }
+        lambda
+    }
+}
