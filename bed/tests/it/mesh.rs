@@ -308,3 +308,131 @@ fn what_is_no_solid_is_refused_by_name() {
     assert_eq!((welded.corners.len(), welded.triangles.len()), (8, 12));
     assert!(Solid::new(welded).is_ok());
 }
+
+/// Two surfaces as one mesh.
+fn both(one: &Mesh, other: &Mesh) -> Mesh {
+    let mut mesh = one.clone();
+    let from = mesh.corners.len();
+    mesh.corners.extend(&other.corners);
+    mesh.triangles.extend(other.triangles.iter().map(|t| t.map(|c| from + c)));
+    mesh
+}
+
+/// The same seen from inside.
+fn turned(mut mesh: Mesh) -> Mesh {
+    mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    mesh
+}
+
+#[test]
+fn a_surface_that_runs_through_itself_is_refused_with_the_place() {
+    let fault = |mesh: Mesh| Solid::new(mesh).map(|_| ()).expect_err("refused");
+    let is_crossed = |mesh: Mesh| matches!(fault(mesh), MeshFault::Crossed(_));
+    let whole = cuboid([0.1; 3], [0.0; 3]);
+    // A bar through a box; boxes with sides in common planes; the same box twice; one that stands on another.
+    assert!(is_crossed(both(&whole, &cuboid([0.2, 0.05, 0.05], [0.0; 3]))));
+    assert!(is_crossed(both(&whole, &cuboid([0.1; 3], [0.1, 0.0, 0.0]))));
+    assert!(is_crossed(both(&whole, &whole)));
+    assert!(is_crossed(both(&whole, &cuboid([0.05; 3], [0.0, 0.0, 0.15]))));
+    // A box that has corners in the other's top, half of it below: no edge goes through a face.
+    let ring = both(&cuboid([0.05, 0.05, 0.05], [0.0, 0.0, 0.05]), &cuboid([0.05; 3], [0.0, 0.0, 0.15]));
+    let top: Vec<usize> = (0..4).map(|k| 4 + k).collect();
+    let mut column = ring.clone();
+    column.triangles.retain(|t| {
+        let z = t.map(|c| ring.corners[c][2]);
+        z.iter().any(|z| (z - 0.1).abs() > 1e-12)
+    });
+    let number = |c: usize| if (8..12).contains(&c) { top[c - 8] } else { c };
+    column.triangles.iter_mut().for_each(|t| *t = t.map(number));
+    assert!(Solid::new(column.clone()).is_ok(), "a column with a ring of corners half way up");
+    assert!(is_crossed(both(&whole, &column)));
+    // Two tetrahedra whose edges cross in their middles, and a torus whose tube is wider than its ring.
+    let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    let star = |size: f64| Mesh {
+        corners: corners.map(|c| c.map(|x| size * x)).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]],
+    };
+    assert!(is_crossed(both(&star(0.1), &turned(star(-0.1)))));
+    assert!(is_crossed(torus(0.08, 0.1, [40, 24])) && Solid::new(torus(0.12, 0.1, [40, 24])).is_ok());
+    // The place is where it happens, to the size of what meets there.
+    let MeshFault::Crossed(place) = fault(both(&whole, &cuboid([0.01; 3], [0.1, 0.03, -0.02]))) else {
+        panic!()
+    };
+    assert!(norm(sub(place, [0.1, 0.03, -0.02])) < 0.02, "{place:?}");
+    assert!(fault(both(&whole, &whole)).to_string().starts_with("the mesh runs through itself at ("));
+}
+
+#[test]
+fn tetrahedra_cross_where_points_of_an_edge_say_so() {
+    let mut seed = 5;
+    let mut tetrahedron = || {
+        let corners: Vec<Vec3<f64>> = (0..4).map(|_| [0, 1, 2].map(|_| 0.2 * random(&mut seed))).collect();
+        let out = |k: [usize; 3]| {
+            let [a, b, c] = k.map(|k| corners[k]);
+            dot(smartbed_runtime::vec3::cross(sub(b, a), sub(c, a)), sub(corners[6 - k[0] - k[1] - k[2]], a))
+                < 0.0
+        };
+        let triangles = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]];
+        let triangles = triangles.map(|t| if out(t) { t } else { [t[0], t[2], t[1]] }).to_vec();
+        Mesh { corners, triangles }
+    };
+    // How deep a point is: the least distance from the four planes.
+    let depth = |mesh: &Mesh, x: Vec3<f64>| {
+        let of = |t: &[usize; 3]| {
+            let [a, b, c] = t.map(|k| mesh.corners[k]);
+            let n = smartbed_runtime::vec3::cross(sub(b, a), sub(c, a));
+            -dot(n, sub(x, a)) / norm(n)
+        };
+        mesh.triangles.iter().map(of).fold(f64::INFINITY, f64::min)
+    };
+    let (mut crossed, mut apart) = (0, 0);
+    for _ in 0..400 {
+        let pair = [tetrahedron(), tetrahedron()];
+        // Least and largest depth along the edges of one in the other.
+        let along = |one: &Mesh, other: &Mesh| {
+            let edges = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+            let points = edges.iter().flat_map(|[a, b]| {
+                let [a, b] = [a, b].map(|k| one.corners[*k]);
+                (0..=100).map(move |k| [0, 1, 2].map(|i| a[i] + f64::from(k) / 100.0 * (b[i] - a[i])))
+            });
+            let depths: Vec<f64> = points.map(|x| depth(other, x)).collect();
+            [f64::min, f64::max].map(|pick| depths.iter().copied().reduce(pick).expect("points"))
+        };
+        let [one, other] = [along(&pair[0], &pair[1]), along(&pair[1], &pair[0])];
+        let found = Solid::new(both(&pair[0], &pair[1])).map(|_| ());
+        if [one, other].iter().any(|[least, most]| *least < -1e-6 && *most > 1e-4) {
+            assert!(matches!(found, Err(MeshFault::Crossed(_))), "{pair:?} {found:?}");
+            crossed += 1;
+        } else if one[1] < -2e-3 && other[1] < -2e-3 {
+            assert_eq!(found, Ok(()), "{pair:?}");
+            apart += 1;
+        }
+    }
+    assert!(crossed > 50 && apart > 50, "{crossed} {apart}");
+}
+
+#[test]
+fn rounded_numbers_cross_nothing_and_parts_face_outwards() {
+    // As files hold them: turned somehow, far from the origin, in f32, welded again.
+    let pose = Pose::turned([0.4, -0.3, 0.5], [0.48, 0.6, 0.64], 0.7);
+    for mesh in [ball(0.1, 5), torus(0.12, 0.05, [200, 90]), cuboid([0.3, 0.2, 0.001], [0.0; 3])] {
+        let rounded = |x: Vec3<f64>| pose.outwards(x).map(|x| f64::from(x as f32));
+        let places = (0..mesh.triangles.len()).flat_map(|t| mesh.places(t)).map(rounded);
+        let read = Solid::new(Mesh::welded(places)).map(|(solid, _)| solid.mesh().triangles.len());
+        assert_eq!(read, Ok(mesh.triangles.len()));
+    }
+    let volume = |mesh: Mesh| Solid::new(mesh).map(|(solid, _)| solid.volume());
+    let (whole, small) = (cuboid([0.1; 3], [0.0; 3]), cuboid([0.05; 3], [0.0; 3]));
+    let beside = cuboid([0.05; 3], [0.3, 0.0, 0.0]);
+    for (mesh, expected) in [
+        (both(&whole, &turned(small.clone())), 0.007),
+        (turned(both(&whole, &turned(small.clone()))), 0.007),
+        (both(&both(&whole, &turned(small.clone())), &cuboid([0.01; 3], [0.0; 3])), 0.007008),
+        (both(&whole, &beside), 0.009),
+    ] {
+        assert!((volume(mesh).expect("a solid") - expected).abs() < 1e-15);
+    }
+    for mesh in [both(&whole, &small), both(&whole, &turned(beside))] {
+        assert!(matches!(volume(mesh), Err(MeshFault::InsideOut(_))));
+    }
+}

@@ -22,6 +22,15 @@ fn obj() -> String {
     text
 }
 
+/// The box twice, the second one shifted by less than it is wide.
+fn crossed() -> String {
+    let (corners, triangles) = cuboid();
+    let mut text = obj();
+    corners.iter().for_each(|[x, y, z]| text += &format!("v {} {} {}\n", x + 150.0, y + 10.0, z - 10.0));
+    triangles.iter().for_each(|t| text += &format!("f {} {} {}\n", t[0] + 9, t[1] + 9, t[2] + 9));
+    text
+}
+
 fn stl_text() -> String {
     let (corners, triangles) = cuboid();
     let mut text = String::from("solid box\n");
@@ -149,6 +158,12 @@ fn a_plan_with_a_mesh_runs_on_both_clocks_and_a_turned_one_lies_as_told() {
 }
 
 #[test]
+fn a_file_whose_surface_runs_through_itself_is_refused() {
+    let said = said("through.obj", crossed().as_bytes());
+    assert!(said.contains("through.obj: the mesh runs through itself at ("), "{said}");
+}
+
+#[test]
 fn a_broken_file_is_read_or_refused_without_a_panic() {
     let files: [(&str, Vec<u8>); 5] = [
         ("broken.obj", obj().into_bytes()),
@@ -195,6 +210,8 @@ pub fn refusals() -> Vec<String> {
         MeshFault::NotManifold(3, place),
         MeshFault::Turned(place),
         MeshFault::Pinched(place),
+        MeshFault::Crossed(place),
+        MeshFault::InsideOut(place),
         MeshFault::Hollow(0.0),
     ];
     let mut found: Vec<String> = faults.iter().map(|fault| format!("box.obj: {fault}")).collect();
@@ -205,6 +222,7 @@ pub fn refusals() -> Vec<String> {
         said("quad.obj", quad.as_bytes()),
         said("letters.obj", b"v one two three\n"),
         said("short.stl", &stl_bytes()[..300]),
+        said("crossed.obj", crossed().as_bytes()),
         said("hole.obj", obj().replace("f 1 5 7\n", "").as_bytes()),
         said("binary.msh", old.replace("2.2 0 8", "2.2 1 8").as_bytes()),
         said("bytes.msh", &[0xff, 0xfe]),

@@ -2,9 +2,12 @@
 //!
 //! In: a mesh. Out: the same with normals outwards and without triangles that have collapsed to a line, or what is wrong
 //! with it and where. Each edge must belong to two triangles that run along it in opposite directions, and triangles
-//! around a corner must follow each other in one ring. Surfaces that run through themselves are not looked for.
+//! around a corner must follow each other in one ring. No two triangles may meet elsewhere (`crossing`), and all parts of the
+//! surface must face outwards, cavities inwards (`parts`).
 
+use super::crossing::crossing;
 use super::mass::Moments;
+use super::parts::is_inside_out;
 use super::triangles::{Mesh, doubled_area};
 use smartbed_runtime::vec3::{Vec3, norm};
 use std::collections::BTreeMap;
@@ -40,6 +43,10 @@ pub enum MeshFault {
     Turned(Vec3<f64>),
     /// Two parts of the surface share this corner only.
     Pinched(Vec3<f64>),
+    /// The surface runs through itself, or touches itself, at this place.
+    Crossed(Vec3<f64>),
+    /// The part of the surface at this place faces the other way than the rest.
+    InsideOut(Vec3<f64>),
     /// It encloses nothing: its volume (m^3).
     Hollow(f64),
 }
@@ -82,6 +89,12 @@ impl fmt::Display for MeshFault {
             MeshFault::Pinched(place) => {
                 write!(f, "the mesh is not a manifold: parts of it meet {} in one corner only", at(place))
             }
+            MeshFault::Crossed(place) => write!(f, "the mesh runs through itself {}", at(place)),
+            MeshFault::InsideOut(place) => write!(
+                f,
+                "the part of the mesh {} faces the other way than the rest: expected outwards, cavities inwards",
+                at(place)
+            ),
             MeshFault::Hollow(volume) => write!(f, "the mesh encloses {volume:.1e} m^3, expected more"),
         }
     }
@@ -123,7 +136,10 @@ pub(super) fn checked(mut mesh: Mesh) -> Result<Mesh, MeshFault> {
     if volume.abs() < 1e-9 * longest.powi(3) {
         return Err(MeshFault::Hollow(volume));
     }
-    if volume < 0.0 {
+    if let Some(place) = crossing(&mesh, longest) {
+        return Err(MeshFault::Crossed(place));
+    }
+    if is_inside_out(&mesh).map_err(MeshFault::InsideOut)? {
         mesh.triangles.iter_mut().for_each(|[_, b, c]| std::mem::swap(b, c));
     }
     Ok(mesh)

@@ -5,11 +5,14 @@
 //! that of triangles has kinks inside, where a state of least energy would roll from face to face.
 
 mod check;
+mod crossing;
 mod distance;
 pub mod field;
 mod mass;
+mod parts;
 mod skin;
 mod solid;
+mod tree;
 mod triangles;
 
 pub use check::{MOST_TRIANGLES, MeshFault};
