@@ -15,6 +15,8 @@ use std::collections::BTreeMap;
 const SHEET: f64 = 5e7;
 /// Nodes this far (m) outside a facet are followed within a pass.
 const OUTSIDE: f64 = 0.002;
+/// Sheets within reach of each other go this far (m) before their meetings are found anew.
+pub const FOLLOWED: f64 = 0.5 * OUTSIDE;
 /// No node is deeper (m) in a neighbour.
 const INSIDE: f64 = 0.04;
 
@@ -86,15 +88,25 @@ impl Laid {
     }
 }
 
+/// All sheets in the bed's frame, where some have neighbours.
+fn lay(bed: &Bed, state: &State) -> Vec<Laid> {
+    if bed.beside.is_empty() {
+        return Vec::new();
+    }
+    (0..bed.tiles.len()).map(|tile| Laid::new(bed, state, tile)).collect()
+}
+
+/// May sheets of neighbours touch, by their bounds?
+pub fn is_near(bed: &Bed, state: &State) -> bool {
+    let laid = lay(bed, state);
+    bed.beside.iter().any(|[a, b]| laid[*a].reaches(&laid[*b]))
+}
+
 /// Nodes near facets of neighbours.
 #[must_use]
 pub fn meetings(bed: &Bed, state: &State) -> Vec<Meeting> {
     let mut all = Vec::new();
-    let laid: Vec<Laid> = if bed.beside.is_empty() {
-        Vec::new()
-    } else {
-        (0..bed.tiles.len()).map(|tile| Laid::new(bed, state, tile)).collect()
-    };
+    let laid = lay(bed, state);
     for [a, b] in &bed.beside {
         if laid[*a].reaches(&laid[*b]) {
             add(bed, [*a, *b], [&laid[*a], &laid[*b]], &mut all);

@@ -1,6 +1,8 @@
 //! Newton's method on the whole bed, with a search along each step.
 //!
-//! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the pass before; passes end when they do not change.
+//! In: a state. Out: the state of equilibrium. A step is shortened until the energy falls. Friction's limits are those of the
+//! pass before; passes end when they do not change. Sheets of neighbours that come within reach of each other go so far only
+//! as their meetings are known, which are then found anew: soft ones would else bulge through one another.
 
 use super::bed::{Bed, GRAVITY};
 use super::beside;
@@ -14,13 +16,16 @@ use super::tile::{Eliminated, Patch};
 use super::touch::Anchor;
 use crate::body::{Body, Rows};
 use crate::sheet::air::Collapsed;
-use smartbed_runtime::vec3::{Vec3, sub};
+use crate::sheet::membrane;
+use smartbed_runtime::vec3::{Vec3, norm, sub};
 use std::fmt;
 
 /// Most Newton steps of one pass.
 const STEPS: usize = 400;
 /// Most passes in which limits of friction are renewed.
 const PASSES: usize = 60;
+/// Sheets that rest have no more than some four times the area of their rims; those that do not grow on.
+const LARGEST: f64 = 5.0;
 /// No node goes further in one step (m).
 const LONGEST: f64 = 0.02;
 
@@ -29,6 +34,8 @@ const LONGEST: f64 = 0.02;
 pub enum Fault {
     /// A bladder has no air left: its tile and volume (m^3).
     Collapsed(usize, f64),
+    /// A sheet is too soft for its pressure: its tile, and its area over that of its rim.
+    Burst(usize, f64),
     /// Force (N) is left over after all steps: on nodes, on segments.
     NotFound(f64, f64),
 }
@@ -43,6 +50,12 @@ impl fmt::Display for Fault {
                     tile + 1
                 )
             }
+            Fault::Burst(tile, share) => write!(
+                f,
+                "the sheet of tile {} is too soft for its pressure: it has grown to {share:.0} times its area, and further \
+                 on bears less; expected stiffer sheets or less pressure",
+                tile + 1
+            ),
             Fault::NotFound(node, segment) => write!(
                 f,
                 "no equilibrium: {node:.1e} N are left over on a node and {segment:.1e} N on a segment; change less at a \
@@ -66,11 +79,17 @@ pub fn solve(bed: &Bed, body: &Body, start: &State) -> Result<Solution, Fault> {
 pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
     let mut state = start.clone();
     let weight = Bed::weight(scene.body).max(1e-3);
-    let mut steps = 0;
     let mut met = beside::meetings(scene.bed, &state);
-    for pass in 1..=PASSES {
+    let (mut steps, mut of_pass, mut pass) = (0, 0, 1);
+    loop {
         let scene = &Scene { met: &met, ..*scene };
-        steps += descend(scene, &mut state, weight)?;
+        let end = descend(scene, &mut state, weight, STEPS - of_pass)?;
+        steps += end.steps;
+        if !end.is_found {
+            of_pass += end.steps;
+            met = beside::meetings(scene.bed, &state);
+            continue;
+        }
         let Some(least) = scene.accuracy.friction else { break };
         let now = beside::meetings(scene.bed, &state);
         let pushed = beside::change(scene.bed, &state, [&met, &now]);
@@ -80,6 +99,7 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
             break;
         }
         (state.anchors, met) = (anchors, now);
+        (pass, of_pass) = (pass + 1, 0);
     }
     Ok(finish(&Scene { met: &met, ..*scene }, state, steps))
 }
@@ -143,28 +163,52 @@ fn renewed(scene: &Scene, state: &State) -> (Vec<Vec<Option<Anchor>>>, f64) {
     (all, most)
 }
 
-/// Newton's steps with friction's limits as they are; returns how many.
-fn descend(scene: &Scene, state: &mut State, weight: f64) -> Result<usize, Fault> {
+/// What Newton's steps came to.
+struct Descent {
+    steps: usize,
+    /// No force is left over; else sheets have come so far that their meetings are to be found anew.
+    is_found: bool,
+}
+
+/// Newton's steps, so many at most, with friction's limits and meetings as they are.
+fn descend(scene: &Scene, state: &mut State, weight: f64, most: usize) -> Result<Descent, Fault> {
     let calm = scene.calm();
-    let mut last = None;
-    for step in 0..STEPS {
+    let (mut last, mut gone) = (None, 0.0);
+    for step in 0..most {
         let tiles = eliminate(scene, state, calm)?;
         let rows = rows(scene, state, &tiles);
         let left = left_over(scene.body, &rows, &tiles);
         if left[0] <= calm && left[1] <= scene.accuracy.segment * weight {
-            return Ok(step);
+            return Ok(Descent { steps: step, is_found: true });
         }
         let ways = Ways::new(scene, &rows, &tiles);
         let gradients: Vec<&[f64]> =
             tiles.iter().map(|t| t.as_ref().map_or(&[][..], |t| &t.gradient)).collect();
         let steepness = ways.slope(&gradients, &rows).abs();
         let before = last.map_or_else(|| energy(scene, state), Ok)?;
-        match search(scene, state, &ways, before, steepness)? {
-            Some((next, after)) if step + 1 < STEPS => (*state, last) = (next, Some(after)),
-            _ => return Err(Fault::NotFound(left[0], left[1])),
+        let found = match search(scene, state, &ways, before, steepness)? {
+            Some(found) if step + 1 < most => found,
+            _ => return Err(burst(scene.bed, state).unwrap_or(Fault::NotFound(left[0], left[1]))),
+        };
+        gone += found.way;
+        (*state, last) = (found.state, Some(found.energy));
+        if gone > beside::FOLLOWED && beside::is_near(scene.bed, state) {
+            return Ok(Descent { steps: step + 1, is_found: false });
         }
     }
-    Ok(STEPS)
+    Ok(Descent { steps: most, is_found: true })
+}
+
+/// A sheet that has grown beyond any that rests. The tension T = k (l - L) of springs grows less than p R does, so that a
+/// soft sheet bears a pressure at most, as a balloon does.
+fn burst(bed: &Bed, state: &State) -> Option<Fault> {
+    let [a, b] = bed.lattice.size;
+    let share = |sheet: &Vec<Vec3<f64>>| {
+        membrane::areas(&bed.lattice, sheet).into_iter().map(norm).sum::<f64>() / (a * b)
+    };
+    let shares = state.sheets.iter().map(share).enumerate();
+    let (tile, most) = shares.max_by(|x, y| x.1.total_cmp(&y.1))?;
+    (most > LARGEST).then_some(Fault::Burst(tile, most))
 }
 
 /// Names the tile of a collapse.
@@ -212,26 +256,40 @@ fn slope(scene: &Scene, state: &State, ways: &Ways) -> Result<f64, Fault> {
     Ok(ways.slope(&nodes, &rows))
 }
 
-/// A share of a step that lowers the energy: the state there and its energy. Where the energy does not change but for
-/// rounding its slope decides: it must have become less steep (Hager and Zhang 2005, approximate Wolfe conditions).
+/// What a search along a step has found.
+struct Found {
+    state: State,
+    energy: f64,
+    /// How far a node has gone at most (m).
+    way: f64,
+}
+
+/// A share of a step that lowers the energy. Where the energy does not change but for rounding its slope decides: it must
+/// have become less steep (Hager and Zhang 2005, approximate Wolfe conditions). Into reach of a neighbour a sheet goes
+/// only as far as meetings are known.
 fn search(
     scene: &Scene,
     state: &State,
     ways: &Ways,
     before: f64,
     steepness: f64,
-) -> Result<Option<(State, f64)>, Fault> {
+) -> Result<Option<Found>, Fault> {
     let rounding = 1e-11 * (1.0 + before.abs());
-    let mut share = (LONGEST / ways.longest()).min(1.0);
+    let longest = ways.longest();
+    let mut share = (LONGEST / longest).min(1.0);
     for _ in 0..40 {
-        let next = ways.taken(scene.bed, state, share);
+        let (next, way) = (ways.taken(scene.bed, state, share), share * longest);
+        if way > beside::FOLLOWED && beside::is_near(scene.bed, &next) {
+            share = (0.5 * share).max(0.99 * beside::FOLLOWED / longest);
+            continue;
+        }
         // A bladder that collapses on the way is as bad as a rise.
         if let Ok(after) = energy(scene, &next) {
             if after < before - rounding {
-                return Ok(Some((next, after)));
+                return Ok(Some(Found { state: next, energy: after, way }));
             }
             if after <= before + rounding && slope(scene, &next, ways)? <= 0.8 * steepness {
-                return Ok(Some((next, after)));
+                return Ok(Some(Found { state: next, energy: after, way }));
             }
         }
         share *= 0.5;

@@ -2,7 +2,7 @@
 
 use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::dynamics::{Matter, Method, Motion};
-use smartbed_bed::equilibrium::{Bed, GRAVITY, Solution, Tile, put_down, solve};
+use smartbed_bed::equilibrium::{Bed, Fault, GRAVITY, Solution, Tile, put_down, solve};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::sheet::air::Air;
 use smartbed_bed::sheet::{Lattice, membrane};
@@ -12,7 +12,12 @@ const SIZE: [f64; 2] = [0.219, 0.2797];
 
 /// Two soft bladders with a gap of 6 mm, which lean towards each other by an angle (deg).
 fn pair(pressures: [f64; 2], degrees: f64) -> Bed {
-    let lattice = Lattice::new([8, 10], SIZE, 400.0).expect("a sheet");
+    softer(400.0, pressures, degrees)
+}
+
+/// The same with E t (N/m).
+fn softer(modulus: f64, pressures: [f64; 2], degrees: f64) -> Bed {
+    let lattice = Lattice::new([8, 10], SIZE, modulus).expect("a sheet");
     let tile = |k: usize| {
         let side = if k == 0 { -1.0 } else { 1.0 };
         let pose = Pose::turned([0.1125 * side, 0.0, 0.0], [0.0, 1.0, 0.0], -side * degrees.to_radians());
@@ -189,4 +194,91 @@ fn a_load_on_bladders_that_touch_is_carried_in_both_clocks() {
         6.0 * GRAVITY * 0.05
     );
     assert!(off < 1e-3 && away < 1e-5 && left_over < 0.01 * 6.0 * GRAVITY * 0.05);
+}
+
+/// The largest distance between nodes of two states (m).
+fn apart(one: &Solution, other: &Solution) -> f64 {
+    let nodes = |s: &Solution| s.state.sheets.concat();
+    nodes(one).into_iter().zip(nodes(other)).map(|(a, b)| norm(sub(a, b))).fold(0.0, f64::max)
+}
+
+#[test]
+fn sheets_that_lean_far_over_their_rims_meet_and_rest() {
+    for (modulus, pressure, degrees) in [(300.0, 3600.0, 0.0), (300.0, 3200.0, 1.2), (250.0, 2800.0, 0.0)] {
+        let bed = softer(modulus, [pressure; 2], degrees);
+        let solution = alone(&bed);
+        let sheets = &solution.state.sheets;
+        let deepest = solution.met.iter().map(|m| m.depth(&bed, sheets)).fold(0.0, f64::max);
+        let beyond = sheets[0].iter().map(|x| bed.tiles[0].pose.outwards(*x)[0]).fold(0.0, f64::max);
+        let free = alone(&Bed { beside: Vec::new(), ..bed.clone() });
+        let over = free.state.sheets[0].iter().map(|x| bed.tiles[0].pose.outwards(*x)[0]).fold(0.0, f64::max);
+        println!(
+            "{modulus} N/m, {pressure} Pa, {degrees} deg: {} steps, {:.1} N, {:.2} mm deep, {:.2} mm beyond the middle, {:.1} mm alone",
+            solution.steps,
+            pressed(&bed, &solution, 1)[0],
+            1e3 * deepest,
+            1e3 * beyond,
+            1e3 * over
+        );
+        // By themselves they would run into each other by more than a centimetre.
+        assert!(over > 5e-3 && beyond < 3e-4 && (1e-6..2e-4).contains(&deepest), "{over} {beyond} {deepest}");
+        assert!(pressed(&bed, &solution, 1)[0] > 1.0);
+        // It is the same rest when their pressure rises little by little.
+        let mut state = bed.start(Vec::new());
+        let mut slow = None;
+        for step in 1..=8 {
+            let bed = softer(modulus, [pressure * f64::from(step) / 8.0; 2], degrees);
+            let found = solve(&bed, &Body::default(), &state).expect("an equilibrium");
+            state = found.state.clone();
+            slow = Some(found);
+        }
+        let off = apart(&solution, &slow.expect("steps"));
+        assert!(off < 1e-5, "{off}");
+    }
+}
+
+#[test]
+fn a_bed_of_soft_bladders_rests() {
+    // Each of six meets its neighbours on all sides.
+    let bed = softer(300.0, [4000.0; 2], 0.0);
+    let tile = |k: usize| {
+        let place = [0.225 * ((k % 2) as f64 - 0.5), 0.2857 * ((k / 2) as f64 - 1.0), 0.0];
+        Tile { pose: Pose::at(place), air: Air::Regulated(4000.0) }
+    };
+    let beside = vec![[0, 1], [2, 3], [4, 5], [2, 0], [3, 1], [4, 2], [5, 3]];
+    let bed = Bed { tiles: (0..6).map(tile).collect(), beside, ..bed };
+    let solution = alone(&bed);
+    let deepest = solution.met.iter().map(|m| m.depth(&bed, &solution.state.sheets)).fold(0.0, f64::max);
+    let forces = (0..6).map(|tile| pressed(&bed, &solution, tile));
+    let across = |f: Vec3<f64>| (f[0].abs(), f[1].abs());
+    println!("{} steps, {:.2} mm deep", solution.steps, 1e3 * deepest);
+    assert!(deepest < 5e-4, "{deepest}");
+    for (tile, force) in forces.enumerate() {
+        let (x, y) = across(force);
+        // Those in the middle row are pressed from both sides alike.
+        assert!(x > 1.0 && if tile / 2 == 1 { y < 0.05 * x } else { y > 1.0 }, "{tile} {force:?}");
+    }
+}
+
+#[test]
+fn a_sheet_too_soft_for_its_pressure_is_refused_by_name() {
+    // Springs T = k (l - L) bear a pressure of some 12.5/m times E t and no more; a neighbour holds a sheet some further.
+    let say = |modulus: f64, pressure: f64, is_alone: bool| {
+        let mut bed = softer(modulus, [pressure; 2], 0.0);
+        if is_alone {
+            bed.beside.clear();
+        }
+        solve(&bed, &Body::default(), &bed.start(Vec::new())).map(|s| s.steps)
+    };
+    for modulus in [250.0, 300.0, 400.0] {
+        let found = [11.0, 14.5].map(|share| say(modulus, share * modulus, true));
+        assert!(found[0].is_ok(), "{modulus} {found:?}");
+        assert!(matches!(found[1], Err(Fault::Burst(..))), "{modulus} {found:?}");
+    }
+    assert!(say(250.0, 3200.0, true).is_err() && say(250.0, 3200.0, false).is_ok());
+    let said = say(300.0, 4500.0, false).expect_err("too soft").to_string();
+    assert!(
+        said.starts_with("the sheet of tile ") && said.contains("stiffer sheets or less pressure"),
+        "{said}"
+    );
 }
