@@ -120,8 +120,17 @@ impl Planner {
         let hope = |tile: &usize| shut[*tile].area * 0.5_f64.powi(self.tried[*tile] as i32);
         let mut order: Vec<usize> = (0..shut.len()).filter(|t| shut[*t].area > self.goal.least).collect();
         order.sort_by(|a, b| hope(b).total_cmp(&hope(a)).then(a.cmp(b)));
-        let mut chosen = Vec::new();
+        let mut chosen: Vec<Move> = Vec::new();
         for tile in order {
+            // What a tile no longer bears its neighbours must: they stay.
+            let is_chosen = |other: usize| chosen.iter().any(|told| told.tiles.contains(&other));
+            if view
+                .layout
+                .neighbours()
+                .any(|(a, b, _)| (a == tile && is_chosen(b)) || (b == tile && is_chosen(a)))
+            {
+                continue;
+            }
             // As much motion as the tile needs by now; less where a limit does not let it.
             for much in (0..=self.tried[tile].min(MOST)).rev() {
                 let before = chosen.len();
