@@ -1,7 +1,7 @@
 //! `bed` and `sweep`: plans run and refused, pages from which no text can run, sweeps whose bytes depend on nothing.
 
 use crate::schema::holds;
-use crate::support::{command, file, smartbed, written};
+use crate::support::{command, file, smartbed, timed, written};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Stdio;
@@ -167,4 +167,16 @@ fn what_is_killed_leaves_complete_files_only() {
     let files: Vec<String> = texts(&folder).into_keys().filter(|f| !f.starts_with("metrics")).collect();
     let cases = [1, 2, 3, 4].map(|n| format!("case_{n:05}.json"));
     assert_eq!(files, [&cases[..], &["sweep.csv".to_owned()]].concat());
+}
+
+#[test]
+fn ten_minutes_on_the_thesis_grid_take_less_than_two_of_a_processor() {
+    let settings = ["--set", "bed.intervals=[28,28]", "--set", "run.every=25_s"];
+    let (done, seconds) =
+        timed(&command(&[&["bed", "run", "alternating", "--json"], &settings[..]].concat()));
+    assert_eq!(done.status, 0, "{done:?}");
+    let json = done.json();
+    assert!(json["equilibria"] == 25.0 && json["valid"] == true, "{json}");
+    println!("{seconds:.0} s of processor time");
+    assert!(seconds < 120.0, "{seconds} s");
 }
