@@ -159,3 +159,24 @@ fn the_usual_grid_presses_less_than_the_thesis() {
     println!("PPI {usual:.0} Pa on 8 x 10 intervals, {fine:.0} Pa on 28 x 28");
     assert!((usual / fine - 1.0).abs() < 0.15, "{usual} {fine}");
 }
+
+#[test]
+fn a_patients_fall_presses_alike_at_half_the_step() {
+    let mut p = patient([8, 10]);
+    (p.seconds, p.every) = (0.4, 0.1);
+    let watched = [5e-3, 2.5e-3, 1.25e-3].map(|step| {
+        p.clock = Clock::Dynamics(Dynamics { step, ..Dynamics::default() });
+        run(&p, |_| true).expect("motion").watched.expect("motion")
+    });
+    let peaks = watched.map(|w| w.peak);
+    println!(
+        "peaks {peaks:.1?} N at {:.3?} s, left over {:.4?} J",
+        watched.map(|w| w.peak_time),
+        watched.map(|w| w.left_over)
+    );
+    // More than the weight, or he has not fallen.
+    assert!(peaks[2] > 1.2 * 75.0 * GRAVITY && watched[2].peak_time < 0.39, "{watched:?}");
+    for pair in peaks.windows(2) {
+        assert!((pair[1] / pair[0] - 1.0).abs() < 0.02, "{peaks:?}");
+    }
+}
