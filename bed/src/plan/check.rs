@@ -56,17 +56,11 @@ pub fn check_from(plan: &Plan, from: f64) -> Result<(), Refusal> {
     times.push(from);
     times.sort_by(f64::total_cmp);
     times.dedup();
-    let told = |plan: &Plan, time: f64| -> Vec<Order> {
-        (0..layout.count()).map(|tile| plan.order(tile, time)).collect()
-    };
     // What jumps at `from` jumps from where it was; a plan may begin anywhere.
-    let mut before = (from > 0.0).then(|| {
-        let mut earlier = plan.clone();
-        earlier.moves.retain(|m| m.at < from);
-        (from, told(&earlier, from))
-    });
+    let mut before: Option<(f64, Vec<Order>)> =
+        (from > 0.0).then(|| (from, (0..layout.count()).map(|tile| plan.order_before(tile, from)).collect()));
     for time in times {
-        let orders = told(plan, time);
+        let orders: Vec<Order> = (0..layout.count()).map(|tile| plan.order(tile, time)).collect();
         for (tile, order) in orders.iter().enumerate() {
             let refuse = |what: String| Refusal { time, tile: Some(tile + 1), what };
             of_tile(layout, order).map_err(refuse)?;

@@ -264,8 +264,18 @@ impl Plan {
     /// What a tile is told at a time: moves one after the other, each from what was told when it began.
     #[must_use]
     pub fn order(&self, tile: usize, time: f64) -> Order {
+        self.told(tile, time, |change| change.at <= time)
+    }
+
+    /// The same just before: without moves that begin at that time.
+    #[must_use]
+    pub fn order_before(&self, tile: usize, time: f64) -> Order {
+        self.told(tile, time, |change| change.at < time)
+    }
+
+    fn told(&self, tile: usize, time: f64, has_begun: impl Fn(&Move) -> bool) -> Order {
         let mut order = Order { pressure: self.pressure, command: Command::default() };
-        for change in self.moves.iter().filter(|m| m.at <= time && m.tiles.contains(&tile)) {
+        for change in self.moves.iter().filter(|m| has_begun(m) && m.tiles.contains(&tile)) {
             let done = if change.over > 0.0 { ((time - change.at) / change.over).min(1.0) } else { 1.0 };
             let towards = |from: f64, to: Option<f64>| to.map_or(from, |to| from + done * (to - from));
             order.pressure = towards(order.pressure, change.pressure);

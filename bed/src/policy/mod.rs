@@ -1,8 +1,8 @@
 //! What sensors decide: a policy sees a map now and then and tells tiles what to do.
 //!
 //! In: a plan, a [`Policy`], its [`bounds`], the surface that it sees through. Out: the run, and every move that was told. What a
-//! policy tells is held against the plan's limits and the bounds before any tile hears of it; what exceeds them ends the run
-//! by name. [`scheduled`] plays moves known beforehand, alternating pressure among them, [`planner`] looks for relief.
+//! policy tells is held against the plan's limits, the bounds and the tiles' [`Supervisor`] before any tile hears of it; what
+//! exceeds them ends the run by name. [`scheduled`] plays moves known beforehand, alternating pressure among them, [`planner`] looks for relief.
 
 pub mod bounds;
 pub mod planner;
@@ -10,7 +10,8 @@ pub mod run;
 pub mod scheduled;
 
 use crate::map::{Frame, Grid, Site};
-use crate::plan::{Layout, Move, Order};
+use crate::plan::check::Refusal;
+use crate::plan::{Layout, Move, Order, Plan};
 
 /// What a policy sees at a time.
 #[derive(Clone, Copy)]
@@ -39,4 +40,13 @@ pub struct View<'a> {
 pub trait Policy {
     /// Moves that begin now or later.
     fn decide(&mut self, view: &View<'_>) -> Vec<Move>;
+}
+
+/// Who lets orders through to the tiles, beyond the plan's own limits.
+pub trait Supervisor {
+    /// Holds all that is told from a time (s) on against what it lets through.
+    ///
+    /// # Errors
+    /// [`Refusal`], the first.
+    fn check(&self, plan: &Plan, from: f64) -> Result<(), Refusal>;
 }

@@ -1,16 +1,17 @@
 //! Runs a plan under a policy.
 //!
-//! In: a plan, a policy with its bounds, the surface that it sees through. Out: the run, or the first limit that it exceeds.
+//! In: a plan, a policy with its bounds, who lets its orders through, the surface that it sees through. Out: the run, or the
+//! first limit that it exceeds.
 
 use super::bounds::{Bounds, Reach};
-use super::{Policy, View};
+use super::{Policy, Supervisor, View};
 use crate::plan::check::check_from;
 use crate::plan::history::{History, RunError, Seen};
 use crate::plan::{Move, Order, Plan, run as plan_run};
 use crate::sensor::reader::Reader;
 
-/// Runs a plan under a policy; `reader` is what it sees through, nothing for the truth. `at` hears the share that is done and
-/// says whether to go on.
+/// Runs a plan under a policy; `supervisor` lets orders through, `reader` is what it sees through, nothing for the truth. `at`
+/// hears the share that is done and says whether to go on.
 ///
 /// # Errors
 /// [`RunError`]; [`RunError::Refused`] for a policy that exceeds a limit.
@@ -18,6 +19,7 @@ pub fn run(
     plan: &Plan,
     policy: &mut dyn Policy,
     bounds: &Bounds,
+    supervisor: Option<&dyn Supervisor>,
     reader: Option<&Reader>,
     at: impl FnMut(f64) -> bool,
 ) -> Result<History, RunError> {
@@ -34,6 +36,7 @@ pub fn run(
             let told = seen.plan.with(moves);
             if !moves.is_empty() {
                 check_from(&told, seen.frame.time)?;
+                supervisor.map_or(Ok(()), |own| own.check(&told, seen.frame.time))?;
             }
             bounds.check(&told, seen.frame.time, &areas, weight)
         };

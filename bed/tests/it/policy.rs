@@ -58,7 +58,7 @@ fn motion(plan: &Plan, history: &History) -> f64 {
 fn the_planner_relieves_more_than_alternating_pressure_with_less_motion_within_its_bounds() {
     let plan = supine(600.0, 10.0);
     let run = |policy: &mut dyn Policy, bounds: &Bounds| {
-        run_policy(&plan, policy, bounds, Some(&reader()), |_| true).expect("runs")
+        run_policy(&plan, policy, bounds, None, Some(&reader()), |_| true).expect("runs")
     };
     let shut =
         |history: &History| time::persistent_occlusion(&history.skin, 600.0, OCCLUSION).expect("a cycle");
@@ -97,6 +97,8 @@ fn ways(history: &History) -> f64 {
 fn patients_of_several_weights_and_postures_are_relieved_by_lowering_where_letting_down_is_in_vain() {
     let quiet = Goal { lower: 0.0, tilt: 0.0, ..Goal::default() };
     let bounds = Bounds::default();
+    // Alternating pressure lets half of all bladders down.
+    let half = Bounds { most_low: 14, ..bounds };
     let mut sums = [0.0; 2];
     for (mass, posture, pressure) in [
         (50.0, Posture::Supine, 4500.0),
@@ -106,11 +108,18 @@ fn patients_of_several_weights_and_postures_are_relieved_by_lowering_where_letti
     ] {
         let plan = patient(mass, posture, pressure, [600.0, 10.0]);
         let runs = [quiet, Goal::default()].map(|goal| {
-            run_policy(&plan, &mut Planner::new(goal), &bounds, Some(&reader()), |_| true).expect("runs")
+            run_policy(&plan, &mut Planner::new(goal), &bounds, None, Some(&reader()), |_| true)
+                .expect("runs")
         });
-        let shut = runs.each_ref().map(|history| {
+        let shut_in = |history: &History| {
             1e4 * time::persistent_occlusion(&history.skin, 600.0, OCCLUSION).expect("a cycle")
-        });
+        };
+        let shut = runs.each_ref().map(shut_in);
+        let mut alternating = Scheduled::alternating(&plan.layout, 1600.0, pressure, 600.0, 600.0);
+        let usual =
+            run_policy(&plan, &mut alternating, &half, None, Some(&reader()), |_| true).expect("runs");
+        println!("alternating {:.1} cm2 by {:.0} kPa", shut_in(&usual), motion(&plan, &usual) / 1e3);
+        assert!(shut[1] <= 0.6 * shut_in(&usual), "{shut:?}");
         let [told, more] = runs.each_ref().map(|history| motion(&plan, history) / 1e3);
         println!(
             "{mass} kg {posture:?}: {shut:.1?} cm2 by {told:.0} and {more:.0} kPa, {:.2} m",
@@ -152,6 +161,7 @@ fn a_policy_is_refused_by_name_before_a_tile_hears_of_it() {
         &mut Once(Some(told)),
         &bounds,
         None,
+        None,
         |_| true,
     ) {
         Err(RunError::Refused(refusal)) => refusal.to_string(),
@@ -186,7 +196,7 @@ fn a_policy_sees_what_sensors_read_and_the_same_again() {
             Reader::new(&Site::default(), Quality { seed, ..Quality::default() }).expect("a surface");
         let goal = Goal { cycle: 60.0, slots: 2, ramp: 10.0, hold: 10.0, ..Goal::default() };
         let mut planner = Planner::new(goal);
-        run_policy(&plan, &mut planner, &Bounds::default(), Some(&reader), |_| true).expect("runs")
+        run_policy(&plan, &mut planner, &Bounds::default(), None, Some(&reader), |_| true).expect("runs")
     };
     let [one, again] = [run(3), run(3)];
     assert_eq!((&one.moments, &one.moves), (&again.moments, &again.moves));
@@ -196,6 +206,6 @@ fn a_policy_sees_what_sensors_read_and_the_same_again() {
     empty.load = Load { body: Default::default(), poses: Vec::new(), figure: None };
     let mut planner = Planner::new(Goal::default());
     let history =
-        run_policy(&empty, &mut planner, &Bounds::default(), Some(&reader()), |_| true).expect("runs");
+        run_policy(&empty, &mut planner, &Bounds::default(), None, Some(&reader()), |_| true).expect("runs");
     assert!(history.moves.is_empty());
 }

@@ -4,7 +4,9 @@
 //! valves say. A valve opens at 40 Pa beside what is wanted and shuts at 10 Pa, so both are shut most of the
 //! time. Without a wish both stay shut: the bladder keeps its air.
 
+use super::design::PRESSURE;
 use super::fault::{Fault, Faults};
+use crate::link::message::Refusal;
 
 /// A valve opens when the pressure is off by so much (Pa), and shuts when it is off by less than [`SHUT`].
 const OPEN: f32 = 40.0;
@@ -20,6 +22,14 @@ const LOOKS: i8 = 4;
 const PATIENCE: u32 = 2000;
 /// ... must have changed the pressure by so much (Pa).
 const EFFECT: f32 = 50.0;
+
+/// A pressure (Pa) that may be commanded.
+///
+/// # Errors
+/// [`Refusal::Pressure`].
+pub fn commanded(pressure: f32) -> Result<f32, Refusal> {
+    if (0.0..=PRESSURE).contains(&pressure) { Ok(pressure) } else { Err(Refusal::Pressure) }
+}
 
 /// Which valves are open.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

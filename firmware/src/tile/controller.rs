@@ -4,7 +4,7 @@
 //! Order of a tick: sense, find faults, respond to new ones, do the command, go on along the way, set drives and
 //! valves. What is set follows from the mode alone, so whatever switches the mode off in this tick is obeyed in it.
 
-use super::bladder::{Bladder, Valves};
+use super::bladder::{Bladder, Valves, commanded};
 use super::board::{Outputs, Readings};
 use super::design::{
     ARRIVED, FLATTEN_FACTOR, NOT_ARRIVED, PAYLOAD, PRESSURE, SETTLING, STROKE, SWITCH, TRIM, UNHOMED_FACTOR,
@@ -240,10 +240,7 @@ impl Controller {
                 let motion = Motion::new(here, heights(pose)?, factor);
                 self.start(Mode::Moving, Way::Motion(motion));
             }
-            Command::Pressure(wanted) if (0.0..=PRESSURE).contains(wanted) => {
-                self.wanted_pressure = Some(*wanted)
-            }
-            Command::Pressure(_) => return Err(Refusal::Pressure),
+            Command::Pressure(wanted) => self.wanted_pressure = Some(commanded(*wanted)?),
             Command::Flatten => {
                 // A weak supply gives no full speed.
                 let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);

@@ -81,6 +81,12 @@ impl Motion {
         wanted
     }
 
+    /// Ticks that it takes.
+    #[must_use]
+    pub fn ticks(&self) -> u32 {
+        self.profile.ticks()
+    }
+
     /// How far each leg goes, positive up (m).
     #[must_use]
     pub fn ways(&self) -> [f32; 3] {
@@ -96,7 +102,7 @@ impl Motion {
     /// Goes on by a tick; returns how many ticks ago the end was reached, if it was.
     pub fn advance(&mut self) -> Option<u32> {
         self.tick = self.tick.saturating_add(1);
-        self.tick.checked_sub(self.profile.ticks())
+        self.tick.checked_sub(self.ticks())
     }
 
     /// The way back from here: 5 mm for the leg that goes furthest, as far as the stroke allows.

@@ -225,7 +225,7 @@ fn json(read: &Read, history: &History) -> String {
     let instruments = instruments.unwrap_or_else(|| "null".to_owned());
     format!(
         "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \"instruments\": {instruments}, \
-         \"policy\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
+         \"policy\": {}, \"supervised\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
         json_string(&read.plan.title),
         moments(history),
         history.moments.len(),
@@ -233,6 +233,7 @@ fn json(read: &Read, history: &History) -> String {
         json_number(felt),
         is_valid([imbalance, felt], sensed.as_ref()),
         read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
+        read.is_supervised,
         history.moves.len(),
         history.watched.as_ref().map_or_else(String::new, motion_json),
         lists.join(", "),
@@ -293,7 +294,9 @@ fn text(read: &Read, history: &History) -> String {
         text += &motion_text(watched);
     }
     if let Some(policy) = read.policy {
-        let _ = writeln!(text, "policy {}: {} moves", policy.name, history.moves.len());
+        let through =
+            if read.is_supervised { ", let through by the tiles' controller and its supervisor" } else { "" };
+        let _ = writeln!(text, "policy {}: {} moves{through}", policy.name, history.moves.len());
     }
     let sensed = sensed(read, history);
     if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = &sensed {

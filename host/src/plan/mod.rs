@@ -2,7 +2,7 @@
 //!
 //! In: TOML of format 1, numbers with units as in scenes, settings of a command line on top. Out: a plan within its
 //! limits, or what is wrong. `load` reads what lies on the bed (`mesh` its
-//! file, if it has one), `sensing` and `instruments` what it is read by, `policy` who decides.
+//! file, if it has one), `sensing` and `instruments` what it is read by, `policy` who decides, `supervised` who lets that through.
 
 mod dynamics;
 mod gmsh;
@@ -11,6 +11,7 @@ mod load;
 pub mod mesh;
 pub mod policy;
 pub mod sensing;
+pub mod supervised;
 
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
@@ -18,11 +19,13 @@ use smartbed_bed::plan::check::{MOST_TILES, check};
 use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::run;
 use smartbed_bed::plan::{Clock, Layout, Move, Plan};
+use smartbed_bed::policy::Supervisor;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Table, Value, wrong_kind};
 use smartbed_codegen::source::{Source, Span};
 use std::path::PathBuf;
+use supervised::Controller;
 
 /// Most equilibria of a run.
 const MOST_EQUILIBRIA: f64 = 100_000.0;
@@ -49,6 +52,8 @@ pub struct Read {
     pub instruments: Option<instruments::Instrumented>,
     /// Who decides on the way.
     pub policy: Option<policy::Chosen>,
+    /// Orders go through the tiles' controller and its supervisor.
+    pub is_supervised: bool,
 }
 
 impl Read {
@@ -60,7 +65,19 @@ impl Read {
         let Some(chosen) = &self.policy else { return run::run(&self.plan, at) };
         let reader = self.sensors.as_ref().map(|sensors| &sensors.reader);
         let mut policy = chosen.policy(&self.plan);
-        smartbed_bed::policy::run::run(&self.plan, policy.as_mut(), &chosen.bounds, reader, at)
+        smartbed_bed::policy::run::run(
+            &self.plan,
+            policy.as_mut(),
+            &chosen.bounds,
+            self.supervisor(),
+            reader,
+            at,
+        )
+    }
+
+    /// Who lets orders through, if somebody does.
+    fn supervisor(&self) -> Option<&dyn Supervisor> {
+        self.is_supervised.then_some(&Controller)
     }
 }
 
@@ -99,7 +116,8 @@ pub fn mesh_file(path: &str, text: &str, settings: &[String]) -> Option<PathBuf>
 /// # Errors
 /// The first limit that it exceeds, with file, tile and time.
 pub fn checked(path: &str, read: Read) -> Result<Read, String> {
-    match check(&read.plan) {
+    let supervise = |()| read.supervisor().map_or(Ok(()), |own| own.check(&read.plan, 0.0));
+    match check(&read.plan).and_then(supervise) {
         Ok(()) => Ok(read),
         Err(refusal) => Err(format!("{path}: {refusal}")),
     }
@@ -117,8 +135,8 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let empty = Table::default();
     let (mut layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
     let load = load::read(&fields, path, found)?;
-    let (seconds, every, cycle, is_motion, parts) =
-        timing(fields.table("run", found).unwrap_or(&empty), found)?;
+    let run = fields.table("run", found).unwrap_or(&empty);
+    let Timing { seconds, every, cycle, is_motion, parts, is_supervised } = timing(run, found)?;
     let in_motion = if is_motion { seconds } else { 0.0 };
     let dynamics = dynamics::read(fields.table("dynamics", found).unwrap_or(&empty), in_motion, found)?;
     let clock = if is_motion { Clock::Dynamics(dynamics) } else { Clock::QuasiStatic };
@@ -158,10 +176,16 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         Some(table) => Some(policy::read(table, found)?),
         None => None,
     };
+    let is_supervised = is_supervised.unwrap_or(policy.is_some());
+    if let Some(misfit) = supervised::misfit(&layout).filter(|_| is_supervised) {
+        let error = Diagnostic::error(misfit).label(table.span, "of this plan");
+        found.push(error.help("tiles of that size, or run.supervised = false"));
+        return None;
+    }
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
     fields.finish(found);
     let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, parts };
-    Some(Read { plan, axes, sensors, instruments, policy })
+    Some(Read { plan, axes, sensors, instruments, policy, is_supervised })
 }
 
 fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
@@ -219,13 +243,24 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     Some((layout, pressure))
 }
 
-fn timing(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64, bool, usize)> {
+/// `[run]`.
+struct Timing {
+    seconds: f64,
+    every: f64,
+    cycle: f64,
+    is_motion: bool,
+    parts: usize,
+    is_supervised: Option<bool>,
+}
+
+fn timing(table: &Table, found: &mut Diagnostics) -> Option<Timing> {
     let fields = Fields::of("run", table.span, table);
     let seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(0.0);
     let every = number(&fields, "every", "s", Bound::Positive, found).unwrap_or(10.0);
     let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
     let parts = count(&fields, "parts", 1, found).unwrap_or(1);
     let clock = load::named(&fields, "clock", &dynamics::CLOCKS, found);
+    let is_supervised = fields.boolean("supervised", found);
     fields.finish(found);
     if parts > MOST_PARTS {
         let error =
@@ -238,7 +273,7 @@ fn timing(table: &Table, found: &mut Diagnostics) -> Option<(f64, f64, f64, bool
         found.push(error.label(table.span, "of this run").help("a longer `every`"));
         return None;
     }
-    Some((seconds, every, cycle, clock?, parts))
+    Some(Timing { seconds, every, cycle, is_motion: clock?, parts, is_supervised })
 }
 
 /// One [[move]].

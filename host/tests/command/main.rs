@@ -4,6 +4,7 @@ mod bed;
 mod bed_manual;
 mod bed_mesh;
 mod bed_page;
+mod bed_supervised;
 mod browser;
 mod check_and_derive;
 mod driven;

@@ -1,0 +1,180 @@
+//! A plan's orders, held against the code that runs in a tile's controller and in the supervisor of several tiles.
+//!
+//! In: a plan, a time. Out: the first order from then on that the tile's controller refuses or the supervisor denies, with its
+//! limit and tile. Each order goes through the controller's own functions (mode, pressure, heights, time of the way) and
+//! through [`supervisor::Bed::order`], whose peers hear where every tile stands then. Drives, valves and faults are not
+//! simulated: a tile stands where the plan has told it to, and moves as long as the plan's move lasts.
+
+use smartbed_bed::plan::check::Refusal;
+use smartbed_bed::plan::{Layout, Move, Plan};
+use smartbed_bed::policy::Supervisor;
+use smartbed_bed::tile;
+use smartbed_firmware::command::Pose;
+use smartbed_firmware::link::message::{
+    self, Command, Header, REPORT, Report, State, Target, VERSION, write,
+};
+use smartbed_firmware::link::tag::Key;
+use smartbed_firmware::supervisor::{Bed, Denied, MOST_MOVING, Peer};
+use smartbed_firmware::tile::bladder;
+use smartbed_firmware::tile::design::{HALF_SIDES, PRESSURE, RADIUS, SLOPE, STEP_LIMIT, STROKE};
+use smartbed_firmware::tile::fault::Faults;
+use smartbed_firmware::tile::mode::Mode;
+use smartbed_firmware::tile::motion::{Motion, heights};
+use smartbed_firmware::tile::profile::TICK;
+
+/// Times are sums of steps: a move that ends where another begins is not missed by rounding (s).
+const ROUNDING: f64 = 1e-6;
+/// Lengths (m) of a plan and of the controller that differ by less are the same.
+const ALIKE: f64 = 1e-4;
+
+/// The controller's and the supervisor's own decisions.
+#[derive(Clone, Copy, Debug)]
+pub struct Controller;
+
+impl Supervisor for Controller {
+    fn check(&self, plan: &Plan, from: f64) -> Result<(), Refusal> {
+        let mut tiles = Tiles::new(plan);
+        for told in plan.moves.iter().filter(|m| m.at >= from || m.at + m.over > from) {
+            for tile in &told.tiles {
+                let judged = tiles.order(told, *tile);
+                // What began before was let through then.
+                let judged = if told.at >= from { judged } else { Ok(()) };
+                judged.map_err(|what| Refusal { time: told.at, tile: Some(*tile + 1), what })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What is wrong with a bed that the controller is not made for.
+pub(super) fn misfit(layout: &Layout) -> Option<String> {
+    let own = [2.0 * f64::from(HALF_SIDES.0), 2.0 * f64::from(HALF_SIDES.1), f64::from(RADIUS)];
+    let [x, y] = layout.pitch;
+    let is_alike = own.iter().zip([x, y, layout.circle]).all(|(a, b)| (a - b).abs() < ALIKE);
+    let [a, b, c] = own.map(|x| 1e3 * x);
+    (!is_alike).then(|| {
+        format!(
+            "the tiles' controller is made for a `pitch` of {a:.1} by {b:.1} mm and a `circle` of {c:.1} mm"
+        )
+    })
+}
+
+/// Tiles as their supervisor knows them.
+struct Tiles<'a> {
+    plan: &'a Plan,
+    /// Row by row from the foot, as y of a pose runs to the head.
+    peers: Vec<Peer>,
+    /// Until when (s) each moves, by the plan's numbers.
+    until: Vec<f64>,
+}
+
+impl Tiles<'_> {
+    fn new(plan: &Plan) -> Tiles<'_> {
+        let count = plan.layout.count();
+        // Nothing is sent: any key signs.
+        let peers = (0..count).map(|number| Peer::new(number as u8, Key::new([0; 16]))).collect();
+        Tiles { plan, peers, until: vec![f64::NEG_INFINITY; count] }
+    }
+
+    /// Where a tile of the plan stands among the peers.
+    fn place(&self, tile: usize) -> usize {
+        let Layout { rows, columns, .. } = self.plan.layout;
+        (rows - 1 - tile / columns) * columns + tile % columns
+    }
+
+    fn mode(&self, tile: usize, time: f64) -> Mode {
+        if time < self.until[tile] - ROUNDING { Mode::Moving } else { Mode::Ready }
+    }
+
+    /// Where a tile stands when moves of that time are told.
+    fn pose(&self, tile: usize, time: f64) -> Pose {
+        pose(&self.plan.order_before(tile, time).command)
+    }
+
+    /// All tiles say where they are.
+    fn report(&mut self, time: f64) {
+        for tile in 0..self.until.len() {
+            let heights = self.pose(tile, time).heights(RADIUS);
+            let state = State { mode: self.mode(tile, time) as u8, heights, ..State::default() };
+            let place = self.place(tile);
+            let peer = &mut self.peers[place];
+            let header = Header {
+                version: VERSION | REPORT,
+                tile: peer.tile(),
+                boot: 1,
+                sequence: 0,
+                tick: ticks(time),
+            };
+            write(&header, &Report::State(state)).and_then(|body| peer.take(&body, ticks(time)));
+        }
+    }
+
+    /// One tile's share of a move: what the tile's controller says of it, then the supervisor.
+    fn order(&mut self, told: &Move, tile: usize) -> Result<(), String> {
+        let mode = self.mode(tile, told.at);
+        let allow = |command: &Command| mode.allows(command, true, Faults::default()).map_err(refused);
+        if let Some(pressure) = told.pressure {
+            let pressure = bladder::commanded(pressure as f32).map_err(refused)?;
+            allow(&Command::Pressure(pressure))?;
+        }
+        if told.heave.is_none() && told.slope.is_none() {
+            return Ok(());
+        }
+        let mut command = self.plan.order_before(tile, told.at).command;
+        command.heave = told.heave.unwrap_or(command.heave);
+        command.slope = told.slope.unwrap_or(command.slope);
+        let there = pose(&command);
+        let target = Target { heave: there.zc, slope_x: there.tx, slope_y: there.ty };
+        self.report(told.at);
+        self.until[tile] = told.at + told.over;
+        allow(&Command::Move(target))?;
+        let ways = [self.pose(tile, told.at).heights(RADIUS), heights(there).map_err(refused)?];
+        let takes = f64::from(Motion::new(ways[0], ways[1], 1.0).ticks()) * f64::from(TICK);
+        if takes > told.over + f64::from(TICK) {
+            let over = told.over;
+            return Err(format!(
+                "its controller takes {takes:.1} s for a move of {over:.1} s; give the move longer"
+            ));
+        }
+        let (place, columns) = (self.place(tile), self.plan.layout.columns);
+        let mut bed = Bed { peers: &mut self.peers, columns };
+        bed.order(place, target, ticks(told.at), 0).map(drop).map_err(denied)
+    }
+}
+
+fn pose(command: &tile::Command) -> Pose {
+    let [tx, ty] = command.slope.map(|slope| slope as f32);
+    Pose { zc: command.heave as f32, tx, ty }
+}
+
+/// A time (s) on the supervisor's clock (ms).
+fn ticks(time: f64) -> u32 {
+    (time / f64::from(TICK)).round() as u32
+}
+
+/// The tile's controller says no.
+fn refused(why: message::Refusal) -> String {
+    let most = match why {
+        message::Refusal::Stroke => format!(": {:.1} mm up and down at most", 1e3 * STROKE),
+        message::Refusal::Tilt => format!(": {:.1} deg at most", SLOPE.atan().to_degrees()),
+        message::Refusal::Pressure => format!(": 0 to {:.2} kPa", 1e-3 * PRESSURE),
+        message::Refusal::Busy => ": it still moves".to_owned(),
+        _ => String::new(),
+    };
+    format!("its controller refuses: {why:?}{most}")
+}
+
+/// The supervisor says no.
+fn denied(why: Denied) -> String {
+    let most = match why {
+        Denied::Step => {
+            format!(
+                ": an edge would stand more than {:.1} mm beside a neighbour's, where it is or goes",
+                1e3 * STEP_LIMIT
+            )
+        }
+        Denied::Power => format!(": {MOST_MOVING} tiles move at once, as many as may"),
+        _ => String::new(),
+    };
+    format!("the supervisor denies it: {why:?}{most}")
+}
