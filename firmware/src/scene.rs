@@ -49,6 +49,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
         inflation: INFLATION,
         massless: Massless { points: &MASSLESS, first: &LINKS_FROM, springs: &LINKS },
         grids: &[],
+        patches: None,
     };
     let system = System::restricted(Body::new(body)?, GROUND);
     let mut memory = [[0.0; 3]; MOTION_ROWS * POINTS];

@@ -54,6 +54,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     };
     let (mut pos, mut vel) = (POS, [[0.0; 3]; NODES]);
     let [mut elastic, mut viscous] = [[[0.0; 3]; NODES]; 2];

@@ -5,13 +5,18 @@
 //! friction leaves of its slip along d0, the slip's first direction; of a stuck one (mu N - |T|) h^2/m, what friction
 //! could still take; ground that gives way has these two alone. The smallest guard of all points decides; its root is located by trying steps of different
 //! lengths, so the state there is a state of the method itself.
+//! Free nodes are looked at side by side first (`reach`): almost always none can reach the ground within the step.
+
+mod reach;
 
 use crate::contact::{ContactState, Ground, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
+use crate::kernel;
 use crate::ode::nodes::{Motion, Workspace};
 use crate::ode::root::Search;
 use crate::real::Scalar;
 use crate::vec3;
+use reach::{Lowest, Nearest, are_free, blocks};
 
 /// Trials at most for one root (bisection alone halves a step 60 times to nothing).
 const TRIALS: usize = 64;
@@ -49,13 +54,12 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     (tau, h): (S, S),
     armed: Option<usize>,
 ) -> S {
-    let mut smallest = S::ONE / S::EPSILON;
-    for (i, mode) in start.modes.iter().enumerate() {
+    let of = |i: usize, mode: ContactState| {
         if system.body.inverse_mass(i) == S::ZERO {
-            continue;
+            return S::ONE / S::EPSILON;
         }
         let gap = ground.gap(vec3::at(motion.pos, i));
-        let guard = match mode {
+        match mode {
             _ if R::SOFT && !ground.is_rigid() => friction_guard(system, ground, start, motion, i, (tau, h)),
             ContactState::Free => gap,
             ContactState::Departing if armed == Some(i) => gap,
@@ -68,8 +72,19 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
                 let pressed = system.normal_force(motion.force(i)) * system.body.inverse_mass(i) * h * h;
                 pressed.min(friction_guard(system, ground, start, motion, i, (tau, h)))
             }
-        };
-        smallest = smallest.min(guard);
+        }
+    };
+    let mut smallest = S::ONE / S::EPSILON;
+    for (first, modes) in blocks(start.modes) {
+        let nearest =
+            |pos| kernel::run(Nearest { body: &system.body, ground, first, count: modes.len(), pos });
+        if are_free(modes) && ground.is_rigid() {
+            smallest = smallest.min(nearest(motion.pos));
+        // What a soft ground does not push at the start is not rubbed within the step.
+        } else if !(are_free(modes) && nearest(start.motion.pos) > S::ZERO) {
+            let guards = modes.iter().enumerate().map(|(i, mode)| of(first + i, *mode));
+            smallest = guards.fold(smallest, |smallest, guard| smallest.min(guard));
+        }
     }
     smallest
 }
@@ -248,12 +263,18 @@ fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motio
 /// A free point that is above the surface at both ends and below in between: the time of the deepest bottom.
 fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let (mut deepest, mut time) = (-ground.tolerance, None);
-    for (i, _) in start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
-        let gap = Cubic::new(ground, start, end, h, i);
-        if gap.r0 < S::ZERO
-            && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
-        {
-            (deepest, time) = (gap.at(s), Some(s * h));
+    for (first, modes) in blocks(start.modes) {
+        let bound = Lowest { ground, first, count: modes.len(), ends: [start.motion, end], h };
+        if are_free(modes) && kernel::run(bound) > S::ZERO {
+            continue;
+        }
+        for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
+            let gap = Cubic::new(ground, start, end, h, first + i);
+            if gap.r0 < S::ZERO
+                && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
+            {
+                (deepest, time) = (gap.at(s), Some(s * h));
+            }
         }
     }
     time

@@ -294,6 +294,7 @@ fn massless_point_in_space_is_in_balance() {
         inflation: None,
         massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
         grids: &[],
+        patches: None,
     })
     .expect("body");
     let (mut pressed, mut hung) = (0, 0);

@@ -1,13 +1,12 @@
 //! What the equations cost: operations of one evaluation, and the time to derive them.
 
-use smartbed::install::install;
+use crate::instructions::of_a_fresh_process;
 use smartbed_codegen::{Effort, Optimise, ScalarType, Settings};
 use smartbed_runtime::real::Real;
 use smartbed_runtime::real::counting::{Counting, Operations, count};
 use smartbed_tests::interpreted::{emitted, emitted_with, program_with};
 use smartbed_tests::subject::Subject;
 use smartbed_tests::{cases, generated, subject};
-use std::process::Command;
 
 /// Executed by one evaluation of q_dot, u_dot and the worst pivot of a model.
 fn executed(model: &str) -> Operations {
@@ -114,17 +113,8 @@ const CHILD: &str = "SMARTBED_TESTS_DERIVE";
 
 /// Millions of instructions of a fresh process that derives a model, or nothing.
 fn instructions_of_a_fresh_process(asked: &str) -> f64 {
-    let this = std::env::current_exe().expect("the test binary");
     let test = "cost::models_are_derived_with_few_instructions_in_a_fresh_process";
-    let mut command = Command::new("valgrind");
-    command.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]).arg(this);
-    command.args(["--exact", test, "--test-threads=1"]).env(CHILD, asked);
-    let output = command.output().expect("valgrind runs");
-    let text = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{text}");
-    let count = text.lines().find_map(|line| line.split("Collected :").nth(1));
-    let count = count.and_then(|count| count.trim().parse::<f64>().ok());
-    count.unwrap_or_else(|| panic!("no count in {text}")) / 1e6
+    of_a_fresh_process(test, CHILD, asked) / 1e6
 }
 
 #[test]
@@ -135,10 +125,6 @@ fn models_are_derived_with_few_instructions_in_a_fresh_process() {
             assert!(emitted_with(model, ScalarType::F32, effort).contains("fn rates"));
         }
         return;
-    }
-    if Command::new("valgrind").arg("--version").output().is_err() {
-        let why = "valgrind, which counts the instructions of a process, is not on PATH";
-        install(why, &["valgrind"], "apt-get install valgrind").unwrap_or_else(|e| panic!("{e}"));
     }
     let idle = instructions_of_a_fresh_process("nothing");
     for (model, effort, most) in DERIVATION {

@@ -144,6 +144,7 @@ fn enclosed(lists: &smartbed::scene::Lists, pos: &[Vector]) -> f64 {
         inflation: None,
         massless: smartbed_runtime::flexible::Massless::default(),
         grids: &[],
+        patches: None,
     };
     enclosed_volume(body.facets, pos)
 }

@@ -241,6 +241,7 @@ fn one_node_a_hundred_million_f32_steps() {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     })
     .expect("body");
     let system = System::new(body, None);

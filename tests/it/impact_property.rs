@@ -99,6 +99,7 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     })
     .expect("body");
     let law = ContactLaw::Compensation { eta: real(eta), anchor: false, plastic_alone: false };
@@ -232,6 +233,7 @@ fn two_stacked_unit_masses_give_the_thesis_formula() {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     };
     let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false };
     let ground = Ground { normal: [0.0, 0.0, 1.0], offset: 0.0, law, friction: 0.0, tolerance: 1e-11 };

@@ -70,6 +70,7 @@ fn random_pairs_conserve() {
             inflation: None,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         })
         .expect("body");
         let before = totals(&mass, &pos, &vel);
@@ -118,6 +119,7 @@ fn two_springs_head_on_are_each_the_others_ground() {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     })
     .expect("body");
     let pos = [[0.0; 3], [0.0, 0.0, 1.0], [0.0; 3], [0.0, 0.0, -1.0]];

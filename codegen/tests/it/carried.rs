@@ -300,6 +300,7 @@ fn joined(carrier: &Program, fabric: &Fabric, run: impl Fn(&mut OnTile<'_>, &mut
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     })
     .expect("a body");
     let attach = |(node, place): (usize, &[f64; 3])| Attachment { node, port: 0, place: *place };

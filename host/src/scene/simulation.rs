@@ -15,6 +15,7 @@ use smartbed_runtime::vec3::{self, Vec3};
 
 use super::grid::Woven;
 use super::lists::Lists;
+use super::patches::Patched;
 use crate::contact_force::ContactForce;
 
 /// What surrounds a body: constants in f64.
@@ -44,6 +45,8 @@ pub struct Simulation<S: Scalar> {
     inflation: Option<Inflation<S>>,
     massless: Links,
     grid: Option<Woven<S>>,
+    /// Where there is no grid.
+    patches: Option<Patched<S>>,
     method: Method<S>,
     /// The state, and memory for the end of a step.
     motions: [Vec<Vec3<S>>; 2],
@@ -111,9 +114,11 @@ impl<S: Scalar> Simulation<S> {
         };
         let mass: Vec<S> = lists.masses.iter().map(|m| real(*m)).collect();
         let springs: Vec<Spring<S>> = (0..lists.springs.len()).map(spring).collect();
+        let grid = Woven::new(lists, [0; 3]);
         let mut simulation = Simulation {
             massless: Links::new(&mass, &springs),
-            grid: Woven::new(lists, [0; 3]),
+            patches: if grid.is_none() { Patched::new(&springs, n) } else { None },
+            grid,
             mass,
             fixed: lists.fixed.clone(),
             inverse_mass: Vec::new(),
@@ -171,6 +176,7 @@ impl<S: Scalar> Simulation<S> {
             inflation: self.inflation,
             massless: self.massless.view(),
             grids: &[],
+            patches: None,
         }
     }
 
@@ -204,6 +210,7 @@ impl<S: Scalar> Simulation<S> {
             inflation: self.inflation,
             massless: self.massless.view(),
             grids: grid.as_slice(),
+            patches: self.patches.as_ref().map(Patched::view),
         };
         let system = System::new(body, self.ground);
         let [motion, end] = &mut self.motions;

@@ -4,7 +4,8 @@
 //! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
 
 use super::block::{Pulls, Pushes};
-use super::grid::{Damp, Grid, Weave, beside};
+use super::grid::{Damp, Grid, Mean, Weave, beside};
+use super::patch::{self, Patches};
 use super::{Body, BodyError, Inflation, Spring, mean, pressure};
 use crate::kernel;
 use crate::ode::nodes::Way;
@@ -101,7 +102,9 @@ impl<S: Scalar> Element<S> for Filled<'_, S> {
     fn add_viscous(&self, _: &[Vec3<S>], _: &[Vec3<S>], _: &mut [Vec3<S>]) {}
 
     fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        mean::add_pressure(self, way, force)
+        let pressure = mean::pressure(self, way)?;
+        mean::add_pressure(self.facets, self.inflation.form, pressure, way, force);
+        Ok(())
     }
 
     fn energy(&self, pos: &[Vec3<S>]) -> S {
@@ -130,6 +133,8 @@ pub struct Elements<'a, S> {
     pub filled: Option<Filled<'a, S>>,
     /// Springs and facets as grids, on a machine that lays numbers side by side.
     pub grids: &'a [Grid<'a, S>],
+    /// Springs in patches, on such a machine.
+    pub patches: Option<Patches<'a, S>>,
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
@@ -141,6 +146,7 @@ impl<'a, S: Scalar> Body<'a, S> {
             springs: self.springs,
             filled: self.inflation.map(|inflation| Filled { facets, inflation }),
             grids: if cfg!(target_os = "none") { &[] } else { self.grids },
+            patches: if cfg!(target_os = "none") { None } else { self.patches },
         }
     }
 }
@@ -185,12 +191,17 @@ impl<S: Scalar> Elements<'_, S> {
                 *f = vec3::scale(gravity, *m);
             }
         }
-        let mut runaway = false;
-        for springs in beside(self.grids, |grid| grid.springs, self.springs.len()) {
-            let springs = self.springs.get(springs).unwrap_or_default();
-            runaway |= kernel::run(Pulls { springs, pos, force });
+        if let Some(patches) = self.patches {
+            return kernel::run(patch::Pulls { patches, pos, force });
         }
-        runaway
+        let pull = |runaway, springs| runaway | kernel::run(Pulls { springs, pos, force });
+        self.springs_beside_grids().fold(false, pull)
+    }
+
+    /// The springs of no grid, part by part.
+    fn springs_beside_grids(&self) -> impl Iterator<Item = &[Spring<S>]> {
+        let parts = beside(self.grids, |grid| grid.springs, self.springs.len());
+        parts.map(|springs| self.springs.get(springs).unwrap_or_default())
     }
 
     /// Writes the forces of speeds (N): air, then dampers.
@@ -198,8 +209,10 @@ impl<S: Scalar> Elements<'_, S> {
         for (f, v) in force.iter_mut().zip(vel) {
             *f = vec3::scale(*v, -air_drag);
         }
-        for springs in beside(self.grids, |grid| grid.springs, self.springs.len()) {
-            self.springs.get(springs).unwrap_or_default().add_viscous(pos, vel, force);
+        match self.patches {
+            Some(patches) if !patches.is_damped => {}
+            Some(patches) => kernel::run(patch::Damps { patches, pos, vel, force }),
+            None => self.springs_beside_grids().for_each(|springs| springs.add_viscous(pos, vel, force)),
         }
         for grid in self.grids.iter().filter(|grid| grid.is_damped()) {
             kernel::run(Damp { grid, pos, vel, air_drag, force });
@@ -213,8 +226,21 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
     }
 
     fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        self.springs.add_mean(way, force)?;
-        self.filled.map_or(Ok(()), |filled| filled.add_mean(way, force))
+        match self.patches {
+            Some(patches) => kernel::run(patch::Means { patches, way, force }),
+            None => self.springs_beside_grids().try_for_each(|springs| springs.add_mean(way, force))?,
+        }
+        let pressure = self.filled.map_or(Ok(S::ZERO), |filled| mean::pressure(&filled, way))?;
+        let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
+        for grid in self.grids {
+            kernel::run(Mean { grid, pressure: gas, h: way.h, nodes: [way.pos[1], way.dx], force });
+        }
+        let Some(filled) = self.filled else { return Ok(()) };
+        for facets in beside(self.grids, |grid| grid.facets, filled.facets.len()) {
+            let facets = filled.facets.get(facets).unwrap_or_default();
+            mean::add_pressure(facets, filled.inflation.form, pressure, way, force);
+        }
+        Ok(())
     }
 
     fn energy(&self, pos: &[Vec3<S>]) -> S {
@@ -226,9 +252,11 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
     }
 
     fn is_damped(&self) -> bool {
-        let mut beside = beside(self.grids, |grid| grid.springs, self.springs.len());
-        self.grids.iter().any(Grid::is_damped)
-            || beside.any(|springs| self.springs.get(springs).unwrap_or_default().is_damped())
+        if let Some(patches) = self.patches {
+            return patches.is_damped;
+        }
+        let mut beside = self.springs_beside_grids();
+        self.grids.iter().any(Grid::is_damped) || beside.any(|springs| springs.is_damped())
     }
 
     fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {

@@ -2,10 +2,10 @@
 //!
 //! Each spring pulls with its mean tension along its mean direction: f = [K ((l + l')/2 - L) + C (l' - l)/h]
 //! (d + d')/(l + l'). Its work over the step is then exactly -K [(l'-L)^2 - (l-L)^2]/2 - C (l'-l)^2/h.
-//! Source: Simo & Tarnow 1992, Gonzalez 1996.
+//! Source: Simo & Tarnow 1992, Gonzalez 1996. In: nodes in the middle of the step, and their changes over it.
 
 use super::element::Filled;
-use super::pressure::{self, Gas};
+use super::pressure::{self, Gas, PressureForm, Weights};
 use super::{BodyError, Spring};
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
@@ -13,59 +13,75 @@ use crate::vec3::{self, Vec3};
 
 /// Adds a spring and its damper.
 pub fn add_spring<S: Scalar>(spring: &Spring<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
+    let [_, middle, _] = way.pos;
+    let between = |rows: &[Vec3<S>]| vec3::sub(vec3::at(rows, spring.head), vec3::at(rows, spring.tail));
+    let numbers = [spring.stiffness, spring.rest_length, spring.damping];
+    spring.pull(pull([between(middle), between(way.dx)], numbers, way.h), force);
+}
+
+/// The mean force on the tail (N) of a spring of K, L, C: from tail to head in the middle, and the change of that (m).
+///
+/// With m = (d + d')/2 and c = d' - d the lengths are |m - c/2| and |m + c/2|, and l' - l = 2 m.c/(l + l') without its
+/// cancellation: in a tiny step the positions hold nothing but rounding.
+#[inline(always)]
+pub(super) fn pull<S: Scalar>(
+    [middle, change]: [Vec3<S>; 2],
+    [stiffness, rest_length, damping]: [S; 3],
+    h: S,
+) -> Vec3<S> {
     let half = S::from_f64(0.5);
-    let [start, _, end] = way.pos;
-    let between = |pos: &[Vec3<S>]| vec3::sub(vec3::at(pos, spring.head), vec3::at(pos, spring.tail));
-    let (before, after) = (between(start), between(end));
-    let (l0, l1) = (vec3::norm(before), vec3::norm(after));
-    let sum = l0 + l1;
-    if sum > S::ZERO {
-        // l1 - l0 without its cancellation: (after + before).(after - before)/(l0 + l1), the change
-        // taken from the steps themselves: in a tiny step the positions hold nothing but rounding.
-        let change = vec3::sub(vec3::at(way.dx, spring.head), vec3::at(way.dx, spring.tail));
-        let growth = vec3::dot(vec3::add(after, before), change) / sum;
-        let tension = spring.tension(half * sum) + spring.damping * growth / way.h;
-        spring.pull(vec3::scale(vec3::add(before, after), tension / sum), force);
+    let aside = vec3::scale(change, half);
+    let sum = vec3::norm(vec3::sub(middle, aside)) + vec3::norm(vec3::add(middle, aside));
+    let inverse = if sum > S::ZERO { S::from_f64(2.0) / sum } else { S::ZERO };
+    let direction = vec3::scale(middle, inverse);
+    let growth = vec3::dot(direction, change);
+    vec3::scale(direction, stiffness * (half * sum - rest_length) + damping * (growth / h))
+}
+
+/// Adds pressure times the mean gradient of the volume.
+pub fn add_pressure<S: Scalar>(
+    facets: &[[usize; 4]],
+    form: PressureForm,
+    pressure: S,
+    way: &Way<S>,
+    force: &mut [Vec3<S>],
+) {
+    for facet in facets {
+        let [_, _, c, d] = facet;
+        let corners = [way.pos[1], way.dx].map(|rows| pressure::corners(rows, facet));
+        let shares = match form {
+            PressureForm::Fan => shares(pressure::fan_shares, corners),
+            _ => shares(|corners| pressure::shares(Weights::of(form, c == d), corners), corners),
+        };
+        for (point, share) in facet.iter().zip(shares) {
+            vec3::add_at(force, *point, vec3::scale(share, pressure));
+        }
     }
 }
 
-/// Adds pressure times the mean gradient of the volume (Simpson's rule is exact: the gradient is quadratic).
+/// Means over a step of what is quadratic in the corners x: Q(x) in the middle + Q(change)/12, as Simpson's rule exact.
+#[inline(always)]
+pub(super) fn shares<S: Scalar>(
+    of: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
+    [middle, change]: [[Vec3<S>; 4]; 2],
+) -> [Vec3<S>; 4] {
+    let ([a, b, c, d], [p, q, r, s]) = (of(middle), of(change));
+    let twelfth = S::from_f64(1.0 / 12.0);
+    [(a, p), (b, q), (c, r), (d, s)].map(|(middle, change)| vec3::axpy(middle, twelfth, change))
+}
+
+/// Mean gauge pressure (Pa) over the change of volume: Simpson's rule on the gas law.
 ///
 /// # Errors
 /// [`BodyError::Collapsed`] where a gas law has no volume left.
-pub fn add_pressure<S: Scalar>(
-    filled: &Filled<S>,
-    way: &Way<S>,
-    force: &mut [Vec3<S>],
-) -> Result<(), BodyError<S>> {
-    let Filled { facets, inflation } = filled;
-    let [before, _, after] = way.pos;
-    let pressure = mean_gauge_pressure(facets, &inflation.gas, before, after)?;
-    let weights = [S::from_f64(1.0 / 6.0), S::from_f64(4.0 / 6.0), S::from_f64(1.0 / 6.0)];
-    for facet in *facets {
-        for (pos, weight) in way.pos.into_iter().zip(weights) {
-            let shares = pressure::corner_shares(inflation.form, pressure::corners(pos, facet));
-            for (point, share) in facet.iter().zip(shares) {
-                vec3::add_at(force, *point, vec3::scale(share, weight * pressure));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Mean pressure over the change of volume: Simpson's rule on the gas law.
-fn mean_gauge_pressure<S: Scalar>(
-    facets: &[[usize; 4]],
-    gas: &Gas<S>,
-    before: &[Vec3<S>],
-    after: &[Vec3<S>],
-) -> Result<S, BodyError<S>> {
-    let (v0, v1) = match gas {
-        Gas::Constant(_) => (S::ZERO, S::ZERO),
-        Gas::Polytropic { .. } => {
-            (pressure::enclosed_volume(facets, before), pressure::enclosed_volume(facets, after))
-        }
+pub fn pressure<S: Scalar>(filled: &Filled<S>, way: &Way<S>) -> Result<S, BodyError<S>> {
+    let gas = &filled.inflation.gas;
+    let volume = |pos: &[Vec3<S>]| match gas {
+        Gas::Constant(_) => S::ZERO,
+        Gas::Polytropic { .. } => pressure::enclosed_volume(filled.facets, pos),
     };
+    let [before, _, after] = way.pos;
+    let (v0, v1) = (volume(before), volume(after));
     let middle = pressure::gauge_pressure(gas, S::from_f64(0.5) * (v0 + v1))?;
     let ends = pressure::gauge_pressure(gas, v0)? + pressure::gauge_pressure(gas, v1)?;
     Ok((ends + S::from_f64(4.0) * middle) * S::from_f64(1.0 / 6.0))

@@ -9,6 +9,7 @@ pub mod energy;
 pub mod force;
 pub mod grid;
 pub mod mean;
+pub mod patch;
 pub mod pressure;
 pub mod spring;
 
@@ -17,6 +18,7 @@ use crate::real::Scalar;
 use crate::vec3::Vec3;
 use element::Element;
 use grid::Grid;
+use patch::Patches;
 pub use pressure::{Gas, Inflation, PressureForm};
 pub use spring::Spring;
 
@@ -44,6 +46,8 @@ pub struct Body<'a, S> {
     pub massless: Massless<'a>,
     /// Springs and facets that form grids once more, in the order of the lists: their forces then take a fraction of the time.
     pub grids: &'a [Grid<'a, S>],
+    /// All springs once more, cut into patches, of a body without grids.
+    pub patches: Option<Patches<'a, S>>,
 }
 
 /// The massless points with the springs of each, so that none has to look through all springs.
@@ -192,6 +196,7 @@ impl<'a, S: Scalar> Body<'a, S> {
             inflation: None,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         }
     }
 

@@ -77,15 +77,13 @@ pub(super) struct Weights<S> {
 }
 
 impl<S: Scalar> Weights<S> {
-    /// Of a facet with four corners.
-    pub fn of_quad(form: PressureForm) -> Self {
+    /// Of a facet with four corners, or of a triangle, c = d: it is flat, its three corners take equal shares.
+    pub fn of(form: PressureForm, is_triangle: bool) -> Self {
+        if is_triangle {
+            return Weights { area: S::from_f64(1.0 / 6.0), last: S::ZERO, warp: S::ZERO };
+        }
         let (area, warp) = (S::from_f64(1.0 / 8.0), S::from_f64(1.0 / 24.0));
         Weights { area, last: area, warp: if form == PressureForm::Exact { warp } else { S::ZERO } }
-    }
-
-    /// Of a triangle, c = d: it is flat, its three corners take equal shares.
-    fn of_triangle() -> Self {
-        Weights { area: S::from_f64(1.0 / 6.0), last: S::ZERO, warp: S::ZERO }
     }
 }
 
@@ -101,8 +99,8 @@ pub fn corner_shares<S: Scalar>(form: PressureForm, corners: [Vec3<S>; 4]) -> [V
     let [_, _, c, d] = corners;
     match form {
         PressureForm::Fan => fan_shares(corners),
-        _ if c == d => shares(Weights::of_triangle(), corners),
-        _ => shares(Weights::of_quad(form), corners),
+        _ if c == d => shares(Weights::of(form, true), corners),
+        _ => shares(Weights::of(form, false), corners),
     }
 }
 

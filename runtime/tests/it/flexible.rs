@@ -97,6 +97,7 @@ impl Trial {
             inflation: None,
             massless: Massless { points: &[], first: &[0], springs: &[] },
             grids: &[],
+            patches: None,
         }
     }
 
@@ -203,6 +204,32 @@ fn one_damper_among_springs_damps() {
             let wanted = a * (-decay * row.t).exp() * (cos + decay / rate * sin);
             close(row.pos[0][0], wanted, 1e-5, "place");
             assert!(row.imbalance.abs() <= 1e-4, "{:e}", row.imbalance);
+        }
+    }
+}
+
+/// Points far above the ground, some on their way down, change no bit and no touch of one that bounces among them.
+#[test]
+fn what_cannot_reach_the_ground_changes_no_event() {
+    for (method, friction) in [(Method::Verlet, 0.0), (Method::BlanesMoan4, 0.0), (Method::Verlet, 0.3)] {
+        let mut alone = Trial::point([0.0, 0.0, 0.3], [0.4, 0.0, -1.0]);
+        (alone.gravity, alone.friction) = (9.81, friction);
+        alone.law = Some(ContactLaw::Newton { restitution: 0.8 });
+        let bounces = alone.run(method, 1e-2, 2.0);
+        assert!(bounces.iter().map(|row| row.touches).sum::<usize>() >= 4, "it bounces");
+        let (mut many, place) =
+            (Trial { pos: vec![], vel: vec![], mass: vec![], fixed: vec![], ..alone }, 300);
+        for i in 0..500_u32 {
+            let above = 60.0 + f64::from(i % 7);
+            many.pos.push(if i == place { [0.0, 0.0, 0.3] } else { [f64::from(i), 0.0, above] });
+            many.vel.push(if i == place { [0.4, 0.0, -1.0] } else { [0.0, 0.0, -f64::from(i % 11)] });
+            many.mass.push(1.0);
+            many.fixed.push(false);
+        }
+        for (row, wanted) in many.run(method, 1e-2, 2.0).iter().zip(&bounces) {
+            let place = place as usize;
+            assert_eq!((row.pos[place], row.vel[place]), (wanted.pos[0], wanted.vel[0]), "at {}", row.t);
+            assert_eq!((row.touches, row.evaluations), (wanted.touches, wanted.evaluations), "at {}", row.t);
         }
     }
 }
@@ -364,6 +391,7 @@ fn a_point_and_a_facet_rebound_by_their_masses() {
         inflation: None,
         massless: Massless { points: &[], first: &[0], springs: &[] },
         grids: &[],
+        patches: None,
     };
     let weights = [0.72, 0.18, 0.08, 0.02];
     let touch = Touch { point: 0, corners: [1, 2, 3, 4], weights, normal: [0.0, 0.0, 1.0] };
@@ -531,6 +559,7 @@ fn a_tolerance_below_rounding_shortens_no_step() {
         inflation: None,
         massless: Massless { points: &[], first: &[0], springs: &[] },
         grids: &[],
+        patches: None,
     };
     let work_at = |tolerance: f32| {
         let method = Method::Dop853(Dop853 { tolerance, longest: 10.0 });

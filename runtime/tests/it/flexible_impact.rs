@@ -81,6 +81,7 @@ impl Pair {
             inflation: None,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         }
     }
 

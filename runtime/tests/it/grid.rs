@@ -6,6 +6,7 @@ use smartbed_runtime::flexible::force;
 use smartbed_runtime::flexible::grid::{Damp, Family, Grid, Run, Weave, pitch};
 use smartbed_runtime::flexible::{Body, BodyError, Gas, Inflation, PressureForm, Spring};
 use smartbed_runtime::kernel::{self, Registers};
+use smartbed_runtime::ode::nodes::Way;
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
 
@@ -121,13 +122,13 @@ impl<S: Scalar> Net<S> {
         self.facets.iter_mut().flatten().for_each(|corner| *corner += node);
     }
 
-    /// Forces of positions and of speeds on all nodes of some nets, whose lists follow one another, with grids or without;
+    /// Forces of positions, of speeds and their means over a step on all nodes of some nets, whose lists follow one another, with grids or without;
     /// behind each net stand three nodes, joined by two springs and a facet, that are on none.
     fn forces(
         nets: &mut [Net<S>],
         form: PressureForm,
         woven: bool,
-    ) -> Result<[Vec<Vec3<S>>; 2], BodyError<S>> {
+    ) -> Result<[Vec<Vec3<S>>; 3], BodyError<S>> {
         let (mut pos, mut springs, mut facets) = (Vec::new(), Vec::new(), Vec::new());
         for net in nets.iter_mut() {
             if net.offsets == [usize::MAX; 3] {
@@ -166,10 +167,16 @@ impl<S: Scalar> Net<S> {
             ..Body::none()
         };
         // Nodes that stand nowhere in the grid keep what they have.
-        let (mut elastic, mut viscous) = (vec![body.gravity; n], vec![body.gravity; n]);
+        let [mut elastic, mut viscous, mut mean] = [(); 3].map(|()| vec![body.gravity; n]);
         force::eval_elastic(&body, &body.elements(), &pos, &mut elastic)?;
         force::eval_viscous(&body, &body.elements(), &pos, &vel, &mut viscous);
-        Ok([elastic, viscous])
+        let h = S::from_f64(0.25);
+        let dx: Vec<Vec3<S>> = vel.iter().map(|v| v.map(|v| v * h)).collect();
+        let end: Vec<Vec3<S>> =
+            pos.iter().zip(&dx).map(|(x, d)| [0, 1, 2].map(|c: usize| x[c] + d[c])).collect();
+        let way = Way { h, pos: [&pos, &pos, &end], dx: &dx, vel: &vel };
+        force::eval_mean(&body, &body.elements(), &way, &mut mean)?;
+        Ok([elastic, viscous, mean])
     }
 
     fn check(mut nets: Vec<Net<S>>) {

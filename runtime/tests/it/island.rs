@@ -50,6 +50,7 @@ impl Lists {
             inflation: self.inflation,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         });
         let memory = Memory { pos: &mut self.pos, vel: &mut self.vel, elastic, viscous, frames, wrenches };
         Island::new(carrier, body.expect("a body"), &self.attachments, memory).expect("an island")
@@ -454,6 +455,7 @@ fn two_cells_on_two_bodies_in_one_island_move_as_each_by_itself() {
         inflation: None,
         massless: Massless::default(),
         grids: &[],
+        patches: None,
     };
     let memory = Memory {
         pos: &mut lists.pos,
@@ -509,6 +511,7 @@ fn an_attachment_must_be_a_fixed_massless_node_at_a_port_that_exists() {
             inflation: None,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         };
         let memory = Memory {
             pos: &mut lists.pos,

@@ -23,6 +23,7 @@ fn hung(springs: &[Spring<f64>]) -> Body<'_, f64> {
         springs,
         massless: Massless { points: &[0], first: &[0, 3], springs: &[0, 1, 2] },
         grids: &[],
+        patches: None,
         ..Body::none()
     }
 }

@@ -258,6 +258,7 @@ impl Scene {
             inflation: None,
             massless: Massless::default(),
             grids: &[],
+            patches: None,
         };
         let body = if n == 0 { Ok(Body::none()) } else { Body::new(candidate) };
         let group = Group { members: &mut self.parts };

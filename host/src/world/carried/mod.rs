@@ -224,6 +224,7 @@ impl Fixed {
             inflation: None,
             massless: Massless::default(),
             grids,
+            patches: None,
         }
     }
 }

@@ -2,10 +2,11 @@
 //!
 //! In: where the nodes of a grid stand in the lists of a body ([`Grid`]), positions. Out: the sums of forces that the lists
 //! give, number for number: a node's terms are added in their order, left, right, below, above, then its four cells;
-//! [`weave`] has the forces of positions, [`damp`] those of speeds. Rows are computed side by side; a row wider than
+//! [`weave`] has the forces of positions, [`damp`] those of speeds, [`mean`] the means over a step. Rows are computed side by side; a row wider than
 //! [`WIDTH`] goes in strips, whose borders are computed twice. Where there is no spring or cell its force is 0.
 
 pub mod damp;
+pub mod mean;
 pub mod weave;
 
 use crate::ode::nodes::copy;
@@ -14,6 +15,7 @@ use crate::vec3::Vec3;
 use core::iter;
 use core::ops::Range;
 pub use damp::Damp;
+pub use mean::Mean;
 pub use weave::Weave;
 
 /// Nodes that stand one after the other in a row and in the lists.

@@ -87,9 +87,11 @@ impl<S: Scalar> Weave<'_, S> {
             strip.write(grid, below, &next.sums, self.force);
         }
         if let Some(mass) = part(grid.mass) {
+            let Line { right, up, cells, sums, .. } = line;
+            let weight = |lane: usize| vec3::scale(self.gravity, mass[lane]);
             match self.pressure {
-                Some(_) => sum::<S, true>(self.gravity, mass, line, next),
-                None => sum::<S, false>(self.gravity, mass, line, next),
+                Some(_) => sum::<S, true>(weight, [right, up], cells, &next.up, &next.cells, sums),
+                None => sum::<S, false>(weight, [right, up], cells, &next.up, &next.cells, sums),
             }
         }
         runaway
@@ -129,7 +131,7 @@ fn push<S: Scalar>(
     match form {
         PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
         _ => {
-            let weights = Weights::of_quad(form);
+            let weights = Weights::of(form, false);
             share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
         }
     }
@@ -158,25 +160,26 @@ fn share<S: Scalar>(
     }
 }
 
-/// Sums on the nodes of a row: weight, springs from the left and to the right, from below and upwards, then, where there
-/// is gas, the cells below (left, right) and above (left, right).
+/// Sums on the nodes of a row: what each starts with, springs from the left and to the right, from below and upwards, then,
+/// where there is gas, the cells below (left, right) and above (left, right).
 #[inline(always)]
-fn sum<S: Scalar, const GAS: bool>(
-    gravity: Vec3<S>,
-    mass: &[S; WIDTH],
-    Line { up, right, cells: [a, b, _, _], sums, .. }: &mut Line<S>,
-    below: &Line<S>,
+pub(super) fn sum<S: Scalar, const GAS: bool>(
+    start: impl Fn(usize) -> Vec3<S>,
+    [right, up]: [&Row<S>; 2],
+    [a, b, _, _]: &[Row<S>; 4],
+    up_below: &Row<S>,
+    [_, _, c, d]: &[Row<S>; 4],
+    sums: &mut [Vec3<S>; WIDTH],
 ) {
-    let [_, _, c, d] = &below.cells;
-    for lane in 0..WIDTH {
+    for (lane, place) in sums.iter_mut().enumerate() {
         let (left, here) = (FIRST + lane - 1, FIRST + lane);
-        let mut sum = vec3::scale(gravity, mass[lane]);
+        let mut sum = start(lane);
         sum = vec3::add(vec3::sub(sum, right.get(left)), right.get(here));
-        sum = vec3::add(vec3::sub(sum, below.up.get(here)), up.get(here));
+        sum = vec3::add(vec3::sub(sum, up_below.get(here)), up.get(here));
         if GAS {
             sum = vec3::add(vec3::add(sum, c.get(left)), d.get(here));
             sum = vec3::add(vec3::add(sum, b.get(left)), a.get(here));
         }
-        sums[lane] = sum;
+        *place = sum;
     }
 }

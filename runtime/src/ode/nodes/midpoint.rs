@@ -3,17 +3,20 @@
 //! x' = x + h v + h^2/2 k,  v' = v + h k,  k = f/m, f at the middle of the step. In the energy-momentum form (Simo &
 //! Tarnow 1992, Gonzalez 1996) f is a mean force whose work is the change of the stored energy ([`Newton::mean_force`]):
 //! undamped energy stays, damped energy never rises, for any step; momentum and angular momentum stay.
-//! Solved by fixed-point iteration (h w_max < 2).
+//! Solved by fixed-point iteration (h w_max < 2), gone on with along the last change (Anderson 1965, depth 1).
 
+use super::verlet::accelerations;
 use super::{Motion, Newton, NodeFault, Way, Workspace, rows, set};
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Iterations at most: at h w = 1 each gains a factor 4, so 30 reach the rounding of f64.
+/// Iterations at most: at h w = 1 each gains a factor 6 about, so 20 reach the rounding of f64.
 const ITERATIONS: usize = 200;
-/// Changes of the acceleration below this many rounding units end the iteration.
+/// An error of the acceleration below this many rounding units ends the iteration.
 const SETTLED: f64 = 2.0;
+/// Part of a change that is left as an error by the next iteration, at least as the iteration believes.
+const LEAST_RATE: f64 = 1.0 / 16.0;
 /// Iterations without gain that end it near the solution. Near a fold, where the solution is about to vanish, the changes
 /// shrink before they grow again: one iteration without gain says nothing there.
 const PATIENCE: u32 = 16;
@@ -53,7 +56,8 @@ pub(super) fn energy_momentum<S: Scalar, N: Newton<S>>(
 
 /// Solves k = force(middle of the step)/m; `force` leaves its answer in `work.stage_elastic`.
 ///
-/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position.
+/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position, `stages` k. What
+/// [`Improve`] and [`GoOn`] keep of the iteration before stands in rows of the end that are not asked for yet.
 fn iterate<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -61,42 +65,102 @@ fn iterate<S: Scalar, N: Newton<S>>(
     work: &mut Workspace<S>,
     force: impl Fn(&mut Workspace<S>) -> Result<(), N::Fault>,
 ) -> Result<(), N::Fault> {
-    let n = newton.nodes();
-    for i in 0..n {
+    for i in 0..newton.nodes() {
         set(work.stages, i, newton.acceleration(i, start.force(i)));
     }
-    let unit_strain = newton.acceleration_of_unit_strain();
-    let (mut smallest, mut without_gain) = (None, 0_u32);
+    let (mut smallest, mut without_gain, mut before) = (None, 0_u32, None);
     for _ in 0..ITERATIONS {
         kernel::run(PlaceMiddle { newton, start, h, work });
         work.evaluations += 1;
         force(work)?;
-        let (mut change, mut size) = (S::ZERO, S::ZERO);
-        for i in 0..n {
-            let k = newton.acceleration(i, vec3::at(work.stage_elastic, i));
-            change = change.max(vec3::norm(vec3::sub(k, vec3::at(work.stages, i))));
-            size = size.max(vec3::norm(k));
-            set(work.stages, i, k);
-        }
-        let rounding = S::from_f64(SETTLED) * S::EPSILON * size;
-        // Once near, no further gain is the end: the last digits of k keep moving.
-        let scale = size + unit_strain;
+        let [change, size] = kernel::run(Improve { newton, work });
         if smallest.is_some_and(|smallest| change >= smallest) {
             without_gain += 1;
         } else {
             (smallest, without_gain) = (Some(change), 0);
         }
-        let patience = if change <= S::from_f64(ROUNDED) * S::EPSILON * scale { 1 } else { PATIENCE };
-        let stalled = change <= S::EPSILON.sqrt() * scale && without_gain >= patience;
-        if change <= rounding || stalled {
+        // What the next iteration would still change.
+        let rate = before.map_or(S::ONE, |before| change / before).max(S::from_f64(LEAST_RATE)).min(S::ONE);
+        let settled = change * rate <= S::from_f64(SETTLED) * S::EPSILON * size;
+        if settled || has_stalled(newton, [change, size], without_gain) {
             kernel::run(PlaceMiddle { newton, start, h, work });
-            for i in 0..n {
-                set(work.dv, i, vec3::scale(vec3::at(work.stages, i), h));
+            for (dv, k) in work.dv.iter_mut().zip(work.stages.iter()) {
+                *dv = vec3::scale(*k, h);
             }
             return work.finish(newton, start);
         }
+        kernel::run(GoOn { is_first: before.is_none(), work });
+        before = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())
+}
+
+/// Has an iteration near the solution gained nothing for a while? The last digits of k keep moving.
+fn has_stalled<S: Scalar>(newton: &impl Newton<S>, [change, size]: [S; 2], without_gain: u32) -> bool {
+    if without_gain == 0 {
+        return false;
+    }
+    let scale = size + newton.acceleration_of_unit_strain();
+    let patience = if change <= S::from_f64(ROUNDED) * S::EPSILON * scale { 1 } else { PATIENCE };
+    change <= S::EPSILON.sqrt() * scale && without_gain >= patience
+}
+
+/// Puts g = f/m in the place of k, r = g - k into `end.elastic` and its change since the iteration before into `end.pos_rest`;
+/// returns the largest components of r and g.
+struct Improve<'a, 'w, S, N> {
+    newton: &'a N,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Improve<'_, '_, S, N> {
+    type Output = [S; 2];
+
+    #[inline(always)]
+    fn run(self) -> [S; 2] {
+        let Improve { newton, work } = self;
+        let Workspace { end, dx, dv, stage_elastic, stages, .. } = work;
+        let mut largest = [rows::Largest::none(); 2];
+        for first in rows::blocks(newton.nodes()) {
+            let [force, factors] = accelerations(newton, first, stage_elastic, [dx, dv]);
+            let found = force.as_flattened().iter().zip(factors.as_flattened());
+            let [k, off, turn] =
+                [&mut **stages, end.elastic, end.pos_rest].map(|row| rows::block_mut(row, first));
+            let lanes = off.as_flattened_mut().iter_mut().zip(turn.as_flattened_mut());
+            for ((k, (force, factor)), (off, turn)) in k.as_flattened_mut().iter_mut().zip(found).zip(lanes) {
+                let found = *force * *factor;
+                let now = found - *k;
+                (*k, *turn, *off) = (found, now - *off, now);
+            }
+            largest[0].add(off);
+            largest[1].add(k);
+        }
+        largest.map(|largest| largest.size())
+    }
+}
+
+/// The next k by Anderson's method: g - gamma (g - g~), gamma = r.dr/dr.dr, g~ and dr since the iteration before. Where that
+/// would go back or on by more than the whole change, k = g.
+struct GoOn<'a, 'w, S> {
+    is_first: bool,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar> Kernel for GoOn<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Workspace { end, stages, .. } = self.work;
+        let gamma = rows::quotient(end.elastic, end.pos_rest);
+        // Also where it is no number.
+        let goes_on = !self.is_first && gamma.abs() <= S::ONE;
+        let pairs = stages.as_flattened_mut().iter_mut().zip(end.vel.as_flattened_mut());
+        for (k, before) in pairs {
+            let g = *k;
+            let next = g - gamma * (g - *before);
+            (*k, *before) = (if goes_on { next } else { g }, g);
+        }
+    }
 }
 
 /// Middle and end of the step from the accelerations k.

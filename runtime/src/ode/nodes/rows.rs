@@ -115,3 +115,49 @@ impl<S: Scalar> Squares<S> {
         self.0.iter().fold(S::ZERO, |sum, square| sum + *square).is_finite()
     }
 }
+
+/// The largest sizes of numbers, side by side.
+#[derive(Clone, Copy)]
+pub(super) struct Largest<S>([S; SQUARED]);
+
+impl<S: Scalar> Largest<S> {
+    /// Of nothing.
+    pub fn none() -> Self {
+        Largest([S::ZERO; SQUARED])
+    }
+
+    /// Looks at those of a row.
+    #[inline(always)]
+    pub fn add(&mut self, row: &[Vec3<S>]) {
+        let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
+        for chunk in chunks {
+            self.0.iter_mut().zip(chunk).for_each(|(largest, x)| *largest = largest.max(x.abs()));
+        }
+        self.0.iter_mut().zip(rest).for_each(|(largest, x)| *largest = largest.max(x.abs()));
+    }
+
+    /// The largest; no number if one was none.
+    pub fn size(&self) -> S {
+        self.0.iter().fold(S::ZERO, |largest, x| largest.max(*x))
+    }
+}
+
+/// Sums of products added side by side: as many on every machine, so that all have the same bits.
+const SUMS: usize = 8;
+
+/// a.b/b.b over rows.
+#[inline(always)]
+pub(super) fn quotient<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>]) -> S {
+    let (mut products, mut squares) = ([S::ZERO; SUMS], [S::ZERO; SUMS]);
+    let mut add = |a: &[S], b: &[S]| {
+        for ((product, square), (a, b)) in products.iter_mut().zip(&mut squares).zip(a.iter().zip(b)) {
+            (*product, *square) = (*product + *a * *b, *square + *b * *b);
+        }
+    };
+    let ((a, rest_a), (b, rest_b)) =
+        (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
+    a.iter().zip(b).for_each(|(a, b)| add(a, b));
+    add(rest_a, rest_b);
+    let sum = |sums: [S; SUMS]| sums.into_iter().fold(S::ZERO, |sum, x| sum + x);
+    sum(products) / sum(squares)
+}

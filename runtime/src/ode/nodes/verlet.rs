@@ -74,7 +74,7 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
 /// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1. `memory` is two
 /// rows of all nodes.
 #[inline(always)]
-fn accelerations<'a, S: Scalar>(
+pub(super) fn accelerations<'a, S: Scalar>(
     newton: &'a impl Newton<S>,
     first: usize,
     force: &'a [Vec3<S>],

@@ -1,0 +1,97 @@
+//! Many bodies that do not meet, stepped together on several cores.
+//!
+//! In: simulations that have begun. Out: the same, each so many steps further. A body is stepped by one core from beginning
+//! to end and shares nothing with the others: no number of cores changes a bit.
+
+use std::thread;
+
+use smartbed_runtime::flexible::BodyError;
+use smartbed_runtime::real::Scalar;
+
+use super::Simulation;
+
+/// Why many bodies could not go on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refused<S> {
+    /// The first body that could not, by its number.
+    pub body: usize,
+    /// The step that was refused, from 0.
+    pub step: usize,
+    /// Why: the body stands where it was before that step, those after it on the same core too.
+    pub why: BodyError<S>,
+}
+
+/// Takes steps of length h with all bodies, one step of each after the other, on so many cores.
+///
+/// # Errors
+/// The first body of which a step is refused.
+pub fn advance<S: Scalar + Send + Sync>(
+    bodies: &mut [Simulation<S>],
+    h: S,
+    steps: usize,
+    cores: usize,
+) -> Result<(), Refused<S>> {
+    let share = bodies.len().div_ceil(cores.max(1)).max(1);
+    let one_core = |(number, bodies): (usize, &mut [Simulation<S>])| {
+        for step in 0..steps {
+            for (i, body) in bodies.iter_mut().enumerate() {
+                body.step(h, &mut ()).map_err(|why| Refused { body: number * share + i, step, why })?;
+            }
+        }
+        Ok(())
+    };
+    if bodies.len() <= share {
+        return one_core((0, bodies));
+    }
+    thread::scope(|scope| {
+        let shares = bodies.chunks_mut(share).enumerate();
+        let running: Vec<_> = shares.map(|share| scope.spawn(move || one_core(share))).collect();
+        let done: Vec<_> =
+            running.into_iter().map(|core| core.join().expect("a step does not panic")).collect();
+        done.into_iter().collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::parse;
+
+    /// Sheets that are stretched differently.
+    fn bodies() -> Vec<Simulation<f64>> {
+        let text = |i: usize| {
+            format!(
+                "format = 1\nshape = \"sheet\"\nrows = 13\ncolumns = 13\nmethod = \"verlet\"\npressure = 2000\nK = {}\n",
+                1000 + i
+            )
+        };
+        let scenes = (0..7).map(|i| parse("x", &text(i), &[]).expect("a scene"));
+        scenes
+            .map(|scene| {
+                let mut body = Simulation::new(&scene.lists, &scene.around, scene.method).expect("a body");
+                body.begin(1e-3, &mut ()).expect("a start");
+                body
+            })
+            .collect()
+    }
+
+    #[test]
+    fn the_number_of_cores_changes_no_bit() {
+        let after = |cores: usize| {
+            let mut bodies = bodies();
+            advance(&mut bodies, 1e-3, 20, cores).expect("steps");
+            bodies
+                .iter()
+                .flat_map(|body| body.pos().as_flattened().iter().map(|x| x.to_bits()))
+                .collect::<Vec<_>>()
+        };
+        let one = after(1);
+        let start: Vec<u64> =
+            bodies().iter().flat_map(|body| body.pos().as_flattened().iter().map(|x| x.to_bits())).collect();
+        assert!(one != start, "they move");
+        for cores in [0, 2, 3, 7, 50] {
+            assert!(after(cores) == one, "{cores} cores");
+        }
+        advance(&mut Vec::<Simulation<f64>>::new(), 1e-3, 1, 2).expect("nothing to do");
+    }
+}

@@ -1,0 +1,168 @@
+//! Mean forces over a step on a grid: springs, dampers, pressure on its cells.
+//!
+//! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: the sums of forces.
+
+use super::weave::sum;
+use super::{FIRST, Family, Grid, Row, Strip, WIDTH};
+use crate::flexible::mean;
+use crate::flexible::pressure::{self, PressureForm, Weights};
+use crate::kernel::Kernel;
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// Adds the mean forces on the nodes of a grid (N).
+#[derive(Debug)]
+pub struct Mean<'a, S> {
+    /// The grid.
+    pub grid: &'a Grid<'a, S>,
+    /// How pressure acts (Pa).
+    pub pressure: Option<(PressureForm, S)>,
+    /// Length of the step (s).
+    pub h: S,
+    /// Positions in its middle, and their changes over it (m).
+    pub nodes: [&'a [Vec3<S>]; 2],
+    /// The sums.
+    pub force: &'a mut [Vec3<S>],
+}
+
+/// A row of nodes as its forces are computed, and what the row above needs of it.
+struct Line<S> {
+    /// Positions in the middle of the step, and their changes (m).
+    nodes: [Row<S>; 2],
+    /// Forces on the tails of the springs to the right (N).
+    right: Row<S>,
+    /// Forces on the tails of the springs upwards (N).
+    up: Row<S>,
+    /// Forces on the corners of the cells between this row and the one above (N).
+    cells: [Row<S>; 4],
+    /// What acts on the nodes besides (N).
+    besides: Row<S>,
+    /// Forces on the nodes (N).
+    sums: [Vec3<S>; WIDTH],
+}
+
+impl<S: Scalar> Line<S> {
+    fn zero() -> Self {
+        let row = Row::zero();
+        let sums = [[S::ZERO; 3]; WIDTH];
+        Line { nodes: [row; 2], right: row, up: row, cells: [row; 4], besides: row, sums }
+    }
+}
+
+impl<S: Scalar> Kernel for Mean<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(mut self) {
+        let grid = self.grid;
+        for strip in Strip::all(grid.columns) {
+            let [mut even, mut odd] = [Line::zero(), Line::zero()];
+            self.read(&strip, 0, &mut even);
+            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
+            for row in (0..=grid.rows).step_by(2) {
+                self.row(&strip, row, &mut even, &mut odd);
+                self.row(&strip, row + 1, &mut odd, &mut even);
+            }
+        }
+    }
+}
+
+impl<'a, S: Scalar> Mean<'a, S> {
+    /// The nodes of a row, and what acts on them besides; another strip has written none of those that this one owns.
+    #[inline(always)]
+    fn read(&self, strip: &Strip, row: usize, to: &mut Line<S>) {
+        let [middle, change] = &mut to.nodes;
+        strip.read(self.grid, row, self.nodes[0], middle);
+        strip.read(self.grid, row, self.nodes[1], change);
+        strip.read(self.grid, row, self.force, &mut to.besides);
+    }
+
+    /// The forces on the nodes of a row, as [`super::Weave`] goes through them.
+    #[inline(always)]
+    fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) {
+        let grid = self.grid;
+        self.read(strip, row + 1, next);
+        let none = [S::ZERO; WIDTH];
+        let part = |list: &'a [S]| strip.part(list, grid, row);
+        let family = |Family { stiffness, rest_length, damping }: Family<'a, S>| {
+            Some([*part(stiffness)?, *part(rest_length)?, *part(damping).unwrap_or(&none)])
+        };
+        if let Some(numbers) = family(grid.right) {
+            pull(&numbers, self.h, [&line.nodes, &line.nodes], 1, &mut line.right);
+        }
+        if let (Some((form, pressure)), Some(exists)) = (self.pressure, part(grid.cells)) {
+            push(form, exists, pressure, [&line.nodes, &next.nodes], &mut line.cells);
+        }
+        if let Some(numbers) = family(grid.up) {
+            pull(&numbers, self.h, [&line.nodes, &next.nodes], 0, &mut line.up);
+        }
+        if let Some(below) = row.checked_sub(1) {
+            strip.write(grid, below, &next.sums, self.force);
+        }
+        let Line { right, up, cells, besides, sums, .. } = line;
+        let start = |lane: usize| besides.get(FIRST + lane);
+        match self.pressure {
+            Some(_) => sum::<S, true>(start, [right, up], cells, &next.up, &next.cells, sums),
+            None => sum::<S, false>(start, [right, up], cells, &next.up, &next.cells, sums),
+        }
+    }
+}
+
+/// Mean forces (N) on the tails of a row's springs, which join a column of one row to one `further` of another.
+#[inline(always)]
+fn pull<S: Scalar>(
+    [stiffness, rest_length, damping]: &[[S; WIDTH]; 3],
+    h: S,
+    [tails, heads]: [&[Row<S>; 2]; 2],
+    further: usize,
+    pulls: &mut Row<S>,
+) {
+    for lane in 0..WIDTH {
+        let way = |i: usize| vec3::sub(heads[i].get(FIRST + lane + further), tails[i].get(FIRST + lane));
+        let numbers = [stiffness[lane], rest_length[lane], damping[lane]];
+        pulls.set(FIRST + lane, mean::pull([way(0), way(1)], numbers, h));
+    }
+}
+
+/// Mean forces (N) on the corners of the cells between two rows. One loop a form: a choice within would be made lane by lane.
+#[inline(always)]
+fn push<S: Scalar>(
+    form: PressureForm,
+    exists: &[S; WIDTH],
+    pressure: S,
+    rows: [&[Row<S>; 2]; 2],
+    cells: &mut [Row<S>; 4],
+) {
+    match form {
+        PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
+        _ => {
+            let weights = Weights::of(form, false);
+            share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
+        }
+    }
+}
+
+/// Shares out the pressure on the cells between two rows.
+#[inline(always)]
+fn share<S: Scalar>(
+    shares: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
+    exists: &[S; WIDTH],
+    pressure: S,
+    [here, above]: [&[Row<S>; 2]; 2],
+    [a, b, c, d]: &mut [Row<S>; 4],
+) {
+    // The force of a cell that does not exist is 0.
+    let pressures = exists.map(|exists| exists * pressure);
+    for left in FIRST..FIRST + WIDTH {
+        let right = left + 1;
+        let corners =
+            |i: usize| [here[i].get(left), here[i].get(right), above[i].get(right), above[i].get(left)];
+        let pressure = pressures[left - FIRST];
+        let [on_a, on_b, on_c, on_d] =
+            mean::shares(&shares, [corners(0), corners(1)]).map(|share| vec3::scale(share, pressure));
+        a.set(left, on_a);
+        b.set(left, on_b);
+        c.set(left, on_c);
+        d.set(left, on_d);
+    }
+}

@@ -1,0 +1,223 @@
+//! Springs of a body that is no grid, patch by patch: neighbours together, so that nodes are read from the nearest cache.
+//!
+//! In: positions. Out: the sums of forces, each node's added in the order of the springs. The nodes of a patch are copied
+//! to and fro once, four numbers each: a spring then reads and writes each end in one go, and names it by a byte.
+
+use super::{mean, pressure};
+use crate::kernel::{BLOCK, Kernel};
+use crate::ode::nodes::Way;
+use crate::real::Scalar;
+use crate::vec3::{self, Vec3};
+
+/// Nodes of a patch at most: as many as a byte has values.
+pub const NODES: usize = 256;
+
+/// Springs of a body in patches that follow one another.
+#[derive(Clone, Copy, Debug)]
+pub struct Patches<'a, S> {
+    /// Where the nodes and the springs of each patch end in the lists.
+    pub ends: &'a [[usize; 2]],
+    /// Nodes, patch after patch, those of one patch different.
+    pub nodes: &'a [usize],
+    /// Tail and head of each spring among the nodes of its patch.
+    pub springs: &'a [[u8; 2]],
+    /// K (N/m).
+    pub stiffness: &'a [S],
+    /// L (m).
+    pub rest_length: &'a [S],
+    /// C (N s/m).
+    pub damping: &'a [S],
+    /// Whether a spring has a damper.
+    pub is_damped: bool,
+}
+
+/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`pressure::STRETCH_LIMIT`].
+#[derive(Debug)]
+pub struct Pulls<'a, S> {
+    /// The springs.
+    pub patches: Patches<'a, S>,
+    /// Positions (m).
+    pub pos: &'a [Vec3<S>],
+    /// The sums.
+    pub force: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Pulls<'_, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        walk(self.patches, [self.pos], self.force, |[way], [stiffness, rest_length, _]| {
+            let (direction, length) = vec3::direction(way);
+            let tension = stiffness * (length - rest_length);
+            (vec3::scale(direction, tension), pressure::is_runaway(rest_length, length))
+        })
+    }
+}
+
+/// Adds the forces of dampers (N).
+#[derive(Debug)]
+pub struct Damps<'a, S> {
+    /// Their springs.
+    pub patches: Patches<'a, S>,
+    /// Positions (m).
+    pub pos: &'a [Vec3<S>],
+    /// Velocities (m/s).
+    pub vel: &'a [Vec3<S>],
+    /// The sums.
+    pub force: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Damps<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        walk(self.patches, [self.pos, self.vel], self.force, |[way, speed], [_, _, damping]| {
+            let (direction, _) = vec3::direction(way);
+            (vec3::scale(direction, damping * vec3::dot(speed, direction)), false)
+        });
+    }
+}
+
+/// Adds the mean forces of springs and dampers over a step (N).
+#[derive(Debug)]
+pub struct Means<'a, 'w, S> {
+    /// The springs.
+    pub patches: Patches<'a, S>,
+    /// The step.
+    pub way: &'w Way<'a, S>,
+    /// The sums.
+    pub force: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Means<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Means { patches, way, force } = self;
+        let rows = [way.pos[1], way.dx];
+        walk(patches, rows, force, |ways, numbers| (mean::pull(ways, numbers, way.h), false));
+    }
+}
+
+/// Vectors, four numbers each, of which the last is nothing.
+type Fours<S, const N: usize> = [[S; 4]; N];
+
+/// What is copied of a patch and computed of a block of springs.
+struct Room<S, const N: usize> {
+    /// Nodes of the patch, in each of the rows.
+    places: [Fours<S, NODES>; N],
+    /// Forces on them.
+    sums: Fours<S, NODES>,
+    /// Ways of springs from tail to head, in each of the rows.
+    ways: [Fours<S, BLOCK>; N],
+    /// Forces on their tails.
+    pulls: Fours<S, BLOCK>,
+}
+
+/// Adds to the nodes of each spring the force that `law` gives for its tail, of the ways from tail to head in each of the
+/// `rows` and of K, L and C; returns whether it has said yes of one.
+#[inline(always)]
+fn walk<S: Scalar, const N: usize>(
+    patches: Patches<S>,
+    rows: [&[Vec3<S>]; N],
+    force: &mut [Vec3<S>],
+    law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
+) -> bool {
+    let Patches { ends, nodes, springs, stiffness, rest_length, damping, .. } = patches;
+    let none = [S::ZERO; 4];
+    let mut room = Room {
+        places: [[none; NODES]; N],
+        sums: [none; NODES],
+        ways: [[none; BLOCK]; N],
+        pulls: [none; BLOCK],
+    };
+    let (mut found, mut from) = (false, [0; 2]);
+    for to in ends {
+        let nodes = nodes.get(from[0]..to[0]).unwrap_or_default();
+        rows.iter().zip(&mut room.places).for_each(|(row, places)| read(row, nodes, places));
+        read(force, nodes, &mut room.sums);
+        let springs = springs.get(from[1]..to[1]).unwrap_or_default().chunks(BLOCK);
+        let [stiffness, rest_length, damping] = [stiffness, rest_length, damping]
+            .map(|list| list.get(from[1]..to[1]).unwrap_or_default().chunks(BLOCK));
+        for (springs, (stiffness, (rest_length, damping))) in
+            springs.zip(stiffness.zip(rest_length.zip(damping)))
+        {
+            room.span(springs, nodes.len());
+            found |= room.pull([stiffness, rest_length, damping], &law);
+            room.add(springs, nodes.len());
+        }
+        for (node, [x, y, z, _]) in nodes.iter().zip(&room.sums) {
+            if let Some(force) = force.get_mut(*node) {
+                *force = [*x, *y, *z];
+            }
+        }
+        from = *to;
+    }
+    found
+}
+
+/// Copies the vectors of the nodes of a patch.
+#[inline(always)]
+fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut Fours<S, NODES>) {
+    for (node, place) in nodes.iter().zip(to) {
+        let [x, y, z] = vec3::at(rows, *node);
+        *place = [x, y, z, S::ZERO];
+    }
+}
+
+// Both loops that follow nodes ask whether these are there: the compiler then takes a node as one register, where it would
+// else collect numbers of several springs one by one.
+impl<S: Scalar, const N: usize> Room<S, N> {
+    /// The ways of a block of springs between so many nodes.
+    #[inline(always)]
+    fn span(&mut self, springs: &[[u8; 2]], nodes: usize) {
+        for (ways, places) in self.ways.iter_mut().zip(&self.places) {
+            let places = places.get(..nodes).unwrap_or_default();
+            for ([tail, head], way) in springs.iter().zip(ways) {
+                if let (Some(tail), Some(head)) =
+                    (places.get(usize::from(*tail)), places.get(usize::from(*head)))
+                {
+                    *way = core::array::from_fn(|i| head[i] - tail[i]);
+                }
+            }
+        }
+    }
+
+    /// Their forces.
+    #[inline(always)]
+    fn pull(
+        &mut self,
+        [stiffness, rest_length, damping]: [&[S]; 3],
+        law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
+    ) -> bool {
+        // A number as wide as a lane: a truth value would be taken out of its register.
+        let mut found = 0_u32;
+        let numbers = stiffness.iter().zip(rest_length.iter().zip(damping));
+        for (lane, (pull, (stiffness, (rest_length, damping)))) in
+            self.pulls.iter_mut().zip(numbers).enumerate()
+        {
+            let ways = self.ways.each_ref().map(|ways| [ways[lane][0], ways[lane][1], ways[lane][2]]);
+            let ([x, y, z], yes) = law(ways, [*stiffness, *rest_length, *damping]);
+            *pull = [x, y, z, S::ZERO];
+            found |= u32::from(yes);
+        }
+        found > 0
+    }
+
+    /// Adds them to the nodes, with the operations of [`super::Spring::pull`] and their order.
+    #[inline(always)]
+    fn add(&mut self, springs: &[[u8; 2]], nodes: usize) {
+        let sums = self.sums.get_mut(..nodes).unwrap_or_default();
+        for ([tail, head], pull) in springs.iter().zip(&self.pulls) {
+            if let Some(sum) = sums.get_mut(usize::from(*tail)) {
+                *sum = core::array::from_fn(|i| sum[i] + pull[i]);
+            }
+            if let Some(sum) = sums.get_mut(usize::from(*head)) {
+                *sum = core::array::from_fn(|i| sum[i] - pull[i]);
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Can any of the free nodes reach the ground within a step? Bounds, taken side by side.
+//!
+//! In: a block of nodes, their motion at the start and the end of a step. Out: the least gap, and a bound below all gaps in
+//! between; only blocks near the ground are then looked at node by node. No event and no bit depends on the blocks.
+
+use crate::contact::{ContactState, Ground};
+use crate::flexible::Body;
+use crate::kernel::Kernel;
+use crate::ode::nodes::Motion;
+use crate::real::Scalar;
+use crate::vec3::Vec3;
+
+/// Nodes looked at together: a microcontroller looks at each by itself.
+const BLOCK: usize = if cfg!(target_os = "none") { 1 } else { 128 };
+/// Numbers side by side.
+const LANES: usize = 16;
+
+/// The nodes in blocks, with the number of the first.
+pub(super) fn blocks(modes: &[ContactState]) -> impl Iterator<Item = (usize, &[ContactState])> {
+    modes.chunks(BLOCK).enumerate().map(|(i, modes)| (i * BLOCK, modes))
+}
+
+/// Are these nodes to be looked at together?
+pub(super) fn are_free(modes: &[ContactState]) -> bool {
+    // Without a way out in between: side by side.
+    BLOCK > 1 && modes.iter().fold(true, |free, mode| free & (*mode == ContactState::Free))
+}
+
+/// The rows of so many nodes from `first` on.
+#[inline(always)]
+fn rows<S>(rows: &[Vec3<S>], first: usize, count: usize) -> &[Vec3<S>] {
+    let rest = rows.get(first..).unwrap_or_default();
+    rest.get(..count).unwrap_or(rest)
+}
+
+/// Smallest gap (m) of the nodes of a block that can move, at the positions `pos` of all; 1/EPSILON where there is none.
+pub(super) struct Nearest<'a, S> {
+    pub body: &'a Body<'a, S>,
+    pub ground: &'a Ground<S>,
+    pub first: usize,
+    pub count: usize,
+    pub pos: &'a [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Nearest<'_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let Nearest { body, ground, first, count, pos } = self;
+        let (asleep, mut memory) = (S::ONE / S::EPSILON, [[S::ZERO; 3]; BLOCK]);
+        let inverse = body.inverse_masses(first, memory.get_mut(..count).unwrap_or_default());
+        let mut least = [asleep; LANES];
+        let (pos, inverse) = (rows(pos, first, count).as_chunks::<LANES>(), inverse.as_chunks::<LANES>());
+        pos.0.iter().zip(inverse.0).for_each(|(pos, inverse)| nearer(&mut least, ground, pos, inverse));
+        nearer(&mut least, ground, pos.1, inverse.1);
+        least.into_iter().fold(asleep, |least, gap| least.min(gap))
+    }
+}
+
+/// Takes the gaps of some nodes that can move.
+#[inline(always)]
+fn nearer<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, pos: &[Vec3<S>], inverse: &[Vec3<S>]) {
+    let asleep = S::ONE / S::EPSILON;
+    for (least, (x, [inverse, ..])) in least.iter_mut().zip(pos.iter().zip(inverse)) {
+        let gap = ground.gap(*x);
+        *least = least.min(if *inverse > S::ZERO { gap } else { asleep });
+    }
+}
+
+/// Smallest height (m) above which the gaps of the nodes of a block stay between the start and the end of a step.
+///
+/// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the values sum
+/// to 1, those of the rates are 4/27 at most. 1/2 instead, and so much of the values, is more than rounding.
+pub(super) struct Lowest<'a, 'm, S> {
+    pub ground: &'a Ground<S>,
+    pub first: usize,
+    pub count: usize,
+    pub ends: [&'a Motion<'m, S>; 2],
+    pub h: S,
+}
+
+impl<S: Scalar> Kernel for Lowest<'_, '_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let Lowest { ground, first, count, ends: [start, end], h } = self;
+        let [x0, v0, x1, v1] = [&*start.pos, start.vel, end.pos, end.vel]
+            .map(|row| rows(row, first, count).as_chunks::<LANES>());
+        let mut least = [S::ONE / S::EPSILON; LANES];
+        for ((x0, v0), (x1, v1)) in x0.0.iter().zip(v0.0).zip(x1.0.iter().zip(v1.0)) {
+            lower(&mut least, ground, h, [x0, v0, x1, v1]);
+        }
+        lower(&mut least, ground, h, [x0.1, v0.1, x1.1, v1.1]);
+        least.into_iter().fold(S::ONE / S::EPSILON, |least, low| least.min(low))
+    }
+}
+
+/// Takes the bounds of some nodes: positions and velocities at the start and the end of the step.
+#[inline(always)]
+fn lower<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, h: S, [x0, v0, x1, v1]: [&[Vec3<S>]; 4]) {
+    let (half, slack) = (S::from_f64(0.5) * h, S::from_f64(64.0) * S::EPSILON);
+    for (least, ((x0, v0), (x1, v1))) in least.iter_mut().zip(x0.iter().zip(v0).zip(x1.iter().zip(v1))) {
+        let (g0, g1) = (ground.gap(*x0), ground.gap(*x1));
+        let rates = ground.gap_rate(*v0).abs() + ground.gap_rate(*v1).abs();
+        *least = least.min(g0.min(g1) - half * rates - slack * (g0.abs() + g1.abs()));
+    }
+}
