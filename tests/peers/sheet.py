@@ -3,7 +3,8 @@
 Builds `sheet.c` with `cc -O3 -march=native` four times (f32, f64; the runtime's work, and plain sums with -ffast-math),
 runs it and `cargo bench --bench sheet` in turns, then numba, Warp and MuJoCo (`sheet_peers.py`, in a virtual environment under
 `target/`), and prints the least time of a step with the ratio to C of the same work, and to ours. Under other load the ratios of
-the least times move less than the times. Fails if a peer that does the same work comes elsewhere than C does.
+the least times move less than the times. So for 28 bladders, on one core and on two, in C also side by side in lanes, and for
+a step of the energy-momentum method over Verlet's. Fails if a peer that does the same work comes elsewhere than C does.
 """
 
 import pathlib
@@ -21,12 +22,17 @@ PLAIN = ["-ffast-math", "-DPLAIN"]
 SAME_PLACE = {"f32": 1e-6, "f64": 1e-12}
 
 
+MANY = 28
+# Bladders side by side in C: as many numbers as 32 bytes hold, and as 64 do.
+LANES = {"f32": (8, 16), "f64": (4, 8)}
+
+
 def build(real, name, flags):
     """Compiles the yardstick; returns its path."""
     OUT.mkdir(parents=True, exist_ok=True)
     path = OUT / f"{name}_{real}"
     source = ROOT / "tests" / "peers" / "sheet.c"
-    command = ["cc", "-O3", "-march=native", f"-DREAL={real}", *flags, str(source), "-o", str(path), "-lm"]
+    command = ["cc", "-O3", "-march=native", f"-DREAL={real}", *flags, str(source), "-o", str(path), "-lm", "-pthread"]
     subprocess.run(command, check=True)
     return path
 
@@ -37,6 +43,16 @@ def ours():
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
     rows = [line.split() for line in text.splitlines() if line.startswith("f")]
     return {tuple(row[:3]): (float(row[3]), float(row[5])) for row in rows}
+
+
+def c_runs(scalar, programs):
+    """Least time of a step (ns) by (scalar, C, what) for all that C does."""
+    runs = {name: (programs[name], ["50", "60"]) for name in ("same", "plain")}
+    runs |= {f"many {cores}": (programs["same"], ["50", "15", str(MANY), str(cores)]) for cores in (1, 2)}
+    runs |= {f"lanes {n}": (programs[f"lanes {n}"], ["50", "15", str(MANY), "1"]) for n in LANES[scalar]}
+    for name, (path, numbers) in runs.items():
+        text = subprocess.run([str(path), *numbers], check=True, capture_output=True, text=True).stdout
+        yield (scalar, "C", name), float(text.split()[0])
 
 
 def peers(yardsticks):
@@ -58,23 +74,36 @@ def peers(yardsticks):
     return found
 
 
+def same_work(key):
+    """What C does of the same work: many bladders on as many cores, or one."""
+    scalar, kind, what = key
+    many = what if kind == "C" and what.startswith("many") else f"many {what}" if kind == "many" else "same"
+    return scalar, "C", "many 1" if what.startswith("lanes") else many
+
+
 def main():
-    scalars = {"f32": "float", "f64": "double"}
-    yardsticks = {s: {n: build(r, n, f) for n, f in [("same", SAME_WORK), ("plain", PLAIN)]} for s, r in scalars.items()}
     least = {}
+    yardsticks = {}
+    for scalar, real in {"f32": "float", "f64": "double"}.items():
+        flags = {"same": SAME_WORK, "plain": PLAIN} | {f"lanes {n}": [*SAME_WORK, f"-DLANES={n}"] for n in LANES[scalar]}
+        yardsticks[scalar] = {name: build(real, name.replace(" ", "_"), of) for name, of in flags.items()}
     for _ in range(3):
         for scalar, programs in yardsticks.items():
-            for name, path in programs.items():
-                numbers = subprocess.run([str(path), "50", "60"], check=True, capture_output=True, text=True).stdout.split()
-                key = (scalar, "C", name)
-                least[key] = min(least.get(key, float("inf")), float(numbers[0]))
+            for key, time in c_runs(scalar, programs):
+                least[key] = min(least.get(key, float("inf")), time)
         for key, (time, _) in ours().items():
             least[key] = min(least.get(key, float("inf")), time)
-    least |= peers(yardsticks)
+    if "--alone" not in sys.argv:
+        least |= peers(yardsticks)
     print(f"{'':24}{'us a step':>10}{'ns a spring':>13}{'of C':>7}{'of ours':>9}")
     for key in sorted(least):
-        time, same, ours = least[key], least[(key[0], "C", "same")], least[(key[0], "exact", "grid")]
-        print(f"{' '.join(key):24}{time / 1e3:10.2f}{time / SPRINGS:13.2f}{time / same:7.2f}{time / ours:9.2f}")
+        time, same, ours_alone = least[key], least[same_work(key)], least[(key[0], "exact", "grid")]
+        print(f"{' '.join(key):24}{time / 1e3:10.2f}{time / SPRINGS:13.2f}{time / same:7.2f}{time / ours_alone:9.2f}")
+    for scalar in yardsticks:
+        gain = {who: least[scalar, *one] / least[scalar, *two] for who, one, two in [
+            ("ours", ("many", "1"), ("many", "2")), ("C", ("C", "many 1"), ("C", "many 2"))]}
+        stiff = least[scalar, "stiff", "energy_momentum"] / least[scalar, "stiff", "verlet"]
+        print(f"{scalar}: two cores gain {gain['ours']:.2f}, in C {gain['C']:.2f}; energy-momentum over Verlet {stiff:.1f}")
 
 
 if __name__ == "__main__":
