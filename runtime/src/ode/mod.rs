@@ -198,8 +198,7 @@ impl<S: Scalar> Trial<'_, S> {
                 *low = if *b == *x { *low } else { S::ZERO };
             }
         }
-        let finite = residual.is_finite() && self.x.iter().chain(&*self.low).all(|v| v.is_finite());
-        if finite { Ok(residual) } else { Err(Fault::NonFinite) }
+        if is_finite(residual, self.x.iter().zip(&*self.low)) { Ok(residual) } else { Err(Fault::NonFinite) }
     }
 
     /// Makes it the state; takes whole turns off angles.
@@ -209,6 +208,12 @@ impl<S: Scalar> Trial<'_, S> {
             (*old.0, *old.1) = if system.is_angle(index) { wrap(*new.0, *new.1) } else { (*new.0, *new.1) };
         }
     }
+}
+
+/// Are a number and all pairs finite? One comparison for all of them: v - v is 0, or not a number.
+#[expect(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
+fn is_finite<'a, S: Scalar>(number: S, pairs: impl Iterator<Item = (&'a S, &'a S)>) -> bool {
+    pairs.fold(number, |sum, (&x, &low)| sum + ((x + low) - (x + low))).is_finite()
 }
 
 /// The first `K` slices of `n` numbers of the scratch memory.

@@ -96,20 +96,22 @@ pub fn rk4<S: Scalar>(
     let n = check_shape(system, state)?;
     let [k, sum, stage, x, low] = split(scratch, n)?;
     let mut pivot = S::ONE;
-    k.fill(S::ZERO);
     sum.fill(S::ZERO);
+    // x is x + low, rounded: the first stage is the state itself.
+    evaluate(system, t, state.x(), k, &mut pivot)?;
     // A stage reads the rates of the stage before it alone, with the weight c.
-    for (c, b) in KUTTA.c.into_iter().zip(KUTTA.b) {
-        let (c, b) = (S::constant(c), S::constant(b));
+    for (b, c) in KUTTA.b.into_iter().zip(KUTTA.c.into_iter().skip(1)) {
+        let (b, c) = (S::constant(b), S::constant(c));
         let start = state.x().iter().zip(state.low());
-        for ((stage, (x, low)), k) in stage.iter_mut().zip(start).zip(&*k) {
+        for (((stage, sum), (x, low)), k) in stage.iter_mut().zip(&mut *sum).zip(start).zip(&*k) {
+            *sum = *sum + b * *k;
             *stage = *x + (*low + c * h * *k);
         }
         evaluate(system, t + c * h, stage, k, &mut pivot)?;
-        sum.iter_mut().zip(&*k).for_each(|(sum, k)| *sum = *sum + b * *k);
     }
+    let [.., b] = KUTTA.b.map(S::constant);
     let mut trial = Trial { x, low };
-    trial.advance_from(state, sum.iter().map(|sum| h * *sum));
+    trial.advance_from(state, sum.iter().zip(&*k).map(|(sum, k)| h * (*sum + b * *k)));
     let residual = trial.settle(system, t + h, stage)?;
     trial.commit(system, state);
     Ok(Report { pivot, residual })
