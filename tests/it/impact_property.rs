@@ -102,7 +102,8 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
         patches: None,
     })
     .expect("body");
-    let law = ContactLaw::Compensation { eta: real(eta), anchor: false, plastic_alone: false };
+    let law =
+        ContactLaw::Compensation { eta: real(eta), anchor: false, plastic_alone: false, first_receiver: 0 };
     let normal = case.normal.map(real);
     let ground = Ground { normal, offset: S::ZERO, law, friction: real(mu), tolerance: real(1e-6) };
     let system = System::new(body, Some(ground));
@@ -111,7 +112,8 @@ fn check<S: Scalar>(case: &Case, eta: f64, mu: f64, worst: &mut Worst) {
     let widen = |rows: &[Vec3<S>]| -> Vec<[f64; 3]> { rows.iter().map(|x| x.map(Scalar::to_f64)).collect() };
     let masses: Vec<f64> = mass.iter().map(|m| m.to_f64()).collect();
     let before = widen(&vel);
-    let compensation = Compensation { eta: real(eta), anchor: S::ZERO, plastic_alone: false };
+    let compensation =
+        Compensation { eta: real(eta), anchor: S::ZERO, plastic_alone: false, first_receiver: 0 };
     let impact = apply(&system, compensation, &pos, &mut vel, &mut points, |_| true);
     let after = widen(&vel);
     let start = kinetic(&masses, &before);
@@ -235,14 +237,14 @@ fn two_stacked_unit_masses_give_the_thesis_formula() {
         grids: &[],
         patches: None,
     };
-    let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false };
+    let law = ContactLaw::Compensation { eta: 1.0, anchor: false, plastic_alone: false, first_receiver: 0 };
     let ground = Ground { normal: [0.0, 0.0, 1.0], offset: 0.0, law, friction: 0.0, tolerance: 1e-11 };
     let system = System::new(Body::new(body).expect("body"), Some(ground));
     let pos = [[0.0; 3], [0.0, 0.0, 1.0]];
     let mut vel = [[0.0, 0.0, -3.0], [0.0, 0.0, -4.0]];
     let mut points = [PointImpact::none(); 2];
     points[0].touching = true;
-    let law = Compensation { eta: 1.0, anchor: 0.0, plastic_alone: false };
+    let law = Compensation { eta: 1.0, anchor: 0.0, plastic_alone: false, first_receiver: 0 };
     let impact = apply(&system, law, &pos, &mut vel, &mut points, |_| true);
     // Eqs. 4.12, 4.13: v_b' = 0, v_a' = -sqrt(3^2 + 4^2) = -5; the ground gives J = 7 - 5.
     assert_eq!(vel, [[0.0; 3], [0.0, 0.0, -5.0]]);

@@ -93,6 +93,7 @@ fn touches_keep_the_order_of_every_method() {
         "cylinder",
         "bar_on_wall",
         "complex_structure",
+        "centre_masses",
     ];
     keep(&names, 0.6, 7);
 }

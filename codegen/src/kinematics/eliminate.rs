@@ -261,8 +261,8 @@ fn check_consequences(
             let is_clock = k.clock.is_some() && j + 1 == n;
             match is_small(k, table, (row, &solution.partials, j), &off, &sum) {
                 Small::Sum => {}
-                _ if is_clock => return Err(rank::contradiction(model, &row.name)),
                 Small::Row => break,
+                Small::Neither if is_clock => return Err(rank::contradiction(model, &row.name)),
                 Small::Neither => return Err(rank::explain(model, k, table, Some(&row.name))),
             }
         }

@@ -133,7 +133,7 @@ pub const FIGURES: [Figure; 37] = [
     figure("5.16", "Energy Graph of Prism with Damping", Recipe::Run("prism", DAMPED)),
     figure("5.17", "Energy Graph of Cube w/o Damping", Recipe::Run("cube", UNDAMPED)),
     figure("5.18", "Energy Graph of Cube with Damping", Recipe::Run("cube", DAMPED)),
-    figure("5.19", "Cube Structure", Recipe::Run("complex_structure", UNDAMPED)),
+    figure("5.19", "Cube Structure", Recipe::Run("centre_masses", UNDAMPED)),
 ];
 
 /// Does what the command line asks for.

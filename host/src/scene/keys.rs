@@ -75,7 +75,10 @@ pub const READERS: [Reader; 24] = [
     reader(Choice::Shape("sheet"), "rows columns width depth mass K drop_height pressure"),
     reader(Choice::Shape("bar"), "elements length E rho A drop_height"),
     reader(Choice::Law("none"), "method"),
-    reader(Choice::Law("compensation"), "method floor mu cluster_tolerance eta anchor plastic_alone"),
+    reader(
+        Choice::Law("compensation"),
+        "method floor mu cluster_tolerance eta anchor plastic_alone receivers",
+    ),
     reader(Choice::Law("newton"), "method floor mu cluster_tolerance e"),
     reader(Choice::Law("moreau"), "floor mu e"),
     reader(Choice::Law("penalty"), "method floor mu stiffness"),

@@ -27,6 +27,8 @@ pub struct Lists {
     pub facets: Vec<[usize; 4]>,
     /// Velocity at the start (m/s).
     pub velocities: Vec<[f64; 3]>,
+    /// Number of the first mass in the middle of a cell; none without.
+    pub first_centre: Option<usize>,
     /// Nodes that stand in rows and columns.
     pub table: Option<Table>,
 }

@@ -144,6 +144,7 @@ pub fn ball(corners: usize, bands: usize, radius: f64) -> Lists {
         body.facets.push([north, at(bands - 1, i), at(bands - 1, i + 1), at(bands - 1, i + 1)]);
     }
     let surface = body.points.len();
+    body.first_centre = Some(surface);
     let centre = body.point([0.0, 0.0, radius]);
     (0..surface).for_each(|i| body.spring(i, centre));
     body
@@ -161,6 +162,7 @@ pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
             }
         }
     }
+    body.first_centre = Some(body.points.len());
     let mut joined = std::collections::BTreeSet::new();
     for z in 0..k {
         for y in 0..m {

@@ -367,8 +367,8 @@ fn round_ground<S: Scalar>(ground: &Ground<f64>, lists: &Lists) -> Ground<S> {
     let real = S::from_f64;
     let size = lists.points.iter().flatten().fold(1.0_f64, |m, x| m.max(x.abs()));
     let law = match ground.law {
-        ContactLaw::Compensation { eta, anchor, plastic_alone } => {
-            ContactLaw::Compensation { eta: real(eta), anchor, plastic_alone }
+        ContactLaw::Compensation { eta, anchor, plastic_alone, first_receiver } => {
+            ContactLaw::Compensation { eta: real(eta), anchor, plastic_alone, first_receiver }
         }
         ContactLaw::Newton { restitution } => ContactLaw::Newton { restitution: real(restitution) },
         ContactLaw::Moreau { restitution } => ContactLaw::Moreau { restitution: real(restitution) },

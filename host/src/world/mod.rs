@@ -3,7 +3,8 @@
 //! In: a scene text. Out: an [`Assembly`], plain data in SI units, then rows, energies and events of its motion.
 //! `read` turns text into the assembly, `run` steps it by an `engine`: `rigid` moves worlds of rigid bodies, `carried`
 //! flexible parts on mechanisms (`ported`) and other `carriers`, `touching` what of all that meets, `settle` finds
-//! their equilibrium; `sensors` observe it, `controllers` drive its inputs; `picture` is what pages show.
+//! their equilibrium; `sensors` observe it, `controllers` drive its inputs; `picture` is what pages show, `pushed` the forces
+//! between parts as rows show them.
 
 pub mod assembly;
 pub mod carried;
@@ -12,6 +13,7 @@ pub mod controllers;
 pub mod engine;
 pub mod picture;
 pub mod ported;
+mod pushed;
 pub mod read;
 pub mod rigid;
 pub mod run;

@@ -3,6 +3,7 @@
 use super::assembly::{Assembly, Contact, Kind, Law};
 use super::engine::{Column, Energies, Engine, Event};
 use super::picture::Picture;
+use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
 use smartbed_runtime::rigid::RigidState;
 use smartbed_runtime::rigid::attitude::Attitude;
@@ -46,8 +47,9 @@ pub struct RigidWorld {
     impact: f64,
     friction: f64,
     forced: usize,
-    /// Contacts that press behind the last step.
+    /// Contacts that press behind the last step, and their forces by pair.
     held: usize,
+    pushed: Pushed,
 }
 
 impl RigidWorld {
@@ -83,6 +85,7 @@ impl RigidWorld {
             mobilities: vec![Mobility::fixed(); n],
             touching: [vec![empty; room], vec![empty; room]],
             struck: vec![Struck::new(empty.held.contact, &[] as &[Mobility<f64>]); room],
+            pushed: Pushed::new(pairs.len()),
             parts,
             pairs,
             states,
@@ -93,9 +96,13 @@ impl RigidWorld {
         })
     }
 
-    /// Forces of the contacts that press behind the last step: the first ones along its last way that do.
+    /// Contacts that press behind the last step: the first ones along its last way that do.
+    fn pressing(&self) -> impl Iterator<Item = &Touching<f64>> {
+        self.touching[1].iter().filter(|along| along.held.contact.impulse[0] > 0.0).take(self.held)
+    }
+
+    /// Their forces.
     fn forces(&self) -> Vec<ContactForce> {
-        let pressing = self.touching[1].iter().filter(|along| along.held.contact.impulse[0] > 0.0);
         let force = |along: &Touching<f64>| {
             let contact = &along.held.contact;
             let at = contact.sides.iter().flat_map(|side| side.points()).next()?;
@@ -103,7 +110,7 @@ impl RigidWorld {
             let moves = self.pairs[along.pair].parts.map(|part| self.parts[part].body.is_some());
             ContactForce::between(moves, point, contact.axes, contact.impulse)
         };
-        pressing.take(self.held).filter_map(force).collect()
+        self.pressing().filter_map(force).collect()
     }
 }
 
@@ -135,7 +142,8 @@ impl Engine for RigidWorld {
                 by_default: ["x", "y", "z"].contains(&number),
             })
         };
-        moving.flat_map(|(name, _)| of(name)).collect()
+        let pairs = self.pairs.iter().map(|pair| pair.parts.map(|part| self.names[part].as_str()));
+        moving.flat_map(|(name, _)| of(name)).chain(Pushed::columns(pairs)).collect()
     }
 
     fn state(&mut self) -> Result<Vec<f64>, String> {
@@ -147,6 +155,7 @@ impl Engine for RigidWorld {
             values.extend(state.velocity);
             values.extend(body.angular_velocity(state));
         }
+        values.extend(self.pushed.values());
         Ok(values)
     }
 
@@ -191,11 +200,19 @@ impl Engine for RigidWorld {
         self.friction += report.friction_loss;
         self.forced += usize::from(report.forced);
         self.held = report.held;
+        let mut pushed = Pushed::new(self.pairs.len());
+        for along in self.pressing() {
+            let bodies = self.pairs[along.pair].parts.map(|part| part..part + 1);
+            let contact = &along.held.contact;
+            pushed.add(along.pair, bodies.each_ref(), contact, contact.impulse);
+        }
+        self.pushed = pushed;
         Ok(())
     }
 
     fn save(&self) -> Vec<f64> {
         let mut numbers = vec![self.impact, self.friction];
+        numbers.extend(self.pushed.values());
         for state in &self.states {
             numbers.extend(state.position);
             numbers.extend(state.attitude.parameters());
@@ -206,11 +223,13 @@ impl Engine for RigidWorld {
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
-        if numbers.len() != 2 + 13 * self.states.len() {
+        let first = 2 + self.pushed.values().len();
+        if numbers.len() != first + 13 * self.states.len() {
             return Err(super::engine::other_world());
         }
         [self.impact, self.friction] = [numbers[0], numbers[1]];
-        for (state, n) in self.states.iter_mut().zip(numbers[2..].chunks_exact(13)) {
+        self.pushed.load(&numbers[2..first]);
+        for (state, n) in self.states.iter_mut().zip(numbers[first..].chunks_exact(13)) {
             state.position = [n[0], n[1], n[2]];
             state.attitude = Attitude::restored([n[3], n[4], n[5], n[6]]);
             state.velocity = [n[7], n[8], n[9]];

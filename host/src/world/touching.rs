@@ -6,6 +6,7 @@
 
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
+use super::pushed::Pushed;
 use crate::contact_force::ContactForce;
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, State};
@@ -30,13 +31,17 @@ pub(super) struct Touching {
     pub(super) things: Vec<Thing<f64>>,
     pub(super) pairs: Vec<Pair<f64>>,
     /// Parts of each pair.
-    parts: Vec<[usize; 2]>,
+    pub(super) parts: Vec<[usize; 2]>,
+    /// Bodies that the parts of each pair are to a contact: ports, then nodes.
+    bodies: Vec<[Range<usize>; 2]>,
     /// Which of each pair can move.
     moves: Vec<[bool; 2]>,
     /// Was the pair in touch behind the last step?
     active: Vec<bool>,
     /// Mean forces of the last step.
     pub(super) forces: Vec<ContactForce>,
+    /// Them by pair.
+    pub(super) pushed: Pushed,
     scratch: Vec<f64>,
     frames: [Vec<Frame<f64>>; 2],
     twists: [Vec<Twist<f64>>; 3],
@@ -58,6 +63,7 @@ struct Located {
     scratch: Vec<f64>,
     pressing: Vec<Pressing<f64>>,
     struck: [Vec<Struck<f64>>; 2],
+    overlaps: bool,
 }
 
 /// What a step did that is counted or told.
@@ -126,7 +132,7 @@ impl Touching {
                 }
             };
             let nodes = |k: usize| match &of[contact.between[k]] {
-                Touchable::Mesh(nodes, _) => nodes.len() + CAPACITY,
+                Touchable::Mesh(nodes, facets) => nodes.len() + facets.len() + CAPACITY,
                 _ => CAPACITY,
             };
             room += nodes(0) + nodes(1);
@@ -145,10 +151,17 @@ impl Touching {
             scratch: vec![0.0; LocatedMemory::<f64>::scratch(method, n)],
             pressing: vec![Pressing::empty(); room],
             struck: [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]),
+            overlaps: false,
         });
         let twists = vec![Twist::zero(); ports + points];
+        let bodies = |part: usize| match &of[part] {
+            Touchable::Shape(Some(port), _) => *port..port + 1,
+            Touchable::Mesh(nodes, _) => ports + nodes.start..ports + nodes.end,
+            Touchable::Shape(None, _) | Touchable::Nothing => 0..0,
+        };
         Ok(Touching {
             parts: assembly.contacts.iter().map(|contact| contact.between).collect(),
+            bodies: assembly.contacts.iter().map(|contact| contact.between.map(bodies)).collect(),
             moves: assembly
                 .contacts
                 .iter()
@@ -156,6 +169,7 @@ impl Touching {
                 .collect(),
             active: vec![false; pairs.len()],
             forces: Vec::new(),
+            pushed: Pushed::new(pairs.len()),
             things,
             pairs,
             scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
@@ -218,6 +232,7 @@ impl Touching {
                 scratch: &mut own.scratch,
                 pressing: &mut own.pressing,
                 struck: [struck, lifts],
+                overlaps: own.overlaps,
             };
             let parts = &self.parts;
             let report =
@@ -243,7 +258,13 @@ impl Touching {
                         }
                     }
                 })?;
+            own.overlaps = memory.overlaps;
             let pressing = memory.pressing.iter().take(report.pressing);
+            self.pushed = Pushed::new(self.pairs.len());
+            for own in pressing.clone() {
+                let contact = &own.held.contact;
+                self.pushed.add(own.pair, self.bodies[own.pair].each_ref(), contact, contact.impulse);
+            }
             let force = |own: &Pressing<f64>| {
                 let contact = &own.held.contact;
                 ContactForce::between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
@@ -258,9 +279,11 @@ impl Touching {
         self.counts = memory.counts;
         let report = done?;
         let contacts = memory.contacts();
+        self.pushed = Pushed::new(self.pairs.len());
         let force = |touch: &Touch<f64>| {
             let contact = &touch.contact;
             let force = contact.impulse.map(|impulse| impulse / h);
+            self.pushed.add(touch.pair, self.bodies[touch.pair].each_ref(), contact, force);
             ContactForce::between(self.moves[touch.pair], touch.point, contact.axes, force)
         };
         self.forces = contacts.iter().filter_map(force).collect();

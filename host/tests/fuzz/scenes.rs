@@ -46,6 +46,7 @@ pub fn value(random: &mut Random, key: &str) -> String {
         }
         "fixed" | "massless" => random.of(&["[0]", "[0, 1]", "[]", "[-1]", "[99]", "[0, 0]"]).to_owned(),
         "anchor" | "plastic_alone" | "allow_unstable" => random.of(&["true", "false", "1"]).to_owned(),
+        "receivers" => random.of(&["all", "centres", "centre", "1"]).to_owned(),
         "links" | "corners" | "bays" | "rings" | "bands" | "rows" | "columns" | "elements" | "every" => {
             let known = if random.one_in(4) { &count[..] } else { &count[..4] };
             random.of(known).to_owned()
@@ -102,7 +103,7 @@ pub fn settings(random: &mut Random) -> Vec<String> {
 }
 
 /// Small scenes, and a few that are none.
-const NAMES: [&str; 10] = [
+const NAMES: [&str; 11] = [
     "single_spring",
     "double_spring",
     "truss",
@@ -112,6 +113,7 @@ const NAMES: [&str; 10] = [
     "mass_on_4_springs",
     "spring_loaded_pendulum",
     "complex_structure",
+    "centre_masses",
     "singel_spring",
 ];
 /// Numbers at the edges of what an option takes. None asks for minutes.

@@ -1,7 +1,6 @@
 //! Lines of gas and controllers.
 
-use super::support::{fails, json, number};
-use std::path::Path;
+use super::support::{self, fails, json, number};
 
 const R: f64 = 287.05;
 const ROOM: f64 = 293.15;
@@ -11,9 +10,7 @@ const DENSITY: f64 = 1.185;
 
 /// A scene in a file of its own.
 fn scene(name: &str, text: &str) -> String {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("air_{name}.toml"));
-    std::fs::write(&file, format!("format = 2\n{text}")).expect("a file");
-    file.display().to_string()
+    support::scene(&format!("air_{name}"), &format!("format = 2\n{text}"))
 }
 
 /// A litre that cannot move.
@@ -133,7 +130,8 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     says(&["--set", "parts.bladder.gas.supply.gauge=\"-200_kPa\""], "the supply has no pressure");
     let wide = ["--set", "parts.bladder.gas.vent={ conductance = 1000, opening = 1 }"];
     says(&[&wide[..], &["--set", "controllers.air.limits=[-1, -0.5]"]].concat(), "meets that of a line");
-    let saved = Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_saved.state").display().to_string();
+    let saved =
+        std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_saved.state").display().to_string();
     super::support::run(&["run", &file, "--seconds", "0.05", "--save", &saved]);
     says(&["--resume", &saved], "sensors or controllers is not resumed");
     // Gas that keeps its pressure has no lines.

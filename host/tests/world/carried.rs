@@ -1,7 +1,7 @@
 //! Flexible parts on what carries them, without contacts.
 
 use super::rigid::G;
-use super::support::{fails, json, number, run};
+use super::support::{fails, json, number, rows, run};
 
 #[test]
 fn a_mass_on_spring_and_damper_swings_as_its_closed_form() {
@@ -122,4 +122,49 @@ fn every_method_of_a_world_comes_to_the_same_motion() {
     }
     let said = fails(&["run", "damper_mass_fixed_end", "--method", "verlett"]);
     assert!(said.contains("no method of worlds") && said.contains("verlet"), "{said}");
+}
+
+/// Three heights in motion, each its own: the rim lies in a plane parallel to that through the three connectors.
+#[test]
+fn a_tile_whose_three_heights_are_commanded_carries_its_rim_along() {
+    let laws = [("hA", 10.0), ("hB", 8.0), ("hC", 12.0)];
+    let command = laws.map(|(name, mm)| format!("{name} = \"{mm}_mm*(1 - cos(2*pi*t/1_s))\"")).join(", ");
+    let command = format!("parts.tile.command={{ {command} }}");
+    let (names, rows) = rows(&["tile_with_bladder", "--set", &command, "--seconds", "0.5"]);
+    let (first, last) = (&rows[0], rows.last().expect("rows"));
+    let node = |row: &[f64], n: usize| {
+        ["x", "y", "z"].map(|axis| {
+            let name = format!("bladder.{axis}{n}");
+            row[names.iter().position(|known| *known == name).expect("a node")]
+        })
+    };
+    // Three corners of the rim, which is level at the start.
+    let count = names.iter().filter(|name| name.starts_with("bladder.z")).count();
+    let rim: Vec<usize> = (0..count).filter(|n| (node(first, *n)[2] - 0.05).abs() < 1e-12).collect();
+    let corner = |along: [f64; 2]| {
+        let far = |n: &usize| along[0] * node(first, *n)[0] + along[1] * node(first, *n)[1];
+        *rim.iter().max_by(|a, b| far(a).total_cmp(&far(b))).expect("a rim")
+    };
+    let corners = [corner([-1.0, -1.0]), corner([1.0, -1.0]), corner([-1.0, 1.0])].map(|n| node(last, n));
+    let screws = laws.map(|(name, mm)| {
+        let azimuth = match name {
+            "hA" => 90.0_f64,
+            "hB" => 210.0,
+            _ => 330.0,
+        }
+        .to_radians();
+        [0.2 * azimuth.cos(), 0.2 * azimuth.sin(), 2e-3 * mm]
+    });
+    let normal = |[a, b, c]: [[f64; 3]; 3]| {
+        let [u, v] = [b, c].map(|p| [0, 1, 2].map(|i| p[i] - a[i]));
+        let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+        let length = cross.iter().map(|x| x * x).sum::<f64>().sqrt().copysign(cross[2]);
+        cross.map(|x| x / length)
+    };
+    let (found, expected) = (normal(corners), normal(screws));
+    println!("{found:?} {expected:?}");
+    assert!(
+        expected[0].abs() > 1e-2 && (0..3).all(|i| (found[i] - expected[i]).abs() < 1e-9),
+        "{found:?} {expected:?}"
+    );
 }

@@ -3,7 +3,9 @@
 mod aims;
 mod air;
 mod carried;
+mod costs;
 mod reading;
+mod rest;
 mod rigid;
 mod runs;
 mod support;

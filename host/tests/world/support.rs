@@ -35,6 +35,13 @@ pub fn parse(text: &str) -> Result<Assembly, String> {
     read::parse("w.toml", text, &[], &find).map_err(|found| found.to_string())
 }
 
+/// File of a scene with this text.
+pub fn scene(name: &str, text: &str) -> String {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.toml"));
+    std::fs::write(&file, text).expect("a file");
+    file.display().to_string()
+}
+
 /// What `run --json` says of a scene.
 pub fn json(arguments: &[&str]) -> serde_json::Value {
     let output = run(&[&["run"], arguments, &["--json"]].concat());

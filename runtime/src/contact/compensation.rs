@@ -115,6 +115,8 @@ pub struct Compensation<S> {
     pub anchor: S,
     /// Without a receiver the energy is lost.
     pub plastic_alone: bool,
+    /// Points from this number on may take energy.
+    pub first_receiver: usize,
 }
 
 fn mass<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, i: usize) -> S {

@@ -34,6 +34,8 @@ pub enum ContactLaw<S> {
         anchor: bool,
         /// Points without a receiver lose their energy instead of rebounding.
         plastic_alone: bool,
+        /// Points from this number on may take energy: 0 for all, the first centre for thesis 5.9.
+        first_receiver: usize,
     },
     /// v+ = -e v- at the instant of touch, point by point.
     Newton {

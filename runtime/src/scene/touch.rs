@@ -72,8 +72,8 @@ pub(super) fn apply_law<S: Scalar, R: Repertoire<S>>(
         ContactLaw::Newton { restitution } if R::NEWTON => {
             restitution::apply(system, restitution, state.motion.vel, state.impacts)
         }
-        ContactLaw::Compensation { eta, anchor, plastic_alone } if R::COMPENSATION => {
-            let law = Compensation { eta, anchor: S::ZERO, plastic_alone };
+        ContactLaw::Compensation { eta, anchor, plastic_alone, first_receiver } if R::COMPENSATION => {
+            let law = Compensation { eta, anchor: S::ZERO, plastic_alone, first_receiver };
             if R::ANCHOR && anchor {
                 anchored(system, law, state, (h, method), work)
             } else {
@@ -90,8 +90,10 @@ fn compensate<S: Scalar, R: Repertoire<S>>(
     state: &mut State<S>,
 ) -> Impact<S> {
     let modes = &*state.modes;
-    let receiver =
-        |k: usize| system.body.inverse_mass(k) > S::ZERO && !modes.get(k).is_some_and(|m| m.is_held());
+    let receiver = |k: usize| {
+        let is_held = modes.get(k).is_some_and(|m| m.is_held());
+        k >= law.first_receiver && system.body.inverse_mass(k) > S::ZERO && !is_held
+    };
     compensation::apply(system, law, state.motion.pos, state.motion.vel, state.impacts, receiver)
 }
 

@@ -3,7 +3,8 @@
 //! In: things where they stand, pairs, how near is near. Out: contacts with sides, axes, gap.
 //! ```text
 //! rigid on rigid    features of both shapes (`rigid::narrow`)
-//! mesh on rigid     every node over the shape's surface; centre, ends or corners of the shape over the facet below them
+//! mesh on rigid     every node over the shape's surface; the shape's corners over the facet below them, round ones over every
+//!                   facet that has a foot for them (a ball may lie between two)
 //! mesh on mesh      every node of each over the nearest facet of the other
 //! ```
 //! Both sides of a contact have one place, a node's or the foot on a facet, so that impulse and opposite act on one line; but a
@@ -24,6 +25,8 @@ use crate::vec3::{self, Vec3};
 
 /// Numbers of contacts of a shape's points over facets begin here; below are nodes.
 const OF_SHAPE: u32 = 1 << 30;
+/// Points of a shape at most: numbers of contacts over the next facet are so many higher.
+const POINTS: usize = 8;
 
 /// Cosine of the angle between a facet and the mean of those around a corner beyond which the corner is sharp: there the facet
 /// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
@@ -241,11 +244,15 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 found.push(pair, id, gap, point, contact);
             }
         }
-        let (_, count, _) = core_points(&shape.0);
-        for (id, number) in (OF_SHAPE..).zip(0..count) {
-            if let Some((gap, point, contact)) = self.shape_over_mesh(&shape, number, &mesh) {
-                found.push(pair, id, gap, point, contact);
-            }
+        let (_, count, radius) = core_points(&shape.0);
+        // A corner is over one facet, the one it is nearest to.
+        let each = if radius > S::ZERO { mesh.facets.len() } else { 1 };
+        for (facet, number) in (0..each).flat_map(|facet| (0..count).map(move |number| (facet, number))) {
+            let Some((gap, point, contact)) = self.shape_over_mesh(&shape, [number, facet], &mesh) else {
+                continue;
+            };
+            let Ok(id) = u32::try_from(POINTS * facet + number) else { continue };
+            found.push(pair, OF_SHAPE + id, gap, point, contact);
         }
     }
 
@@ -257,11 +264,22 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
     }
 
-    /// A point of a shape's core over the facet below it.
-    fn shape_over_mesh(&self, standing: &Standing<S>, number: usize, mesh: &Mesh<'a, S>) -> Option<Place<S>> {
+    /// A point of a shape's core over a facet; without a radius over the facet below it.
+    fn shape_over_mesh(
+        &self,
+        standing: &Standing<S>,
+        [number, facet]: [usize; 2],
+        mesh: &Mesh<'a, S>,
+    ) -> Option<Place<S>> {
         let (shape, port, frame) = standing;
         let (points, _, radius) = core_points(shape);
-        let (facet, near) = self.facet_below(mesh, frame.point(*points.get(number)?), radius)?;
+        let point = frame.point(*points.get(number)?);
+        let (facet, near) = if radius > S::ZERO {
+            let facet = mesh.facets.get(facet)?;
+            (facet, self.over_facet(mesh, facet, point, radius)?)
+        } else {
+            self.facet_below(mesh, point)?
+        };
         let gap = near.gap - radius;
         let one_corner = near.weights.iter().any(|weight| *weight > self.at_node);
         if one_corner || self.left_to_corners(facet, &near, gap, standing) {
@@ -292,7 +310,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// A node over the facet below it.
     fn node_over_mesh(&self, node: usize, mesh: &Mesh<'a, S>) -> Option<Place<S>> {
         let x = vec3::at(self.pos, node);
-        let (facet, near) = self.facet_below(mesh, x, S::ZERO)?;
+        let (facet, near) = self.facet_below(mesh, x)?;
         let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
         Some((near.gap, x, Contact::between(sides, near.normal)))
     }
@@ -336,7 +354,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 if id < OF_SHAPE {
                     self.node_over_shape(mesh.nodes[0] + number, &shape)
                 } else {
-                    self.shape_over_mesh(&shape, number, &mesh)?
+                    self.shape_over_mesh(&shape, [number % POINTS, number / POINTS], &mesh)?
                 }
             }
         };
@@ -344,38 +362,43 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Some((gap, point, Contact { friction, restitution, ..contact }))
     }
 
-    /// The facet to whose surface a ball about this point is nearest, not deeper than the mesh allows.
-    fn facet_below(
-        &self,
-        mesh: &Mesh<'a, S>,
-        point: Vec3<S>,
-        radius: S,
-    ) -> Option<(&'a [usize; 4], FacetNearest<S>)> {
-        let rounding = S::from_f64(1e3) * S::EPSILON;
+    /// The facet to whose surface a point is nearest, not deeper than the mesh allows.
+    fn facet_below(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Option<(&'a [usize; 4], FacetNearest<S>)> {
         let mut best: Option<(&[usize; 4], FacetNearest<S>)> = None;
         for facet in mesh.facets {
-            let corners = facet.map(|node| vec3::at(self.pos, node));
-            let [a, _, c, _] = corners;
-            let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
-            let reach = corners.iter().fold(S::ZERO, |most, x| most.max(vec3::norm(vec3::sub(*x, middle))));
-            let far = reach + radius + self.margin.max(mesh.depth);
-            if vec3::norm(vec3::sub(point, middle)) > far {
-                continue;
-            }
-            let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(corners[3], corners[1]))).0;
-            let normals = facet.map(|node| {
-                let mean = vec3::at(self.normals, node);
-                let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
-                if smooth { mean } else { own }
-            });
-            let Some(near) = (Facet { corners, normals }).nearest(point, rounding) else { continue };
-            let gap = near.gap - radius;
-            let nearer = best.as_ref().is_none_or(|(_, b)| gap.abs() < (b.gap - radius).abs());
-            if -mesh.depth <= gap && gap <= self.margin && nearer {
+            let Some(near) = self.over_facet(mesh, facet, point, S::ZERO) else { continue };
+            if best.as_ref().is_none_or(|(_, b)| near.gap.abs() < b.gap.abs()) {
                 best = Some((facet, near));
             }
         }
         best
+    }
+
+    /// The foot on a facet of a ball about a point, where it is near the surface and not deeper than the mesh allows.
+    fn over_facet(
+        &self,
+        mesh: &Mesh<'a, S>,
+        facet: &[usize; 4],
+        point: Vec3<S>,
+        radius: S,
+    ) -> Option<FacetNearest<S>> {
+        let corners = facet.map(|node| vec3::at(self.pos, node));
+        let [a, _, c, _] = corners;
+        let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
+        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(vec3::norm(vec3::sub(*x, middle))));
+        let far = reach + radius + self.margin.max(mesh.depth);
+        if vec3::norm(vec3::sub(point, middle)) > far {
+            return None;
+        }
+        let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(corners[3], corners[1]))).0;
+        let normals = facet.map(|node| {
+            let mean = vec3::at(self.normals, node);
+            let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
+            if smooth { mean } else { own }
+        });
+        let near = (Facet { corners, normals }).nearest(point, S::from_f64(1e3) * S::EPSILON)?;
+        let gap = near.gap - radius;
+        (-mesh.depth <= gap && gap <= self.margin).then_some(near)
     }
 
     /// Box around a mesh's facets.

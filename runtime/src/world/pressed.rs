@@ -7,7 +7,7 @@
 //! d/dt W v                    along the motion without these forces: a central difference over a short way
 //! ```
 //! The difference sees everything that turns a gap's rate: curved and moving surfaces, facets that bend, commanded frames.
-//! Its error is 1e-9 of the accelerations, none at rest; gaps and rates are put back to 0 after every step.
+//! Its error is 1e-9 of the accelerations, none at rest; gaps and rates are put back after every step.
 
 use super::accounts::Accounts;
 use super::carrier::Carrier;
@@ -37,6 +37,9 @@ pub struct Pressing<S> {
     pub id: u32,
     /// Gap (m).
     pub gap: S,
+    /// The gap it keeps (m): 0, or what a step that was cut short has left overlapping. Pushed out, it would gain the overlap
+    /// times what presses.
+    pub kept: S,
     /// Place in N (m).
     pub place: Vec3<S>,
     /// Sides, axes, force (N), yields.
@@ -70,6 +73,7 @@ impl<S: Scalar> Pressing<S> {
             pair: 0,
             id: 0,
             gap: S::ZERO,
+            kept: S::ZERO,
             place: zero,
             held,
             slip,
@@ -381,7 +385,7 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Pressed<'_, '_, '_, S, C> {
         let t = self.t;
         self.look(t, x, |_, _, _| {})?;
         self.ask(t, x)?;
-        self.correct(false, |own| [-own.gap, S::ZERO, S::ZERO]);
+        self.correct(false, |own| [own.kept - own.gap, S::ZERO, S::ZERO]);
         self.move_by_corrections(t, x, true)?;
         self.look(t, x, |own, _, velocity| own.velocity = velocity)?;
         self.ask(t, x)?;

@@ -354,11 +354,12 @@ fn stacked_masses_compensate_by_the_thesis() {
         (trial.mass, trial.fixed) = (vec![below, above], vec![false; 2]);
         trial.springs = vec![spring([0, 1], 1000.0, 0.0, 1.0)];
         let eta = 0.8;
-        trial.law = Some(ContactLaw::Compensation { eta, anchor: false, plastic_alone: false });
+        trial.law =
+            Some(ContactLaw::Compensation { eta, anchor: false, plastic_alone: false, first_receiver: 0 });
         let mut vel = trial.vel.clone();
         let mut points = vec![PointImpact::none(); 2];
         points[0].touching = true;
-        let law = Compensation { eta, anchor: 0.0, plastic_alone: false };
+        let law = Compensation { eta, anchor: 0.0, plastic_alone: false, first_receiver: 0 };
         let hit = compensate(&trial.system(), law, &trial.pos, &mut vel, &mut points, |_| true);
         let after = (slow * slow + eta * below / above * fast * fast).sqrt();
         // Down, which presses the spring, as far as the ground need not pull; else up.

@@ -346,8 +346,13 @@ impl Scene {
             let none: &[Mobility<f64>] = &[];
             let mut struck = [0; 2].map(|_| vec![Struck::new(Touch::empty().contact, none); room]);
             let [one, other] = &mut struck;
-            let mut memory =
-                LocatedMemory { step, scratch: &mut scratch, pressing: &mut pressing, struck: [one, other] };
+            let mut memory = LocatedMemory {
+                step,
+                scratch: &mut scratch,
+                pressing: &mut pressing,
+                struck: [one, other],
+                overlaps: false,
+            };
             let start = world.island.energy(0.0, state.x()).expect("energy").total();
             let (mut accounts, mut energy) = (Accounts::empty(), start);
             for step in 0..steps {

@@ -73,6 +73,7 @@ fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>
             eta: share("eta", 1.0)?,
             anchor: fields.flag("anchor")?,
             plastic_alone: fields.flag("plastic_alone")?,
+            first_receiver: first_receiver(fields, lists)?,
         },
     };
     let (normal, offset) = read_floor(fields)?;
@@ -87,6 +88,20 @@ fn read_ground(fields: &Fields, lists: &mut Lists) -> Result<Option<Ground<f64>>
         return Err(fields.error("cluster_tolerance", &message));
     }
     Ok(Some(Ground { normal, offset, law, friction: fields.not_negative("mu", 0.0)?, tolerance }))
+}
+
+/// Who takes the energy of an impact: all neighbours of a touching point, or masses in the middle alone (thesis 5.9).
+fn first_receiver(fields: &Fields, lists: &Lists) -> Result<usize, String> {
+    match (fields.word("receivers", "all")?, lists.first_centre) {
+        ("all", _) => Ok(0),
+        ("centres", Some(first)) => Ok(first),
+        ("centres", None) => {
+            Err(fields.error("receivers", "this body has no masses in its middle; `cubes` and `ball` have"))
+        }
+        (word, _) => {
+            Err(fields.error("receivers", &format!("expected \"all\" or \"centres\", found \"{word}\"")))
+        }
+    }
 }
 
 /// Takes the mass of the points that touch: those named, else the lowest.

@@ -201,6 +201,11 @@ impl CarriedWorld {
         Ok(())
     }
 
+    /// Forces between parts, pair by pair.
+    fn pushed(&self) -> &[f64] {
+        self.touching.as_ref().map_or(&[], |touching| touching.pushed.values())
+    }
+
     /// Where speeds begin in the state.
     fn split(&self) -> usize {
         self.carriers.iter().map(Carrier::n_q).sum::<usize>() + 3 * self.free()

@@ -5,6 +5,7 @@ use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
 use crate::world::picture::Picture;
+use crate::world::pushed::Pushed;
 use crate::world::settle::relax;
 use smartbed_runtime::world::Carrier;
 
@@ -51,6 +52,10 @@ impl Engine for CarriedWorld {
                 }
             }
         }
+        if let Some(touching) = &self.touching {
+            let pairs = touching.parts.iter().map(|parts| parts.map(|part| self.names[part].as_str()));
+            columns.extend(Pushed::columns(pairs));
+        }
         columns
     }
 
@@ -91,6 +96,7 @@ impl Engine for CarriedWorld {
                 }
             }
         }
+        values.extend(self.pushed());
         Ok(values)
     }
 
@@ -190,13 +196,18 @@ impl Engine for CarriedWorld {
     fn save(&self) -> Vec<f64> {
         let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
-        [&accounts[..], &self.x, &self.low, &airs].concat()
+        [&accounts[..], &self.x, &self.low, &airs, self.pushed()].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
-        if numbers.len() != 5 + 2 * n + SAVED * self.airs.len() {
+        let air = 5 + 2 * n + SAVED * self.airs.len();
+        if numbers.len() != air + self.pushed().len() {
             return Err(engine::other_world());
+        }
+        let (numbers, pushed) = numbers.split_at(air);
+        if let Some(touching) = &mut self.touching {
+            touching.pushed.load(pushed);
         }
         let (accounts, state) = numbers.split_at(5);
         [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];

@@ -14,6 +14,8 @@ use crate::world::step::{StepMemory, World};
 
 /// Forces below this share of the largest one count as none.
 pub(super) const LIGHT: f64 = 1e-9;
+/// What is deeper than so many lengths of rounding overlaps; what is less deep was located.
+const OVERLAP: f64 = 64.0;
 /// A slip that turns back with less than this share of its speed has come to rest.
 const SLOW: f64 = 0.1;
 
@@ -49,12 +51,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Which contacts press from here on, and how each goes.
     pub(super) fn hold_at_start(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         self.stop(t, way)?;
-        let rate = way.rounding.rate;
+        let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
+        let overlaps = |touch: &Touch<S>| touch.gap < deepest;
+        *way.overlaps &= way.touches().iter().any(overlaps);
         way.held = 0;
         for touch in way.memory.touches[0].iter().take(way.known).filter(|touch| touch.start[0].abs() <= rate)
         {
             let own = way.pressing.get_mut(way.held).ok_or(Fault::TooManyContacts)?;
-            *own = Pressing { pair: touch.pair, id: touch.id, ..Pressing::empty() };
+            let kept = if *way.overlaps && overlaps(touch) { touch.gap } else { S::ZERO };
+            *own = Pressing { pair: touch.pair, id: touch.id, kept, ..Pressing::empty() };
             own.held.contact = touch.contact;
             let [_, x, y] = touch.start;
             own.velocity = touch.contact.to_inertial([S::ZERO, x, y]);

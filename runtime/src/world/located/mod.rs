@@ -46,6 +46,8 @@ pub struct LocatedMemory<'a, S> {
     pub pressing: &'a mut [Pressing<S>],
     /// Contacts of an impact, twice.
     pub struck: [&'a mut [Struck<S>]; 2],
+    /// Has a step that used up its splits left overlaps? False at the start; kept from step to step.
+    pub overlaps: bool,
 }
 
 /// An impact within a step, shown while it happens.
@@ -107,6 +109,7 @@ struct Way<'w, 'm, S> {
     memory: &'w mut StepMemory<'m, S>,
     pressing: &'w mut [Pressing<S>],
     struck: [&'w mut [Struck<S>]; 2],
+    overlaps: &'w mut bool,
     /// How many touch at the start of the piece, and how many of them press.
     known: usize,
     held: usize,
@@ -143,6 +146,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
             memory: &mut self.step,
             pressing: self.pressing,
             struck: [struck, lifts],
+            overlaps: &mut self.overlaps,
             known: 0,
             held: 0,
             span: S::from_f64(SPAN) * h,
@@ -225,6 +229,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         if left > S::ZERO {
             report.forced = true;
+            *way.overlaps = true;
             let [x, low] = &mut way.now;
             way.memory.counts = [0; 2];
             let rest = self.step(t + (h - left), left, &mut State::resume(x, low)?, way.memory)?;

@@ -1,0 +1,71 @@
+//! Force between the two parts of a pair, as rows show it.
+//!
+//! In: points that touch, with their axes and forces, as they stand behind a step. Out: five numbers of each pair,
+//! `ONE-OTHER.normal` and so on: the mean over the step where touches are not located, else the force at its end.
+
+use super::engine::Column;
+use smartbed_runtime::rigid::contact::Contact;
+use smartbed_runtime::vec3::{self, Vec3};
+use std::ops::Range;
+
+/// Numbers of a pair in a row.
+const NUMBERS: [(&str, &str); 5] =
+    [("points", "points"), ("normal", "N"), ("x", "N"), ("y", "N"), ("z", "N")];
+
+/// What the first part of each pair gets from the other.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub(super) struct Pushed {
+    /// Points that press, sum of their normal forces (N), whole force on the first part along x, y, z (N).
+    rows: Vec<[f64; NUMBERS.len()]>,
+}
+
+impl Pushed {
+    /// Nothing pushes.
+    pub(super) fn new(pairs: usize) -> Self {
+        Pushed { rows: vec![Default::default(); pairs] }
+    }
+
+    /// Names of the numbers, for pairs of parts with names.
+    pub(super) fn columns<'n>(pairs: impl Iterator<Item = [&'n str; 2]>) -> Vec<Column> {
+        let of = |[one, other]: [&str; 2]| {
+            NUMBERS.map(|(number, unit)| Column {
+                name: format!("{one}-{other}.{number}"),
+                unit: unit.to_owned(),
+                by_default: false,
+            })
+        };
+        pairs.flat_map(of).collect()
+    }
+
+    /// Adds a point of a pair: its force n, t1, t2 (N), and the bodies that each of the two parts is to it.
+    pub(super) fn add(
+        &mut self,
+        pair: usize,
+        bodies: [&Range<usize>; 2],
+        contact: &Contact<f64>,
+        force: Vec3<f64>,
+    ) {
+        let Some([points, normal, sum @ ..]) = self.rows.get_mut(pair).filter(|_| force[0] > 0.0) else {
+            return;
+        };
+        *points += 1.0;
+        *normal += force[0];
+        // Where the first part is none, fixed in space: what the second one gets, turned round.
+        let (own, sign) = if bodies[0].is_empty() { (bodies[1], -1.0) } else { (bodies[0], 1.0) };
+        contact.deal(force, |body, _, share| {
+            if own.contains(&body) {
+                *sum = vec3::axpy(*sum, sign, share);
+            }
+        });
+    }
+
+    /// The numbers, pair by pair.
+    pub(super) fn values(&self) -> &[f64] {
+        self.rows.as_flattened()
+    }
+
+    /// Takes what [`Pushed::values`] gave, of as many pairs.
+    pub(super) fn load(&mut self, values: &[f64]) {
+        self.rows.as_flattened_mut().copy_from_slice(values);
+    }
+}

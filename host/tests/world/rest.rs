@@ -1,0 +1,71 @@
+//! Contacts that last: forces at rest, ten seconds from equilibrium, flat faces that slide.
+
+use super::rigid::G;
+use super::support::{json, number, rows, run, scene};
+
+/// What `settle --json` says of a scene's last row.
+fn settled(scene: &str, changes: &[String]) -> serde_json::Value {
+    let set = changes.iter().flat_map(|change| ["--set", change]);
+    let arguments: Vec<&str> = ["settle", scene, "--json"].into_iter().chain(set).collect();
+    serde_json::from_str::<serde_json::Value>(&run(&arguments)).expect("JSON")["last"].clone()
+}
+
+#[test]
+fn forces_of_settled_contacts_are_the_weights() {
+    // Which pair, and the mass (kg) that rests on it.
+    let cases: [(&str, &[(&str, f64)]); 3] = [
+        ("plate_on_bladder", &[("plate-bladder", 1.0)]),
+        ("ball_on_bladder", &[("ball-bladder", 1.0)]),
+        ("stack_cubes", &[("upper-middle", 0.4), ("middle-lower", 0.8), ("lower-ground", 1.2)]),
+    ];
+    for (scene, pairs) in cases {
+        let rest = settled(scene, &[]);
+        for (pair, mass) in pairs {
+            let [x, y, z] = ["x", "y", "z"].map(|axis| number(&rest[format!("{pair}.{axis}")]));
+            let load = mass * G;
+            println!("{scene}: {pair} {x:e} {y:e} {z}, off by {:e}", z / load - 1.0);
+            assert!((z / load - 1.0).abs() < 1e-9 && x.abs().max(y.abs()) < 1e-9 * load, "{scene}: {rest}");
+        }
+    }
+}
+
+#[test]
+fn nothing_happens_in_ten_seconds_from_equilibrium() {
+    for scene in ["plate_on_bladder", "ball_on_bladder"] {
+        let done = json(&[scene, "--set", "run.start=settled", "--seconds", "10"]);
+        assert_eq!(done["events"].as_array().map(Vec::len), Some(0), "{scene}: {}", done["events"]);
+        let kinetic = number(&done["last"]["kinetic"]);
+        assert!(kinetic < 1e-16, "{scene}: {kinetic:e} J");
+    }
+}
+
+/// A turning box on a slab that may slide too.
+const SLIDES: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.slab]\nrigid = \"box\"\nmass = \"5_kg\"\n\
+    size = [\"4_m\", \"1_m\", \"0.1_m\"]\nstart = { position = [0, 0, \"0.05_m\"] }\n\
+    [parts.box]\nrigid = \"box\"\nsize = [\"0.3_m\", \"0.2_m\", \"0.1_m\"]\nmass = \"2_kg\"\n\
+    start = { position = [\"-1_m\", 0, \"0.15_m\"], axis = [0, 0, 1], angle = \"20_deg\", velocity = [\"2 m/s\", 0, 0], \
+    spin = [0, 0, \"1 rad/s\"] }\n[run]\nseconds = 0.8\nstep = \"1_ms\"\n";
+
+#[test]
+fn flat_faces_slide_without_jitter() {
+    let scene = scene("slides", SLIDES);
+    for law in ["plastic", "moreau", "compensation", "stronge"] {
+        let contacts = format!(
+            "contacts=[{{ between = [\"box\", \"slab\"], impact = \"{law}\", friction = 0.2 }}, \
+             {{ between = [\"slab\", \"ground\"], impact = \"{law}\", friction = 0.01 }}]"
+        );
+        let (names, rows) = rows(&[&scene, "--set", &contacts]);
+        let column = |name: &str| names.iter().position(|n| n == name).expect(name);
+        for (pair, mass) in [("box-slab", 2.0), ("slab-ground", 7.0)] {
+            let [normal, points] = ["normal", "points"].map(|number| column(&format!("{pair}.{number}")));
+            let forces = rows.iter().skip(1).map(|row| row[normal] / (mass * G) - 1.0);
+            let off = forces.fold(0.0_f64, |most, x| most.max(x.abs()));
+            println!("{law}, {pair}: normal force within {off:e} of the weight");
+            assert!(rows.iter().skip(1).all(|row| row[points] == 4.0), "{law}, {pair}");
+            assert!(off < 1e-9, "{law}, {pair}: {off:e}");
+        }
+        let (first, last) = (&rows[0], rows.last().expect("rows"));
+        let slid = last[column("box.x")] - first[column("box.x")];
+        assert!(slid > 0.5, "{law}: {slid}");
+    }
+}
