@@ -2,7 +2,7 @@
 //!
 //! In: a plan, a time. Out: the first order from then on that the tile's controller refuses or the supervisor denies, with its
 //! limit and tile. Each order goes through the controller's own functions (mode, pressure, heights, time of the way) and
-//! through [`supervisor::Bed::order`], whose peers hear where every tile stands then. Drives, valves and faults are not
+//! through `supervisor::Bed::order`, whose peers hear where every tile stands then. Drives, valves and faults are not
 //! simulated: a tile stands where the plan has told it to, and moves as long as the plan's move lasts.
 
 use smartbed_bed::plan::check::Refusal;
