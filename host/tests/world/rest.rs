@@ -29,6 +29,39 @@ fn forces_of_settled_contacts_are_the_weights() {
     }
 }
 
+/// A bladder of gauge pressure p under a plate that stands level with its rim.
+const PRESSED: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.bladder]\nshape = \"sheet\"\n\
+    rows = 5\ncolumns = 5\nwidth = \"0.28_m\"\ndepth = \"0.28_m\"\nbase = \"40_mm\"\nmass = 1e-3\nK = \"2 kN/m\"\nC = 0.01\n\
+    start = { position = [0, 0, \"40_mm\"] }\ngas = { gauge = \"1_kPa\" }\n\
+    attach = [{ nodes = \"rim\", to = \"ground\" }, { facets = \"base\", to = \"ground\" }]\n\
+    [parts.plate]\nrigid = \"box\"\nsize = [\"0.4_m\", \"0.4_m\", \"10_mm\"]\nfixed = true\n\
+    start = { position = [\"0.14_m\", \"0.14_m\", 0], height = \"40_mm\" }\n\
+    [[contacts]]\nbetween = [\"plate\", \"bladder\"]\nimpact = \"moreau\"\n[run]\nstep = 1e-4\n";
+
+/// The plate keeps the sheet flat: gas presses it on with p A, of which the rim bears half a facet on each side, less the
+/// sheet's weight (2 kg).
+#[test]
+fn the_force_on_a_flat_plate_tends_to_pressure_times_area_with_order_one() {
+    let scene = scene("pressed", PRESSED);
+    let missing = [27_usize, 53, 105].map(|nodes| {
+        // The rim counts as nodes of a side.
+        let free = nodes - 2;
+        let mut changes: Vec<String> =
+            ["rows", "columns"].map(|key| format!("parts.bladder.{key}={free}")).to_vec();
+        changes.push(format!("parts.bladder.mass={:e}", 2.0 / (free * free) as f64));
+        let rest = settled(&scene, &changes);
+        assert_eq!(number(&rest["plate-bladder.points"]), (free * free) as f64);
+        let share = (number(&rest["plate-bladder.z"]) + 2.0 * G) / (1000.0 * 0.28 * 0.28);
+        println!("{nodes} nodes a side: N/(p A) = {share}");
+        1.0 - share
+    });
+    for pair in missing.windows(2) {
+        let order = (pair[0] / pair[1]).log2();
+        assert!((0.9..1.1).contains(&order), "{missing:?}: order {order}");
+    }
+    assert!(missing[2] < 0.02, "{missing:?}");
+}
+
 #[test]
 fn nothing_happens_in_ten_seconds_from_equilibrium() {
     for scene in ["plate_on_bladder", "ball_on_bladder"] {
