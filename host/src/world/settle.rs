@@ -10,7 +10,8 @@ use smartbed_runtime::mechanism::Fault;
 
 /// Steps at most.
 const MOST_STEPS: usize = 500_000;
-/// Acceleration that counts as none, as a share of gravity; without gravity of the largest at the start.
+/// Acceleration that counts as none, as a share of gravity; without gravity of the largest at the start, or what the
+/// rounding of places within a step looks like.
 const REST: f64 = 1e-10;
 /// A frame slower than this (m/s, rad/s) stands still.
 const STILL: f64 = 1e-9;
@@ -57,15 +58,17 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
         // Time moves everything, and nothing moves yet.
         return Ok(Settled { steps: 0, acceleration: 0.0 });
     }
-    let first = acceleration(world, &x, n_q).map_err(words)?;
-    let rest = REST * if world.gravity() > 0.0 { world.gravity() } else { first };
+    let (first, h) = acceleration(world, &x, n_q).map_err(words)?;
+    let size = x[..n_q].iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    let gravity = world.gravity();
+    let rest = if gravity > 0.0 { REST * gravity } else { (REST * first).max(f64::EPSILON * size / (h * h)) };
     let mut low = vec![0.0; x.len()];
     let mut left = first;
     for step in 0..MOST_STEPS {
         if left <= rest {
             let mut still = x.clone();
             still[n_q..].fill(0.0);
-            left = acceleration(world, &still, n_q).map_err(words)?;
+            (left, _) = acceleration(world, &still, n_q).map_err(words)?;
             if left <= rest {
                 world.restart(still);
                 return Ok(Settled { steps: step, acceleration: left });
@@ -88,9 +91,9 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
     ))
 }
 
-/// Largest acceleration from a state at rest: what a step makes of it.
-fn acceleration(world: &mut impl Relaxing, x: &[f64], n_q: usize) -> Result<f64, Fault> {
+/// Largest acceleration from a state at rest: what a step makes of it, and the step (s).
+fn acceleration(world: &mut impl Relaxing, x: &[f64], n_q: usize) -> Result<(f64, f64), Fault> {
     let (mut tried, mut low) = (x.to_vec(), vec![0.0; x.len()]);
     let h = world.advance(&mut tried, &mut low)?;
-    Ok(tried[n_q..].iter().fold(0.0, |largest, speed| (speed / h).abs().max(largest)))
+    Ok((tried[n_q..].iter().fold(0.0, |largest, speed| (speed / h).abs().max(largest)), h))
 }
