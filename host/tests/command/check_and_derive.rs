@@ -1,6 +1,6 @@
 //! `check`, `derive` and the command line itself.
 
-use crate::support::{children_seconds, command, file, finish, smartbed, written};
+use crate::support::{children_seconds, command, file, finish, lock, smartbed, written};
 use std::process::Command;
 
 #[test]
@@ -360,11 +360,6 @@ fn derived_crate(model: &str) -> std::path::PathBuf {
     assert_eq!(done.status, 0, "{done:?}");
     lock(&folder);
     folder
-}
-
-fn lock(folder: &std::path::Path) {
-    let locked = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
-    std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
 }
 
 /// Builds a crate for a core without an operating system; `core` itself from source where the tool-chain lacks it.

@@ -1,7 +1,7 @@
 //! Texts of a model that try to become code or markup on their way through the commands.
 
-use crate::support::{command, file, finish, smartbed};
-use std::path::{Path, PathBuf};
+use crate::support::{command, file, finish, lock, smartbed};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// A line that stops the compiler wherever it is code.
@@ -27,8 +27,7 @@ fn a_crate_of_a_hostile_model_compiles() {
     let folder = file("hostile_crate");
     let done = smartbed(&["derive", &model, "--crate", &folder.display().to_string()]);
     assert_eq!(done.status, 0, "{done:?}");
-    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
-    std::fs::copy(lock, folder.join("Cargo.lock")).expect("copied");
+    lock(&folder);
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.args(["check", "--quiet"]).current_dir(&folder).env_remove("CARGO_TARGET_DIR");
     let done = finish(cargo);

@@ -82,6 +82,12 @@ pub fn children_seconds(times: &str) -> f64 {
     line.split_whitespace().map(|time| of(time).unwrap_or_else(|| panic!("no time in {times}"))).sum()
 }
 
+/// Gives a crate the versions of this workspace.
+pub fn lock(folder: &Path) {
+    let locked = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
+    std::fs::copy(locked, folder.join("Cargo.lock")).expect("copied");
+}
+
 /// A file of one test, in a folder that cargo keeps for tests.
 pub fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)

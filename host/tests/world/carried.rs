@@ -1,7 +1,7 @@
 //! Flexible parts on what carries them, without contacts.
 
 use super::rigid::G;
-use super::support::{fails, json, number, rows, run};
+use super::support::{fails, json, number, rows, settled};
 
 #[test]
 fn a_mass_on_spring_and_damper_swings_as_its_closed_form() {
@@ -62,8 +62,7 @@ fn the_accounts_of_a_carried_bladder_close_to_the_order_of_the_method() {
 
 #[test]
 fn a_settled_loop_hangs_where_its_run_comes_to_rest() {
-    let rest = serde_json::from_str::<serde_json::Value>(&run(&["settle", "closed_loop_hung", "--json"]))
-        .expect("JSON");
+    let rest = settled(&["closed_loop_hung"]);
     assert!(number(&rest["acceleration"]) < 1e-8, "{}", rest["acceleration"]);
     let last = |name: &str| number(&rest["last"][format!("loop.{name}")]);
     let lift = |node: usize| {
@@ -83,14 +82,13 @@ fn a_settled_loop_hangs_where_its_run_comes_to_rest() {
 
 #[test]
 fn gas_and_membrane_carry_the_weight_of_a_settled_bladder() {
-    let settled = run(&["settle", "tile_with_bladder", "--json"]);
-    let rest: serde_json::Value = serde_json::from_str(&settled).expect("JSON");
+    let rest = settled(&["tile_with_bladder"]);
     let last = |name: &str| number(&rest["last"][format!("bladder.{name}")]);
     // Sealed air: p V^n as filled in.
     let (gauge, volume) = (last("gauge"), last("volume"));
     let filled = (101_325.0 + 1000.0) * (volume_at_rest()).powf(1.4);
     assert!(((101_325.0 + gauge) * volume.powf(1.4) / filled - 1.0).abs() < 1e-12, "{gauge} {volume}");
-    assert!(number(&rest["acceleration"]) < 1e-8 && last("top") > 0.05, "{settled}");
+    assert!(number(&rest["acceleration"]) < 1e-8 && last("top") > 0.05, "{rest}");
 }
 
 /// Volume of the flat cell of tile_with_bladder: a square of 0.28 m without the outer halves of its four corner cells.

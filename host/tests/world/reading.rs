@@ -1,7 +1,6 @@
 //! What is wrong in a scene of format 2 is said with its place.
 
-use super::support::{fails, parse};
-use std::path::Path;
+use super::support::{fails, parse, scene};
 
 const GROUND: &str = "format = 2\n[parts.ground]\nrigid = \"half_space\"\n";
 const TILE: &str = "format = 2\n[parts.tile]\nmechanism = \"tile\"\n";
@@ -109,7 +108,6 @@ fn what_is_wrong_in_a_world_is_said_with_its_place() {
 
 #[test]
 fn laws_that_locate_touches_and_moreau_are_not_mixed() {
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mixed.toml");
     let contact = |impact: &str, part: &str| {
         format!("[[contacts]]\nbetween = [\"{part}\", \"ground\"]\nimpact = \"{impact}\"\n")
     };
@@ -119,8 +117,7 @@ fn laws_that_locate_touches_and_moreau_are_not_mixed() {
         contact("moreau", "ball"),
         contact("plastic", "cube")
     );
-    std::fs::write(&file, text).expect("a file");
-    let said = fails(&["run", file.to_str().expect("a path")]);
+    let said = fails(&["run", &scene("mixed", &text)]);
     assert!(said.contains("take moreau for all or for none"), "{said}");
 }
 

@@ -1,13 +1,12 @@
 //! Contacts that last: forces at rest, ten seconds from equilibrium, flat faces that slide.
 
 use super::rigid::G;
-use super::support::{json, number, rows, run, scene};
+use super::support::{json, number, rows, scene, settled};
 
-/// What `settle --json` says of a scene's last row.
-fn settled(scene: &str, changes: &[String]) -> serde_json::Value {
+/// The last row of a scene with changes, settled.
+fn at_rest(scene: &str, changes: &[String]) -> serde_json::Value {
     let set = changes.iter().flat_map(|change| ["--set", change]);
-    let arguments: Vec<&str> = ["settle", scene, "--json"].into_iter().chain(set).collect();
-    serde_json::from_str::<serde_json::Value>(&run(&arguments)).expect("JSON")["last"].clone()
+    settled(&[scene].into_iter().chain(set).collect::<Vec<_>>())["last"].clone()
 }
 
 #[test]
@@ -19,7 +18,7 @@ fn forces_of_settled_contacts_are_the_weights() {
         ("stack_cubes", &[("upper-middle", 0.4), ("middle-lower", 0.8), ("lower-ground", 1.2)]),
     ];
     for (scene, pairs) in cases {
-        let rest = settled(scene, &[]);
+        let rest = at_rest(scene, &[]);
         for (pair, mass) in pairs {
             let [x, y, z] = ["x", "y", "z"].map(|axis| number(&rest[format!("{pair}.{axis}")]));
             let load = mass * G;
@@ -49,7 +48,7 @@ fn the_force_on_a_flat_plate_tends_to_pressure_times_area_with_order_one() {
         let mut changes: Vec<String> =
             ["rows", "columns"].map(|key| format!("parts.bladder.{key}={free}")).to_vec();
         changes.push(format!("parts.bladder.mass={:e}", 2.0 / (free * free) as f64));
-        let rest = settled(&scene, &changes);
+        let rest = at_rest(&scene, &changes);
         assert_eq!(number(&rest["plate-bladder.points"]), (free * free) as f64);
         let share = (number(&rest["plate-bladder.z"]) + 2.0 * G) / (1000.0 * 0.28 * 0.28);
         println!("{nodes} nodes a side: N/(p A) = {share}");
@@ -61,7 +60,7 @@ fn the_force_on_a_flat_plate_tends_to_pressure_times_area_with_order_one() {
     }
     assert!(missing[2] < 0.02, "{missing:?}");
     // Without weight nothing but the rounding of places says what counts as rest.
-    let weightless = settled(&scene, &["gravity=[0, 0, 0]".to_owned()]);
+    let weightless = at_rest(&scene, &["gravity=[0, 0, 0]".to_owned()]);
     // Five of six intervals a side; a facet at a corner of the frame is a triangle.
     let area = 0.28_f64.powi(2) * (25.0 - 4.0 / 12.0) / 36.0;
     let force = number(&weightless["plate-bladder.z"]);

@@ -48,6 +48,12 @@ pub fn json(arguments: &[&str]) -> serde_json::Value {
     serde_json::from_str(&output).expect("JSON")
 }
 
+/// What `settle --json` says of a scene.
+pub fn settled(arguments: &[&str]) -> serde_json::Value {
+    let output = run(&[&["settle"], arguments, &["--json"]].concat());
+    serde_json::from_str(&output).expect("JSON")
+}
+
 /// A number of it.
 pub fn number(value: &serde_json::Value) -> f64 {
     value.as_f64().expect("a number")

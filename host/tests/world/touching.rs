@@ -1,7 +1,7 @@
 //! Flexible parts and mechanisms in touch.
 
 use super::rigid::G;
-use super::support::{json, number, rows, run, smartbed};
+use super::support::{json, number, rows, run, scene, settled, smartbed};
 use std::path::Path;
 
 /// A cube that falls on its edge, written in either format.
@@ -15,11 +15,7 @@ const CUBE: [&str; 2] = [
 
 #[test]
 fn a_cube_of_a_world_falls_as_that_of_a_scene_of_its_own() {
-    let runs = [0, 1].map(|k| {
-        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("cube{k}.toml"));
-        std::fs::write(&file, CUBE[k]).expect("a file");
-        rows(&[file.to_str().expect("a path")])
-    });
+    let runs = [0, 1].map(|k| rows(&[&scene(&format!("cube{k}"), CUBE[k])]));
     let mut off = 0.0_f64;
     for node in 0..8 {
         for axis in ["x", "y", "z"] {
@@ -82,9 +78,8 @@ fn a_bladder_carries_a_plate_and_a_ball() {
             let mass = format!("parts.{load}.mass={mass}");
             let contacts =
                 format!("contacts=[{{ between = [\"{load}\", \"bladder\"], impact = \"moreau\" }}]");
-            let text = run(&["settle", &scene, "--json", "--set", &mass, "--set", &contacts]);
-            let rest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-            assert!(number(&rest["acceleration"]) < 1e-8, "{text}");
+            let rest = settled(&[&scene, "--set", &mass, "--set", &contacts]);
+            assert!(number(&rest["acceleration"]) < 1e-8, "{rest}");
             let place = ["x", "y", "z"].map(|axis| number(&rest["last"][format!("{load}.{axis}")]));
             (number(&rest["total"]), place)
         };

@@ -8,6 +8,9 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Key, Value, wrong_kind};
 
+/// An example of `target` that changes with time.
+const TARGETS: &str = "[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]";
+
 /// Reads one.
 pub(super) fn read(key: &Key, value: &Value, found: &mut Diagnostics) -> Option<Controlling> {
     let Value::Table(table) = value else {
@@ -57,18 +60,9 @@ fn targets(value: &Value, unit: &str, found: &mut Diagnostics) -> Option<Vec<[f6
     };
     let mut targets: Vec<[f64; 2]> = Vec::new();
     for item in items {
-        let Value::Array(pair, _) = item else {
-            found.push(
-                wrong_kind("target", "pairs [time, target]", item)
-                    .help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"),
-            );
-            return None;
-        };
-        let [time, own] = pair.as_slice() else {
-            found.push(
-                wrong_kind("target", "pairs [time, target]", item)
-                    .help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"),
-            );
+        let pair = if let Value::Array(pair, _) = item { pair.as_slice() } else { &[] };
+        let [time, own] = pair else {
+            found.push(wrong_kind("target", "pairs [time, target]", item).help(TARGETS));
             return None;
         };
         let time = scalar(time, "target", "s", Bound::NotNegative, found)?;
@@ -77,7 +71,7 @@ fn targets(value: &Value, unit: &str, found: &mut Diagnostics) -> Option<Vec<[f6
     let rises = targets.windows(2).all(|two| two[0][0] < two[1][0]);
     if !rises || targets.first().is_none_or(|[first, _]| *first != 0.0) {
         let error = Diagnostic::error("the times of `target` must begin with 0 and rise");
-        found.push(error.label(*span, "this list").help("[[\"0_s\", \"4_kPa\"], [\"1_s\", \"6_kPa\"]]"));
+        found.push(error.label(*span, "this list").help(TARGETS));
         return None;
     }
     Some(targets)

@@ -242,8 +242,8 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
         let exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(1.4);
         let temperature = number(&fields, "temperature", "K", Bound::Positive, found).unwrap_or(ROOM);
         let volume = given.unwrap_or(enclosed);
-        supply = fields.table("supply", found).and_then(|table| line(table, Some(()), ambient, found));
-        vent = fields.table("vent", found).and_then(|table| line(table, None, ambient, found));
+        supply = fields.table("supply", found).and_then(|table| line(table, true, ambient, found));
+        vent = fields.table("vent", found).and_then(|table| line(table, false, ambient, found));
         let chamber = Chamber { gas: Gas::air(), exponent, reference_volume: volume, ambient };
         let state = chamber.filled(Source { pressure: ambient + gauge, temperature }, volume);
         Content::Sealed { chamber, state }
@@ -255,11 +255,12 @@ fn gas(table: &Table, lists: &Lists, found: &mut Diagnostics) -> Option<Filled> 
 }
 
 /// `supply = { gauge, conductance, critical_ratio, opening, temperature }`; a vent leads to the air outside.
-fn line(table: &Table, supply: Option<()>, ambient: f64, found: &mut Diagnostics) -> Option<Line<f64>> {
-    let fields = Fields::of(if supply.is_some() { "supply" } else { "vent" }, table.span, table);
-    let gauge = match supply {
-        Some(()) => scalar(fields.need("gauge", "\"30_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?,
-        None => 0.0,
+fn line(table: &Table, is_supply: bool, ambient: f64, found: &mut Diagnostics) -> Option<Line<f64>> {
+    let fields = Fields::of(if is_supply { "supply" } else { "vent" }, table.span, table);
+    let gauge = if is_supply {
+        scalar(fields.need("gauge", "\"30_kPa\"", found)?, "gauge", "Pa", Bound::Any, found)?
+    } else {
+        0.0
     };
     if ambient + gauge <= 0.0 {
         let error = Diagnostic::error("the supply has no pressure")

@@ -2,7 +2,7 @@
 //!
 //! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: the sums of forces.
 
-use super::weave::sum;
+use super::weave::{corners, share, sum};
 use super::{FIRST, Family, Grid, Row, Strip, WIDTH};
 use crate::flexible::mean;
 use crate::flexible::pressure::{self, PressureForm, Weights};
@@ -133,36 +133,16 @@ fn push<S: Scalar>(
     rows: [&[Row<S>; 2]; 2],
     cells: &mut [Row<S>; 4],
 ) {
+    let [here, above] = rows;
+    let both = |left: usize| [0, 1].map(|i: usize| corners([&here[i], &above[i]], left));
     match form {
-        PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
+        PressureForm::Fan => {
+            share(|left| mean::shares(pressure::fan_shares, both(left)), exists, pressure, cells);
+        }
         _ => {
             let weights = Weights::of(form, false);
-            share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
+            let of = |corners| pressure::shares(weights, corners);
+            share(|left| mean::shares(of, both(left)), exists, pressure, cells);
         }
-    }
-}
-
-/// Shares out the pressure on the cells between two rows.
-#[inline(always)]
-fn share<S: Scalar>(
-    shares: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
-    exists: &[S; WIDTH],
-    pressure: S,
-    [here, above]: [&[Row<S>; 2]; 2],
-    [a, b, c, d]: &mut [Row<S>; 4],
-) {
-    // The force of a cell that does not exist is 0.
-    let pressures = exists.map(|exists| exists * pressure);
-    for left in FIRST..FIRST + WIDTH {
-        let right = left + 1;
-        let corners =
-            |i: usize| [here[i].get(left), here[i].get(right), above[i].get(right), above[i].get(left)];
-        let pressure = pressures[left - FIRST];
-        let [on_a, on_b, on_c, on_d] =
-            mean::shares(&shares, [corners(0), corners(1)]).map(|share| vec3::scale(share, pressure));
-        a.set(left, on_a);
-        b.set(left, on_b);
-        c.set(left, on_c);
-        d.set(left, on_d);
     }
 }

@@ -129,30 +129,36 @@ fn push<S: Scalar>(
     cells: &mut [Row<S>; 4],
 ) {
     match form {
-        PressureForm::Fan => share(pressure::fan_shares, exists, pressure, rows, cells),
+        PressureForm::Fan => {
+            share(|left| pressure::fan_shares(corners(rows, left)), exists, pressure, cells);
+        }
         _ => {
             let weights = Weights::of(form, false);
-            share(|corners| pressure::shares(weights, corners), exists, pressure, rows, cells);
+            share(|left| pressure::shares(weights, corners(rows, left)), exists, pressure, cells);
         }
     }
 }
 
-/// Shares out the pressure on the cells between two rows.
+/// Corners of the cell to the right of a column, between two rows.
 #[inline(always)]
-fn share<S: Scalar>(
-    shares: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
+pub(super) fn corners<S: Scalar>([here, above]: [&Row<S>; 2], left: usize) -> [Vec3<S>; 4] {
+    let right = left + 1;
+    [here.get(left), here.get(right), above.get(right), above.get(left)]
+}
+
+/// Shares out the pressure on the cells between two rows, as `shares` says for the cell to the right of a column.
+#[inline(always)]
+pub(super) fn share<S: Scalar>(
+    shares: impl Fn(usize) -> [Vec3<S>; 4],
     exists: &[S; WIDTH],
     pressure: S,
-    [here, above]: [&Row<S>; 2],
     [a, b, c, d]: &mut [Row<S>; 4],
 ) {
     // The force of a cell that does not exist is 0.
     let pressures = exists.map(|exists| exists * pressure);
     for left in FIRST..FIRST + WIDTH {
-        let right = left + 1;
-        let shares = shares([here.get(left), here.get(right), above.get(right), above.get(left)]);
         let pressure = pressures[left - FIRST];
-        let [on_a, on_b, on_c, on_d] = shares.map(|share| vec3::scale(share, pressure));
+        let [on_a, on_b, on_c, on_d] = shares(left).map(|share| vec3::scale(share, pressure));
         a.set(left, on_a);
         b.set(left, on_b);
         c.set(left, on_c);

@@ -90,6 +90,16 @@ pub(super) fn sum_compensated<S: Scalar>(
 /// Numbers whose squares are summed side by side.
 const SQUARED: usize = if cfg!(target_os = "none") { 4 } else { 32 };
 
+/// Takes each number of a row into the lane it falls to.
+#[inline(always)]
+fn gather<S: Scalar>(lanes: &mut [S; SQUARED], row: &[Vec3<S>], with: impl Fn(S, S) -> S) {
+    let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
+    for chunk in chunks {
+        lanes.iter_mut().zip(chunk).for_each(|(lane, x)| *lane = with(*lane, *x));
+    }
+    lanes.iter_mut().zip(rest).for_each(|(lane, x)| *lane = with(*lane, *x));
+}
+
 /// Sums of squares, finite where no number and no square has left the numbers.
 #[derive(Clone, Copy)]
 pub(super) struct Squares<S>([S; SQUARED]);
@@ -103,11 +113,7 @@ impl<S: Scalar> Squares<S> {
     /// Adds those of a row.
     #[inline(always)]
     pub fn add(&mut self, row: &[Vec3<S>]) {
-        let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
-        for chunk in chunks {
-            self.0.iter_mut().zip(chunk).for_each(|(sum, x)| *sum = *sum + *x * *x);
-        }
-        self.0.iter_mut().zip(rest).for_each(|(sum, x)| *sum = *sum + *x * *x);
+        gather(&mut self.0, row, |sum, x| sum + x * x);
     }
 
     /// Whether no sum has left the numbers.
@@ -129,11 +135,7 @@ impl<S: Scalar> Largest<S> {
     /// Looks at those of a row.
     #[inline(always)]
     pub fn add(&mut self, row: &[Vec3<S>]) {
-        let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
-        for chunk in chunks {
-            self.0.iter_mut().zip(chunk).for_each(|(largest, x)| *largest = largest.max(x.abs()));
-        }
-        self.0.iter_mut().zip(rest).for_each(|(largest, x)| *largest = largest.max(x.abs()));
+        gather(&mut self.0, row, |largest, x| largest.max(x.abs()));
     }
 
     /// The largest; no number if one was none.
