@@ -394,6 +394,9 @@ struct Exact {
     t: Twofold,
 }
 
+/// Most corrections onto the constraints, and the change by one of them that counts as none.
+const CORRECTIONS: (usize, f64) = (80, 1e-27);
+
 impl Exact {
     /// At the numbers (q, u, inputs) one after the other, entry `column` moved by `change`; a column of a coordinate counts among
     /// the independent ones.
@@ -408,14 +411,29 @@ impl Exact {
         };
         *moved = *moved + Twofold::new(change);
         self.engine.set_time(self.t);
-        // Newton's corrections double the digits, of which there are five at first.
-        for _ in 0..5 {
-            self.engine.project(&mut q).expect("lengths fit");
-        }
+        self.assemble(&mut q);
         let (mut q_dot, mut u_dot) = (vec![Twofold::new(0.0); q.len()], vec![Twofold::new(0.0); n_u]);
         self.engine.rates(self.t, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
         let outputs = self.engine.outputs(self.t, &q, &u, &inputs).expect("lengths fit");
         self.independent.iter().map(|&i| q_dot[i]).chain(u_dot).chain(outputs).collect()
+    }
+
+    /// Corrects the dependent coordinates alone. A correction may move independent ones too, as it does with Euler parameters,
+    /// along their own direction: these are put back, and what is left shrinks by a factor each time.
+    fn assemble(&mut self, q: &mut [Twofold]) {
+        let mut change = f64::INFINITY;
+        for _ in 0..CORRECTIONS.0 {
+            let mut corrected = q.to_vec();
+            self.engine.project(&mut corrected).expect("lengths fit");
+            self.independent.iter().for_each(|&i| corrected[i] = q[i]);
+            let changes = corrected.iter().zip(&*q).map(|(&new, &old)| (new - old).high.abs());
+            change = changes.fold(0.0, f64::max);
+            q.copy_from_slice(&corrected);
+            if change <= CORRECTIONS.1 {
+                return;
+            }
+        }
+        panic!("the dependent coordinates do not follow: {change:e}");
     }
 
     /// A column of slopes, by central differences of fourth order, whose error is some 1e-20.
@@ -442,6 +460,7 @@ fn linearisation_is_the_slope_of_rates_and_outputs() {
         "rolling_disc",
         "shaking_table",
         "slider_crank",
+        "stewart",
     ] {
         let mut asking = Asking::new(name, &["linearisation", "outputs"]);
         let model = shipped(name);
