@@ -23,6 +23,7 @@ mod joint_models;
 mod joints;
 mod lanes;
 mod layering;
+mod linearisation;
 mod loops;
 mod machines;
 mod manifests;

@@ -7,8 +7,7 @@ use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System, friction};
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::ledger::{Ledger, eval_stored};
-use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
-use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, NodeFault, Step, Workspace, workspace_len};
+use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
 use smartbed_runtime::scene::{Event, Flow, Observer, State, step};
 use std::f64::consts::PI;
 
@@ -23,26 +22,26 @@ const METHODS: [Method<f64>; 6] = [
 ];
 
 /// A body, its ground, its start.
-struct Trial {
-    pos: Vec<[f64; 3]>,
+pub(crate) struct Trial {
+    pub pos: Vec<[f64; 3]>,
     vel: Vec<[f64; 3]>,
     mass: Vec<f64>,
     fixed: Vec<bool>,
-    springs: Vec<Spring<f64>>,
+    pub springs: Vec<Spring<f64>>,
     gravity: f64,
     law: Option<ContactLaw<f64>>,
     friction: f64,
 }
 
 /// What a step left: time, places, speeds, accounts, their imbalance over the energy at the start.
-struct Row {
-    t: f64,
-    pos: Vec<[f64; 3]>,
+pub(crate) struct Row {
+    pub t: f64,
+    pub pos: Vec<[f64; 3]>,
     vel: Vec<[f64; 3]>,
     ledger: Ledger<f64>,
     imbalance: f64,
     touches: usize,
-    evaluations: usize,
+    pub evaluations: usize,
     cut_short: bool,
 }
 
@@ -57,13 +56,13 @@ impl Observer<f64> for Watch {
     }
 }
 
-fn spring(ends: [usize; 2], stiffness: f64, damping: f64, rest_length: f64) -> Spring<f64> {
+pub(crate) fn spring(ends: [usize; 2], stiffness: f64, damping: f64, rest_length: f64) -> Spring<f64> {
     Spring { tail: ends[0], head: ends[1], stiffness, damping, rest_length }
 }
 
 impl Trial {
     /// One point of 1 kg, in weightlessness over no ground.
-    fn point(pos: [f64; 3], vel: [f64; 3]) -> Trial {
+    pub fn point(pos: [f64; 3], vel: [f64; 3]) -> Trial {
         Trial {
             pos: vec![pos],
             vel: vec![vel],
@@ -77,7 +76,7 @@ impl Trial {
     }
 
     /// One point more, fixed.
-    fn anchored(mut self, pos: [f64; 3]) -> Trial {
+    pub fn anchored(mut self, pos: [f64; 3]) -> Trial {
         self.pos.push(pos);
         self.vel.push([0.0; 3]);
         self.mass.push(1.0);
@@ -112,7 +111,7 @@ impl Trial {
         System::new(self.body(), ground)
     }
 
-    fn run(&self, method: Method<f64>, h: f64, seconds: f64) -> Vec<Row> {
+    pub fn run(&self, method: Method<f64>, h: f64, seconds: f64) -> Vec<Row> {
         let n = self.pos.len();
         let system = self.system();
         let mut memory = vec![[0.0; 3]; MOTION_ROWS * n];
@@ -519,90 +518,4 @@ fn what_a_step_does_not_locate_is_taken_out() {
     // The end is stepped over by Euler's rule: its millisecond is not in the accounts.
     let start = m * G * drop;
     close(rows[0].ledger.impact, start, 0.02 * start, "all is taken");
-}
-
-/// Methods that choose their steps, on a spring: the error keeps to the tolerance, the work to what their orders need.
-#[test]
-fn adaptive_methods_are_worth_their_work() {
-    let mut trial = Trial::point([1.3, 0.0, 0.0], [0.0; 3]).anchored([0.0; 3]);
-    trial.springs = vec![spring([0, 1], 100.0, 0.0, 1.0)];
-    for (tolerance, work_of_five, work_of_eight) in
-        [(1e-6, 2050, 1020), (1e-9, 6700, 1900), (1e-12, 26_250, 4060)]
-    {
-        let five = Method::DormandPrince(DormandPrince { tolerance, longest: 10.0 });
-        let eight = Method::Dop853(Dop853 { tolerance, longest: 10.0 });
-        for (method, most) in [(five, work_of_five), (eight, work_of_eight)] {
-            let rows = trial.run(method, 0.3, 6.0);
-            let work: usize = rows.iter().map(|row| row.evaluations).sum();
-            let error = rows.iter().map(|row| (row.pos[0][0] - 1.0 - 0.3 * (10.0 * row.t).cos()).abs());
-            let error = error.fold(0.0, f64::max);
-            println!("{method:?}: {work} evaluations, error {error:e}");
-            assert!(
-                error <= 20.0 * tolerance && work <= most,
-                "{method:?}: {work} evaluations, error {error:e}"
-            );
-        }
-    }
-}
-
-/// A tolerance finer than the scalar's rounding is met as well as rounding lets it be, not by ever shorter steps.
-#[test]
-fn a_tolerance_below_rounding_shortens_no_step() {
-    let springs = [Spring { tail: 0, head: 1, stiffness: 100.0_f32, damping: 0.0, rest_length: 1.0 }];
-    let body = Body {
-        mass: &[1.0, 1.0],
-        fixed: &[false, true],
-        inverse_mass: &[],
-        springs: &springs,
-        gravity: [0.0; 3],
-        air_drag: 0.0,
-        facets: &[],
-        inflation: None,
-        massless: Massless { points: &[], first: &[0], springs: &[] },
-        grids: &[],
-        patches: None,
-    };
-    let work_at = |tolerance: f32| {
-        let method = Method::Dop853(Dop853 { tolerance, longest: 10.0 });
-        let system = System::new(body, None);
-        let mut memory = [[0.0_f32; 3]; 2 * MOTION_ROWS];
-        let mut scratch = vec![[0.0_f32; 3]; workspace_len(2, method.stages())];
-        let (mut modes, mut impacts) = ([ContactState::Free; 2], [PointImpact::none(); 2]);
-        let (motion, _) = Motion::cut(&mut memory, 2).expect("room");
-        motion.pos[0] = [1.3, 0.0, 0.0];
-        let (time, next_step, anchor) = ([0.0; 2], 0.0, 0.0);
-        let mut state = State { motion, modes: &mut modes, impacts: &mut impacts, time, next_step, anchor };
-        let mut work = Workspace::new(&mut scratch, 2, method.stages()).expect("room");
-        state.begin(&system, 0.1, method, &mut work, &mut ()).expect("a start");
-        let mut evaluations = 0;
-        for _ in 0..20 {
-            let report = step(&system, &mut state, 0.1, method, &mut work, &mut ()).expect("a step");
-            assert!(!report.cut_short, "{tolerance:e}");
-            evaluations += report.evaluations;
-        }
-        let error = state.motion.pos[0][0] - 1.0 - 0.3 * 20.0_f32.cos();
-        assert!(error.abs() <= 1e-4, "{tolerance:e}: {error:e}");
-        evaluations
-    };
-    let [coarse, fine] = [1e-5, 1e-12].map(work_at);
-    assert!(fine <= 3 * coarse, "{fine} evaluations for nothing, {coarse} before");
-}
-
-/// Whatever stands behind it: the size check looks at many numbers at once and must not forget the one that is none.
-#[test]
-fn a_node_that_left_the_numbers_is_found_anywhere() {
-    for n in [1, 7, 40, 300] {
-        for node in [0, n / 2, n - 1] {
-            for (row, bad) in [(0, f64::NAN), (2, f64::NAN), (0, f64::INFINITY), (2, 1e200)] {
-                let mut memory = vec![[1.0; 3]; MOTION_ROWS * n];
-                memory[row * n + node][1] = bad;
-                let (motion, _) = Motion::cut(&mut memory, n).expect("room");
-                assert_eq!(
-                    motion.check_finite(),
-                    Err(NodeFault::NotFinite { node }),
-                    "{bad} in row {row} of {n}"
-                );
-            }
-        }
-    }
 }

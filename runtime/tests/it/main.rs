@@ -4,6 +4,7 @@ mod by_blocks;
 mod double_double;
 mod flexible;
 mod flexible_impact;
+mod flexible_methods;
 mod functions;
 mod gas;
 mod grid;

@@ -1,0 +1,195 @@
+//! Linearisations and parameter derivatives against differences, in twice the digits, and against published matrices.
+
+use crate::answers::{Asking, State, close};
+use crate::models::shipped;
+use crate::twofold::Twofold;
+use smartbed_codegen::{Interpreted, Program, program};
+use smartbed_runtime::mechanism::Mechanism;
+
+/// Central differences of fourth order.
+pub(crate) fn difference(mut of: impl FnMut(f64) -> Vec<f64>, step: f64) -> Vec<f64> {
+    let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| of(n * step));
+    (0..a.len()).map(|i| (a[i] - 8.0 * b[i] + 8.0 * c[i] - d[i]) / (12.0 * step)).collect()
+}
+
+/// Rates of the independent state, and outputs, in twice the digits; dependent coordinates follow the constraints.
+struct Exact {
+    engine: Interpreted<Twofold>,
+    independent: Vec<usize>,
+    t: Twofold,
+}
+
+/// Most corrections onto the constraints, and the change by one of them that counts as none.
+const CORRECTIONS: (usize, f64) = (80, 1e-27);
+
+impl Exact {
+    /// At the numbers (q, u, inputs) one after the other, entry `column` moved by `change`; a column of a coordinate counts among
+    /// the independent ones.
+    fn rates(&mut self, state: &State, column: usize, change: f64) -> Vec<Twofold> {
+        let exact = |list: &[f64]| list.iter().map(|&x| Twofold::new(x)).collect::<Vec<_>>();
+        let (mut q, mut u, mut inputs) = (exact(&state.q), exact(&state.u), exact(&state.inputs));
+        let (n_q, n_u) = (self.independent.len(), u.len());
+        let moved = match column {
+            c if c < n_q => &mut q[self.independent[c]],
+            c if c < n_q + n_u => &mut u[c - n_q],
+            c => &mut inputs[c - n_q - n_u],
+        };
+        *moved = *moved + Twofold::new(change);
+        self.engine.set_time(self.t);
+        self.assemble(&mut q);
+        let (mut q_dot, mut u_dot) = (vec![Twofold::new(0.0); q.len()], vec![Twofold::new(0.0); n_u]);
+        self.engine.rates(self.t, &q, &u, &inputs, &mut q_dot, &mut u_dot).expect("lengths fit");
+        let outputs = self.engine.outputs(self.t, &q, &u, &inputs).expect("lengths fit");
+        self.independent.iter().map(|&i| q_dot[i]).chain(u_dot).chain(outputs).collect()
+    }
+
+    /// Corrects the dependent coordinates alone. A correction may move independent ones too, as it does with Euler parameters,
+    /// along their own direction: these are put back, and what is left shrinks by a factor each time.
+    fn assemble(&mut self, q: &mut [Twofold]) {
+        let mut change = f64::INFINITY;
+        for _ in 0..CORRECTIONS.0 {
+            let mut corrected = q.to_vec();
+            self.engine.project(&mut corrected).expect("lengths fit");
+            self.independent.iter().for_each(|&i| corrected[i] = q[i]);
+            let changes = corrected.iter().zip(&*q).map(|(&new, &old)| (new - old).high.abs());
+            change = changes.fold(0.0, f64::max);
+            q.copy_from_slice(&corrected);
+            if change <= CORRECTIONS.1 {
+                return;
+            }
+        }
+        panic!("the dependent coordinates do not follow: {change:e}");
+    }
+
+    /// A column of slopes, by central differences of fourth order, whose error is some 1e-20.
+    fn slopes(&mut self, state: &State, column: usize) -> Vec<f64> {
+        const STEP: f64 = 1e-5;
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(|n| self.rates(state, column, n * STEP));
+        let eight = Twofold::new(8.0);
+        let slope = |i: usize| (a[i] - d[i] + eight * (c[i] - b[i])) / Twofold::new(12.0 * STEP);
+        (0..a.len()).map(|i| slope(i).high).collect()
+    }
+}
+
+#[test]
+fn linearisation_is_the_slope_of_rates_and_outputs() {
+    for name in [
+        "arm6",
+        "bicycle",
+        "cart_pole",
+        "delta",
+        "fourbar",
+        "pendulum3",
+        "tile",
+        "tile_minimal",
+        "rolling_disc",
+        "shaking_table",
+        "slider_crank",
+        "stewart",
+    ] {
+        let mut asking = Asking::new(name, &["linearisation", "outputs"]);
+        let model = shipped(name);
+        let state = asking.state.clone();
+        let is_independent: Vec<bool> = (asking.program.q.iter())
+            .map(|q| model.coordinates.iter().any(|c| c.name == q.name && c.independent))
+            .collect();
+        let independent: Vec<usize> = (0..state.q.len()).filter(|&i| is_independent[i]).collect();
+        let n = independent.len() + state.u.len();
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(|part| asking.part(&state, "linearisation", part));
+        let engine = Interpreted::new(&asking.program);
+        let mut exact = Exact { engine, independent, t: Twofold::new(state.t) };
+        let n_inputs = state.inputs.len();
+        for column in 0..n + n_inputs {
+            let slopes = exact.slopes(&state, column);
+            let (matrix, width, at) = if column < n { (&a, n, column) } else { (&b, n_inputs, column - n) };
+            let below = if column < n { &c } else { &d };
+            let found: Vec<f64> =
+                matrix.chunks(width).chain(below.chunks(width)).map(|row| row[at]).collect();
+            // Relative to what the row is made of.
+            for (i, (found, slope)) in found.iter().zip(&slopes).enumerate() {
+                let row = a.chunks(n).chain(c.chunks(n)).nth(i).expect("a row");
+                let size = row.iter().fold(slope.abs().max(1e-3), |m, x| m.max(x.abs()));
+                assert!(
+                    (found - slope).abs() <= 1e-11 * size,
+                    "{name} ({i}, {column}): {found:e} against {slope:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn parameter_derivatives_are_slopes_of_the_accelerations() {
+    for name in ["pendulum3", "fourbar", "tile", "bicycle"] {
+        let mut asking = Asking::new(name, &["parameter_derivatives"]);
+        let state = asking.state.clone();
+        let found = asking.part(&state, "parameter_derivatives", "u_dot");
+        let values: Vec<f64> = asking.program.parameters.iter().map(|p| p.value).collect();
+        for (column, &value) in values.iter().enumerate() {
+            let slopes = difference(
+                |change| {
+                    let mut changed = values.clone();
+                    changed[column] += change;
+                    asking.engine.set_parameters(&changed);
+                    asking.rates(&state).1
+                },
+                1e-3 * value.abs().max(1e-2),
+            );
+            let own: Vec<f64> = found.chunks(values.len()).map(|row| row[column]).collect();
+            let size = slopes.iter().fold(1e-2_f64, |m, x| m.max(x.abs()));
+            for (a, b) in own.iter().zip(&slopes) {
+                assert!(
+                    (a - b).abs() <= 1e-7 * size,
+                    "{name}, {}: {a:e} {b:e}",
+                    asking.program.parameters[column].name
+                );
+            }
+        }
+    }
+}
+
+/// Matrices of the bicycle about upright straight running, Meijaard, Papadopoulos, Ruina and Schwab 2007:
+/// M q'' + v C1 q' + (g K0 + v^2 K2) q = f, q = (roll, steer).
+const PUBLISHED: [[f64; 4]; 4] = [
+    [80.81722, 2.31941332208709, 2.31941332208709, 0.29784188199686],
+    [0.0, 33.86641391492494, -0.85035641456978, 1.68540397397560],
+    [-80.95, -2.59951685249872, -2.59951685249872, -0.80329488458618],
+    [0.0, 76.59734589573222, 0.0, 2.65431523794604],
+];
+
+#[test]
+fn the_linearised_bicycle_is_the_published_one() {
+    let mut asking = Asking::new("bicycle", &["linearisation"]);
+    let place =
+        |list: &[program::Quantity], name: &str| list.iter().position(|x| x.name == name).expect(name);
+    let value = |program: &Program, name: &str| program.parameters[place(&program.parameters, name)].value;
+    let (g, radius) = (value(&asking.program, "g"), value(&asking.program, "rR"));
+    let [mass, damping, weight, centrifugal] = PUBLISHED;
+    for v in [0.0, 5.0] {
+        let mut state = asking.state.clone();
+        state.q.clone_from(&asking.program.nominal);
+        state.inputs.iter_mut().for_each(|x| *x = 0.0);
+        state.u.iter_mut().for_each(|x| *x = 0.0);
+        state.u[place(&asking.program.u, "u_thR")] = -v / radius;
+        let a = asking.part(&state, "linearisation", "a");
+        // Pitch alone is dependent: the state is without it.
+        let mut coordinates = asking.program.q.clone();
+        coordinates.retain(|q| q.name != "pitch");
+        let (n_q, n) = (coordinates.len(), coordinates.len() + state.u.len());
+        let rows = ["u_roll", "u_steer"].map(|name| n_q + place(&asking.program.u, name));
+        let columns = ["roll", "steer"].map(|name| place(&coordinates, name));
+        // -M A: stiffness by the coordinates, damping by the speeds.
+        let times = |columns: [usize; 2]| -> Vec<f64> {
+            let entry = |i: usize, j: usize| -> f64 {
+                -(0..2).map(|k| mass[2 * i + k] * a[rows[k] * n + columns[j]]).sum::<f64>()
+            };
+            vec![entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1)]
+        };
+        let stiffness: Vec<f64> = (0..4).map(|i| g * weight[i] + v * v * centrifugal[i]).collect();
+        close(&times(columns), &stiffness, 1e-13, &format!("stiffness at {v} m/s"));
+        let damping: Vec<f64> = damping.iter().map(|c| v * c).collect();
+        if v > 0.0 {
+            close(&times(rows), &damping, 1e-13, &format!("damping at {v} m/s"));
+        }
+    }
+}
