@@ -119,6 +119,42 @@ impl Vector {
     }
 }
 
+/// What vectors are made of, every stage's first argument: expressions, and the triads in which they stand.
+#[derive(Clone, Debug, Default)]
+pub struct Algebra {
+    /// The expressions.
+    pub dag: Dag,
+    /// All triads; the first is inertial.
+    pub triads: Triads,
+}
+
+impl Algebra {
+    /// a . b.
+    pub fn dot(&mut self, a: &Vector, b: &Vector) -> ExprId {
+        self.triads.dot(&mut self.dag, a, b)
+    }
+
+    /// a x b.
+    pub fn cross(&mut self, a: &Vector, b: &Vector) -> Vector {
+        self.triads.cross(&mut self.dag, a, b)
+    }
+
+    /// Components of a vector in a triad.
+    pub fn express(&mut self, vector: &Vector, target: TriadId) -> Components {
+        self.triads.express(&mut self.dag, vector, target)
+    }
+
+    /// [`Self::express`] by sines and cosines of differences of angles.
+    pub fn express_by_differences(&mut self, vector: &Vector, target: TriadId) -> Components {
+        self.triads.express_by_differences(&mut self.dag, vector, target)
+    }
+
+    /// The vector with those terms that are constant in `target` moved there.
+    pub fn with_constants(&mut self, vector: &Vector, target: TriadId) -> Vector {
+        self.triads.with_constants(&mut self.dag, vector, target)
+    }
+}
+
 impl Triads {
     /// `vector` with every term replaced whose unit vector is known to be constant in `target`.
     pub fn with_constants(&self, dag: &mut Dag, vector: &Vector, target: TriadId) -> Vector {

@@ -10,19 +10,19 @@
 
 use super::articulated_inertia::Articulated;
 use super::given::Given;
+use super::mass_and_force::MassAndForce;
 use super::solve::NO_INERTIA;
 use super::spatial::Wrench;
 use super::tree::{self, Node};
 use super::tree_motion::{self, Base, Moves, State, power};
-use super::unprojected::Unprojected;
 use super::{active_force, shared_axis};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Pivot, pivot_of};
-use crate::kinematics::{Kinematics, UnknownId, UnknownKind, derivative_of};
+use crate::kinematics::{Kinematics, UnknownId, derivative_of};
 use crate::model::Model;
 use crate::section::Section;
-use crate::vector::{Components, cross_components, dot_components, turn_components};
+use crate::vector::{Algebra, Components, cross_components, dot_components, turn_components};
 use std::collections::BTreeMap;
 
 /// With fewer speeds little is gained: six point masses on hinges take 623 operations, 638 by the mass matrix.
@@ -74,48 +74,49 @@ type Beyond = (Components, Components);
 
 /// u' of a tree whose joints share no speeds; none for other mechanisms, nor where a pivot vanishes.
 pub(super) fn derive(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     mass_matrix: &[Vec<ExprId>],
 ) -> Option<HingeByHinge> {
     if k.unknowns.len() < FEWEST_SPEEDS {
         return None;
     }
-    let independent = k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_)));
-    let bodies = shared_axis::bodies(model, k);
+    let independent = k.unknowns.are_independent();
+    let bodies = shared_axis::bodies(alg, model, k);
     if !independent || bodies.is_empty() || bodies.iter().any(|m| !m.body.weight) {
         return None;
     }
-    let forest = tree::build(model, k, &bodies);
+    let forest = tree::build(alg, model, k, &bodies);
     let roots: Vec<usize> = forest.roots().into_keys().collect();
     let moving =
-        roots.iter().filter(|&&root| !derivative_of(k, &forest.nodes[root].origin).partials.is_empty());
+        roots.iter().filter(|&&root| !derivative_of(alg, k, &forest.nodes[root].origin).partials.is_empty());
     if moving.count() > 1 {
         return None; // their motions hold the same speeds
     }
-    let mut active = Unprojected::default();
-    active_force::accumulate(model, k, &mut active);
+    let mut active = MassAndForce::default();
+    active_force::accumulate(alg, model, k, &mut active);
     let mut found: BTreeMap<UnknownId, Solved> = BTreeMap::new();
     for root in roots {
-        for solved in Tree::new(model, k, &forest.nodes, root)?.solve(&mut k.dag, &active) {
+        for solved in Tree::new(alg, model, k, &forest.nodes, root)?.solve(&mut alg.dag, &active) {
             if found.insert(solved.unknown, solved).is_some() {
                 return None;
             }
         }
     }
-    let unknowns = k.independent_unknowns();
+    let unknowns = k.unknowns.independent();
     let mut pivots = Vec::new();
     for (row, unknown) in unknowns.iter().enumerate() {
         let &Solved { pivot, .. } = found.get(unknown)?;
-        let whole = table.values(&k.dag, mass_matrix[row][row]).to_vec();
-        let values = table.values(&k.dag, pivot);
+        let whole = table.values(&alg.dag, mass_matrix[row][row]).to_vec();
+        let values = table.values(&alg.dag, pivot);
         if !values.iter().zip(&whole).all(|(d, m)| *d > NO_INERTIA * m.abs()) {
             return None;
         }
-        if !k.dag.is_constant(pivot) {
-            k.dag.label(pivot, Label::named(Section::Inertia, format!("pivot_{row}")));
-            pivots.push(pivot_of(&k.dag, table, pivot));
+        if !alg.dag.is_constant(pivot) {
+            alg.dag.label(pivot, Label::named(Section::Inertia, format!("pivot_{row}")));
+            pivots.push(pivot_of(&alg.dag, table, pivot));
         }
     }
     Some(HingeByHinge { u_dot: unknowns.iter().map(|u| found[u].acceleration).collect(), pivots })
@@ -135,18 +136,18 @@ struct Tree {
 
 impl Tree {
     /// None where two places of the tree move with one speed.
-    fn new(model: &Model, k: &mut Kinematics, nodes: &[Node], root: usize) -> Option<Self> {
+    fn new(alg: &mut Algebra, model: &Model, k: &Kinematics, nodes: &[Node], root: usize) -> Option<Self> {
         let mut nodes = nodes.to_vec();
-        tree::move_inwards(k, &mut nodes, root, tree::Wheels::Whole);
-        let base = Base::new(model, k, &Given::default(), &nodes[root]);
-        let (states, moves) = tree_motion::motions(k, &Given::default(), &nodes, root, &base.state);
+        tree::move_inwards(alg, &mut nodes, root, tree::Wheels::Whole);
+        let base = Base::new(alg, model, k, &Given::default(), &nodes[root]);
+        let (states, moves) = tree_motion::motions(alg, k, &Given::default(), &nodes, root, &base.state);
         let (mut places, mut place_of): (Vec<Place>, _) = (Vec::new(), vec![None; nodes.len()]);
         for (i, node) in nodes.iter().enumerate() {
             let (Some(joint), Some(motion)) = (&node.joint, &moves[i]) else { continue };
             let same = places.iter().position(|p| p.parent == joint.parent && p.offset == joint.offset);
             place_of[i] = Some(same.unwrap_or(places.len()));
             if same.is_none() {
-                let slides = slides(&mut k.dag, motion);
+                let slides = slides(&mut alg.dag, motion);
                 places.push(Place { parent: joint.parent, offset: joint.offset, slides });
             }
         }
@@ -161,7 +162,7 @@ impl Tree {
     }
 
     /// Every speed.
-    fn solve(&self, dag: &mut Dag, active: &Unprojected) -> Vec<Solved> {
+    fn solve(&self, dag: &mut Dag, active: &MassAndForce) -> Vec<Solved> {
         let mut freed = Freed { turning: Vec::new(), sliding: Vec::new() };
         freed.turning.resize_with(self.nodes.len(), Vec::new);
         freed.sliding.resize_with(self.places.len(), Vec::new);
@@ -237,7 +238,7 @@ fn set_free(
     dag: &mut Dag,
     body: &mut Articulated,
     (unknown, v, w): (UnknownId, Components, Components),
-    active: &Unprojected,
+    active: &MassAndForce,
 ) -> Free {
     let column = body.resistance(dag, &v, &w);
     let pivot = power(dag, &v, &w, &column);

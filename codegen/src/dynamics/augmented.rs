@@ -6,10 +6,11 @@
 //! y: all speeds and lifted twists. The multipliers depend on how the rows are written: they are
 //! not joint reactions.
 
-use super::unprojected::Unprojected;
+use super::mass_and_force::MassAndForce;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::Solution;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// Matrices of the augmented system, row-major.
@@ -29,13 +30,14 @@ pub struct Augmented {
 
 /// Collects the system; speeds inside forces and biases become functions of the independent ones.
 pub(super) fn derive(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     solution: &Solution,
-    parts: &Unprojected,
+    parts: &MassAndForce,
     values: &HashMap<SymbolId, ExprId>,
 ) -> Augmented {
-    let zero = k.dag.zero();
-    let all = k.moving_unknowns();
+    let zero = alg.dag.zero();
+    let all = k.unknowns.moving();
     let mut mass = Vec::new();
     for &a in &all {
         for &b in &all {
@@ -53,7 +55,7 @@ pub(super) fn derive(
         unknowns: all.iter().map(|&u| k.unknowns[u].name.clone()).collect(),
         mass,
         jacobian,
-        forcing: k.dag.substitute(&forcing, values),
-        bias: k.dag.substitute(&bias, values),
+        forcing: alg.dag.substitute(&forcing, values),
+        bias: alg.dag.substitute(&bias, values),
     }
 }

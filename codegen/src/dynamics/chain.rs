@@ -16,18 +16,18 @@
 //! Every equation holds the unknowns of a few neighbours, so that the sparse elimination grows linearly with the
 //! length of a chain; no recursion is written anywhere. Where speeds depend on others the form is not offered.
 
+use super::mass_and_force::MassAndForce;
 use super::segment::Segment;
-use super::unprojected::Unprojected;
 use super::{active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Label, Node};
 use crate::id::Id;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::kinematics::sparse::{self, Equation, Screening, Values};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, LinearForm, UnknownId};
 use crate::model::Model;
 use crate::section::Section;
-use crate::vector::{Components, TriadId, Vector};
+use crate::vector::{Algebra, Components, TriadId, Vector};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// u' without a mass matrix.
@@ -41,30 +41,31 @@ pub(super) struct Chain {
 
 /// u' with the transmitted forces eliminated; none where no pivot is safe. All speeds are independent.
 pub(super) fn derive(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     segments: &[Segment],
 ) -> Option<Chain> {
-    let mut rest = Unprojected::default();
-    inertia_force::rotations(model, k, &mut rest);
-    active_force::accumulate(model, k, &mut rest);
-    let equations = System::new(k, segments).equations(&rest);
-    let sizes = sizes(&k.dag, table, &equations[..3 * segments.len()]);
+    let mut rest = MassAndForce::default();
+    inertia_force::rotations(alg, model, k, &mut rest);
+    active_force::accumulate(alg, model, k, &mut rest);
+    let equations = System::new(alg, k, segments).equations(&rest);
+    let sizes = sizes(&alg.dag, table, &equations[..3 * segments.len()]);
     let screening = Screening { sizes, last_resort: false, divide_sums: true };
     let speeds: Vec<UnknownId> = k.unknowns.ids().collect();
     let equations = seen_by(&speeds, equations);
-    let steps = sparse::eliminate_screened(&mut k.dag, table, equations, &screening);
-    let values = sparse::back_substitute(&mut k.dag, &steps)?;
+    let steps = sparse::eliminate_screened(&mut alg.dag, table, equations, &screening);
+    let values = sparse::back_substitute(&mut alg.dag, &steps)?;
     let divisors = steps.iter().map(|step| step.pivot);
-    name(k, segments, &values);
+    name(alg, k, segments, &values);
     let u_dot = speeds.iter().map(|u| values.get(u).map(|v| v[0])).collect::<Option<Vec<_>>>()?;
     let masses = segments.iter().map(|s| s.mass);
-    let divisors: BTreeSet<ExprId> = masses.chain(divisors).map(|d| k.dag.unsigned(d)).collect();
+    let divisors: BTreeSet<ExprId> = masses.chain(divisors).map(|d| alg.dag.unsigned(d)).collect();
     // To divide by 1 / m is to multiply by m.
-    let divides = |&d: &ExprId| !k.dag.is_constant(d) && !is_reciprocal(&k.dag, d);
+    let divides = |&d: &ExprId| !alg.dag.is_constant(d) && !is_reciprocal(&alg.dag, d);
     let varying: Vec<ExprId> = divisors.into_iter().filter(divides).collect();
-    let pivots = varying.into_iter().map(|d| pivot_of(&k.dag, table, d)).collect();
+    let pivots = varying.into_iter().map(|d| pivot_of(&alg.dag, table, d)).collect();
     Some(Chain { u_dot, pivots })
 }
 
@@ -73,12 +74,12 @@ fn is_reciprocal(dag: &Dag, expr: ExprId) -> bool {
 }
 
 /// Names for the forces.
-fn name(k: &mut Kinematics, segments: &[Segment], values: &Values) {
+fn name(alg: &mut Algebra, k: &Kinematics, segments: &[Segment], values: &Values) {
     for (s, segment) in segments.iter().enumerate() {
         for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
             if let Some(value) = values.get(&force(k, s, axis)) {
                 let name = format!("force_{}_{letter}", segment.name);
-                k.dag.label(value[0], Label::named(Section::Forces, name));
+                alg.dag.label(value[0], Label::named(Section::Forces, name));
             }
         }
     }
@@ -121,7 +122,8 @@ fn seen_by(speeds: &[UnknownId], equations: Vec<Equation>) -> Vec<Equation> {
 
 /// What the equations are written with.
 struct System<'a> {
-    k: &'a mut Kinematics,
+    alg: &'a mut Algebra,
+    k: &'a Kinematics,
     segments: &'a [Segment],
     /// Triad of every segment's force and equation: the one that turns with it.
     triad: Vec<TriadId>,
@@ -132,28 +134,28 @@ struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    fn new(k: &'a mut Kinematics, segments: &'a [Segment]) -> Self {
-        let one = k.dag.one();
+    fn new(alg: &'a mut Algebra, k: &'a Kinematics, segments: &'a [Segment]) -> Self {
+        let one = alg.dag.one();
         let mut outer = vec![Vec::new(); segments.len()];
         for (s, segment) in segments.iter().enumerate() {
             if let Some(inner) = segment.inner {
                 outer[inner].push(s);
             }
         }
-        let lightness = segments.iter().map(|s| k.dag.div(one, s.mass)).collect();
-        Self { triad: segments.iter().map(Segment::own_triad).collect(), lightness, outer, k, segments }
+        let lightness = segments.iter().map(|s| alg.dag.div(one, s.mass)).collect();
+        Self { triad: segments.iter().map(Segment::own_triad).collect(), lightness, outer, alg, k, segments }
     }
 
-    fn equations(mut self, rest: &Unprojected) -> Vec<Equation> {
+    fn equations(mut self, rest: &MassAndForce) -> Vec<Equation> {
         let mut kane: BTreeMap<UnknownId, Equation> = BTreeMap::new();
         for u in self.k.unknowns.ids() {
-            let right = rest.force.get(&u).copied().unwrap_or_else(|| self.k.dag.zero());
-            kane.insert(u, Equation { coefficients: BTreeMap::new(), right: vec![right] });
+            let right = rest.force.get(&u).copied().unwrap_or_else(|| self.alg.dag.zero());
+            kane.insert(u, Equation { coefficients: LinearForm::default(), right: vec![right] });
         }
         for (&(a, b), &inertia) in &rest.mass {
             for (row, column) in [(a, b), (b, a)].into_iter().take(if a == b { 1 } else { 2 }) {
                 let row = kane.get_mut(&row).expect("every speed has an equation");
-                add(&mut self.k.dag, row, column, inertia);
+                row.coefficients.add_term(&mut self.alg.dag, column, &inertia);
             }
         }
         let mut equations = Vec::new();
@@ -164,9 +166,9 @@ impl<'a> System<'a> {
                 for (axis, &component) in v.iter().enumerate() {
                     let force = force(self.k, s, axis);
                     let row = kane.get_mut(&u).expect("every speed has an equation");
-                    add(&mut self.k.dag, row, force, component);
-                    let negative = self.k.dag.negate(component);
-                    add(&mut self.k.dag, &mut rows[axis], u, negative);
+                    row.coefficients.add_term(&mut self.alg.dag, force, &component);
+                    let negative = self.alg.dag.negate(component);
+                    rows[axis].coefficients.add_term(&mut self.alg.dag, u, &negative);
                 }
             }
             equations.extend(rows);
@@ -178,12 +180,13 @@ impl<'a> System<'a> {
     /// A_s - A_inner in terms of the forces, = bias + g_inner - g_s.
     fn segment_rows(&mut self, s: usize) -> [Equation; 3] {
         let Segment { inner, gravity, motion, .. } = &self.segments[s];
-        let mut right = motion.bias.minus(&mut self.k.dag, gravity);
+        let mut right = motion.bias.minus(&mut self.alg.dag, gravity);
         if let Some(p) = *inner {
-            right = right.plus(&mut self.k.dag, &self.segments[p].gravity);
+            right = right.plus(&mut self.alg.dag, &self.segments[p].gravity);
         }
         let right = self.components(&right, self.triad[s]);
-        let mut rows = right.map(|value| Equation { coefficients: BTreeMap::new(), right: vec![value] });
+        let mut rows =
+            right.map(|value| Equation { coefficients: LinearForm::default(), right: vec![value] });
         self.add_acceleration(&mut rows, s, s, false);
         if let Some(p) = *inner {
             self.add_acceleration(&mut rows, s, p, true);
@@ -199,33 +202,21 @@ impl<'a> System<'a> {
             [(end, subtract)].into_iter().chain(outer.into_iter().map(|c| (c, !subtract)))
         {
             for axis in 0..3 {
-                let mut unit = [self.k.dag.zero(); 3];
-                unit[axis] = self.k.dag.one();
-                let unit = Vector::new(&self.k.dag, self.triad[other], unit);
+                let mut unit = [self.alg.dag.zero(); 3];
+                unit[axis] = self.alg.dag.one();
+                let unit = Vector::new(&self.alg.dag, self.triad[other], unit);
                 let turned = self.components(&unit, self.triad[s]);
                 let force = force(self.k, other, axis);
                 for (row, component) in rows.iter_mut().zip(turned) {
-                    let term = self.k.dag.mul(weight, component);
-                    let term = if negative { self.k.dag.negate(term) } else { term };
-                    add(&mut self.k.dag, row, force, term);
+                    let term = self.alg.dag.mul(weight, component);
+                    let term = if negative { self.alg.dag.negate(term) } else { term };
+                    row.coefficients.add_term(&mut self.alg.dag, force, &term);
                 }
             }
         }
     }
 
     fn components(&mut self, vector: &Vector, triad: TriadId) -> Components {
-        self.k.triads.express_by_differences(&mut self.k.dag, vector, triad)
-    }
-}
-
-fn add(dag: &mut Dag, equation: &mut Equation, unknown: UnknownId, term: ExprId) {
-    let sum = match equation.coefficients.get(&unknown) {
-        Some(&mine) => dag.add(mine, term),
-        None => term,
-    };
-    if dag.is_zero(sum) {
-        equation.coefficients.remove(&unknown);
-    } else {
-        equation.coefficients.insert(unknown, sum);
+        self.alg.express_by_differences(vector, triad)
     }
 }

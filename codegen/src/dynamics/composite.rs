@@ -6,16 +6,16 @@
 //! the accelerations at y' = 0, inwards the wrenches that they take. Walker, Orin 1982; Featherstone
 //! 2008, chapters 5 and 6. Everything in the triad of the node at hand.
 
-use super::contributions::Contributions;
 use super::given::Given;
+use super::mass_and_force::Terms;
 use super::parallel::{self, Turning};
 use super::spatial::{Inertia, Wrench};
 use super::tree::{self, Joint, Node};
 use super::tree_motion::{Base, Moves, State, motions, power, relative_alpha};
 use crate::expr::{Dag, ExprId};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, LinearForm, UnknownId};
 use crate::model::{Axis, Model};
-use crate::vector::Components;
+use crate::vector::{Algebra, Components};
 use std::collections::BTreeMap;
 
 /// What hangs on a node, in its triad about its origin.
@@ -24,34 +24,35 @@ struct Load {
     inertia: Inertia,
     bias: Wrench,
     columns: BTreeMap<UnknownId, Wrench>,
-    /// Columns that leave a parallel hinge farther out unturned, and that hinge's unknown: the column of the
-    /// first rate alone is both together.
-    beside: BTreeMap<UnknownId, UnknownId>,
+    /// By rate of a hinge whose column leaves out a parallel hinge farther out (`parallel`): that hinge's rate. The
+    /// column of the first rate alone is the sum of both columns.
+    completed_by: BTreeMap<UnknownId, UnknownId>,
 }
 
-/// Contributions of the nodes that hang on `cut`, itself included, its whole twist being its own.
+/// Terms of the nodes that hang on `cut`, itself included, its whole twist being its own.
 pub(super) fn contributions(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     given: &Given,
     nodes: &[Node],
     cut: usize,
-) -> Contributions {
+) -> Terms {
     let mut nodes = nodes.to_vec();
-    tree::move_inwards(k, &mut nodes, cut, tree::Wheels::Spin);
+    tree::move_inwards(alg, &mut nodes, cut, tree::Wheels::Spin);
     let nodes = &nodes[..];
-    let mut found = Contributions::default();
-    let base = Base::new(model, k, given, &nodes[cut]);
-    let (states, moves) = motions(k, given, nodes, cut, &base.state);
-    let mut turning = parallel::turning(k, nodes, &moves);
-    let dag = &mut k.dag;
+    let mut found = Terms::default();
+    let base = Base::new(alg, model, k, given, &nodes[cut]);
+    let (states, moves) = motions(alg, k, given, nodes, cut, &base.state);
+    let mut turning = parallel::turning(alg, k, nodes, &moves);
+    let dag = &mut alg.dag;
     let mut loads: Vec<Option<Load>> = Vec::new();
     for (node, state) in nodes.iter().zip(&states) {
         loads.push(state.as_ref().map(|state| Load {
             inertia: node.own.clone(),
             bias: node.own.resistance(dag, &state.acceleration),
             columns: BTreeMap::new(),
-            beside: BTreeMap::new(),
+            completed_by: BTreeMap::new(),
         }));
     }
     for i in (cut + 1..nodes.len()).rev() {
@@ -59,19 +60,19 @@ pub(super) fn contributions(
             continue;
         };
         let Some(inner) = states[joint.parent].clone() else { continue };
-        let load = inwards(k, &nodes[i], joint, motion, (load, turning[i].take()), &inner, &mut found);
+        let load = inwards(alg, &nodes[i], joint, motion, (load, turning[i].take()), &inner, &mut found);
         if let Some(parent) = &mut loads[joint.parent] {
             if let Some(turning) = &mut turning[joint.parent] {
-                turning.add(&mut k.dag, i, &load.inertia, &joint.offset);
+                turning.add(&mut alg.dag, i, &load.inertia, &joint.offset);
             }
-            parent.add(&mut k.dag, &load);
+            parent.add(&mut alg.dag, &load);
         }
     }
     if let Some(mut load) = loads[cut].take() {
-        load.meet(&mut k.dag, &base.twists, &mut found);
+        load.project(&mut alg.dag, &base.twists, &mut found);
     }
-    found.mass.retain(|(_, _, e)| !k.dag.is_zero(*e));
-    found.force.retain(|(_, e)| !k.dag.is_zero(*e));
+    found.mass.retain(|(_, _, e)| !alg.dag.is_zero(*e));
+    found.force.retain(|(_, e)| !alg.dag.is_zero(*e));
     found
 }
 
@@ -82,7 +83,7 @@ impl Load {
         for (&unknown, wrench) in &other.columns {
             self.add_column(dag, unknown, wrench);
         }
-        self.beside.extend(&other.beside);
+        self.completed_by.extend(&other.completed_by);
     }
 
     fn add_column(&mut self, dag: &mut Dag, unknown: UnknownId, wrench: &Wrench) {
@@ -96,15 +97,15 @@ impl Load {
 
 /// Columns and contributions of a joint; the load as its parent feels it.
 fn inwards(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
     node: &Node,
     joint: &Joint,
     motion: &Moves,
     (mut load, turning): (Load, Option<Turning>),
     inner: &State,
-    found: &mut Contributions,
+    found: &mut Terms,
 ) -> Load {
-    let dag = &mut k.dag;
+    let dag = &mut alg.dag;
     let zero = [dag.zero(); 3];
     let axis = joint.axis as usize;
     let mut own: Vec<(UnknownId, Components, Components)> = Vec::new();
@@ -114,8 +115,8 @@ fn inwards(
         own.push((unknown, zero, w));
     }
     match turning {
-        Some(turning) => load.meet_parallel(dag, &own[0], &turning, found),
-        None => load.meet(dag, &own, found),
+        Some(turning) => load.project_parallel(dag, &own[0], &turning, found),
+        None => load.project(dag, &own, found),
     }
     let mut load = load.turned(dag, joint);
     load.spin(dag, node.spin, joint.axis, motion, inner, found);
@@ -126,22 +127,18 @@ fn inwards(
         own.insert(unknown, v);
     }
     let own: Vec<_> = own.into_iter().map(|(unknown, v)| (unknown, v, zero)).collect();
-    load.meet(dag, &own, found);
+    load.project(dag, &own, found);
     load.shifted(dag, &joint.offset)
 }
 
 impl Load {
-    /// Adds what the twists `own` (unknown, v, w) contribute against this load, and their columns.
-    fn meet(
-        &mut self,
-        dag: &mut Dag,
-        own: &[(UnknownId, Components, Components)],
-        found: &mut Contributions,
-    ) {
+    /// Projects on the twists `own` (unknown, v, w) of a joint: their entries of M_y and of the forces, v . f + w . n of
+    /// columns and bias, and their own columns for the joints inside.
+    fn project(&mut self, dag: &mut Dag, own: &[(UnknownId, Components, Components)], found: &mut Terms) {
         let new: Vec<Wrench> = own.iter().map(|(_, v, w)| self.inertia.momentum(dag, v, w)).collect();
         for (n, (unknown, v, w)) in own.iter().enumerate() {
             for (other, product) in self.powers(dag, v, w) {
-                found.add_mass(dag, *unknown, other, product);
+                found.add_product(dag, *unknown, other, product);
             }
             for ((other, ..), column) in own.iter().zip(&new).skip(n) {
                 let product = power(dag, v, w, column);
@@ -156,11 +153,11 @@ impl Load {
     }
 
     /// What a twist contributes against every column: products with the rates' own columns.
-    fn powers(&self, dag: &mut Dag, v: &Components, w: &Components) -> BTreeMap<UnknownId, ExprId> {
-        let mut products: BTreeMap<UnknownId, ExprId> =
+    fn powers(&self, dag: &mut Dag, v: &Components, w: &Components) -> LinearForm {
+        let mut products: LinearForm =
             self.columns.iter().map(|(&unknown, column)| (unknown, power(dag, v, w, column))).collect();
         // The outermost hinge of several first: its column is its own.
-        let mut waiting = self.beside.clone();
+        let mut waiting = self.completed_by.clone();
         while let Some((&inner, &outer)) = waiting.iter().find(|(_, outer)| !waiting.contains_key(outer)) {
             let sum = dag.add(products[&inner], products[&outer]);
             products.insert(inner, sum);
@@ -169,14 +166,14 @@ impl Load {
         products
     }
 
-    /// [`Load::meet()`] of a hinge that leaves a parallel one farther out unturned: with M'_aa its own part, and
+    /// [`Load::project()`] of a hinge that leaves a parallel one farther out unturned: with M'_aa its own part, and
     /// d = M_ab - M_bb what the translation of the other takes, M_aa = M'_aa + d + M_ab.
-    fn meet_parallel(
+    fn project_parallel(
         &mut self,
         dag: &mut Dag,
         (unknown, v, w): &(UnknownId, Components, Components),
         turning: &Turning,
-        found: &mut Contributions,
+        found: &mut Terms,
     ) {
         let products = self.powers(dag, v, w);
         let (outer, own, column) = turning.column(dag, w);
@@ -184,13 +181,13 @@ impl Load {
         let sum = dag.add(own, lever);
         let diagonal = dag.add(sum, products[&outer]);
         for (other, product) in products {
-            found.add_mass(dag, *unknown, other, product);
+            found.add_product(dag, *unknown, other, product);
         }
         found.mass.push((*unknown, *unknown, diagonal));
         let work = power(dag, v, w, &self.bias);
         found.force.push((*unknown, dag.negate(work)));
         self.add_column(dag, *unknown, &column);
-        self.beside.insert(*unknown, outer);
+        self.completed_by.insert(*unknown, outer);
     }
 
     fn turned(&self, dag: &mut Dag, joint: &Joint) -> Self {
@@ -200,7 +197,7 @@ impl Load {
             columns: (self.columns.iter())
                 .map(|(&unknown, column)| (unknown, column.turned(dag, joint.axis, joint.angle)))
                 .collect(),
-            beside: self.beside.clone(),
+            completed_by: self.completed_by.clone(),
         }
     }
 
@@ -211,7 +208,7 @@ impl Load {
             columns: (self.columns.iter())
                 .map(|(&unknown, column)| (unknown, column.shifted(dag, offset)))
                 .collect(),
-            beside: self.beside.clone(),
+            completed_by: self.completed_by.clone(),
         }
     }
 
@@ -223,7 +220,7 @@ impl Load {
         axis: Axis,
         motion: &Moves,
         inner: &State,
-        found: &mut Contributions,
+        found: &mut Terms,
     ) {
         if dag.is_zero(inertia) {
             return;

@@ -3,60 +3,60 @@
 //! T = 1/2 y' M_y y over all unknowns; V = - sum m g . p + sum 1/2 K (stretch)^2.
 
 use super::active_force;
-use super::unprojected::Unprojected;
+use super::mass_and_force::MassAndForce;
 use crate::expr::ExprId;
 use crate::expr::number::Number;
 use crate::kinematics::{Kinematics, flatten, lower_scalar, lower_vector};
 use crate::model::{LoadKind, Model};
+use crate::vector::Algebra;
 
 /// 1/2 y' M_y y.
-pub(super) fn kinetic(k: &mut Kinematics, parts: &Unprojected) -> ExprId {
-    let half = k.dag.number(Number::rational(1, 2));
-    let mut total = k.dag.zero();
+pub(super) fn kinetic(alg: &mut Algebra, k: &Kinematics, parts: &MassAndForce) -> ExprId {
+    let half = alg.dag.number(Number::rational(1, 2));
+    let mut total = alg.dag.zero();
     for (&(a, b), &mass) in &parts.mass {
         let (y, z) = (k.unknowns[a].value, k.unknowns[b].value);
-        let product = k.dag.mul(y, z);
-        let term = k.dag.mul(mass, product);
+        let product = alg.dag.mul(y, z);
+        let term = alg.dag.mul(mass, product);
         // Off-diagonal entries stand for two.
-        let term = if a == b { k.dag.mul(half, term) } else { term };
-        total = k.dag.add(total, term);
+        let term = if a == b { alg.dag.mul(half, term) } else { term };
+        total = alg.dag.add(total, term);
     }
     total
 }
 
 /// Energy of gravity and of springs; zero height is the origin's.
-pub(super) fn potential(model: &Model, k: &mut Kinematics) -> ExprId {
-    let mut total = k.dag.zero();
+pub(super) fn potential(alg: &mut Algebra, model: &Model, k: &Kinematics) -> ExprId {
+    let mut total = alg.dag.zero();
     if let Some(gravity) = &model.gravity {
-        let gravity = lower_vector(k, gravity);
+        let gravity = lower_vector(alg, k, gravity);
         for body in model.bodies.iter().filter(|b| b.weight) {
-            if let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) {
-                let position = k.positions[body.centre].clone();
-                let position = flatten(k, &position);
-                let height = k.triads.dot(&mut k.dag, &gravity, &position);
-                let term = k.dag.mul(mass, height);
-                total = k.dag.sub(total, term);
+            if let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(alg, k, m)) {
+                let position = flatten(alg, k, &k.positions[body.centre]);
+                let height = alg.dot(&gravity, &position);
+                let term = alg.dag.mul(mass, height);
+                total = alg.dag.sub(total, term);
             }
         }
     }
-    let half = k.dag.number(Number::rational(1, 2));
+    let half = alg.dag.number(Number::rational(1, 2));
     for load in &model.loads {
         let (stiffness, stretch) = match &load.kind {
             LoadKind::Spring { ends, stiffness, rest_length, .. } => {
-                let (stiffness, rest) = (lower_scalar(k, stiffness), lower_scalar(k, rest_length));
-                let (_, length) = active_force::spring_line(k, *ends);
-                (stiffness, k.dag.sub(length, rest))
+                let (stiffness, rest) = (lower_scalar(alg, k, stiffness), lower_scalar(alg, k, rest_length));
+                let (_, length) = active_force::spring_line(alg, k, *ends);
+                (stiffness, alg.dag.sub(length, rest))
             }
             LoadKind::CoordinateSpring { coordinate, stiffness, rest, .. } => {
-                let (stiffness, rest) = (lower_scalar(k, stiffness), lower_scalar(k, rest));
-                (stiffness, k.dag.sub(k.q[*coordinate], rest))
+                let (stiffness, rest) = (lower_scalar(alg, k, stiffness), lower_scalar(alg, k, rest));
+                (stiffness, alg.dag.sub(k.q[*coordinate], rest))
             }
             LoadKind::Force { .. } | LoadKind::Torque { .. } => continue,
         };
-        let square = k.dag.mul(stretch, stretch);
-        let term = k.dag.mul(stiffness, square);
-        let term = k.dag.mul(half, term);
-        total = k.dag.add(total, term);
+        let square = alg.dag.mul(stretch, stretch);
+        let term = alg.dag.mul(stiffness, square);
+        let term = alg.dag.mul(half, term);
+        total = alg.dag.add(total, term);
     }
     total
 }

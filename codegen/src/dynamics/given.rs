@@ -6,22 +6,22 @@
 
 use crate::expr::ExprId;
 use crate::kinematics::eliminate::Solution;
-use crate::kinematics::{Kinematics, Motion, Rate, UnknownId};
-use std::collections::BTreeMap;
+use crate::kinematics::{Kinematics, LinearForm, Motion, Rate, UnknownId};
+use crate::vector::Algebra;
 
 /// y' of every unknown; of none, where accelerations are left open.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Given(BTreeMap<UnknownId, ExprId>);
+pub(crate) struct Given(LinearForm);
 
 impl Given {
     /// What the derivatives of the independent speeds mean for all unknowns.
-    pub fn new(k: &mut Kinematics, solution: &Solution, u_dot: &[ExprId]) -> Self {
-        let y_dot = k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
-        Self(solution.derivatives(k, y_dot))
+    pub fn new(alg: &mut Algebra, k: &Kinematics, solution: &Solution, u_dot: &[ExprId]) -> Self {
+        let y_dot = k.unknowns.independent().into_iter().zip(u_dot.iter().copied()).collect();
+        Self(solution.derivatives(alg, y_dot))
     }
 
     /// Derivatives of all unknowns but the clock.
-    pub fn all(y_dot: BTreeMap<UnknownId, ExprId>) -> Self {
+    pub fn all(y_dot: LinearForm) -> Self {
         Self(y_dot)
     }
 
@@ -36,22 +36,22 @@ impl Given {
     }
 
     /// The motion with its acceleration as bias.
-    pub fn motion(&self, k: &mut Kinematics, mut motion: Motion) -> Motion {
+    pub fn motion(&self, alg: &mut Algebra, mut motion: Motion) -> Motion {
         for (unknown, partial) in &motion.partials {
             if let Some(y_dot) = self.of(*unknown) {
-                let term = partial.scaled(&mut k.dag, y_dot);
-                motion.bias = motion.bias.plus(&mut k.dag, &term);
+                let term = partial.scaled(&mut alg.dag, y_dot);
+                motion.bias = motion.bias.plus(&mut alg.dag, &term);
             }
         }
         motion
     }
 
     /// The rate with its derivative as bias.
-    pub fn rate(&self, k: &mut Kinematics, mut rate: Rate) -> Rate {
+    pub fn rate(&self, alg: &mut Algebra, mut rate: Rate) -> Rate {
         for (unknown, &partial) in &rate.partials {
             if let Some(y_dot) = self.of(*unknown) {
-                let term = k.dag.mul(partial, y_dot);
-                rate.bias = k.dag.add(rate.bias, term);
+                let term = alg.dag.mul(partial, y_dot);
+                rate.bias = alg.dag.add(rate.bias, term);
             }
         }
         rate

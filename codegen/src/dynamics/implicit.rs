@@ -11,12 +11,12 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, Dependence, ExprId, SymbolId};
 use crate::kinematics::eliminate::Solution;
 use crate::kinematics::factored::Factored;
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, LinearForm};
 use crate::model::Model;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
-use std::collections::BTreeMap;
 
-type ByUnknown = BTreeMap<UnknownId, ExprId>;
+type ByUnknown = LinearForm;
 
 /// r, and what its symbols stand for.
 pub(crate) struct Implicit {
@@ -32,8 +32,9 @@ impl Implicit {
     /// At given u'; none where nothing was eliminated, or the rows were not solved one by one. The table learns the
     /// values of the symbols.
     pub fn new(
+        alg: &mut Algebra,
         model: &Model,
-        k: &mut Kinematics,
+        k: &Kinematics,
         table: &mut SampleTable,
         solution: &Solution,
         (u_dot, others): (&[ExprId], &[ExprId]),
@@ -41,28 +42,28 @@ impl Implicit {
         if solution.steps.is_empty() {
             return None;
         }
-        let factored = Factored::new(k, table, solution)?;
+        let factored = Factored::new(alg, k, table, solution)?;
         let mut coefficients = Held::default();
-        let factors = factored.map(|e| coefficients.hold(&mut k.dag, e));
+        let factors = factored.map(|e| coefficients.hold(&mut alg.dag, e));
         let mut held = solution.clone();
         for c in held.steps.iter_mut().flat_map(|step| step.coefficients.values_mut()) {
-            *c = coefficients.hold(&mut k.dag, *c);
+            *c = coefficients.hold(&mut alg.dag, *c);
         }
-        let mut y_dot: ByUnknown = k.independent_unknowns().into_iter().zip(u_dot.iter().copied()).collect();
-        let derivatives = solution.derivatives(k, y_dot.clone());
+        let mut y_dot: ByUnknown = k.unknowns.independent().into_iter().zip(u_dot.iter().copied()).collect();
+        let derivatives = solution.derivatives(alg, y_dot.clone());
         let mut accelerations = Held::default();
-        for y in k.dependent_unknowns() {
-            y_dot.insert(y, accelerations.fresh(&mut k.dag, derivatives[&y]));
+        for y in k.unknowns.dependent() {
+            y_dot.insert(y, accelerations.fresh(&mut alg.dag, derivatives[&y]));
         }
-        let mut forces = missing_at(model, k, &Given::all(y_dot.clone()));
+        let mut forces = missing_at(alg, model, k, &Given::all(y_dot.clone()));
         let mut multipliers = Held::default();
-        take_multipliers(k, solution, &factored, (&y_dot, &mut forces), &mut multipliers);
-        let corrected = corrected(k, solution, &factors, &y_dot);
-        let residual = on_independent(k, &held, forces);
-        let residual = k.dag.substitute(&residual, &corrected);
-        let others = k.dag.substitute(others, &corrected);
+        take_multipliers(alg, k, solution, &factored, (&y_dot, &mut forces), &mut multipliers);
+        let corrected = corrected(alg, k, solution, &factors, &y_dot);
+        let residual = on_independent(alg, k, &held, forces);
+        let residual = alg.dag.substitute(&residual, &corrected);
+        let others = alg.dag.substitute(others, &corrected);
         for held in [&coefficients, &accelerations, &multipliers] {
-            let values = held.values.iter().map(|(&s, &value)| (s, table.values(&k.dag, value).to_vec()));
+            let values = held.values.iter().map(|(&s, &value)| (s, table.values(&alg.dag, value).to_vec()));
             let values = values.collect();
             table.set_symbols(values);
         }
@@ -81,43 +82,45 @@ impl Implicit {
 
 /// f - J' lambda, with lambda of J_d' lambda = f_d held.
 fn take_multipliers(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     solution: &Solution,
     factored: &Factored,
     (y_dot, forces): (&ByUnknown, &mut ByUnknown),
     held: &mut Held,
 ) {
-    let dependent = k.dependent_unknowns();
+    let dependent = k.unknowns.dependent();
     let of_dependent = dependent.into_iter().filter_map(|y| Some((y, *forces.get(&y)?))).collect();
-    let lambda = factored.solve_transposed(&mut k.dag, of_dependent);
+    let lambda = factored.solve_transposed(&mut alg.dag, of_dependent);
     for (row, lambda) in solution.rows.iter().zip(lambda) {
-        let lambda = held.hold(&mut k.dag, lambda);
+        let lambda = held.hold(&mut alg.dag, lambda);
         for (&y, &coefficient) in row.coefficients.iter().filter(|(y, _)| y_dot.contains_key(y)) {
-            let term = k.dag.mul(coefficient, lambda);
-            let force = forces.get(&y).copied().unwrap_or_else(|| k.dag.zero());
-            forces.insert(y, k.dag.sub(force, term));
+            let term = alg.dag.mul(coefficient, lambda);
+            let force = forces.get(&y).copied().unwrap_or_else(|| alg.dag.zero());
+            forces.insert(y, alg.dag.sub(force, term));
         }
     }
 }
 
 /// What stands for the symbols of the dependent y and y': each less its correction.
 fn corrected(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     solution: &Solution,
     factors: &Factored,
     y_dot: &ByUnknown,
 ) -> HashMap<SymbolId, ExprId> {
-    let dependent = k.dependent_unknowns();
+    let dependent = k.unknowns.dependent();
     let (mut velocity, mut acceleration) = (Vec::new(), Vec::new());
     for row in &solution.rows {
-        let (mut first, mut second) = (k.dag.zero(), row.bias);
+        let (mut first, mut second) = (alg.dag.zero(), row.bias);
         for (unknown, &coefficient) in &row.coefficients {
-            let term = k.dag.mul(coefficient, k.unknowns[*unknown].value);
-            first = k.dag.add(first, term);
+            let term = alg.dag.mul(coefficient, k.unknowns[*unknown].value);
+            first = alg.dag.add(first, term);
             // The clock has no y'.
             if let Some(&y_dot) = y_dot.get(unknown) {
-                let term = k.dag.mul(coefficient, y_dot);
-                second = k.dag.add(second, term);
+                let term = alg.dag.mul(coefficient, y_dot);
+                second = alg.dag.add(second, term);
             }
         }
         velocity.push(first);
@@ -127,11 +130,11 @@ fn corrected(
     let values: Vec<ExprId> = dependent.iter().map(|&y| k.unknowns[y].value).collect();
     let derivatives: Vec<ExprId> = dependent.iter().map(|y| y_dot[y]).collect();
     for (rows, symbols) in [(velocity, values), (acceleration, derivatives)] {
-        let rows = k.dag.substitute(&rows, &corrected);
-        let change = factors.solve(&mut k.dag, rows);
+        let rows = alg.dag.substitute(&rows, &corrected);
+        let change = factors.solve(&mut alg.dag, rows);
         for (y, symbol) in dependent.iter().zip(symbols) {
-            let new = k.dag.sub(symbol, change[y]);
-            corrected.extend(k.dag.as_symbol(symbol).map(|id| (id, new)));
+            let new = alg.dag.sub(symbol, change[y]);
+            corrected.extend(alg.dag.as_symbol(symbol).map(|id| (id, new)));
         }
     }
     corrected

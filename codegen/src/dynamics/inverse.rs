@@ -5,72 +5,67 @@
 
 use super::absolute::Absolute;
 use super::given::Given;
+use super::mass_and_force::MassAndForce;
 use super::solve::Factors;
-use super::unprojected::Unprojected;
 use super::{active_force, inertia_force};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::Id;
 use crate::kinematics::eliminate::Solution;
 use crate::kinematics::sparse::{self, Equation};
-use crate::kinematics::{Kinematics, UnknownId, linear};
+use crate::kinematics::{Kinematics, LinearForm, UnknownId, linear};
 use crate::model::Model;
-use std::collections::BTreeMap;
+use crate::vector::Algebra;
 
 /// Inertia forces at given accelerations less active forces, by unknown: what is missing for them to happen.
 pub(crate) fn missing_forces(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     solution: &Solution,
     u_dot: &[ExprId],
-) -> BTreeMap<UnknownId, ExprId> {
-    let given = Given::new(k, solution, u_dot);
-    missing_at(model, k, &given)
+) -> LinearForm {
+    let given = Given::new(alg, k, solution, u_dot);
+    missing_at(alg, model, k, &given)
 }
 
 /// [`missing_forces`] at given derivatives of all unknowns.
-pub(super) fn missing_at(model: &Model, k: &mut Kinematics, given: &Given) -> BTreeMap<UnknownId, ExprId> {
-    let mut parts = Unprojected::default();
-    inertia_force::accumulate(model, k, given, &mut parts);
-    active_force::accumulate(model, k, &mut parts);
-    parts.force.into_iter().map(|(unknown, force)| (unknown, k.dag.negate(force))).collect()
+pub(super) fn missing_at(alg: &mut Algebra, model: &Model, k: &Kinematics, given: &Given) -> LinearForm {
+    let mut parts = MassAndForce::default();
+    inertia_force::accumulate(alg, model, k, given, &mut parts);
+    active_force::accumulate(alg, model, k, &mut parts);
+    parts.force.into_iter().map(|(unknown, force)| (unknown, alg.dag.negate(force))).collect()
 }
 
 /// The missing forces on the independent speeds, those of the others carried over by their partial velocities: T' f.
 pub(crate) fn on_independent(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     solution: &Solution,
-    mut forces: BTreeMap<UnknownId, ExprId>,
+    mut forces: LinearForm,
 ) -> Vec<ExprId> {
     for step in &solution.steps {
-        let Some(force) = forces.remove(&step.unknown) else { continue };
-        for (&z, &c) in &step.coefficients {
-            let term = k.dag.mul(c, force);
-            let sum = match forces.get(&z) {
-                Some(&mine) => k.dag.add(mine, term),
-                None => term,
-            };
-            forces.insert(z, sum);
-        }
+        forces.substitute(&mut alg.dag, step.unknown, &step.coefficients);
     }
-    let zero = k.dag.zero();
-    let independent = k.independent_unknowns();
+    let zero = alg.dag.zero();
+    let independent = k.unknowns.independent();
     independent.into_iter().map(|unknown| forces.get(&unknown).copied().unwrap_or(zero)).collect()
 }
 
 /// Multipliers lambda of the rows in `J' lambda = M y' - f`, from the equations of the dependent unknowns; none where
 /// there are more rows than those, so that they are not determined one by one.
 pub(crate) fn multipliers(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     table: &mut SampleTable,
     solution: &Solution,
-    missing: &BTreeMap<UnknownId, ExprId>,
+    missing: &LinearForm,
 ) -> Option<Vec<ExprId>> {
-    let dependent = k.dependent_unknowns();
+    let dependent = k.unknowns.dependent();
     if dependent.len() != solution.rows.len() {
         return None;
     }
-    let zero = k.dag.zero();
+    let zero = alg.dag.zero();
     let mut equations = Vec::new();
     for unknown in dependent {
         let entries = solution.rows.iter().enumerate();
@@ -80,7 +75,7 @@ pub(crate) fn multipliers(
         equations
             .push(Equation { coefficients, right: vec![missing.get(&unknown).copied().unwrap_or(zero)] });
     }
-    let (values, _) = sparse::solve(&mut k.dag, table, equations)?;
+    let (values, _) = sparse::solve(&mut alg.dag, table, equations)?;
     (0..solution.rows.len()).map(|r| values.get(&UnknownId::from_index(r)).map(|v| v[0])).collect()
 }
 
@@ -130,7 +125,7 @@ pub(crate) fn forces_for(
 /// Inputs that supply the generalised forces: B inputs = force, with B how the forcing depends on them. None where B is
 /// not square, depends on the inputs, or is singular at a sample.
 pub(crate) fn inputs_for(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
     table: &mut SampleTable,
     forcing: &[ExprId],
     inputs: &[SymbolId],
@@ -140,29 +135,29 @@ pub(crate) fn inputs_for(
     if inputs.len() != n {
         return None;
     }
-    let mut map = vec![vec![k.dag.zero(); n]; n];
+    let mut map = vec![vec![alg.dag.zero(); n]; n];
     for (row, &f) in map.iter_mut().zip(forcing) {
         for (entry, &input) in row.iter_mut().zip(inputs) {
-            *entry = k.dag.derivative(f, input);
-            if k.dag.symbols_of(*entry).iter().any(|symbol| inputs.contains(symbol)) {
+            *entry = alg.dag.derivative(f, input);
+            if alg.dag.symbols_of(*entry).iter().any(|symbol| inputs.contains(symbol)) {
                 return None;
             }
         }
     }
     for sample in 0..table.points() {
         let numbers: Vec<f64> =
-            map.iter().flatten().map(|&entry| table.values(&k.dag, entry)[sample]).collect();
+            map.iter().flatten().map(|&entry| table.values(&alg.dag, entry)[sample]).collect();
         if linear::solve(&numbers, &mut vec![0.0; n], n).1 < n {
             return None;
         }
     }
     let mut equations = Vec::new();
     for (row, &force) in map.into_iter().zip(force) {
-        let entries = row.into_iter().enumerate().filter(|(_, e)| !k.dag.is_zero(*e));
+        let entries = row.into_iter().enumerate().filter(|(_, e)| !alg.dag.is_zero(*e));
         let coefficients = entries.map(|(j, e)| (UnknownId::from_index(j), e)).collect();
         equations.push(Equation { coefficients, right: vec![force] });
     }
-    let (values, _) = sparse::solve(&mut k.dag, table, equations)?;
+    let (values, _) = sparse::solve(&mut alg.dag, table, equations)?;
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).map(|value| value[0])).collect()
 }
 

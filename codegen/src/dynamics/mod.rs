@@ -12,12 +12,12 @@ mod articulated_inertia;
 mod augmented;
 mod chain;
 mod composite;
-mod contributions;
 mod energy;
 mod given;
 mod implicit;
 mod inertia_force;
 mod inverse;
+mod mass_and_force;
 mod parallel;
 mod power;
 mod reduce;
@@ -31,7 +31,6 @@ mod solve;
 mod spatial;
 mod tree;
 mod tree_motion;
-mod unprojected;
 
 pub use augmented::Augmented;
 pub(crate) use implicit::Implicit;
@@ -48,11 +47,12 @@ use crate::kinematics::eliminate::{Pivot, Solution};
 use crate::kinematics::{Kinematics, Unknown, UnknownId, UnknownKind};
 use crate::model::Model;
 use crate::section::Section;
+use crate::vector::Algebra;
 use given::Given;
+use mass_and_force::MassAndForce;
 use reduce::Reduced;
 use rustc_hash::FxHashMap as HashMap;
 use segment::Segment;
-use unprojected::Unprojected;
 
 /// Equations of motion of the independent speeds, and the energies.
 #[derive(Clone, Debug)]
@@ -84,45 +84,47 @@ pub struct Dynamics {
 /// # Errors
 /// If the mass matrix is singular: a coordinate moves without moving any mass.
 pub fn derive(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
     (optimise, with_augmented): (Optimise, bool),
 ) -> Result<Dynamics, Diagnostics> {
-    let mut parts = Unprojected::default();
-    let segments = if solution.ties.is_empty() { segment::sparse_tree(model, k) } else { None };
+    let mut parts = MassAndForce::default();
+    let segments = if solution.ties.is_empty() { segment::sparse_tree(alg, model, k) } else { None };
     match &segments {
         Some(segments) => {
-            segment_inertia::accumulate(k, segments, &mut parts);
-            inertia_force::rotations(model, k, &mut parts);
+            segment_inertia::accumulate(alg, segments, &mut parts);
+            inertia_force::rotations(alg, model, k, &mut parts);
         }
-        None => inertia_force::accumulate(model, k, &Given::default(), &mut parts),
+        None => inertia_force::accumulate(alg, model, k, &Given::default(), &mut parts),
     }
-    active_force::accumulate(model, k, &mut parts);
-    let (kinetic, potential) = (energy::kinetic(k, &parts), energy::potential(model, k));
-    let values = unknown_values(model, k, solution);
+    active_force::accumulate(alg, model, k, &mut parts);
+    let (kinetic, potential) = (energy::kinetic(alg, k, &parts), energy::potential(alg, model, k));
+    let values = unknown_values(alg, model, k, solution);
     let augmented = match with_augmented {
-        true => augmented::derive(k, solution, &parts, &values),
+        true => augmented::derive(alg, k, solution, &parts, &values),
         false => Augmented::default(),
     };
-    let Reduced { mass: mass_matrix, forcing, drive } = reduce::reduce(k, solution, parts);
-    let forcing = k.dag.substitute(&forcing, &values);
-    let energies = k.dag.substitute(&[kinetic, potential], &values);
+    let Reduced { mass: mass_matrix, forcing, drive } = reduce::reduce(alg, k, solution, parts);
+    let forcing = alg.dag.substitute(&forcing, &values);
+    let energies = alg.dag.substitute(&[kinetic, potential], &values);
     let Solved { u_dot, speed_correction, of_ties, pivots } = match solution.ties.is_empty() {
         true => {
             let equations = (&mass_matrix[..], &forcing[..]);
-            let (u_dot, pivots) = accelerations(model, k, table, segments.as_deref(), equations, optimise)?;
+            let (u_dot, pivots) =
+                accelerations(alg, model, k, table, segments.as_deref(), equations, optimise)?;
             Solved { u_dot, pivots, ..Solved::default() }
         }
-        false => tied(model, k, table, (solution, &values), (&mass_matrix, &forcing))?,
+        false => tied(alg, model, k, table, (solution, &values), (&mass_matrix, &forcing))?,
     };
     let drive = drive.map(|(mass, force)| {
-        let power = drive_power(&mut k.dag, &mass, &u_dot, force, &values);
-        of_ties.map_or(power, |part| k.dag.sub(power, part))
+        let power = drive_power(&mut alg.dag, &mass, &u_dot, force, &values);
+        of_ties.map_or(power, |part| alg.dag.sub(power, part))
     });
     if let Some(power) = drive {
-        k.dag.label(power, Label::named(Section::Results, "drive"));
+        alg.dag.label(power, Label::named(Section::Results, "drive"));
     }
     Ok(Dynamics {
         mass_matrix,
@@ -150,17 +152,18 @@ struct Solved {
 
 /// u' of redundant speeds.
 fn tied(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     (solution, values): (&Solution, &HashMap<SymbolId, ExprId>),
     (mass, forcing): (&[Vec<ExprId>], &[ExprId]),
 ) -> Result<Solved, Diagnostics> {
     let rows = &solution.ties;
-    let Some(found) = redundant::solve(model, k, table, (rows, values), (mass, forcing)) else {
+    let Some(found) = redundant::solve(alg, model, k, table, (rows, values), (mass, forcing)) else {
         return Err(solve::still_masses(model));
     };
-    let of_ties = redundant::power_of_drive(k, rows, &found.multipliers);
+    let of_ties = redundant::power_of_drive(alg, k, rows, &found.multipliers);
     Ok(Solved { u_dot: found.u_dot, speed_correction: found.correction, of_ties, pivots: found.pivots })
 }
 
@@ -180,32 +183,34 @@ fn drive_power(
 
 /// Does every motion that the ties of redundant speeds allow move mass, at every sample?
 pub(crate) fn is_inert(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
 ) -> bool {
-    let mut parts = Unprojected::default();
-    inertia_force::accumulate(model, k, &Given::default(), &mut parts);
-    let values = unknown_values(model, k, solution);
-    let Reduced { mass, .. } = reduce::reduce(k, solution, parts);
-    let forcing = vec![k.dag.zero(); mass.len()];
-    redundant::solve(model, k, table, (&solution.ties, &values), (&mass, &forcing)).is_some()
+    let mut parts = MassAndForce::default();
+    inertia_force::accumulate(alg, model, k, &Given::default(), &mut parts);
+    let values = unknown_values(alg, model, k, solution);
+    let Reduced { mass, .. } = reduce::reduce(alg, k, solution, parts);
+    let forcing = vec![alg.dag.zero(); mass.len()];
+    redundant::solve(alg, model, k, table, (&solution.ties, &values), (&mass, &forcing)).is_some()
 }
 
 /// What is left without masses: the values of the unknowns; every force, acceleration and energy is 0.
 pub(crate) fn without_mass(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     solution: &Solution,
     table: &mut SampleTable,
 ) -> Dynamics {
-    let values = unknown_values(model, k, solution);
+    let values = unknown_values(alg, model, k, solution);
     let speed_correction = match solution.ties.is_empty() {
         true => Vec::new(),
-        false => redundant::shortest_correction(model, k, table, &solution.ties).unwrap_or_default(),
+        false => redundant::shortest_correction(alg, model, k, table, &solution.ties).unwrap_or_default(),
     };
-    let (zero, n_u) = (k.dag.zero(), k.independent_unknowns().len());
+    let (zero, n_u) = (alg.dag.zero(), k.unknowns.independent().len());
     Dynamics {
         mass_matrix: Vec::new(),
         forcing: Vec::new(),
@@ -222,27 +227,28 @@ pub(crate) fn without_mass(
 
 /// u' and pivots in whichever form costs less: through the mass matrix, as a chain, or hinge by hinge.
 fn accelerations(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     segments: Option<&[Segment]>,
     (mass_matrix, forcing): (&[Vec<ExprId>], &[ExprId]),
     optimise: Optimise,
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
-    let chain = segments.and_then(|segments| chain::derive(model, k, table, segments));
-    let hinges = articulated::derive(model, k, table, mass_matrix);
+    let chain = segments.and_then(|segments| chain::derive(alg, model, k, table, segments));
+    let hinges = articulated::derive(alg, model, k, table, mass_matrix);
     let forms = chain.map(|c| (c.u_dot, c.pivots)).into_iter().chain(hinges.map(|h| (h.u_dot, h.pivots)));
-    let shortest = forms.map(|form| (k.dag.cost(&form.0, optimise), form)).min_by_key(|(cost, _)| *cost);
+    let shortest = forms.map(|form| (alg.dag.cost(&form.0, optimise), form)).min_by_key(|(cost, _)| *cost);
     // The mass matrix alone may cost more: then it need not be solved with.
     let entries: Vec<ExprId> = mass_matrix.iter().flatten().chain(forcing).copied().collect();
     if let Some((cost, form)) = &shortest
-        && *cost <= k.dag.cost(&entries, optimise)
+        && *cost <= alg.dag.cost(&entries, optimise)
     {
         return Ok(form.clone());
     }
-    let (u_dot, pivots) = solve::ldl(model, k, table, mass_matrix, forcing)?;
+    let (u_dot, pivots) = solve::ldl(alg, model, k, table, mass_matrix, forcing)?;
     match shortest {
-        Some((cost, form)) if cost < k.dag.cost(&u_dot, optimise) => Ok(form),
+        Some((cost, form)) if cost < alg.dag.cost(&u_dot, optimise) => Ok(form),
         _ => Ok((u_dot, pivots)),
     }
 }
@@ -250,24 +256,25 @@ fn accelerations(
 /// Value of every unknown that is not an independent speed, each from those eliminated after it;
 /// named after the unknown, a dependent speed with the model's line.
 pub(crate) fn unknown_values(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     solution: &Solution,
 ) -> HashMap<SymbolId, ExprId> {
     let mut values: HashMap<UnknownId, ExprId> =
         k.unknowns.enumerate().map(|(id, u)| (id, u.value)).collect();
     let mut by_symbol = HashMap::default();
     for step in solution.steps.iter().rev() {
-        let terms: Vec<_> = step.coefficients.iter().map(|(z, &c)| k.dag.mul(c, values[z])).collect();
-        let value = k.dag.sum(&terms);
+        let terms: Vec<_> = step.coefficients.iter().map(|(z, &c)| alg.dag.mul(c, values[z])).collect();
+        let value = alg.dag.sum(&terms);
         let Unknown { name, kind, .. } = &k.unknowns[step.unknown];
         let mut label = Label::named(Section::Velocities, &**name);
         if let UnknownKind::Dependent(speed) = *kind {
             label = label.at(model.source.place(model.speeds[speed].span));
         }
-        k.dag.label(value, label);
+        alg.dag.label(value, label);
         values.insert(step.unknown, value);
-        if let Some(symbol) = k.dag.as_symbol(k.unknowns[step.unknown].value) {
+        if let Some(symbol) = alg.dag.as_symbol(k.unknowns[step.unknown].value) {
             by_symbol.insert(symbol, value);
         }
     }

@@ -11,8 +11,8 @@ use super::spatial::{Inertia, Wrench};
 use super::tree::Node;
 use super::tree_motion::{Moves, power};
 use crate::expr::{Dag, ExprId};
-use crate::kinematics::{Kinematics, UnknownId, UnknownKind};
-use crate::vector::{Components, cross_components};
+use crate::kinematics::{Kinematics, UnknownId};
+use crate::vector::{Algebra, Components, cross_components};
 
 /// What the turn of a hinge moves, if one of the parts it carries hangs on a parallel hinge.
 #[derive(Clone, Debug)]
@@ -26,9 +26,14 @@ pub(super) struct Turning {
 }
 
 /// By node, where all speeds are independent.
-pub(super) fn turning(k: &Kinematics, nodes: &[Node], moves: &[Option<Moves>]) -> Vec<Option<Turning>> {
+pub(super) fn turning(
+    alg: &Algebra,
+    k: &Kinematics,
+    nodes: &[Node],
+    moves: &[Option<Moves>],
+) -> Vec<Option<Turning>> {
     let mut found: Vec<Option<Turning>> = vec![None; nodes.len()];
-    if !k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_))) {
+    if !k.unknowns.are_independent() {
         return found;
     }
     for (i, node) in nodes.iter().enumerate() {
@@ -36,9 +41,9 @@ pub(super) fn turning(k: &Kinematics, nodes: &[Node], moves: &[Option<Moves>]) -
         let inner = &nodes[joint.parent];
         let same_axis = inner.joint.as_ref().is_some_and(|other| other.axis == joint.axis);
         let rigid = moves[i].as_ref().is_some_and(|m| m.slide.iter().all(|rate| rate.partials.is_empty()));
-        let weight = !node.own.is_zero(&k.dag) && k.dag.is_zero(node.spin) && k.dag.is_zero(inner.spin);
+        let weight = !node.own.is_zero(&alg.dag) && alg.dag.is_zero(node.spin) && alg.dag.is_zero(inner.spin);
         if let (true, Some(outer), Some(_)) =
-            (same_axis && rigid && weight, rate(k, moves, i), rate(k, moves, joint.parent))
+            (same_axis && rigid && weight, rate(alg, moves, i), rate(alg, moves, joint.parent))
         {
             let turning = Turning { outer: (i, outer), inertia: inner.own.clone(), carried: None };
             found[joint.parent].get_or_insert(turning);
@@ -48,13 +53,13 @@ pub(super) fn turning(k: &Kinematics, nodes: &[Node], moves: &[Option<Moves>]) -
 }
 
 /// The unknown that is the rate of a node's hinge and moves no other joint: M_bb is then the outer part's alone.
-fn rate(k: &Kinematics, moves: &[Option<Moves>], node: usize) -> Option<UnknownId> {
+fn rate(alg: &Algebra, moves: &[Option<Moves>], node: usize) -> Option<UnknownId> {
     let turn = &moves[node].as_ref()?.turn;
-    let (&unknown, &partial) = turn.partials.first_key_value()?;
+    let (&unknown, &partial) = turn.partials.iter().next()?;
     let rates =
         |m: &Moves| std::iter::once(&m.turn).chain(&m.slide).any(|r| r.partials.contains_key(&unknown));
     let joints = moves.iter().flatten().filter(|&m| rates(m)).count();
-    (joints == 1 && turn.partials.len() == 1 && k.dag.is_one(partial)).then_some(unknown)
+    (joints == 1 && turn.partials.len() == 1 && alg.dag.is_one(partial)).then_some(unknown)
 }
 
 impl Turning {

@@ -9,13 +9,13 @@
 //! The clock, which no step eliminates, keeps its row too: M_t u' - f_t is the power that the drive puts in, since
 //! virtual power along v_t is that of all forces but those which make the mechanism follow time.
 
-use super::unprojected::Unprojected;
+use super::mass_and_force::MassAndForce;
 use crate::expr::number::Number;
 use crate::expr::{Dag, ExprId, Label};
 use crate::kinematics::eliminate::{Solution, Step};
-use crate::kinematics::{Kinematics, UnknownId};
+use crate::kinematics::{Kinematics, LinearForm, UnknownId};
 use crate::section::Section;
-use std::collections::BTreeMap;
+use crate::vector::Algebra;
 
 /// The equations of the independent speeds, M u' = forcing.
 pub(super) struct Reduced {
@@ -26,37 +26,42 @@ pub(super) struct Reduced {
 }
 
 /// Takes inertia and forces through all eliminations.
-pub(super) fn reduce(k: &mut Kinematics, solution: &Solution, mut parts: Unprojected) -> Reduced {
+pub(super) fn reduce(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    solution: &Solution,
+    mut parts: MassAndForce,
+) -> Reduced {
     for step in &solution.steps {
-        eliminate(&mut k.dag, &mut parts, step);
-        label_step(k, step);
+        eliminate(&mut alg.dag, &mut parts, step);
+        label_step(alg, k, step);
     }
-    let independent = k.independent_unknowns();
-    let zero = k.dag.zero();
+    let independent = k.unknowns.independent();
+    let zero = alg.dag.zero();
     let entry =
         |&a: &UnknownId, &b: &UnknownId| parts.mass.get(&(a.min(b), a.max(b))).copied().unwrap_or(zero);
     let row = |a: &UnknownId| -> Vec<ExprId> { independent.iter().map(|b| entry(a, b)).collect() };
     let force = |a: &UnknownId| parts.force.get(a).copied().unwrap_or(zero);
     let mass: Vec<Vec<ExprId>> = independent.iter().map(row).collect();
     let forcing: Vec<ExprId> = independent.iter().map(force).collect();
-    let drive = k.clock.map(|clock| (row(&clock), force(&clock)));
+    let drive = k.unknowns.clock().map(|clock| (row(&clock), force(&clock)));
     for (i, a) in independent.iter().enumerate() {
         let name = k.unknowns[*a].name.clone();
         for (j, b) in independent.iter().enumerate().skip(i) {
             let name = format!("mass_{name}_{}", k.unknowns[*b].name);
-            k.dag.label(mass[i][j], Label::named(Section::Inertia, name));
+            alg.dag.label(mass[i][j], Label::named(Section::Inertia, name));
         }
-        k.dag.label(forcing[i], Label::named(Section::Forces, format!("forcing_{name}")));
+        alg.dag.label(forcing[i], Label::named(Section::Forces, format!("forcing_{name}")));
     }
     Reduced { mass, forcing, drive }
 }
 
 /// Takes `y` out of the equations.
-fn eliminate(dag: &mut Dag, parts: &mut Unprojected, step: &Step) {
+fn eliminate(dag: &mut Dag, parts: &mut MassAndForce, step: &Step) {
     let y = step.unknown;
     let zero = dag.zero();
     let own = parts.mass.remove(&(y, y)).unwrap_or(zero);
-    let others: BTreeMap<UnknownId, ExprId> = (parts.mass.iter())
+    let others: LinearForm = (parts.mass.iter())
         .filter(|((a, b), _)| *a == y || *b == y)
         .map(|((a, b), &m)| (if *a == y { *b } else { *a }, m))
         .collect();
@@ -79,11 +84,11 @@ fn eliminate(dag: &mut Dag, parts: &mut Unprojected, step: &Step) {
 /// The terms of M that begin with c_z.
 fn add_masses(
     dag: &mut Dag,
-    parts: &mut Unprojected,
+    parts: &mut MassAndForce,
     step: &Step,
     (z, c): (UnknownId, ExprId),
     own: ExprId,
-    others: &BTreeMap<UnknownId, ExprId>,
+    others: &LinearForm,
 ) {
     let zero = dag.zero();
     for (&w, &d) in step.coefficients.range(z..) {
@@ -110,10 +115,10 @@ fn add_masses(
 }
 
 /// Labels for the generated code. A coefficient has no name: its value often serves several speeds.
-fn label_step(k: &mut Kinematics, step: &Step) {
+fn label_step(alg: &mut Algebra, k: &Kinematics, step: &Step) {
     for &coefficient in step.coefficients.values() {
-        k.dag.label(coefficient, Label::of(Section::Constraints));
+        alg.dag.label(coefficient, Label::of(Section::Constraints));
     }
     let bias = format!("{}_dot_bias", k.unknowns[step.unknown].name);
-    k.dag.label(step.bias, Label::named(Section::Velocities, bias));
+    alg.dag.label(step.bias, Label::named(Section::Velocities, bias));
 }

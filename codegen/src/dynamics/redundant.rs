@@ -14,6 +14,7 @@ use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::kinematics::sizes::Sizes;
 use crate::kinematics::{Kinematics, Row};
 use crate::model::Model;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// u' of redundant speeds, and what keeps them on their rows.
@@ -37,16 +38,17 @@ struct Ties {
 
 /// Solves for u'; none where some motion that the rows allow moves no mass.
 pub(super) fn solve(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     (rows, values): (&[Row], &HashMap<SymbolId, ExprId>),
     (mass, forcing): (&[Vec<ExprId>], &[ExprId]),
 ) -> Option<Redundant> {
-    let Ties { jacobian, rate, bias } = ties(k, rows, values);
-    let sizes = Sizes::new(model, k);
-    let growths = sizes.growth_of_speeds(model, k);
-    let dag = &mut k.dag;
+    let Ties { jacobian, rate, bias } = ties(alg, k, rows, values);
+    let sizes = Sizes::new(alg, model, k);
+    let growths = sizes.growth_of_speeds(alg, model, k);
+    let dag = &mut alg.dag;
     let scales = scales(dag, table, (&sizes, &growths), mass, &jacobian);
     let a = stiffened(dag, mass, &jacobian, &scales);
     let factors = Factors::new(dag, &a);
@@ -92,43 +94,50 @@ pub(super) fn solve(
 
 /// Correction of the speeds of a model without masses: the shortest.
 pub(super) fn shortest_correction(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     rows: &[Row],
 ) -> Option<Vec<ExprId>> {
-    let n = k.independent_unknowns().len();
+    let n = k.unknowns.independent().len();
     let values = HashMap::default();
-    let (zero, one) = (k.dag.zero(), k.dag.one());
+    let (zero, one) = (alg.dag.zero(), alg.dag.one());
     let unit = |i: usize| (0..n).map(|j| if i == j { one } else { zero }).collect();
     let identity: Vec<Vec<ExprId>> = (0..n).map(unit).collect();
-    solve(model, k, table, (rows, &values), (&identity, &vec![zero; n])).map(|found| found.correction)
+    solve(alg, model, k, table, (rows, &values), (&identity, &vec![zero; n])).map(|found| found.correction)
 }
 
 /// lambda' j: the power that the rows' parts without speeds take from what drives the mechanism.
-pub(super) fn power_of_drive(k: &mut Kinematics, rows: &[Row], multipliers: &[ExprId]) -> Option<ExprId> {
-    let clock = k.clock?;
+pub(super) fn power_of_drive(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    rows: &[Row],
+    multipliers: &[ExprId],
+) -> Option<ExprId> {
+    let clock = k.unknowns.clock()?;
     let mut terms = Vec::new();
     for (row, &lambda) in rows.iter().zip(multipliers) {
         if let Some(&j) = row.coefficients.get(&clock) {
-            terms.push(k.dag.mul(j, lambda));
+            terms.push(alg.dag.mul(j, lambda));
         }
     }
-    Some(k.dag.sum(&terms))
+    Some(alg.dag.sum(&terms))
 }
 
-fn ties(k: &mut Kinematics, rows: &[Row], values: &HashMap<SymbolId, ExprId>) -> Ties {
-    let speeds = k.independent_unknowns();
-    let zero = k.dag.zero();
+fn ties(alg: &mut Algebra, k: &Kinematics, rows: &[Row], values: &HashMap<SymbolId, ExprId>) -> Ties {
+    let speeds = k.unknowns.independent();
+    let zero = alg.dag.zero();
     let mut ties = Ties { jacobian: Vec::new(), rate: Vec::new(), bias: Vec::new() };
     for row in rows {
         let entries: Vec<ExprId> =
             speeds.iter().map(|u| row.coefficients.get(u).copied().unwrap_or(zero)).collect();
         let symbols: Vec<ExprId> = speeds.iter().map(|&u| k.unknowns[u].value).collect();
-        let own = dot(&mut k.dag, &entries, &symbols);
-        let still = k.clock.and_then(|clock| row.coefficients.get(&clock)).copied().unwrap_or(zero);
-        ties.rate.push(k.dag.add(own, still));
-        ties.bias.push(k.dag.substitute(&[row.bias], values)[0]);
+        let own = dot(&mut alg.dag, &entries, &symbols);
+        let still =
+            k.unknowns.clock().and_then(|clock| row.coefficients.get(&clock)).copied().unwrap_or(zero);
+        ties.rate.push(alg.dag.add(own, still));
+        ties.bias.push(alg.dag.substitute(&[row.bias], values)[0]);
         ties.jacobian.push(entries);
     }
     ties

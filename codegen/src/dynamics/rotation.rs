@@ -1,57 +1,64 @@
 //! Generalised inertia forces of one body's turning: w_k . I . w_l and w_k . (I alpha_bias + w x I w), in its own triad.
 
-use super::contributions::Contributions;
 use super::given::Given;
+use super::mass_and_force::Terms;
 use super::rigid_inertia::RigidInertia;
 use crate::expr::Dag;
-use crate::kinematics::{Kinematics, Motion, UnknownId, value_of};
-use crate::vector::{Components, TriadId, cross_components, dot_components};
+use crate::kinematics::{Kinematics, Motion, UnknownId};
+use crate::vector::{Algebra, Components, TriadId, cross_components, dot_components};
 
 /// Adds what a body's turning contributes.
-pub(super) fn rotation(k: &mut Kinematics, given: &Given, rigid: &RigidInertia, found: &mut Contributions) {
+pub(super) fn rotation(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    given: &Given,
+    rigid: &RigidInertia,
+    found: &mut Terms,
+) {
     let Some(frame) = rigid.body.frame else { return };
     let [xx, yy, zz, xy, xz, yz] = rigid.inertia;
-    if rigid.inertia.iter().all(|&e| k.dag.is_zero(e)) {
+    if rigid.inertia.iter().all(|&e| alg.dag.is_zero(e)) {
         return;
     }
     let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let triad = k.frame_triad[frame];
     let angular = k.angular[triad].clone();
-    let angular = given.motion(k, angular);
+    let angular = given.motion(alg, angular);
     let partials: Vec<(UnknownId, Components)> =
-        angular.partials.iter().map(|(&u, w)| (u, k.triads.express(&mut k.dag, w, triad))).collect();
-    let moment = bias_moment(k, triad, &angular, &inertia);
+        angular.partials.iter().map(|(&u, w)| (u, alg.express(w, triad))).collect();
+    let moment = bias_moment(alg, k, triad, &angular, &inertia);
     for (i, (a, w)) in partials.iter().enumerate() {
-        let momentum = times(&mut k.dag, &inertia, w);
+        let momentum = times(&mut alg.dag, &inertia, w);
         for (b, other) in &partials[i..] {
-            let term = dot_components(&mut k.dag, &momentum, other);
-            if !k.dag.is_zero(term) {
+            let term = dot_components(&mut alg.dag, &momentum, other);
+            if !alg.dag.is_zero(term) {
                 found.mass.push((*a, *b, term));
             }
         }
-        let term = dot_components(&mut k.dag, w, &moment);
-        found.force.push((*a, k.dag.negate(term)));
+        let term = dot_components(&mut alg.dag, w, &moment);
+        found.force.push((*a, alg.dag.negate(term)));
     }
 }
 
 /// I alpha_bias + w x I w in the body's triad.
 fn bias_moment(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     triad: TriadId,
     angular: &Motion,
     inertia: &[Components; 3],
 ) -> Components {
-    let alpha = k.triads.express(&mut k.dag, &angular.bias, triad);
-    let w = value_of(k, angular);
-    let w = k.triads.express(&mut k.dag, &w, triad);
-    let linear = times(&mut k.dag, inertia, &alpha);
-    let momentum = times(&mut k.dag, inertia, &w);
-    let gyroscopic = if is_diagonal(&k.dag, inertia) {
-        euler_products(&mut k.dag, inertia, &w)
+    let alpha = alg.express(&angular.bias, triad);
+    let w = angular.value(alg, k);
+    let w = alg.express(&w, triad);
+    let linear = times(&mut alg.dag, inertia, &alpha);
+    let momentum = times(&mut alg.dag, inertia, &w);
+    let gyroscopic = if is_diagonal(&alg.dag, inertia) {
+        euler_products(&mut alg.dag, inertia, &w)
     } else {
-        cross_components(&mut k.dag, &w, &momentum)
+        cross_components(&mut alg.dag, &w, &momentum)
     };
-    std::array::from_fn(|i| k.dag.add(linear[i], gyroscopic[i]))
+    std::array::from_fn(|i| alg.dag.add(linear[i], gyroscopic[i]))
 }
 
 fn is_diagonal(dag: &Dag, inertia: &[Components; 3]) -> bool {

@@ -4,9 +4,9 @@
 //! that of its outer end less that of its inner end.
 
 use crate::expr::ExprId;
-use crate::kinematics::{Kinematics, Motion, UnknownKind, lower_scalar, lower_vector};
+use crate::kinematics::{Kinematics, Motion, lower_scalar, lower_vector};
 use crate::model::Model;
-use crate::vector::{TriadId, Vector};
+use crate::vector::{Algebra, TriadId, Vector};
 
 /// From one centre to the next, outwards.
 #[derive(Clone, Debug)]
@@ -40,19 +40,19 @@ const TOO_MANY_MOVED: usize = 2;
 
 /// The segments of a tree in which every speed moves few; none for others, nor where speeds depend on others:
 /// measured on the four-bar and the tile, sharing there gains nothing and costs accuracy.
-pub(super) fn sparse_tree(model: &Model, k: &mut Kinematics) -> Option<Vec<Segment>> {
-    let independent = k.unknowns.iter().all(|u| matches!(u.kind, UnknownKind::Independent(_)));
+pub(super) fn sparse_tree(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Option<Vec<Segment>> {
+    let independent = k.unknowns.are_independent();
     if !independent || model.bodies.len() < FEWEST_SEGMENTS {
         return None;
     }
-    let segments = tree(model, k);
+    let segments = tree(alg, model, k);
     let moved: usize = segments.iter().map(|s| s.motion.partials.len()).sum();
     (segments.len() >= FEWEST_SEGMENTS && moved < TOO_MANY_MOVED * k.unknowns.len()).then_some(segments)
 }
 
 /// The segments, inner ones first. Bodies without mass have none; bodies with one centre share it.
-fn tree(model: &Model, k: &mut Kinematics) -> Vec<Segment> {
-    let mut centres = centres(model, k);
+fn tree(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Segment> {
+    let mut centres = centres(alg, model, k);
     // What few speeds move lies inside.
     centres.sort_by_key(|centre| centre.motion.partials.len());
     let mut segments = Vec::with_capacity(centres.len());
@@ -61,7 +61,7 @@ fn tree(model: &Model, k: &mut Kinematics) -> Vec<Segment> {
         let nearest = (0..s).map(|i| (difference(&centre.motion, &centres[i].motion), i)).min();
         let inner = nearest.filter(|(size, _)| *size < from_origin).map(|(_, i)| i);
         let motion = match inner {
-            Some(i) => minus(k, &centre.motion, &centres[i].motion),
+            Some(i) => minus(alg, &centre.motion, &centres[i].motion),
             None => centre.motion.clone(),
         };
         let (name, gravity) = (centre.name.clone(), centre.gravity.clone());
@@ -70,20 +70,20 @@ fn tree(model: &Model, k: &mut Kinematics) -> Vec<Segment> {
     segments
 }
 
-fn centres(model: &Model, k: &mut Kinematics) -> Vec<Centre> {
+fn centres(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Centre> {
     let mut centres: Vec<Centre> = Vec::new();
     for body in model.bodies.iter() {
-        let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(k, m)) else { continue };
-        if k.dag.is_zero(mass) {
+        let Some(mass) = body.mass.as_ref().map(|m| lower_scalar(alg, k, m)) else { continue };
+        if alg.dag.is_zero(mass) {
             continue;
         }
         let gravity = match &model.gravity {
-            Some(gravity) if body.weight => lower_vector(k, gravity),
+            Some(gravity) if body.weight => lower_vector(alg, k, gravity),
             _ => Vector::zero(),
         };
         let position = k.positions[body.centre].clone();
         match centres.iter_mut().find(|c| c.position == position && c.gravity == gravity) {
-            Some(same) => same.mass = k.dag.add(same.mass, mass),
+            Some(same) => same.mass = alg.dag.add(same.mass, mass),
             None => {
                 let (name, motion) = (body.name.clone(), k.velocities[body.centre].clone());
                 centres.push(Centre { name, position, motion, mass, gravity });
@@ -107,18 +107,18 @@ fn difference(a: &Motion, b: &Motion) -> (usize, usize) {
     (partials, terms)
 }
 
-fn minus(k: &mut Kinematics, a: &Motion, b: &Motion) -> Motion {
+fn minus(alg: &mut Algebra, a: &Motion, b: &Motion) -> Motion {
     let mut partials = a.partials.clone();
     for (&unknown, v) in &b.partials {
         let mine = a.partials.get(&unknown).cloned().unwrap_or_default();
-        let rest = mine.minus(&mut k.dag, v);
+        let rest = mine.minus(&mut alg.dag, v);
         if rest.is_zero() {
             partials.remove(&unknown);
         } else {
             partials.insert(unknown, rest);
         }
     }
-    Motion { partials, bias: a.bias.minus(&mut k.dag, &b.bias) }
+    Motion { partials, bias: a.bias.minus(&mut alg.dag, &b.bias) }
 }
 
 impl Segment {

@@ -5,15 +5,15 @@
 //! the inner one leads to it, else 0; and h_k = sum_s v_k . H_s, with H_s = sum m (a_bias - g) over the centres at
 //! and beyond segment s.
 
+use super::mass_and_force::MassAndForce;
 use super::segment::Segment;
-use super::unprojected::Unprojected;
 use crate::expr::ExprId;
-use crate::kinematics::{Kinematics, UnknownId};
-use crate::vector::{TriadId, Vector};
+use crate::kinematics::UnknownId;
+use crate::vector::{Algebra, TriadId, Vector};
 
 /// Adds the inertia of all centres.
-pub(super) fn accumulate(k: &mut Kinematics, segments: &[Segment], parts: &mut Unprojected) {
-    let masses = masses_beyond(k, segments);
+pub(super) fn accumulate(alg: &mut Algebra, segments: &[Segment], parts: &mut MassAndForce) {
+    let masses = masses_beyond(alg, segments);
     for (t, &mass) in masses.iter().enumerate() {
         let outer = partials(&segments[t]);
         let mut at = Some(t);
@@ -22,29 +22,29 @@ pub(super) fn accumulate(k: &mut Kinematics, segments: &[Segment], parts: &mut U
             for (i, (a, v)) in inner.iter().enumerate() {
                 // Of a segment with itself each pair once, of two segments all.
                 for (b, w) in &outer[if s == t { i } else { 0 }..] {
-                    let product = k.triads.dot(&mut k.dag, v, w);
-                    let term = k.dag.mul(mass, product);
+                    let product = alg.dot(v, w);
+                    let term = alg.dag.mul(mass, product);
                     // On the diagonal two segments count in both orders.
                     for _ in 0..if a == b && s != t { 2 } else { 1 } {
-                        add_mass(k, parts, (*a, *b), term);
+                        add_mass(alg, parts, (*a, *b), term);
                     }
                 }
             }
             at = segments[s].inner;
         }
     }
-    for (segment, force) in segments.iter().zip(bias_forces_beyond(k, segments)) {
+    for (segment, force) in segments.iter().zip(bias_forces_beyond(alg, segments)) {
         for (a, v) in partials(segment) {
-            let term = k.triads.dot(&mut k.dag, &v, &force);
-            let term = k.dag.negate(term);
-            parts.add_force(&mut k.dag, a, term);
+            let term = alg.dot(&v, &force);
+            let term = alg.dag.negate(term);
+            parts.add_force(&mut alg.dag, a, term);
         }
     }
 }
 
-fn add_mass(k: &mut Kinematics, parts: &mut Unprojected, (a, b): (UnknownId, UnknownId), term: ExprId) {
-    if !k.dag.is_zero(term) {
-        parts.add_mass(&mut k.dag, a, b, term);
+fn add_mass(alg: &mut Algebra, parts: &mut MassAndForce, (a, b): (UnknownId, UnknownId), term: ExprId) {
+    if !alg.dag.is_zero(term) {
+        parts.add_mass(&mut alg.dag, a, b, term);
     }
 }
 
@@ -53,11 +53,11 @@ fn partials(segment: &Segment) -> Vec<(UnknownId, Vector)> {
 }
 
 /// Mass at and beyond the outer end of every segment.
-fn masses_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<ExprId> {
+fn masses_beyond(alg: &mut Algebra, segments: &[Segment]) -> Vec<ExprId> {
     let mut masses: Vec<ExprId> = segments.iter().map(|s| s.mass).collect();
     for (s, segment) in segments.iter().enumerate().rev() {
         if let Some(inner) = segment.inner {
-            masses[inner] = k.dag.add(masses[inner], masses[s]);
+            masses[inner] = alg.dag.add(masses[inner], masses[s]);
         }
     }
     masses
@@ -65,25 +65,25 @@ fn masses_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<ExprId> {
 
 /// sum m (a_bias - g) at and beyond the outer end of every segment, resolved in the inertial triad: one set of
 /// components serves the sum outwards and the sum inwards.
-fn bias_forces_beyond(k: &mut Kinematics, segments: &[Segment]) -> Vec<Vector> {
+fn bias_forces_beyond(alg: &mut Algebra, segments: &[Segment]) -> Vec<Vector> {
     let inertial = TriadId::INERTIAL;
     let mut bias: Vec<Vector> = Vec::with_capacity(segments.len());
     for segment in segments {
-        let own = k.triads.express(&mut k.dag, &segment.motion.bias, inertial);
-        let own = Vector::new(&k.dag, inertial, own);
+        let own = alg.express(&segment.motion.bias, inertial);
+        let own = Vector::new(&alg.dag, inertial, own);
         bias.push(match segment.inner {
-            Some(inner) => bias[inner].plus(&mut k.dag, &own),
+            Some(inner) => bias[inner].plus(&mut alg.dag, &own),
             None => own,
         });
     }
     let mut forces: Vec<Vector> = Vec::with_capacity(segments.len());
     for (segment, bias) in segments.iter().zip(&bias) {
-        let falling = bias.minus(&mut k.dag, &segment.gravity);
-        forces.push(falling.scaled(&mut k.dag, segment.mass));
+        let falling = bias.minus(&mut alg.dag, &segment.gravity);
+        forces.push(falling.scaled(&mut alg.dag, segment.mass));
     }
     for (s, segment) in segments.iter().enumerate().rev() {
         if let Some(inner) = segment.inner {
-            forces[inner] = forces[inner].plus(&mut k.dag, &forces[s].clone());
+            forces[inner] = forces[inner].plus(&mut alg.dag, &forces[s].clone());
         }
     }
     forces

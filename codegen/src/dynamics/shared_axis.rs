@@ -5,36 +5,38 @@
 //! J w across e of a part J (1 - e e') that is alike all round e: this part is handed to the body of the other
 //! frame, where it is constant and adds to that body's own. What turns about e stays.
 
-use super::contributions::Contributions;
 use super::given::Given;
+use super::mass_and_force::Terms;
 use super::rigid_inertia::{Moments, RigidInertia};
 use super::rotation::rotation;
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
-use crate::vector::Components;
+use crate::vector::{Algebra, Components};
 
 /// All bodies, with inertia handed over wherever that takes fewer operations.
-pub(super) fn bodies<'m>(model: &'m Model, k: &mut Kinematics) -> Vec<RigidInertia<'m>> {
-    let zero = k.dag.zero();
+pub(super) fn bodies<'m>(alg: &mut Algebra, model: &'m Model, k: &Kinematics) -> Vec<RigidInertia<'m>> {
+    let zero = alg.dag.zero();
     let mut list: Vec<RigidInertia> = Vec::new();
     for body in model.bodies.iter() {
-        let inertia = std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(k, e)));
+        let inertia =
+            std::array::from_fn(|i| body.inertia[i].as_ref().map_or(zero, |e| lower_scalar(alg, k, e)));
         list.push(RigidInertia { body, inertia });
     }
     for i in 0..list.len() {
-        let Some((carrier, axis, direction)) = carrier(model, k, &list, i) else { continue };
+        let Some((carrier, axis, direction)) = carrier(alg, model, k, &list, i) else { continue };
         let parts = [0, 1, 2].map(|other| if other == axis { zero } else { list[i].inertia[other] });
-        let rest = parts.map(|part| without(k, &list[i], axis, part));
-        let least = (0..3).min_by_key(|&n| (cost(k, &rest[n]), parts[n] != zero)).unwrap_or(axis);
+        let rest = parts.map(|part| without(alg, &list[i], axis, part));
+        let least = (0..3).min_by_key(|&n| (cost(alg, k, &rest[n]), parts[n] != zero)).unwrap_or(axis);
         list[i] = rest[least].clone();
-        add_across(k, &mut list[carrier].inertia, parts[least], &direction);
+        add_across(alg, &mut list[carrier].inertia, parts[least], &direction);
     }
     list
 }
 
 /// A body whose frame is lifted and holds an axis of body `i`: its place, the axis, its components there.
 fn carrier(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     list: &[RigidInertia],
@@ -43,7 +45,7 @@ fn carrier(
     let triad_of = |rigid: &RigidInertia| rigid.body.frame.map(|frame| k.frame_triad[frame]);
     let own = triad_of(&list[i])?;
     for axis in [Axis::X, Axis::Y, Axis::Z] {
-        for &(other, direction) in k.triads.constants_of(own, axis) {
+        for &(other, direction) in alg.triads.constants_of(own, axis) {
             let place = list.iter().position(|rigid| triad_of(rigid) == Some(other));
             if let (Some(place), true) = (place, other != own && is_lifted_triad(model, k, other)) {
                 return Some((place, axis as usize, direction));
@@ -54,10 +56,10 @@ fn carrier(
 }
 
 /// The body without `part`, which is alike all round the axis.
-fn without<'m>(k: &mut Kinematics, rigid: &RigidInertia<'m>, axis: usize, part: ExprId) -> RigidInertia<'m> {
+fn without<'m>(alg: &mut Algebra, rigid: &RigidInertia<'m>, axis: usize, part: ExprId) -> RigidInertia<'m> {
     let mut rest = rigid.clone();
     for other in (0..3).filter(|&other| other != axis) {
-        rest.inertia[other] = k.dag.sub(rest.inertia[other], part);
+        rest.inertia[other] = alg.dag.sub(rest.inertia[other], part);
     }
     rest
 }
@@ -65,15 +67,15 @@ fn without<'m>(k: &mut Kinematics, rigid: &RigidInertia<'m>, axis: usize, part: 
 /// Entries of the mass matrix that a body's turning by itself takes, and its operations.
 ///
 /// Every entry goes through all eliminations: that one is saved counts before what it takes to form it.
-fn cost(k: &mut Kinematics, rigid: &RigidInertia) -> (usize, usize) {
-    let mut found = Contributions::default();
-    rotation(k, &Given::default(), rigid, &mut found);
-    (found.mass.len(), found.cost(&k.dag, &Given::default()))
+fn cost(alg: &mut Algebra, k: &Kinematics, rigid: &RigidInertia) -> (usize, usize) {
+    let mut found = Terms::default();
+    rotation(alg, k, &Given::default(), rigid, &mut found);
+    (found.mass.len(), found.state_cost(&alg.dag, &Given::default()))
 }
 
 /// Adds part (1 - e e').
-fn add_across(k: &mut Kinematics, inertia: &mut Moments, part: ExprId, e: &Components) {
-    let dag = &mut k.dag;
+fn add_across(alg: &mut Algebra, inertia: &mut Moments, part: ExprId, e: &Components) {
+    let dag = &mut alg.dag;
     for (entry, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
         let along = dag.mul(e[i], e[j]);
         let identity = if i == j { dag.one() } else { dag.zero() };

@@ -8,6 +8,7 @@ use crate::kinematics::Kinematics;
 use crate::kinematics::eliminate::{Pivot, pivot_of};
 use crate::model::Model;
 use crate::section::Section;
+use crate::vector::Algebra;
 use std::convert::Infallible;
 
 /// M = L D L', for right-hand sides that are known later.
@@ -112,13 +113,14 @@ pub(super) const NO_INERTIA: f64 = 1e-12;
 
 /// u' and the pivots that are not constants.
 pub(super) fn ldl(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     mass: &[Vec<ExprId>],
     forcing: &[ExprId],
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
-    let dag = &mut k.dag;
+    let dag = &mut alg.dag;
     let absolute = Absolute::new(dag, mass, forcing);
     let Absolute { mass, forcing, order, .. } = &absolute;
     let mut pivots = Vec::new();
@@ -138,8 +140,8 @@ pub(super) fn ldl(
         Ok(factors) => factors,
         Err(index) => return Err(without_inertia(model, k, index)),
     };
-    let u_dot = factors.solve(&mut k.dag, forcing);
-    Ok((absolute.relative(&mut k.dag, &u_dot), pivots))
+    let u_dot = factors.solve(&mut alg.dag, forcing);
+    Ok((absolute.relative(&mut alg.dag, &u_dot), pivots))
 }
 
 /// All speeds are state, and some motion that their ties allow moves no mass.

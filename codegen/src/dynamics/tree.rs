@@ -10,7 +10,7 @@ use super::spatial::Inertia;
 use crate::expr::{Dependence, ExprId};
 use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
-use crate::vector::{Components, TriadId, Turn, Vector};
+use crate::vector::{Algebra, Components, TriadId, Turn, Vector};
 use std::collections::BTreeMap;
 
 /// A triad at an origin.
@@ -64,38 +64,39 @@ impl Forest {
 }
 
 /// The tree of the bodies given.
-pub(super) fn build(model: &Model, k: &mut Kinematics, bodies: &[RigidInertia]) -> Forest {
+pub(super) fn build(alg: &mut Algebra, model: &Model, k: &Kinematics, bodies: &[RigidInertia]) -> Forest {
     let mut nodes = Vec::new();
     let mut node_of_body = Vec::new();
     for RigidInertia { body, inertia } in bodies {
         let position = k.positions[body.centre].clone();
         let own = body.frame.map(|f| k.frame_triad[f]);
         let triad = own.or(position.terms.keys().max().copied()).unwrap_or(TriadId::INERTIAL);
-        let zero = k.dag.zero();
-        let (mut origin, mut centre) = without(k, &position, triad);
-        if centre.iter().any(|&c| k.dag.dependence(c) == Dependence::State) {
+        let zero = alg.dag.zero();
+        let (mut origin, mut centre) = without(alg, &position, triad);
+        if centre.iter().any(|&c| alg.dag.dependence(c) == Dependence::State) {
             // It slides in its own triad: the origin moves with it.
             (origin, centre) = (position, [zero; 3]);
         }
-        let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(k, m));
-        let inertia = Inertia::of_body(&mut k.dag, mass, &centre, inertia);
-        let node = node_of(model, k, &mut nodes, triad, &origin);
-        nodes[node].own = nodes[node].own.plus(&mut k.dag, &inertia);
+        let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(alg, k, m));
+        let inertia = Inertia::of_body(&mut alg.dag, mass, &centre, inertia);
+        let node = node_of(alg, model, k, &mut nodes, triad, &origin);
+        nodes[node].own = nodes[node].own.plus(&mut alg.dag, &inertia);
         node_of_body.push(node);
     }
     Forest { nodes, node_of_body }
 }
 
 /// The vector without its part in `triad`, and that part.
-fn without(k: &mut Kinematics, vector: &Vector, triad: TriadId) -> (Vector, Components) {
+fn without(alg: &mut Algebra, vector: &Vector, triad: TriadId) -> (Vector, Components) {
     let mut rest = vector.clone();
     let part = rest.terms.remove(&triad);
-    (rest, part.unwrap_or([k.dag.zero(); 3]))
+    (rest, part.unwrap_or([alg.dag.zero(); 3]))
 }
 
 fn node_of(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     nodes: &mut Vec<Node>,
     triad: TriadId,
     origin: &Vector,
@@ -103,15 +104,15 @@ fn node_of(
     if let Some(found) = nodes.iter().position(|n| n.triad == triad && n.origin == *origin) {
         return found;
     }
-    let joint = match k.triads.turn(triad).clone() {
+    let joint = match alg.triads.turn(triad).clone() {
         Turn::Simple { parent, axis, angle } if !is_lifted_triad(model, k, triad) => {
-            let (rest, offset) = without(k, origin, parent);
-            let parent = node_of(model, k, nodes, parent, &rest);
+            let (rest, offset) = without(alg, origin, parent);
+            let parent = node_of(alg, model, k, nodes, parent, &rest);
             Some(Joint { parent, axis, angle, offset })
         }
         _ => None,
     };
-    let (own, spin) = (Inertia::zero(&mut k.dag), k.dag.zero());
+    let (own, spin) = (Inertia::zero(&mut alg.dag), alg.dag.zero());
     nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
     nodes.len() - 1
 }
@@ -120,8 +121,8 @@ fn node_of(
 ///
 /// Farther in, the inertia of the first body would be moved to places that it turns about, and turned back; the
 /// moments there are large beside what they leave.
-pub(super) fn cut(k: &mut Kinematics, nodes: &[Node], root: usize) -> usize {
-    if derivative_of(k, &nodes[root].origin).partials.is_empty() {
+pub(super) fn cut(alg: &mut Algebra, k: &Kinematics, nodes: &[Node], root: usize) -> usize {
+    if derivative_of(alg, k, &nodes[root].origin).partials.is_empty() {
         return root; // what is moved inwards to a place at rest has no inertia
     }
     let mut at = root;
@@ -129,7 +130,7 @@ pub(super) fn cut(k: &mut Kinematics, nodes: &[Node], root: usize) -> usize {
         let mut children = (at + 1..nodes.len())
             .filter(|&i| nodes[i].joint.as_ref().is_some_and(|joint| joint.parent == at));
         match (children.next(), children.next()) {
-            (Some(only), None) if nodes[at].own.is_zero(&k.dag) => at = only,
+            (Some(only), None) if nodes[at].own.is_zero(&alg.dag) => at = only,
             _ => return at,
         }
     }
@@ -143,7 +144,7 @@ pub(super) enum Wheels {
 }
 
 /// Base parameters: hands inwards, as far as the node `cut`, what a joint's turn leaves as it is.
-pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize, wheels: Wheels) {
+pub(super) fn move_inwards(alg: &mut Algebra, nodes: &mut [Node], cut: usize, wheels: Wheels) {
     let mut hangs = vec![false; nodes.len()];
     hangs[cut] = true;
     for i in cut + 1..nodes.len() {
@@ -151,7 +152,7 @@ pub(super) fn move_inwards(k: &mut Kinematics, nodes: &mut [Node], cut: usize, w
     }
     for i in (cut + 1..nodes.len()).rev().filter(|&i| hangs[i]) {
         let Some(joint) = nodes[i].joint.clone() else { continue };
-        let dag = &mut k.dag;
+        let dag = &mut alg.dag;
         if joint.offset.iter().any(|&c| dag.dependence(c) == Dependence::State) {
             continue;
         }

@@ -7,11 +7,9 @@ use super::given::Given;
 use super::spatial::{Acceleration, Wrench, gradient};
 use super::tree::{Joint, Node};
 use crate::expr::{Dag, ExprId};
-use crate::kinematics::{
-    Kinematics, Motion, Rate, UnknownId, derivative_of, lower_vector, rate_of, scalar_rate_of, value_of,
-};
+use crate::kinematics::{Kinematics, Motion, Rate, UnknownId, derivative_of, lower_vector, scalar_rate_of};
 use crate::model::{Axis, Model};
-use crate::vector::{Components, Vector, dot_components};
+use crate::vector::{Algebra, Components, Vector, dot_components};
 
 /// Angular velocity, angular acceleration at y' = 0, acceleration of the origin at y' = 0 less gravity.
 #[derive(Clone, Debug)]
@@ -30,7 +28,8 @@ pub(super) struct Moves {
 
 /// States of the nodes that hang on `cut`, which is in the state `base`, and what their joints do.
 pub(super) fn motions(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     given: &Given,
     nodes: &[Node],
     cut: usize,
@@ -42,21 +41,21 @@ pub(super) fn motions(
     for i in cut + 1..nodes.len() {
         let Some(joint) = &nodes[i].joint else { continue };
         let Some(inner) = states[joint.parent].clone() else { continue };
-        let motion = Moves::new(k, given, joint);
-        states[i] = Some(outwards(k, joint, &motion, &inner));
+        let motion = Moves::new(alg, k, given, joint);
+        states[i] = Some(outwards(alg, k, joint, &motion, &inner));
         moves[i] = Some(motion);
     }
     (states, moves)
 }
 
 impl Moves {
-    fn new(k: &mut Kinematics, given: &Given, joint: &Joint) -> Self {
-        let turn = scalar_rate_of(k, joint.angle);
-        let turn_rate = rate_of(k, &turn);
-        let turn = given.rate(k, turn);
+    fn new(alg: &mut Algebra, k: &Kinematics, given: &Given, joint: &Joint) -> Self {
+        let turn = scalar_rate_of(alg, k, joint.angle);
+        let turn_rate = turn.value(alg, k);
+        let turn = given.rate(alg, turn);
         let slide = joint.offset.map(|c| {
-            let rate = scalar_rate_of(k, c);
-            given.rate(k, rate)
+            let rate = scalar_rate_of(alg, k, c);
+            given.rate(alg, rate)
         });
         Self { turn, turn_rate, slide }
     }
@@ -74,9 +73,9 @@ pub(super) fn relative_alpha(dag: &mut Dag, axis: Axis, motion: &Moves, w: &Comp
 }
 
 /// From the parent's state to the node's.
-fn outwards(k: &mut Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
-    let slide = motion.slide.clone().map(|rate| (rate_of(k, &rate), rate.bias));
-    let dag = &mut k.dag;
+fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
+    let slide = motion.slide.clone().map(|rate| (rate.value(alg, k), rate.bias));
+    let dag = &mut alg.dag;
     // a + U c + c'' + 2 w x c'
     let mut origin = inner.acceleration.at(dag, &joint.offset);
     let velocity = slide.map(|(rate, _)| rate);
@@ -111,30 +110,31 @@ pub(super) struct Base {
 }
 
 impl Base {
-    pub(super) fn new(model: &Model, k: &mut Kinematics, given: &Given, node: &Node) -> Self {
-        let velocity = derivative_of(k, &node.origin);
-        let mut velocity = given.motion(k, velocity);
+    pub(super) fn new(alg: &mut Algebra, model: &Model, k: &Kinematics, given: &Given, node: &Node) -> Self {
+        let velocity = derivative_of(alg, k, &node.origin);
+        let mut velocity = given.motion(alg, velocity);
         if let Some(gravity) = &model.gravity {
-            let gravity = lower_vector(k, gravity);
-            velocity.bias = velocity.bias.minus(&mut k.dag, &gravity);
+            let gravity = lower_vector(alg, k, gravity);
+            velocity.bias = velocity.bias.minus(&mut alg.dag, &gravity);
         }
         let angular = k.angular[node.triad].clone();
-        let angular = given.motion(k, angular);
-        let here = |k: &mut Kinematics, v: &Vector| k.triads.express(&mut k.dag, v, node.triad);
-        let w = value_of(k, &angular);
-        let (w, alpha) = (here(k, &w), here(k, &angular.bias));
-        let origin = here(k, &velocity.bias);
-        let gradient = gradient(&mut k.dag, &w, &alpha);
+        let angular = given.motion(alg, angular);
+        let here = |alg: &mut Algebra, v: &Vector| alg.express(v, node.triad);
+        let w = angular.value(alg, k);
+        let (w, alpha) = (here(alg, &w), here(alg, &angular.bias));
+        let origin = here(alg, &velocity.bias);
+        let gradient = gradient(&mut alg.dag, &w, &alpha);
         let state = State { w, alpha, acceleration: Acceleration { origin, gradient } };
         let mut unknowns: Vec<UnknownId> =
             velocity.partials.keys().chain(angular.partials.keys()).copied().collect();
         unknowns.sort();
         unknowns.dedup();
-        let part = |k: &mut Kinematics, motion: &Motion, unknown: UnknownId| {
+        let part = |alg: &mut Algebra, motion: &Motion, unknown: UnknownId| {
             let v = motion.partials.get(&unknown).cloned().unwrap_or_default();
-            here(k, &v)
+            here(alg, &v)
         };
-        let twists = unknowns.into_iter().map(|u| (u, part(k, &velocity, u), part(k, &angular, u))).collect();
+        let twists =
+            unknowns.into_iter().map(|u| (u, part(alg, &velocity, u), part(alg, &angular, u))).collect();
         Self { twists, state }
     }
 }

@@ -15,6 +15,7 @@ use crate::expr::{ExprId, SymbolId};
 use crate::id::IdVec;
 use crate::model::{CoordinateId, Model, ParameterId};
 use crate::source::Span;
+use crate::vector::Algebra;
 
 /// Random configurations sampled besides the nominal and the stated ones.
 const RANDOM_SAMPLES: usize = 64;
@@ -83,51 +84,57 @@ fn largest(residual: &[f64]) -> (f64, usize) {
 impl Assembly {
     /// Prepares the solver.
     #[must_use]
-    pub fn new(model: &Model, k: &mut Kinematics) -> Self {
-        Self::holding(model, k, |c| model.coordinates[c].independent)
+    pub fn new(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Self {
+        Self::holding(alg, model, k, |c| model.coordinates[c].independent)
     }
 
     /// The same with no coordinate held.
-    pub(super) fn free(model: &Model, k: &mut Kinematics) -> Self {
-        Self::holding(model, k, |_| false)
+    pub(super) fn free(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Self {
+        Self::holding(alg, model, k, |_| false)
     }
 
-    fn holding(model: &Model, k: &mut Kinematics, is_held: impl Fn(CoordinateId) -> bool) -> Self {
-        let state = |c: &CoordinateId| k.coordinate_symbol(*c).is_some();
+    fn holding(
+        alg: &mut Algebra,
+        model: &Model,
+        k: &Kinematics,
+        is_held: impl Fn(CoordinateId) -> bool,
+    ) -> Self {
+        let state = |c: &CoordinateId| k.coordinate_symbol(&alg.dag, *c).is_some();
         let coordinates: Vec<_> = model.coordinates.ids().filter(state).collect();
-        let symbols: Vec<SymbolId> = coordinates.iter().filter_map(|&c| k.coordinate_symbol(c)).collect();
+        let symbols: Vec<SymbolId> =
+            coordinates.iter().filter_map(|&c| k.coordinate_symbol(&alg.dag, c)).collect();
         let split = |wanted: bool| -> Vec<usize> {
             (0..coordinates.len()).filter(|&i| is_held(coordinates[i]) == wanted).collect()
         };
         let (independent, dependent) = (split(true), split(false));
         let residuals = [&k.residuals[..], &k.implied].concat();
         let mut roots = residuals.clone();
-        let slopes = |k: &mut Kinematics, columns: &[usize]| -> Vec<ExprId> {
+        let slopes = |alg: &mut Algebra, columns: &[usize]| -> Vec<ExprId> {
             let each = residuals.iter().flat_map(|&r| columns.iter().map(move |&c| (r, c)));
-            each.map(|(residual, column)| k.dag.derivative(residual, symbols[column])).collect()
+            each.map(|(residual, column)| alg.dag.derivative(residual, symbols[column])).collect()
         };
-        roots.extend(slopes(k, &dependent));
+        roots.extend(slopes(alg, &dependent));
         if !k.implied.is_empty() {
-            roots.extend(slopes(k, &independent));
+            roots.extend(slopes(alg, &independent));
         }
         let mut inputs = symbols.clone();
         let mut arguments: Vec<f64> = coordinates.iter().map(|&c| model.coordinates[c].nominal).collect();
         for (id, &expr) in k.parameters.enumerate() {
-            if let Some(symbol) = k.dag.as_symbol(expr) {
+            if let Some(symbol) = alg.dag.as_symbol(expr) {
                 inputs.push(symbol);
                 arguments.push(k.parameter_values[id]);
             }
         }
-        inputs.extend(k.dag.as_symbol(k.time));
+        inputs.extend(alg.dag.as_symbol(k.time));
         arguments.push(0.0);
         let argument = |symbol: SymbolId| {
             let known = inputs.iter().position(|s| *s == symbol);
             Rounded::new(known.map_or(f64::NAN, |i| arguments[i]), 0.0)
         };
-        let scales = k.dag.evaluate(&residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
+        let scales = alg.dag.evaluate(&residuals, &argument).into_iter().map(|r| scale(r.size())).collect();
         let declared = coordinates.iter().map(|&c| &model.coordinates[c]);
         Self {
-            tape: Tape::new(&k.dag, &roots, &inputs),
+            tape: Tape::new(&alg.dag, &roots, &inputs),
             scales,
             names: k.residual_names.iter().chain(&k.implied_names).map(|p| p.name.clone()).collect(),
             implied: k.implied.len(),
@@ -392,11 +399,11 @@ fn scale(size: f64) -> f64 {
 }
 
 /// Fills the samples: nominal, stated configurations, random ones.
-pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    closed_forms(model, k)?;
-    let mut assembly = Assembly::new(model, k);
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    closed_forms(alg, model, k)?;
+    let mut assembly = Assembly::new(alg, model, k);
     let state: Vec<CoordinateId> =
-        model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+        model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some()).collect();
     let mut nominal: Vec<f64> = state.iter().map(|&c| model.coordinates[c].nominal).collect();
     match assembly.search(&nominal) {
         Ok(found) => nominal = found,
@@ -421,7 +428,7 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostic
         if samples.len() == wanted {
             break;
         }
-        let t = if k.clock.is_some() { random.between((0.0, model.run.seconds)) } else { 0.0 };
+        let t = if k.unknowns.clock().is_some() { random.between((0.0, model.run.seconds)) } else { 0.0 };
         let Ok(nominal) = at_time(&mut assembly, &nominal, t) else { continue };
         let mut target = nominal.clone();
         for (i, &c) in state.iter().enumerate() {
@@ -451,26 +458,26 @@ fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>,
 ///
 /// # Errors
 /// If closed forms contradict a constraint that nothing else could satisfy.
-fn closed_forms(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+fn closed_forms(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
     if k.closed_forms.is_empty() || k.residuals.is_empty() {
         return Ok(());
     }
-    let forms = k.closed_form_values();
-    let residuals = k.dag.substitute(&k.residuals.clone(), &forms);
-    let mut table = speed_map::screening_table(model, k);
+    let forms = k.closed_form_values(&mut alg.dag);
+    let residuals = alg.dag.substitute(&k.residuals, &forms);
+    let mut table = speed_map::screening_table(alg, model, k);
     let free: Vec<SymbolId> = (model.coordinates.enumerate())
         .filter(|(_, c)| !c.independent)
-        .filter_map(|(id, _)| k.coordinate_symbol(id))
+        .filter_map(|(id, _)| k.coordinate_symbol(&alg.dag, id))
         .collect();
     let mut found = Diagnostics::new(model.source.clone());
     let mut kept = Vec::new();
     for (residual, place) in residuals.into_iter().zip(std::mem::take(&mut k.residual_names)) {
-        if k.dag.symbols_of(residual).iter().any(|symbol| free.contains(symbol)) {
+        if alg.dag.symbols_of(residual).iter().any(|symbol| free.contains(symbol)) {
             kept.push((residual, place));
             continue;
         }
         // Outside the reachable range a form may be no number.
-        let values = table.values(&k.dag, residual).iter().filter(|r| r.is_finite());
+        let values = table.values(&alg.dag, residual).iter().filter(|r| r.is_finite());
         let worst = values.fold(0.0_f64, |worst, r| worst.max(r.abs()));
         if CONTRADICTION < worst {
             found.push(
@@ -517,10 +524,10 @@ fn nominal_unreachable(model: &Model, unreachable: &Unreachable) -> Diagnostics 
 
 /// Values of the tunable parameters in the order of their declaration.
 #[must_use]
-pub fn tunable_values(k: &Kinematics, values: &IdVec<ParameterId, f64>) -> Vec<f64> {
+pub fn tunable_values(alg: &Algebra, k: &Kinematics, values: &IdVec<ParameterId, f64>) -> Vec<f64> {
     k.parameters
         .enumerate()
-        .filter(|(_, e)| k.dag.as_symbol(**e).is_some())
+        .filter(|(_, e)| alg.dag.as_symbol(**e).is_some())
         .map(|(id, _)| values[id])
         .collect()
 }

@@ -3,7 +3,8 @@
 //! Gram-Schmidt over all samples at once: a vector is a list of columns with one value a sample, so that what is
 //! zero by structure costs nothing and the rest goes through the loops that a compiler turns into wide arithmetic.
 
-use super::quantities::{Row, UnknownId};
+use super::quantities::Row;
+use super::unknowns::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use rustc_hash::FxHashMap as HashMap;

@@ -4,9 +4,11 @@
 //! taken one after the other by the operations that each adds to the expressions of those taken.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::quantities::{Kinematics, Row, UnknownId, UnknownKind};
+use super::quantities::{Kinematics, Row};
+use super::unknowns::{UnknownId, UnknownKind};
 use crate::expr::NodeSet;
 use crate::expr::tape::SampleTable;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// A candidate row is independent if this part of its length is left at every sample.
@@ -30,44 +32,49 @@ pub(super) struct Choice<'a> {
 
 /// Takes independent rows, each time the one that adds the fewest operations to those taken; none if there are too
 /// few.
-pub(super) fn rows(k: &Kinematics, table: &mut SampleTable, choice: &Choice<'_>) -> Option<Vec<Row>> {
+pub(super) fn rows(
+    alg: &Algebra,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    choice: &Choice<'_>,
+) -> Option<Vec<Row>> {
     let n = choice.unknown.len();
     let column: HashMap<UnknownId, usize> = choice.unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let bills: Vec<Bill> = choice.rows.iter().map(|row| Bill::new(k, row)).collect();
-    let mut bases = Bases::new(n, longest_entry(&k.dag, choice.rows, table), table.points());
+    let bills: Vec<Bill> = choice.rows.iter().map(|row| Bill::new(alg, k, row)).collect();
+    let mut bases = Bases::new(n, longest_entry(&alg.dag, choice.rows, table), table.points());
     let mut paid = NodeSet::default();
     let mut candidates: Vec<usize> = (0..choice.rows.len()).collect();
     let mut chosen = Vec::new();
     while chosen.len() < choice.count {
         // A row that depends on the rows taken will depend on any more: it is left out for good.
         candidates.sort_by_cached_key(|&i| (bills[i].added_cost(&paid), i));
-        let place = candidates.iter().position(|&i| extend(k, table, &column, choice, i, &mut bases))?;
+        let place = candidates.iter().position(|&i| extend(alg, table, &column, choice, i, &mut bases))?;
         let row = candidates[place];
         candidates.drain(..=place);
         paid.unite(&bills[row].operations);
         chosen.push(row);
     }
-    exchange(k, table, &column, choice, &bills, &mut chosen);
+    exchange(alg, table, &column, choice, &bills, &mut chosen);
     Some(chosen.into_iter().map(|i| choice.rows[i].clone()).collect())
 }
 
 /// Adds the row to the bases if it is independent of them at every sample.
 fn extend(
-    k: &Kinematics,
+    alg: &Algebra,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     choice: &Choice<'_>,
     row: usize,
     bases: &mut Bases,
 ) -> bool {
-    let row = NumericRow::new(&k.dag, table, &choice.rows[row], column);
-    bases.extend(&k.dag, &row, choice.independent)
+    let row = NumericRow::new(&alg.dag, table, &choice.rows[row], column);
+    bases.extend(&alg.dag, &row, choice.independent)
 }
 
 /// Exchanges dear rows for cheaper ones as long as that saves, the dearest first: a row taken early was
 /// dear where others bring what it needs.
 fn exchange(
-    k: &Kinematics,
+    alg: &Algebra,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     choice: &Choice<'_>,
@@ -95,7 +102,7 @@ fn exchange(
             let costs = bills.iter().map(|bill| bill.added_cost(&paid)).enumerate();
             let mut list: Vec<(usize, usize)> = costs.filter(|(_, cost)| *cost < price).collect();
             list.sort_by_key(|(_, cost)| *cost);
-            cheaper(k, table, column, choice, &others, &list).map(|row| (place, row))
+            cheaper(alg, table, column, choice, &others, &list).map(|row| (place, row))
         });
         let Some((place, row)) = better else { return };
         chosen[place] = row;
@@ -104,19 +111,19 @@ fn exchange(
 
 /// The first of the listed rows that is independent of the others.
 fn cheaper(
-    k: &Kinematics,
+    alg: &Algebra,
     table: &mut SampleTable,
     column: &HashMap<UnknownId, usize>,
     choice: &Choice<'_>,
     others: &[usize],
     list: &[(usize, usize)],
 ) -> Option<usize> {
-    let mut bases = Bases::new(column.len(), longest_entry(&k.dag, choice.rows, table), table.points());
+    let mut bases = Bases::new(column.len(), longest_entry(&alg.dag, choice.rows, table), table.points());
     for &other in others {
-        extend(k, table, column, choice, other, &mut bases);
+        extend(alg, table, column, choice, other, &mut bases);
     }
     let mut rows = list.iter().map(|&(row, _)| row);
-    rows.find(|&row| extend(k, table, column, choice, row, &mut bases))
+    rows.find(|&row| extend(alg, table, column, choice, row, &mut bases))
 }
 
 /// What a row costs.
@@ -128,7 +135,7 @@ struct Bill {
 }
 
 impl Bill {
-    fn new(k: &Kinematics, row: &Row) -> Self {
+    fn new(alg: &Algebra, k: &Kinematics, row: &Row) -> Self {
         /// An unknown in a row costs about a product and a sum per right-hand side in the elimination.
         const PER_UNKNOWN: usize = 6;
         /// Two dependent speeds in one row must be taken apart again.
@@ -137,7 +144,7 @@ impl Bill {
         let own = row.coefficients.keys().filter(is_dependent).count();
         let roots: Vec<_> = row.coefficients.values().copied().chain([row.bias]).collect();
         Self {
-            operations: k.dag.operations_of(&roots),
+            operations: alg.dag.operations_of(&roots),
             entries: PER_UNKNOWN * row.coefficients.len() + COUPLING * own.saturating_sub(1),
         }
     }

@@ -6,11 +6,12 @@
 //! of each of its expressions, one short row per leg; (2) a vector fixed in a frame turns with it.
 //! Any set of independent rows that spans all of them is equivalent on the constraints.
 
-use super::quantities::{Kinematics, Motion, Place, Rate, Row, UnknownId, Value};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Motion, Place, Rate, Row, Value};
 use super::{lifted, lower, orientation, rank, rate};
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId, SpeedMeaning};
-use crate::vector::{Components, TriadId, Vector, cross_components, dot_components};
+use crate::vector::{Algebra, Components, TriadId, Vector, cross_components, dot_components};
 use std::collections::{BTreeMap, BTreeSet};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
@@ -26,53 +27,53 @@ struct Equation {
 }
 
 /// Fills candidate rows (cheapest first) and the plain residuals.
-pub(super) fn derive(model: &Model, k: &mut Kinematics) {
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
     let mut rows = Vec::new();
     for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
-        for equation in closures(model, k, point) {
-            rows.extend(project(k, equation));
+        for equation in closures(alg, model, k, point) {
+            rows.extend(project(alg, equation));
         }
     }
     for frame in model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f)) {
-        for equation in turning(model, k, frame) {
-            rows.extend(project(k, equation));
+        for equation in turning(alg, model, k, frame) {
+            rows.extend(project(alg, equation));
         }
     }
     for constraint in &model.configuration_constraints {
-        match lower::value(k, &constraint.expression) {
+        match lower::value(alg, k, &constraint.expression) {
             Value::Vector(v) => {
-                let residual = lifted::flatten(k, &v);
-                let motion = rate::derivative(k, &residual);
+                let residual = lifted::flatten(alg, k, &v);
+                let motion = rate::derivative(alg, k, &residual);
                 let triads = triads_of(&motion);
                 let name = constraint.name.clone();
-                add_residuals(k, &residual, &Place { name: name.clone(), span: constraint.span });
-                let residual = rigid(model, k, residual);
-                rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
+                add_residuals(alg, k, &residual, &Place { name: name.clone(), span: constraint.span });
+                let residual = rigid(alg, model, k, residual);
+                rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
             }
             Value::Scalar(e) => {
-                let rate = rate::scalar_rate(k, e);
+                let rate = rate::scalar_rate(alg, k, e);
                 k.residuals.push(e);
                 k.residual_names.push(Place { name: constraint.name.clone(), span: constraint.span });
-                rows.extend(row(k, &constraint.name, rate, e));
+                rows.extend(row(alg, &constraint.name, rate, e));
             }
             Value::Pending => {}
         }
     }
     for constraint in &model.motion_constraints {
-        match lower::value(k, &constraint.expression) {
+        match lower::value(alg, k, &constraint.expression) {
             Value::Vector(v) => {
-                let motion = rate::linear_motion(k, &v);
+                let motion = rate::linear_motion(alg, k, &v);
                 let triads = triads_of(&motion);
                 // A component that vanishes all the time has a rate that vanishes, in any triad.
                 for &triad in &triads {
-                    for e in k.triads.express(&mut k.dag, &v, triad) {
-                        rows.extend(motion_row(k, &constraint.name, e));
+                    for e in alg.express(&v, triad) {
+                        rows.extend(motion_row(alg, k, &constraint.name, e));
                     }
                 }
                 let (name, residual) = (constraint.name.clone(), Vector::zero());
-                rows.extend(project(k, Equation { name, motion, residual, fixed: None, triads }));
+                rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
             }
-            Value::Scalar(e) => rows.extend(motion_row(k, &constraint.name, e)),
+            Value::Scalar(e) => rows.extend(motion_row(alg, k, &constraint.name, e)),
             Value::Pending => {}
         }
     }
@@ -81,42 +82,39 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
 }
 
 /// Adds the derivatives of closed forms where the constraints do not give all dependent speeds.
-pub(super) fn complete(model: &Model, k: &mut Kinematics) {
-    if k.is_state.iter().all(|&state| state) || rank::determined(model, k) {
+pub(super) fn complete(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+    if k.is_state.iter().all(|&state| state) || rank::determined(alg, model, k) {
         return;
     }
-    let rows = speeds_in_closed_form(model, k);
+    let rows = speeds_in_closed_form(alg, model, k);
     k.rows.extend(rows);
     k.rows.sort_by_key(|row| row.cost);
 }
 
 /// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.
-fn speeds_in_closed_form(model: &Model, k: &mut Kinematics) -> Vec<Row> {
+fn speeds_in_closed_form(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Row> {
     let mut rows = Vec::new();
     for (speed, declared) in model.speeds.enumerate() {
         let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
         if !k.is_state[coordinate] {
             let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
             let closed = match form {
-                Some(form) => rate::scalar_rate(k, form),
+                Some(form) => rate::scalar_rate(alg, k, form),
                 None => k.rates[coordinate].clone(),
             };
-            let mut rate = Rate { partials: BTreeMap::new(), bias: k.dag.negate(closed.bias) };
-            for (unknown, partial) in closed.partials {
-                let partial = k.dag.negate(partial);
-                rate.partials.insert(unknown, partial);
-            }
-            let one = k.dag.one();
-            rate.partials.insert(k.unknown_of(speed), one);
-            let zero = k.dag.zero();
-            rows.extend(row(k, &declared.name, rate, zero));
+            let (one, mut partials) = (alg.dag.one(), closed.partials);
+            partials.values_mut().for_each(|partial| *partial = alg.dag.negate(*partial));
+            partials.insert(k.unknowns.of(speed), one);
+            let rate = Rate { partials, bias: alg.dag.negate(closed.bias) };
+            let zero = alg.dag.zero();
+            rows.extend(row(alg, &declared.name, rate, zero));
         }
     }
     rows
 }
 
 /// V_P - d/dt(expression) = 0 for every expression of a closing point's position.
-fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> {
+fn closures(alg: &mut Algebra, model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> {
     let declared = &model.points[point];
     let velocity = k.velocities[point].clone();
     let home = velocity.partials.values().flat_map(|v| v.terms.keys()).next().copied();
@@ -124,30 +122,30 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
     let reference = k.flat_positions[&point].clone();
     let mut equations = Vec::new();
     for (nth, expression) in std::iter::once(&declared.position).chain(&declared.closures).enumerate() {
-        let place = lower::vector(k, expression);
+        let place = lower::vector(alg, k, expression);
         if nth > 0 {
-            let flat = lifted::flatten(k, &place);
-            let residual = reference.minus(&mut k.dag, &flat);
+            let flat = lifted::flatten(alg, k, &place);
+            let residual = reference.minus(&mut alg.dag, &flat);
             let name = format!("{} closure {}", declared.name, nth + 1);
-            add_residuals(k, &residual, &Place { name, span: expression.span });
+            add_residuals(alg, k, &residual, &Place { name, span: expression.span });
         }
         // Vectors that are constant in the body's triad turn with the body; Newton's residual must
         // see them where the body has them, or it would not converge quadratically.
-        let leg = orientation::aligned(k, &place, home);
-        let place = k.triads.with_constants(&mut k.dag, &place, leg);
-        let place = k.triads.with_constants(&mut k.dag, &place, home);
-        let flat = lifted::flatten(k, &place);
-        let flat = in_frame(k, &flat, leg, home);
-        let flat = orientation::flattened(k, &flat, home);
-        let residual = reference.minus(&mut k.dag, &flat);
-        let residual = rigid(model, k, residual);
-        let rate = rate::derivative(k, &place);
+        let leg = orientation::aligned(alg, &place, home);
+        let place = alg.with_constants(&place, leg);
+        let place = alg.with_constants(&place, home);
+        let flat = lifted::flatten(alg, k, &place);
+        let flat = in_frame(alg, &flat, leg, home);
+        let flat = orientation::flattened(alg, &flat, home);
+        let residual = reference.minus(&mut alg.dag, &flat);
+        let residual = rigid(alg, model, k, residual);
+        let rate = rate::derivative(alg, k, &place);
         let mut motion = velocity.clone();
         let minus_one = {
-            let one = k.dag.one();
-            k.dag.negate(one)
+            let one = alg.dag.one();
+            alg.dag.negate(one)
         };
-        motion.add(k, &rate, minus_one);
+        motion.add(&mut alg.dag, minus_one, &rate);
         let triads = BTreeSet::from([TriadId::INERTIAL, home, leg]);
         let name = format!("{} closure {}", declared.name, nth + 1);
         equations.push(Equation { name, motion, residual, fixed: None, triads });
@@ -156,39 +154,39 @@ fn closures(model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> 
 }
 
 /// d/dt(vector) - w x vector = 0 for every vector stated to be fixed in a frame.
-fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
+fn turning(alg: &mut Algebra, model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
     let triad = k.frame_triad[frame];
-    let orthonormal = orientation::orthonormal(k, triad);
+    let orthonormal = orientation::orthonormal(alg, triad);
     let mut equations = Vec::new();
     for (nth, fixed) in model.frames[frame].fixed_vectors.iter().enumerate() {
-        let vector = lower::vector(k, &fixed.vector);
-        let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(k, &fixed.components[j]));
-        let here = Vector::new(&k.dag, triad, components);
-        let along = orientation::aligned(k, &vector, triad);
-        let turning = k.triads.with_constants(&mut k.dag, &vector, along);
+        let vector = lower::vector(alg, k, &fixed.vector);
+        let components: [ExprId; 3] = std::array::from_fn(|j| lower::scalar(alg, k, &fixed.components[j]));
+        let here = Vector::new(&alg.dag, triad, components);
+        let along = orientation::aligned(alg, &vector, triad);
+        let turning = alg.with_constants(&vector, along);
         let turning = if along == triad { here.clone() } else { turning };
-        let mut motion = rate::derivative(k, &vector);
-        let turned = rate::derivative(k, &turning);
+        let mut motion = rate::derivative(alg, k, &vector);
+        let turned = rate::derivative(alg, k, &turning);
         let minus_one = {
-            let one = k.dag.one();
-            k.dag.negate(one)
+            let one = alg.dag.one();
+            alg.dag.negate(one)
         };
-        motion.add(k, &turned, minus_one);
-        let flat = lifted::flatten(k, &vector);
+        motion.add(&mut alg.dag, minus_one, &turned);
+        let flat = lifted::flatten(alg, k, &vector);
         let residual = match orthonormal {
             Some(rows) => {
                 let stated = std::array::from_fn(|i| {
                     let column: [ExprId; 3] = std::array::from_fn(|j| rows[j][i]);
-                    dot_components(&mut k.dag, &components, &column)
+                    dot_components(&mut alg.dag, &components, &column)
                 });
-                let stated = Vector::new(&k.dag, TriadId::INERTIAL, stated);
-                flat.minus(&mut k.dag, &stated)
+                let stated = Vector::new(&alg.dag, TriadId::INERTIAL, stated);
+                flat.minus(&mut alg.dag, &stated)
             }
-            None => flat.minus(&mut k.dag, &here),
+            None => flat.minus(&mut alg.dag, &here),
         };
         let triads = BTreeSet::from([TriadId::INERTIAL, triad, along]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
-        let difference = k.triads.express(&mut k.dag, &residual, TriadId::INERTIAL);
+        let difference = alg.express(&residual, TriadId::INERTIAL);
         k.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }
@@ -196,20 +194,20 @@ fn turning(model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
 }
 
 /// The part in a triad fixed in a frame, by the frame's own components.
-fn in_frame(k: &mut Kinematics, vector: &Vector, triad: TriadId, frame: TriadId) -> Vector {
+fn in_frame(alg: &mut Algebra, vector: &Vector, triad: TriadId, frame: TriadId) -> Vector {
     let mut rest = vector.clone();
     let Some(part) = rest.terms.remove(&triad) else { return rest };
-    let part = Vector::new(&k.dag, triad, part);
-    let part = k.triads.express(&mut k.dag, &part, frame);
-    let part = Vector::new(&k.dag, frame, part);
-    rest.plus(&mut k.dag, &part)
+    let part = Vector::new(&alg.dag, triad, part);
+    let part = alg.express(&part, frame);
+    let part = Vector::new(&alg.dag, frame, part);
+    rest.plus(&mut alg.dag, &part)
 }
 
 /// The vector with what stands in frames of fixed vectors taken as rigid, as its rate takes it: Newton's residual.
-fn rigid(model: &Model, k: &mut Kinematics, vector: Vector) -> Vector {
+fn rigid(alg: &mut Algebra, model: &Model, k: &Kinematics, vector: Vector) -> Vector {
     let lifted = model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f));
     let triads: Vec<TriadId> = lifted.map(|f| k.frame_triad[f]).collect();
-    triads.into_iter().fold(vector, |vector, triad| orientation::flattened(k, &vector, triad))
+    triads.into_iter().fold(vector, |vector, triad| orientation::flattened(alg, &vector, triad))
 }
 
 fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
@@ -219,9 +217,9 @@ fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
 }
 
 /// The inertial components of a residual that are not identically zero.
-fn add_residuals(k: &mut Kinematics, residual: &Vector, place: &Place) {
-    for e in k.triads.express(&mut k.dag, residual, TriadId::INERTIAL) {
-        if !k.dag.is_zero(e) {
+fn add_residuals(alg: &mut Algebra, k: &mut Kinematics, residual: &Vector, place: &Place) {
+    for e in alg.express(residual, TriadId::INERTIAL) {
+        if !alg.dag.is_zero(e) {
             k.residuals.push(e);
             k.residual_names.push(place.clone());
         }
@@ -229,23 +227,23 @@ fn add_residuals(k: &mut Kinematics, residual: &Vector, place: &Place) {
 }
 
 /// Rows of an equation: projections on the axes a of its triads, and on a x (fixed vector).
-fn project(k: &mut Kinematics, equation: Equation) -> Vec<Row> {
+fn project(alg: &mut Algebra, equation: Equation) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut fixed = equation.fixed.as_ref().map(Resolved::new);
     for &triad in &equation.triads {
         for axis in AXES {
-            let axis = Vector::axis(&mut k.dag, triad, axis);
+            let axis = Vector::axis(&mut alg.dag, triad, axis);
             let mut a = Resolved::new(&axis);
-            rows.extend(projection(k, &equation, |k, triad| a.within(k, triad)));
+            rows.extend(projection(alg, &equation, |alg, triad| a.within(alg, triad)));
             if let Some(fixed) = &mut fixed {
                 let mut formed: BTreeMap<TriadId, Components> = BTreeMap::new();
-                let mut product = |k: &mut Kinematics, triad| {
-                    let (here, times) = (a.within(k, triad), fixed.within(k, triad));
-                    cross_components(&mut k.dag, &here, &times)
+                let mut product = |alg: &mut Algebra, triad| {
+                    let (here, times) = (a.within(alg, triad), fixed.within(alg, triad));
+                    cross_components(&mut alg.dag, &here, &times)
                 };
                 let direction =
-                    |k: &mut Kinematics, triad| *formed.entry(triad).or_insert_with(|| product(k, triad));
-                rows.extend(projection(k, &equation, direction));
+                    |alg: &mut Algebra, triad| *formed.entry(triad).or_insert_with(|| product(alg, triad));
+                rows.extend(projection(alg, &equation, direction));
             }
         }
     }
@@ -263,62 +261,61 @@ impl<'v> Resolved<'v> {
         Self { vector, components: BTreeMap::new() }
     }
 
-    fn within(&mut self, k: &mut Kinematics, triad: TriadId) -> Components {
-        let express = || k.triads.express(&mut k.dag, self.vector, triad);
+    fn within(&mut self, alg: &mut Algebra, triad: TriadId) -> Components {
+        let express = || alg.express(self.vector, triad);
         *self.components.entry(triad).or_insert_with(express)
     }
 }
 
 /// The equation along a direction, which is given by its components in a triad.
 fn projection(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
     equation: &Equation,
-    mut direction: impl FnMut(&mut Kinematics, TriadId) -> Components,
+    mut direction: impl FnMut(&mut Algebra, TriadId) -> Components,
 ) -> Option<Row> {
-    let mut dot = |k: &mut Kinematics, vector: &Vector| {
-        let mut total = k.dag.zero();
+    let mut dot = |alg: &mut Algebra, vector: &Vector| {
+        let mut total = alg.dag.zero();
         for (&triad, components) in &vector.terms {
-            let here = direction(k, triad);
-            let term = dot_components(&mut k.dag, &here, components);
-            total = k.dag.add(total, term);
+            let here = direction(alg, triad);
+            let term = dot_components(&mut alg.dag, &here, components);
+            total = alg.dag.add(total, term);
         }
         total
     };
-    let mut coefficients = BTreeMap::new();
+    let mut coefficients = LinearForm::default();
     for (&unknown, vector) in &equation.motion.partials {
-        let coefficient = dot(k, vector);
-        if !k.dag.is_zero(coefficient) {
+        let coefficient = dot(alg, vector);
+        if !alg.dag.is_zero(coefficient) {
             coefficients.insert(unknown, coefficient);
         }
     }
     if coefficients.is_empty() {
         return None;
     }
-    let bias = dot(k, &equation.motion.bias);
-    let residual = dot(k, &equation.residual);
-    let cost = cost(k, &coefficients);
+    let bias = dot(alg, &equation.motion.bias);
+    let residual = dot(alg, &equation.residual);
+    let cost = cost(alg, &coefficients);
     Some(Row { name: equation.name.clone(), coefficients, bias, residual, cost })
 }
 
-fn cost(k: &Kinematics, coefficients: &BTreeMap<UnknownId, ExprId>) -> usize {
+fn cost(alg: &Algebra, coefficients: &LinearForm) -> usize {
     /// An unknown in a row costs a product and a sum per right-hand side, sooner or later.
     const PER_UNKNOWN: usize = 3;
     let roots: Vec<_> = coefficients.values().copied().collect();
-    k.dag.cone_cost(&roots) + PER_UNKNOWN * coefficients.len()
+    alg.dag.cone_cost(&roots) + PER_UNKNOWN * coefficients.len()
 }
 
-fn row(k: &Kinematics, name: &str, rate: Rate, residual: ExprId) -> Option<Row> {
-    let coefficients: BTreeMap<_, _> =
-        rate.partials.into_iter().filter(|(_, c)| !k.dag.is_zero(*c)).collect();
-    let cost = cost(k, &coefficients);
+fn row(alg: &Algebra, name: &str, rate: Rate, residual: ExprId) -> Option<Row> {
+    let coefficients: LinearForm = rate.partials.into_iter().filter(|(_, c)| !alg.dag.is_zero(*c)).collect();
+    let cost = cost(alg, &coefficients);
     let row = Row { name: name.to_owned(), coefficients, bias: rate.bias, residual, cost };
     (!row.coefficients.is_empty()).then_some(row)
 }
 
 /// A motion constraint e(q, u, t) = 0, linear in the speeds: e = sum_k c_k y_k.
-fn motion_row(k: &mut Kinematics, name: &str, e: ExprId) -> Option<Row> {
-    let partials = rate::coefficients(k, [e]).into_iter().map(|(unknown, [c])| (unknown, c)).collect();
-    let rate = Rate { partials, bias: rate::configuration_rate(k, e) };
-    let zero = k.dag.zero();
-    row(k, name, rate, zero)
+fn motion_row(alg: &mut Algebra, k: &Kinematics, name: &str, e: ExprId) -> Option<Row> {
+    let partials = rate::coefficients(alg, k, [e]).into_iter().map(|(unknown, [c])| (unknown, c)).collect();
+    let rate = Rate { partials, bias: rate::configuration_rate(alg, k, e) };
+    let zero = alg.dag.zero();
+    row(alg, name, rate, zero)
 }

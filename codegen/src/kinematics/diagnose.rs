@@ -11,9 +11,9 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::SymbolId;
 use crate::expr::rounding::Rounded;
 use crate::expr::tape::{SampleTable, Tape};
-use crate::model::{Model, Orientation};
+use crate::model::Model;
 use crate::source::Span;
-use crate::vector::Turn;
+use crate::vector::{Algebra, Turn};
 use crate::words::count;
 use smartbed_runtime::real::Real;
 
@@ -37,15 +37,16 @@ const NOT_CONSTANT: f64 = 1e-9;
 /// # Errors
 /// A frame whose axes are not orthonormal or whose fixed vectors are not fixed; singular constraints.
 pub(crate) fn check(
+    alg: &mut Algebra,
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
 ) -> Result<Diagnostics, Diagnostics> {
     let mut found = Diagnostics::new(model.source.clone());
-    fixed_vectors(k, table, &mut found);
-    axes(model, k, table, &mut found);
+    fixed_vectors(alg, k, table, &mut found);
+    axes(alg, model, k, table, &mut found);
     let mut warnings = found.finish(Diagnostics::new(model.source.clone()))?;
-    constraints(model, k, &mut warnings)?;
+    constraints(alg, model, k, &mut warnings)?;
     Ok(warnings)
 }
 
@@ -54,9 +55,9 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| if v.is_nan() { f64::INFINITY } else { v.abs().max(m) })
 }
 
-fn fixed_vectors(k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
+fn fixed_vectors(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
     for (place, difference) in &k.fixed_vectors {
-        let worst = difference.iter().map(|&e| largest(table.values(&k.dag, e))).fold(0.0, f64::max);
+        let worst = difference.iter().map(|&e| largest(table.values(&alg.dag, e))).fold(0.0, f64::max);
         if NOT_CONSTANT < worst {
             let message = format!("`{}` is not fixed in its frame", place.name);
             found.push(
@@ -69,11 +70,10 @@ fn fixed_vectors(k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostic
 }
 
 /// Axes given as directions must be orthonormal wherever the constraints hold.
-fn axes(model: &Model, k: &mut Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
+fn axes(alg: &mut Algebra, model: &Model, k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
     for (id, frame) in model.frames.enumerate() {
-        let Orientation::Directions { .. } = frame.orientation else { continue };
-        let Turn::Directions { rows } = k.triads.turn(k.frame_triad[id]).clone() else { continue };
-        let rows = rows.map(|row| row.map(|e| table.values(&k.dag, e).to_vec()));
+        let Turn::Directions { rows } = alg.triads.turn(k.frame_triad[id]).clone() else { continue };
+        let rows = rows.map(|row| row.map(|e| table.values(&alg.dag, e).to_vec()));
         let product =
             |i: usize, j: usize, s: usize| -> f64 { (0..3).map(|c| rows[i][c][s] * rows[j][c][s]).sum() };
         let deviations: Vec<f64> = (0..table.points())
@@ -105,13 +105,17 @@ struct Equations {
 }
 
 impl Equations {
-    fn new(model: &Model, k: &Kinematics) -> Self {
+    fn new(alg: &Algebra, model: &Model, k: &Kinematics) -> Self {
         // A copy: what is derived here for numbers alone must not leave a trace in the program.
-        let mut dag = k.dag.clone();
-        let state = k.q.ids().filter_map(|c| Some((k.coordinate_symbol(c)?, model.coordinates[c].range)));
+        let mut dag = alg.dag.clone();
+        let state =
+            k.q.ids().filter_map(|c| Some((k.coordinate_symbol(&alg.dag, c)?, model.coordinates[c].range)));
         // Of a driven mechanism time is one more coordinate: what follows at one time may not at the next.
-        let time =
-            k.dag.as_symbol(k.time).filter(|_| k.clock.is_some()).map(|t| (t, (0.0, model.run.seconds)));
+        let time = alg
+            .dag
+            .as_symbol(k.time)
+            .filter(|_| k.unknowns.clock().is_some())
+            .map(|t| (t, (0.0, model.run.seconds)));
         let (mut symbols, ranges): (Vec<SymbolId>, Vec<(f64, f64)>) = state.chain(time).unzip();
         let errors = ranges.iter().map(|(low, high)| f64::EPSILON * low.abs().max(high.abs())).collect();
         let mut roots = k.residuals.clone();
@@ -121,7 +125,7 @@ impl Equations {
         let size = (k.residuals.len(), symbols.len());
         let mut arguments = vec![Rounded::ZERO; symbols.len()];
         for (id, &expr) in k.parameters.enumerate() {
-            if let Some(symbol) = k.dag.as_symbol(expr) {
+            if let Some(symbol) = alg.dag.as_symbol(expr) {
                 symbols.push(symbol);
                 arguments.push(Rounded::from_f64(k.parameter_values[id]));
             }
@@ -186,7 +190,7 @@ impl Equations {
 
 /// Coordinates of a sample, and its time where the mechanism is driven.
 fn sample(k: &Kinematics, index: usize) -> Vec<f64> {
-    k.samples[index].iter().copied().chain(k.clock.map(|_| k.sample_times[index])).collect()
+    k.samples[index].iter().copied().chain(k.unknowns.clock().map(|_| k.sample_times[index])).collect()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -225,11 +229,16 @@ fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
 }
 
 /// Drops redundant equations with a warning; refuses singular ones.
-fn constraints(model: &Model, k: &mut Kinematics, warnings: &mut Diagnostics) -> Result<(), Diagnostics> {
+fn constraints(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &mut Kinematics,
+    warnings: &mut Diagnostics,
+) -> Result<(), Diagnostics> {
     if k.residuals.is_empty() || k.samples[0].is_empty() {
         return Ok(());
     }
-    let mut equations = Equations::new(model, k);
+    let mut equations = Equations::new(alg, model, k);
     let nominal = sample(k, 0);
     let (_, rows) = equations.at(&nominal);
     let (_, suspects) = basis_of(&rows);

@@ -7,15 +7,18 @@
 use super::basis::NumericRow;
 use super::choose;
 use super::least_squares;
-use super::quantities::{Kinematics, Row, UnknownId};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Row};
 use super::rank;
 use super::regular::{self, Regularity};
 use super::sampling::{sample_table, table_at};
 use super::sparse::{self, Equation};
+use super::unknowns::UnknownId;
 use crate::diagnostic::Diagnostics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use crate::model::Model;
+use crate::vector::Algebra;
 use std::collections::BTreeMap;
 
 /// A row whose terms cancel to this part of their size is a consequence of the rows taken.
@@ -42,7 +45,7 @@ pub struct Solution {
     /// Independent speeds and the clock are in it too.
     pub partials: BTreeMap<UnknownId, Vec<ExprId>>,
     /// Newton's correction of what y is the rate of.
-    pub correction: BTreeMap<UnknownId, ExprId>,
+    pub correction: LinearForm,
     /// Pivots that are not constants, in order.
     pub pivots: Vec<Pivot>,
     /// The same, each unknown by those after it and the independent ones, in the order of the elimination.
@@ -60,7 +63,7 @@ pub struct Step {
     /// The dependent unknown y.
     pub unknown: UnknownId,
     /// Non-zero coefficients.
-    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    pub coefficients: LinearForm,
     /// Acceleration level: what the speeds contribute.
     pub bias: ExprId,
 }
@@ -69,44 +72,56 @@ pub struct Step {
 ///
 /// # Errors
 /// If the rows do not determine the dependent speeds, or over-determine them.
-pub fn solve(model: &Model, k: &mut Kinematics, table: &mut SampleTable) -> Result<Solution, Diagnostics> {
-    let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
-    let unknown = k.dependent_unknowns();
+pub fn solve(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+) -> Result<Solution, Diagnostics> {
+    let known: Vec<UnknownId> = k.unknowns.independent().into_iter().chain(k.unknowns.clock()).collect();
+    let unknown = k.unknowns.dependent();
     let system = System { rows: k.rows.clone(), spare: k.spare_rows.clone(), unknown, known };
-    let Some(form) = form(model, k, table, &system) else {
-        return Err(rank::explain(model, k, table, None));
+    let Some(form) = form(alg, model, k, table, &system) else {
+        return Err(rank::explain(alg, model, k, table, None));
     };
-    let solution = recorded(k, table, &system.known, form);
-    check_consequences(model, k, table, &solution)?;
+    let solution = recorded(alg, k, table, &system.known, form);
+    check_consequences(alg, model, k, table, &solution)?;
     Ok(solution)
 }
 
 /// The solution by just these rows; none if one of them cancels.
 pub(super) fn solution_of(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     table: &mut SampleTable,
     system: &System,
     rows: Vec<Row>,
 ) -> Option<Solution> {
-    let form = eliminated(k, table, rows, &system.known)?;
-    Some(recorded(k, table, &system.known, form))
+    let form = eliminated(alg, table, rows, &system.known)?;
+    Some(recorded(alg, k, table, &system.known, form))
 }
 
 /// A form as the solution of the constraints.
-fn recorded(k: &mut Kinematics, table: &mut SampleTable, known: &[UnknownId], form: Form) -> Solution {
+fn recorded(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    known: &[UnknownId],
+    form: Form,
+) -> Solution {
     let Form { rows, eliminations, values } = form;
     let mut solution = Solution { rows, ..Solution::default() };
     for pivot in k.rate_pivots.iter().copied().chain(eliminations.iter().map(|e| e.pivot)) {
-        record(&k.dag, table, pivot, &mut solution.pivots);
+        record(&alg.dag, table, pivot, &mut solution.pivots);
     }
     let n = known.len();
     for (column, &id) in known.iter().enumerate() {
-        let (zero, one) = (k.dag.zero(), k.dag.one());
+        let (zero, one) = (alg.dag.zero(), alg.dag.one());
         let unit = (0..n).map(|j| if j == column { one } else { zero }).collect();
         solution.partials.insert(id, unit);
         solution.correction.insert(id, zero);
     }
-    solution.steps = eliminations.into_iter().map(|e| step(&k.dag, e, known)).collect();
+    solution.steps = eliminations.into_iter().map(|e| step(&alg.dag, e, known)).collect();
     for (id, mut values) in values {
         solution.correction.insert(id, values[n + 1]);
         values.truncate(n);
@@ -146,16 +161,17 @@ impl Form {
 /// The cheapest form that is regular wherever the constraints are: the cheapest rows; rows chosen with the
 /// configurations in view at which those fail; at last the normal equations, which fail nowhere else.
 pub(super) fn form(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     System { rows, spare, unknown, known }: &System,
 ) -> Option<Form> {
     let choice = choose::Choice { rows, unknown, count: unknown.len(), independent: choose::INDEPENDENT };
-    let cheapest = choose::rows(k, table, &choice);
+    let cheapest = choose::rows(alg, k, table, &choice);
     let first = match cheapest {
-        Some(rows) => Some(eliminated(k, table, rows, known)?),
-        None if rank::determine(k, &mut sample_table(model, k), rows, unknown) => None,
+        Some(rows) => Some(eliminated(alg, table, rows, known)?),
+        None if rank::determine(alg, &mut sample_table(alg, model, k), rows, unknown) => None,
         None => return None,
     };
     if unknown.is_empty() {
@@ -168,11 +184,11 @@ pub(super) fn form(
     for _ in 0..ROUNDS {
         match found {
             Some(form) => {
-                let mut wider = (samples.len() > k.samples.len()).then(|| table_at(model, k, &samples));
+                let mut wider = (samples.len() > k.samples.len()).then(|| table_at(alg, model, k, &samples));
                 let screened = wider.as_mut().unwrap_or(table);
-                let mut lost = regular::suspects(model, k, screened, &samples, &form.pivots());
+                let mut lost = regular::suspects(alg, model, k, screened, &samples, &form.pivots());
                 if !lost.is_empty() {
-                    lost = Regularity::new(model, k, &all, unknown, table).regular(lost);
+                    lost = Regularity::new(alg, model, k, &all, unknown, table).regular(lost);
                 }
                 if lost.is_empty() {
                     return Some(form);
@@ -183,38 +199,38 @@ pub(super) fn form(
             None if samples.len() > k.samples.len() => break,
             None => {}
         }
-        let mut wider = table_at(model, k, &samples);
+        let mut wider = table_at(alg, model, k, &samples);
         let choice = choose::Choice {
             rows: &all,
             unknown,
             count: unknown.len(),
             independent: choose::WELL_INDEPENDENT,
         };
-        let chosen = choose::rows(k, &mut wider, &choice);
-        found = chosen.and_then(|rows| eliminated(k, &mut wider, rows, known));
+        let chosen = choose::rows(alg, k, &mut wider, &choice);
+        found = chosen.and_then(|rows| eliminated(alg, &mut wider, rows, known));
         if found.is_none() {
             break;
         }
     }
-    let mut wider = table_at(model, k, &samples);
-    let rows = Regularity::new(model, k, &all, unknown, table).complete(&mut wider, rows);
-    let equations: Vec<Equation> = rows.iter().map(|row| equation(&mut k.dag, row, known)).collect();
-    let normal = least_squares::normal_equations(&mut k.dag, &equations);
-    let eliminations = sparse::eliminate_definite(&mut k.dag, table, normal);
-    let values = sparse::back_substitute(&mut k.dag, &eliminations)?;
+    let mut wider = table_at(alg, model, k, &samples);
+    let rows = Regularity::new(alg, model, k, &all, unknown, table).complete(&mut wider, rows);
+    let equations: Vec<Equation> = rows.iter().map(|row| equation(&mut alg.dag, row, known)).collect();
+    let normal = least_squares::normal_equations(&mut alg.dag, &equations);
+    let eliminations = sparse::eliminate_definite(&mut alg.dag, table, normal);
+    let values = sparse::back_substitute(&mut alg.dag, &eliminations)?;
     (values.len() == unknown.len()).then_some(Form { rows, eliminations, values })
 }
 
 /// The unknowns from as many rows; none if a row cancels.
 fn eliminated(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
     table: &mut SampleTable,
     rows: Vec<Row>,
     known: &[UnknownId],
 ) -> Option<Form> {
-    let equations = rows.iter().map(|row| equation(&mut k.dag, row, known)).collect();
-    let eliminations = sparse::eliminate(&mut k.dag, table, equations);
-    let values = sparse::back_substitute(&mut k.dag, &eliminations)?;
+    let equations = rows.iter().map(|row| equation(&mut alg.dag, row, known)).collect();
+    let eliminations = sparse::eliminate(&mut alg.dag, table, equations);
+    let values = sparse::back_substitute(&mut alg.dag, &eliminations)?;
     Some(Form { rows, eliminations, values })
 }
 
@@ -228,6 +244,7 @@ fn step(dag: &Dag, elimination: sparse::Elimination, known: &[UnknownId]) -> Ste
 
 /// Every candidate row must hold for y = T u: else the independent speeds are not independent.
 fn check_consequences(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
@@ -236,7 +253,7 @@ fn check_consequences(
     let n = solution.partials.values().next().map_or(0, Vec::len);
     let coefficients = k.rows.iter().flat_map(|row| row.coefficients.values());
     for &e in coefficients.chain(solution.partials.values().flatten()) {
-        table.compute(&k.dag, e);
+        table.compute(&alg.dag, e);
     }
     let (mut sum, mut size) = (vec![0.0_f64; table.points()], vec![0.0_f64; table.points()]);
     for row in &k.rows {
@@ -245,7 +262,7 @@ fn check_consequences(
             size.fill(0.0);
             for (unknown, &coefficient) in &row.coefficients {
                 let partial = solution.partials[unknown][j];
-                if k.dag.is_zero(partial) {
+                if alg.dag.is_zero(partial) {
                     continue;
                 }
                 let (c, t) = (table.computed(coefficient), table.computed(partial));
@@ -258,12 +275,12 @@ fn check_consequences(
             if off.is_empty() {
                 continue;
             }
-            let is_clock = k.clock.is_some() && j + 1 == n;
-            match is_small(k, table, (row, &solution.partials, j), &off, &sum) {
+            let is_clock = k.unknowns.clock().is_some() && j + 1 == n;
+            match is_small(alg, table, (row, &solution.partials, j), &off, &sum) {
                 Small::Sum => {}
                 Small::Row => break,
                 Small::Neither if is_clock => return Err(rank::contradiction(model, &row.name)),
-                Small::Neither => return Err(rank::explain(model, k, table, Some(&row.name))),
+                Small::Neither => return Err(rank::explain(alg, model, k, table, Some(&row.name))),
             }
         }
     }
@@ -281,7 +298,7 @@ enum Small {
 
 /// Looks into a row whose sum with column j of the partial velocities is not 0.
 fn is_small(
-    k: &Kinematics,
+    alg: &Algebra,
     table: &mut SampleTable,
     (row, partials, j): (&Row, &BTreeMap<UnknownId, Vec<ExprId>>, usize),
     samples: &[usize],
@@ -289,18 +306,18 @@ fn is_small(
 ) -> Small {
     let column = row.coefficients.keys().enumerate().map(|(i, &unknown)| (unknown, i)).collect();
     let points = table.points();
-    let numeric = NumericRow::new(&k.dag, table, row, &column);
+    let numeric = NumericRow::new(&alg.dag, table, row, &column);
     let lengths = (0..points).map(|sample| (sample, numeric.length(sample)));
     let Some((longest, length)) = lengths.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Small::Row };
-    if length <= numeric.rounding(&k.dag, longest) {
+    if length <= numeric.rounding(&alg.dag, longest) {
         return Small::Row;
     }
     let is_long = |s: usize| {
-        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && numeric.length(s) > numeric.rounding(&k.dag, s)
+        sum[s].abs() > CONSEQUENCE * CONSEQUENCE * length && numeric.length(s) > numeric.rounding(&alg.dag, s)
     };
     let long: Vec<usize> = samples.iter().copied().filter(|&s| is_long(s)).collect();
     let terms: Vec<[ExprId; 2]> = row.coefficients.iter().map(|(y, &c)| [c, partials[y][j]]).collect();
-    match long.iter().any(|&s| sum[s].abs() > rounding_of_products(&k.dag, table, &terms, s)) {
+    match long.iter().any(|&s| sum[s].abs() > rounding_of_products(&alg.dag, table, &terms, s)) {
         true => Small::Neither,
         false => Small::Sum,
     }

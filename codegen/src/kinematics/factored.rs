@@ -4,11 +4,13 @@
 //! elimination is that which gave the dependent speeds: its pivots and coefficients are the same expressions.
 
 use super::eliminate::{Solution, Step};
-use super::quantities::{Kinematics, Row, UnknownId};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Row};
 use super::sparse::{self, Elimination, Equation};
+use super::unknowns::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
-use std::collections::BTreeMap;
+use crate::vector::Algebra;
 
 /// J_d, eliminated.
 #[derive(Clone)]
@@ -18,15 +20,20 @@ pub(crate) struct Factored {
 
 impl Factored {
     /// None where the rows are not what was eliminated, because there are more of them than dependent unknowns.
-    pub fn new(k: &mut Kinematics, table: &mut SampleTable, solution: &Solution) -> Option<Self> {
-        let dependent = k.dependent_unknowns();
+    pub fn new(
+        alg: &mut Algebra,
+        k: &Kinematics,
+        table: &mut SampleTable,
+        solution: &Solution,
+    ) -> Option<Self> {
+        let dependent = k.unknowns.dependent();
         let of_dependent = |row: &Row| {
             let mut coefficients = row.coefficients.clone();
             coefficients.retain(|unknown, _| dependent.contains(unknown));
             Equation { coefficients, right: Vec::new() }
         };
         let equations = solution.rows.iter().map(of_dependent).collect();
-        let done = sparse::eliminate(&mut k.dag, table, equations);
+        let done = sparse::eliminate(&mut alg.dag, table, equations);
         let is_same = |(mine, step): (&Elimination, &Step)| {
             let holds = |(z, c): (&UnknownId, &ExprId)| step.coefficients.get(z) == Some(c);
             mine.unknown == step.unknown && mine.coefficients.iter().all(holds)
@@ -47,7 +54,7 @@ impl Factored {
     }
 
     /// y of J_d y = right.
-    pub fn solve(&self, dag: &mut Dag, mut right: Vec<ExprId>) -> BTreeMap<UnknownId, ExprId> {
+    pub fn solve(&self, dag: &mut Dag, mut right: Vec<ExprId>) -> LinearForm {
         let mut quotients = Vec::new();
         for step in &self.done {
             let quotient = dag.div(right[step.row], step.pivot);
@@ -57,7 +64,7 @@ impl Factored {
             }
             quotients.push(quotient);
         }
-        let mut known: BTreeMap<UnknownId, ExprId> = BTreeMap::new();
+        let mut known = LinearForm::default();
         for (step, quotient) in self.done.iter().zip(quotients).rev() {
             let mut value = quotient;
             for (z, &c) in &step.coefficients {
@@ -70,17 +77,11 @@ impl Factored {
     }
 
     /// lambda of J_d' lambda = force, one a row: the same steps, transposed and the other way round.
-    pub fn solve_transposed(&self, dag: &mut Dag, mut force: BTreeMap<UnknownId, ExprId>) -> Vec<ExprId> {
+    pub fn solve_transposed(&self, dag: &mut Dag, mut force: LinearForm) -> Vec<ExprId> {
         let zero = dag.zero();
         let mut carried = Vec::new();
         for step in &self.done {
-            let own = force.remove(&step.unknown).unwrap_or(zero);
-            for (&z, &c) in &step.coefficients {
-                let product = dag.mul(c, own);
-                let sum = force.get(&z).map_or(product, |&mine| dag.add(mine, product));
-                force.insert(z, sum);
-            }
-            carried.push(own);
+            carried.push(force.substitute(dag, step.unknown, &step.coefficients).unwrap_or(zero));
         }
         let mut lambda = vec![zero; self.done.len()];
         for (step, own) in self.done.iter().zip(carried).rev() {

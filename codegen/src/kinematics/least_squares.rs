@@ -4,8 +4,9 @@
 //! diagonal vanish only where A itself loses rank: one elimination for every regular configuration. Its pivots are
 //! squares of distances, so the conditioning of A counts twice: taken only where no choice of rows is regular.
 
-use super::quantities::UnknownId;
+use super::linear_form::LinearForm;
 use super::sparse::Equation;
+use super::unknowns::UnknownId;
 use crate::expr::Dag;
 use std::collections::BTreeMap;
 
@@ -18,21 +19,13 @@ pub(super) fn normal_equations(dag: &mut Dag, equations: &[Equation]) -> BTreeMa
         for (&i, &a) in &equation.coefficients {
             let mine = normal
                 .entry(i)
-                .or_insert_with(|| Equation { coefficients: BTreeMap::new(), right: vec![zero; n] });
-            for (&j, &b) in &equation.coefficients {
-                let product = dag.mul(a, b);
-                let sum = mine.coefficients.get(&j).copied().unwrap_or(zero);
-                let sum = dag.add(sum, product);
-                mine.coefficients.insert(j, sum);
-            }
+                .or_insert_with(|| Equation { coefficients: LinearForm::default(), right: vec![zero; n] });
+            mine.coefficients.add(dag, a, &equation.coefficients);
             for (sum, &b) in mine.right.iter_mut().zip(&equation.right) {
                 let product = dag.mul(a, b);
                 *sum = dag.add(*sum, product);
             }
         }
-    }
-    for equation in normal.values_mut() {
-        equation.coefficients.retain(|_, c| !dag.is_zero(*c));
     }
     normal
 }

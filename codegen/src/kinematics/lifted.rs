@@ -2,7 +2,7 @@
 
 use super::quantities::Kinematics;
 use crate::model::{FrameId, Model, PointId};
-use crate::vector::Vector;
+use crate::vector::{Algebra, Vector};
 
 /// Is the frame's angular velocity an unknown of its own? Yes where the model states fixed vectors.
 pub(super) fn frame_is_lifted(model: &Model, frame: FrameId) -> bool {
@@ -16,11 +16,11 @@ pub(super) fn point_is_lifted(model: &Model, point: PointId) -> bool {
 }
 
 /// The same vector without lifted points: each is replaced by its first position expression.
-pub(crate) fn flatten(k: &mut Kinematics, vector: &Vector) -> Vector {
+pub(crate) fn flatten(alg: &mut Algebra, k: &Kinematics, vector: &Vector) -> Vector {
     let mut flat = Vector { terms: vector.terms.clone(), ..Vector::default() };
     for (&point, &factor) in &vector.points {
-        let base = k.flat_positions[&point].clone().scaled(&mut k.dag, factor);
-        flat = flat.plus(&mut k.dag, &base);
+        let base = k.flat_positions[&point].scaled(&mut alg.dag, factor);
+        flat = flat.plus(&mut alg.dag, &base);
     }
     flat
 }

@@ -2,18 +2,18 @@
 
 use super::choice::ParameterChoice;
 use super::lifted;
-use super::quantities::{Kinematics, Unknown, UnknownKind, Value};
-use super::rate;
+use super::quantities::{Kinematics, Value};
+use super::unknowns::{Unknown, UnknownKind, Unknowns};
 use crate::expr::number::Number;
 use crate::expr::{Binary, Dag, ExprId, Unary};
 use crate::id::IdVec;
 use crate::model::expression::{Expr, ExprKind, Function};
 use crate::model::{Entity, Model};
-use crate::vector::{Triads, Turn, Vector};
+use crate::vector::{Algebra, Turn, Vector};
 
 /// Symbols for time, coordinates, inputs, parameters and speeds; empty tables for the rest.
-pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
-    let mut dag = Dag::default();
+pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice) -> Kinematics {
+    let Algebra { dag, triads } = alg;
     let time = dag.symbol("t");
     let zero = dag.zero();
     let is_state: IdVec<_, bool> = model.coordinates.iter().map(|c| c.closed_form.is_none()).collect();
@@ -21,7 +21,7 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         model.coordinates.iter().map(|c| if c.closed_form.is_none() { dag.symbol(&c.name) } else { zero });
     let q = q.collect();
     let inputs = model.inputs.iter().map(|i| dag.symbol(&i.name)).collect();
-    let mut unknowns = IdVec::default();
+    let mut unknowns = Unknowns::default();
     for (speed, declared) in model.speeds.enumerate() {
         let value = dag.symbol(&declared.name);
         let kind = match declared.independent {
@@ -32,12 +32,11 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
     }
     let one = dag.one();
     let clock = Unknown { name: "clock".to_owned(), value: one, kind: UnknownKind::Clock };
-    let clock = model.is_driven().then(|| unknowns.push(clock));
-    let mut triads = Triads::default();
+    if model.is_driven() {
+        unknowns.push(clock);
+    }
     let inertial = triads.push(Turn::Inertial);
     let mut k = Kinematics {
-        dag,
-        triads,
         time,
         q,
         is_state,
@@ -46,7 +45,6 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         parameters: model.parameters.iter().map(|_| zero).collect(),
         parameter_values: model.parameter_defaults(),
         unknowns,
-        clock,
         frame_triad: model.frames.iter().map(|_| inertial).collect(),
         positions: model.points.iter().map(|_| Vector::zero()).collect(),
         flat_positions: Default::default(),
@@ -66,12 +64,12 @@ pub(super) fn symbols(model: &Model, choice: &ParameterChoice) -> Kinematics {
         samples: Vec::new(),
         sample_times: Vec::new(),
     };
-    parameters(model, choice, &mut k);
+    parameters(alg, model, choice, &mut k);
     k
 }
 
 /// Tunable parameters become symbols; fixed ones their value.
-fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
+fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
     for entity in &model.order {
         let Entity::Parameter(id) = *entity else { continue };
         let parameter = &model.parameters[id];
@@ -81,9 +79,9 @@ fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
         }
         let kept = parameter.tunable || choice.keep.contains(&parameter.name);
         k.parameters[id] = match (kept, set) {
-            (true, _) => k.dag.parameter(&parameter.name),
-            (false, Some(value)) => k.dag.constant(value),
-            (false, None) => scalar(k, &parameter.value),
+            (true, _) => alg.dag.parameter(&parameter.name),
+            (false, Some(value)) => alg.dag.constant(value),
+            (false, None) => scalar(alg, k, &parameter.value),
         };
     }
 }
@@ -92,8 +90,8 @@ fn parameters(model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
 ///
 /// # Panics
 /// If it is a vector: the model's type check lets none through.
-pub(crate) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
-    match value(k, expr) {
+pub(crate) fn scalar(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> ExprId {
+    match value(alg, k, expr) {
         Value::Scalar(e) => e,
         Value::Vector(_) | Value::Pending => unreachable!("type-checked: a scalar was expected"),
     }
@@ -103,10 +101,10 @@ pub(crate) fn scalar(k: &mut Kinematics, expr: &Expr) -> ExprId {
 ///
 /// # Panics
 /// If it is a scalar other than a literal 0: the model's type check lets none through.
-pub(crate) fn vector(k: &mut Kinematics, expr: &Expr) -> Vector {
-    match value(k, expr) {
+pub(crate) fn vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
+    match value(alg, k, expr) {
         Value::Vector(v) => v,
-        Value::Scalar(e) if k.dag.is_zero(e) => Vector::zero(),
+        Value::Scalar(e) if alg.dag.is_zero(e) => Vector::zero(),
         Value::Scalar(_) | Value::Pending => unreachable!("type-checked: a vector was expected"),
     }
 }
@@ -138,114 +136,105 @@ pub(super) fn needs_definitions(k: &Kinematics, expr: &Expr) -> bool {
 }
 
 /// Lowers an expression (nesting is limited by the parser).
-pub(super) fn value(k: &mut Kinematics, expr: &Expr) -> Value {
+pub(super) fn value(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Value {
     match &expr.kind {
-        ExprKind::Number(x) => Value::Scalar(k.dag.constant(*x)),
-        ExprKind::Pi => Value::Scalar(k.dag.pi()),
+        ExprKind::Number(x) => Value::Scalar(alg.dag.constant(*x)),
+        ExprKind::Pi => Value::Scalar(alg.dag.pi()),
         ExprKind::Degree => {
-            let (pi, half_turn) = (k.dag.pi(), k.dag.number(Number::rational(1, 180)));
-            Value::Scalar(k.dag.mul(half_turn, pi))
+            let (pi, half_turn) = (alg.dag.pi(), alg.dag.number(Number::rational(1, 180)));
+            Value::Scalar(alg.dag.mul(half_turn, pi))
         }
         ExprKind::Time => Value::Scalar(k.time),
         ExprKind::Parameter(id) => Value::Scalar(k.parameters[*id]),
         ExprKind::Coordinate(id) => Value::Scalar(k.q[*id]),
-        ExprKind::Rate(id) => {
-            let rate = k.rates[*id].clone();
-            Value::Scalar(rate::rate_value(k, &rate))
-        }
-        ExprKind::Speed(id) => Value::Scalar(k.unknowns[k.unknown_of(*id)].value),
+        ExprKind::Rate(id) => Value::Scalar(k.rates[*id].value(alg, k)),
+        ExprKind::Speed(id) => Value::Scalar(k.unknowns[k.unknowns.of(*id)].value),
         ExprKind::Input(id) => Value::Scalar(k.inputs[*id]),
         ExprKind::Definition(id) => k.definitions[*id].clone(),
         ExprKind::Point(id) => Value::Vector(k.positions[*id].clone()),
-        ExprKind::Velocity(id) => {
-            let motion = k.velocities[*id].clone();
-            Value::Vector(rate::motion_value(k, &motion))
-        }
-        ExprKind::AngularVelocity(id) => {
-            let motion = k.angular[k.frame_triad[*id]].clone();
-            Value::Vector(rate::motion_value(k, &motion))
-        }
+        ExprKind::Velocity(id) => Value::Vector(k.velocities[*id].value(alg, k)),
+        ExprKind::AngularVelocity(id) => Value::Vector(k.angular[k.frame_triad[*id]].value(alg, k)),
         ExprKind::Axis(frame, axis) => {
             let triad = k.frame_triad[*frame];
-            Value::Vector(Vector::axis(&mut k.dag, triad, *axis))
+            Value::Vector(Vector::axis(&mut alg.dag, triad, *axis))
         }
         ExprKind::Power(a, n) => {
-            let a = scalar(k, a);
-            Value::Scalar(k.dag.powi(a, *n))
+            let a = scalar(alg, k, a);
+            Value::Scalar(alg.dag.powi(a, *n))
         }
         ExprKind::Call(function, arguments) => {
-            let arguments: Vec<_> = arguments.iter().map(|a| scalar(k, a)).collect();
-            Value::Scalar(call(&mut k.dag, *function, &arguments))
+            let arguments: Vec<_> = arguments.iter().map(|a| scalar(alg, k, a)).collect();
+            Value::Scalar(call(&mut alg.dag, *function, &arguments))
         }
-        _ => operator(k, &expr.kind),
+        _ => operator(alg, k, &expr.kind),
     }
 }
 
-fn operator(k: &mut Kinematics, kind: &ExprKind) -> Value {
+fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
     match kind {
-        ExprKind::Negate(a) => match value(k, a) {
-            Value::Vector(v) => Value::Vector(v.negated(&mut k.dag)),
-            Value::Scalar(x) => Value::Scalar(k.dag.negate(x)),
+        ExprKind::Negate(a) => match value(alg, k, a) {
+            Value::Vector(v) => Value::Vector(v.negated(&mut alg.dag)),
+            Value::Scalar(x) => Value::Scalar(alg.dag.negate(x)),
             Value::Pending => Value::Pending,
         },
         ExprKind::Add(a, b) | ExprKind::Subtract(a, b) => {
             let minus = matches!(kind, ExprKind::Subtract(..));
-            match (value(k, a), value(k, b)) {
+            match (value(alg, k, a), value(alg, k, b)) {
                 (Value::Scalar(x), Value::Scalar(y)) => {
-                    Value::Scalar(if minus { k.dag.sub(x, y) } else { k.dag.add(x, y) })
+                    Value::Scalar(if minus { alg.dag.sub(x, y) } else { alg.dag.add(x, y) })
                 }
                 (x, y) => {
                     let (x, y) = (as_vector(x), as_vector(y));
-                    Value::Vector(if minus { x.minus(&mut k.dag, &y) } else { x.plus(&mut k.dag, &y) })
+                    Value::Vector(if minus { x.minus(&mut alg.dag, &y) } else { x.plus(&mut alg.dag, &y) })
                 }
             }
         }
-        ExprKind::Multiply(a, b) => match (value(k, a), value(k, b)) {
-            (Value::Scalar(x), Value::Scalar(y)) => Value::Scalar(k.dag.mul(x, y)),
+        ExprKind::Multiply(a, b) => match (value(alg, k, a), value(alg, k, b)) {
+            (Value::Scalar(x), Value::Scalar(y)) => Value::Scalar(alg.dag.mul(x, y)),
             (Value::Vector(v), Value::Scalar(x)) | (Value::Scalar(x), Value::Vector(v)) => {
-                Value::Vector(v.scaled(&mut k.dag, x))
+                Value::Vector(v.scaled(&mut alg.dag, x))
             }
             _ => Value::Pending,
         },
         ExprKind::Divide(a, b) => {
-            let divisor = scalar(k, b);
-            match value(k, a) {
-                Value::Scalar(x) => Value::Scalar(k.dag.div(x, divisor)),
+            let divisor = scalar(alg, k, b);
+            match value(alg, k, a) {
+                Value::Scalar(x) => Value::Scalar(alg.dag.div(x, divisor)),
                 Value::Vector(v) => {
-                    let one = k.dag.one();
-                    let reciprocal = k.dag.div(one, divisor);
-                    Value::Vector(v.scaled(&mut k.dag, reciprocal))
+                    let one = alg.dag.one();
+                    let reciprocal = alg.dag.div(one, divisor);
+                    Value::Vector(v.scaled(&mut alg.dag, reciprocal))
                 }
                 Value::Pending => Value::Pending,
             }
         }
         ExprKind::Dot(a, b) => {
-            let (a, b) = (flat_vector(k, a), flat_vector(k, b));
-            Value::Scalar(k.triads.dot(&mut k.dag, &a, &b))
+            let (a, b) = (flat_vector(alg, k, a), flat_vector(alg, k, b));
+            Value::Scalar(alg.dot(&a, &b))
         }
         ExprKind::Cross(a, b) => {
-            let (a, b) = (flat_vector(k, a), flat_vector(k, b));
-            Value::Vector(k.triads.cross(&mut k.dag, &a, &b))
+            let (a, b) = (flat_vector(alg, k, a), flat_vector(alg, k, b));
+            Value::Vector(alg.cross(&a, &b))
         }
         ExprKind::Norm(a) => {
-            let a = flat_vector(k, a);
-            let mut square = k.triads.dot(&mut k.dag, &a, &a);
+            let a = flat_vector(alg, k, a);
+            let mut square = alg.dot(&a, &a);
             // Products of parts in several triads cancel where a point does not move: rounding may leave less than 0.
-            if a.terms.len() > 1 && reads_speeds(k, square) {
-                let zero = k.dag.zero();
-                square = k.dag.binary(Binary::Max, zero, square);
+            if a.terms.len() > 1 && reads_speeds(alg, k, square) {
+                let zero = alg.dag.zero();
+                square = alg.dag.binary(Binary::Max, zero, square);
             }
-            Value::Scalar(k.dag.sqrt(square))
+            Value::Scalar(alg.dag.sqrt(square))
         }
         _ => Value::Pending,
     }
 }
 
-fn reads_speeds(k: &Kinematics, e: ExprId) -> bool {
-    let read = k.dag.symbols_of(e);
+fn reads_speeds(alg: &Algebra, k: &Kinematics, e: ExprId) -> bool {
+    let read = alg.dag.symbols_of(e);
     k.unknowns
         .iter()
-        .any(|unknown| k.dag.as_symbol(unknown.value).is_some_and(|symbol| read.contains(&symbol)))
+        .any(|unknown| alg.dag.as_symbol(unknown.value).is_some_and(|symbol| read.contains(&symbol)))
 }
 
 /// A literal 0 may stand for the zero vector.
@@ -256,9 +245,9 @@ fn as_vector(value: Value) -> Vector {
     }
 }
 
-fn flat_vector(k: &mut Kinematics, expr: &Expr) -> Vector {
-    let v = vector(k, expr);
-    lifted::flatten(k, &v)
+fn flat_vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
+    let v = vector(alg, k, expr);
+    lifted::flatten(alg, k, &v)
 }
 
 fn call(dag: &mut Dag, function: Function, arguments: &[ExprId]) -> ExprId {

@@ -6,12 +6,12 @@
 
 use super::eliminate::Solution;
 use super::lifted::{flatten, point_is_lifted};
-use super::quantities::{Kinematics, Motion, UnknownId};
-use super::rate::motion_value as value_of;
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Motion};
+use super::unknowns::UnknownId;
 use crate::expr::ExprId;
 use crate::model::{Axis, FrameId, Model, PointId};
-use crate::vector::{TriadId, Vector};
-use std::collections::BTreeMap;
+use crate::vector::{Algebra, TriadId, Vector};
 
 /// A point, a frame, or a frame with a point in it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -31,52 +31,51 @@ impl Marker {
     }
 
     /// Position of the point from O.
-    pub fn position(&self, k: &mut Kinematics) -> Option<[ExprId; 3]> {
-        let position = k.positions[self.point?].clone();
-        let position = flatten(k, &position);
-        Some(in_n(k, &position))
+    pub fn position(&self, alg: &mut Algebra, k: &Kinematics) -> Option<[ExprId; 3]> {
+        let position = flatten(alg, k, &k.positions[self.point?]);
+        Some(in_n(alg, &position))
     }
 
     /// The matrix whose columns are the frame's axes.
-    pub fn rotation(&self, k: &mut Kinematics) -> Option<[[ExprId; 3]; 3]> {
+    pub fn rotation(&self, alg: &mut Algebra, k: &Kinematics) -> Option<[[ExprId; 3]; 3]> {
         let triad = k.frame_triad[self.frame?];
         let axes = [Axis::X, Axis::Y, Axis::Z].map(|axis| {
-            let axis = Vector::axis(&mut k.dag, triad, axis);
-            in_n(k, &axis)
+            let axis = Vector::axis(&mut alg.dag, triad, axis);
+            in_n(alg, &axis)
         });
         Some(std::array::from_fn(|i| axes.map(|axis| axis[i])))
     }
 
     /// Velocity of the point, angular velocity of the frame; each where there is one.
-    fn motions(&self, k: &Kinematics) -> Vec<Motion> {
-        let velocity = self.point.map(|point| k.velocities[point].clone());
-        let angular = self.frame.map(|frame| k.angular[k.frame_triad[frame]].clone());
+    fn motions<'k>(&self, k: &'k Kinematics) -> Vec<&'k Motion> {
+        let velocity = self.point.map(|point| &k.velocities[point]);
+        let angular = self.frame.map(|frame| &k.angular[k.frame_triad[frame]]);
         velocity.into_iter().chain(angular).collect()
     }
 
     /// The twist, in the symbols of all unknowns.
-    pub fn twist(&self, k: &mut Kinematics) -> Vec<ExprId> {
+    pub fn twist(&self, alg: &mut Algebra, k: &Kinematics) -> Vec<ExprId> {
         let motions = self.motions(k);
         let mut twist = Vec::new();
-        for motion in &motions {
-            let value = value_of(k, motion);
-            twist.extend(in_n(k, &value));
+        for motion in motions {
+            let value = motion.value(alg, k);
+            twist.extend(in_n(alg, &value));
         }
         twist
     }
 
     /// J, one row a component of the twist, one column an independent speed.
-    pub fn jacobian(&self, k: &mut Kinematics, solution: &Solution) -> Vec<Vec<ExprId>> {
-        let n = k.independent_unknowns().len();
+    pub fn jacobian(&self, alg: &mut Algebra, k: &Kinematics, solution: &Solution) -> Vec<Vec<ExprId>> {
+        let n = k.unknowns.independent().len();
         let mut rows = Vec::new();
         for motion in self.motions(k) {
-            let partials = partials_in_n(k, &motion);
+            let partials = partials_in_n(alg, motion);
             for axis in 0..3 {
                 let row = (0..n).map(|j| {
                     let each = partials.iter().map(|(y, v)| (v[axis], solution.partials[y][j]));
                     let terms: Vec<ExprId> =
-                        each.collect::<Vec<_>>().into_iter().map(|(v, t)| k.dag.mul(v, t)).collect();
-                    k.dag.sum(&terms)
+                        each.collect::<Vec<_>>().into_iter().map(|(v, t)| alg.dag.mul(v, t)).collect();
+                    alg.dag.sum(&terms)
                 });
                 rows.push(row.collect());
             }
@@ -85,18 +84,18 @@ impl Marker {
     }
 
     /// The twist's derivative where u' = 0, in the symbols of all unknowns.
-    pub fn bias(&self, k: &mut Kinematics, solution: &Solution) -> Vec<ExprId> {
-        let beta = solution.derivatives(k, BTreeMap::new());
+    pub fn bias(&self, alg: &mut Algebra, k: &Kinematics, solution: &Solution) -> Vec<ExprId> {
+        let beta = solution.derivatives(alg, LinearForm::default());
         let mut bias = Vec::new();
         for motion in self.motions(k) {
-            let own = in_n(k, &motion.bias);
-            let partials = partials_in_n(k, &motion);
+            let own = in_n(alg, &motion.bias);
+            let partials = partials_in_n(alg, motion);
             for axis in 0..3 {
                 let mut sum = own[axis];
                 for (y, v) in &partials {
                     if let Some(&b) = beta.get(y) {
-                        let term = k.dag.mul(v[axis], b);
-                        sum = k.dag.add(sum, term);
+                        let term = alg.dag.mul(v[axis], b);
+                        sum = alg.dag.add(sum, term);
                     }
                 }
                 bias.push(sum);
@@ -108,17 +107,13 @@ impl Marker {
 
 impl Solution {
     /// y' = T u' + beta of all unknowns, from those of u' that are given; beta alone, where none are.
-    pub(crate) fn derivatives(
-        &self,
-        k: &mut Kinematics,
-        mut y_dot: BTreeMap<UnknownId, ExprId>,
-    ) -> BTreeMap<UnknownId, ExprId> {
+    pub(crate) fn derivatives(&self, alg: &mut Algebra, mut y_dot: LinearForm) -> LinearForm {
         for step in self.steps.iter().rev() {
             let mut sum = step.bias;
             for (z, &c) in &step.coefficients {
                 if let Some(&z_dot) = y_dot.get(z) {
-                    let term = k.dag.mul(c, z_dot);
-                    sum = k.dag.add(sum, term);
+                    let term = alg.dag.mul(c, z_dot);
+                    sum = alg.dag.add(sum, term);
                 }
             }
             y_dot.insert(step.unknown, sum);
@@ -127,10 +122,10 @@ impl Solution {
     }
 }
 
-fn in_n(k: &mut Kinematics, vector: &Vector) -> [ExprId; 3] {
-    k.triads.express(&mut k.dag, vector, TriadId::INERTIAL)
+fn in_n(alg: &mut Algebra, vector: &Vector) -> [ExprId; 3] {
+    alg.express(vector, TriadId::INERTIAL)
 }
 
-fn partials_in_n(k: &mut Kinematics, motion: &Motion) -> Vec<(UnknownId, [ExprId; 3])> {
-    motion.partials.iter().map(|(&y, v)| (y, in_n(k, v))).collect()
+fn partials_in_n(alg: &mut Algebra, motion: &Motion) -> Vec<(UnknownId, [ExprId; 3])> {
+    motion.partials.iter().map(|(&y, v)| (y, in_n(alg, v))).collect()
 }

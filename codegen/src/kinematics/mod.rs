@@ -19,6 +19,7 @@ pub(crate) mod factored;
 mod least_squares;
 mod lifted;
 pub mod linear;
+mod linear_form;
 mod lower;
 mod marker;
 mod orientation;
@@ -30,34 +31,36 @@ mod rank;
 mod rate;
 pub mod redundant;
 mod regular;
+mod route;
 pub mod sampling;
 pub mod sizes;
 mod slopes;
 pub(crate) mod sparse;
 mod speed_map;
+mod unknowns;
 mod unreachable;
 mod velocity;
-mod way;
 
 use crate::diagnostic::Diagnostics;
 use crate::expr::cost::Optimise;
 use crate::model::Model;
 
+pub use crate::vector::Algebra;
 pub use assemble::{Assembly, tunable_values};
 pub use choice::ParameterChoice;
 pub(crate) use lifted::flatten;
+pub use linear_form::{Coefficient, LinearForm};
 pub(crate) use lower::{scalar as lower_scalar, vector as lower_vector};
 pub use marker::Marker;
-pub use quantities::{Kinematics, Motion, Place, Rate, Row, Unknown, UnknownId, UnknownKind, Value};
-pub(crate) use rate::{
-    derivative as derivative_of, motion_value as value_of, rate_value as rate_of,
-    scalar_rate as scalar_rate_of,
-};
+pub use quantities::{Kinematics, Motion, Place, Rate, Row, Value};
+pub(crate) use rate::{derivative as derivative_of, scalar_rate as scalar_rate_of};
 pub(crate) use slopes::{dependent_slopes, slopes_by_speeds, speeds_of};
+pub use unknowns::{Unknown, UnknownId, UnknownKind, Unknowns};
 pub use unreachable::Unreachable;
 pub(crate) use velocity::is_lifted_triad;
 
-/// Derives the kinematics of `model`; for accuracy by differences of angles.
+/// Derives the kinematics of `model`, and the algebra that its expressions stand in; for accuracy by differences of
+/// angles.
 ///
 /// # Errors
 /// What the model gets wrong that only numbers show: constraints that cannot be met at the
@@ -67,15 +70,16 @@ pub fn derive(
     model: &Model,
     choice: &ParameterChoice,
     optimise: Optimise,
-) -> Result<Kinematics, Diagnostics> {
+) -> Result<(Algebra, Kinematics), Diagnostics> {
     choice.check(model)?;
-    let mut k = lower::symbols(model, choice);
-    k.dag.unrounded_differences = optimise == Optimise::Accuracy;
-    position::derive(model, &mut k);
-    speed_map::derive(model, &mut k)?;
-    velocity::derive(model, &mut k);
-    constraint::derive(model, &mut k);
-    assemble::derive(model, &mut k)?;
-    constraint::complete(model, &mut k);
-    Ok(k)
+    let mut alg = Algebra::default();
+    let mut k = lower::symbols(&mut alg, model, choice);
+    alg.dag.unrounded_differences = optimise == Optimise::Accuracy;
+    position::derive(&mut alg, model, &mut k);
+    speed_map::derive(&mut alg, model, &mut k)?;
+    velocity::derive(&mut alg, model, &mut k);
+    constraint::derive(&mut alg, model, &mut k);
+    assemble::derive(&mut alg, model, &mut k)?;
+    constraint::complete(&mut alg, model, &mut k);
+    Ok((alg, k))
 }

@@ -7,10 +7,10 @@ use super::{lower, orientation, speed_map};
 use crate::expr::Label;
 use crate::model::{Entity, Model};
 use crate::section::Section;
-use crate::vector::Vector;
+use crate::vector::{Algebra, Vector};
 
 /// Fills triads, positions and those definitions that need no velocities.
-pub(super) fn derive(model: &Model, k: &mut Kinematics) {
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
     for entity in &model.order {
         match *entity {
             Entity::Parameter(_) => {}
@@ -19,35 +19,35 @@ pub(super) fn derive(model: &Model, k: &mut Kinematics) {
                 if lower::needs_motion(k, &definition.value) {
                     continue;
                 }
-                let value = lower::value(k, &definition.value);
+                let value = lower::value(alg, k, &definition.value);
                 if let Value::Scalar(e) = value {
                     let label = Label::named(Section::Orientations, &*definition.name);
-                    k.dag.label(e, label.at(model.source.place(definition.span)));
+                    alg.dag.label(e, label.at(model.source.place(definition.span)));
                 }
                 k.definitions[id] = value;
             }
             Entity::Coordinate(id) => {
                 if let Some(form) = &model.coordinates[id].closed_form {
-                    let value = lower::scalar(k, form);
+                    let value = lower::scalar(alg, k, form);
                     let name = &model.coordinates[id].name;
                     let label = Label::named(Section::Orientations, name);
-                    k.dag.label(value, label.at(model.source.place(model.coordinates[id].span)));
+                    alg.dag.label(value, label.at(model.source.place(model.coordinates[id].span)));
                     k.q[id] = if speed_map::is_variable(model, id) {
                         k.closed_forms.push((id, value));
-                        k.dag.symbol(name)
+                        alg.dag.symbol(name)
                     } else {
                         value
                     };
                 }
             }
-            Entity::Frame(id) => orientation::derive(model, k, id),
+            Entity::Frame(id) => k.frame_triad[id] = orientation::derive(alg, model, k, id),
             Entity::Point(id) => {
-                let position = lower::vector(k, &model.points[id].position);
+                let position = lower::vector(alg, k, &model.points[id].position);
                 k.positions[id] = position.clone();
                 if point_is_lifted(model, id) {
-                    let flat = flatten(k, &position);
+                    let flat = flatten(alg, k, &position);
                     k.flat_positions.insert(id, flat);
-                    k.positions[id] = Vector::position(&mut k.dag, id);
+                    k.positions[id] = Vector::position(&mut alg.dag, id);
                 }
             }
         }

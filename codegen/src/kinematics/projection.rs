@@ -6,20 +6,28 @@
 //! no constraint says that they are wrong.
 
 use super::eliminate::{self, Form, Solution, System};
-use super::quantities::{Kinematics, Row, UnknownId, UnknownKind};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Row};
 use super::rank;
+use super::unknowns::{UnknownId, UnknownKind};
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
 use crate::model::{Model, SpeedMeaning};
-use std::collections::BTreeMap;
+use crate::vector::Algebra;
 
 /// A pivot must keep this share of its nominal size at all samples: else the elimination of the velocities, whose
 /// pivots every step watches, serves for the correction too.
 const HEALTHY: f64 = 0.02;
 
 /// Gives a solution the corrections of the configuration constraints alone, where its own are those of rows of motion too.
-pub fn correct(model: &Model, k: &mut Kinematics, table: &mut SampleTable, solution: &mut Solution) {
-    if let Some(correction) = beside_motion(model, k, table, solution) {
+pub fn correct(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    solution: &mut Solution,
+) {
+    if let Some(correction) = beside_motion(alg, model, k, table, solution) {
         solution.correction = correction;
     }
 }
@@ -27,19 +35,20 @@ pub fn correct(model: &Model, k: &mut Kinematics, table: &mut SampleTable, solut
 /// The corrections by unknown; none where those of the elimination of the velocities serve: it has solved no motion
 /// constraint, or the configuration constraints do not determine what is not held.
 fn beside_motion(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     table: &mut SampleTable,
     solution: &Solution,
-) -> Option<BTreeMap<UnknownId, ExprId>> {
+) -> Option<LinearForm> {
     let (held, unknown): (Vec<UnknownId>, Vec<UnknownId>) =
-        k.dependent_unknowns().into_iter().partition(|&y| is_held(model, k, y));
+        k.unknowns.dependent().into_iter().partition(|&y| is_held(model, k, y));
     let is_motion = |row: &&Row| model.motion_constraints.iter().any(|c| c.name == row.name);
     let rows: Vec<Row> = k.rows.iter().filter(|row| !is_motion(row)).cloned().collect();
     if !solution.rows.iter().any(|row| is_motion(&row)) || rows.is_empty() {
         return None;
     }
-    let zero = k.dag.zero();
+    let zero = alg.dag.zero();
     // Rows that do not read what is held have been solved beside the motion constraints as they would be alone.
     let reads_held = rows.iter().any(|row| row.coefficients.keys().any(|y| held.contains(y)));
     if !reads_held && solution.rows.iter().filter(|row| !is_motion(row)).count() == unknown.len() {
@@ -47,7 +56,7 @@ fn beside_motion(
         corrections.extend(held.into_iter().map(|y| (y, zero)));
         return Some(corrections);
     }
-    let all = rank::ranks(k, table, &rows, &k.moving_unknowns());
+    let all = rank::ranks(alg, table, &rows, &k.unknowns.moving());
     if all.iter().any(|&rank| rank != unknown.len()) {
         return None;
     }
@@ -60,12 +69,12 @@ fn beside_motion(
     };
     let (rows, spare) = (restricted(rows), restricted(k.spare_rows.clone()));
     let system = System { rows, spare, unknown, known: Vec::new() };
-    let form = eliminate::form(model, k, table, &system)?;
-    if form.pivots().iter().any(|&pivot| !is_healthy(k, table, pivot)) {
+    let form = eliminate::form(alg, model, k, table, &system)?;
+    if form.pivots().iter().any(|&pivot| !is_healthy(alg, table, pivot)) {
         return None;
     }
     let Form { values, .. } = form;
-    let mut corrections: BTreeMap<UnknownId, ExprId> = k.unknowns.ids().map(|y| (y, zero)).collect();
+    let mut corrections: LinearForm = k.unknowns.ids().map(|y| (y, zero)).collect();
     corrections.extend(values.into_iter().filter_map(|(y, values)| Some((y, *values.last()?))));
     Some(corrections)
 }
@@ -82,7 +91,7 @@ fn is_held(model: &Model, k: &Kinematics, unknown: UnknownId) -> bool {
 }
 
 /// Has the pivot one sign and a good part of its nominal size at every sample?
-fn is_healthy(k: &Kinematics, table: &mut SampleTable, pivot: ExprId) -> bool {
-    let values = table.values(&k.dag, pivot);
+fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivot: ExprId) -> bool {
+    let values = table.values(&alg.dag, pivot);
     values.iter().all(|x| *x / values[0] >= HEALTHY)
 }

@@ -1,43 +1,17 @@
-//! What the stages of kinematics pass on: unknowns, rates and motions, constraint rows, and all of them of one model.
+//! What the stages of kinematics pass on: rates and motions, constraint rows, and all of them of one model.
 //!
 //! Plain data: the stages fill it in the order of `derive`, later stages only read it.
 
+use super::linear_form::LinearForm;
+use super::unknowns::Unknowns;
 use crate::expr::{Dag, ExprId, SymbolId};
-use crate::id::{Id, IdVec, ids};
-use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId, SpeedId};
+use crate::id::IdVec;
+use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId};
 use crate::source::Span;
-use crate::vector::{Components, TriadId, Triads, Vector};
+use crate::vector::{Components, TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
+use std::cell::RefCell;
 use std::collections::BTreeMap;
-
-ids! {
-    /// An unknown of the velocity level: a speed, or a component of a lifted twist.
-    UnknownId,
-}
-
-/// An unknown of the velocity level.
-#[derive(Clone, Debug)]
-pub struct Unknown {
-    /// Its name in the generated code.
-    pub name: String,
-    /// The symbol that stands for its value until the constraints are solved.
-    pub value: ExprId,
-    /// What it is.
-    pub kind: UnknownKind,
-}
-
-/// What an unknown is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum UnknownKind {
-    /// An independent speed: known to the elimination.
-    Independent(SpeedId),
-    /// A dependent speed.
-    Dependent(SpeedId),
-    /// A component of the velocity or angular velocity of a body that closes a loop.
-    Lifted,
-    /// Time as a coordinate: its rate is 1, its partial velocities are what velocities have without speeds.
-    Clock,
-}
 
 /// An equation of the model, for messages.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -52,7 +26,7 @@ pub struct Place {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rate {
     /// Coefficients of the unknowns.
-    pub partials: BTreeMap<UnknownId, ExprId>,
+    pub partials: LinearForm,
     /// What remains of the second derivative.
     pub bias: ExprId,
 }
@@ -61,7 +35,7 @@ pub struct Rate {
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Motion {
     /// Partial velocities.
-    pub partials: BTreeMap<UnknownId, Vector>,
+    pub partials: LinearForm<Vector>,
     /// Acceleration without the unknowns' derivatives.
     pub bias: Vector,
 }
@@ -84,7 +58,7 @@ pub struct Row {
     /// Which equation it comes from.
     pub name: String,
     /// Non-zero coefficients.
-    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    pub coefficients: LinearForm,
     /// Acceleration level: what the speeds contribute.
     pub bias: ExprId,
     /// Configuration level; 0 for motion constraints.
@@ -96,10 +70,6 @@ pub struct Row {
 /// Positions, motions and constraint rows of a model.
 #[derive(Clone, Debug)]
 pub struct Kinematics {
-    /// The expressions.
-    pub dag: Dag,
-    /// All triads; 0 is inertial.
-    pub triads: Triads,
     /// Time.
     pub time: ExprId,
     /// Coordinates: symbols, those of [`Self::closed_forms`] included, or closed forms of other coordinates.
@@ -115,10 +85,8 @@ pub struct Kinematics {
     pub parameters: IdVec<ParameterId, ExprId>,
     /// Default values of the parameters, overrides applied.
     pub parameter_values: IdVec<ParameterId, f64>,
-    /// Unknowns: first the speeds in the model's order, then the clock if the model is driven, then the lifted ones.
-    pub unknowns: IdVec<UnknownId, Unknown>,
-    /// The unknown whose value is 1, if the model is driven.
-    pub clock: Option<UnknownId>,
+    /// Speeds, the clock, components of lifted twists.
+    pub unknowns: Unknowns,
     /// Triad of every frame.
     pub frame_triad: IdVec<FrameId, TriadId>,
     /// Position of every point from O; lifted points appear as themselves.
@@ -134,7 +102,7 @@ pub struct Kinematics {
     /// Velocity of every point in N.
     pub velocities: IdVec<PointId, Motion>,
     /// Derivatives of terms of positions, by triad and components: those of [`Self::angular`] and [`Self::rates`].
-    pub term_derivatives: HashMap<(TriadId, Components), Motion>,
+    pub(super) term_derivatives: RefCell<HashMap<(TriadId, Components), Motion>>,
     /// Candidate constraint rows, cheapest first.
     pub rows: Vec<Row>,
     /// Rows of constraints that follow from the others: needed only where the others are not enough.
@@ -175,59 +143,26 @@ impl Kinematics {
 
     /// Symbol of a coordinate; `None` for a closed form.
     #[must_use]
-    pub fn coordinate_symbol(&self, coordinate: CoordinateId) -> Option<SymbolId> {
-        if self.is_state[coordinate] { self.dag.as_symbol(self.q[coordinate]) } else { None }
+    pub fn coordinate_symbol(&self, dag: &Dag, coordinate: CoordinateId) -> Option<SymbolId> {
+        if self.is_state[coordinate] { dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
     /// Symbol that a coordinate has while velocities are derived: state, or closed form put in at the end.
-    pub(crate) fn variable(&self, coordinate: CoordinateId) -> Option<SymbolId> {
+    pub(crate) fn variable(&self, dag: &Dag, coordinate: CoordinateId) -> Option<SymbolId> {
         let is_variable =
             self.is_state[coordinate] || self.closed_forms.iter().any(|(c, _)| *c == coordinate);
-        if is_variable { self.dag.as_symbol(self.q[coordinate]) } else { None }
+        if is_variable { dag.as_symbol(self.q[coordinate]) } else { None }
     }
 
     /// What stands for the symbols of coordinates in closed form: functions of the state.
-    pub(crate) fn closed_form_values(&mut self) -> HashMap<SymbolId, ExprId> {
+    pub(crate) fn closed_form_values(&self, dag: &mut Dag) -> HashMap<SymbolId, ExprId> {
         let mut values = HashMap::default();
-        for (coordinate, form) in self.closed_forms.clone() {
-            let value = self.dag.substitute(&[form], &values)[0];
-            if let Some(symbol) = self.dag.as_symbol(self.q[coordinate]) {
+        for &(coordinate, form) in &self.closed_forms {
+            let value = dag.substitute(&[form], &values)[0];
+            if let Some(symbol) = dag.as_symbol(self.q[coordinate]) {
                 values.insert(symbol, value);
             }
         }
         values
-    }
-
-    /// Unknowns that the constraints give: dependent speeds and lifted twists.
-    #[must_use]
-    pub fn dependent_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| matches!(kind, UnknownKind::Dependent(_) | UnknownKind::Lifted))
-    }
-
-    /// Unknowns that are independent speeds.
-    #[must_use]
-    pub fn independent_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| matches!(kind, UnknownKind::Independent(_)))
-    }
-
-    /// Unknowns that move: all but the clock.
-    #[must_use]
-    pub fn moving_unknowns(&self) -> Vec<UnknownId> {
-        self.unknowns_where(|kind| kind != UnknownKind::Clock)
-    }
-
-    fn unknowns_where(&self, wanted: impl Fn(UnknownKind) -> bool) -> Vec<UnknownId> {
-        self.unknowns.enumerate().filter(|(_, u)| wanted(u.kind)).map(|(id, _)| id).collect()
-    }
-
-    /// Is the speed independent, or one of redundant ones?
-    pub(crate) fn is_independent(&self, speed: SpeedId) -> bool {
-        matches!(self.unknowns[self.unknown_of(speed)].kind, UnknownKind::Independent(_))
-    }
-
-    /// The unknown of a speed.
-    #[must_use]
-    pub fn unknown_of(&self, speed: SpeedId) -> UnknownId {
-        UnknownId::from_index(speed.index())
     }
 }

@@ -3,11 +3,13 @@
 //! degrees of freedom = unknown speeds - rank of the rows over all of them, at each sample.
 
 use super::basis::{Bases, NumericRow, longest_entry};
-use super::quantities::{Kinematics, Row, UnknownId};
+use super::quantities::{Kinematics, Row};
 use super::sampling;
+use super::unknowns::UnknownId;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
+use crate::vector::Algebra;
 use crate::words::count;
 use rustc_hash::FxHashMap as HashMap;
 
@@ -16,52 +18,48 @@ const DEPENDENT: f64 = 1e-8;
 
 /// Rank of rows over the given unknowns, at every sample.
 pub(super) fn ranks(
-    k: &Kinematics,
+    alg: &Algebra,
     table: &mut SampleTable,
     rows: &[Row],
     unknowns: &[UnknownId],
 ) -> Vec<usize> {
     let column: HashMap<UnknownId, usize> = unknowns.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-    let mut bases = Bases::new(unknowns.len(), longest_entry(&k.dag, rows, table), table.points());
+    let mut bases = Bases::new(unknowns.len(), longest_entry(&alg.dag, rows, table), table.points());
     for row in rows {
-        let row = NumericRow::new(&k.dag, table, row, &column);
-        bases.extend_where_independent(&k.dag, &row, DEPENDENT);
+        let row = NumericRow::new(&alg.dag, table, row, &column);
+        bases.extend_where_independent(&alg.dag, &row, DEPENDENT);
     }
     bases.ranks().to_vec()
 }
 
 /// Do the rows give every dependent unknown, at every sample?
-pub(super) fn determined(model: &Model, k: &Kinematics) -> bool {
-    let mut table = sampling::sample_table(model, k);
-    determine(k, &mut table, &k.rows, &k.dependent_unknowns())
+pub(super) fn determined(alg: &Algebra, model: &Model, k: &Kinematics) -> bool {
+    let mut table = sampling::sample_table(alg, model, k);
+    determine(alg, &mut table, &k.rows, &k.unknowns.dependent())
 }
 
 /// Do these rows give these unknowns, at every sample?
-pub(super) fn determine(
-    k: &Kinematics,
-    table: &mut SampleTable,
-    rows: &[Row],
-    unknown: &[UnknownId],
-) -> bool {
-    ranks(k, table, rows, unknown).iter().all(|&rank| rank == unknown.len())
+pub(super) fn determine(alg: &Algebra, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> bool {
+    ranks(alg, table, rows, unknown).iter().all(|&rank| rank == unknown.len())
 }
 
 /// Why the dependent unknowns cannot be solved for, or why there is a row too many (`extra`).
 pub(super) fn explain(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
     extra: Option<&str>,
 ) -> Diagnostics {
-    let (all, dependent) = (k.moving_unknowns(), k.dependent_unknowns());
+    let (all, dependent) = (k.unknowns.moving(), k.unknowns.dependent());
     let declared = all.len() - dependent.len();
-    let over_all = ranks(k, table, &k.rows, &all);
+    let over_all = ranks(alg, table, &k.rows, &all);
     let dof = all.len() - over_all.first().copied().unwrap_or(0);
     let error = if dof != declared {
         wrong_dof(model, dof, declared, all.len(), extra)
     } else {
-        let found = ranks(k, table, &k.rows, &dependent);
-        dead_point(model, k, &found, dependent.len())
+        let found = ranks(alg, table, &k.rows, &dependent);
+        dead_point(alg, model, k, &found, dependent.len())
     };
     Diagnostics::one(model.source.clone(), error)
 }
@@ -103,9 +101,9 @@ fn wrong_dof(model: &Model, dof: usize, declared: usize, unknowns: usize, extra:
 }
 
 /// The number of degrees of freedom is right, but these independent speeds do not give the others.
-fn dead_point(model: &Model, k: &Kinematics, found: &[usize], needed: usize) -> Diagnostic {
+fn dead_point(alg: &Algebra, model: &Model, k: &Kinematics, found: &[usize], needed: usize) -> Diagnostic {
     let bad: Vec<usize> = (0..found.len()).filter(|&s| found[s] < needed).collect();
-    let states = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some());
+    let states = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());
     let names: Vec<&str> = states.map(|c| model.coordinates[c].name.as_str()).collect();
     let (rank, place) = match bad.first() {
         Some(&s) => {

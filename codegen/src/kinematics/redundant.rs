@@ -11,16 +11,19 @@
 
 use super::assemble::Assembly;
 use super::eliminate::{self, Pivot, Solution, System};
-use super::quantities::{Kinematics, Row, Sample, UnknownId, UnknownKind};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Row, Sample};
 use super::random::Random;
 use super::regular::Regularity;
 use super::sampling::{sample_table, table_at};
 use super::sparse::{self, Equation};
+use super::unknowns::UnknownId;
 use super::{choose, linear, rank};
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;
 use crate::model::{CoordinateId, Model};
+use crate::vector::Algebra;
 use std::collections::BTreeMap;
 
 /// Steps of the walk, and most attempts at each.
@@ -45,45 +48,42 @@ const KEPT: usize = 4;
 /// is the solution by these, where they determine the others at every sample. Nothing if they need not be state, or
 /// cannot be.
 pub fn solve(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
     minimal: Option<&Solution>,
-) -> Option<(Kinematics, Solution, SampleTable)> {
-    let dependent = k.dependent_unknowns();
-    if dependent.is_empty() || minimal.is_some_and(|solution| is_steady(k, table, &solution.pivots)) {
+) -> Option<(Algebra, Kinematics, Solution, SampleTable)> {
+    let dependent = k.unknowns.dependent();
+    if dependent.is_empty() || minimal.is_some_and(|solution| is_steady(alg, table, &solution.pivots)) {
         return None;
     }
-    let mut k = k.clone();
-    let walked = walk(model, &mut k);
-    let mut along = table_at(model, &k, &walked);
-    if minimal.is_some_and(|solution| is_healthy(&k, &mut along, &solution.pivots)) {
+    let (mut alg, mut k) = (alg.clone(), k.clone());
+    let walked = walk(&mut alg, model, &k);
+    let mut along = table_at(&alg, model, &k, &walked);
+    if minimal.is_some_and(|solution| is_healthy(&alg, &mut along, &solution.pivots)) {
         return None;
     }
     let places: Vec<Sample> = k.sampled().into_iter().chain(walked.iter().cloned()).collect();
-    let mut table = table_at(model, &k, &places);
-    let rows = full_rank(&k, &mut table, dependent.len())?;
-    let dead = dead_points(model, &mut k, &rows, &dependent, (&walked, &mut along));
+    let mut table = table_at(&alg, model, &k, &places);
+    let rows = full_rank(&alg, &k, &mut table, dependent.len())?;
+    let dead = dead_points(&mut alg, model, &k, &rows, &dependent, (&walked, &mut along));
     if minimal.is_some() && dead.is_empty() {
         return None;
     }
     k.samples = places.iter().chain(&dead).map(|sample| sample.q.clone()).collect();
     k.sample_times = places.iter().chain(&dead).map(|sample| sample.t).collect();
-    for speed in k.unknowns.ids().collect::<Vec<_>>() {
-        if let UnknownKind::Dependent(meaning) = k.unknowns[speed].kind {
-            k.unknowns[speed].kind = UnknownKind::Independent(meaning);
-        }
-    }
-    let mut table = sample_table(model, &k);
-    let solution = between_speeds(&mut k, &mut table, rows)?;
-    Some((k, solution, table))
+    k.unknowns = k.unknowns.all_speeds_independent();
+    let mut table = sample_table(&alg, model, &k);
+    let solution = between_speeds(&mut alg, &k, &mut table, rows)?;
+    Some((alg, k, solution, table))
 }
 
 /// Do the pivots hardly vary over the samples? Towards a dead point within the ranges one of them falls to nothing, as the
 /// square root of the way at least.
-fn is_steady(k: &Kinematics, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
+fn is_steady(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     pivots.iter().all(|pivot| {
-        let values = table.values(&k.dag, pivot.value).iter();
+        let values = table.values(&alg.dag, pivot.value).iter();
         let (least, most) =
             values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), x| (l.min(*x), m.max(*x)));
         least > STEADY * most && least > 0.0 || most < STEADY * least && most < 0.0
@@ -91,37 +91,37 @@ fn is_steady(k: &Kinematics, table: &mut SampleTable, pivots: &[Pivot]) -> bool 
 }
 
 /// Do the pivots keep their signs, and a good part of their nominal size, along the walk?
-fn is_healthy(k: &Kinematics, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
+fn is_healthy(alg: &Algebra, table: &mut SampleTable, pivots: &[Pivot]) -> bool {
     pivots.iter().all(|pivot| {
-        let values = table.values(&k.dag, pivot.value);
+        let values = table.values(&alg.dag, pivot.value);
         values.iter().all(|x| x / values[0] > HEALTHY)
     })
 }
 
 /// As many rows as unknowns depend on others, independent over all speeds at every sample; none if the constraints do
 /// not leave the stated freedom at one of them.
-fn full_rank(k: &Kinematics, table: &mut SampleTable, count: usize) -> Option<Vec<Row>> {
-    let moving = k.moving_unknowns();
+fn full_rank(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, count: usize) -> Option<Vec<Row>> {
+    let moving = k.unknowns.moving();
     // Time included, so that what it prescribes contradicts no row.
     let all: Vec<UnknownId> = k.unknowns.ids().collect();
     let fits = |columns: &[UnknownId], table: &mut SampleTable| {
-        rank::ranks(k, table, &k.rows, columns).iter().all(|&rank| rank == count)
+        rank::ranks(alg, table, &k.rows, columns).iter().all(|&rank| rank == count)
     };
-    if !fits(&moving, table) || (k.clock.is_some() && !fits(&all, table)) {
+    if !fits(&moving, table) || (k.unknowns.clock().is_some() && !fits(&all, table)) {
         return None;
     }
     let rows: Vec<Row> = k.rows.iter().chain(&k.spare_rows).cloned().collect();
     let choice =
         choose::Choice { rows: &rows, unknown: &moving, count, independent: choose::WELL_INDEPENDENT };
-    choose::rows(k, table, &choice).or_else(|| {
+    choose::rows(alg, k, table, &choice).or_else(|| {
         let choice = choose::Choice { independent: choose::INDEPENDENT, ..choice };
-        choose::rows(k, table, &choice)
+        choose::rows(alg, k, table, &choice)
     })
 }
 
 /// Ranges of the coordinates that are state.
-fn ranges(model: &Model, k: &Kinematics) -> Vec<(f64, f64)> {
-    let state = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some());
+fn ranges(alg: &Algebra, model: &Model, k: &Kinematics) -> Vec<(f64, f64)> {
+    let state = model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some());
     state.map(|c| model.coordinates[c].range).collect()
 }
 
@@ -135,9 +135,9 @@ fn is_inside(ranges: &[(f64, f64)], q: &[f64]) -> bool {
 
 /// Configurations along the motion, each a small step of all coordinates, and of time where it drives them, from the one
 /// before.
-fn walk(model: &Model, k: &mut Kinematics) -> Vec<Sample> {
-    let mut assembly = Assembly::free(model, k);
-    let ranges = ranges(model, k);
+fn walk(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<Sample> {
+    let mut assembly = Assembly::free(alg, model, k);
+    let ranges = ranges(alg, model, k);
     let mut random = Random(0xDEAD_9017);
     let mut here = Sample { q: k.samples[0].clone(), t: 0.0 };
     let mut found = vec![here.clone()];
@@ -146,7 +146,7 @@ fn walk(model: &Model, k: &mut Kinematics) -> Vec<Sample> {
             break;
         }
         let mut next = here.clone();
-        if k.clock.is_some() {
+        if k.unknowns.clock().is_some() {
             let stride = STRIDE.0 * model.run.seconds;
             next.t = (here.t + random.between((-stride, stride))).clamp(0.0, model.run.seconds);
             assembly.set_time(here.t);
@@ -167,20 +167,20 @@ fn walk(model: &Model, k: &mut Kinematics) -> Vec<Sample> {
 
 /// Places on the walk at which the rows determine the unknowns no more, though they have full rank.
 fn dead_points(
+    alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     rows: &[Row],
     dependent: &[UnknownId],
     (walked, along): (&[Sample], &mut SampleTable),
 ) -> Vec<Sample> {
-    let mut assembly = Assembly::free(model, k);
-    let k = &*k;
-    let signs = signs(k, along, rows, dependent);
+    let mut assembly = Assembly::free(alg, model, k);
+    let signs = signs(alg, along, rows, dependent);
     let sign = |sample: &Sample| {
-        let mut table = table_at(model, k, std::slice::from_ref(sample));
-        self::signs(k, &mut table, rows, dependent)[0]
+        let mut table = table_at(alg, model, k, std::slice::from_ref(sample));
+        self::signs(alg, &mut table, rows, dependent)[0]
     };
-    let ranges = ranges(model, k);
+    let ranges = ranges(alg, model, k);
     let mut found = Vec::new();
     for (pair, signs) in walked.windows(2).zip(signs.windows(2)) {
         if signs[0] == signs[1] || found.len() == KEPT {
@@ -203,23 +203,23 @@ fn dead_points(
     if found.is_empty() {
         return found;
     }
-    let mut samples = table_at(model, k, &k.sampled());
-    let moving = k.moving_unknowns();
-    let dead = Regularity::new(model, k, rows, dependent, &mut samples).at(&found);
-    let regular =
-        Regularity::of_rank(model, k, rows, (&moving, dependent.len()), &mut samples).regular(found.clone());
+    let mut samples = table_at(alg, model, k, &k.sampled());
+    let moving = k.unknowns.moving();
+    let dead = Regularity::new(alg, model, k, rows, dependent, &mut samples).at(&found);
+    let regular = Regularity::of_rank(alg, model, k, rows, (&moving, dependent.len()), &mut samples)
+        .regular(found.clone());
     let places = found.into_iter().zip(dead);
     places.filter(|(q, left)| *left < DEAD && regular.contains(q)).map(|(q, _)| q).collect()
 }
 
 /// Is the determinant of the rows' columns of the unknowns positive, sample by sample?
-fn signs(k: &Kinematics, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> Vec<bool> {
+fn signs(alg: &Algebra, table: &mut SampleTable, rows: &[Row], unknown: &[UnknownId]) -> Vec<bool> {
     let n = unknown.len();
     let mut matrices = vec![vec![0.0; n * n]; table.points()];
     for (i, row) in rows.iter().enumerate() {
         for (j, u) in unknown.iter().enumerate() {
             let Some(&entry) = row.coefficients.get(u) else { continue };
-            let values = table.values(&k.dag, entry);
+            let values = table.values(&alg.dag, entry);
             matrices.iter_mut().zip(values).for_each(|(matrix, x)| matrix[i * n + j] = *x);
         }
     }
@@ -227,76 +227,78 @@ fn signs(k: &Kinematics, table: &mut SampleTable, rows: &[Row], unknown: &[Unkno
 }
 
 /// Lifted unknowns from the rows that give them, and what the other rows say of the speeds alone.
-fn between_speeds(k: &mut Kinematics, table: &mut SampleTable, rows: Vec<Row>) -> Option<Solution> {
-    let lifted = k.dependent_unknowns();
-    let known: Vec<UnknownId> = k.independent_unknowns().into_iter().chain(k.clock).collect();
+fn between_speeds(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    rows: Vec<Row>,
+) -> Option<Solution> {
+    let lifted = k.unknowns.dependent();
+    let known: Vec<UnknownId> = k.unknowns.independent().into_iter().chain(k.unknowns.clock()).collect();
     let choice = choose::Choice {
         rows: &rows,
         unknown: &lifted,
         count: lifted.len(),
         independent: choose::INDEPENDENT,
     };
-    let taken = choose::rows(k, table, &choice)?;
+    let taken = choose::rows(alg, k, table, &choice)?;
     let is_taken =
         |row: &&Row| taken.iter().any(|t| t.name == row.name && t.coefficients == row.coefficients);
     let left: Vec<Row> = rows.iter().filter(|row| !is_taken(row)).cloned().collect();
     let system = System { rows: taken.clone(), spare: Vec::new(), unknown: lifted, known };
-    let mut solution = eliminate::solution_of(k, table, &system, taken)?;
-    solution.ties = left.into_iter().map(|row| tie(k, &solution, &system.known, row)).collect();
+    let mut solution = eliminate::solution_of(alg, k, table, &system, taken)?;
+    solution.ties = left.into_iter().map(|row| tie(alg, &solution, &system.known, row)).collect();
     solution.rows = rows;
     Some(solution)
 }
 
 /// A row with the lifted unknowns in terms of the speeds.
-fn tie(k: &mut Kinematics, solution: &Solution, known: &[UnknownId], mut row: Row) -> Row {
+fn tie(alg: &mut Algebra, solution: &Solution, known: &[UnknownId], mut row: Row) -> Row {
     for step in &solution.steps {
-        let Some(entry) = row.coefficients.remove(&step.unknown) else { continue };
-        for (&z, &c) in &step.coefficients {
-            let product = k.dag.mul(entry, c);
-            let sum = match row.coefficients.get(&z) {
-                Some(&mine) => k.dag.add(mine, product),
-                None => product,
-            };
-            row.coefficients.insert(z, sum);
-        }
-        let product = k.dag.mul(entry, step.bias);
-        row.bias = k.dag.add(row.bias, product);
+        let substituted = row.coefficients.substitute(&mut alg.dag, step.unknown, &step.coefficients);
+        let Some(entry) = substituted else { continue };
+        let product = alg.dag.mul(entry, step.bias);
+        row.bias = alg.dag.add(row.bias, product);
     }
-    let coefficients: BTreeMap<UnknownId, ExprId> =
-        known.iter().filter_map(|u| Some((*u, *row.coefficients.get(u)?))).collect();
-    Row { coefficients, residual: k.dag.zero(), ..row }
+    let coefficients = known.iter().filter_map(|u| Some((*u, *row.coefficients.get(u)?))).collect();
+    Row { coefficients, residual: alg.dag.zero(), ..row }
 }
 
 /// The shortest Newton's correction of the coordinates, one a state: J' (J J')^-1 (-f), f(q) = 0 being the configuration
 /// constraints. No coordinate is held.
-pub fn correction(k: &mut Kinematics, table: &mut SampleTable, state: &[CoordinateId]) -> Vec<ExprId> {
-    let symbols: Vec<SymbolId> = state.iter().filter_map(|&c| k.coordinate_symbol(c)).collect();
+pub fn correction(
+    alg: &mut Algebra,
+    k: &Kinematics,
+    table: &mut SampleTable,
+    state: &[CoordinateId],
+) -> Vec<ExprId> {
+    let symbols: Vec<SymbolId> = state.iter().filter_map(|&c| k.coordinate_symbol(&alg.dag, c)).collect();
     let mut rows: Vec<Vec<ExprId>> = Vec::new();
-    for residual in k.residuals.clone() {
-        rows.push(symbols.iter().map(|&symbol| k.dag.derivative(residual, symbol)).collect());
+    for &residual in &k.residuals {
+        rows.push(symbols.iter().map(|&symbol| alg.dag.derivative(residual, symbol)).collect());
     }
     let mut gram: BTreeMap<UnknownId, Equation> = BTreeMap::new();
     for (i, row) in rows.iter().enumerate() {
-        let mut coefficients = BTreeMap::new();
+        let mut coefficients = LinearForm::default();
         for (j, other) in rows.iter().enumerate() {
-            let terms: Vec<ExprId> = row.iter().zip(other).map(|(&x, &y)| k.dag.mul(x, y)).collect();
-            let sum = k.dag.sum(&terms);
-            if !k.dag.is_zero(sum) {
+            let terms: Vec<ExprId> = row.iter().zip(other).map(|(&x, &y)| alg.dag.mul(x, y)).collect();
+            let sum = alg.dag.sum(&terms);
+            if !alg.dag.is_zero(sum) {
                 coefficients.insert(UnknownId::from_index(j), sum);
             }
         }
-        let right = vec![k.dag.negate(k.residuals[i])];
+        let right = vec![alg.dag.negate(k.residuals[i])];
         gram.insert(UnknownId::from_index(i), Equation { coefficients, right });
     }
-    let done = sparse::eliminate_definite(&mut k.dag, table, gram);
-    let values = sparse::back_substitute(&mut k.dag, &done).unwrap_or_default();
+    let done = sparse::eliminate_definite(&mut alg.dag, table, gram);
+    let values = sparse::back_substitute(&mut alg.dag, &done).unwrap_or_default();
     let mut corrections = Vec::new();
     for column in 0..symbols.len() {
         let mut terms = Vec::new();
         for (row, value) in rows.iter().zip(values.values()) {
-            terms.push(k.dag.mul(row[column], value[0]));
+            terms.push(alg.dag.mul(row[column], value[0]));
         }
-        corrections.push(k.dag.sum(&terms));
+        corrections.push(alg.dag.sum(&terms));
     }
     corrections
 }

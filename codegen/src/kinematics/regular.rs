@@ -6,11 +6,13 @@
 
 use super::assemble::Assembly;
 use super::basis::NumericRow;
-use super::quantities::{Kinematics, Row, Sample, UnknownId};
+use super::quantities::{Kinematics, Row, Sample};
 use super::sampling::table_at;
+use super::unknowns::UnknownId;
 use crate::expr::ExprId;
 use crate::expr::tape::SampleTable;
 use crate::model::Model;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// A pivot of which less than this share of nominal is left is worth a look at the constraints themselves.
@@ -24,6 +26,7 @@ const HALVINGS: usize = 40;
 
 /// Where the rows determine the unknowns, and how well.
 pub(super) struct Regularity<'a> {
+    alg: &'a Algebra,
     model: &'a Model,
     k: &'a Kinematics,
     rows: &'a [Row],
@@ -39,17 +42,19 @@ pub(super) struct Regularity<'a> {
 impl<'a> Regularity<'a> {
     /// Of all rows of the constraints, dropped ones included.
     pub fn new(
+        alg: &'a Algebra,
         model: &'a Model,
         k: &'a Kinematics,
         rows: &'a [Row],
         unknown: &[UnknownId],
         samples: &mut SampleTable,
     ) -> Self {
-        Self::of_rank(model, k, rows, (unknown, unknown.len()), samples)
+        Self::of_rank(alg, model, k, rows, (unknown, unknown.len()), samples)
     }
 
     /// Of rows that determine so many directions among the unknowns.
     pub fn of_rank(
+        alg: &'a Algebra,
         model: &'a Model,
         k: &'a Kinematics,
         rows: &'a [Row],
@@ -57,10 +62,10 @@ impl<'a> Regularity<'a> {
         samples: &mut SampleTable,
     ) -> Self {
         let column = unknown.iter().enumerate().map(|(i, &u)| (u, i)).collect();
-        let mut this = Self { model, k, rows, column, rank, lengths: Vec::new(), nominal: 0.0 };
+        let mut this = Self { alg, model, k, rows, column, rank, lengths: Vec::new(), nominal: 0.0 };
         let points = samples.points();
         for row in this.rows {
-            let row = NumericRow::new(&k.dag, samples, row, &this.column);
+            let row = NumericRow::new(&alg.dag, samples, row, &this.column);
             this.lengths.push((0..points).map(|s| row.length(s)).fold(0.0, f64::max));
         }
         this.nominal = this.determined(samples, 0, None).1;
@@ -75,7 +80,7 @@ impl<'a> Regularity<'a> {
         for (i, (row, &length)) in self.rows.iter().zip(&self.lengths).enumerate() {
             if length > 0.0 && only.is_none_or(|only| only.contains(&i)) {
                 let mut dense = vec![0.0; n];
-                NumericRow::new(&self.k.dag, table, row, &self.column).write(sample, &mut dense);
+                NumericRow::new(&self.alg.dag, table, row, &self.column).write(sample, &mut dense);
                 dense.iter_mut().for_each(|x| *x /= length);
                 matrix.push(dense);
             }
@@ -85,13 +90,13 @@ impl<'a> Regularity<'a> {
 
     /// What is left of the least determined direction at these configurations.
     pub fn at(&self, configurations: &[Sample]) -> Vec<f64> {
-        let mut table = table_at(self.model, self.k, configurations);
+        let mut table = table_at(self.alg, self.model, self.k, configurations);
         (0..configurations.len()).map(|s| self.determined(&mut table, s, None).1).collect()
     }
 
     /// Those of the configurations at which the rows determine the unknowns.
     pub fn regular(&self, configurations: Vec<Sample>) -> Vec<Sample> {
-        let mut table = table_at(self.model, self.k, &configurations);
+        let mut table = table_at(self.alg, self.model, self.k, &configurations);
         let places = configurations.into_iter().enumerate();
         let regular =
             places.filter(|(s, _)| self.determined(&mut table, *s, None).1 > REGULAR * self.nominal);
@@ -132,6 +137,7 @@ impl<'a> Regularity<'a> {
 
 /// Configurations at which one of the pivots vanishes, or nearly; `table` holds the samples.
 pub(super) fn suspects(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     table: &mut SampleTable,
@@ -140,15 +146,15 @@ pub(super) fn suspects(
 ) -> Vec<Sample> {
     let mut suspects: Vec<Sample> = Vec::new();
     let mut assembly = None;
-    for &pivot in pivots.iter().filter(|p| !k.dag.is_constant(**p)) {
-        let values = table.values(&k.dag, pivot);
+    for &pivot in pivots.iter().filter(|p| !alg.dag.is_constant(**p)) {
+        let values = table.values(&alg.dag, pivot);
         let smallest = (0..values.len()).min_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()));
         let small = |&s: &usize| values[s].is_nan() || values[s].abs() <= SMALL * values[0].abs();
         suspects.extend(smallest.filter(small).map(|s| samples[s].clone()));
         let others = (1..values.len()).filter(|&s| values[s] * values[0] < 0.0);
         for s in others.take(ATTEMPTS) {
-            let assembly = assembly.get_or_insert_with(|| Assembly::new(model, &mut k.clone()));
-            suspects.extend(zero_between(model, k, assembly, pivot, [&samples[0], &samples[s]]));
+            let assembly = assembly.get_or_insert_with(|| Assembly::new(&mut alg.clone(), model, k));
+            suspects.extend(zero_between(alg, model, k, assembly, pivot, [&samples[0], &samples[s]]));
         }
     }
     suspects
@@ -156,14 +162,16 @@ pub(super) fn suspects(
 
 /// A zero, or pole, of the pivot on the way from one configuration to another; none if the way ends elsewhere.
 fn zero_between(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     assembly: &mut Assembly,
     pivot: ExprId,
     [from, to]: [&Sample; 2],
 ) -> Option<Sample> {
-    let is_positive =
-        |sample: &Sample| table_at(model, k, std::slice::from_ref(sample)).values(&k.dag, pivot)[0] > 0.0;
+    let is_positive = |sample: &Sample| {
+        table_at(alg, model, k, std::slice::from_ref(sample)).values(&alg.dag, pivot)[0] > 0.0
+    };
     let (mut from, mut to) = (from.clone(), to.clone());
     let first = is_positive(&from);
     if is_positive(&to) == first {

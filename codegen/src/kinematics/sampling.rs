@@ -7,16 +7,17 @@ use super::random::Random;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::model::Model;
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// Table of all symbols at the sampled configurations: speeds and inputs random, parameters default.
 #[must_use]
-pub fn sample_table(model: &Model, k: &Kinematics) -> SampleTable {
-    table_at(model, k, &k.sampled())
+pub fn sample_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
+    table_at(alg, model, k, &k.sampled())
 }
 
 /// The same at other configurations.
-pub(super) fn table_at(model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
+pub(super) fn table_at(alg: &Algebra, model: &Model, k: &Kinematics, samples: &[Sample]) -> SampleTable {
     let points = samples.len();
     let mut random = Random(0x00C0_FFEE);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
@@ -25,28 +26,29 @@ pub(super) fn table_at(model: &Model, k: &Kinematics, samples: &[Sample]) -> Sam
             symbols.insert(symbol, values);
         }
     };
-    let state: Vec<_> = model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+    let state: Vec<_> =
+        model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some()).collect();
     let sizes = state.iter().filter_map(|&c| {
         let (low, high) = model.coordinates[c].range;
-        Some((k.coordinate_symbol(c)?, low.abs().max(high.abs())))
+        Some((k.coordinate_symbol(&alg.dag, c)?, low.abs().max(high.abs())))
     });
     let sizes = sizes.collect();
     for (i, &c) in state.iter().enumerate() {
-        set(&k.dag, k.q[c], samples.iter().map(|sample| sample.q[i]).collect());
+        set(&alg.dag, k.q[c], samples.iter().map(|sample| sample.q[i]).collect());
     }
     for (id, &expr) in k.parameters.enumerate() {
-        set(&k.dag, expr, vec![k.parameter_values[id]; points]);
+        set(&alg.dag, expr, vec![k.parameter_values[id]; points]);
     }
-    set(&k.dag, k.time, samples.iter().map(|sample| sample.t).collect());
+    set(&alg.dag, k.time, samples.iter().map(|sample| sample.t).collect());
     for &input in k.inputs.iter() {
-        set(&k.dag, input, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
+        set(&alg.dag, input, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
     }
     for unknown in k.unknowns.iter() {
-        set(&k.dag, unknown.value, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
+        set(&alg.dag, unknown.value, (0..points).map(|_| random.between((-1.0, 1.0))).collect());
     }
     for &(coordinate, form) in &k.closed_forms {
-        let values = SampleTable::new(symbols.clone(), points).values(&k.dag, form).to_vec();
-        symbols.extend(k.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
+        let values = SampleTable::new(symbols.clone(), points).values(&alg.dag, form).to_vec();
+        symbols.extend(alg.dag.as_symbol(k.q[coordinate]).map(|symbol| (symbol, values)));
     }
     SampleTable::new(symbols, points).with_sizes(sizes)
 }

@@ -5,10 +5,12 @@
 //! as the model's lengths have where it is a length. What was measured at the nominal parameters is carried over to others
 //! by the quotient of two sizes.
 
-use super::quantities::{Kinematics, UnknownKind};
+use super::quantities::Kinematics;
+use super::unknowns::UnknownKind;
 use crate::expr::{Binary, Dag, ExprId, Node, SymbolId, Unary};
 use crate::model::Model;
 use crate::model::unit::{self, Unit};
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 
 /// A size this small beside that at the nominal parameters counts as so large: no mass at all divides by nothing.
@@ -27,11 +29,12 @@ pub struct Sizes {
 impl Sizes {
     /// Of a model at its nominal configuration and parameters.
     #[must_use]
-    pub fn new(model: &Model, k: &Kinematics) -> Self {
+    pub fn new(alg: &Algebra, model: &Model, k: &Kinematics) -> Self {
         let symbols: Vec<_> = (model.parameters.ids())
-            .filter_map(|id| Some((id, k.dag.as_symbol(k.parameters[id])?)))
+            .filter_map(|id| Some((id, alg.dag.as_symbol(k.parameters[id])?)))
             .collect();
-        let state = model.coordinates.enumerate().filter_map(|(id, c)| Some((c, k.coordinate_symbol(id)?)));
+        let state =
+            model.coordinates.enumerate().filter_map(|(id, c)| Some((c, k.coordinate_symbol(&alg.dag, id)?)));
         let nominal = k.samples.first().map_or(&[][..], Vec::as_slice);
         Self {
             parameters: symbols.iter().map(|&(id, symbol)| (symbol, k.parameter_values[id])).collect(),
@@ -59,9 +62,9 @@ impl Sizes {
     }
 
     /// How many times as large the independent speeds are: as the lengths, or as ever.
-    pub fn growth_of_speeds(&self, model: &Model, k: &mut Kinematics) -> Vec<ExprId> {
-        let (one, lengths) = (k.dag.one(), self.growth_of_lengths(&mut k.dag));
-        let kinds = k.independent_unknowns().into_iter().map(|unknown| k.unknowns[unknown].kind);
+    pub fn growth_of_speeds(&self, alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<ExprId> {
+        let (one, lengths) = (alg.dag.one(), self.growth_of_lengths(&mut alg.dag));
+        let kinds = k.unknowns.independent().into_iter().map(|unknown| k.unknowns[unknown].kind);
         let moves_along =
             |kind| matches!(kind, UnknownKind::Independent(id) if is_velocity(&model.speeds[id].unit));
         kinds.map(|kind| if moves_along(kind) { lengths } else { one }).collect()

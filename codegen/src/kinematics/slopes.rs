@@ -6,16 +6,19 @@
 
 use super::eliminate::Solution;
 use super::linear;
-use super::quantities::{Kinematics, UnknownId};
+use super::quantities::Kinematics;
 use super::sparse::{self, Equation};
+use super::unknowns::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::id::Id;
 use crate::model::{CoordinateId, Model};
+use crate::vector::Algebra;
 
 /// Slopes of the dependent coordinates; none where the constraints do not determine them.
 pub(crate) fn dependent_slopes(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     table: &mut SampleTable,
     dependent: &[SymbolId],
     independent: &[SymbolId],
@@ -23,16 +26,16 @@ pub(crate) fn dependent_slopes(
     let n = dependent.len();
     let mut equations: Vec<Equation> = Vec::new();
     let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); table.points()];
-    for residual in k.residuals.clone() {
+    for &residual in &k.residuals {
         if equations.len() == n {
             break;
         }
         let slopes: Vec<ExprId> =
-            dependent.iter().map(|&symbol| k.dag.derivative(residual, symbol)).collect();
+            dependent.iter().map(|&symbol| alg.dag.derivative(residual, symbol)).collect();
         // Another row only if it is independent of those taken, at every sample.
         let mut is_new = true;
         for (sample, taken) in numbers.iter_mut().enumerate() {
-            let row = slopes.iter().map(|&e| table.values(&k.dag, e)[sample]);
+            let row = slopes.iter().map(|&e| table.values(&alg.dag, e)[sample]);
             taken.extend(row.collect::<Vec<_>>());
             let rows = equations.len() + 1;
             is_new &= linear::solve(taken, &mut vec![0.0; rows], n).1 == rows;
@@ -41,25 +44,26 @@ pub(crate) fn dependent_slopes(
             numbers.iter_mut().for_each(|taken| taken.truncate(equations.len() * n));
             continue;
         }
-        let entries = slopes.into_iter().enumerate().filter(|(_, e)| !k.dag.is_zero(*e));
+        let entries = slopes.into_iter().enumerate().filter(|(_, e)| !alg.dag.is_zero(*e));
         let coefficients = entries.map(|(j, e)| (UnknownId::from_index(j), e)).collect();
         let mut right = Vec::new();
         for &symbol in independent {
-            let slope = k.dag.derivative(residual, symbol);
-            right.push(k.dag.negate(slope));
+            let slope = alg.dag.derivative(residual, symbol);
+            right.push(alg.dag.negate(slope));
         }
         equations.push(Equation { coefficients, right });
     }
     if equations.len() < n {
         return None;
     }
-    let (values, _) = sparse::solve(&mut k.dag, table, equations)?;
+    let (values, _) = sparse::solve(&mut alg.dag, table, equations)?;
     (0..n).map(|j| values.get(&UnknownId::from_index(j)).cloned()).collect()
 }
 
 /// Which independent speed is the rate of each of these coordinates, where no constraint is one of motion; none
 /// where a speed is something else. Then P is what the eliminations of the velocities have found.
 pub(crate) fn speeds_of(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     solution: &Solution,
@@ -70,13 +74,13 @@ pub(crate) fn speeds_of(
     if !is_holonomic || !solution.ties.is_empty() {
         return None;
     }
-    let speeds = k.independent_unknowns();
+    let speeds = k.unknowns.independent();
     let mut places = Vec::new();
     for &c in independent {
         let mut partials = k.rates[c].partials.iter();
         let (Some((unknown, &factor)), None) = (partials.next(), partials.next()) else { return None };
         let place = speeds.iter().position(|speed| speed == unknown)?;
-        if !k.dag.is_one(factor) || places.contains(&place) {
+        if !alg.dag.is_one(factor) || places.contains(&place) {
             return None;
         }
         places.push(place);
@@ -86,19 +90,20 @@ pub(crate) fn speeds_of(
 
 /// P by the partial velocities: q_dependent' = P q_independent'.
 pub(crate) fn slopes_by_speeds(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     solution: &Solution,
     dependent: &[CoordinateId],
     speeds: &[usize],
 ) -> Vec<Vec<ExprId>> {
     let mut rows = Vec::new();
     for &c in dependent {
-        let partials = k.rates[c].partials.clone();
+        let partials = &k.rates[c].partials;
         let mut row = Vec::new();
         for &speed in speeds {
-            let each = partials.iter().map(|(unknown, &n)| k.dag.mul(n, solution.partials[unknown][speed]));
+            let each = partials.iter().map(|(unknown, &n)| alg.dag.mul(n, solution.partials[unknown][speed]));
             let terms: Vec<ExprId> = each.collect();
-            row.push(k.dag.sum(&terms));
+            row.push(alg.dag.sum(&terms));
         }
         rows.push(row);
     }

@@ -4,7 +4,8 @@
 //! least fill (Markowitz), never from structure alone: a pivot must be far from zero, relative to
 //! its row, at every sample.
 
-use super::quantities::UnknownId;
+use super::linear_form::LinearForm;
+use super::unknowns::UnknownId;
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId};
 use crate::id::Id;
@@ -17,7 +18,7 @@ const SAFE_PIVOT: f64 = 0.05;
 #[derive(Clone, Debug)]
 pub(crate) struct Equation {
     /// Non-zero coefficients.
-    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    pub coefficients: LinearForm,
     /// Right-hand sides.
     pub right: Vec<ExprId>,
 }
@@ -33,7 +34,7 @@ pub(crate) struct Elimination {
     /// The expression divided by.
     pub pivot: ExprId,
     /// Non-zero coefficients.
-    pub coefficients: BTreeMap<UnknownId, ExprId>,
+    pub coefficients: LinearForm,
     /// Right-hand sides.
     pub right: Vec<ExprId>,
     /// 1, or the pivot where the sum is divided by it, not its terms.
@@ -211,19 +212,7 @@ fn solved_for(
 
 /// Puts an unknown's expression in its place; the coefficient that it had there, if it has one.
 fn substitute(dag: &mut Dag, other: &mut Equation, step: &Elimination) -> Option<ExprId> {
-    let entry = other.coefficients.remove(&step.unknown)?;
-    for (&c, &x) in &step.coefficients {
-        let product = dag.mul(entry, x);
-        let new = match other.coefficients.get(&c) {
-            Some(&mine) => dag.add(mine, product),
-            None => product,
-        };
-        if dag.is_zero(new) {
-            other.coefficients.remove(&c);
-        } else {
-            other.coefficients.insert(c, new);
-        }
-    }
+    let entry = other.coefficients.substitute(dag, step.unknown, &step.coefficients)?;
     for (mine, &x) in other.right.iter_mut().zip(&step.right) {
         let product = dag.mul(entry, x);
         *mine = dag.sub(*mine, product);

@@ -6,16 +6,19 @@
 //! one: its rate is that speed, a dependent one, and constraint rows give it where they are shorter than
 //! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
 
-use super::quantities::{Kinematics, Rate, Unknown, UnknownId, UnknownKind, Value};
+use super::linear_form::LinearForm;
+use super::quantities::{Kinematics, Rate, Value};
 use super::random::Random;
 use super::sparse::{self, Equation, Values};
+use super::unknowns::{Unknown, UnknownId, UnknownKind, Unknowns};
 use super::{lower, rate};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expr::tape::SampleTable;
-use crate::expr::{ExprId, SymbolId};
-use crate::id::{Id, IdVec};
+use crate::expr::{Dag, ExprId, SymbolId};
+use crate::id::Id;
 use crate::model::expression::{Expr, ExprKind};
 use crate::model::{CoordinateId, Entity, Model, Speed, SpeedMeaning};
+use crate::vector::Algebra;
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeMap;
 
@@ -28,21 +31,22 @@ const SINGULAR: f64 = 1e-9;
 const IDENTICAL: f64 = 1e-12;
 
 /// Fills the rates of all coordinates.
-pub(super) fn derive(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    let (zero, one) = (k.dag.zero(), k.dag.one());
-    k.rates = model.coordinates.iter().map(|_| Rate { partials: BTreeMap::new(), bias: zero }).collect();
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    let (zero, one) = (alg.dag.zero(), alg.dag.one());
+    k.rates =
+        model.coordinates.iter().map(|_| Rate { partials: LinearForm::default(), bias: zero }).collect();
     if has_combinations(model) {
-        invert(model, k)?;
+        invert(alg, model, k)?;
     } else {
         for (speed, declared) in model.speeds.enumerate() {
             if let SpeedMeaning::RateOf(coordinate) = declared.meaning
-                && k.variable(coordinate).is_some()
+                && k.variable(&alg.dag, coordinate).is_some()
             {
                 k.rates[coordinate].partials.insert(UnknownId::from_index(speed.index()), one);
             }
         }
     }
-    closed_forms(model, k);
+    closed_forms(alg, model, k);
     Ok(())
 }
 
@@ -57,48 +61,48 @@ pub(super) fn is_variable(model: &Model, coordinate: CoordinateId) -> bool {
 }
 
 /// Rates of coordinates in closed form, by the chain rule.
-fn closed_forms(model: &Model, k: &mut Kinematics) {
+fn closed_forms(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
     for id in model.coordinates.ids() {
-        if k.variable(id).is_none() {
-            k.rates[id] = rate::scalar_rate(k, k.q[id]);
+        if k.variable(&alg.dag, id).is_none() {
+            k.rates[id] = rate::scalar_rate(alg, k, k.q[id]);
         }
     }
 }
 
 /// N = Y^-1, row by row; then the part of q'' that is quadratic in the speeds.
-fn invert(model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    let equations = equations(model, k)?;
+fn invert(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+    let equations = equations(alg, model, k)?;
     let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
-    let mut table = screening_table(model, k);
-    let mut usable = |k: &Kinematics, (values, pivots): &(Values, Vec<ExprId>)| {
-        let mut nominal = |p: &ExprId| table.values(&k.dag, *p)[0].abs();
+    let mut table = screening_table(alg, model, k);
+    let mut usable = |dag: &Dag, (values, pivots): &(Values, Vec<ExprId>)| {
+        let mut nominal = |p: &ExprId| table.values(dag, *p)[0].abs();
         values.len() >= states.len() && pivots.iter().all(|p| SINGULAR < nominal(p))
     };
-    let mut screened = screening_table(model, k);
-    let solved = sparse::solve(&mut k.dag, &mut screened, equations.clone());
-    let solved = match solved.filter(|solved| usable(k, solved)) {
-        Some(solved) if is_regular(model, k, &solved.1) => Some(solved),
-        solved => least_norm(model, k, &equations).filter(|solved| usable(k, solved)).or(solved),
+    let mut screened = screening_table(alg, model, k);
+    let solved = sparse::solve(&mut alg.dag, &mut screened, equations.clone());
+    let solved = match solved.filter(|solved| usable(&alg.dag, solved)) {
+        Some(solved) if is_regular(alg, model, k, &solved.1) => Some(solved),
+        solved => least_norm(alg, model, k, &equations).filter(|solved| usable(&alg.dag, solved)).or(solved),
     };
     let Some((values, pivots)) = solved else { return Err(not_invertible(model)) };
     k.rate_pivots = pivots;
     for (&coordinate, row) in states.iter().zip(values.values()) {
-        let entries = row.iter().enumerate().filter(|(_, e)| !k.dag.is_zero(**e));
+        let entries = row.iter().enumerate().filter(|(_, e)| !alg.dag.is_zero(**e));
         k.rates[coordinate].partials = entries.map(|(u, &e)| (UnknownId::from_index(u), e)).collect();
     }
     for &coordinate in &states {
-        let rate = k.rates[coordinate].clone();
-        k.rates[coordinate].bias = rate::bias_of(k, &rate.partials);
+        k.rates[coordinate].bias = rate::bias_of(alg, k, &k.rates[coordinate].partials);
     }
     Ok(())
 }
 
 /// Do the pivots vanish only where Y does? Where one has two signs and their product, det Y but for its sign, has one,
 /// the pivot vanishes in between, and Y does not.
-fn is_regular(model: &Model, k: &Kinematics, pivots: &[ExprId]) -> bool {
-    let mut table = screening_table(model, k);
-    let mut signs =
-        |p: &ExprId| -> Vec<bool> { table.values(&k.dag, *p).iter().map(|x| x.is_sign_positive()).collect() };
+fn is_regular(alg: &Algebra, model: &Model, k: &Kinematics, pivots: &[ExprId]) -> bool {
+    let mut table = screening_table(alg, model, k);
+    let mut signs = |p: &ExprId| -> Vec<bool> {
+        table.values(&alg.dag, *p).iter().map(|x| x.is_sign_positive()).collect()
+    };
     let signs: Vec<Vec<bool>> = pivots.iter().map(&mut signs).collect();
     let one_sign = |signs: &[bool]| signs.windows(2).all(|pair| pair[0] == pair[1]);
     let points = signs.first().map_or(0, Vec::len);
@@ -109,22 +113,27 @@ fn is_regular(model: &Model, k: &Kinematics, pivots: &[ExprId]) -> bool {
 
 /// N = Y' (Y Y')^-1: the pivots of the symmetric Y Y' vanish only where Y is singular. Rows of Y at right angles to one
 /// another, as those of Euler parameters, leave a diagonal.
-fn least_norm(model: &Model, k: &mut Kinematics, equations: &[Equation]) -> Option<(Values, Vec<ExprId>)> {
-    let mut identities = identity_table(model, k);
+fn least_norm(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    equations: &[Equation],
+) -> Option<(Values, Vec<ExprId>)> {
+    let mut identities = identity_table(alg, model, k);
     let mut gram: BTreeMap<UnknownId, Equation> = BTreeMap::new();
     let mut diagonals: Vec<(ExprId, Vec<f64>)> = Vec::new();
     for (i, row) in equations.iter().enumerate() {
-        let mut coefficients = BTreeMap::new();
+        let mut coefficients = LinearForm::default();
         for (j, other) in equations.iter().enumerate() {
             let shared = row.coefficients.iter().filter_map(|(c, &x)| Some((x, *other.coefficients.get(c)?)));
-            let terms: Vec<ExprId> = shared.map(|(x, y)| k.dag.mul(x, y)).collect();
-            let sum = k.dag.sum(&terms);
+            let terms: Vec<ExprId> = shared.map(|(x, y)| alg.dag.mul(x, y)).collect();
+            let sum = alg.dag.sum(&terms);
             let mut size = vec![0.0_f64; identities.points()];
             for &term in &terms {
-                let values = identities.values(&k.dag, term);
+                let values = identities.values(&alg.dag, term);
                 size.iter_mut().zip(values).for_each(|(size, x)| *size += x.abs());
             }
-            let values = identities.values(&k.dag, sum).to_vec();
+            let values = identities.values(&alg.dag, sum).to_vec();
             let same = |a: &[f64], b: &[f64]| {
                 a.iter().zip(b).zip(&size).all(|((a, b), size)| (a - b).abs() <= IDENTICAL * size)
             };
@@ -139,18 +148,18 @@ fn least_norm(model: &Model, k: &mut Kinematics, equations: &[Equation]) -> Opti
         }
         gram.insert(UnknownId::from_index(i), Equation { coefficients, right: row.right.clone() });
     }
-    let mut table = screening_table(model, k);
-    let done = sparse::eliminate_definite(&mut k.dag, &mut table, gram);
-    let by_row = sparse::back_substitute(&mut k.dag, &done)?;
+    let mut table = screening_table(alg, model, k);
+    let done = sparse::eliminate_definite(&mut alg.dag, &mut table, gram);
+    let by_row = sparse::back_substitute(&mut alg.dag, &done)?;
     let mut values = Values::new();
     for (row, solved) in equations.iter().zip(by_row.values()) {
         for (&coordinate, &y) in &row.coefficients {
             let n = solved.len();
-            let zero = k.dag.zero();
+            let zero = alg.dag.zero();
             let mine = values.entry(coordinate).or_insert_with(|| vec![zero; n]);
             for (sum, &x) in mine.iter_mut().zip(solved) {
-                let product = k.dag.mul(y, x);
-                *sum = k.dag.add(*sum, product);
+                let product = alg.dag.mul(y, x);
+                *sum = alg.dag.add(*sum, product);
             }
         }
     }
@@ -158,25 +167,23 @@ fn least_norm(model: &Model, k: &mut Kinematics, equations: &[Equation]) -> Opti
 }
 
 /// Y q_dot = u: one equation per speed; unknown c is the rate of coordinate c, right-hand side s is u_s.
-fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnostics> {
-    let (zero, one) = (k.dag.zero(), k.dag.one());
-    let (symbols, clock) = rates_as_unknowns(model, k);
-    let real = (std::mem::replace(&mut k.unknowns, symbols.clone()), std::mem::replace(&mut k.clock, clock));
-    let pending = lower_definitions(model, k);
+fn equations(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Result<Vec<Equation>, Diagnostics> {
+    let (zero, one) = (alg.dag.zero(), alg.dag.one());
+    let by_rates = with_rates_as_unknowns(alg, model, k);
     let mut equations = Vec::new();
     let mut found = Diagnostics::new(model.source.clone());
     for (speed, declared) in model.speeds.enumerate() {
         let coefficients = match &declared.meaning {
             SpeedMeaning::RateOf(coordinate) if k.is_state[*coordinate] => {
-                BTreeMap::from([(UnknownId::from_index(coordinate.index()), one)])
+                LinearForm::from_iter([(UnknownId::from_index(coordinate.index()), one)])
             }
             // A dependent speed, not an equation for the rates.
             SpeedMeaning::RateOf(_) => continue,
             SpeedMeaning::Combination(expression) => {
-                let value = lower::scalar(k, expression);
-                coefficients(k, value, &symbols).unwrap_or_else(|| {
+                let value = lower::scalar(alg, &by_rates, expression);
+                coefficients(alg, value, &by_rates.unknowns).unwrap_or_else(|| {
                     found.push(affine(declared, expression));
-                    BTreeMap::new()
+                    LinearForm::default()
                 })
             }
         };
@@ -184,46 +191,33 @@ fn equations(model: &Model, k: &mut Kinematics) -> Result<Vec<Equation>, Diagnos
         right[speed.index()] = one;
         equations.push(Equation { coefficients, right });
     }
-    (k.unknowns, k.clock) = real;
-    for definition in pending {
-        k.definitions[definition] = Value::Pending;
-    }
-    for rate in model.coordinates.ids() {
-        k.rates[rate].partials.clear();
-    }
     found.finish(equations)
 }
 
-/// Lets q_dot(c) stand for a symbol of its own while the combinations are read.
-fn rates_as_unknowns(model: &Model, k: &mut Kinematics) -> (IdVec<UnknownId, Unknown>, Option<UnknownId>) {
-    let one = k.dag.one();
-    let mut symbols = IdVec::default();
+/// The same kinematics with the rates of the coordinates for unknowns, and with the definitions that need no more.
+fn with_rates_as_unknowns(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Kinematics {
+    let one = alg.dag.one();
+    let mut by_rates = Kinematics { unknowns: Unknowns::default(), ..k.clone() };
     for (id, coordinate) in model.coordinates.enumerate() {
         let name = format!("rate of {}", coordinate.name);
-        let value = k.dag.symbol(&name);
-        let unknown = symbols.push(Unknown { name, value, kind: UnknownKind::Lifted });
+        let value = alg.dag.symbol(&name);
+        let unknown = by_rates.unknowns.push(Unknown { name, value, kind: UnknownKind::Lifted });
         if k.is_state[id] {
-            k.rates[id].partials.insert(unknown, one);
+            by_rates.rates[id].partials.insert(unknown, one);
         }
     }
-    let clock = k.clock.map(|clock| symbols.push(k.unknowns[clock].clone()));
-    let real = (std::mem::replace(&mut k.unknowns, symbols), std::mem::replace(&mut k.clock, clock));
-    closed_forms(model, k);
-    (std::mem::replace(&mut k.unknowns, real.0), std::mem::replace(&mut k.clock, real.1))
-}
-
-/// Lowers definitions that wait for rates only; they are lowered again once the rates are known.
-fn lower_definitions(model: &Model, k: &mut Kinematics) -> Vec<crate::model::DefinitionId> {
-    let mut lowered = Vec::new();
+    if let Some(clock) = k.unknowns.clock() {
+        by_rates.unknowns.push(k.unknowns[clock].clone());
+    }
+    closed_forms(alg, model, &mut by_rates);
     for entity in &model.order {
         let Entity::Definition(id) = *entity else { continue };
-        let definition = &model.definitions[id];
-        if k.definitions[id] == Value::Pending && !needs_speeds(k, &definition.value) {
-            k.definitions[id] = lower::value(k, &definition.value);
-            lowered.push(id);
+        let value = &model.definitions[id].value;
+        if by_rates.definitions[id] == Value::Pending && !needs_speeds(&by_rates, value) {
+            by_rates.definitions[id] = lower::value(alg, &by_rates, value);
         }
     }
-    lowered
+    by_rates
 }
 
 fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
@@ -239,53 +233,49 @@ fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
 }
 
 /// Coefficients of the rates; `None` if something remains when all of them are 0.
-fn coefficients(
-    k: &mut Kinematics,
-    value: ExprId,
-    symbols: &IdVec<UnknownId, Unknown>,
-) -> Option<BTreeMap<UnknownId, ExprId>> {
-    let zero = k.dag.zero();
-    let mut result = BTreeMap::new();
+fn coefficients(alg: &mut Algebra, value: ExprId, symbols: &Unknowns) -> Option<LinearForm> {
+    let zero = alg.dag.zero();
+    let mut result = LinearForm::default();
     let mut at_rest: HashMap<SymbolId, ExprId> = HashMap::default();
     for (id, unknown) in symbols.enumerate() {
-        let Some(symbol) = k.dag.as_symbol(unknown.value) else { continue };
+        let Some(symbol) = alg.dag.as_symbol(unknown.value) else { continue };
         at_rest.insert(symbol, zero);
-        let slope = k.dag.derivative(value, symbol);
-        if !k.dag.is_zero(slope) {
+        let slope = alg.dag.derivative(value, symbol);
+        if !alg.dag.is_zero(slope) {
             result.insert(id, slope);
         }
     }
-    let remains = k.dag.substitute(&[value], &at_rest)[0];
-    k.dag.is_zero(remains).then_some(result)
+    let remains = alg.dag.substitute(&[value], &at_rest)[0];
+    alg.dag.is_zero(remains).then_some(result)
 }
 
 /// Coordinates at the nominal and at random places of their ranges, constraints or not.
-pub(super) fn screening_table(model: &Model, k: &Kinematics) -> SampleTable {
+pub(super) fn screening_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
     let mut random = Random(0x5CA1_AB1E);
     let mut symbols: HashMap<SymbolId, Vec<f64>> = HashMap::default();
     for (id, coordinate) in model.coordinates.enumerate() {
-        if let Some(symbol) = k.coordinate_symbol(id) {
+        if let Some(symbol) = k.coordinate_symbol(&alg.dag, id) {
             let places = (0..SCREENED).map(|_| random.between(coordinate.range));
             symbols.insert(symbol, std::iter::once(coordinate.nominal).chain(places).collect());
         }
     }
     for (id, &expr) in k.parameters.enumerate() {
-        if let Some(symbol) = k.dag.as_symbol(expr) {
+        if let Some(symbol) = alg.dag.as_symbol(expr) {
             symbols.insert(symbol, vec![k.parameter_values[id]; 1 + SCREENED]);
         }
     }
-    symbols.extend(k.dag.as_symbol(k.time).map(|time| (time, vec![0.0; 1 + SCREENED])));
+    symbols.extend(alg.dag.as_symbol(k.time).map(|time| (time, vec![0.0; 1 + SCREENED])));
     SampleTable::new(symbols, 1 + SCREENED)
 }
 
 /// [`screening_table`] with other parameters at every place: what is equal there is equal for all parameters.
-fn identity_table(model: &Model, k: &Kinematics) -> SampleTable {
+fn identity_table(alg: &Algebra, model: &Model, k: &Kinematics) -> SampleTable {
     let mut random = Random(0x1DE7_717E);
-    let table = screening_table(model, k);
+    let table = screening_table(alg, model, k);
     let parameters = k.parameters.enumerate().filter_map(|(id, &expr)| {
         let size = k.parameter_values[id].abs().max(1.0);
         let values = (0..table.points()).map(|_| random.between((0.5 * size, 1.5 * size))).collect();
-        Some((k.dag.as_symbol(expr)?, values))
+        Some((alg.dag.as_symbol(expr)?, values))
     });
     let parameters: HashMap<SymbolId, Vec<f64>> = parameters.collect();
     table.with_symbols(parameters)

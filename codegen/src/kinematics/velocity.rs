@@ -4,63 +4,64 @@
 //! unknown twists of their own.
 
 use super::angular::angular_velocity;
-use super::quantities::{Kinematics, Motion, Unknown, UnknownKind, Value};
+use super::quantities::{Kinematics, Motion, Value};
 use super::rate::{derivative, linear_motion};
-use super::{lifted, lower, way};
+use super::unknowns::{Unknown, UnknownKind};
+use super::{lifted, lower, route};
 use crate::expr::Label;
 use crate::id::Id;
 use crate::model::{Axis, DefinitionId, Entity, FrameId, Model, PointId};
 use crate::section::Section;
-use crate::vector::{TriadId, Vector};
+use crate::vector::{Algebra, TriadId, Vector};
 use std::collections::BTreeSet;
 
 /// Fills angular velocities, velocities and the definitions that need them.
-pub(super) fn derive(model: &Model, k: &mut Kinematics) {
-    k.angular = (0..k.triads.len()).map(|_| Motion::default()).collect();
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+    k.angular = (0..alg.triads.len()).map(|_| Motion::default()).collect();
     k.velocities = model.points.iter().map(|_| Motion::default()).collect();
-    k.term_derivatives.clear();
-    lift(model, k);
+    k.term_derivatives.take();
+    lift(alg, model, k);
     let lifted_triads: BTreeSet<_> = lifted_frames(model).map(|f| k.frame_triad[f]).collect();
-    for triad in (0..k.triads.len()).map(TriadId::from_index) {
+    for triad in (0..alg.triads.len()).map(TriadId::from_index) {
         if !lifted_triads.contains(&triad) {
-            let motion = angular_velocity(k, triad);
+            let motion = angular_velocity(alg, k, triad);
             k.angular[triad] = motion;
         }
     }
-    let loops = way::loops(model, k);
+    let loops = route::loops(alg, model, k);
     let stated = model.points.iter().filter_map(|point| point.velocity.as_ref());
     let reads_definitions = stated.into_iter().any(|velocity| lower::needs_definitions(k, velocity));
     for entity in &model.order {
         if let (true, Entity::Definition(id)) = (reads_definitions, *entity) {
-            lower_definition(model, k, id);
+            lower_definition(alg, model, k, id);
         }
         let Entity::Point(point) = *entity else { continue };
         if let Some(velocity) = &model.points[point].velocity {
-            let velocity = lower::vector(k, velocity);
-            k.velocities[point] = linear_motion(k, &velocity);
+            let velocity = lower::vector(alg, k, velocity);
+            k.velocities[point] = linear_motion(alg, k, &velocity);
         } else if !lifted::point_is_lifted(model, point) {
             let position = k.positions[point].clone();
-            let position = way::shortest(k, position, &loops);
-            k.velocities[point] = derivative(k, &position);
+            let position = route::shortest(alg, k, position, &loops);
+            k.velocities[point] = derivative(alg, k, &position);
         }
     }
     for entity in &model.order {
         if let Entity::Definition(id) = *entity {
-            lower_definition(model, k, id);
+            lower_definition(alg, model, k, id);
         }
     }
 }
 
 /// Lowers a definition that has waited for velocities.
-fn lower_definition(model: &Model, k: &mut Kinematics, id: DefinitionId) {
+fn lower_definition(alg: &mut Algebra, model: &Model, k: &mut Kinematics, id: DefinitionId) {
     if k.definitions[id] != Value::Pending {
         return;
     }
-    let value = lower::value(k, &model.definitions[id].value);
+    let value = lower::value(alg, k, &model.definitions[id].value);
     if let Value::Scalar(e) = value {
         let definition = &model.definitions[id];
         let label = Label::named(Section::Velocities, &*definition.name);
-        k.dag.label(e, label.at(model.source.place(definition.span)));
+        alg.dag.label(e, label.at(model.source.place(definition.span)));
     }
     k.definitions[id] = value;
 }
@@ -75,16 +76,16 @@ pub(crate) fn is_lifted_triad(model: &Model, k: &Kinematics, triad: TriadId) -> 
 }
 
 /// Adds the unknown twist components of bodies that close loops.
-fn lift(model: &Model, k: &mut Kinematics) {
+fn lift(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
     for frame in lifted_frames(model) {
         let triad = k.frame_triad[frame];
         let name = format!("w_{}", model.frames[frame].name);
-        k.angular[triad] = unknown_vector(k, triad, &name);
+        k.angular[triad] = unknown_vector(alg, k, triad, &name);
     }
     for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
         let triad = home_of(model, k, point);
         let name = format!("v_{}", model.points[point].name);
-        k.velocities[point] = unknown_vector(k, triad, &name);
+        k.velocities[point] = unknown_vector(alg, k, triad, &name);
     }
 }
 
@@ -94,13 +95,13 @@ fn home_of(model: &Model, k: &Kinematics, point: PointId) -> TriadId {
     body.and_then(|b| b.frame).map_or(TriadId::INERTIAL, |f| k.frame_triad[f])
 }
 
-fn unknown_vector(k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
+fn unknown_vector(alg: &mut Algebra, k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
     let mut motion = Motion::default();
     for (axis, letter) in [(Axis::X, 'x'), (Axis::Y, 'y'), (Axis::Z, 'z')] {
         let name = format!("{name}_{letter}");
-        let value = k.dag.symbol(&name);
+        let value = alg.dag.symbol(&name);
         let unknown = k.unknowns.push(Unknown { name, value, kind: UnknownKind::Lifted });
-        let axis = Vector::axis(&mut k.dag, triad, axis);
+        let axis = Vector::axis(&mut alg.dag, triad, axis);
         motion.partials.insert(unknown, axis);
     }
     motion

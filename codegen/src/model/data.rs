@@ -220,6 +220,45 @@ pub enum Orientation {
     },
 }
 
+/// What an expression of an [`Orientation`] is; all are numbers without unit, or vectors of such.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct OrientationPart {
+    /// In words.
+    pub what: &'static str,
+    /// A vector?
+    pub is_vector: bool,
+}
+
+impl OrientationPart {
+    const ANGLE: Self = Self { what: "an angle of rotation", is_vector: false };
+    const DIRECTION: Self = Self { what: "a unit vector", is_vector: true };
+}
+
+impl Orientation {
+    /// The frame that it starts from, whatever its expressions name.
+    #[must_use]
+    pub fn parent(&self) -> Option<FrameId> {
+        match self {
+            Self::Rotations { parent, .. } => Some(*parent),
+            Self::Inertial | Self::Directions { .. } => None,
+        }
+    }
+
+    /// Its expressions. Checks and walks go through these alone: they know of no kind of orientation.
+    #[must_use]
+    pub fn expressions(&self) -> Vec<(OrientationPart, &Expr)> {
+        match self {
+            Self::Inertial => Vec::new(),
+            Self::Rotations { rotations, .. } => {
+                rotations.iter().map(|(_, angle)| (OrientationPart::ANGLE, angle)).collect()
+            }
+            Self::Directions { axes } => {
+                axes.iter().flatten().map(|axis| (OrientationPart::DIRECTION, axis)).collect()
+            }
+        }
+    }
+}
+
 /// A point.
 #[derive(Clone, Debug)]
 pub struct Point {

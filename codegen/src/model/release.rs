@@ -207,11 +207,9 @@ impl<'m> Sides<'m> {
     }
 
     fn frame(&mut self, id: FrameId) {
-        self.turning[id] |= match &self.model.frames[id].orientation {
-            Orientation::Inertial => false,
-            Orientation::Rotations { parent, .. } => self.turning[*parent],
-            Orientation::Directions { axes } => axes.iter().flatten().any(|axis| self.reads(axis).turning),
-        };
+        let orientation = &self.model.frames[id].orientation;
+        self.turning[id] |= orientation.parent().is_some_and(|parent| self.turning[parent])
+            || orientation.expressions().into_iter().any(|(_, part)| self.reads(part).turning);
     }
 
     fn point(&mut self, id: PointId) {

@@ -15,10 +15,8 @@ pub enum Role {
     Parameter(ParameterId),
     /// A definition.
     Definition(DefinitionId),
-    /// An angle of one of a frame's rotations.
-    Angle(FrameId),
-    /// A unit vector of a frame.
-    Direction(FrameId),
+    /// A part of a frame's orientation: an angle, a unit vector.
+    Orientation(FrameId, OrientationPart),
     /// A vector fixed in a frame, by its place among them.
     FixedVector(FrameId, usize),
     /// A component of that vector.
@@ -138,15 +136,8 @@ impl Model {
 
 fn of_frame<'m>(id: FrameId, frame: &'m Frame, all: &mut List<'m>) {
     let Frame { orientation, fixed_vectors, name: _, span: _ } = frame;
-    match orientation {
-        Orientation::Inertial => {}
-        Orientation::Rotations { parent: _, rotations } => {
-            all.extend(rotations.iter().map(|(_, angle)| (Role::Angle(id), angle)));
-        }
-        Orientation::Directions { axes } => {
-            all.extend(axes.iter().flatten().map(|axis| (Role::Direction(id), axis)));
-        }
-    }
+    let parts = orientation.expressions().into_iter();
+    all.extend(parts.map(|(part, expression)| (Role::Orientation(id, part), expression)));
     for (n, FixedVector { vector, components, span: _ }) in fixed_vectors.iter().enumerate() {
         all.push((Role::FixedVector(id, n), vector));
         all.extend(components.iter().map(|e| (Role::FixedComponent(id, n), e)));

@@ -9,71 +9,69 @@ use crate::expr::tape::SampleTable;
 use crate::expr::{Binary, Dag, ExprId, Node, Unary};
 use crate::id::Id;
 use crate::kinematics::eliminate::{self, Pivot, Solution};
-use crate::kinematics::{self, Assembly, Kinematics, projection, redundant};
+use crate::kinematics::{self, Algebra, Assembly, Kinematics, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
 
 /// Every dependent unknown from the independent speeds; or, where the motion passes dead points of these and some mass
 /// moves with it there, all speeds as state.
 pub(super) fn constraints(
+    alg: &mut Algebra,
     model: &Model,
     k: &mut Kinematics,
     table: &mut SampleTable,
 ) -> Result<Solution, Diagnostics> {
-    let minimal = eliminate::solve(model, k, table);
-    if let Some((mut all, solution, mut samples)) = redundant::solve(model, k, table, minimal.as_ref().ok()) {
-        let moved = model.bodies.is_empty() || dynamics::is_inert(model, &mut all, &solution, &mut samples);
+    let minimal = eliminate::solve(alg, model, k, table);
+    if let Some((mut wider, all, solution, mut samples)) =
+        redundant::solve(alg, model, k, table, minimal.as_ref().ok())
+    {
+        let moved =
+            model.bodies.is_empty() || dynamics::is_inert(&mut wider, model, &all, &solution, &mut samples);
         if moved || minimal.is_err() {
-            (*k, *table) = (all, samples);
+            (*alg, *k, *table) = (wider, all, samples);
             return Ok(solution);
         }
     }
     let mut solution = minimal?;
-    projection::correct(model, k, table, &mut solution);
+    projection::correct(alg, model, k, table, &mut solution);
     Ok(solution)
 }
 
 pub(super) fn assemble(
     model: &Model,
-    mut k: Kinematics,
+    (mut alg, k): (Algebra, Kinematics),
     (solution, table): (&Solution, &mut SampleTable),
     dynamics: Dynamics,
     (assembly, answered, origin): (Assembly, Answered, Origin),
 ) -> Program {
     let state: Vec<CoordinateId> =
-        model.coordinates.ids().filter(|&c| k.coordinate_symbol(c).is_some()).collect();
+        model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some()).collect();
     let speeds: Vec<(String, ExprId)> = model
         .speeds
         .enumerate()
-        .map(|(id, speed)| (speed.name.clone(), k.unknowns[k.unknown_of(id)].value))
+        .map(|(id, speed)| (speed.name.clone(), k.unknowns[k.unknowns.of(id)].value))
         .collect();
-    let q_dot: Vec<ExprId> = state
-        .iter()
-        .map(|&c| {
-            let rate = k.rates[c].clone();
-            kinematics::rate_of(&mut k, &rate)
-        })
-        .collect();
+    let q_dot: Vec<ExprId> = state.iter().map(|&c| k.rates[c].value(&mut alg, &k)).collect();
     let outputs: Vec<ExprId> =
-        model.outputs.iter().map(|o| kinematics::lower_scalar(&mut k, &o.value)).collect();
+        model.outputs.iter().map(|o| kinematics::lower_scalar(&mut alg, &k, &o.value)).collect();
     // Velocity symbols become their values in terms of the independent speeds.
     let speed_values: Vec<ExprId> = speeds.iter().map(|(_, e)| *e).collect();
-    let q_dot = k.dag.substitute(&q_dot, &dynamics.values);
-    let outputs = k.dag.substitute(&outputs, &dynamics.values);
-    let speed_values = k.dag.substitute(&speed_values, &dynamics.values);
+    let q_dot = alg.dag.substitute(&q_dot, &dynamics.values);
+    let outputs = alg.dag.substitute(&outputs, &dynamics.values);
+    let speed_values = alg.dag.substitute(&speed_values, &dynamics.values);
     let pivots: Vec<Pivot> = solution.pivots.iter().chain(&dynamics.pivots).copied().collect();
-    let worst_pivot = worst_pivot(&mut k.dag, &pivots);
+    let worst_pivot = worst_pivot(&mut alg.dag, &pivots);
     let watched = [&k.residuals[..], &k.implied].concat();
-    let residual = largest(&mut k.dag, &watched);
-    let correction = correction(&mut k, table, &state, solution);
-    let [q, u, inputs, parameters] = quantities(model, &k, &state);
-    let closed_forms = k.closed_form_values();
-    let u_dot = given_accelerations(model, &k, &answered.u_dot);
+    let residual = largest(&mut alg.dag, &watched);
+    let correction = correction(&mut alg, &k, table, &state, solution);
+    let [q, u, inputs, parameters] = quantities(&alg, model, &k, &state);
+    let closed_forms = k.closed_form_values(&mut alg.dag);
+    let u_dot = given_accelerations(&alg, model, &k, &answered.u_dot);
     let mut program = Program {
         name: model.name.clone(),
         doc: model.doc.clone(),
         path: model.source.files.first().map_or(String::new(), |f| f.path.clone()),
         origin,
-        time: k.dag.as_symbol(k.time).expect("time is a symbol"),
+        time: alg.dag.as_symbol(k.time).expect("time is a symbol"),
         q,
         u,
         inputs,
@@ -98,7 +96,7 @@ pub(super) fn assemble(
         nominal: k.samples[0].clone(),
         stated_start: start::stated(model),
         warnings: Diagnostics::default(),
-        dag: k.dag,
+        dag: alg.dag,
     };
     program.substitute(&closed_forms);
     reciprocal::share(&mut program);
@@ -144,24 +142,25 @@ fn largest(dag: &mut Dag, residuals: &[ExprId]) -> ExprId {
 ///
 /// Coordinates that share a dependent speed move together (Euler parameters along their own direction).
 fn correction(
-    k: &mut Kinematics,
+    alg: &mut Algebra,
+    k: &Kinematics,
     table: &mut SampleTable,
     state: &[CoordinateId],
     solution: &Solution,
 ) -> Vec<(usize, ExprId)> {
     let mut corrections = Vec::new();
     if !solution.ties.is_empty() {
-        corrections = redundant::correction(k, table, state).into_iter().enumerate().collect();
-        corrections.retain(|(_, e)| !k.dag.is_zero(*e));
+        corrections = redundant::correction(alg, k, table, state).into_iter().enumerate().collect();
+        corrections.retain(|(_, e)| !alg.dag.is_zero(*e));
         return corrections;
     }
     for (index, &c) in state.iter().enumerate() {
         let rate = k.rates[c].partials.clone();
         let terms: Vec<ExprId> =
-            rate.into_iter().map(|(unknown, n)| k.dag.mul(n, solution.correction[&unknown])).collect();
-        corrections.push((index, k.dag.sum(&terms)));
+            rate.into_iter().map(|(unknown, n)| alg.dag.mul(n, solution.correction[&unknown])).collect();
+        corrections.push((index, alg.dag.sum(&terms)));
     }
-    corrections.retain(|(_, e)| !k.dag.is_zero(*e));
+    corrections.retain(|(_, e)| !alg.dag.is_zero(*e));
     corrections
 }
 
@@ -169,13 +168,13 @@ fn correction(
 const ANY: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// Given derivatives of the independent speeds, in their order.
-fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
-    let independent = model.speeds.enumerate().filter(|(id, _)| k.is_independent(*id));
+fn given_accelerations(alg: &Algebra, model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec<Quantity> {
+    let independent = model.speeds.enumerate().filter(|(id, _)| k.unknowns.is_independent(*id));
     let speeds = independent.map(|(_, speed)| speed).zip(symbols);
     let quantity = |(speed, &expr): (&Speed, &ExprId)| {
-        let symbol = k.dag.as_symbol(expr)?;
+        let symbol = alg.dag.as_symbol(expr)?;
         Some(Quantity {
-            name: k.dag.symbol_name(symbol).to_owned(),
+            name: alg.dag.symbol_name(symbol).to_owned(),
             symbol,
             unit: format!("{}/s", speed.unit),
             doc: "derivative of the speed".to_owned(),
@@ -188,9 +187,9 @@ fn given_accelerations(model: &Model, k: &Kinematics, symbols: &[ExprId]) -> Vec
     speeds.filter_map(quantity).collect()
 }
 
-fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Quantity>; 4] {
+fn quantities(alg: &Algebra, model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Quantity>; 4] {
     let quantity = |name: &str, expr: ExprId, unit: &str, doc: &str, value: f64, span| {
-        k.dag.as_symbol(expr).map(|symbol| Quantity {
+        alg.dag.as_symbol(expr).map(|symbol| Quantity {
             name: name.to_owned(),
             symbol,
             unit: unit.to_owned(),
@@ -215,13 +214,13 @@ fn quantities(model: &Model, k: &Kinematics, state: &[CoordinateId]) -> [Vec<Qua
     let u = model
         .speeds
         .enumerate()
-        .filter(|(id, _)| k.is_independent(*id))
+        .filter(|(id, _)| k.unknowns.is_independent(*id))
         .filter_map(|(id, s)| {
             let doc = match s.meaning {
                 SpeedMeaning::RateOf(c) => format!("rate of {}", model.coordinates[c].name),
                 SpeedMeaning::Combination(_) => "speed".to_owned(),
             };
-            quantity(&s.name, k.unknowns[k.unknown_of(id)].value, &s.unit, &doc, 0.0, s.span)
+            quantity(&s.name, k.unknowns[k.unknowns.of(id)].value, &s.unit, &doc, 0.0, s.span)
         })
         .collect();
     let inputs = model

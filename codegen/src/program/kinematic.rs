@@ -37,20 +37,21 @@ pub(super) fn derive(
 ) -> Result<Program, Diagnostics> {
     let requests = answer::resolve(model, asked)?;
     stage::begin(Stage::Kinematics);
-    let mut k = kinematics::derive(model, choice, Optimise::default())?;
+    let (mut alg, mut k) = kinematics::derive(model, choice, Optimise::default())?;
     stage::begin(Stage::Constraints);
-    let mut table = sampling::sample_table(model, &k);
-    let warnings = kinematics::diagnose::check(model, &mut k, &mut table)?;
-    let solution = constraints(model, &mut k, &mut table)?;
-    let dynamics = dynamics::without_mass(model, &mut k, &solution, &mut table);
+    let mut table = sampling::sample_table(&alg, model, &k);
+    let warnings = kinematics::diagnose::check(&mut alg, model, &mut k, &mut table)?;
+    let solution = constraints(&mut alg, model, &mut k, &mut table)?;
+    let dynamics = dynamics::without_mass(&mut alg, model, &k, &solution, &mut table);
     stage::begin(Stage::Answers);
     let given = (model.inputs.len(), false, effort);
-    let mut stages = Stages::new((model, choice), &mut k, (&solution, &dynamics), &mut table, given);
+    let mut stages = Stages::new(&mut alg, (model, choice), &k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
-    let assembly = Assembly::new(model, &mut k);
-    let sizes = Sizes::new(model, &k);
+    let assembly = Assembly::new(&mut alg, model, &k);
+    let sizes = Sizes::new(&alg, model, &k);
     let origin = Origin::new(model, choice, effort.into());
-    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered, origin));
+    let mut program =
+        assemble(model, (alg, k), (&solution, &mut table), dynamics, (assembly, answered, origin));
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);

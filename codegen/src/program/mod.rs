@@ -74,25 +74,26 @@ pub fn derive_asked(
     let own_inputs = model.inputs.len();
     let model = &*answer::with_wrenches(model, &requests)?;
     stage::begin(Stage::Kinematics);
-    let mut k = kinematics::derive(model, choice, optimise)?;
+    let (mut alg, mut k) = kinematics::derive(model, choice, optimise)?;
     let mut warnings = implausible(model, &k)?;
     stage::begin(Stage::Constraints);
-    let mut table = sampling::sample_table(model, &k);
-    warnings.items.extend(kinematics::diagnose::check(model, &mut k, &mut table)?.items);
-    let solution = constraints(model, &mut k, &mut table)?;
+    let mut table = sampling::sample_table(&alg, model, &k);
+    warnings.items.extend(kinematics::diagnose::check(&mut alg, model, &mut k, &mut table)?.items);
+    let solution = constraints(&mut alg, model, &mut k, &mut table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
     stage::begin(Stage::Dynamics);
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
-    let dynamics = dynamics::derive(model, &mut k, &solution, &mut table, (optimise, with_augmented))?;
+    let dynamics = dynamics::derive(&mut alg, model, &k, &solution, &mut table, (optimise, with_augmented))?;
     stage::begin(Stage::Answers);
     let given = (own_inputs, answer::holds_u_dot(&requests), effort);
-    let mut stages = Stages::new((model, choice), &mut k, (&solution, &dynamics), &mut table, given);
+    let mut stages = Stages::new(&mut alg, (model, choice), &k, (&solution, &dynamics), &mut table, given);
     let answered = answer::derive(&mut stages, &requests, asked)?;
-    let assembly = Assembly::new(model, &mut k);
-    let sizes = Sizes::new(model, &k);
+    let assembly = Assembly::new(&mut alg, model, &k);
+    let sizes = Sizes::new(&alg, model, &k);
     let origin = Origin::new(model, choice, settings);
-    let mut program = assemble(model, k, (&solution, &mut table), dynamics, (assembly, answered, origin));
+    let mut program =
+        assemble(model, (alg, k), (&solution, &mut table), dynamics, (assembly, answered, origin));
     program.warnings = warnings;
     program.keep_only(asked);
     stage::begin(Stage::Values);

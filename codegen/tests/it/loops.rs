@@ -4,7 +4,7 @@ use smartbed_codegen::expr::{Dag, ExprId, SymbolId};
 use smartbed_codegen::id::{Id, IdVec};
 use smartbed_codegen::kinematics::{self, Kinematics, Row, eliminate, sampling};
 use smartbed_codegen::model::{Axis, Model};
-use smartbed_codegen::vector::{Triads, Turn, Vector};
+use smartbed_codegen::vector::{Algebra, Triads, Turn, Vector};
 use smartbed_codegen::{Interpreted, Optimise, ParameterChoice, Program, model, program};
 use smartbed_runtime::mechanism::Mechanism;
 use std::collections::HashMap;
@@ -12,11 +12,11 @@ use std::path::Path;
 
 use crate::models::shipped;
 
-fn derived(name: &str) -> (Model, Kinematics) {
+fn derived(name: &str) -> (Model, Algebra, Kinematics) {
     let model = shipped(name);
-    let k = kinematics::derive(&model, &ParameterChoice::default(), Optimise::default())
+    let (alg, k) = kinematics::derive(&model, &ParameterChoice::default(), Optimise::default())
         .unwrap_or_else(|e| panic!("{e}"));
-    (model, k)
+    (model, alg, k)
 }
 
 fn names<'a>(k: &'a Kinematics, unknowns: impl Iterator<Item = &'a kinematics::UnknownId>) -> Vec<&'a str> {
@@ -25,7 +25,7 @@ fn names<'a>(k: &'a Kinematics, unknowns: impl Iterator<Item = &'a kinematics::U
 
 #[test]
 fn a_point_is_reached_the_shorter_way_round_a_loop() {
-    let (model, k) = derived("fourbar");
+    let (model, _, k) = derived("fourbar");
     let speeds = |name: &str| {
         let (id, _) = model.points.enumerate().find(|(_, p)| p.name == name).expect(name);
         names(&k, k.velocities[id].partials.keys())
@@ -36,9 +36,9 @@ fn a_point_is_reached_the_shorter_way_round_a_loop() {
 
 #[test]
 fn a_leg_across_its_rod_is_free_of_its_slide() {
-    let (model, mut k) = derived("tile");
-    let mut table = sampling::sample_table(&model, &k);
-    let solution = eliminate::solve(&model, &mut k, &mut table).unwrap_or_else(|e| panic!("{e}"));
+    let (model, mut alg, k) = derived("tile");
+    let mut table = sampling::sample_table(&alg, &model, &k);
+    let solution = eliminate::solve(&mut alg, &model, &k, &mut table).unwrap_or_else(|e| panic!("{e}"));
     // Resolved along the leg and across: offered always, taken where it is the cheaper choice.
     for (closure, height) in [("G closure 1", "u_hA"), ("G closure 2", "u_hB"), ("G closure 3", "u_hC")] {
         let slide = height.replace("u_h", "u_s");
@@ -103,13 +103,13 @@ fn inertia_across_a_shared_axis_moves_with_the_frame_that_shares_it() {
 
 #[test]
 fn constraints_and_not_derivatives_give_the_speeds_of_closed_forms() {
-    let (model, k) = derived("tile_minimal");
+    let (model, _, k) = derived("tile_minimal");
     assert_eq!(k.closed_forms.len(), 12);
     let forms = ["u_psiA", "u_thA", "u_sA"];
     assert!(k.rows.iter().all(|row| !forms.contains(&row.name.as_str())), "no row needs a derivative");
     assert!(k.residuals.is_empty(), "the forms solve the constraints");
     // Without constraints the derivatives of the forms are all there is.
-    let (closed, k) = derived("slider_crank_closed");
+    let (closed, _, k) = derived("slider_crank_closed");
     assert!(k.rows.iter().any(|row| row.name == "u_b") && k.rows.iter().any(|row| row.name == "u_x"));
     assert_eq!((model.dof.map(|d| d.0), closed.dof.map(|d| d.0)), (Some(3), Some(1)));
 }

@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         false => program::derive(&model, &choice),
     };
     let program = program.map_err(|e| model_argument::wrong(&e))?;
-    let mut kinematics =
+    let (mut alg, mut kinematics) =
         kinematics::derive(&model, &choice, Optimise::default()).map_err(|e| model_argument::wrong(&e))?;
     drop(waiting);
     let waiting = Waiting::new("searching for singular configurations");
@@ -79,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         kinematics.samples.push(nearest.q.clone());
         kinematics.sample_times.push(nearest.t);
     }
-    let rank = Rank { samples, ..Rank::over_samples(&model, &mut kinematics) };
+    let rank = Rank { samples, ..Rank::over_samples(&mut alg, &model, &kinematics) };
     let mut report = report(&model, &program, &rank, nearest.as_ref());
     if arguments.rounding {
         report.facts["rounding"] =

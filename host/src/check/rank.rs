@@ -9,8 +9,9 @@
 use nalgebra::DMatrix;
 use smartbed_codegen::expr::ExprId;
 use smartbed_codegen::id::Id;
-use smartbed_codegen::kinematics::{Kinematics, Row, sampling};
+use smartbed_codegen::kinematics::{Kinematics, LinearForm, Row, sampling};
 use smartbed_codegen::model::{Model, SpeedMeaning};
+use smartbed_codegen::vector::Algebra;
 use std::collections::BTreeMap;
 
 /// A singular value below this share of the largest is that of a row which follows from the others.
@@ -63,12 +64,12 @@ impl Conditioning {
 
 impl Rank {
     /// Looks at every sample.
-    pub fn over_samples(model: &Model, k: &mut Kinematics) -> Self {
+    pub fn over_samples(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Self {
         let unknowns = model.speeds.len();
-        let rows = rows(model, k);
+        let rows = rows(alg, model, k);
         let highest = rows.iter().flat_map(|row| row.keys()).max().map_or(0, |&column| column + 1);
-        let lifted = if unknowns < highest { k.moving_unknowns().len() - unknowns } else { 0 };
-        let mut matrices = jacobians(model, k, &rows, unknowns + lifted);
+        let lifted = if unknowns < highest { k.unknowns.moving().len() - unknowns } else { 0 };
+        let mut matrices = jacobians(alg, model, k, &rows, unknowns + lifted);
         scale(&mut matrices);
         let free: Vec<usize> =
             model.speeds.iter().enumerate().filter(|(_, s)| s.independent).map(|(i, _)| i).collect();
@@ -99,20 +100,21 @@ impl Rank {
 
 /// The rows in numbers at every sample.
 fn jacobians(
+    alg: &Algebra,
     model: &Model,
     k: &Kinematics,
     rows: &[BTreeMap<usize, ExprId>],
     columns: usize,
 ) -> Vec<DMatrix<f64>> {
-    let mut table = sampling::sample_table(model, k);
+    let mut table = sampling::sample_table(alg, model, k);
     let samples = k.samples.len();
     let mut matrices = vec![DMatrix::zeros(rows.len(), columns); samples];
     for (r, row) in rows.iter().enumerate() {
         let coefficients: Vec<ExprId> = row.values().copied().collect();
-        let errors = |sample| table.rounding_errors(&k.dag, &coefficients, sample);
+        let errors = |sample| table.rounding_errors(&alg.dag, &coefficients, sample);
         let errors: Vec<Vec<f64>> = (0..samples).map(errors).collect();
         for (i, (&column, &coefficient)) in row.iter().enumerate() {
-            let values = table.values(&k.dag, coefficient);
+            let values = table.values(&alg.dag, coefficient);
             for ((matrix, value), errors) in matrices.iter_mut().zip(values).zip(&errors) {
                 // Scaled, a row of rounding errors would count as any other.
                 matrix[(r, column)] = if value.abs() <= errors[i] { 0.0 } else { *value };
@@ -123,24 +125,24 @@ fn jacobians(
 }
 
 /// Every constraint as coefficients of the speeds.
-fn rows(model: &Model, k: &mut Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
+fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Vec<BTreeMap<usize, ExprId>> {
     let mut rows = Vec::new();
-    for residual in k.residuals.clone() {
-        rows.push(gradient(model, k, residual));
+    for &residual in &k.residuals {
+        rows.push(gradient(alg, model, k, residual));
     }
     // A coordinate in closed form with a speed of its own: that speed follows from the form.
     for (speed, declared) in model.speeds.enumerate() {
         let SpeedMeaning::RateOf(coordinate) = declared.meaning else { continue };
-        if k.coordinate_symbol(coordinate).is_none() {
+        if k.coordinate_symbol(&alg.dag, coordinate).is_none() {
             let form = k.closed_forms.iter().find(|(c, _)| *c == coordinate).map(|(_, form)| *form);
-            let mut row = gradient(model, k, form.unwrap_or(k.q[coordinate]));
-            let minus_one = k.dag.constant(-1.0);
+            let mut row = gradient(alg, model, k, form.unwrap_or(k.q[coordinate]));
+            let minus_one = alg.dag.constant(-1.0);
             row.insert(speed.index(), minus_one);
             rows.push(row);
         }
     }
     let is_motion = |name: &str| model.motion_constraints.iter().any(|c| c.name == name);
-    let clock = k.clock.map(|clock| clock.index());
+    let clock = k.unknowns.clock().map(|clock| clock.index());
     let is_twist = |unknown: usize| model.speeds.len() <= unknown && Some(unknown) != clock;
     let of_twist = |row: &Row| row.coefficients.keys().any(|unknown| is_twist(unknown.index()));
     let lifted = k.rows.iter().any(|row| is_motion(&row.name) && of_twist(row));
@@ -160,21 +162,14 @@ fn without(row: BTreeMap<usize, ExprId>, clock: usize) -> BTreeMap<usize, ExprId
 }
 
 /// Coefficients of the speeds in the rate of an expression, by the chain rule.
-fn gradient(model: &Model, k: &mut Kinematics, of: ExprId) -> BTreeMap<usize, ExprId> {
-    let mut row: BTreeMap<usize, ExprId> = BTreeMap::new();
+fn gradient(alg: &mut Algebra, model: &Model, k: &Kinematics, of: ExprId) -> BTreeMap<usize, ExprId> {
+    let mut row = LinearForm::default();
     for coordinate in model.coordinates.ids() {
-        let Some(symbol) = k.dag.as_symbol(k.q[coordinate]) else { continue };
-        let slope = k.dag.derivative(of, symbol);
-        for (&speed, &share) in &k.rates[coordinate].partials {
-            let term = k.dag.mul(slope, share);
-            let sum = match row.get(&speed.index()) {
-                Some(&mine) => k.dag.add(mine, term),
-                None => term,
-            };
-            row.insert(speed.index(), sum);
-        }
+        let Some(symbol) = alg.dag.as_symbol(k.q[coordinate]) else { continue };
+        let slope = alg.dag.derivative(of, symbol);
+        row.add(&mut alg.dag, slope, &k.rates[coordinate].partials);
     }
-    row
+    row.into_iter().map(|(speed, coefficient)| (speed.index(), coefficient)).collect()
 }
 
 /// Scales rows and columns by factors alike at all samples until the sizes of each (root mean squares over the samples)

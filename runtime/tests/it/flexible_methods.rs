@@ -5,7 +5,7 @@ use smartbed_runtime::contact::compensation::PointImpact;
 use smartbed_runtime::contact::{ContactState, System};
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
-use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, NodeFault, Workspace, workspace_len};
+use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, NodeFault, Step, Workspace, workspace_len};
 use smartbed_runtime::scene::{State, step};
 
 /// Methods that choose their steps, on a spring: the error keeps to the tolerance, the work to what their orders need.

@@ -37,8 +37,7 @@ impl Model {
             Role::MotionConstraint | Role::StatedVelocity(_) => known.time_in(e) || known.free_part_in(e),
             Role::ClosedForm(_)
             | Role::Speed(_)
-            | Role::Angle(_)
-            | Role::Direction(_)
+            | Role::Orientation(..)
             | Role::FixedVector(..)
             | Role::Position(_)
             | Role::Closure(_)

@@ -119,18 +119,17 @@ fn report(model: &Model, cycle: &[(Node, Span)]) -> Diagnostic {
 fn references(model: &Model) -> References {
     let mut all = References::new();
     for (id, frame) in model.frames.enumerate() {
-        if let Orientation::Rotations { parent, .. } = &frame.orientation {
-            all.entry(Node::Frame(id)).or_default().push((Node::Frame(*parent), frame.span));
+        if let Some(parent) = frame.orientation.parent() {
+            all.entry(Node::Frame(id)).or_default().push((Node::Frame(parent), frame.span));
         }
     }
     for (role, expression) in model.expressions() {
         let node = match role {
             Role::Parameter(id) => Node::Parameter(id),
             Role::Definition(id) => Node::Definition(id),
-            Role::Angle(id)
-            | Role::Direction(id)
-            | Role::FixedVector(id, _)
-            | Role::FixedComponent(id, _) => Node::Frame(id),
+            Role::Orientation(id, _) | Role::FixedVector(id, _) | Role::FixedComponent(id, _) => {
+                Node::Frame(id)
+            }
             Role::Position(id) | Role::StatedVelocity(id) => Node::Point(id),
             Role::ClosedForm(id) => Node::Coordinate(id),
             _ => continue,

@@ -92,7 +92,7 @@ fn rule(role: Role) -> (&'static str, Reach) {
         Role::Parameter(_) => ("a parameter", Reach::CONSTANT),
         // It is judged where it is used.
         Role::Definition(_) => ("a definition", ANYTHING),
-        Role::Angle(_) | Role::Direction(_) => ("an orientation", CONFIGURATION),
+        Role::Orientation(..) => ("an orientation", CONFIGURATION),
         Role::FixedVector(..) => ("a fixed vector", CONFIGURATION),
         Role::FixedComponent(..) => ("a component of a fixed vector", Reach::CONSTANT),
         Role::Position(_) | Role::Closure(_) => ("a position", CONFIGURATION),
@@ -151,15 +151,8 @@ impl Reaches {
     }
 
     fn orientation(&self, orientation: &Orientation) -> Reach {
-        match orientation {
-            Orientation::Inertial => Reach::CONSTANT,
-            Orientation::Rotations { parent, rotations } => {
-                rotations.iter().fold(self.frames[*parent], |all, (_, angle)| all | self.of(angle))
-            }
-            Orientation::Directions { axes } => {
-                axes.iter().flatten().fold(Reach::CONSTANT, |all, axis| all | self.of(axis))
-            }
-        }
+        let parent = orientation.parent().map_or(Reach::CONSTANT, |parent| self.frames[parent]);
+        orientation.expressions().into_iter().fold(parent, |all, (_, part)| all | self.of(part))
     }
 
     /// Motion constraints, stated velocities and speeds are linear in speeds and rates.

@@ -96,8 +96,9 @@ impl Checker<'_> {
                 Err(_) => return,
             },
             Role::Output(n) => (self.output(n), quoted(&model.outputs[n].name)),
-            Role::Angle(_) => plain(Type::scalar(Unit::NONE), "an angle of rotation"),
-            Role::Direction(_) => plain(Type::vector(Unit::NONE), "a unit vector"),
+            Role::Orientation(_, part) => {
+                plain(Type { vector: part.is_vector, unit: Some(Unit::NONE) }, part.what)
+            }
             Role::Position(_) | Role::Closure(_) => plain(Type::vector(Unit::LENGTH), "a position"),
             Role::StatedVelocity(_) => plain(Type::vector(Unit::VELOCITY), "a velocity"),
             Role::Mass(_) => plain(Type::scalar(Unit::MASS), "a mass"),

@@ -78,11 +78,7 @@ impl Mentioned {
                 _ => {}
             });
         }
-        for frame in model.frames.iter() {
-            if let Orientation::Rotations { parent, .. } = &frame.orientation {
-                found.frames.insert(*parent);
-            }
-        }
+        found.frames.extend(model.frames.iter().filter_map(|frame| frame.orientation.parent()));
         for body in model.bodies.iter() {
             found.points.insert(body.centre);
             found.frames.extend(body.frame);

@@ -46,17 +46,17 @@ pub(super) struct Functions<'e> {
 pub(super) fn columns(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Columns {
     let n = of.residual.len();
     let all = [of.residual, of.others].concat();
-    let work = stages.k.dag.reachable(&all).len() * directions.len() * all.len();
+    let work = stages.alg.dag.reachable(&all).len() * directions.len() * all.len();
     // What is linear in all directions has nothing to gain.
-    if is_linear(&mut stages.k.dag, &all, directions) || work > MOST_WORK {
-        let found = sweeps(&mut stages.k.dag, &all, directions);
+    if is_linear(&mut stages.alg.dag, &all, directions) || work > MOST_WORK {
+        let found = sweeps(&mut stages.alg.dag, &all, directions);
         return solved(stages, of.mass, &found);
     }
     let anew = [&expressed_anew(stages, of.residual)[..], &all[n..]].concat();
     let mut forms: Vec<Columns> = Vec::new();
     for roots in [&all, &anew] {
-        forms.push(sweeps(&mut stages.k.dag, roots, directions));
-        forms.push(eliminations(&mut stages.k.dag, roots, directions));
+        forms.push(sweeps(&mut stages.alg.dag, roots, directions));
+        forms.push(eliminations(&mut stages.alg.dag, roots, directions));
     }
     forms.extend(implicit(stages, of, directions));
     let forms: Vec<Columns> = forms.iter().map(|form| solved(stages, of.mass, form)).collect();
@@ -68,19 +68,21 @@ pub(super) fn columns(stages: &mut Stages, of: &Functions, directions: &[Directi
 /// Columns with the constraints differentiated as they stand, the residual as it is and expressed anew.
 fn implicit(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Vec<Columns> {
     let given = (&stages.u_dot.clone()[..], of.unsolved);
-    let Some(implicit) = Implicit::new(stages.model, stages.k, stages.table, stages.solution, given) else {
+    let Some(implicit) =
+        Implicit::new(stages.alg, stages.model, stages.k, stages.table, stages.solution, given)
+    else {
         return Vec::new();
     };
     let directions = with_closed_forms(stages, directions);
-    let closed_forms = stages.k.closed_form_values();
+    let closed_forms = stages.k.closed_form_values(&mut stages.alg.dag);
     let mut forms = Vec::new();
     for residual in [implicit.residual.clone(), expressed_anew(stages, &implicit.residual)] {
         let roots = [&residual[..], &implicit.others].concat();
-        let mut columns = eliminations(&mut stages.k.dag, &roots, &directions);
+        let mut columns = eliminations(&mut stages.alg.dag, &roots, &directions);
         for column in &mut columns {
-            let whole = implicit.put_in(&mut stages.k.dag, column);
+            let whole = implicit.put_in(&mut stages.alg.dag, column);
             let solved = stages.solved(&whole);
-            *column = stages.k.dag.substitute(&solved, &closed_forms);
+            *column = stages.alg.dag.substitute(&solved, &closed_forms);
         }
         forms.push(columns);
     }
@@ -91,10 +93,10 @@ fn implicit(stages: &mut Stages, of: &Functions, directions: &[Direction]) -> Ve
 fn cost(stages: &mut Stages, columns: &Columns) -> usize {
     let roots = [&stages.dynamics.u_dot[..], &columns.concat()].concat();
     if stages.effort == Effort::None {
-        return stages.k.dag.state_cost(&roots);
+        return stages.alg.dag.state_cost(&roots);
     }
     let states = states(stages, &roots);
-    let mut dag = stages.k.dag.clone();
+    let mut dag = stages.alg.dag.clone();
     let shorter = value::shorten(&mut dag, &[roots], &states, &states, Effort::Default);
     dag.state_cost(&shorter.concat())
 }
@@ -111,9 +113,9 @@ fn is_linear(dag: &mut Dag, of: &[ExprId], directions: &[Direction]) -> bool {
 fn with_closed_forms(stages: &mut Stages, directions: &[Direction]) -> Vec<Direction> {
     let mut all = directions.to_vec();
     for (coordinate, form) in stages.k.closed_forms.clone() {
-        let Some(symbol) = stages.k.variable(coordinate) else { continue };
+        let Some(symbol) = stages.k.variable(&stages.alg.dag, coordinate) else { continue };
         for direction in &mut all {
-            let slope = stages.k.dag.rate(form, direction);
+            let slope = stages.alg.dag.rate(form, direction);
             direction.insert(symbol, slope);
         }
     }
@@ -128,7 +130,7 @@ fn expressed_anew(stages: &mut Stages, residual: &[ExprId]) -> Vec<ExprId> {
     let forward = [&stages.dynamics.u_dot[..], &stages.dynamics.mass_matrix.concat()].concat();
     let groups = [forward, residual.to_vec()];
     let states = states(stages, &groups.concat());
-    let mut shorter = value::shorten(&mut stages.k.dag, &groups, &states, &states, Effort::All);
+    let mut shorter = value::shorten(&mut stages.alg.dag, &groups, &states, &states, Effort::All);
     shorter.pop().unwrap_or_default()
 }
 
@@ -137,9 +139,9 @@ fn states(stages: &mut Stages, of: &[ExprId]) -> States {
     let n = stages.table.points();
     let chosen: Vec<usize> = (0..n).filter(|&sample| sample == 0 || sample + WATCHED > n).collect();
     let mut symbols = HashMap::default();
-    for node in stages.k.dag.reachable(of) {
-        if let Some(symbol) = stages.k.dag.as_symbol(node) {
-            let values = stages.table.values(&stages.k.dag, node);
+    for node in stages.alg.dag.reachable(of) {
+        if let Some(symbol) = stages.alg.dag.as_symbol(node) {
+            let values = stages.table.values(&stages.alg.dag, node);
             symbols.insert(symbol, chosen.iter().map(|&sample| values[sample]).collect());
         }
     }
@@ -148,7 +150,7 @@ fn states(stages: &mut Stages, of: &[ExprId]) -> States {
 
 /// Columns that begin with du' instead of the residual's changes.
 fn solved(stages: &mut Stages, mass: &[Vec<ExprId>], columns: &[Vec<ExprId>]) -> Columns {
-    let dag = &mut stages.k.dag;
+    let dag = &mut stages.alg.dag;
     let residual: Columns = columns.iter().map(|column| column[..mass.len()].to_vec()).collect();
     let u_dot = dynamics::response(dag, mass, &residual);
     // The u' that were held are those of the state.

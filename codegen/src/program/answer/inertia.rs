@@ -17,7 +17,7 @@ pub(super) fn mass_matrix(stages: &mut Stages, _: &Target) -> Parts {
 
 pub(super) fn bias(stages: &mut Stages, _: &Target) -> Parts {
     let forcing = without_inputs(stages);
-    let bias = forcing.into_iter().map(|f| stages.k.dag.negate(f)).collect();
+    let bias = forcing.into_iter().map(|f| stages.alg.dag.negate(f)).collect();
     let doc = "gyroscopic terms, weight, springs and all other forces but those of the inputs, on the left-hand side";
     Ok(vec![Part::list("bias", doc, stages.speed_names(), bias)])
 }
@@ -26,12 +26,12 @@ pub(super) fn bias(stages: &mut Stages, _: &Target) -> Parts {
 fn without_inputs(stages: &mut Stages) -> Vec<ExprId> {
     let off = inputs_off(stages);
     let forcing = stages.dynamics.forcing.clone();
-    stages.k.dag.substitute(&forcing, &off)
+    stages.alg.dag.substitute(&forcing, &off)
 }
 
 /// 0 for each of the model's own inputs.
 fn inputs_off(stages: &mut Stages) -> HashMap<SymbolId, ExprId> {
-    let zero = stages.k.dag.zero();
+    let zero = stages.alg.dag.zero();
     stages.input_symbols().into_iter().map(|s| (s, zero)).collect()
 }
 
@@ -40,25 +40,25 @@ fn inputs_off(stages: &mut Stages) -> HashMap<SymbolId, ExprId> {
 fn needed(stages: &mut Stages) -> Vec<ExprId> {
     let forcing = without_inputs(stages);
     let u_dot = stages.u_dot.clone();
-    let by_matrix = dynamics::forces_for(&mut stages.k.dag, &stages.dynamics.mass_matrix, &forcing, &u_dot);
+    let by_matrix = dynamics::forces_for(&mut stages.alg.dag, &stages.dynamics.mass_matrix, &forcing, &u_dot);
     let recursive = recursive(stages);
     let off = inputs_off(stages);
-    let recursive = stages.k.dag.substitute(&recursive, &off);
-    let cost = |forces: &[ExprId]| stages.k.dag.state_cost(forces);
+    let recursive = stages.alg.dag.substitute(&recursive, &off);
+    let cost = |forces: &[ExprId]| stages.alg.dag.state_cost(forces);
     if cost(&recursive) < cost(&by_matrix) { recursive } else { by_matrix }
 }
 
 /// M u' - forcing at the given accelerations, by the recursion over the bodies.
 pub(super) fn recursive(stages: &mut Stages) -> Vec<ExprId> {
     let u_dot = stages.u_dot.clone();
-    let missing = dynamics::missing_forces(stages.model, stages.k, stages.solution, &u_dot);
-    let forces = dynamics::on_independent(stages.k, stages.solution, missing);
+    let missing = dynamics::missing_forces(stages.alg, stages.model, stages.k, stages.solution, &u_dot);
+    let forces = dynamics::on_independent(stages.alg, stages.k, stages.solution, missing);
     stages.solved(&forces)
 }
 
 pub(super) fn power(stages: &mut Stages, _: &Target) -> Parts {
     let (names, powers): (Vec<String>, Vec<ExprId>) =
-        dynamics::powers(stages.model, stages.k).into_iter().unzip();
+        dynamics::powers(stages.alg, stages.model, stages.k).into_iter().unzip();
     let powers = stages.solved(&powers);
     let doc = "what each load and the weight put into the mechanism; with `drive` their sum is the rate of the kinetic energy (W)";
     Ok(vec![Part::list("power", doc, names, powers)])
@@ -66,8 +66,9 @@ pub(super) fn power(stages: &mut Stages, _: &Target) -> Parts {
 
 pub(super) fn multipliers(stages: &mut Stages, target: &Target) -> Parts {
     let u_dot = stages.dynamics.u_dot.clone();
-    let missing = dynamics::missing_forces(stages.model, stages.k, stages.solution, &u_dot);
-    let Some(lambda) = dynamics::multipliers(stages.k, stages.table, stages.solution, &missing) else {
+    let missing = dynamics::missing_forces(stages.alg, stages.model, stages.k, stages.solution, &u_dot);
+    let Some(lambda) = dynamics::multipliers(stages.alg, stages.k, stages.table, stages.solution, &missing)
+    else {
         return Err(Diagnostic::error(format!("`{}`: there are more constraint rows than dependent speeds", target.request))
             .help("the multipliers of such rows are not determined one by one; ask for `augmented` and solve in the least squares"));
     };
@@ -85,8 +86,8 @@ pub(super) fn inverse_dynamics(stages: &mut Stages, _: &Target) -> Parts {
     let mut parts = vec![Part::list("generalised_force", doc, stages.speed_names(), force.clone())];
     let inputs = stages.input_symbols();
     let map = stages.dynamics.forcing.clone();
-    if let Some(values) = dynamics::inputs_for(stages.k, stages.table, &map, &inputs, &force) {
-        let names = inputs.iter().map(|&s| stages.k.dag.symbol_name(s).to_owned()).collect();
+    if let Some(values) = dynamics::inputs_for(stages.alg, stages.table, &map, &inputs, &force) {
+        let names = inputs.iter().map(|&s| stages.alg.dag.symbol_name(s).to_owned()).collect();
         parts.push(Part::list("inputs", "inputs that supply it", names, values));
     }
     Ok(parts)

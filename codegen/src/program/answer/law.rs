@@ -9,7 +9,7 @@ use crate::kinematics;
 pub(super) fn law(stages: &mut Stages, _: &Target) -> Result<Vec<Part>, Diagnostic> {
     let mut values = stages.k.inputs.clone();
     for (input, law) in &stages.model.laws {
-        values[*input] = kinematics::lower_scalar(stages.k, law);
+        values[*input] = kinematics::lower_scalar(stages.alg, stages.k, law);
     }
     let values: Vec<_> = values.iter().copied().collect();
     let values = stages.solved(&values);

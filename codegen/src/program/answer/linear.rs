@@ -47,13 +47,13 @@ pub(super) fn linearisation(stages: &mut Stages, target: &Target) -> Parts {
         .help("state as many coordinates independent as the configuration constraints leave free")
     })?;
     let equations = Equations::new(stages, &independent);
-    let one = stages.k.dag.one();
-    for unknown in stages.k.independent_unknowns() {
-        let symbol = stages.k.dag.as_symbol(stages.k.unknowns[unknown].value);
+    let one = stages.alg.dag.one();
+    for unknown in stages.k.unknowns.independent() {
+        let symbol = stages.alg.dag.as_symbol(stages.k.unknowns[unknown].value);
         directions.push(symbol.into_iter().map(|symbol| (symbol, one)).collect());
     }
     let inputs = stages.k.inputs.iter().copied().collect::<Vec<_>>();
-    let inputs = inputs.into_iter().filter_map(|input| stages.k.dag.as_symbol(input));
+    let inputs = inputs.into_iter().filter_map(|input| stages.alg.dag.as_symbol(input));
     let inputs: Vec<Direction> = inputs.map(|symbol| Direction::from_iter([(symbol, one)])).collect();
     let by_state = equations.columns(stages, &directions);
     let by_input = equations.columns(stages, &inputs);
@@ -79,9 +79,9 @@ pub(super) fn linearisation(stages: &mut Stages, target: &Target) -> Parts {
 pub(super) fn parameter_derivatives(stages: &mut Stages, _: &Target) -> Parts {
     let all = coordinates(stages, true);
     let equations = Equations::new(stages, &all);
-    let one = stages.k.dag.one();
+    let one = stages.alg.dag.one();
     let parameters: Vec<SymbolId> =
-        stages.k.parameters.iter().filter_map(|&p| stages.k.dag.as_symbol(p)).collect();
+        stages.k.parameters.iter().filter_map(|&p| stages.alg.dag.as_symbol(p)).collect();
     let directions: Vec<Direction> = parameters.iter().map(|&p| Direction::from_iter([(p, one)])).collect();
     let columns = equations.columns(stages, &directions);
     let n_q = equations.q_dot.len();
@@ -94,15 +94,15 @@ pub(super) fn parameter_derivatives(stages: &mut Stages, _: &Target) -> Parts {
 /// Coordinates that are state: independent or not.
 fn coordinates(stages: &Stages, independent: bool) -> Vec<CoordinateId> {
     let all = stages.model.coordinates.enumerate().filter(|(_, c)| c.independent == independent);
-    all.map(|(id, _)| id).filter(|&id| stages.k.coordinate_symbol(id).is_some()).collect()
+    all.map(|(id, _)| id).filter(|&id| stages.k.coordinate_symbol(&stages.alg.dag, id).is_some()).collect()
 }
 
 /// One direction an independent coordinate: itself, and the dependent ones that follow it.
 fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> Option<Vec<Direction>> {
     let dependent = coordinates(stages, false);
-    let one = stages.k.dag.one();
+    let one = stages.alg.dag.one();
     let symbols = |stages: &Stages, list: &[CoordinateId]| -> Vec<SymbolId> {
-        list.iter().filter_map(|&c| stages.k.coordinate_symbol(c)).collect()
+        list.iter().filter_map(|&c| stages.k.coordinate_symbol(&stages.alg.dag, c)).collect()
     };
     let own = symbols(stages, independent);
     let mut directions: Vec<Direction> =
@@ -111,9 +111,12 @@ fn independent_directions(stages: &mut Stages, independent: &[CoordinateId]) -> 
         return Some(directions);
     }
     let follow = symbols(stages, &dependent);
-    let slopes = match kinematics::speeds_of(stages.model, stages.k, stages.solution, independent) {
-        Some(speeds) => kinematics::slopes_by_speeds(stages.k, stages.solution, &dependent, &speeds),
-        None => kinematics::dependent_slopes(stages.k, stages.table, &follow, &own)?,
+    let slopes = match kinematics::speeds_of(stages.alg, stages.model, stages.k, stages.solution, independent)
+    {
+        Some(speeds) => {
+            kinematics::slopes_by_speeds(stages.alg, stages.k, stages.solution, &dependent, &speeds)
+        }
+        None => kinematics::dependent_slopes(stages.alg, stages.k, stages.table, &follow, &own)?,
     };
     for (&symbol, row) in follow.iter().zip(&slopes) {
         for (direction, &slope) in directions.iter_mut().zip(row) {
@@ -129,15 +132,16 @@ impl Equations {
         let mut q_dot = Vec::new();
         for &c in independent {
             let rate = stages.k.rates[c].clone();
-            q_dot.push(kinematics::rate_of(stages.k, &rate));
+            q_dot.push(rate.value(stages.alg, stages.k));
         }
-        let outputs = stages.model.outputs.iter().map(|o| kinematics::lower_scalar(stages.k, &o.value));
+        let outputs =
+            stages.model.outputs.iter().map(|o| kinematics::lower_scalar(stages.alg, stages.k, &o.value));
         let outputs: Vec<ExprId> = outputs.collect();
         let unsolved = [&q_dot[..], &outputs].concat();
         let (q_dot, outputs) = (stages.solved(&q_dot), stages.solved(&outputs));
         // Coordinates in closed form change with those that they are forms of.
-        let forms = stages.k.closed_form_values();
-        let mut closed = |list: &[ExprId]| stages.k.dag.substitute(list, &forms);
+        let forms = stages.k.closed_form_values(&mut stages.alg.dag);
+        let mut closed = |list: &[ExprId]| stages.alg.dag.substitute(list, &forms);
         let (residual, q_dot, outputs) = (closed(&residual), closed(&q_dot), closed(&outputs));
         let mass = stages.dynamics.mass_matrix.iter().map(|row| closed(row)).collect();
         let names = independent.iter().map(|&c| stages.model.coordinates[c].name.clone());

@@ -27,12 +27,12 @@ pub(super) fn pose(stages: &mut Stages, target: &Target) -> Parts {
         ))
         .help("ask for its twist, or locate the point by coordinates"));
     }
-    if let Some(position) = marker.position(stages.k) {
+    if let Some(position) = marker.position(stages.alg, stages.k) {
         let labels = ["x", "y", "z"].map(str::to_owned).to_vec();
         let values = stages.solved(&position);
         parts.push(Part::list("position", "from O, along N's axes (m)", labels, values));
     }
-    if let Some(rotation) = marker.rotation(stages.k) {
+    if let Some(rotation) = marker.rotation(stages.alg, stages.k) {
         let rows: Vec<Vec<ExprId>> = rotation.iter().map(|row| stages.solved(row)).collect();
         let doc = "columns: the frame's axes along N's";
         parts.push(Part::matrix("rotation", doc, Vec::new(), 3, &rows));
@@ -42,7 +42,7 @@ pub(super) fn pose(stages: &mut Stages, target: &Target) -> Parts {
 
 pub(super) fn twist(stages: &mut Stages, target: &Target) -> Parts {
     let Some(marker) = target.marker else { return Ok(Vec::new()) };
-    let twist = marker.twist(stages.k);
+    let twist = marker.twist(stages.alg, stages.k);
     let twist = stages.solved(&twist);
     let doc = "velocity of the point (m/s), angular velocity of the frame (rad/s), along N's axes";
     Ok(vec![Part::list("twist", doc, components(target), twist)])
@@ -50,7 +50,7 @@ pub(super) fn twist(stages: &mut Stages, target: &Target) -> Parts {
 
 pub(super) fn bias_acceleration(stages: &mut Stages, target: &Target) -> Parts {
     let Some(marker) = target.marker else { return Ok(Vec::new()) };
-    let bias = marker.bias(stages.k, stages.solution);
+    let bias = marker.bias(stages.alg, stages.k, stages.solution);
     let bias = stages.solved(&bias);
     let doc = "twist' where u' = 0, along N's axes (m/s^2, rad/s^2)";
     Ok(vec![Part::list("bias_acceleration", doc, components(target), bias)])
@@ -63,13 +63,16 @@ pub(super) fn jacobian(stages: &mut Stages, target: &Target) -> Parts {
 }
 
 fn jacobian_rows(stages: &mut Stages, target: &Target) -> Vec<Vec<ExprId>> {
-    let rows = target.marker.map(|marker| marker.jacobian(stages.k, stages.solution)).unwrap_or_default();
+    let rows = target
+        .marker
+        .map(|marker| marker.jacobian(stages.alg, stages.k, stages.solution))
+        .unwrap_or_default();
     rows.iter().map(|row| stages.solved(row)).collect()
 }
 
 pub(super) fn inverse_inertia(stages: &mut Stages, target: &Target) -> Parts {
     let rows = jacobian_rows(stages, target);
-    let inverse = dynamics::inverse_inertia(&mut stages.k.dag, &stages.dynamics.mass_matrix, &rows);
+    let inverse = dynamics::inverse_inertia(&mut stages.alg.dag, &stages.dynamics.mass_matrix, &rows);
     let doc = "J M^-1 J': how the twist changes by an impulse and a moment of impulse there (1/kg, 1/(kg m), 1/(kg m^2))";
     Ok(vec![Part::matrix("inverse_inertia", doc, components(target), rows.len(), &inverse)])
 }

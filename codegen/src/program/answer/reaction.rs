@@ -11,7 +11,7 @@ use crate::diagnostic::Diagnostic;
 use crate::dynamics;
 use crate::expr::cost::Optimise;
 use crate::expr::{ExprId, SymbolId};
-use crate::kinematics::{self, Kinematics, diagnose, eliminate, sampling};
+use crate::kinematics::{self, Algebra, Kinematics, diagnose, eliminate, sampling};
 use crate::model::{COMPONENTS, Cut, Model};
 use rustc_hash::FxHashMap as HashMap;
 
@@ -64,28 +64,28 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
 /// give no freedom.
 fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
     let model = stages.model.released(cut, components).ok()?;
-    let mut k = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
-    let mut table = sampling::sample_table(&model, &k);
-    diagnose::check(&model, &mut k, &mut table).ok()?;
-    let solution = eliminate::solve(&model, &mut k, &mut table).ok()?;
-    let zero = k.dag.zero();
-    let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| k.dag.symbol("u_dot")).collect();
+    let (mut alg, mut k) = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
+    let mut table = sampling::sample_table(&alg, &model, &k);
+    diagnose::check(&mut alg, &model, &mut k, &mut table).ok()?;
+    let solution = eliminate::solve(&mut alg, &model, &k, &mut table).ok()?;
+    let zero = alg.dag.zero();
+    let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| alg.dag.symbol("u_dot")).collect();
     let u_dot: Vec<ExprId> = moving.iter().copied().chain(components.iter().map(|_| zero)).collect();
-    let missing = dynamics::missing_forces(&model, &mut k, &solution, &u_dot);
-    let forces = dynamics::on_independent(&mut k, &solution, missing);
-    let values = dynamics::unknown_values(&model, &mut k, &solution);
-    let lacking = k.dag.substitute(forces.get(moving.len()..)?, &values);
-    let known = known(stages, &k, &moving);
-    stages.k.dag.graft(&k.dag, &lacking, &known)
+    let missing = dynamics::missing_forces(&mut alg, &model, &k, &solution, &u_dot);
+    let forces = dynamics::on_independent(&mut alg, &k, &solution, missing);
+    let values = dynamics::unknown_values(&mut alg, &model, &k, &solution);
+    let lacking = alg.dag.substitute(forces.get(moving.len()..)?, &values);
+    let known = known(&alg, &k, stages, &moving);
+    stages.alg.dag.graft(&alg.dag, &lacking, &known)
 }
 
 /// What stands in the program for the symbols of the released model: 0 for what is released.
-fn known(stages: &mut Stages, k: &Kinematics, moving: &[ExprId]) -> HashMap<SymbolId, ExprId> {
-    let zero = stages.k.dag.zero();
-    let own = &*stages.k;
+fn known(alg: &Algebra, k: &Kinematics, stages: &mut Stages, moving: &[ExprId]) -> HashMap<SymbolId, ExprId> {
+    let zero = stages.alg.dag.zero();
+    let own = stages.k;
     let mut known = HashMap::default();
     let mut pair = |of: ExprId, by: ExprId| {
-        known.extend(k.dag.as_symbol(of).map(|symbol| (symbol, by)));
+        known.extend(alg.dag.as_symbol(of).map(|symbol| (symbol, by)));
     };
     pair(k.time, own.time);
     for (id, &q) in k.q.enumerate() {
@@ -93,10 +93,10 @@ fn known(stages: &mut Stages, k: &Kinematics, moving: &[ExprId]) -> HashMap<Symb
     }
     k.inputs.iter().zip(own.inputs.iter()).for_each(|(&of, &by)| pair(of, by));
     k.parameters.iter().zip(own.parameters.iter()).for_each(|(&of, &by)| pair(of, by));
-    for unknown in k.independent_unknowns() {
+    for unknown in k.unknowns.independent() {
         pair(k.unknowns[unknown].value, zero);
     }
-    for (of, by) in k.independent_unknowns().into_iter().zip(own.independent_unknowns()) {
+    for (of, by) in k.unknowns.independent().into_iter().zip(own.unknowns.independent()) {
         pair(k.unknowns[of].value, own.unknowns[by].value);
     }
     moving.iter().zip(&stages.dynamics.u_dot).for_each(|(&of, &by)| pair(of, by));

@@ -4,7 +4,7 @@ use crate::dynamics::Dynamics;
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, SymbolId};
 use crate::kinematics::eliminate::Solution;
-use crate::kinematics::{Kinematics, Marker, ParameterChoice};
+use crate::kinematics::{Algebra, Kinematics, Marker, ParameterChoice};
 use crate::model::Model;
 use crate::value::Effort;
 use rustc_hash::FxHashMap as HashMap;
@@ -17,10 +17,12 @@ fn scattered(i: usize, sample: usize) -> f64 {
 
 /// Kinematics, constraints and dynamics of a model, and the symbols of given accelerations.
 pub struct Stages<'s> {
+    /// Where expressions are made.
+    pub alg: &'s mut Algebra,
     /// The model, with the wrenches that were asked for.
     pub model: &'s Model,
-    /// Its kinematics; expressions are made in its DAG.
-    pub k: &'s mut Kinematics,
+    /// Its kinematics.
+    pub k: &'s Kinematics,
     /// The solution of the constraints.
     pub solution: &'s Solution,
     /// Mass matrix, forcing, values of the dependent unknowns.
@@ -49,44 +51,45 @@ pub struct Target {
 impl<'s> Stages<'s> {
     /// The stages of a model; where an answer takes u' as given, with symbols for it and values of them at the samples.
     pub fn new(
+        alg: &'s mut Algebra,
         (model, choice): (&'s Model, &'s ParameterChoice),
-        k: &'s mut Kinematics,
+        k: &'s Kinematics,
         (solution, dynamics): (&'s Solution, &'s Dynamics),
         table: &'s mut SampleTable,
         (own_inputs, takes_u_dot, effort): (usize, bool, Effort),
     ) -> Self {
         let mut u_dot = Vec::new();
         if takes_u_dot {
-            let names = k.independent_unknowns().into_iter().map(|u| format!("{}_dot", k.unknowns[u].name));
-            u_dot = names.collect::<Vec<_>>().iter().map(|name| k.dag.symbol(name)).collect();
+            let names = k.unknowns.independent().into_iter().map(|u| format!("{}_dot", k.unknowns[u].name));
+            u_dot = names.collect::<Vec<_>>().iter().map(|name| alg.dag.symbol(name)).collect();
             let mut values = HashMap::default();
-            for (i, symbol) in u_dot.iter().filter_map(|&e| k.dag.as_symbol(e)).enumerate() {
+            for (i, symbol) in u_dot.iter().filter_map(|&e| alg.dag.as_symbol(e)).enumerate() {
                 values.insert(symbol, (0..table.points()).map(|sample| scattered(i, sample)).collect());
             }
             table.set_symbols(values);
         }
-        Self { model, k, solution, dynamics, table, u_dot, own_inputs, choice, effort }
+        Self { alg, model, k, solution, dynamics, table, u_dot, own_inputs, choice, effort }
     }
 
     /// Number of independent speeds.
     pub fn n_speeds(&self) -> usize {
-        self.k.independent_unknowns().len()
+        self.k.unknowns.independent().len()
     }
 
     /// Names of the independent speeds.
     pub fn speed_names(&self) -> Vec<String> {
-        let independent = self.k.independent_unknowns();
+        let independent = self.k.unknowns.independent();
         independent.into_iter().map(|u| self.k.unknowns[u].name.clone()).collect()
     }
 
     /// Expressions with the dependent unknowns in terms of the independent speeds.
     pub fn solved(&mut self, values: &[ExprId]) -> Vec<ExprId> {
-        self.k.dag.substitute(values, &self.dynamics.values)
+        self.alg.dag.substitute(values, &self.dynamics.values)
     }
 
     /// Symbols of the model's own inputs.
     pub fn input_symbols(&self) -> Vec<SymbolId> {
         let inputs = self.k.inputs.iter().take(self.own_inputs);
-        inputs.filter_map(|&input| self.k.dag.as_symbol(input)).collect()
+        inputs.filter_map(|&input| self.alg.dag.as_symbol(input)).collect()
     }
 }
