@@ -56,6 +56,15 @@ pub struct Comparison {
     pub states: Vec<State>,
 }
 
+/// What all tiles are told in each of the four, over half of the plan's time.
+#[must_use]
+pub fn told(plan: &Plan, low: f64, slope: f64) -> [Move; 4] {
+    let tiles: Vec<usize> = (0..plan.layout.count()).collect();
+    let over = 0.5 * plan.seconds;
+    [(None, None), (Some(low), None), (None, Some([slope, 0.0])), (Some(low), Some([slope, 0.0]))]
+        .map(|(pressure, slope)| Move { at: 0.0, over, tiles: tiles.clone(), pressure, heave: None, slope })
+}
+
 /// Runs the four; `at` hears the share that is done and says whether to go on.
 ///
 /// # Errors
@@ -66,13 +75,9 @@ pub fn compare(
     slope: f64,
     mut at: impl FnMut(f64) -> bool,
 ) -> Result<Comparison, RunError> {
-    let tiles: Vec<usize> = (0..plan.layout.count()).collect();
-    let told = [(None, None), (Some(low), None), (None, Some([slope, 0.0])), (Some(low), Some([slope, 0.0]))];
     let mut histories = Vec::new();
-    for (n, (pressure, slope)) in told.into_iter().enumerate() {
-        let over = 0.5 * plan.seconds;
-        let change = Move { at: 0.0, over, tiles: tiles.clone(), pressure, heave: None, slope };
-        let history = run(&plan.with(&[change]), |done| at((n as f64 + done) / told.len() as f64))?;
+    for (n, change) in told(plan, low, slope).into_iter().enumerate() {
+        let history = run(&plan.with(&[change]), |done| at(0.25 * (n as f64 + done)))?;
         histories.push(history);
     }
     let states = histories.iter().map(|history| state(plan, history)).collect();

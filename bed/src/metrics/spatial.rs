@@ -156,6 +156,13 @@ fn slope(count: usize, index: usize, pitch: f64, value: impl Fn(usize) -> f64) -
     if high > low { (value(high) - value(low)) / ((high - low) as f64 * pitch) } else { 0.0 }
 }
 
+/// Root mean square of what two maps of the same sites differ by.
+#[must_use]
+pub fn apart(one: &[f64], other: &[f64]) -> f64 {
+    let squares = one.iter().zip(other).map(|(p, q)| (p - q).powi(2));
+    (squares.sum::<f64>() / one.len().max(1) as f64).sqrt()
+}
+
 /// Centre of pressure (m); `None` without load.
 #[must_use]
 pub fn centre(grid: &Grid, pressure: &[f64]) -> Option<[f64; 2]> {

@@ -173,8 +173,10 @@ impl Recorder {
         if solution.imbalance.is_nan() || solution.imbalance > GATE {
             return Err(RunError::Invalid(time, solution.imbalance));
         }
-        let felt = maps::felt(&plan.layout, solution, &self.sites);
-        let sensed = self.sensed(plan, solution, &felt);
+        // Pressure is force over the area that the sheet has now: a bulging one has more than one that is pressed flat.
+        let sites = maps::sensels(&plan.layout, bed, solution);
+        let felt = maps::felt(&plan.layout, solution, &sites);
+        let sensed = sensed(plan, solution, &sites, &felt);
         let skin = maps::on_skin(bed, solution, &self.points);
         let seconds = plan.every;
         for (frames, map) in self.frames.iter_mut().zip([felt, skin]) {
@@ -209,28 +211,6 @@ impl Recorder {
         Ok(())
     }
 
-    /// What sensels feel against what must be carried: p A n_z of their own areas and directions, and shear upwards.
-    fn sensed(&self, plan: &Plan, solution: &Solution, felt: &Map) -> f64 {
-        let weight = plan.load.body.mass() * GRAVITY;
-        // Where next to nothing is carried, as in flight, there is nothing to feel.
-        if solution.carried <= 0.01 * weight {
-            return 0.0;
-        }
-        let count = felt.pressure.len();
-        let (mut up, mut shear) = (vec![0.0; count], vec![0.0; count]);
-        for (tile, contacts) in solution.contacts.iter().enumerate() {
-            for contact in contacts {
-                if let Some(site) = maps::sensel(&plan.layout, tile, contact.touch.node) {
-                    let own = contact.touch.force() / self.sites[site].area;
-                    let share = own / felt.pressure[site].max(f64::MIN_POSITIVE);
-                    up[site] -= share * contact.touch.normal[2];
-                    shear[site] += contact.drag[2] / self.sites[site].area;
-                }
-            }
-        }
-        load_error(&self.sites, &felt.pressure, &up, &shear, solution.carried)
-    }
-
     pub fn finish(self, plan: &Plan) -> Result<History, RunError> {
         let [mut sensels, mut skin] = self.frames;
         // The last equilibrium is an end, not a stretch of time: it is left out where others stand for all of it.
@@ -247,4 +227,26 @@ impl Recorder {
             watched: None,
         })
     }
+}
+
+/// What sensels feel against what must be carried: p A n_z of their own areas and directions, and shear upwards.
+fn sensed(plan: &Plan, solution: &Solution, sites: &[Site], felt: &Map) -> f64 {
+    let weight = plan.load.body.mass() * GRAVITY;
+    // Where next to nothing is carried, as in flight, there is nothing to feel.
+    if solution.carried <= 0.01 * weight {
+        return 0.0;
+    }
+    let count = felt.pressure.len();
+    let (mut up, mut shear) = (vec![0.0; count], vec![0.0; count]);
+    for (tile, contacts) in solution.contacts.iter().enumerate() {
+        for contact in contacts {
+            if let Some(site) = maps::sensel(&plan.layout, tile, contact.touch.node) {
+                let own = contact.touch.force() / sites[site].area;
+                let share = own / felt.pressure[site].max(f64::MIN_POSITIVE);
+                up[site] -= share * contact.touch.normal[2];
+                shear[site] += contact.drag[2] / sites[site].area;
+            }
+        }
+    }
+    load_error(sites, &felt.pressure, &up, &shear, solution.carried)
 }

@@ -1,7 +1,7 @@
 //! Maps of an equilibrium: at sensels on the sheets' nodes, and at points of the skin.
 //!
-//! In: a solution. Out: pressure and shear by site. A node is a sensel, a pad of fixed size: its area is that of the sheet
-//! as it is stretched at the first equilibrium. Skin is a grid of points on each segment, seen along the axis that its normal is nearest to; what
+//! In: a solution. Out: pressure and shear by site. A node is a sensel: its pressure is force over the area
+//! that the sheet has there at that time. Skin is a grid of points on each segment, seen along the axis that its normal is nearest to; what
 //! presses on a point is read off the sheet below it, between nodes.
 
 use super::{Layout, Load};
@@ -48,7 +48,7 @@ pub fn sensel(layout: &Layout, tile: usize, node: usize) -> Option<usize> {
     (i < nx && j < ny).then_some(line * layout.columns * nx + column * nx + i)
 }
 
-/// Sites of all sensels.
+/// Sites of all sensels, with their areas on the sheets as they are stretched.
 pub fn sensels(layout: &Layout, bed: &Bed, solution: &Solution) -> Vec<Site> {
     let mut sites = grid(layout).all();
     for (tile, sheet) in solution.state.sheets.iter().enumerate() {

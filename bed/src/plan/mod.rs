@@ -229,11 +229,25 @@ pub enum Start {
     AtRest,
 }
 
+/// How a load comes to lie where equilibria begin: friction keeps what it was like.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Laying {
+    /// Straight down with all its weight, then let go.
+    AtOnce,
+    /// Its weight in so many equal parts.
+    InParts(usize),
+    /// It falls as motion says, and settles for so long (s).
+    Fallen(Dynamics, f64),
+}
+
 impl Default for Dynamics {
     fn default() -> Dynamics {
-        Dynamics { step: 2e-3, method: Method::Bdf2, start: Start::Dropped(0.02), matter: Matter::default() }
+        Dynamics { step: 2e-3, method: Method::Bdf2, start: Start::Dropped(DROP), matter: Matter::default() }
     }
 }
+
+/// Height (m) that a load falls from where none is told.
+pub const DROP: f64 = 0.02;
 
 /// A plan.
 #[derive(Clone, Debug, PartialEq)]
@@ -256,8 +270,8 @@ pub struct Plan {
     pub cycle: f64,
     /// How what happens is computed.
     pub clock: Clock,
-    /// Parts in which the weight is laid on before the first equilibrium; 1 puts it down at once.
-    pub parts: usize,
+    /// How the load comes to lie before the first equilibrium.
+    pub laying: Laying,
 }
 
 impl Plan {

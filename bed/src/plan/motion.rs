@@ -30,7 +30,7 @@ pub(super) fn run(
     let fault = |time: f64| move |fault| RunError::Fault(time, fault);
     let state = match dynamics.start {
         Start::Dropped(height) => dropped(&bed, &body, &plan.load.poses, height).map_err(fault(0.0))?,
-        Start::AtRest => laid(plan, &bed).map_err(fault(0.0))?.state,
+        Start::AtRest => laid(plan, &bed, &mut at)?.state,
     };
     seal(plan, &mut bed, &state);
     let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);

@@ -41,8 +41,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
     let mut told = plan.clone();
     let plan = &mut told;
     let mut bed = plan.bed(0.0).map_err(RunError::Sheet)?;
-    let fault = |time: f64| move |fault| RunError::Fault(time, fault);
-    let mut solution = laid(plan, &bed).map_err(fault(0.0))?;
+    let mut solution = laid(plan, &bed, &mut at)?;
     let mut history = Recorder::new(plan, &bed, &solution);
     history.take(plan, &bed, &solution, 0.0)?;
     history.decide(plan, decide)?;

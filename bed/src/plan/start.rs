@@ -1,10 +1,39 @@
-//! The equilibrium that a plan begins with: its load laid on its bladders.
+//! The equilibrium that a plan begins with: its load laid on its bladders, or fallen on them.
 
-use super::Plan;
-use crate::equilibrium::{Bed, Fault, Solution, lay_on, put_down};
+use super::history::RunError;
+use super::{DROP, Dynamics, Laying, Plan, Start};
+use crate::dynamics::{Motion, dropped};
+use crate::equilibrium::{Bed, Solution, lay_on, put_down, solve};
 
-/// Puts the load down at once, or in the plan's parts.
-pub(super) fn laid(plan: &Plan, bed: &Bed) -> Result<Solution, Fault> {
-    let (body, start) = (&plan.load.body, bed.start(plan.load.poses.clone()));
-    if plan.parts > 1 { lay_on(bed, body, &start, plan.parts) } else { put_down(bed, body, &start) }
+/// Lays the load down as the plan says; `at` hears that it goes on and says whether to.
+pub(super) fn laid(plan: &Plan, bed: &Bed, at: impl FnMut(f64) -> bool) -> Result<Solution, RunError> {
+    let (body, start) = (&plan.load.body, || bed.start(plan.load.poses.clone()));
+    let fault = |fault| RunError::Fault(0.0, fault);
+    match plan.laying {
+        Laying::AtOnce => put_down(bed, body, &start()).map_err(fault),
+        Laying::InParts(parts) => lay_on(bed, body, &start(), parts).map_err(fault),
+        Laying::Fallen(dynamics, seconds) => fallen(plan, bed, &dynamics, seconds, at),
+    }
+}
+
+/// Lets the load fall and settle, with all tiles and pressures as they are at the start; what it rests in is an equilibrium.
+fn fallen(
+    plan: &Plan,
+    bed: &Bed,
+    dynamics: &Dynamics,
+    seconds: f64,
+    mut at: impl FnMut(f64) -> bool,
+) -> Result<Solution, RunError> {
+    let (body, fault) = (&plan.load.body, |fault| RunError::Fault(0.0, fault));
+    let Dynamics { step, method, start, matter } = *dynamics;
+    let height = if let Start::Dropped(height) = start { height } else { DROP };
+    let state = dropped(bed, body, &plan.load.poses, height).map_err(fault)?;
+    let mut motion = Motion::new(bed.clone(), body.clone(), state, matter, method, step);
+    while motion.time() < seconds - 1e-9 {
+        if !at(0.0) {
+            return Err(RunError::Stopped);
+        }
+        motion.step(|_| bed.clone()).map_err(fault)?;
+    }
+    solve(bed, body, &motion.now.state).map_err(fault)
 }

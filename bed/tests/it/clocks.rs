@@ -7,17 +7,17 @@ use smartbed_bed::equilibrium::GRAVITY;
 use smartbed_bed::metrics::spatial;
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::run::run;
-use smartbed_bed::plan::{Clock, Dynamics, Load, Move, Plan, Start};
+use smartbed_bed::plan::{Clock, Dynamics, Laying, Load, Move, Plan, Start};
 use smartbed_runtime::vec3::{norm, sub};
 
 /// Peak pressure index (Pa) of each frame.
-fn indices(history: &History) -> Vec<f64> {
+pub fn indices(history: &History) -> Vec<f64> {
     let of = |map: &Vec<f64>| spatial::peak_pressure_index(&history.grid, map, 9e-4).expect("a window");
     history.sensels.frames().iter().map(|frame| of(&frame.pressure)).collect()
 }
 
 /// A patient on his back on 28 tiles at 5 kPa.
-fn patient(intervals: [usize; 2]) -> Plan {
+pub fn patient(intervals: [usize; 2]) -> Plan {
     let figure = Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &[]).expect("a figure");
     let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
     let mut p = plan(7, 4, Vec::new());
@@ -52,7 +52,7 @@ fn from_one_equilibrium_both_clocks_go_the_same_way() {
         let mut p =
             plan(2, 2, vec![lean, Move { pressure: Some(3000.0), at: 2.0, over: 4.0, ..change(&[1]) }]);
         p.layout.is_sealed = is_sealed;
-        (p.seconds, p.every, p.parts) = (12.0, 0.5, 8);
+        (p.seconds, p.every, p.laying) = (12.0, 0.5, Laying::InParts(8));
         let at_rest = run(&p, |_| true).expect("equilibria");
         p.clock = Clock::Dynamics(Dynamics { step: 10e-3, start: Start::AtRest, ..Dynamics::default() });
         let moved = run(&p, |_| true).expect("motion");
@@ -70,7 +70,7 @@ fn both_clocks_come_to_the_same_rest() {
     for is_sealed in [false, true] {
         let mut p = plan(2, 2, vec![Move { pressure: Some(3500.0), at: 4.0, over: 2.0, ..change(&[0]) }]);
         p.layout.is_sealed = is_sealed;
-        (p.seconds, p.every, p.parts) = (20.0, 1.0, 8);
+        (p.seconds, p.every, p.laying) = (20.0, 1.0, Laying::InParts(8));
         let at_rest = run(&p, |_| true).expect("equilibria");
         p.clock = Clock::Dynamics(Dynamics { step: 5e-3, ..Dynamics::default() });
         let moved = run(&p, |_| true).expect("motion");
@@ -94,7 +94,7 @@ fn both_clocks_come_to_the_same_rest() {
             assert!(gauges[0][1] > gauges[1][1] && gauges[1][1] > 4000.0, "{gauges:?}");
         } else {
             // Under its edges friction keeps what the load went further down in its fall.
-            assert!((moving / still - 1.0).abs() < 0.03, "{moving} {still}");
+            assert!((moving / still - 1.0).abs() < 0.02, "{moving} {still}");
         }
     }
 }
@@ -102,7 +102,7 @@ fn both_clocks_come_to_the_same_rest() {
 #[test]
 fn a_patient_let_down_rests_as_the_equilibrium_says() {
     let mut p = patient([8, 10]);
-    (p.seconds, p.every, p.parts) = (0.0, 1.0, 8);
+    (p.seconds, p.every, p.laying) = (0.0, 1.0, Laying::InParts(32));
     let at_rest = run(&p, |_| true).expect("an equilibrium");
     p.clock = Clock::Dynamics(Dynamics { step: 5e-3, ..Dynamics::default() });
     p.seconds = 6.0;
@@ -112,8 +112,8 @@ fn a_patient_let_down_rests_as_the_equilibrium_says() {
     println!("{watched:?} in {:.1} s", begin.elapsed().as_secs_f64());
     let [moving, still] = [&moved, &at_rest].map(|h| *indices(h).last().expect("frames"));
     println!("PPI {moving} Pa in motion, {still} Pa at rest");
-    // How a patient came to lie is part of the question: `docs/bed.md`.
-    assert!((moving / still - 1.0).abs() < 0.08);
+    // How a patient came to lie is part of the question (`laying`), but a small one.
+    assert!((moving / still - 1.0).abs() < 0.02);
     let place = |k: usize| moved.moments[k].segments.iter().map(|s| s.place).collect::<Vec<_>>();
     let creep = place(4).into_iter().zip(place(6)).map(|(a, b)| norm(sub(a, b))).fold(0.0, f64::max);
     println!("creep from 4 to 6 s {creep:.1e} m");
@@ -158,6 +158,18 @@ fn the_usual_grid_presses_less_than_the_thesis() {
     });
     println!("PPI {usual:.0} Pa on 8 x 10 intervals, {fine:.0} Pa on 28 x 28");
     assert!((usual / fine - 1.0).abs() < 0.15, "{usual} {fine}");
+}
+
+#[ignore = "takes minutes: the command stands in docs/bars.md"]
+#[test]
+fn a_grid_twice_as_fine_as_the_thesis_presses_a_patient_alike() {
+    let [thesis, fine] = [28, 56].map(|count| {
+        let mut p = patient([count; 2]);
+        p.seconds = 0.0;
+        indices(&run(&p, |_| true).expect("an equilibrium"))[0]
+    });
+    println!("PPI {thesis:.0} Pa on 28 x 28 intervals, {fine:.0} Pa on 56 x 56");
+    assert!((fine / thesis - 1.0).abs() < 0.05, "{thesis} {fine}");
 }
 
 #[test]

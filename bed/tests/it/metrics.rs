@@ -69,6 +69,7 @@ fn one_map_by_hand() {
     near(spatial::area_above(&sites, &map, 32.0 * MMHG), 6e-4);
     near(spatial::area_above(&sites, &map, 60.0 * MMHG), 4e-4);
     assert_eq!(spatial::spread(&sites, &[0.0; 4], 1.0), None);
+    near(spatial::apart(&[1.0, 2.0, 3.0, 4.0], &[1.0, 4.0, 0.0, 4.0]), 13.0_f64.sqrt() / 2.0);
     let regions = [Some(Region::Sacrum), None, Some(Region::Ischia), None];
     let sites: Vec<Site> = regions.iter().map(|r| Site { area: 1e-4, region: *r }).collect();
     near(spatial::dispersion(&sites, &map, |s| s.region.is_some()).expect("load"), 100.0 * 34.0 / 224.0);

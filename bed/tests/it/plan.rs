@@ -6,7 +6,7 @@ use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::metrics::{spatial, time};
 use smartbed_bed::plan::check::check;
 use smartbed_bed::plan::run::run;
-use smartbed_bed::plan::{Clock, Layout, Load, Move, Plan};
+use smartbed_bed::plan::{Clock, Laying, Layout, Load, Move, Plan};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::sheet::air::AMBIENT;
 
@@ -31,7 +31,7 @@ pub fn plan(rows: usize, columns: usize, moves: Vec<Move>) -> Plan {
         every: 10.0,
         cycle: 40.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     }
 }
 
@@ -153,7 +153,7 @@ fn an_alternating_cycle_relieves_the_skin() {
         every: 25.0,
         cycle: 600.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     };
     check(&p).expect("within limits");
     let begin = std::time::Instant::now();

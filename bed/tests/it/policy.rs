@@ -4,7 +4,7 @@ use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
 use smartbed_bed::metrics::time;
 use smartbed_bed::plan::history::{History, RunError};
-use smartbed_bed::plan::{Clock, Layout, Load, Move, Plan};
+use smartbed_bed::plan::{Clock, Laying, Layout, Load, Move, Plan};
 use smartbed_bed::policy::bounds::Bounds;
 use smartbed_bed::policy::planner::{Goal, Planner};
 use smartbed_bed::policy::run::run as run_policy;
@@ -33,7 +33,7 @@ fn patient(mass: f64, posture: Posture, pressure: f64, [seconds, every]: [f64; 2
         every,
         cycle: 600.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     }
 }
 

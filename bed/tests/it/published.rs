@@ -8,7 +8,7 @@ use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
 use smartbed_bed::map::{MMHG, Region};
 use smartbed_bed::plan::run::run;
-use smartbed_bed::plan::{Clock, Layout, Load, Plan};
+use smartbed_bed::plan::{Clock, Laying, Layout, Load, Plan};
 
 #[test]
 fn a_supine_patient_bears_on_what_published_maps_say() {
@@ -24,7 +24,7 @@ fn a_supine_patient_bears_on_what_published_maps_say() {
         every: 10.0,
         cycle: 600.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     };
     let history = run(&plan, |_| true).expect("rests");
     let skin = &history.skin.frames()[0].pressure;

@@ -3,7 +3,7 @@
 use smartbed_bed::body::Body;
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::readings::{Errors, readings};
-use smartbed_bed::plan::{Clock, Layout, Load, Move, Plan, run::run};
+use smartbed_bed::plan::{Clock, Laying, Layout, Load, Move, Plan, run::run};
 use smartbed_bed::sensor::drive::Instruments;
 
 /// Two tiles that lose 100 Pa a second and rise by 1 mm a second for 20 s.
@@ -27,7 +27,7 @@ fn plan() -> (Plan, History) {
         every: 5.0,
         cycle: 40.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     };
     let history = run(&plan, |_| true).expect("runs");
     (plan, history)

@@ -1,7 +1,7 @@
 //! Soft manipulation: the four states of the thesis' Fig. 2.1, and what its words are worth.
 
 use smartbed_bed::body::{Body, Segment, Shape};
-use smartbed_bed::plan::{Clock, Layout, Load, Plan};
+use smartbed_bed::plan::{Clock, Laying, Layout, Load, Plan};
 use smartbed_bed::pose::Pose;
 use smartbed_bed::soft::compare;
 
@@ -23,7 +23,7 @@ fn what_the_thesis_says_of_soft_manipulation_is_shown_or_refuted() {
         every: 5.0,
         cycle: 60.0,
         clock: Clock::QuasiStatic,
-        parts: 1,
+        laying: Laying::AtOnce,
     };
     let found = compare(&plan, 2500.0, 8.0_f64.to_radians().tan(), |_| true).expect("rests");
     for (history, state) in found.histories.iter().zip(&found.states) {

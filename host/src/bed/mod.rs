@@ -1,10 +1,12 @@
-//! `smartbed bed`: runs a plan of the bed, and makes a page of it.
+//! `smartbed bed`: runs a plan of the bed, and makes a page of it; reads maps that were recorded elsewhere.
 //!
-//! In: a plan. Out: metrics as a table, as CSV or as one JSON object; maps as files of sensor makers; a page.
+//! In: a plan, or a file of maps. Out: metrics as a table, as CSV or as one JSON object; maps as files of sensor makers; a page.
 
 mod film;
+mod map;
 mod page;
 mod readings;
+mod rows;
 mod words;
 
 use crate::failure::Failure;
@@ -14,16 +16,16 @@ use crate::output;
 use crate::plan::{Read, sensing};
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
-use smartbed_bed::files::{Mapped, tekscan, xsensor};
+use rows::{csv, table, write};
+use smartbed_bed::files::Mapped;
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::metrics::{DISCLAIMER, Thresholds};
 use smartbed_bed::plan::history::Watched;
 use smartbed_bed::plan::history::{GATE, History, RunError};
 use smartbed_bed::plan::readings::Reading;
 use std::fmt::Write as _;
-use std::path::Path;
 
-/// Run a plan of the bed, or make a page of it.
+/// Run a plan of the bed, make a page of it, or read recorded maps.
 #[derive(clap::Args, Clone, Debug)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -41,6 +43,11 @@ enum Command {
     #[command(after_help = "Example:
   cargo smartbed bed report alternating -o alternating.html")]
     Report(Page),
+    /// All metrics of maps that were recorded elsewhere: Tekscan's ASCII or XSENSOR's CSV.
+    #[command(after_help = "Examples:
+  cargo smartbed bed map session.asf
+  cargo smartbed bed map session.asf --against simulated.csv -o session.csv")]
+    Map(map::Map),
 }
 
 /// What `bed run` takes.
@@ -91,7 +98,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 write(file, &csv(&metrics(&read, &history)))?;
             }
             if let Some(file) = &asked.map {
-                write(file, &map(file, &read, &history)?)?;
+                write(file, &maps(file, &read, &history)?)?;
             }
             if let Some(file) = &asked.readings {
                 write(file, &readings::csv(&read_off(&read, &history, file)?))?;
@@ -107,6 +114,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             write(&asked.output, &page::text(&read.plan, &history, &metrics(&read, &history)))?;
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
+        Command::Map(asked) => map::run(asked),
     }
 }
 
@@ -156,39 +164,13 @@ pub(crate) fn validity(history: &History) -> [f64; 2] {
     [worst(|m| m.imbalance), worst(|m| m.sensed)]
 }
 
-/// Standard output takes what comes; a file appears whole.
-fn write(file: &str, text: &str) -> Result<(), Failure> {
-    if file == "-" { output::print(text) } else { output::replace(Path::new(file), text) }
-}
-
 /// Maps over time, as the plan's sensors read them if it has some, in the format of the file's ending.
-fn map(file: &str, read: &Read, history: &History) -> Result<String, Failure> {
+fn maps(file: &str, read: &Read, history: &History) -> Result<String, Failure> {
     let recording = match &read.sensors {
         Some(sensors) => sensors.reader.recording(&history.sensels).map_err(|e| format!("{file}: {e}"))?,
         None => history.sensels.clone(),
     };
-    let mapped = Mapped { grid: history.grid, recording };
-    let ending = file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
-    match ending.as_str() {
-        "csv" => Ok(xsensor::write(&mapped)),
-        "asf" => Ok(tekscan::write(&mapped).map_err(|e| format!("{file}: {e}"))?),
-        _ => Err(Failure::Wrong(format!("--map {file}: expected a name that ends in .csv or .asf"))),
-    }
-}
-
-/// Metrics as CSV.
-pub(crate) fn csv(metrics: &[(&'static str, Vec<Row>)]) -> String {
-    let mut text = String::from("sites,place,metric,value,unit,threshold\n");
-    let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x}"));
-    for (sites, rows) in metrics {
-        for row in rows {
-            let (value, threshold) = (number(row.value), number(row.threshold));
-            // Names of metrics hold a comma.
-            let _ =
-                writeln!(text, "{sites},{},\"{}\",{value},{},{threshold}", row.place, row.metric, row.unit);
-        }
-    }
-    text
+    map::encoded(file, &Mapped { grid: history.grid, recording })
 }
 
 /// One JSON object.
@@ -314,14 +296,7 @@ fn text(read: &Read, history: &History) -> String {
     if !is_valid([imbalance, felt], sensed.as_ref()) {
         text += "NOT VALID: what is felt or read is more than 1 % off\n";
     }
-    for (sites, rows) in metrics(read, history) {
-        let _ = writeln!(text, "\n{sites}");
-        for row in rows {
-            let value = row.value.map_or_else(|| "-".to_owned(), |x| format!("{x:.3}"));
-            let limit = row.threshold.map_or_else(String::new, |x| format!("  ({x} {})", row.unit));
-            let _ = writeln!(text, "  {:12} {:34} {value:>12} {}{limit}", row.place, row.metric, row.unit);
-        }
-    }
+    text += &table(&metrics(read, history));
     let _ = writeln!(text, "\n{DISCLAIMER}");
     text
 }

@@ -3,7 +3,7 @@
 use super::load::named;
 use crate::world::read::value::{Bound, number};
 use smartbed_bed::dynamics::{Matter, Method};
-use smartbed_bed::plan::{Dynamics, Start};
+use smartbed_bed::plan::{DROP, Dynamics, Start};
 use smartbed_bed::tissue::Tissue;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -15,8 +15,17 @@ const MOST_STEPS: f64 = 1e7;
 /// Clocks by name: is there motion?
 pub(super) const CLOCKS: [(&str, bool); 2] = [("quasi_static", false), ("dynamics", true)];
 
-/// Reads `[dynamics]`; a run with the other clock has no seconds in motion.
-pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Option<Dynamics> {
+/// What `[dynamics]` says.
+pub(super) struct Told {
+    /// How motion is computed.
+    pub(super) dynamics: Dynamics,
+    /// The same where the load falls before the first equilibrium.
+    pub(super) fall: Dynamics,
+}
+
+/// Reads `[dynamics]`; `seconds` are those in motion, none with the other clock, `is_fallen` says that the load falls before
+/// the first equilibrium.
+pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Diagnostics) -> Option<Told> {
     let fields = Fields::of("dynamics", table.span, table);
     let (usual, matter) = (Dynamics::default(), Matter::default());
     let mut key = |key: &'static str, of: &str, bound: Bound, usual: f64| {
@@ -44,19 +53,17 @@ pub(super) fn read(table: &Table, seconds: f64, found: &mut Diagnostics) -> Opti
         return refuse(what, "it is the stiffness of tissue at once over that at last; 1 does not relax");
     }
     let is_at_rest = start?;
-    if is_at_rest && drop.is_some() {
+    if is_at_rest && drop.is_some() && !is_fallen {
         return refuse("`drop` beside a start at rest".to_owned(), "leave one of the two out");
     }
     if seconds / step > MOST_STEPS {
         return refuse(format!("more than {MOST_STEPS} steps"), "a longer `step`");
     }
     let matter = Matter { density, sheet_loss, joint_loss, tissue };
-    let start = if is_at_rest { Start::AtRest } else { Start::Dropped(drop.unwrap_or(DROP)) };
-    Some(Dynamics { step, method: method?, start, matter })
+    let fall = Dynamics { step, method: method?, start: Start::Dropped(drop.unwrap_or(DROP)), matter };
+    let start = if is_at_rest { Start::AtRest } else { fall.start };
+    Some(Told { dynamics: Dynamics { start, ..fall }, fall })
 }
-
-/// Height (m) that a load falls from where none is told.
-const DROP: f64 = 0.02;
 
 /// Starts by name, the usual one first: is it at rest?
 const STARTS: [(&str, bool); 2] = [("dropped", false), ("at_rest", true)];

@@ -15,10 +15,10 @@ pub mod supervised;
 
 use crate::world::read::settings;
 use crate::world::read::value::{Bound, count, list, number, scalar};
-use smartbed_bed::plan::check::{MOST_TILES, check};
+use smartbed_bed::plan::check::{MOST_TILES, Refusal, check};
 use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::run;
-use smartbed_bed::plan::{Clock, Layout, Move, Plan};
+use smartbed_bed::plan::{Clock, Laying, Layout, Move, Plan, Start};
 use smartbed_bed::policy::Supervisor;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
@@ -75,6 +75,16 @@ impl Read {
         )
     }
 
+    /// Holds the plan with more moves against its limits, and against those of the tiles' controller and its supervisor.
+    ///
+    /// # Errors
+    /// The first limit that it exceeds.
+    pub fn allows(&self, moves: &[Move]) -> Result<(), Refusal> {
+        let plan = self.plan.with(moves);
+        check(&plan)?;
+        self.supervisor().map_or(Ok(()), |own| own.check(&plan, 0.0))
+    }
+
     /// Who lets orders through, if somebody does.
     fn supervisor(&self) -> Option<&dyn Supervisor> {
         self.is_supervised.then_some(&Controller)
@@ -116,8 +126,7 @@ pub fn mesh_file(path: &str, text: &str, settings: &[String]) -> Option<PathBuf>
 /// # Errors
 /// The first limit that it exceeds, with file, tile and time.
 pub fn checked(path: &str, read: Read) -> Result<Read, String> {
-    let supervise = |()| read.supervisor().map_or(Ok(()), |own| own.check(&read.plan, 0.0));
-    match check(&read.plan).and_then(supervise) {
+    match read.allows(&[]) {
         Ok(()) => Ok(read),
         Err(refusal) => Err(format!("{path}: {refusal}")),
     }
@@ -136,10 +145,22 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
     let (mut layout, pressure) = layout(fields.table("bed", found).unwrap_or(&empty), found)?;
     let load = load::read(&fields, path, found)?;
     let run = fields.table("run", found).unwrap_or(&empty);
-    let Timing { seconds, every, cycle, is_motion, parts, is_supervised } = timing(run, found)?;
-    let in_motion = if is_motion { seconds } else { 0.0 };
-    let dynamics = dynamics::read(fields.table("dynamics", found).unwrap_or(&empty), in_motion, found)?;
-    let clock = if is_motion { Clock::Dynamics(dynamics) } else { Clock::QuasiStatic };
+    let Timing { seconds, every, cycle, is_motion, parts, fall, is_supervised } = timing(run, found)?;
+    let in_motion = fall.unwrap_or(0.0) + if is_motion { seconds } else { 0.0 };
+    let dynamics = fields.table("dynamics", found).unwrap_or(&empty);
+    let told = dynamics::read(dynamics, in_motion, fall.is_some(), found)?;
+    let clock = if is_motion { Clock::Dynamics(told.dynamics) } else { Clock::QuasiStatic };
+    if fall.is_some() && is_motion && told.dynamics.start != Start::AtRest {
+        let error =
+            Diagnostic::error("`fall` beside a motion that begins with one").label(run.span, "of this run");
+        found.push(error.help("leave `fall` out, or dynamics.start = \"at_rest\" after it"));
+        return None;
+    }
+    let laying = match fall {
+        Some(seconds) => Laying::Fallen(told.fall, seconds),
+        None if parts > 1 => Laying::InParts(parts),
+        None => Laying::AtOnce,
+    };
     let mut moves = Vec::new();
     for item in fields.array("move", found).map_or(&[][..], |(items, _)| items) {
         match item {
@@ -176,15 +197,17 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         Some(table) => Some(policy::read(table, found)?),
         None => None,
     };
-    let is_supervised = is_supervised.unwrap_or(policy.is_some());
-    if let Some(misfit) = supervised::misfit(&layout).filter(|_| is_supervised) {
+    // A bed of other tiles has no such controller; what asks for one is told.
+    let misfit = supervised::misfit(&layout);
+    let is_supervised = is_supervised.unwrap_or(misfit.is_none() || policy.is_some());
+    if let Some(misfit) = misfit.filter(|_| is_supervised) {
         let error = Diagnostic::error(misfit).label(table.span, "of this plan");
         found.push(error.help("tiles of that size, or run.supervised = false"));
         return None;
     }
     let axes = fields.table("sweep", found).map_or_else(Vec::new, |table| axes(table, found));
     fields.finish(found);
-    let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, parts };
+    let plan = Plan { title, layout, pressure, load, moves, seconds, every, cycle, clock, laying };
     Some(Read { plan, axes, sensors, instruments, policy, is_supervised })
 }
 
@@ -250,6 +273,8 @@ struct Timing {
     cycle: f64,
     is_motion: bool,
     parts: usize,
+    /// How long (s) the load falls and settles before the first equilibrium.
+    fall: Option<f64>,
     is_supervised: Option<bool>,
 }
 
@@ -259,6 +284,7 @@ fn timing(table: &Table, found: &mut Diagnostics) -> Option<Timing> {
     let every = number(&fields, "every", "s", Bound::Positive, found).unwrap_or(10.0);
     let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
     let parts = count(&fields, "parts", 1, found).unwrap_or(1);
+    let fall = number(&fields, "fall", "s", Bound::Positive, found);
     let clock = load::named(&fields, "clock", &dynamics::CLOCKS, found);
     let is_supervised = fields.boolean("supervised", found);
     fields.finish(found);
@@ -268,12 +294,18 @@ fn timing(table: &Table, found: &mut Diagnostics) -> Option<Timing> {
         found.push(error.label(table.span, "of this run").help("parts = 8"));
         return None;
     }
+    if fall.is_some() && parts > 1 {
+        let error =
+            Diagnostic::error("a load that falls is not laid on in `parts`").label(table.span, "of this run");
+        found.push(error.help("leave one of the two out"));
+        return None;
+    }
     if seconds / every > MOST_EQUILIBRIA {
         let error = Diagnostic::error(format!("more than {MOST_EQUILIBRIA} equilibria"));
         found.push(error.label(table.span, "of this run").help("a longer `every`"));
         return None;
     }
-    Some(Timing { seconds, every, cycle, is_motion: clock?, parts, is_supervised })
+    Some(Timing { seconds, every, cycle, is_motion: clock?, parts, fall, is_supervised })
 }
 
 /// One [[move]].

@@ -25,6 +25,45 @@ fn a_plan_is_run_and_prints_what_the_schema_says() {
 }
 
 #[test]
+fn maps_of_sensor_makers_are_read_compared_and_written() {
+    // Two frames of 2 x 3 sensels of 30 by 20 mm, 9 cm2 being less than two of them.
+    let movie = |last: &str| {
+        format!(
+            "DATA_TYPE MOVIE\nROWS 2\nCOLS 3\nROW_SPACING 20 mm\nCOL_SPACING 30 mm\nSECONDS_PER_FRAME 5\nUNITS mmHg\n\
+             ASCII_DATA @@\nFrame 1\n10,20,30\n40,50,60\n\nFrame 2\n{last}\n40,50,60\n\n@@\n"
+        )
+    };
+    let (one, other) = (written("one.asf", &movie("10,20,30")), written("other.asf", &movie("10,20,36")));
+    let [again, metrics] = ["again.csv", "map_metrics.csv"].map(|name| file(name).display().to_string());
+    let done = smartbed(&["bed", "map", &one, "--against", &other, "-o", &again, "--csv", &metrics]);
+    assert_eq!(done.status, 0, "{done:?}");
+    assert!(done.out.contains("2 x 3 sensels of 30.00 by 20.00 mm, 2 frames over 10 s"), "{done:?}");
+    // Six mmHg at one of six sensels in one of two frames: sqrt(36/12) mmHg. The window: (2 x 60 + 30)/3 and (2 x 60 + 36)/3.
+    assert!(done.out.contains("1.732 mmHg root mean square, peak pressure index -3.85 % of it"), "{done:?}");
+    assert!(done.out.contains("engineering indices, not clinical evidence"));
+    let table = std::fs::read_to_string(&metrics).expect("metrics");
+    let value = |name: &str| {
+        let row = table.lines().find(|line| line.starts_with("sensels,bed,") && line.contains(name));
+        row.and_then(|row| row.split(',').rev().nth(2)?.parse::<f64>().ok()).expect("a value")
+    };
+    // 40, 50 and 60 mmHg lie above 32, on 6 cm2 each; all of the time.
+    assert!(
+        (value("\"peak pressure\"") - 60.0).abs() < 1e-9 && (value("area above 32 mmHg") - 18.0).abs() < 1e-9
+    );
+    assert!((value("always at risk") - 18.0).abs() < 1e-9);
+    let text = std::fs::read_to_string(&again).expect("maps");
+    let read = smartbed_bed::files::read(&text).expect("read back");
+    assert_eq!((read.grid.rows, read.grid.columns, read.recording.seconds()), (2, 3, 10.0));
+    let say = |arguments: &[&str]| smartbed(&[&["bed", "map"], arguments].concat()).message().to_owned();
+    let wide = written("wide.asf", &movie("10,20,30").replace("30 mm", "31 mm"));
+    assert!(say(&[&one, "--against", &wide]).contains("expected the same sensels and as many frames"));
+    let raw = written("raw.asf", &movie("10,20,30").replace("UNITS mmHg", "UNITS RAW"));
+    assert!(say(&[&raw]).contains("raw.asf: line 7: unit of pressure `RAW`"));
+    assert!(say(&[&one, "-o", "map.txt"]).contains("map.txt: expected a name that ends in .csv or .asf"));
+    assert!(say(&[&one, "--cycle", "0"]).contains("--cycle 0: expected seconds > 0"));
+}
+
+#[test]
 fn a_plan_with_sensors_is_read_and_one_with_a_policy_decided() {
     let run = |settings: &[&str]| {
         let set: Vec<&str> = settings.iter().flat_map(|s| ["--set", s]).collect();

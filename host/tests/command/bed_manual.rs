@@ -100,6 +100,8 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[bed]\nintervals = [8, 30]".to_owned(),
         "[run]\nseconds = 1e9".to_owned(),
         "[run]\nparts = 101".to_owned(),
+        "[run]\nparts = 8\nfall = 4".to_owned(),
+        "[run]\nclock = \"dynamics\"\nfall = 4".to_owned(),
         "[dynamics]\ntissue_at_once = 0.5".to_owned(),
         "[dynamics]\nstart = \"at_rest\"\ndrop = 0.02".to_owned(),
         "[run]\nclock = \"dynamics\"\nseconds = 1e5\n[dynamics]\nstep = 1e-4".to_owned(),

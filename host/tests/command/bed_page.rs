@@ -40,7 +40,7 @@ fn a_page_of_the_bed_shows_its_frames_in_a_browser() {
     }
 }
 
-/// A patient while everything moves, ten frames a second.
+/// A patient while everything moves, ten frames a second; more tiles at once than a supervisor lets move.
 const BUSY: &str = "format = 1
 [bed]
 pressure = \"5_kPa\"
@@ -54,6 +54,7 @@ tilt = [\"1_deg\", \"1_deg\"]
 seconds = 3
 every = 0.1
 cycle = 3
+supervised = false
 ";
 
 #[test]

@@ -132,9 +132,11 @@ fn a_policy_that_is_denied_ends_by_name() {
 #[test]
 fn plans_say_whether_orders_go_through_the_controller() {
     let lifted = "[[move]]\nat = 5\nover = 10\ntiles = \"all\"\nheave = \"10_mm\"\n[run]\nseconds = 20\n";
-    assert!(!plan(3, 3, lifted).expect("a plan").is_supervised);
-    let said = plan(3, 3, &format!("{lifted}supervised = true\n")).expect_err("nine at once");
-    assert!(said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor denies it: Power"), "{said}");
+    assert!(!plan(3, 3, &format!("{lifted}supervised = false\n")).expect("a plan").is_supervised);
+    for asked in ["", "supervised = true\n"] {
+        let said = plan(3, 3, &format!("{lifted}{asked}")).expect_err("nine at once");
+        assert!(said.contains("plan.toml: tile 9 at 5.0000 s: the supervisor denies it: Power"), "{said}");
+    }
     assert!(plan(2, 4, &format!("{lifted}supervised = true\n")).expect("eight").is_supervised);
     let policy = "[policy]\nkind = \"alternating\"\n";
     assert!(plan(3, 3, policy).expect("a plan").is_supervised);

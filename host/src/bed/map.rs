@@ -1,0 +1,121 @@
+//! `smartbed bed map`: maps that a sensor maker's program has exported, with all metrics; compared, and written in the other format.
+//!
+//! In: a file of Tekscan's or XSENSOR's. Out: metrics as a table or as CSV, what another file of the same sensels differs by,
+//! a file of the format that its name ends in.
+
+use super::rows::{csv, table, write};
+use crate::failure::Failure;
+use crate::{input, output};
+use smartbed_bed::files::{self, Mapped, tekscan, xsensor};
+use smartbed_bed::map::{Frame, MMHG};
+use smartbed_bed::metrics::report::{Report, Row, WINDOW};
+use smartbed_bed::metrics::{DISCLAIMER, Thresholds, spatial};
+use smartbed_bed::plan::Layout;
+
+/// Pitches of sensels that differ by less, as a share, are the same.
+const ALIKE: f64 = 1e-6;
+
+/// What `bed map` takes.
+#[derive(clap::Args, Clone, Debug)]
+pub struct Map {
+    /// Maps over time: Tekscan's ASCII movie or XSENSOR's CSV; - is standard input.
+    pub file: String,
+    /// Other maps of the same sensels, frame by frame.
+    #[arg(long, value_name = "FILE")]
+    pub against: Option<String>,
+    /// Length of a cycle for metrics over time, in s.
+    #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
+    pub cycle: f64,
+    /// Metrics as CSV; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<String>,
+    /// The same maps: .csv as XSENSOR's, .asf as Tekscan's.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+}
+
+/// Does what the command line asks for.
+pub(super) fn run(asked: &Map) -> Result<(), Failure> {
+    if !(asked.cycle > 0.0 && asked.cycle.is_finite()) {
+        return Err(Failure::Wrong(format!("--cycle {}: expected seconds > 0", asked.cycle)));
+    }
+    let mapped = read(&asked.file)?;
+    let rows = [("sensels", rows(&mapped, asked.cycle))];
+    let compared = match &asked.against {
+        Some(other) => compared(&asked.file, &mapped, other, &read(other)?)?,
+        None => String::new(),
+    };
+    if let Some(file) = &asked.output {
+        write(file, &encoded(file, &mapped)?)?;
+    }
+    if let Some(file) = &asked.csv {
+        write(file, &csv(&rows))?;
+    }
+    if asked.csv.as_deref() == Some("-") {
+        return Ok(());
+    }
+    let (grid, recording) = (&mapped.grid, &mapped.recording);
+    let head = format!(
+        "{}: {} x {} sensels of {:.2} by {:.2} mm, {} frames over {} s\n{compared}",
+        asked.file,
+        grid.rows,
+        grid.columns,
+        1e3 * grid.column_pitch,
+        1e3 * grid.row_pitch,
+        recording.frames().len(),
+        recording.seconds()
+    );
+    output::print(&format!("{head}{}\n{DISCLAIMER}\n", table(&rows)))
+}
+
+fn read(file: &str) -> Result<Mapped, Failure> {
+    let text = input::text(file).map_err(|e| format!("{file}: {e}"))?;
+    Ok(files::read(&text).map_err(|e| format!("{file}: {e}"))?)
+}
+
+/// All metrics of the maps.
+fn rows(mapped: &Mapped, cycle: f64) -> Vec<Row> {
+    let thresholds = Thresholds { cycle, ..Thresholds::default() };
+    let friction = Layout::default().friction;
+    Report { recording: &mapped.recording, grid: Some(&mapped.grid), thresholds, friction }.rows()
+}
+
+/// What two recordings differ by: root mean square of all pressures, peak pressure index of the last maps.
+fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Result<String, Failure> {
+    let (a, b) = (&one.grid, &other.grid);
+    let is_alike = |x: f64, y: f64| (x / y - 1.0).abs() < ALIKE;
+    let same = (a.rows, a.columns) == (b.rows, b.columns)
+        && is_alike(a.row_pitch, b.row_pitch)
+        && is_alike(a.column_pitch, b.column_pitch);
+    let [frames, others] = [one, other].map(|mapped| mapped.recording.frames());
+    if !same || frames.len() != others.len() {
+        let shape = |mapped: &Mapped| {
+            let (grid, frames) = (&mapped.grid, mapped.recording.frames().len());
+            let [x, y] = [grid.column_pitch, grid.row_pitch].map(|pitch| 1e3 * pitch);
+            format!("{frames} frames of {} x {} sensels of {x} by {y} mm", grid.rows, grid.columns)
+        };
+        let said = format!("{name} has {}, {other_name} {}", shape(one), shape(other));
+        return Err(Failure::Wrong(format!("{said}; expected the same sensels and as many frames")));
+    }
+    let square = |(p, q): (&Frame, &Frame)| spatial::apart(&p.pressure, &q.pressure).powi(2);
+    let mean = frames.iter().zip(others).map(square).sum::<f64>() / frames.len() as f64;
+    let index = |mapped: &Mapped| {
+        let last = mapped.recording.frames().last()?;
+        spatial::peak_pressure_index(&mapped.grid, &last.pressure, WINDOW)
+    };
+    let ppi = match (index(one), index(other)) {
+        (Some(own), Some(theirs)) if theirs > 0.0 => format!("{:.2} %", 100.0 * (own / theirs - 1.0)),
+        _ => "-".to_owned(),
+    };
+    let rms = mean.sqrt() / MMHG;
+    Ok(format!("against {other_name}: {rms:.3} mmHg root mean square, peak pressure index {ppi} of it\n"))
+}
+
+/// Maps in the format of a file's ending.
+pub(super) fn encoded(file: &str, mapped: &Mapped) -> Result<String, Failure> {
+    match file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase().as_str() {
+        "csv" => Ok(xsensor::write(mapped)),
+        "asf" => Ok(tekscan::write(mapped).map_err(|e| format!("{file}: {e}"))?),
+        _ => Err(Failure::Wrong(format!("{file}: expected a name that ends in .csv or .asf"))),
+    }
+}
