@@ -8,7 +8,7 @@ use crate::progress::Waiting;
 use crate::{answers, crate_folder, limits, model_argument, output};
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
-use smartbed_codegen::program::answer::{CATALOGUE, Needs, find};
+use smartbed_codegen::program::answer::{About, CATALOGUE, Needs, find};
 use smartbed_codegen::words::count;
 use smartbed_codegen::{
     Asked, Core, Effort, EmitOptions, Function, Optimise, ParameterChoice, Program, Request, ScalarType,
@@ -18,15 +18,7 @@ use std::path::Path;
 
 /// Derive the equations of motion and write them as no_std Rust.
 #[derive(clap::Args, Clone, Debug)]
-#[command(after_help = "Example:
-  cargo smartbed derive tile --scalar f32 -o tile.rs
-  cargo smartbed derive fourbar --crate ../fourbar
-  cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
-  cargo smartbed derive tile --answers rates,energy,linearisation --costs
-
-Answers: rates, energy, speeds, outputs, projection, drive (where the mechanism is driven), mass_matrix, bias,
-inverse_dynamics, linearisation, parameter_derivatives, multipliers, power, law; of a port, a point or a frame: pose:NAME, twist:NAME, bias_acceleration:NAME, jacobian:NAME,
-inverse_inertia:NAME, reaction:FRAME@POINT (a joint that is cut there); port:NAME is all of a port and takes its wrench as six inputs.")]
+#[command(after_help = examples())]
 pub struct Arguments {
     /// The model: a path, or a name under models/.
     pub model: String,
@@ -72,6 +64,27 @@ pub struct Arguments {
     /// Print one JSON object about what was derived.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Examples, and the answers of the generator's own list.
+fn examples() -> String {
+    let named = |wanted: fn(About) -> bool, behind: &str| -> String {
+        let kinds = CATALOGUE.iter().filter(|kind| wanted(kind.about) && kind.name != "augmented");
+        kinds.map(|kind| format!("{}{behind}", kind.name)).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "Example:
+  cargo smartbed derive tile --scalar f32 -o tile.rs
+  cargo smartbed derive fourbar --crate ../fourbar
+  cargo smartbed derive arm6 --answers inverse_dynamics,pose:tool --answers rates
+  cargo smartbed derive tile --answers rates,energy,linearisation --costs
+
+Answers: {}; of a port, a point or a frame: {}; of a joint that is cut: reaction:FRAME@POINT; {} is all of a port \
+         and takes its wrench as six inputs.",
+        named(|about| about == About::Mechanism, ""),
+        named(|about| about == About::Place, ":NAME"),
+        named(|about| about == About::Port, ":NAME"),
+    )
 }
 
 /// Scalars of emitted code.

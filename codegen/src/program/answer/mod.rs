@@ -149,8 +149,7 @@ impl Kind {
 impl Kind {
     /// Does the answer mean something of independent speeds only?
     fn takes_independent(&self) -> bool {
-        const OF_ANY: [&str; 6] = ["law", "power", "pose", "twist", "bias_acceleration", "jacobian"];
-        !self.is_standing() && !OF_ANY.contains(&self.name)
+        !self.is_standing() && self.needs != Needs::Motion
     }
 }
 
