@@ -30,6 +30,7 @@ mod manifests;
 mod mentioned;
 mod model_errors;
 mod models;
+mod momentum;
 mod newcomer;
 mod parallel;
 mod reactions;

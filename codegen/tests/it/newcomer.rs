@@ -37,7 +37,9 @@ fn holding<'s>(sources: &'s BTreeMap<String, String>, pieces: &[&str]) -> Vec<&'
 #[test]
 fn an_answer_is_an_entry_of_the_list_and_a_function() {
     let sources = sources();
-    for answer in ["inverse_dynamics", "linearisation", "multipliers", "inverse_inertia", "jacobian"] {
+    for answer in
+        ["momentum", "inverse_dynamics", "linearisation", "multipliers", "inverse_inertia", "jacobian"]
+    {
         let derive = format!("fn {answer}(");
         let in_answers: BTreeMap<String, String> = sources
             .iter()

@@ -8,6 +8,7 @@ mod accelerations;
 mod inertia;
 mod law;
 mod linear;
+mod momentum;
 mod motion;
 pub(super) mod part;
 mod reaction;
@@ -108,6 +109,8 @@ pub const CATALOGUE: &[Kind] = &[
         "Forces that give the independent speeds the accelerations `u_dot`, and the inputs that supply them where there are as many and their map is regular."),
     kind("power", Mechanism, Motion, Derive::Asked(inertia::power),
         "Power of every load and of the weight."),
+    kind("momentum", Mechanism, Motion, Derive::Asked(momentum::momentum),
+        "Mass, mass centre, momentum, and moment of momentum about O."),
     kind("law", Mechanism, Motion, Derive::Asked(law::law),
         "Inputs as the model's law commands them."),
     kind("multipliers", Mechanism, Accelerations, Derive::Asked(inertia::multipliers),
