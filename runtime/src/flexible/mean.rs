@@ -38,6 +38,18 @@ pub(super) fn pull<S: Scalar>(
     vec3::scale(direction, stiffness * (half * sum - rest_length) + damping * (growth / h))
 }
 
+/// What dampers take over a step (J): C (l' - l)^2/h, the work of their part of the mean forces.
+#[must_use]
+pub fn dissipated<S: Scalar>(springs: &[Spring<S>], way: &Way<S>) -> S {
+    let [_, middle, _] = way.pos;
+    springs.iter().filter(|spring| spring.damping > S::ZERO).fold(S::ZERO, |sum, spring| {
+        let between = |rows: &[Vec3<S>]| vec3::sub(vec3::at(rows, spring.head), vec3::at(rows, spring.tail));
+        let change = between(way.dx);
+        let force = pull([between(middle), change], [S::ZERO, S::ZERO, spring.damping], way.h);
+        sum + vec3::dot(force, change)
+    })
+}
+
 /// Adds pressure times the mean gradient of the volume.
 pub fn add_pressure<S: Scalar>(
     facets: &[[usize; 4]],

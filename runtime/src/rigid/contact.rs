@@ -148,6 +148,13 @@ impl<S: Scalar> Side<S> {
         side
     }
 
+    /// With other arms.
+    #[must_use]
+    pub fn with_arms(mut self, arm: impl Fn(&Point<S>) -> Vec3<S>) -> Side<S> {
+        self.points.iter_mut().take(self.count).for_each(|point| point.arm = arm(point));
+        self
+    }
+
     /// Its points.
     pub fn points(&self) -> impl Iterator<Item = &Point<S>> {
         self.points.iter().take(self.count)

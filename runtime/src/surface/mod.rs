@@ -64,6 +64,17 @@ impl<S: Scalar> Frame<S> {
         vec3::add(self.origin, self.to_inertial(place))
     }
 
+    /// Mean velocity v of the origin and angular velocity w over the way from this pose to another within h (s), such that for
+    /// every point of the frame x' - x = h (v + w x (r + r')/2), r from the origin (Cayley: |w| h = 2 tan(angle/2)).
+    #[must_use]
+    pub fn way_to(&self, other: &Frame<S>, h: S) -> (Vec3<S>, Vec3<S>) {
+        let axes = || self.axes.into_iter().zip(other.axes);
+        let turn = axes().fold(vec3::zero(), |sum, (old, new)| vec3::add(sum, vec3::cross(old, new)));
+        let trace = axes().fold(S::ONE, |sum, (old, new)| sum + vec3::dot(old, new));
+        let velocity = vec3::scale(vec3::sub(other.origin, self.origin), S::ONE / h);
+        (velocity, vec3::scale(turn, S::from_f64(2.0) / (trace * h)))
+    }
+
     /// Velocity in N of what is fixed in the frame at a point of N.
     #[must_use]
     pub fn velocity_at(&self, point: Vec3<S>) -> Vec3<S> {

@@ -91,6 +91,24 @@ pub trait Carrier<S: Scalar> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault>;
+    /// Writes the rates that lead from one end of a step to the other, q and u at its start, middle and end, times [t, h]; wrenches
+    /// are means over the step about the mean places of the frames. Returns the worst pivot.
+    ///
+    /// Rates of the middle (order 2), where a carrier has none that keep its energy.
+    ///
+    /// # Errors
+    /// As [`Carrier::rates`].
+    fn mean_rates(
+        &mut self,
+        [t, h]: [S; 2],
+        [_, q, _]: [&[S]; 3],
+        [_, u, _]: [&[S]; 3],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        self.rates(t + S::from_f64(0.5) * h, q, u, wrenches, q_dot, u_dot)
+    }
     /// Whether the rates of its speeds depend on its speeds, its wrenches given.
     fn is_damped(&self) -> bool {
         self.n_u() > 0
@@ -302,6 +320,35 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
         q_dot.iter_mut().zip(state.velocity.iter().chain(&turn)).for_each(|(to, from)| *to = *from);
         u_dot.iter_mut().zip(acceleration.iter().chain(&moment)).for_each(|(to, from)| *to = *from);
         Ok(S::ONE)
+    }
+    /// Turns by Cayley's map of the mean angular velocity W of both ends, in body axes: e' = e (1, h W/2)/|..|. With M the mean
+    /// moment the kinetic energy changes by h W . M exactly (Simo & Wong 1991).
+    fn mean_rates(
+        &mut self,
+        [_, h]: [S; 2],
+        [q0, _, q1]: [&[S]; 3],
+        [u0, _, u1]: [&[S]; 3],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        let pivot = self.rates(S::ZERO, q0, u0, wrenches, q_dot, u_dot)?;
+        let (from, to, half) = (self.state(q0, u0)?, self.state(q1, u1)?, S::from_f64(0.5));
+        let spin = |state: &RigidState<S>| state.attitude.to_body(self.body.angular_velocity(state));
+        let twice = vec3::add(spin(&from), spin(&to));
+        let [a, b, c] = vec3::scale(twice, half * half * h);
+        let [e0, e1, e2, e3] = from.attitude.parameters();
+        let inverse = S::ONE / (S::ONE + (a * a + b * b + c * c)).sqrt();
+        let turned = [
+            e0 - e1 * a - e2 * b - e3 * c,
+            e1 + e0 * a + e2 * c - e3 * b,
+            e2 + e0 * b + e3 * a - e1 * c,
+            e3 + e0 * c + e1 * b - e2 * a,
+        ];
+        let velocity = vec3::scale(vec3::add(from.velocity, to.velocity), half);
+        let turns = turned.iter().zip([e0, e1, e2, e3]).map(|(to, from)| (*to * inverse - from) / h);
+        q_dot.iter_mut().zip(velocity.into_iter().chain(turns)).for_each(|(to, from)| *to = from);
+        Ok(pivot)
     }
     fn energy(&mut self, _: S, q: &[S], u: &[S]) -> Result<(S, S), Fault> {
         let state = self.state(q, u)?;

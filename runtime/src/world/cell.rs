@@ -3,13 +3,14 @@
 //! In: facets by number, a regulated gas or a sealed one, positions. Out: forces p dV/dx at the corners, potential. The
 //! volume is that of the facets, wherever they stand: closed surfaces do not see the origin.
 
-use crate::flexible::Body;
 use crate::flexible::block::Pushes;
 use crate::flexible::grid::{Grid, Weave};
 use crate::flexible::pressure::{PressureForm, enclosed_volume};
+use crate::flexible::{Body, mean};
 use crate::gas::{Chamber, GasFault, GasState, Regulated};
 use crate::kernel;
 use crate::mechanism::Fault;
+use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -105,6 +106,26 @@ impl<S: Scalar> Cell<S> {
             first = grid.facets[1];
         }
         push(first, end, force);
+        Ok(())
+    }
+
+    /// Adds mean forces on the corners over a step (N), whose work is the change of the potential: pressure by Simpson's rule.
+    pub(super) fn add_mean_force(
+        &self,
+        facets: &[[usize; 4]],
+        way: &Way<S>,
+        force: &mut [Vec3<S>],
+    ) -> Result<(), Fault> {
+        let pressure = match self.content {
+            Content::Regulated(gas) => gas.gauge,
+            Content::Sealed { .. } => {
+                let gauge = |volume: S| self.content.gauge_pressure(volume).map_err(|_| Fault::NonFinite);
+                let [before, _, after] = way.pos.map(|pos| self.volume(facets, pos));
+                let between = gauge(S::from_f64(0.5) * (before + after))?;
+                (gauge(before)? + S::from_f64(4.0) * between + gauge(after)?) * S::from_f64(1.0 / 6.0)
+            }
+        };
+        mean::add_pressure(self.of(facets).unwrap_or_default(), self.form, pressure, way, force);
         Ok(())
     }
 

@@ -27,6 +27,10 @@ fn cut_mut<'x, T>(list: &mut &'x mut [T], n: usize) -> Result<&'x mut [T], Fault
     Ok(first)
 }
 
+fn cut_all<'x, T>([one, two, three]: &mut [&'x [T]; 3], n: usize) -> Result<[&'x [T]; 3], Fault> {
+    Ok([cut(one, n)?, cut(two, n)?, cut(three, n)?])
+}
+
 impl<C> Group<'_, C> {
     /// The member that has a port: its first coordinate, speed and port, and itself.
     fn find<S: Scalar>(&self, port: usize) -> Option<([usize; 3], &C)>
@@ -115,6 +119,26 @@ impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
             let wrenches = cut(&mut wrenches, member.n_ports())?;
             let pivot = member.rates(t, q, u, wrenches, q_dot, u_dot)?.abs();
             // What is no number must not be lost in a minimum.
+            worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
+        }
+        Ok(worst)
+    }
+    fn mean_rates(
+        &mut self,
+        times: [S; 2],
+        mut q: [&[S]; 3],
+        mut u: [&[S]; 3],
+        mut wrenches: &[Wrench<S>],
+        mut q_dot: &mut [S],
+        mut u_dot: &mut [S],
+    ) -> Result<S, Fault> {
+        let mut worst = S::ONE;
+        for member in self.members.iter_mut() {
+            let (n_q, n_u) = (member.n_q(), member.n_u());
+            let (q, u) = (cut_all(&mut q, n_q)?, cut_all(&mut u, n_u)?);
+            let (q_dot, u_dot) = (cut_mut(&mut q_dot, n_q)?, cut_mut(&mut u_dot, n_u)?);
+            let wrenches = cut(&mut wrenches, member.n_ports())?;
+            let pivot = member.mean_rates(times, q, u, wrenches, q_dot, u_dot)?.abs();
             worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
         }
         Ok(worst)

@@ -82,7 +82,7 @@ pub struct Island<'a, S, C> {
     pub(super) body: Body<'a, S>,
     pub(super) attachments: &'a [Attachment<S>],
     pub(super) memory: Memory<'a, S>,
-    cells: &'a [Cell<S>],
+    pub(super) cells: &'a [Cell<S>],
 }
 
 /// Free nodes of a body: those that forces move.

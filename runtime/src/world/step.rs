@@ -21,7 +21,7 @@ use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
 use crate::ode::{Ode, State, pivot_limit, state::advance};
 use crate::real::Scalar;
-use crate::rigid::contact::Twist;
+use crate::rigid::contact::{Contact, Twist};
 use crate::surface::{Frame, facet::vertex_normals};
 use crate::vec3::{self, Vec3};
 
@@ -175,7 +175,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // Contacts become forces of the middle.
         self.fill_twists([t, t + h], h, middle, dot, new, memory)?;
         let sweeps = self.contacts((t_middle, h), middle, memory, out)?;
-        let active = self.load_contacts(h, memory);
+        let own = &mut self.island.memory;
+        let forces = (&mut *own.elastic, &mut *own.wrenches);
+        let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
         if active > 0 {
             self.island.accelerate(t_middle, middle, dot)?;
         }
@@ -217,7 +219,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 
     /// Rates of the coordinates with the speeds of x: those of the carriers without wrenches, velocities of nodes.
-    fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
+    pub(super) fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
         let island = &mut self.island;
         island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
         let Cut { q, u, vel, .. } = island.parts(x)?;
@@ -229,7 +231,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
     /// Velocities of ports and nodes at the places of the middle: with the speeds of the start, and with those at the end that
     /// the forces alone give. `new` is memory.
-    fn fill_twists(
+    pub(super) fn fill_twists(
         &mut self,
         times: [S; 2],
         h: S,
@@ -271,28 +273,38 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Finds contacts and their impulses, which take away a share `out` of overlaps; the last of the twists have them.
     fn contacts(
         &mut self,
-        (t, h): (S, S),
+        times: (S, S),
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
         out: S,
     ) -> Result<sweep::Sweeps<S>, Fault> {
+        self.find_contacts(times, middle, memory, out)?;
+        Ok(press(times.1, memory, out))
+    }
+
+    /// Finds contacts where everything was placed last, the middle at t, what they yield, and their impulses of the last step.
+    pub(super) fn find_contacts(
+        &mut self,
+        (t, h): (S, S),
+        middle: &[S],
+        memory: &mut StepMemory<'_, S>,
+        out: S,
+    ) -> Result<(), Fault> {
         memory.touches.swap(0, 1);
         memory.counts.swap(0, 1);
         let margin = self.margin(h, memory);
-        let StepMemory {
-            twists: [start, free, end], normals, inertias, touches: [now, before], counts, ..
-        } = memory;
-        end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+        let StepMemory { twists: [start, ..], normals, inertias, touches: [now, before], counts, .. } =
+            memory;
         counts[0] = 0;
         if self.pairs.is_empty() {
-            return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
+            return Ok(());
         }
         self.turn_normals(normals);
         let count = self.scenery(normals, margin, S::from_f64(AT_NODE)).find(self.pairs, now)?;
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {
-            return Ok(sweep::Sweeps { number: 0, settled: true, left: S::ZERO });
+            return Ok(());
         }
         let Cut { q, u, .. } = island.parts(middle)?;
         let touched = |port: usize| {
@@ -323,14 +335,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 touch.contact.impulse = [old.contact.impulse[0], x, y];
             }
         }
-        let sweeps = sweep(now, h, inertias, end);
-        if out <= S::ZERO {
-            sweep::take_no_more(now, free, inertias, end);
-        }
-        // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
-        end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
-        now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
-        Ok(sweeps)
+        Ok(())
     }
 
     /// Normals at the nodes where they were placed last; none where no facet is touched.
@@ -387,28 +392,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })
     }
 
-    /// Adds the contacts' mean forces to those of the middle; returns how many there are.
-    fn load_contacts(&mut self, h: S, memory: &StepMemory<'_, S>) -> usize {
-        let ports = self.island.memory.frames.len();
-        let own = &mut self.island.memory;
-        let mut active = 0;
-        for touch in memory.contacts().iter().filter(|touch| touch.contact.impulse[0] > S::ZERO) {
-            active += 1;
-            touch.contact.deal(touch.contact.impulse, |body, arm, impulse| {
-                let force = vec3::scale(impulse, S::ONE / h);
-                if body >= ports {
-                    vec3::add_at(own.elastic, body - ports, force);
-                } else if let Some(wrench) = own.wrenches.get_mut(body) {
-                    wrench.force = vec3::add(wrench.force, force);
-                    wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
-                }
-            });
-        }
-        active
-    }
-
     /// Puts coordinates back on the constraints and checks the new state; `before` is memory.
-    fn project(&mut self, t: S, new: &mut [S], low: &mut [S], before: &mut [S]) -> Result<(), Fault> {
+    pub(super) fn project(
+        &mut self,
+        t: S,
+        new: &mut [S],
+        low: &mut [S],
+        before: &mut [S],
+    ) -> Result<(), Fault> {
         self.island.set_time(t);
         for _ in 0..self.island.projections().min(2) {
             before.iter_mut().zip(new.iter()).for_each(|(to, from)| *to = *from);
@@ -456,4 +447,44 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         accounts.drive = h * carrier.drive_power(own.frames, own.wrenches).unwrap_or(S::ZERO);
         accounts
     }
+}
+
+/// The impulses of the contacts that were found, for velocities without them at the end; the last of the twists have them.
+pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>, out: S) -> sweep::Sweeps<S> {
+    let StepMemory { twists: [_, free, end], inertias, touches: [now, _], counts, .. } = memory;
+    end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+    let now = now.get_mut(..counts[0]).unwrap_or_default();
+    if now.is_empty() {
+        return sweep::Sweeps { number: 0, settled: true, left: S::ZERO };
+    }
+    let sweeps = sweep(now, h, inertias, end);
+    if out <= S::ZERO {
+        sweep::take_no_more(now, free, inertias, end);
+    }
+    // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
+    end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
+    now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
+    sweeps
+}
+
+/// Adds the contacts' mean forces to those on nodes and ports; returns how many there are.
+pub(super) fn load_contacts<S: Scalar>(
+    h: S,
+    contacts: impl Iterator<Item = Contact<S>>,
+    (nodes, wrenches): (&mut [Vec3<S>], &mut [Wrench<S>]),
+) -> usize {
+    let (ports, mut active) = (wrenches.len(), 0);
+    for contact in contacts.filter(|contact| contact.impulse[0] > S::ZERO) {
+        active += 1;
+        contact.deal(contact.impulse, |body, arm, impulse| {
+            let force = vec3::scale(impulse, S::ONE / h);
+            if body >= ports {
+                vec3::add_at(nodes, body - ports, force);
+            } else if let Some(wrench) = wrenches.get_mut(body) {
+                wrench.force = vec3::add(wrench.force, force);
+                wrench.moment = vec3::add(wrench.moment, vec3::cross(arm, force));
+            }
+        });
+    }
+    active
 }

@@ -1,6 +1,7 @@
 //! Everything of the runtime that can be judged from outside.
 
 mod by_blocks;
+mod conserving;
 mod double_double;
 mod flexible;
 mod flexible_impact;

@@ -13,8 +13,8 @@ use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{
     Accounts, Attachment, Carrier, Cell, Commanded, Content, Coupling, Floating, Group, Inertias,
-    InverseInertia, Island, LocatedMemory, LocatedReport, Memory, Pair, Place, Pressing, StepMemory,
-    StepReport, Thing, Touch, World, Wrench,
+    InverseInertia, Island, LocatedMemory, LocatedReport, MeanMemory, Memory, Pair, Place, Pressing,
+    StepMemory, StepReport, Thing, Touch, World, Wrench,
 };
 use std::ops::Range;
 
@@ -77,6 +77,17 @@ impl Carrier<f64> for Part {
         u_dot: &mut [f64],
     ) -> Result<f64, Fault> {
         each!(self, part => part.rates(t, q, u, wrenches, q_dot, u_dot))
+    }
+    fn mean_rates(
+        &mut self,
+        times: [f64; 2],
+        q: [&[f64]; 3],
+        u: [&[f64]; 3],
+        wrenches: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        each!(self, part => part.mean_rates(times, q, u, wrenches, q_dot, u_dot))
     }
     fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
         each!(self, part => part.energy(t, q, u))
@@ -325,6 +336,33 @@ impl Scene {
                     "{step}"
                 );
                 energy = world.island.energy(f64::from(step + 1) * h, state.x()).expect("energy").total();
+                see(&report, memory.contacts(), state.x());
+            }
+            (energy - start + accounts.lost(), accounts)
+        });
+        (x, imbalance, accounts)
+    }
+
+    /// Runs with mean forces (energy-momentum); `see(report, contacts, state)` after each step.
+    pub fn run_conserving(
+        &mut self,
+        (h, steps): (f64, u32),
+        mut see: impl FnMut(&StepReport<f64>, &[Touch<f64>], &[f64]),
+    ) -> (Vec<f64>, f64, Accounts<f64>) {
+        let (points, ports) = (self.pos.len(), self.parts.iter().map(Carrier::n_ports).sum());
+        let (x, (imbalance, accounts)) = self.with(|world, state, mut memory| {
+            let mut scratch = vec![0.0; MeanMemory::<f64>::scratch(state.x().len())];
+            let mut rows = [0; 4].map(|_| vec![[0.0; 3]; points]);
+            let mut frames = [0; 2].map(|_| vec![Frame::inertial(); ports]);
+            let ([a, b, c, d], [first, seen]) = (&mut rows, &mut frames);
+            let mut means = MeanMemory { scratch: &mut scratch, nodes: [a, b, c, d], frames: [first, seen] };
+            let start = world.island.energy(0.0, state.x()).expect("energy").total();
+            let (mut accounts, mut energy) = (Accounts::empty(), start);
+            for step in 0..steps {
+                let t = f64::from(step) * h;
+                let report = world.step_conserving(t, h, state, &mut memory, &mut means).expect("a step");
+                accounts = accounts.plus(&report.accounts);
+                energy = world.island.energy(t + h, state.x()).expect("energy").total();
                 see(&report, memory.contacts(), state.x());
             }
             (energy - start + accounts.lost(), accounts)
