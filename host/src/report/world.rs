@@ -1,8 +1,9 @@
 //! A scene of format 2 under measurement.
 //!
 //! In: an assembly. Out: its runs by every method that it has. Without contacts its equations are smooth and DOP853 is the
-//! reference. With contacts nothing converges faster than the world's own step, so the reference is that step, halved
-//! while the time allows; what the last halving changed is what is known of its error.
+//! reference. With contacts, flow through lines or controllers nothing converges faster than the world's own step, so the reference
+//! is that step, halved while the time allows; what the last halving changed is what is known of its error. Controllers act at
+//! their times, whatever the step: it is a part of the scene's own.
 
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
@@ -15,9 +16,11 @@ use crate::plot::{Recording, svg};
 use crate::run::world as drawn;
 use crate::scene::dop853::Dop853;
 use crate::world::Assembly;
+use crate::world::assembly::{Controlling, Sensing, Transducer};
 use crate::world::carried::CarriedWorld;
-use crate::world::carried::methods::METHODS;
+use crate::world::carried::methods::Contacts;
 use crate::world::engine::Engine;
+use crate::world::observers::Observers;
 use crate::world::rigid::RigidWorld;
 use crate::world::run::run;
 use smartbed_codegen::words::count;
@@ -68,6 +71,28 @@ impl Start {
     }
 }
 
+/// Sensors that controllers read.
+fn read(assembly: &Assembly) -> impl Iterator<Item = &Sensing> {
+    let reads = |sensor: &Sensing| {
+        let read = |own: &Controlling| own.reads.strip_prefix("sensors.") == Some(&sensor.name);
+        assembly.controllers.iter().any(read)
+    };
+    assembly.sensors.iter().filter(move |sensor| reads(sensor))
+}
+
+/// A sensor of those whose readings belong to steps, not to times.
+fn read_by_step(assembly: &Assembly) -> Option<&str> {
+    let chatters =
+        |own: &Sensing| matches!(own.transducer, Transducer::Switch { chatter, .. } if chatter > 0.0);
+    let found = read(assembly).find(|own| own.period.is_none() || chatters(own));
+    found.map(|own| own.name.as_str())
+}
+
+/// Does a controller read a membrane that follows from step to step?
+fn lags(assembly: &Assembly) -> bool {
+    read(assembly).any(|own| matches!(own.transducer, Transducer::Pressure { lag } if lag > 0.0))
+}
+
 /// A world with its engine at the start.
 pub struct World {
     name: String,
@@ -93,14 +118,10 @@ impl World {
     /// # Errors
     /// [`Failure::Wrong`] if it cannot be assembled.
     pub fn of(name: &str, assembly: Assembly) -> Result<Self, Failure> {
-        let why = match (assembly.controllers.is_empty(), assembly.has_lines()) {
-            (false, _) => Some("it has controllers, which act at times of their own"),
-            (true, true) => Some("gas flows through lines beside its motion, of order 2 with every method"),
-            (true, false) => None,
-        };
-        if let Some(why) = why {
+        if let Some(sensor) = read_by_step(&assembly) {
             return Err(Failure::Wrong(format!(
-                "{name}: no method is measured on it: {why}; compare runs at two steps"
+                "{name}: no method is measured on it: a controller reads sensors.{sensor}, which samples or chatters by steps, so that \
+                 another step computes something else; give it a period, and no chatter"
             )));
         }
         let mut start = Start::new(&assembly).map_err(Failure::Wrong)?;
@@ -120,7 +141,28 @@ impl World {
     /// Is one of its methods chosen by `run.method`, or is there its own step alone?
     #[must_use]
     pub fn takes_method(&self) -> bool {
-        matches!(&self.start, Start::Carried(world) if world.takes_method())
+        matches!(&self.start, Start::Carried(_))
+    }
+
+    /// Controllers act at times that are whole numbers of the scene's steps.
+    fn is_controlled(&self) -> bool {
+        !self.assembly.controllers.is_empty()
+    }
+
+    /// A step of at most `longest` (s), and the numbers of the steps that samples stand behind.
+    fn steps(&self, longest: f64, seconds: f64) -> Result<(f64, Vec<usize>), Stop> {
+        let parts = |whole: f64| (whole / longest - 1e-9).ceil().max(1.0) as usize;
+        if !self.is_controlled() {
+            let interval = seconds / SAMPLES as f64;
+            let steps = parts(interval);
+            return Ok((interval / steps as f64, (1..=SAMPLES).map(|i| i * steps).collect()));
+        }
+        let own = self.assembly.run.step;
+        let (count, each) = ((seconds / own + 1e-9).floor() as usize, parts(own));
+        if count == 0 {
+            return Err(format!("a run of {seconds} s is shorter than the scene's step, {own} s").into());
+        }
+        Ok((own / each as f64, (1..=SAMPLES).map(|i| each * (i * count).div_ceil(SAMPLES)).collect()))
     }
 
     fn sample(&self, engine: &mut dyn Engine) -> Result<Vec<f64>, Stop> {
@@ -140,17 +182,28 @@ impl World {
             world.choose(method)?;
         }
         let engine = start.engine();
-        let interval = seconds / SAMPLES as f64;
-        let steps = (interval / longest - 1e-9).ceil().max(1.0) as usize;
-        let h = interval / steps as f64;
+        let (h, ends) = self.steps(longest, seconds)?;
+        let mut observers = match self.is_controlled() {
+            true => {
+                let mut assembly = self.assembly.clone();
+                assembly.run.step = h;
+                Some(Observers::new(&assembly, engine)?)
+            }
+            false => None,
+        };
         let (mut samples, mut events) = (Vec::with_capacity(SAMPLES), Vec::new());
         let begin = clock::now();
-        for i in 0..SAMPLES * steps {
+        for i in 0..=ends.last().copied().unwrap_or(0) {
             if i % LOOK == 0 {
                 deadline.check(i as f64 * h)?;
             }
-            engine.step(h, &mut events)?;
-            if (i + 1) % steps == 0 {
+            if i > 0 {
+                engine.step(h, &mut events)?;
+            }
+            if let Some(observers) = &mut observers {
+                observers.look(i as u64, engine)?;
+            }
+            for _ in ends.iter().filter(|end| **end == i) {
                 samples.push(self.sample(engine)?);
             }
         }
@@ -241,7 +294,9 @@ impl World {
     /// The world whose equations are smooth, with something to integrate.
     fn smooth(&self) -> Option<&CarriedWorld> {
         match &self.start {
-            Start::Carried(world) if world.is_smooth() && !world.numbers().is_empty() => Some(world),
+            Start::Carried(world) if world.is_smooth() && !world.numbers().is_empty() => {
+                (!self.is_controlled() && !self.assembly.has_lines()).then_some(world)
+            }
             _ => None,
         }
     }
@@ -261,7 +316,7 @@ impl Subject for World {
     }
 
     fn coarsest_step(&self) -> f64 {
-        let coarse = COARSE * self.assembly.run.step;
+        let coarse = if self.is_controlled() { 1.0 } else { COARSE } * self.assembly.run.step;
         match &self.start {
             Start::Carried(world) => world.largest_stable_step().map_or(coarse, |h| (STABLE * h).min(coarse)),
             Start::Rigid(_) => coarse,
@@ -278,13 +333,17 @@ impl Subject for World {
 
     fn methods(&self) -> Vec<Method> {
         let method = |name: &str, order| Method { name: name.to_owned(), order, adaptive: false };
-        match (&self.start, self.takes_method(), self.is_smooth()) {
-            (Start::Rigid(_), ..) => vec![method("rigid", 2)],
-            (_, false, _) => vec![method("moreau", 1)],
-            (_, true, is_smooth) => {
-                // Events are located to the order of a step's chord.
-                let order = |nominal| if is_smooth { nominal } else { 1 };
-                METHODS.iter().map(|(name, _, nominal)| method(name, order(*nominal))).collect()
+        match &self.start {
+            Start::Rigid(_) => vec![method("rigid", 2)],
+            Start::Carried(world) => {
+                // Events are located to the order of a step's chord; flow and motion take turns, membranes lag by steps.
+                let order = |nominal: u32| match (world.contacts(), self.assembly.has_lines()) {
+                    (Contacts::None, _) if lags(&self.assembly) => 1,
+                    (Contacts::None, true) => nominal.min(2),
+                    (Contacts::None, false) => nominal,
+                    _ => 1,
+                };
+                world.contacts().methods().map(|(name, _, nominal)| method(name, order(nominal))).collect()
             }
         }
     }
@@ -355,7 +414,7 @@ impl Subject for World {
             Ok(())
         };
         let events = match run::<Stop>(&assembly, engine, None, emit, |t| deadline.check(t)) {
-            Ok(events) => events,
+            Ok(ran) => ran.events,
             Err(Stop::Late { .. }) => Vec::new(),
             Err(Stop::Refused(why)) => return Err(why),
         };

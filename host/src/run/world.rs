@@ -17,7 +17,7 @@ use crate::view::film::Series;
 use crate::view::{Film, world as stage};
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
-use crate::world::run::{Checkpoint, Row, engine, run};
+use crate::world::run::{Checkpoint, Ran, Row, engine, run};
 use crate::{input, interrupt, model_argument, plot};
 use smartbed_codegen::words::count;
 use std::collections::BTreeMap;
@@ -137,8 +137,8 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             interrupted(t)
         },
     );
-    let events = match done {
-        Ok(events) => events,
+    let Ran { events, seen } = match done {
+        Ok(ran) => ran,
         Err(failure) => {
             let file = arguments.csv.as_deref().unwrap_or_default();
             return Err(super::ended_early(failure, csv, rows, file));
@@ -151,7 +151,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             return Err(Failure::Wrong(format!("--save {file}: {message}")));
         }
         let (steps, step) = (assembly.run.steps(), assembly.run.step);
-        let checkpoint = Checkpoint { steps, step, start: total[0], state: engine.save() };
+        let checkpoint = Checkpoint { steps, step, start: total[0], state: engine.save(), seen };
         output::write(file, checkpoint.text().as_bytes())?;
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);

@@ -103,6 +103,22 @@ impl Carrier<f64> for HostCarrier {
         }
     }
 
+    fn mean_rates(
+        &mut self,
+        [t, h]: [f64; 2],
+        q: [&[f64]; 3],
+        u: [&[f64]; 3],
+        wrenches: &[Wrench<f64>],
+        q_dot: &mut [f64],
+        u_dot: &mut [f64],
+    ) -> Result<f64, Fault> {
+        match self {
+            Self::Mechanism(own) => own.rates(t + 0.5 * h, (q[1], u[1]), wrenches, (q_dot, u_dot)),
+            Self::Floating(own) => own.mean_rates([t, h], q, u, wrenches, q_dot, u_dot),
+            Self::Still(own) => own.mean_rates([t, h], q, u, wrenches, q_dot, u_dot),
+        }
+    }
+
     fn energy(&mut self, t: f64, q: &[f64], u: &[f64]) -> Result<(f64, f64), Fault> {
         match self {
             Self::Mechanism(own) => own.energy(t, q, u),

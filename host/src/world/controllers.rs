@@ -27,6 +27,8 @@ struct Controller {
     /// Steps from sample to sample.
     period: u64,
     integral: f64,
+    /// What it gives until its next sample.
+    held: f64,
 }
 
 /// All of them.
@@ -74,6 +76,7 @@ impl Controllers {
                 input,
                 period: u64::from(period.max(1)),
                 integral: 0.0,
+                held: 0.0,
             });
         }
         Ok(Self { list, step: assembly.run.step })
@@ -83,6 +86,21 @@ impl Controllers {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
+    }
+
+    /// All they remember.
+    #[must_use]
+    pub fn save(&self) -> Vec<f64> {
+        self.list.iter().flat_map(|own| [own.integral, own.held]).collect()
+    }
+
+    /// Goes on from [`Controllers::save`], their outputs held; None where numbers are missing.
+    pub fn load(&mut self, numbers: &mut impl Iterator<Item = f64>, engine: &mut dyn Engine) -> Option<()> {
+        self.list.iter_mut().try_for_each(|own| {
+            (own.integral, own.held) = (numbers.next()?, numbers.next()?);
+            engine.set_input(own.input, own.held);
+            Some(())
+        })
     }
 
     /// Behind step `tick`: those whose time it is give the engine their outputs.
@@ -104,8 +122,8 @@ impl Controllers {
             if !reading.is_finite() {
                 return Err(format!("controllers.{}: it reads no number", controller.own.name));
             }
-            engine
-                .set_input(controller.input, controller.output(tick as f64 * self.step, reading, self.step));
+            controller.held = controller.output(tick as f64 * self.step, reading, self.step);
+            engine.set_input(controller.input, controller.held);
         }
         Ok(())
     }

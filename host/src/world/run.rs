@@ -5,10 +5,9 @@
 
 use super::assembly::Assembly;
 use super::carried::CarriedWorld;
-use super::controllers::Controllers;
 use super::engine::{Energies, Engine, Event};
+use super::observers::Observers;
 use super::rigid::RigidWorld;
-use super::sensors::Probes;
 
 /// The engine of a world.
 ///
@@ -47,31 +46,48 @@ pub struct Checkpoint {
     pub start: f64,
     /// The engine's numbers.
     pub state: Vec<f64>,
+    /// What sensors and controllers remember.
+    pub seen: Vec<f64>,
+}
+
+/// What a run was.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Ran {
+    /// What happened.
+    pub events: Vec<Event>,
+    /// What sensors and controllers remember at its end.
+    pub seen: Vec<f64>,
 }
 
 impl Checkpoint {
     /// As text; every number comes back bit for bit.
     #[must_use]
     pub fn text(&self) -> String {
-        let Self { steps, step, start, state } = self;
-        serde_json::json!({"steps": steps, "step": step, "start": start, "state": state}).to_string() + "\n"
+        let Self { steps, step, start, state, seen } = self;
+        let text =
+            serde_json::json!({"steps": steps, "step": step, "start": start, "state": state, "seen": seen});
+        text.to_string() + "\n"
     }
 
     /// From [`Checkpoint::text`]; none for any other text.
     #[must_use]
     pub fn read(text: &str) -> Option<Self> {
         let value: serde_json::Value = serde_json::from_str(text).ok()?;
-        let state = value["state"].as_array()?.iter().map(serde_json::Value::as_f64);
+        let numbers = |list: &serde_json::Value| -> Option<Vec<f64>> {
+            list.as_array()?.iter().map(serde_json::Value::as_f64).collect()
+        };
         Some(Self {
             steps: usize::try_from(value["steps"].as_u64()?).ok()?,
             step: value["step"].as_f64()?,
             start: value["start"].as_f64()?,
-            state: state.collect::<Option<Vec<f64>>>()?,
+            state: numbers(&value["state"])?,
+            // Files of runs that nothing observed may lack it.
+            seen: if value["seen"].is_null() { Vec::new() } else { numbers(&value["seen"])? },
         })
     }
 }
 
-/// Runs to the end, handing each row to `emit` with the engine, for pictures; returns the events. From a checkpoint it
+/// Runs to the end, handing each row to `emit` with the engine, for pictures. From a checkpoint it
 /// goes on with the step behind it, bit for bit as the run that made it would have.
 ///
 /// # Errors
@@ -82,7 +98,7 @@ pub fn run<E: From<String>>(
     from: Option<&Checkpoint>,
     mut emit: impl FnMut(&Row<'_>, &mut dyn Engine) -> Result<(), E>,
     mut stepped: impl FnMut(f64) -> Result<(), E>,
-) -> Result<Vec<Event>, E> {
+) -> Result<Ran, E> {
     let at = |t: f64, why: String| format!("t = {t:.6} s: {why}");
     let (first, start) = match from {
         Some(checkpoint) => {
@@ -109,11 +125,9 @@ pub fn run<E: From<String>>(
             (0, engine.energies().map_err(|why| at(0.0, why))?.total())
         }
     };
-    let mut probes = Probes::new(assembly, &engine.columns())?;
-    let mut controllers = Controllers::new(assembly, &engine.columns(), &engine.inputs())?;
-    if first > 0 && !(probes.is_empty() && controllers.is_empty()) {
-        let why = "a run with sensors or controllers is not resumed: what they have seen is not kept";
-        return Err(E::from(why.to_owned()));
+    let mut observers = Observers::new(assembly, engine)?;
+    if let Some(checkpoint) = from {
+        observers.load(&checkpoint.seen, engine)?;
     }
     let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
     for n in first..=assembly.run.steps() {
@@ -125,19 +139,17 @@ pub fn run<E: From<String>>(
             // Not a sum, whose rounding would grow.
             t = if n == assembly.run.steps() { assembly.run.seconds } else { n as f64 * assembly.run.step };
         }
-        if !(probes.is_empty() && controllers.is_empty()) {
-            let state = engine.state().map_err(|why| at(t, why))?;
-            probes.observe(n as u64, &state);
-            let readings = probes.readings(n as u64);
-            controllers.act(n as u64, &state, &readings, engine).map_err(|why| at(t, why))?;
+        // Behind the step of a checkpoint they have looked already.
+        if n > first || from.is_none() {
+            observers.look(n as u64, engine).map_err(|why| at(t, why))?;
         }
         if n % assembly.run.every == 0 || n == assembly.run.steps() {
             let (state, energies) = (engine.state(), engine.energies());
             let (state, energies) = (state.map_err(|why| at(t, why))?, energies.map_err(|why| at(t, why))?);
-            let readings = probes.readings(n as u64);
+            let readings = observers.readings(n as u64);
             emit(&Row { t, state: &state, energies: &energies, readings: &readings, start }, engine)?;
         }
         stepped(t)?;
     }
-    Ok(events)
+    Ok(Ran { events, seen: observers.save() })
 }

@@ -6,7 +6,7 @@
 use super::assembly::{Assembly, Sensing, Transducer};
 use super::engine::Column;
 use smartbed_runtime::sensor::kinds::{Lvdt, Membrane, Switch};
-use smartbed_runtime::sensor::{Channel, Sensor};
+use smartbed_runtime::sensor::{Channel, Remembered, Sensor};
 
 /// Samples on their way at most.
 const DEPTH: usize = 16;
@@ -14,7 +14,7 @@ const DEPTH: usize = 16;
 const WHOLE: f64 = 1e-6;
 
 /// A transducer at work.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 enum Kind {
     Plain,
     Lvdt(Lvdt<f64>),
@@ -108,8 +108,61 @@ impl Probes {
         }
     }
 
+    /// All they remember.
+    #[must_use]
+    pub fn save(&self) -> Vec<f64> {
+        self.list.iter().flat_map(Probe::save).collect()
+    }
+
+    /// Goes on from [`Probes::save`]; None where numbers are missing.
+    pub fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {
+        self.list.iter_mut().try_for_each(|probe| probe.load(numbers))
+    }
+
     /// What they show.
     pub fn readings(&mut self, tick: u64) -> Vec<f64> {
         self.list.iter_mut().map(|probe| probe.sensor.reading(tick)).collect()
+    }
+}
+
+/// A tick, or that there was none.
+fn told(tick: Option<u64>) -> f64 {
+    tick.map_or(-1.0, |tick| tick as f64)
+}
+
+fn tick(number: f64) -> Option<u64> {
+    (number >= 0.0).then_some(number as u64)
+}
+
+impl Probe {
+    fn save(&self) -> Vec<f64> {
+        let memory = self.sensor.memory();
+        let felt = match self.kind {
+            Kind::Switch(switch) => [told(switch.changed), f64::from(u8::from(switch.closed))],
+            Kind::Pressure(Membrane { follows: Some((at, pressure)), .. }) => [told(Some(at)), pressure],
+            _ => [told(None), 0.0],
+        };
+        let pending = memory.pending.iter().flat_map(|sample| match sample {
+            Some((at, reading)) => [told(Some(*at)), *reading],
+            None => [told(None), 0.0],
+        });
+        [memory.drifted, told(memory.last), memory.shown].into_iter().chain(felt).chain(pending).collect()
+    }
+
+    fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {
+        let [drifted, last, shown, at, felt] = [(); 5].map(|()| numbers.next());
+        let (at, felt) = (tick(at?), felt?);
+        match &mut self.kind {
+            Kind::Switch(switch) => (switch.changed, switch.closed) = (at, felt != 0.0),
+            Kind::Pressure(membrane) => membrane.follows = at.map(|at| (at, felt)),
+            Kind::Plain | Kind::Lvdt(_) => {}
+        }
+        let mut pending = [None; DEPTH];
+        for sample in &mut pending {
+            let (at, reading) = (tick(numbers.next()?), numbers.next()?);
+            *sample = at.map(|at| (at, reading));
+        }
+        self.sensor.resume(Remembered { drifted: drifted?, last: tick(last?), pending, shown: shown? });
+        Some(())
     }
 }

@@ -17,8 +17,8 @@ use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{
-    Accounts, Carrier, Coupling, Inertias, InverseInertia, Island, LocatedMemory, Pair, Place, Pressing,
-    StepMemory, Thing, Touch, World,
+    Accounts, Carrier, Coupling, Inertias, InverseInertia, Island, LocatedMemory, MeanMemory, Pair, Place,
+    Pressing, StepMemory, Thing, Touch, World,
 };
 use std::ops::Range;
 
@@ -52,6 +52,26 @@ pub(super) struct Touching {
     touches: [Vec<Touch<f64>>; 2],
     counts: [usize; 2],
     located: Option<Located>,
+    means: Means,
+}
+
+/// How a step is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum How {
+    /// As its contacts ask.
+    Freely,
+    /// With forces that are means over it.
+    Conserving,
+    /// On the way to rest: nothing is located, and parts leave one another where they overlap.
+    Relaxing,
+}
+
+/// Memory of steps with mean forces.
+#[derive(Clone, Debug)]
+struct Means {
+    scratch: Vec<f64>,
+    nodes: [Vec<Vec3<f64>>; 4],
+    frames: [Vec<Frame<f64>>; 2],
 }
 
 /// Memory of steps with located touches.
@@ -182,6 +202,11 @@ impl Touching {
             touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
             counts: [0, 0],
             located,
+            means: Means {
+                scratch: vec![0.0; MeanMemory::<f64>::scratch(n)],
+                nodes: [0; 4].map(|_| vec![[0.0; 3]; points]),
+                frames: [0; 2].map(|_| vec![Frame::inertial(); ports]),
+            },
         })
     }
 
@@ -193,19 +218,13 @@ impl Touching {
         }
     }
 
-    /// Are touches located in time?
-    pub(super) fn is_located(&self) -> bool {
-        self.located.is_some()
-    }
-
-    /// A step of an island; pairs that come into touch are events. `at_rest` for relaxation: nothing is located then,
-    /// and parts leave one another where they overlap.
+    /// A step of an island; pairs that come into touch are events.
     pub(super) fn step(
         &mut self,
         island: Island<'_, f64, impl Carrier<f64>>,
         (t, h): (f64, f64),
         state: &mut State<'_, f64>,
-        at_rest: bool,
+        how: How,
         found: &mut Vec<Event>,
     ) -> Result<Stepped, Fault> {
         let [first, last] = &mut self.frames;
@@ -225,7 +244,7 @@ impl Touching {
             counts: self.counts,
         };
         let mut world = World { island, things: &self.things, pairs: &self.pairs };
-        if let Some(own) = self.located.as_mut().filter(|_| !at_rest) {
+        if let Some(own) = self.located.as_mut().filter(|_| how == How::Freely) {
             let [struck, lifts] = &mut own.struck;
             let mut memory = LocatedMemory {
                 step: memory,
@@ -272,9 +291,16 @@ impl Touching {
             self.forces = pressing.filter_map(force).collect();
             return Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: report.forced });
         }
-        let done = match at_rest {
-            true => world.relax(t, h, state, &mut memory),
-            false => world.step(t, h, state, &mut memory),
+        let done = match how {
+            How::Relaxing => world.relax(t, h, state, &mut memory),
+            How::Freely => world.step(t, h, state, &mut memory),
+            How::Conserving => {
+                let Means { scratch, nodes: [start, middle, change, velocity], frames: [from, seen] } =
+                    &mut self.means;
+                let nodes = [&mut **start, middle, change, velocity];
+                let mut means = MeanMemory { scratch, nodes, frames: [from, seen] };
+                world.step_conserving(t, h, state, &mut memory, &mut means)
+            }
         };
         self.counts = memory.counts;
         let report = done?;

@@ -108,6 +108,50 @@ fn a_held_input_is_what_a_law_of_that_value_is() {
     assert_ne!(run("held_input", held), run("free", ""));
 }
 
+/// A noisy sensor that is read late, and sampled at times of its own.
+fn sampled() -> String {
+    let held = HELD.replace(
+        "lag = \"1_ms\"",
+        "lag = \"1_ms\"\nnoise = \"5_Pa\"\nperiod = \"5_ms\"\ndelay = \"5_ms\"\nseed = 3",
+    );
+    format!(
+        "{BLADDER}{held}[sensors.top]\nof = \"bladder.top\"\nkind = \"switch\"\nunit = \"m\"\ncloses = \"0_m\"\nchatter = \"3_ms\"\n"
+    )
+}
+
+#[test]
+fn a_controlled_run_that_is_resumed_goes_on_bit_for_bit() {
+    let file = scene("resumed", &format!("{}[run]\nseconds = 0.4\nstep = \"0.5_ms\"\n", sampled()));
+    let saved =
+        std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_resumed.state").display().to_string();
+    let whole = json(&[&file]);
+    // Within a period, with a reading on its way.
+    for seconds in ["0.1015", "0.25"] {
+        json(&[&file, "--seconds", seconds, "--save", &saved]);
+        let resumed = json(&[&file, "--resume", &saved]);
+        assert_eq!(whole["last"], resumed["last"], "from {seconds} s");
+    }
+}
+
+#[test]
+fn a_controlled_world_is_as_exact_as_asked() {
+    let file = scene("exact", &format!("{}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n", sampled()));
+    let places = |arguments: &[&str]| {
+        let done = json(&[&[&file as &str], arguments].concat());
+        let last = |k: usize| number(&done["last"][format!("bladder.z{k}")]);
+        ((0..25).map(last).collect::<Vec<_>>(), number(&done["steps"]))
+    };
+    let (fine, _) = places(&["--method", "rk4", "--step", "1e-5"]);
+    for error in [1e-4, 1e-6] {
+        let (picked, steps) = places(&["--error", &error.to_string()]);
+        let apart = picked.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        println!("asked for {error:e}: {apart:e} with {steps} steps");
+        assert!(apart <= error, "{error:e}: {apart:e}");
+        // Periods stay whole numbers of steps.
+        assert!((steps / 200.0).fract() == 0.0, "{steps}");
+    }
+}
+
 #[test]
 fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     let text = format!("{BLADDER}{HELD}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n");
@@ -121,7 +165,13 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     says(&["--set", "controllers.air.period=\"0.7_ms\""], "is no whole number of steps");
     says(&["--set", "controllers.air.target=[[1, 2]]"], "must begin with 0 and rise");
     says(&["--set", "controllers.air.limits=[1, -1]"], "the least output, then the largest");
-    says(&["--error", "1e-3"], "it has controllers");
+    says(&["--error", "1e-3"], "a controller reads sensors.pressure, which samples or chatters by steps");
+    let switch = "period = \"5_ms\"\nkind = \"switch\"\ncloses = \"1_Pa\"\nchatter = \"5_ms\"";
+    let chatters = HELD.replace("kind = \"pressure\"", switch).replace("lag = \"1_ms\"\n", "");
+    let chatters =
+        scene("chatters", &format!("{BLADDER}{chatters}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n"));
+    let said = fails(&["run", &chatters, "--error", "1e-3"]);
+    assert!(said.contains("chatters by steps"), "{said}");
     let other =
         "controllers.other={ reads = \"bladder.top\", drives = \"bladder.vent\", target = 0, period = 0.01 }";
     says(&["--set", other], "is driven by controllers.air already");
@@ -133,7 +183,8 @@ fn what_controllers_and_lines_cannot_do_is_refused_by_name() {
     let saved =
         std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("air_saved.state").display().to_string();
     super::support::run(&["run", &file, "--seconds", "0.05", "--save", &saved]);
-    says(&["--resume", &saved], "sensors or controllers is not resumed");
+    let blind = scene("blind", &format!("{BLADDER}[run]\nseconds = 0.1\nstep = \"0.5_ms\"\n"));
+    assert!(fails(&["run", &blind, "--resume", &saved]).contains("of another world"));
     // Gas that keeps its pressure has no lines.
     says(&["--set", "parts.bladder.gas.sealed=false"], "supply");
     let chip = fails(&["firmware", &file]);

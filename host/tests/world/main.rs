@@ -3,6 +3,7 @@
 mod aims;
 mod air;
 mod carried;
+mod conserving;
 mod costs;
 mod reading;
 mod rest;

@@ -42,8 +42,10 @@ pub struct Switch<S> {
     /// Ticks for which its contact chatters after a change.
     pub chatter: u32,
     source: Noise,
-    closed: bool,
-    changed: Option<u64>,
+    /// Is it closed?
+    pub closed: bool,
+    /// Tick of its last change.
+    pub changed: Option<u64>,
 }
 
 impl<S: Scalar> Switch<S> {
@@ -70,7 +72,8 @@ impl<S: Scalar> Switch<S> {
 pub struct Membrane<S> {
     /// Time constant in ticks, >= 0.
     pub lag: S,
-    follows: Option<(u64, S)>,
+    /// The tick it was last shown a pressure, and what it felt then.
+    pub follows: Option<(u64, S)>,
 }
 
 impl<S: Scalar> Membrane<S> {

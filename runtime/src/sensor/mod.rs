@@ -49,11 +49,20 @@ pub struct Sensor<S, const DEPTH: usize> {
     channel: Channel<S>,
     source: Noise,
     bias: S,
-    drifted: S,
-    /// Number of the last sample, and readings with their ticks of appearance, the newest first.
-    last: Option<u64>,
-    pending: [Option<(u64, S)>; DEPTH],
-    shown: S,
+    memory: Remembered<S, DEPTH>,
+}
+
+/// What a sensor remembers: all that a run goes on from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Remembered<S, const DEPTH: usize> {
+    /// Sum of the drift.
+    pub drifted: S,
+    /// Number of the last sample.
+    pub last: Option<u64>,
+    /// Readings on their way, with their ticks of appearance, the newest first.
+    pub pending: [Option<(u64, S)>; DEPTH],
+    /// What is shown.
+    pub shown: S,
 }
 
 impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
@@ -77,7 +86,19 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         let source = Noise::new(seed);
         let bias = channel.bias * source.normal(u64::MAX);
         let pending = [None; DEPTH];
-        Ok(Sensor { channel, source, bias, drifted: S::ZERO, last: None, pending, shown: start })
+        let memory = Remembered { drifted: S::ZERO, last: None, pending, shown: start };
+        Ok(Sensor { channel, source, bias, memory })
+    }
+
+    /// What it remembers.
+    #[must_use]
+    pub fn memory(&self) -> &Remembered<S, DEPTH> {
+        &self.memory
+    }
+
+    /// Goes on from what one of the same channel and seed remembered.
+    pub fn resume(&mut self, memory: Remembered<S, DEPTH>) {
+        self.memory = memory;
     }
 
     /// Shows the sensor the quantity at a tick; it takes a sample if one is due. To be called once a period at least:
@@ -85,16 +106,16 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
     pub fn observe(&mut self, tick: u64, quantity: S) {
         self.appear(tick);
         let number = tick / u64::from(self.channel.period);
-        let missed = match self.last {
+        let missed = match self.memory.last {
             Some(last) if number <= last => return,
             Some(last) => number - last,
             None => 0,
         };
-        self.drifted = self.drifted + self.channel.drift * noise::whole::<S>(missed);
-        self.last = Some(number);
+        self.memory.drifted = self.memory.drifted + self.channel.drift * noise::whole::<S>(missed);
+        self.memory.last = Some(number);
         let reading = self.read(number, quantity);
-        self.pending.rotate_right(1);
-        if let Some(newest) = self.pending.first_mut() {
+        self.memory.pending.rotate_right(1);
+        if let Some(newest) = self.memory.pending.first_mut() {
             *newest = Some((tick.saturating_add(u64::from(self.channel.delay)), reading));
         }
         self.appear(tick);
@@ -103,22 +124,22 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
     /// The reading at a tick.
     pub fn reading(&mut self, tick: u64) -> S {
         self.appear(tick);
-        self.shown
+        self.memory.shown
     }
 
     /// The newest sample that is there by now replaces what is shown; it and older ones are done with.
     fn appear(&mut self, tick: u64) {
         let due = |sample: &Option<(u64, S)>| sample.is_some_and(|(at, _)| at <= tick);
-        let Some(newest) = self.pending.iter().position(due) else { return };
-        if let Some(Some((_, reading))) = self.pending.get(newest) {
-            self.shown = *reading;
+        let Some(newest) = self.memory.pending.iter().position(due) else { return };
+        if let Some(Some((_, reading))) = self.memory.pending.get(newest) {
+            self.memory.shown = *reading;
         }
-        self.pending.iter_mut().skip(newest).for_each(|sample| *sample = None);
+        self.memory.pending.iter_mut().skip(newest).for_each(|sample| *sample = None);
     }
 
     fn read(&self, number: u64, quantity: S) -> S {
         let Channel { noise, resolution, range: [low, high], .. } = self.channel;
-        let exact = quantity + self.bias + self.drifted;
+        let exact = quantity + self.bias + self.memory.drifted;
         let noisy = if noise > S::ZERO { exact + noise * self.source.normal(number) } else { exact };
         quantised(noisy.max(low).min(high), resolution)
     }

@@ -71,7 +71,7 @@ impl<S: Scalar> Ahead<S> {
     }
 }
 
-/// gamma of the last `count` differences: the normal equations, dependent directions left out.
+/// gamma of the last `count` differences.
 fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
     let (mut matrix, mut right, mut square) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH], S::ZERO);
     for touch in touches {
@@ -85,6 +85,15 @@ fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
             }
         }
     }
+    eliminate(matrix, right, square)
+}
+
+/// gamma of normal equations; directions that depend on those before them, or are rounding beside |f|^2, are left out.
+pub(super) fn eliminate<S: Scalar>(
+    mut matrix: [[S; DEPTH]; DEPTH],
+    mut right: [S; DEPTH],
+    square: S,
+) -> [S; DEPTH] {
     let sizes: [S; DEPTH] = core::array::from_fn(|i| matrix[i][i]);
     let mut taken = [false; DEPTH];
     for i in 0..DEPTH {

@@ -5,15 +5,17 @@
 //! ```text
 //! v+ = v + h M^-1 f + M^-1 W' P,   x+ = x + h (v + v+)/2,   f = f(x, x+):  f . (x+ - x) = -(V(x+) - V(x)) - what dampers take
 //! ```
-//! Solved by fixed-point iteration (h w < 2), gone on with along the last change (Anderson 1965, depth 1). Contacts stand as in
+//! Solved by fixed-point iteration, gone on with from what the last few have changed (Anderson 1965). Contacts stand as in
 //! `step`, found at x + h/2 v; their impulses P are found anew in each iteration. The account closes to rounding and momentum
 //! stays for any step, angular momentum too but for gas and contacts between flexible parts (order 2); mechanisms take the
 //! middle of the step: order 2.
 
 use super::accounts::Accounts;
+use super::anderson::eliminate;
 use super::carrier::{Carrier, Wrench};
 use super::step::{StepMemory, StepReport, World, load_contacts, press};
 use super::sweep::Sweeps;
+use super::trail::DEPTH;
 use crate::flexible::{force, mean};
 use crate::mechanism::Fault;
 use crate::ode::nodes::Way;
@@ -23,8 +25,10 @@ use crate::rigid::contact::{Contact, Point, Side, Twist};
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 
-/// Iterations at most: at h w = 1 each gains a factor 6 about, so 20 reach the rounding of f64.
+/// Iterations at most; at h w = 1 some 15 reach the rounding of f64.
 const ITERATIONS: usize = 300;
+/// An iteration that misses more than this times the least of the trail (squares) ends the trail.
+const WORSE: f64 = 16.0;
 /// Changes below this many rounding units of the smaller of coordinates and speeds end the iteration.
 const SETTLED: f64 = 2.0;
 /// Iterations without gain that end it near the solution: the last digits keep moving.
@@ -45,7 +49,7 @@ impl<S: Scalar> MeanMemory<'_, S> {
     /// Numbers of scratch memory for a state of `n` entries.
     #[must_use]
     pub const fn scratch(n: usize) -> usize {
-        5 * n
+        (5 + 2 * DEPTH) * n
     }
 }
 
@@ -60,14 +64,25 @@ struct Span<'m, S> {
     rates: &'m mut [S],
 }
 
-/// Memory of the iteration: the state in which contacts were found, rates found, those of the iteration before and what they
-/// missed.
+/// Memory of the iteration: the state in which contacts were found, rates found, what iterations have changed.
 struct Spares<'m, S> {
     touched: &'m [S],
     found: &'m mut [S],
     spare: &'m mut [S],
+    trail: Trail<'m, S>,
+}
+
+/// What the last iterations have changed: f = g(k) - k and g of each, as differences from one to the next.
+struct Trail<'m, S> {
+    /// Iterations noted since it began.
+    number: usize,
+    /// Least |f|^2 of them.
+    least: S,
+    /// g and f of the last one.
     gained: &'m mut [S],
     off: &'m mut [S],
+    /// Differences of f, then of g.
+    differences: &'m mut [S],
 }
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
@@ -101,6 +116,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         means: &mut MeanMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
         let n = self.island.n_x();
+        if own.len() < StepMemory::<S>::scratch(n) || more.len() < MeanMemory::<S>::scratch(n) {
+            return Err(Fault::Shape);
+        }
+        let (more, trail) = more.split_at_mut_checked(5 * n).ok_or(Fault::Shape)?;
         let mut cuts = own.chunks_exact_mut(n.max(1)).chain(more.chunks_exact_mut(n.max(1)));
         let [
             Some(start),
@@ -130,7 +149,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         // Contacts keep the middle in which they were found.
         copy(touched, middle);
         let mut span = Span { t, h, start, end, middle, rates };
-        let spares = Spares { touched, found, spare, gained, off };
+        let trail = Trail { number: 0, least: S::ZERO, gained, off, differences: trail };
+        let spares = Spares { touched, found, spare, trail };
         let (pivot, sweeps) = self.settle_rates(&mut span, spares, state.low(), memory, means)?;
         let accounts = self.observe_means(h, memory, means);
         let Span { end, middle, rates, .. } = span;
@@ -175,12 +195,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     fn settle_rates(
         &mut self,
         span: &mut Span<'_, S>,
-        Spares { touched, found, spare, gained, off }: Spares<'_, S>,
+        Spares { touched, found, spare, mut trail }: Spares<'_, S>,
         low: &[S],
         memory: &mut StepMemory<'_, S>,
         means: &mut MeanMemory<'_, S>,
     ) -> Result<(S, Sweeps<S>), Fault> {
-        let (mut least, mut without_gain, mut is_first) = (S::ONE / S::ZERO, 0, true);
+        let (mut least, mut without_gain) = (S::ONE / S::ZERO, 0);
         let n_q = self.island.n_q();
         for _ in 0..ITERATIONS {
             let (half, rows) = (S::from_f64(0.5), span.start.iter().zip(low).zip(span.rates.iter()));
@@ -228,8 +248,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
                 copy(span.rates, found);
                 return Ok((pivot, sweeps));
             }
-            go_on(is_first, n_q, span.rates, found, [&mut *gained, &mut *off]);
-            is_first = false;
+            trail.go_on(n_q, span.rates, found);
         }
         Err(Fault::Unsettled)
     }
@@ -391,24 +410,48 @@ impl<S: Scalar> Mean<'_, S> {
     }
 }
 
-/// The next rates by Anderson's method: g - gamma (g - g~), gamma = r.dr/dr.dr over the speeds' rates, g~ and dr since the
-/// iteration before. Where that would go back or on by more than the whole change, they are g.
-fn go_on<S: Scalar>(is_first: bool, n_q: usize, rates: &mut [S], found: &[S], [gained, off]: [&mut [S]; 2]) {
-    let (mut along, mut square) = (S::ZERO, S::ZERO);
-    for (index, ((rate, g), off)) in rates.iter().zip(found).zip(off.iter_mut()).enumerate() {
-        let now = *g - *rate;
-        if index >= n_q {
-            let turn = now - *off;
-            (along, square) = (along + now * turn, square + turn * turn);
+impl<S: Scalar> Trail<'_, S> {
+    /// The next rates by Anderson's method: g - sum_i gamma_i dg_i, gamma = argmin |f - sum_i gamma_i df_i| over the speeds' rates.
+    fn go_on(&mut self, n_q: usize, rates: &mut [S], found: &[S]) {
+        let n = rates.len().max(1);
+        let square =
+            found.iter().zip(rates.iter()).skip(n_q).fold(S::ZERO, |sum, (g, k)| sum + (*g - *k) * (*g - *k));
+        // An iteration that is much worse than the best ends the trail.
+        let goes_on = self.number > 0 && square <= S::from_f64(WORSE) * self.least;
+        if goes_on {
+            let place = (self.number - 1) % DEPTH;
+            let mut rows = self.differences.chunks_exact_mut(n).skip(place);
+            if let (Some(of_f), Some(of_g)) = (rows.next(), rows.nth(DEPTH - 1)) {
+                let ends = found.iter().zip(rates.iter()).zip(self.gained.iter().zip(self.off.iter()));
+                for ((of_f, of_g), ((g, k), (old_g, old_f))) in of_f.iter_mut().zip(of_g).zip(ends) {
+                    (*of_f, *of_g) = ((*g - *k) - *old_f, *g - *old_g);
+                }
+            }
+        } else {
+            self.number = 0;
         }
-        *off = now;
-    }
-    let gamma = along / square;
-    // Also where it is no number.
-    let goes_on = !is_first && gamma.abs() <= S::ONE;
-    for ((rate, g), before) in rates.iter_mut().zip(found).zip(gained) {
-        *rate = if goes_on { *g - gamma * (*g - *before) } else { *g };
-        *before = *g;
+        self.least = if self.number == 0 { square } else { self.least.min(square) };
+        self.number += 1;
+        for ((gained, off), (g, k)) in
+            self.gained.iter_mut().zip(self.off.iter_mut()).zip(found.iter().zip(rates.iter()))
+        {
+            (*gained, *off) = (*g, *g - *k);
+        }
+        let count = (self.number - 1).min(DEPTH);
+        let (mut matrix, mut right) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH]);
+        let dot = |a: &[S], b: &[S]| a.iter().zip(b).skip(n_q).fold(S::ZERO, |sum, (a, b)| sum + *a * *b);
+        for (i, own) in self.differences.chunks_exact(n).take(count).enumerate() {
+            right[i] = dot(own, self.off);
+            for (j, other) in self.differences.chunks_exact(n).take(i + 1).enumerate() {
+                matrix[i][j] = dot(own, other);
+                matrix[j][i] = matrix[i][j];
+            }
+        }
+        let gamma = eliminate(matrix, right, square);
+        copy(rates, found);
+        for (of_g, gamma) in self.differences.chunks_exact(n).skip(DEPTH).take(count).zip(gamma) {
+            rates.iter_mut().zip(of_g).for_each(|(rate, change)| *rate = *rate - gamma * *change);
+        }
     }
 }
 

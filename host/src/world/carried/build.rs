@@ -3,11 +3,11 @@
 //! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
 
 use super::air::Air;
-use super::methods::method;
+use super::methods::Contacts;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
 use crate::scene::{Lists, Simulation, Surroundings};
-use crate::world::assembly::{Assembly, Kind, Rigid};
+use crate::world::assembly::{Assembly, Kind, Law, Rigid};
 use crate::world::carriers::HostCarrier;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
@@ -23,7 +23,8 @@ impl CarriedWorld {
     /// # Errors
     /// What cannot be derived, assembled or stepped, in words.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
-        let method = method(assembly.run.method.as_deref().unwrap_or("rk4"))?;
+        let contacts = contacts(assembly);
+        let method = contacts.method(assembly.run.method.as_deref().unwrap_or(contacts.default_method()))?;
         let mut world = CarriedWorld {
             names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
             places: Vec::new(),
@@ -33,6 +34,7 @@ impl CarriedWorld {
             x: Vec::new(),
             low: Vec::new(),
             scratch: Vec::new(),
+            contacts,
             method,
             h: assembly.run.step,
             starts: Vec::new(),
@@ -175,16 +177,13 @@ impl CarriedWorld {
         })
         .map_err(words)?;
         self.low = vec![0.0; x.len()];
-        self.scratch = vec![0.0; self.method.1.scratch(x.len())];
+        self.scratch = vec![0.0; self.ode_method().scratch(x.len())];
         self.x = x;
         Ok(())
     }
 
-    /// Contacts, where the assembly has some.
+    /// What can be touched, and the memory of steps with contacts.
     fn touch(&mut self, assembly: &Assembly) -> Result<(), String> {
-        if assembly.contacts.is_empty() {
-            return Ok(());
-        }
         let mut port = 0;
         let mut touchable = Vec::new();
         for (place, part) in self.places.iter().zip(&assembly.parts) {
@@ -203,18 +202,7 @@ impl CarriedWorld {
         }
         let answers = Inertias::answers(&Group { members: &mut self.carriers });
         let size = [self.room.frames.len(), self.room.pos.len(), answers, self.x.len()];
-        let touching = Touching::new(assembly, &touchable, size, self.method.1)?;
-        if !touching.is_located() {
-            if let Some(method) = &assembly.run.method {
-                return Err(format!(
-                    "run.method = \"{method}\": a world with contacts has a step of its own (Moreau, order 2 where nothing touches); \
-                     leave the key out"
-                ));
-            }
-            self.method.0 =
-                "moreau, touches not located: of order 2 where nothing touches, 1 where something does";
-        }
-        self.touching = Some(touching);
+        self.touching = Some(Touching::new(assembly, &touchable, size, self.ode_method())?);
         Ok(())
     }
 
@@ -237,6 +225,16 @@ impl CarriedWorld {
         let first: usize = self.carriers[..number].iter().map(Carrier::n_ports).sum();
         let own = name.and_then(|name| ports(assembly, part).iter().position(|port| port == name));
         first + own.unwrap_or(0)
+    }
+}
+
+/// What the contacts of an assembly ask of its method.
+fn contacts(assembly: &Assembly) -> Contacts {
+    let unlocated = assembly.contacts.iter().any(|contact| matches!(contact.law, Law::Moreau { .. }));
+    match (assembly.contacts.is_empty(), unlocated) {
+        (true, _) => Contacts::None,
+        (_, true) => Contacts::Unlocated,
+        _ => Contacts::Located,
     }
 }
 

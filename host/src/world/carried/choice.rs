@@ -1,18 +1,19 @@
 //! What can be asked of a world's equations, and another method or state put in their place: for measuring.
 
-use super::{CarriedWorld, methods, words};
+use super::methods::{Contacts, Stepping};
+use super::{CarriedWorld, words};
 
 impl CarriedWorld {
     /// Without contacts: its equations are smooth.
     #[must_use]
     pub fn is_smooth(&self) -> bool {
-        self.touching.is_none()
+        self.contacts == Contacts::None
     }
 
-    /// Is it stepped by one of [`METHODS`](methods::METHODS), or by Moreau's step alone?
+    /// What its contacts ask of its method.
     #[must_use]
-    pub fn takes_method(&self) -> bool {
-        self.touching.as_ref().is_none_or(super::Touching::is_located)
+    pub fn contacts(&self) -> Contacts {
+        self.contacts
     }
 
     /// The largest step that follows the flexible parts' fastest motion (s), if there is a bound.
@@ -26,10 +27,10 @@ impl CarriedWorld {
     /// # Errors
     /// There is none.
     pub fn choose(&mut self, name: &str) -> Result<(), String> {
-        self.method = methods::method(name)?;
-        self.scratch = vec![0.0; self.method.1.scratch(self.x.len())];
-        if let Some(touching) = &mut self.touching {
-            touching.choose(self.method.1, self.x.len());
+        self.method = self.contacts.method(name)?;
+        self.scratch = vec![0.0; self.ode_method().scratch(self.x.len())];
+        if let (Some(touching), Stepping::Ode(method)) = (&mut self.touching, self.method.1) {
+            touching.choose(method, self.x.len());
         }
         Ok(())
     }

@@ -18,8 +18,9 @@ pub mod tables;
 use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
-use super::touching::Touching;
+use super::touching::{How, Touching};
 use crate::scene::grid::Woven;
+use methods::{Contacts, Stepping};
 use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
 use smartbed_runtime::mechanism::Fault;
@@ -83,7 +84,8 @@ pub struct CarriedWorld {
     x: Vec<f64>,
     low: Vec<f64>,
     scratch: Vec<f64>,
-    method: (&'static str, Method),
+    contacts: Contacts,
+    method: (&'static str, Stepping),
     h: f64,
     /// Commanded frames at the start, with their motion.
     starts: Vec<Frame<f64>>,
@@ -121,10 +123,12 @@ impl CarriedWorld {
         found: &mut Vec<Event>,
     ) -> Result<Accounts<f64>, Fault> {
         let (t, old) = (self.t, x.to_vec());
+        let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
         let done = self.with(|island| {
             let mut state = State::resume(x, low)?;
-            touching.step(island, (t, h), &mut state, at_rest, found)
+            let how = if at_rest { How::Relaxing } else { how };
+            touching.step(island, (t, h), &mut state, how, found)
         });
         self.touching = Some(touching);
         let report = done?;
@@ -133,14 +137,28 @@ impl CarriedWorld {
         // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
         let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
         let mut accounts = report.accounts;
+        // Where time gives a mechanism's motion, by Simpson's rule.
         self.each_mechanism(&middle, |ported, q, u, wrenches| {
             let none = vec![Wrench::zero(); wrenches.len()];
-            let account = ported.account(t + 0.5 * h, q, u, &none)?;
-            accounts.drive += h * account.driven;
-            accounts.damping += h * account.damped;
+            let ends: &[_] = if u.is_empty() { &[(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)] } else { &[(0.5, 6.0)] };
+            for (part, weight) in ends {
+                let account = ported.account(t + part * h, q, u, &none)?;
+                accounts.drive += weight / 6.0 * h * account.driven;
+                accounts.damping += weight / 6.0 * h * account.damped;
+            }
             Ok(())
         })?;
         Ok(accounts)
+    }
+
+    /// The method between touches; of steps that have no such method, that of what is relaxed.
+    fn ode_method(&self) -> Method {
+        if let Stepping::Ode(method) = self.method.1 { method } else { rest::RELAXED }
+    }
+
+    /// Does a step know of contacts, or does it act over its whole like one that does?
+    fn steps_as_world(&self) -> bool {
+        self.contacts != Contacts::None || self.method.1 == Stepping::Conserving
     }
 
     /// Does something with the island that the lists are.

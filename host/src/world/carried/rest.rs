@@ -1,5 +1,6 @@
 //! Relaxation towards rest: what `settle::relax` asks of a world of flexible parts.
 
+use super::methods::Contacts;
 use super::{CarriedWorld, Place};
 use crate::world::settle::Relaxing;
 use smartbed_runtime::mechanism::Fault;
@@ -8,7 +9,7 @@ use smartbed_runtime::vec3;
 use smartbed_runtime::world::Carrier;
 
 /// The method of free motion while a world without contacts is relaxed.
-const RELAXED: Method = Method::SemiImplicitEuler;
+pub(super) const RELAXED: Method = Method::SemiImplicitEuler;
 
 impl Relaxing for CarriedWorld {
     fn vector(&self) -> Vec<f64> {
@@ -50,7 +51,7 @@ impl Relaxing for CarriedWorld {
 
     fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault> {
         let h = self.h;
-        if self.touching.is_some() {
+        if self.contacts != Contacts::None {
             self.step_touching(h, (x, low), true, &mut Vec::new())?;
             return Ok(h);
         }

@@ -1,6 +1,7 @@
 //! Rows, energies, pictures and steps of a world of flexible parts.
 
 use super::air::SAVED;
+use super::methods::Contacts;
 use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
@@ -239,12 +240,15 @@ impl Engine for CarriedWorld {
     }
 
     fn method(&self) -> String {
-        match &self.touching {
-            Some(touching) if touching.is_located() => {
-                format!("{}, touches located in time", self.method.0)
+        let name = self.method.0;
+        match self.contacts {
+            Contacts::None => format!("{name}, flexible parts and what carries them as one"),
+            Contacts::Located => format!("{name}, touches located in time"),
+            Contacts::Unlocated => {
+                format!(
+                    "{name}, touches not located: of order 2 where nothing touches, 1 where something does"
+                )
             }
-            Some(_) => self.method.0.to_owned(),
-            None => format!("{}, flexible parts and what carries them as one", self.method.0),
         }
     }
 }

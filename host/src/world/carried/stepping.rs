@@ -22,7 +22,7 @@ pub(super) enum Drivable {
 impl CarriedWorld {
     /// A step of motion, lines of gas shut.
     pub(super) fn move_on(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        if self.touching.is_some() {
+        if self.steps_as_world() {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
             let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
@@ -39,7 +39,7 @@ impl CarriedWorld {
         let first = self.powers(t, &old).map_err(words)?;
         let (mut x, mut low, mut scratch) =
             (std::mem::take(&mut self.x), std::mem::take(&mut self.low), std::mem::take(&mut self.scratch));
-        let method = self.method.1;
+        let method = self.ode_method();
         // Where time gives everything there is nothing to integrate.
         let done = if x.is_empty() {
             Ok(())

@@ -4,6 +4,7 @@
 //! includes. `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that
 //! reads back to it: the compiler rounds it once to single precision, for chip and host alike.
 
+use super::methods::{Contacts, Stepping};
 use super::{CarriedWorld, Place};
 use crate::world::assembly::{Assembly, Kind, Mechanism};
 use crate::world::carriers::HostCarrier;
@@ -50,13 +51,19 @@ impl CarriedWorld {
     /// # Errors
     /// What the chip does not do, or what cannot be derived.
     pub fn tables(&self, assembly: &Assembly) -> Result<String, String> {
-        if self.touching.is_some() {
+        if self.contacts != Contacts::None {
             return Err("the chip steps worlds without contacts; leave [[contacts]] out".to_owned());
         }
         if assembly.has_lines() || !assembly.controllers.is_empty() {
             let why = "the chip steps worlds without lines of gas and controllers; leave supply, vent and [controllers] out";
             return Err(why.to_owned());
         }
+        let Stepping::Ode(method) = self.method.1 else {
+            return Err(format!(
+                "run.method = \"{}\": the chip takes verlet, rk4 and their like; take one of them",
+                self.method.0
+            ));
+        };
         let fixed = &self.fixed;
         let mut text = String::new();
         let mut constant = |name: &str, kind: &str, value: &dyn Debug| {
@@ -66,7 +73,7 @@ impl CarriedWorld {
         constant("PORTS", "usize", &self.room.frames.len());
         constant("NUMBERS", "usize", &self.x.len());
         constant("STEP", "f32", &self.h);
-        constant("METHOD", "Method", &self.method.1);
+        constant("METHOD", "Method", &method);
         constant("GRAVITY", "Vec3<f32>", &fixed.gravity);
         constant("AIR_DRAG", "f32", &fixed.air_drag);
         constant("POS", "[Vec3<f32>; NODES]", &self.room.pos);
@@ -87,7 +94,7 @@ impl CarriedWorld {
     /// What it needs.
     #[must_use]
     pub fn demand(&self) -> Demand {
-        Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.method.1 }
+        Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.ode_method() }
     }
 
     /// Equations of mechanisms, those of copies once, and the list of carriers.

@@ -1,0 +1,67 @@
+//! What looks at a world between steps and answers: sensors, and controllers that hold inputs.
+//!
+//! In: an engine behind whole steps, counted from the start. Out: readings; inputs held until the next step; numbers that a run
+//! goes on from.
+
+use super::assembly::Assembly;
+use super::controllers::Controllers;
+use super::engine::{Engine, other_world};
+use super::sensors::Probes;
+
+/// Sensors and controllers of a world.
+#[derive(Clone, Debug)]
+pub struct Observers {
+    probes: Probes,
+    controllers: Controllers,
+}
+
+impl Observers {
+    /// Of an assembly that this engine moves, by steps of the assembly's length.
+    ///
+    /// # Errors
+    /// What one of them reads or drives is not there, or its times are no whole numbers of steps.
+    pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
+        let columns = engine.columns();
+        Ok(Self {
+            probes: Probes::new(assembly, &columns)?,
+            controllers: Controllers::new(assembly, &columns, &engine.inputs())?,
+        })
+    }
+
+    /// Looks at the world behind step `n`, 0 at the start, and acts on it.
+    ///
+    /// # Errors
+    /// The engine's, and a reading that is no number.
+    pub fn look(&mut self, n: u64, engine: &mut dyn Engine) -> Result<(), String> {
+        if self.probes.is_empty() && self.controllers.is_empty() {
+            return Ok(());
+        }
+        let state = engine.state()?;
+        self.probes.observe(n, &state);
+        let readings = self.probes.readings(n);
+        self.controllers.act(n, &state, &readings, engine)
+    }
+
+    /// What the sensors show behind step `n`, in the scene's order.
+    pub fn readings(&mut self, n: u64) -> Vec<f64> {
+        self.probes.readings(n)
+    }
+
+    /// All they remember.
+    #[must_use]
+    pub fn save(&self) -> Vec<f64> {
+        let mut numbers = self.probes.save();
+        numbers.extend(self.controllers.save());
+        numbers
+    }
+
+    /// Goes on from [`Observers::save`]: the engine holds the inputs that it held then.
+    ///
+    /// # Errors
+    /// Numbers of other sensors or controllers.
+    pub fn load(&mut self, numbers: &[f64], engine: &mut dyn Engine) -> Result<(), String> {
+        let mut numbers = numbers.iter().copied();
+        let done = self.probes.load(&mut numbers).and_then(|()| self.controllers.load(&mut numbers, engine));
+        done.filter(|()| numbers.next().is_none()).ok_or_else(other_world)
+    }
+}

@@ -1,0 +1,69 @@
+//! `energy_momentum` in worlds: what no account explains is rounding.
+
+use super::support::{self, fails, json, number};
+
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/scenes");
+
+/// The largest imbalance of a run, and its last accounts: impact, friction, damping, drive (J).
+fn books(arguments: &[&str]) -> (f64, [f64; 4]) {
+    let done = json(&[arguments, &["--method", "energy_momentum"]].concat());
+    let accounts = ["impact", "friction", "damping", "drive"].map(|name| number(&done["last"][name]));
+    println!("{arguments:?}: imbalance {:e}, {accounts:?}", number(&done["imbalance"]));
+    (number(&done["imbalance"]).abs(), accounts)
+}
+
+const UNDAMPED: [&str; 4] = ["--set", "parts.bladder.C=0", "--set", "parts.bladder.air_drag=0"];
+
+#[test]
+fn five_kilograms_dropped_by_20_mm_without_dampers_close_the_account_at_the_scene_s_step() {
+    let drop = [
+        "ball_on_bladder",
+        "--seconds",
+        "0.3",
+        "--set",
+        "parts.ball.mass=5_kg",
+        "--set",
+        "parts.ball.start.height=60_mm",
+    ];
+    let fell = 5.0 * 9.81 * 0.02;
+    let (imbalance, [impact, ..]) = books(&[&drop[..], &UNDAMPED[..]].concat());
+    assert!(imbalance < 1e-6 * fell && impact > 1e-3, "{imbalance:e}");
+    // With dampers and air as well.
+    let (imbalance, [_, _, damping, _]) = books(&drop);
+    assert!(imbalance < 1e-6 * fell && damping > 1e-2, "{imbalance:e}");
+}
+
+#[test]
+fn a_commanded_tile_pays_for_its_bladder_to_rounding() {
+    let (imbalance, [.., drive]) = books(&["tile_with_bladder", "--seconds", "0.5"]);
+    assert!(imbalance < 1e-9 * drive.abs(), "{imbalance:e} of {drive:e}");
+}
+
+#[test]
+fn a_mechanism_under_a_bladder_keeps_the_order_of_the_middle() {
+    let run = |step: &str| books(&["tile_bladder_coupled", "--seconds", "0.2", "--step", step]).0;
+    let [coarse, fine] = ["2e-4", "1e-4"].map(run);
+    assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse:e} {fine:e}");
+}
+
+#[test]
+fn a_method_that_the_contacts_cannot_have_is_refused_by_name() {
+    let says = |arguments: &[&str], words: &str| {
+        let said = fails(&[&["run"], arguments].concat());
+        assert!(said.contains(words), "{arguments:?}: {said}");
+    };
+    says(
+        &["ball_on_bladder", "--method", "rk4"],
+        "act over whole steps; leave the key out, or take energy_momentum",
+    );
+    says(&["tile_with_bladder", "--method", "moreau"], "this world has no contacts");
+    let changed = |name: &str, old: &str, new: &str| {
+        let text = std::fs::read_to_string(format!("{SCENES}/{name}.toml")).expect("a scene");
+        support::scene(&format!("conserving_{name}"), &text.replace(old, new))
+    };
+    let located = changed("ball_on_bladder", "\"moreau\"", "\"compensation\"");
+    says(&[&located, "--method", "energy_momentum"], "located touches cut them");
+    let file = changed("tile_with_bladder", "[run]", "[run]\nmethod = \"energy_momentum\"");
+    let chip = fails(&["firmware", &file]);
+    assert!(chip.contains("the chip takes verlet, rk4"), "{chip}");
+}
