@@ -3,13 +3,17 @@
 use super::derived::Program;
 use crate::expr::tape::SampleTable;
 use crate::expr::{ExprId, Node, SymbolId};
-use crate::value::{self, Effort, States};
+use crate::value::{self, Effort, Search, States};
 use rustc_hash::FxHashMap as HashMap;
 
 /// Samples at the end of the table that are watched besides the nominal and the worst ones.
 const RANDOM: usize = 2;
 /// Pivots, the weakest first, at whose worst samples round-off is watched.
 const PIVOTS: usize = 4;
+
+/// Place of the answers on request among the groups: who asks for one waits for it, and it may take thousands of
+/// operations, so that a search over pairs of values is worth its time at the default effort too.
+const ON_REQUEST: usize = 2;
 
 /// Rewrites the answers of a program; the augmented form stays as it is.
 pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Effort) {
@@ -22,7 +26,8 @@ pub(super) fn answers(program: &mut Program, table: &mut SampleTable, effort: Ef
         guard.clone()
     };
     let groups = program.groups();
-    let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, effort);
+    let search = Search { effort, paired: ON_REQUEST };
+    let shorter = value::shorten(&mut program.dag, &groups, &guard, &samples, search);
     let image: HashMap<ExprId, ExprId> = groups.concat().into_iter().zip(shorter.concat()).collect();
     program.map_answers(|e| image[&e]);
 }

@@ -292,6 +292,34 @@ impl Graph {
         true
     }
 
+    /// Gives `target` this definition, which must have its value, in the place of those that it has; false where the
+    /// definition reads the class.
+    pub fn adopt(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
+        let definition = self.prepared(Definition::new(operation, a, b, target.negative));
+        if self.classes[target.class].is_leaf() || self.reads(&definition, target.class) {
+            return false;
+        }
+        let class = &mut self.classes[target.class];
+        (class.first, class.current) = (definition, definition);
+        class.others.clear();
+        true
+    }
+
+    /// Do the current definitions lead from what `definition` reads to `class`?
+    fn reads(&self, definition: &Definition, class: ClassId) -> bool {
+        let mut seen = vec![false; self.classes.len()];
+        let mut stack: Vec<ClassId> = definition.reads().collect();
+        while let Some(next) = stack.pop() {
+            if next == class {
+                return true;
+            }
+            if !std::mem::replace(&mut seen[next.index()], true) {
+                stack.extend(self.classes[next].current.reads());
+            }
+        }
+        false
+    }
+
     /// The class of a (operation) b, made if need be; `None` if it is zero or not defined.
     pub fn class_of(&mut self, operation: Operation, a: Signed, b: Signed) -> Option<Signed> {
         let value = self.apply(operation, a, b)?;

@@ -16,13 +16,15 @@ pub(super) struct Import<'a> {
     states: &'a States,
     /// The node 0 of the DAG.
     zero: ExprId,
+    /// Does a definition that rounds off less take the place of an equal one? Else both stay, for a search over pairs.
+    replaces: bool,
     /// What nodes have become: a class with a sign, or zero.
     classes: Vec<Option<Option<Signed>>>,
 }
 
 impl<'a> Import<'a> {
-    pub fn new(graph: &'a mut Graph, dag: &'a Dag, states: &'a States, zero: ExprId) -> Self {
-        Self { graph, dag, states, zero, classes: vec![None; dag.len()] }
+    pub fn new(graph: &'a mut Graph, dag: &'a Dag, states: &'a States, zero: ExprId, replaces: bool) -> Self {
+        Self { graph, dag, states, zero, replaces, classes: vec![None; dag.len()] }
     }
 
     /// Loads what `roots` need and returns their classes.
@@ -98,6 +100,13 @@ impl<'a> Import<'a> {
             let own = graph.signed_estimates(known);
             if guard::admits(estimates.iter().copied(), own).is_some() {
                 graph.propose(known, operation, a, b);
+                graph.sharpen(known.class, &estimates);
+                return Some(known);
+            }
+            // What is known rounds off more: it gives way.
+            let own: Vec<Estimate> = graph.signed_estimates(known).collect();
+            let is_better = guard::admits(own.into_iter(), estimates.iter().copied()).is_some();
+            if self.replaces && is_better && graph.adopt(known, operation, a, b) {
                 graph.sharpen(known.class, &estimates);
                 return Some(known);
             }

@@ -41,12 +41,30 @@ pub enum Effort {
     All,
 }
 
+/// How hard to look, and where.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Search {
+    /// How hard.
+    pub effort: Effort,
+    /// Groups from this one on are searched over pairs of values at the default effort too.
+    pub paired: usize,
+}
+
+impl From<Effort> for Search {
+    fn from(effort: Effort) -> Self {
+        Self { effort, paired: usize::MAX }
+    }
+}
+
 /// Sweeps of the search in a round of the default effort.
 const PASSES_DEFAULT: usize = 2;
 /// Sweeps in a round of the full effort: more rounds pay better than more sweeps.
 const PASSES_ALL: usize = 5;
 /// Most rounds of the full effort on the first group alone, and then on all groups.
 const ROUNDS: (usize, usize) = (6, 2);
+
+/// More values than this are not looked at in pairs at the default effort: the time grows with their square.
+const MOST_PAIRED: usize = 10_000;
 
 /// Shorter expressions of the same values: `groups[0]` is made as short as can be, the others after it.
 ///
@@ -58,10 +76,11 @@ pub fn shorten(
     groups: &[Vec<ExprId>],
     guard: &States,
     samples: &States,
-    effort: Effort,
+    search: impl Into<Search>,
 ) -> Vec<Vec<ExprId>> {
+    let search = search.into();
     let mut best: Vec<Vec<ExprId>> = groups.to_vec();
-    let rounds: &[(usize, usize)] = match effort {
+    let rounds: &[(usize, usize)] = match search.effort {
         Effort::None => return best,
         Effort::Default => &[(1, groups.len())],
         Effort::All => &[(ROUNDS.0, 1), (ROUNDS.1, groups.len())],
@@ -70,7 +89,7 @@ pub fn shorten(
     let mut pairs = Pairs::new();
     for &(most, searched) in rounds {
         for _ in 0..most {
-            let next = round(dag, &best, guard, (effort, &mut pairs), searched);
+            let next = round(dag, &best, guard, (search, &mut pairs), searched);
             if !is_shorter(dag, &best[..searched], &next[..searched]) || !check.passes(dag, &next) {
                 break;
             }
@@ -100,19 +119,19 @@ fn round(
     dag: &mut Dag,
     groups: &[Vec<ExprId>],
     guard: &States,
-    (effort, pairs): (Effort, &mut Pairs),
+    (Search { effort, paired }, pairs): (Search, &mut Pairs),
     searched: usize,
 ) -> Vec<Vec<ExprId>> {
     let (zero, one) = (dag.zero(), dag.one());
     let mut graph = Graph::new(guard.points);
-    let mut import = Import::new(&mut graph, dag, guard, zero);
+    let mut import = Import::new(&mut graph, dag, guard, zero, effort == Effort::Default);
     let one = import.load(&[one])[0].expect("1 is not 0");
     let classes: Vec<Vec<Option<Signed>>> = groups.iter().map(|group| import.load(group)).collect();
     let labels = import.labels();
     let mut roots: Vec<Signed> = Vec::new();
     let mut settled: Vec<ClassId> = Vec::new();
     let mut treated: Vec<bool> = Vec::new();
-    for group in &classes[..searched] {
+    for (place, group) in classes[..searched].iter().enumerate() {
         roots.extend(group.iter().flatten());
         let mut search = Extraction::new(&mut graph, &roots, &settled);
         let live = search.live();
@@ -120,9 +139,11 @@ fn round(
         let is_new = |class: &ClassId| !std::mem::replace(&mut treated[class.index()], true);
         let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
+        if effort == Effort::All || (place >= paired && live.len() <= MOST_PAIRED) {
+            pairs.resubstitute(search.graph, &live, &new);
+        }
         if effort == Effort::All {
             passes = PASSES_ALL;
-            pairs.resubstitute(search.graph, &live, &new);
             rules::apply(search.graph, &new, one);
         }
         rules::factor_sums(search.graph, &live, &new, one);

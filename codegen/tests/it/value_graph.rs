@@ -159,6 +159,16 @@ fn the_guard_refuses_a_planted_identity_that_cancels() {
     assert_eq!(squares(&[1.0, 0.3], &[0.2, 0.3 + 1e-7]), 5);
 }
 
+#[test]
+fn of_two_equal_forms_that_stays_which_rounds_off_less() {
+    // a^2 - b^2 comes first; (a + b)(a - b) does not cancel where the sides are nearly equal.
+    let (mut dag, [a, b], states) = symbols([&[1.0, 0.3], &[0.2, 0.3 + 1e-7]]);
+    let (aa, bb, sum, difference) = (dag.mul(a, a), dag.mul(b, b), dag.add(a, b), dag.sub(a, b));
+    let (squares, product) = (dag.sub(aa, bb), dag.mul(sum, difference));
+    let shorter = shorten(&mut dag, &[vec![squares, product]], &states, &states, Effort::Default);
+    assert_eq!(shorter[0], [product, product]);
+}
+
 /// f(shortened), operations.
 fn operations(build: impl Fn(&mut Dag, [ExprId; 4]) -> Vec<ExprId>, effort: Effort) -> usize {
     let (mut dag, exprs, states) = symbols([&[1.3, -0.4], &[0.7, 2.1], &[-1.9, 0.6], &[0.2, 1.1]]);
