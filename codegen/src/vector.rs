@@ -16,7 +16,7 @@ use merged_turn::MergedTurn;
 use std::collections::BTreeMap;
 
 pub use components::{along_axis, cross_components, dot_components, turn_components};
-pub use triads::{Components, TriadId, Triads, Turn};
+pub use triads::{Components, Spin, TriadId, Triads, Turn};
 
 /// A vector: components by triad, plus multiples of lifted points' positions.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -299,7 +299,7 @@ impl Triads {
         match &self.turns[triad] {
             Turn::Inertial => v,
             Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, false),
-            Turn::Directions { rows } => std::array::from_fn(|k| {
+            Turn::Directions { rows, .. } => std::array::from_fn(|k| {
                 let terms: [ExprId; 3] = std::array::from_fn(|j| dag.mul(v[j], rows[j][k]));
                 dag.sum(&terms)
             }),
@@ -310,7 +310,7 @@ impl Triads {
         match &self.turns[triad] {
             Turn::Inertial => v,
             Turn::Simple { axis, angle, .. } => turn_components(dag, *axis, *angle, v, true),
-            Turn::Directions { rows } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
+            Turn::Directions { rows, .. } => std::array::from_fn(|j| dot_components(dag, &rows[j], &v)),
         }
     }
 }

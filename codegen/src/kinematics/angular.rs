@@ -1,11 +1,12 @@
-//! Angular velocities: w of a simple rotation adds to its parent's; w of a triad of directions by Kane's definition.
+//! Angular velocities: w of a simple rotation, and of Euler parameters, adds to the parent's; w of a triad of directions
+//! by Kane's definition.
 
 use super::quantities::{Kinematics, Motion, Rate};
-use super::rate::scalar_rate;
+use super::rate::{scalar_rate, sum_of_rates};
 use super::unknowns::UnknownId;
 use crate::expr::ExprId;
 use crate::model::Axis;
-use crate::vector::{Algebra, TriadId, Turn, Vector, dot_components};
+use crate::vector::{Algebra, Spin, TriadId, Turn, Vector, dot_components};
 use std::collections::BTreeSet;
 
 /// Angular velocity of a triad whose parents are done.
@@ -30,8 +31,30 @@ pub(super) fn angular_velocity(alg: &mut Algebra, k: &Kinematics, triad: TriadId
             motion.bias = motion.bias.plus(&mut alg.dag, &bias).plus(&mut alg.dag, &turning);
             motion
         }
-        Turn::Directions { rows } => kane_angular_velocity(alg, k, triad, rows),
+        Turn::Directions { parent, spin: Some(spin), .. } => spinning(alg, k, (triad, parent), &spin),
+        Turn::Directions { rows, .. } => kane_angular_velocity(alg, k, triad, rows),
     }
+}
+
+/// w = w_parent + sum_i s_i e_i; alpha = alpha_parent + sum_i s_i' e_i + w_parent x sum_i s_i e_i, e_i the axes of the
+/// triad itself: w x s = w_parent x s.
+fn spinning(alg: &mut Algebra, k: &Kinematics, (triad, parent): (TriadId, TriadId), spin: &Spin) -> Motion {
+    let rates = spin.each_ref().map(|terms| sum_of_rates(alg, k, terms));
+    let mut motion = k.angular[parent].clone();
+    let zero = alg.dag.zero();
+    let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
+    for unknown in unknowns {
+        let c = std::array::from_fn(|i| rates[i].partials.get(&unknown).copied().unwrap_or(zero));
+        let term = Vector::new(&alg.dag, triad, c);
+        motion.partials.add_term(&mut alg.dag, unknown, &term);
+    }
+    let relative = rates.each_ref().map(|rate| rate.value(alg, k));
+    let relative = Vector::new(&alg.dag, triad, relative);
+    let w_parent = k.angular[parent].value(alg, k);
+    let turning = alg.cross(&w_parent, &relative);
+    let bias = Vector::new(&alg.dag, triad, rates.map(|rate| rate.bias));
+    motion.bias = motion.bias.plus(&mut alg.dag, &bias).plus(&mut alg.dag, &turning);
+    motion
 }
 
 /// A rotation axis is fixed in the parent too; climb as long as the parent turns about the same axis.

@@ -174,12 +174,12 @@ fn turning(alg: &mut Algebra, model: &Model, k: &mut Kinematics, frame: FrameId)
         motion.add(&mut alg.dag, minus_one, &turned);
         let flat = lifted::flatten(alg, k, &vector);
         let residual = match orthonormal {
-            Some(rows) => {
+            Some((parent, rows)) => {
                 let stated = std::array::from_fn(|i| {
                     let column: [ExprId; 3] = std::array::from_fn(|j| rows[j][i]);
                     dot_components(&mut alg.dag, &components, &column)
                 });
-                let stated = Vector::new(&alg.dag, TriadId::INERTIAL, stated);
+                let stated = Vector::new(&alg.dag, parent, stated);
                 flat.minus(&mut alg.dag, &stated)
             }
             None => flat.minus(&mut alg.dag, &here),

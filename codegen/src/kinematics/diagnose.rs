@@ -72,7 +72,7 @@ fn fixed_vectors(alg: &Algebra, k: &Kinematics, table: &mut SampleTable, found: 
 /// Axes given as directions must be orthonormal wherever the constraints hold.
 fn axes(alg: &mut Algebra, model: &Model, k: &Kinematics, table: &mut SampleTable, found: &mut Diagnostics) {
     for (id, frame) in model.frames.enumerate() {
-        let Turn::Directions { rows } = alg.triads.turn(k.frame_triad[id]).clone() else { continue };
+        let Turn::Directions { rows, .. } = alg.triads.turn(k.frame_triad[id]).clone() else { continue };
         let rows = rows.map(|row| row.map(|e| table.values(&alg.dag, e).to_vec()));
         let product =
             |i: usize, j: usize, s: usize| -> f64 { (0..3).map(|c| rows[i][c][s] * rows[j][c][s]).sum() };

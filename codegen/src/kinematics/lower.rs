@@ -60,6 +60,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         implied: Vec::new(),
         implied_names: Vec::new(),
         fixed_vectors: Vec::new(),
+        combinations: Vec::new(),
         rate_pivots: Vec::new(),
         samples: Vec::new(),
         sample_times: Vec::new(),

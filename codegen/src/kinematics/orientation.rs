@@ -31,7 +31,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &Kinematics, frame: Fr
                 })
             });
             let rows = complete(alg, given);
-            alg.triads.push(Turn::Directions { rows })
+            alg.triads.push(Turn::Directions { parent: TriadId::INERTIAL, rows, spin: None })
         }
     };
     declare_constants(alg, model, k, (frame, triad));
@@ -121,23 +121,23 @@ fn single_axis(alg: &Algebra, vector: &Vector) -> Option<(TriadId, Axis, bool)> 
     found
 }
 
-/// Inertial components of an exactly orthonormal version of a frame of two stated directions.
+/// An exactly orthonormal version of a frame of stated directions, and the triad in which its components are.
 ///
 /// The cheap triad of the model is orthonormal only on the constraints; Newton's residual of a
 /// vector "fixed in the frame" needs one that is orthonormal off them, or it would not converge
 /// quadratically. Gram-Schmidt: x along the first axis, z along x cross y, y = z cross x.
-pub(super) fn orthonormal(alg: &mut Algebra, frame: TriadId) -> Option<[Components; 3]> {
-    let Turn::Directions { rows } = alg.triads.turn(frame).clone() else { return None };
+pub(super) fn orthonormal(alg: &mut Algebra, frame: TriadId) -> Option<(TriadId, [Components; 3])> {
+    let Turn::Directions { parent, rows, .. } = alg.triads.turn(frame).clone() else { return None };
     let x = normalized(alg, &rows[0]);
     let z = cross_components(&mut alg.dag, &x, &rows[1]);
     let z = normalized(alg, &z);
     let y = cross_components(&mut alg.dag, &z, &x);
-    Some([x, y, z])
+    Some((parent, [x, y, z]))
 }
 
 /// The same vector with its part in `frame` read off the orthonormal version of that frame.
 pub(super) fn flattened(alg: &mut Algebra, vector: &Vector, frame: TriadId) -> Vector {
-    let (Some(&part), Some(rows)) = (vector.terms.get(&frame), orthonormal(alg, frame)) else {
+    let (Some(&part), Some((parent, rows))) = (vector.terms.get(&frame), orthonormal(alg, frame)) else {
         return vector.clone();
     };
     let stated = std::array::from_fn(|i| {
@@ -146,7 +146,7 @@ pub(super) fn flattened(alg: &mut Algebra, vector: &Vector, frame: TriadId) -> V
     });
     let mut rest = vector.clone();
     rest.terms.remove(&frame);
-    let stated = Vector::new(&alg.dag, TriadId::INERTIAL, stated);
+    let stated = Vector::new(&alg.dag, parent, stated);
     rest.plus(&mut alg.dag, &stated)
 }
 

@@ -3,7 +3,7 @@
 //! Plain data: the stages fill it in the order of `derive`, later stages only read it.
 
 use super::linear_form::LinearForm;
-use super::unknowns::Unknowns;
+use super::unknowns::{UnknownId, Unknowns};
 use crate::expr::{Dag, ExprId, SymbolId};
 use crate::id::IdVec;
 use crate::model::{CoordinateId, DefinitionId, FrameId, InputId, ParameterId, PointId};
@@ -117,6 +117,8 @@ pub struct Kinematics {
     pub implied_names: Vec<Place>,
     /// Vectors stated to be fixed in a frame: inertial components less the stated ones.
     pub fixed_vectors: Vec<(Place, [ExprId; 3])>,
+    /// Speeds that the model defines as sums of rates, by coordinate (an unknown by its place).
+    pub(super) combinations: Vec<(UnknownId, LinearForm)>,
     /// What the speeds' definition divides by.
     pub rate_pivots: Vec<ExprId>,
     /// Coordinates at sampled configurations that satisfy the constraints, nominal first.

@@ -9,6 +9,8 @@ use super::quantities::{Kinematics, Motion, Rate};
 use super::unknowns::UnknownId;
 use crate::expr::number::Number;
 use crate::expr::{Dag, ExprId};
+use crate::id::Id;
+use crate::model::CoordinateId;
 use crate::vector::{Algebra, TriadId, Vector};
 use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeSet;
@@ -77,20 +79,57 @@ pub(super) fn configuration_rate(alg: &mut Algebra, k: &Kinematics, e: ExprId) -
 
 /// Coefficients of the unknowns in s'.
 fn total_derivative(alg: &mut Algebra, k: &Kinematics, s: ExprId) -> LinearForm {
+    let one = alg.dag.one();
+    rate_of_sum(alg, k, &[(one, s)])
+}
+
+/// The rate of a sum whose coefficients c are held: sum c s'.
+pub(super) fn sum_of_rates(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> Rate {
+    let partials = rate_of_sum(alg, k, terms);
+    let bias = bias_of(alg, k, &partials);
+    Rate { partials, bias }
+}
+
+/// Coefficients of the unknowns in sum c s'. A sum by which the model defines a speed is that speed: no more is left of it.
+fn rate_of_sum(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> LinearForm {
     let mut partials = LinearForm::default();
-    if alg.dag.is_constant(s) {
-        return partials;
-    }
-    let symbols = alg.dag.symbols_of(s);
-    for (coordinate, rate) in k.rates.enumerate() {
-        if let Some(symbol) = k.variable(&alg.dag, coordinate).filter(|symbol| symbols.contains(symbol)) {
-            let slope = alg.dag.derivative(s, symbol);
-            partials.add(&mut alg.dag, slope, &rate.partials);
+    let mut slopes: Vec<(CoordinateId, ExprId)> = Vec::new();
+    let in_time = k.unknowns.clock().zip(alg.dag.as_symbol(k.time));
+    for &(factor, s) in terms {
+        if alg.dag.is_constant(s) {
+            continue;
+        }
+        let symbols = alg.dag.symbols_of(s);
+        for (coordinate, rate) in k.rates.enumerate() {
+            if let Some(symbol) = k.variable(&alg.dag, coordinate).filter(|symbol| symbols.contains(symbol)) {
+                let slope = alg.dag.derivative(s, symbol);
+                let slope = alg.dag.mul(factor, slope);
+                match k.combinations.is_empty() {
+                    true => partials.add(&mut alg.dag, slope, &rate.partials),
+                    false => slopes.push((coordinate, slope)),
+                }
+            }
+        }
+        if let Some((clock, time)) = in_time {
+            let slope = alg.dag.derivative(s, time);
+            let slope = alg.dag.mul(factor, slope);
+            partials.add_term(&mut alg.dag, clock, &slope);
         }
     }
-    if let (Some(clock), Some(time)) = (k.unknowns.clock(), alg.dag.as_symbol(k.time)) {
-        let slope = alg.dag.derivative(s, time);
-        partials.add_term(&mut alg.dag, clock, &slope);
+    let mut by_coordinate = LinearForm::default();
+    for &(coordinate, slope) in &slopes {
+        by_coordinate.add_term(&mut alg.dag, UnknownId::from_index(coordinate.index()), &slope);
+    }
+    match k.combinations.iter().find(|(_, combination)| *combination == by_coordinate) {
+        Some((speed, _)) => {
+            let one = alg.dag.one();
+            partials.add_term(&mut alg.dag, *speed, &one);
+        }
+        None => {
+            for (coordinate, slope) in slopes {
+                partials.add(&mut alg.dag, slope, &k.rates[coordinate].partials);
+            }
+        }
     }
     partials
 }

@@ -90,6 +90,11 @@ fn invert(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Di
         let entries = row.iter().enumerate().filter(|(_, e)| !alg.dag.is_zero(**e));
         k.rates[coordinate].partials = entries.map(|(u, &e)| (UnknownId::from_index(u), e)).collect();
     }
+    let speeds = equations.into_iter().zip(model.speeds.enumerate().filter(|(_, speed)| has_row(k, speed)));
+    k.combinations = speeds
+        .filter(|(_, (_, speed))| matches!(speed.meaning, SpeedMeaning::Combination(_)))
+        .map(|(row, (speed, _))| (k.unknowns.of(speed), row.coefficients))
+        .collect();
     for &coordinate in &states {
         k.rates[coordinate].bias = rate::bias_of(alg, k, &k.rates[coordinate].partials);
     }
@@ -164,6 +169,11 @@ fn least_norm(
         }
     }
     Some((values, done.into_iter().map(|step| step.pivot).collect()))
+}
+
+/// Is the speed an equation for the rates? The rate of a coordinate in closed form is a dependent speed instead.
+fn has_row(k: &Kinematics, speed: &Speed) -> bool {
+    !matches!(speed.meaning, SpeedMeaning::RateOf(coordinate) if !k.is_state[coordinate])
 }
 
 /// Y q_dot = u: one equation per speed; unknown c is the rate of coordinate c, right-hand side s is u_s.

@@ -19,6 +19,10 @@ impl TriadId {
 /// Three components.
 pub type Components = [ExprId; 3];
 
+/// An angular velocity along the axes of the triad that turns: for each a sum of pairs, coefficient times the rate of
+/// the other.
+pub type Spin = [Vec<(ExprId, ExprId)>; 3];
+
 /// How a triad is turned.
 #[derive(Clone, Debug)]
 pub enum Turn {
@@ -33,10 +37,14 @@ pub enum Turn {
         /// By this angle (rad).
         angle: ExprId,
     },
-    /// Unit vectors given by their components in the inertial triad: `rows[k]` is axis k.
+    /// Unit vectors given by their components in another triad: `rows[k]` is axis k.
     Directions {
-        /// Axis k in inertial components.
+        /// That triad.
+        parent: TriadId,
+        /// Axis k in its components.
         rows: [Components; 3],
+        /// The angular velocity against it, where a formula is known that is shorter than Kane's definition.
+        spin: Option<Spin>,
     },
 }
 
@@ -59,8 +67,7 @@ impl Triads {
     pub fn push(&mut self, turn: Turn) -> TriadId {
         let parent = match turn {
             Turn::Inertial => None,
-            Turn::Simple { parent, .. } => Some(parent),
-            Turn::Directions { .. } => Some(TriadId::INERTIAL),
+            Turn::Simple { parent, .. } | Turn::Directions { parent, .. } => Some(parent),
         };
         let triad = self.turns.push(turn);
         let mut ancestors = vec![triad];
