@@ -22,6 +22,11 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &Kinematics, frame: Fr
             }
             triad
         }
+        Orientation::Euler { parent, parameters } => {
+            let parameters = parameters.each_ref().map(|e| lower::scalar(alg, k, e));
+            let turn = by_euler_parameters(alg, k.frame_triad[*parent], parameters);
+            alg.triads.push(turn)
+        }
         Orientation::Directions { axes } => {
             let given: [Option<Components>; 3] = std::array::from_fn(|j| {
                 axes[j].as_ref().map(|expr| {
@@ -36,6 +41,37 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &Kinematics, frame: Fr
     };
     declare_constants(alg, model, k, (frame, triad));
     triad
+}
+
+/// Axes by Euler parameters, and w = 2 (e0 e' - e0' e - e x e') along them (Kane, Likins, Levinson 1983, section 1.13).
+fn by_euler_parameters(alg: &mut Algebra, parent: TriadId, parameters: [ExprId; 4]) -> Turn {
+    let [e0, e1, e2, e3] = parameters;
+    let dag = &mut alg.dag;
+    let two = dag.number(Number::integer(2));
+    let twice = parameters.map(|e| dag.mul(two, e));
+    let squares = parameters.map(|e| dag.mul(e, e));
+    let mut diagonal = |i: usize| {
+        let both = dag.add(squares[0], squares[i]);
+        let (j, l) = ([0, 2, 3, 1][i], [0, 3, 1, 2][i]);
+        let less = dag.sub(both, squares[j]);
+        dag.sub(less, squares[l])
+    };
+    let [xx, yy, zz] = [1, 2, 3].map(&mut diagonal);
+    let mut pair = |a: ExprId, b: ExprId, c: ExprId| {
+        let (across, along) = (dag.mul(a, b), dag.mul(e0, c));
+        let (sum, difference) = (dag.add(across, along), dag.sub(across, along));
+        [dag.mul(two, sum), dag.mul(two, difference)]
+    };
+    let ([xy, yx], [yz, zy], [zx, xz]) = (pair(e1, e2, e3), pair(e2, e3, e1), pair(e3, e1, e2));
+    let rows = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]];
+    let [t0, t1, t2, t3] = twice;
+    let [n1, n2, n3] = [t1, t2, t3].map(|t| dag.negate(t));
+    let spin = [
+        vec![(t0, e1), (n1, e0), (t3, e2), (n2, e3)],
+        vec![(t0, e2), (n2, e0), (t1, e3), (n3, e1)],
+        vec![(t0, e3), (n3, e0), (t2, e1), (n1, e2)],
+    ];
+    Turn::Directions { parent, rows, spin: Some(spin) }
 }
 
 /// The third axis is the cross product of the two given.

@@ -218,6 +218,13 @@ pub enum Orientation {
         /// x, y, z.
         axes: [Option<Expr>; 3],
     },
+    /// Euler parameters of the turn from the parent: cos(angle/2) and axis sin(angle/2), of unit length.
+    Euler {
+        /// The frame to start from.
+        parent: FrameId,
+        /// e0, e1, e2, e3.
+        parameters: Box<[Expr; 4]>,
+    },
 }
 
 /// What an expression of an [`Orientation`] is; all are numbers without unit, or vectors of such.
@@ -231,6 +238,7 @@ pub struct OrientationPart {
 
 impl OrientationPart {
     const ANGLE: Self = Self { what: "an angle of rotation", is_vector: false };
+    const EULER: Self = Self { what: "an Euler parameter", is_vector: false };
     const DIRECTION: Self = Self { what: "a unit vector", is_vector: true };
 }
 
@@ -239,7 +247,7 @@ impl Orientation {
     #[must_use]
     pub fn parent(&self) -> Option<FrameId> {
         match self {
-            Self::Rotations { parent, .. } => Some(*parent),
+            Self::Rotations { parent, .. } | Self::Euler { parent, .. } => Some(*parent),
             Self::Inertial | Self::Directions { .. } => None,
         }
     }
@@ -251,6 +259,9 @@ impl Orientation {
             Self::Inertial => Vec::new(),
             Self::Rotations { rotations, .. } => {
                 rotations.iter().map(|(_, angle)| (OrientationPart::ANGLE, angle)).collect()
+            }
+            Self::Euler { parameters, .. } => {
+                parameters.iter().map(|e| (OrientationPart::EULER, e)).collect()
             }
             Self::Directions { axes } => {
                 axes.iter().flatten().map(|axis| (OrientationPart::DIRECTION, axis)).collect()

@@ -101,6 +101,13 @@ impl<'a> Place<'a> {
                 }
                 axes
             }
+            // v + 2 e x (e x v + e0 v), e along the parent's axes.
+            Orientation::Euler { parent, parameters } => {
+                let [e0, e1, e2, e3] = parameters.each_ref().map(|e| self.value(e).scalar());
+                let axes = self.frames[*parent];
+                let e = plus(plus(scaled(axes[0], e1), scaled(axes[1], e2)), scaled(axes[2], e3));
+                axes.map(|v| plus(v, scaled(cross(e, plus(cross(e, v), scaled(v, e0))), 2.0)))
+            }
             Orientation::Directions { axes } => {
                 let [x, y, _] = axes.each_ref().map(|a| a.as_ref().map(|a| self.value(a).vector()));
                 let (x, y) = (x.expect("x is given"), y.expect("y is given"));

@@ -1,8 +1,8 @@
 //! The mechanical sections: coordinates, speeds, frames, points, constraints.
 
 use super::builder::{Builder, PlannedSpeed, si};
-use super::document::Value;
 use super::document::wrong_kind;
+use super::document::{Key, Value};
 use super::fields::Fields;
 use super::scope::Binding;
 use crate::diagnostic::Diagnostic;
@@ -182,27 +182,7 @@ impl Builder<'_> {
         });
         for (key, value) in self.entries("frames") {
             let Some(fields) = Fields::new(key, value, self.found) else { continue };
-            let parent = fields.get("parent");
-            let orientation = match fields.array("rotations", self.found) {
-                Some((steps, _)) => {
-                    let parent = match parent {
-                        None => FrameId::from_index(0),
-                        given => self.frame_of(given).unwrap_or(FrameId::from_index(0)),
-                    };
-                    Orientation::Rotations { parent, rotations: self.rotations(steps) }
-                }
-                None => {
-                    let axes = ["x", "y", "z"].map(|axis| self.optional(&fields, axis, Unit::NONE));
-                    if axes.iter().flatten().count() < 2 {
-                        self.found.push(
-                            Diagnostic::error(format!("frame `{}` has no orientation", key.name))
-                                .label(key.span, "neither rotations nor two unit vectors are given")
-                                .help("rotations = [[\"z\", \"q\"]] from a parent frame, or x = \"...\" and y = \"...\""),
-                        );
-                    }
-                    Orientation::Directions { axes }
-                }
-            };
+            let orientation = self.orientation(key, &fields);
             let fixed_vectors = match fields.array("fixed", self.found) {
                 Some((items, _)) => items.iter().filter_map(|item| self.fixed_vector(item)).collect(),
                 None => Vec::new(),
@@ -210,6 +190,44 @@ impl Builder<'_> {
             fields.finish(self.found);
             let frame = Frame { name: key.name.clone(), orientation, fixed_vectors, span: key.span };
             self.draft.model.frames.push(frame);
+        }
+    }
+
+    fn orientation(&mut self, key: &Key, fields: &Fields<'_>) -> Orientation {
+        let parent = fields.get("parent");
+        if let Some((steps, _)) = fields.array("rotations", self.found) {
+            return Orientation::Rotations { parent: self.parent(parent), rotations: self.rotations(steps) };
+        }
+        if let Some((list, span)) = fields.array("euler", self.found) {
+            let parent = self.parent(parent);
+            let Ok(four) = <&[Value; 4]>::try_from(list) else {
+                self.found.push(
+                    Diagnostic::error(format!("frame `{}` has not four Euler parameters", key.name))
+                        .label(span, format!("{} of them", list.len()))
+                        .help("euler = [\"e0\", \"e1\", \"e2\", \"e3\"]: cos(angle/2), axis*sin(angle/2)"),
+                );
+                return Orientation::Inertial;
+            };
+            let parameters = Box::new(four.each_ref().map(|e| self.expression(e)));
+            return Orientation::Euler { parent, parameters };
+        }
+        let axes = ["x", "y", "z"].map(|axis| self.optional(fields, axis, Unit::NONE));
+        if axes.iter().flatten().count() < 2 {
+            self.found.push(
+                Diagnostic::error(format!("frame `{}` has no orientation", key.name))
+                    .label(key.span, "neither rotations nor two unit vectors are given")
+                    .help("rotations = [[\"z\", \"q\"]] from a parent frame, or x = \"...\" and y = \"...\""),
+            );
+        }
+        Orientation::Directions { axes }
+    }
+
+    /// The frame that an orientation starts from: N, where none is given.
+    fn parent(&mut self, given: Option<&Value>) -> FrameId {
+        let inertial = FrameId::from_index(0);
+        match given {
+            None => inertial,
+            given => self.frame_of(given).unwrap_or(inertial),
         }
     }
 
