@@ -41,13 +41,19 @@ fn derived(text: &str) -> Program {
 /// The accelerations against the equations before the elimination, solved numerically, at several states; `most` is less than
 /// the operations of the other forms.
 fn check(text: &str, most: usize) {
+    check_at(text, most, |_| ());
+}
+
+/// The same at coordinates that are brought onto the constraints.
+fn check_at(text: &str, most: usize, constrain: impl Fn(&mut [f64])) {
     let model = model::parse("tree.toml", text).unwrap_or_else(|e| panic!("{e}"));
     let program = with_augmented(&model, Settings::default());
     println!("{}: {} operations", program.name, program.operations());
     assert!(program.operations() <= most, "another form was taken: {} operations", program.operations());
     for round in 0..5 {
         let number = |i: usize| (1.7 * (i + 1) as f64 + 2.3 * f64::from(round)).sin();
-        let q: Vec<f64> = (0..program.q.len()).map(|i| 2.0 * number(i)).collect();
+        let mut q: Vec<f64> = (0..program.q.len()).map(|i| 2.0 * number(i)).collect();
+        constrain(&mut q);
         let u: Vec<f64> = (0..program.u.len()).map(|i| 3.0 * number(i + 40)).collect();
         let inputs: Vec<f64> = (0..program.inputs.len()).map(|i| 5.0 * number(i + 80)).collect();
         agree(&program, &q, &u, &inputs);
@@ -154,4 +160,43 @@ fn an_arm_on_a_free_base() {
         link(&mut text, i, (&place.0, &place.1), ["z", "x", "y"][i % 3]);
     }
     check(&text, 4_000); // 4,787 by the mass matrix
+}
+
+/// Bodies without any symmetry on ball joints, one on the other.
+fn balls(n: usize) -> String {
+    let mut text = head("balls", 3 * n);
+    text.push_str("[joints]\n");
+    for i in 0..n {
+        let (parent, at) = match i {
+            0 => ("N".to_owned(), "O".to_owned()),
+            _ => (format!("f{}", i - 1), format!("f{0} + 0.3_m*f{0}.x + 0.1_m*f{0}.z", i - 1)),
+        };
+        writeln!(
+            text,
+            "b{i} = {{ kind = \"spherical\", parent = \"{parent}\", child = \"f{i}\", at = \"{at}\" }}"
+        )
+        .expect("a string grows");
+    }
+    for i in 0..n {
+        write!(
+            text,
+            "[points.C{i}]\nposition = \"f{i} + 0.1_m*f{i}.x - 0.07_m*f{i}.y + 0.2_m*f{i}.z\"\n\
+             [bodies.b{i}]\ncentre = \"C{i}\"\nframe = \"f{i}\"\nmass = \"1.5_kg\"\n\
+             inertia = {{ Ixx = 0.03, Iyy = 0.04, Izz = 0.05, Ixy = 0.004, Ixz = -0.003, Iyz = 0.002 }}\n"
+        )
+        .expect("a string grows");
+    }
+    text
+}
+
+#[test]
+fn operations_of_ball_joints_in_a_row() {
+    for (n, most) in [(1, 130), (2, 730), (3, 1_970), (4, 4_130)] {
+        check_at(&balls(n), most, |q| {
+            for parameters in q.chunks_exact_mut(4) {
+                let length = parameters.iter().map(|e| e * e).sum::<f64>().sqrt();
+                parameters.iter_mut().for_each(|e| *e /= length);
+            }
+        });
+    }
 }

@@ -181,24 +181,13 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Directions by Euler parameters e0 = cos(angle/2), e = axis*sin(angle/2), of unit length; the speeds are
+    /// A frame by Euler parameters e0 = cos(angle/2), e = axis*sin(angle/2), of unit length; the speeds are
     /// w = 2 (e0 e' - e0' e - e x e'), along the link's axes, and half of what the constraint keeps 0. Regular at every attitude.
     fn attitude_frame(&mut self, child: &str) {
         let [a, b, c, d] = ["e0", "e1", "e2", "e3"].map(|word| self.named(word));
-        let [x, y, z] = ["x", "y", "z"].map(|axis| format!("{}.{axis}", self.base));
-        let square = |s: [&str; 4]| {
-            let terms = [&a, &b, &c, &d].into_iter().zip(s);
-            format!("({})", terms.map(|(e, sign)| format!("{sign}{e}.powi(2)")).collect::<String>())
-        };
-        let first = format!(
-            "{}*{x} + 2*({b}*{c} + {a}*{d})*{y} + 2*({b}*{d} - {a}*{c})*{z}",
-            square(["", "+", "-", "-"])
-        );
-        let second = format!(
-            "2*({b}*{c} - {a}*{d})*{x} + {}*{y} + 2*({c}*{d} + {a}*{b})*{z}",
-            square(["", "-", "+", "-"])
-        );
-        let frame = self.table(vec![("x", self.text(&first)), ("y", self.text(&second))]);
+        let parameters = [&a, &b, &c, &d].map(|e| self.text(e)).to_vec();
+        let base = self.text(&self.base.clone());
+        let frame = self.table(vec![("parent", base), ("euler", Value::Array(parameters, self.key.span))]);
         self.put("frames", child, frame);
         let rate = |e: &str, sign: &str, of: &str| format!(" {sign} {e}*q_dot({of})");
         let speed = |terms: [(&str, &str, &str); 4]| {
@@ -224,7 +213,8 @@ impl<'a> Parts<'a> {
             let entry = self.table(fields);
             self.put("coordinates", e, entry);
         }
-        let unit = self.text(&format!("{} - 1", square(["", "+", "+", "+"])));
+        let squares = [a, b, c, d].map(|e| format!("{e}.powi(2)")).join("+");
+        let unit = self.text(&format!("({squares}) - 1"));
         let name = self.named("unit");
         self.put("constraints.configuration", &name, unit);
     }
