@@ -5,6 +5,7 @@
 //! [`Kernel`]). Width n - 1 is a full matrix.
 
 use smartbed_runtime::kernel::{self, Kernel};
+use smartbed_runtime::real::Scalar;
 
 /// Rows that are taken out of those below them at a time.
 const ROWS: usize = 8;
@@ -13,19 +14,19 @@ const LANES: usize = 16;
 
 /// A band of a symmetric matrix, or of its factor.
 #[derive(Clone, Debug)]
-pub struct Band {
+pub struct Band<T = f64> {
     size: usize,
     width: usize,
     /// Row by row from the diagonal on; zeros behind a row, for a pass to read.
-    entries: Vec<f64>,
+    entries: Vec<T>,
 }
 
-impl Band {
+impl<T: Scalar> Band<T> {
     /// A matrix of zeros.
     #[must_use]
-    pub fn new(size: usize, width: usize) -> Band {
+    pub fn new(size: usize, width: usize) -> Self {
         let width = width.min(size.saturating_sub(1));
-        Band { size, width, entries: vec![0.0; size * Band::stride_of(width)] }
+        Band { size, width, entries: vec![T::ZERO; size * Self::stride_of(width)] }
     }
 
     /// Rows.
@@ -36,7 +37,7 @@ impl Band {
 
     /// From a row to the next one.
     fn stride(&self) -> usize {
-        Band::stride_of(self.width)
+        Self::stride_of(self.width)
     }
 
     /// A pass is as long as its last row, and then to a whole number of lanes.
@@ -46,20 +47,20 @@ impl Band {
 
     /// A row from the diagonal on.
     #[inline(always)]
-    fn row(&self, i: usize) -> &[f64] {
+    fn row(&self, i: usize) -> &[T] {
         &self.entries[i * self.stride()..][..=self.width]
     }
 
     /// Adds to the entry of a row and a column, which lies on or above the diagonal; what lies below is left out.
-    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub fn add(&mut self, row: usize, column: usize, value: T) {
         if row <= column {
             let place = row * self.stride() + column - row;
-            self.entries[place] += value;
+            self.entries[place] = self.entries[place] + value;
         }
     }
 
     /// Adds a 3 x 3 block of two nodes and, by symmetry, its transpose.
-    pub fn add_block(&mut self, row: usize, column: usize, block: &[[f64; 3]; 3]) {
+    pub fn add_block(&mut self, row: usize, column: usize, block: &[[T; 3]; 3]) {
         for (i, line) in block.iter().enumerate() {
             for (j, value) in line.iter().enumerate() {
                 let (a, b) = (3 * row + i, 3 * column + j);
@@ -73,21 +74,21 @@ impl Band {
     }
 
     /// Adds to every diagonal entry.
-    pub fn shift(&mut self, value: f64) {
+    pub fn shift(&mut self, value: T) {
         (0..self.size).for_each(|i| self.add(i, i, value));
     }
 
     /// U of A = U' U; `None` if a pivot is not positive.
     #[must_use]
-    pub fn factor(mut self) -> Option<Factor> {
+    pub fn factor(mut self) -> Option<Factor<T>> {
         kernel::run(Factoring(&mut self)).then_some(Factor(self))
     }
 }
 
 /// Turns a band into its factor; false if a pivot is not positive.
-struct Factoring<'a>(&'a mut Band);
+struct Factoring<'a, T>(&'a mut Band<T>);
 
-impl Kernel for Factoring<'_> {
+impl<T: Scalar> Kernel for Factoring<'_, T> {
     type Output = bool;
 
     #[inline(always)]
@@ -120,68 +121,68 @@ impl Kernel for Factoring<'_> {
 
 /// Takes a multiple of a row out of a row.
 #[inline(always)]
-fn take(row: &mut [f64], factor: f64, other: &[f64]) {
-    row.iter_mut().zip(other).for_each(|(own, x)| *own -= factor * x);
+fn take<T: Scalar>(row: &mut [T], factor: T, other: &[T]) {
+    row.iter_mut().zip(other).for_each(|(own, x)| *own = *own - factor * *x);
 }
 
 /// Takes multiples of several rows out of a row.
 #[inline(always)]
-fn take_all(row: &mut [f64], factors: [f64; ROWS], others: [&[f64]; ROWS]) {
+fn take_all<T: Scalar>(row: &mut [T], factors: [T; ROWS], others: [&[T]; ROWS]) {
     let long = row.len();
     let [a, b, c, d, e, f, g, h] = others.map(|other| &other[..long]);
     for k in 0..long {
         let mut sum = row[k];
-        sum -= factors[0] * a[k];
-        sum -= factors[1] * b[k];
-        sum -= factors[2] * c[k];
-        sum -= factors[3] * d[k];
-        sum -= factors[4] * e[k];
-        sum -= factors[5] * f[k];
-        sum -= factors[6] * g[k];
-        sum -= factors[7] * h[k];
+        sum = sum - factors[0] * a[k];
+        sum = sum - factors[1] * b[k];
+        sum = sum - factors[2] * c[k];
+        sum = sum - factors[3] * d[k];
+        sum = sum - factors[4] * e[k];
+        sum = sum - factors[5] * f[k];
+        sum = sum - factors[6] * g[k];
+        sum = sum - factors[7] * h[k];
         row[k] = sum;
     }
 }
 
-impl Band {
+impl<T: Scalar> Band<T> {
     /// Divides a row by its pivot's root.
     #[inline(always)]
     fn pivot(&mut self, k: usize) -> bool {
         let stride = self.stride();
         let row = &mut self.entries[k * stride..(k + 1) * stride];
         // A comparison that not-a-number fails too.
-        if !(row[0] > 0.0 && row[0].is_finite()) {
+        if !(row[0] > T::ZERO && row[0].is_finite()) {
             return false;
         }
         let root = row[0].sqrt();
-        row.iter_mut().for_each(|x| *x /= root);
+        row.iter_mut().for_each(|x| *x = *x / root);
         true
     }
 }
 
 /// Cholesky's factor.
 #[derive(Clone, Debug)]
-pub struct Factor(Band);
+pub struct Factor<T = f64>(Band<T>);
 
-impl Factor {
+impl<T: Scalar> Factor<T> {
     /// Solves A x = b in place for several b at once, row by row: rows of the factor are read once for all.
-    pub fn solve_all<const N: usize>(&self, b: &mut [[f64; N]]) {
+    pub fn solve_all<const N: usize>(&self, b: &mut [[T; N]]) {
         kernel::run(Solving { band: &self.0, b });
     }
 
     /// Solves A x = b in place.
-    pub fn solve(&self, b: &mut [f64]) {
+    pub fn solve(&self, b: &mut [T]) {
         kernel::run(SolvingOne { band: &self.0, b });
     }
 }
 
 /// Solves for several right sides.
-struct Solving<'a, const N: usize> {
-    band: &'a Band,
-    b: &'a mut [[f64; N]],
+struct Solving<'a, T, const N: usize> {
+    band: &'a Band<T>,
+    b: &'a mut [[T; N]],
 }
 
-impl<const N: usize> Kernel for Solving<'_, N> {
+impl<T: Scalar, const N: usize> Kernel for Solving<'_, T, N> {
     type Output = ();
 
     #[inline(always)]
@@ -191,9 +192,9 @@ impl<const N: usize> Kernel for Solving<'_, N> {
             let row = band.row(i);
             let (known, rest) = b.split_at_mut(i + 1);
             let own = &mut known[i];
-            own.iter_mut().for_each(|x| *x /= row[0]);
+            own.iter_mut().for_each(|x| *x = *x / row[0]);
             for (u, x) in row[1..].iter().zip(rest) {
-                (0..N).for_each(|k| x[k] -= u * own[k]);
+                (0..N).for_each(|k| x[k] = x[k] - *u * own[k]);
             }
         }
         for i in (0..band.size).rev() {
@@ -201,20 +202,20 @@ impl<const N: usize> Kernel for Solving<'_, N> {
             let (rest, known) = b.split_at_mut(i + 1);
             let own = &mut rest[i];
             for (u, x) in row[1..].iter().zip(known.iter()) {
-                (0..N).for_each(|k| own[k] -= u * x[k]);
+                (0..N).for_each(|k| own[k] = own[k] - *u * x[k]);
             }
-            own.iter_mut().for_each(|x| *x /= row[0]);
+            own.iter_mut().for_each(|x| *x = *x / row[0]);
         }
     }
 }
 
 /// Solves for one right side.
-struct SolvingOne<'a> {
-    band: &'a Band,
-    b: &'a mut [f64],
+struct SolvingOne<'a, T> {
+    band: &'a Band<T>,
+    b: &'a mut [T],
 }
 
-impl Kernel for SolvingOne<'_> {
+impl<T: Scalar> Kernel for SolvingOne<'_, T> {
     type Output = ();
 
     #[inline(always)]
@@ -237,13 +238,13 @@ impl Kernel for SolvingOne<'_> {
 
 /// Dot product in eight sums, which the compiler computes side by side.
 #[inline(always)]
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
+fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
+    let mut sums = [T::ZERO; 8];
     let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
+    let tail = a8.remainder().iter().zip(b8.remainder()).fold(T::ZERO, |sum, (x, y)| sum + *x * *y);
     for (x, y) in a8.zip(b8) {
         for k in 0..8 {
-            sums[k] += x[k] * y[k];
+            sums[k] = sums[k] + x[k] * y[k];
         }
     }
     let [a, b, c, d, e, f, g, h] = sums;

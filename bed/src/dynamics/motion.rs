@@ -6,14 +6,16 @@
 use super::ledger::Ledger;
 use crate::body::Body;
 use crate::equilibrium::alone::{self, Kept};
-use crate::equilibrium::increment::{Damper, Increment, points};
+use crate::equilibrium::increment::{Increment, points};
 use crate::equilibrium::scene::Scene;
-use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Solution, State, Tile, find, read};
+use crate::equilibrium::swing::{Damper, Swing};
+use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Rub, Solution, State, Tile, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
-use crate::sheet::membrane;
+use crate::sheet::{Lattice, membrane};
 use crate::tissue::{Layers, Memory, Tissue};
 use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub, tangential};
+use std::borrow::Cow;
 
 /// A body is in equilibrium where contacts miss its weight by less than this share.
 const CARRIED: f64 = 1e-3;
@@ -58,7 +60,9 @@ pub struct Motion {
     layers: Vec<Layers>,
     before: State,
     /// Stiffnesses of sheets that nothing touches.
-    kept: Kept,
+    kept: Kept<f64>,
+    /// The same in f32, and the lattice, where sheets are brought to their ends in it.
+    single: Option<(Lattice<f32>, Kept<f32>)>,
     /// Lost power of sheets, tissue and joints, and that of the drives (W).
     powers: [f64; 4],
 }
@@ -94,12 +98,20 @@ impl Motion {
             layers,
             before: state,
             kept: Kept::new(),
+            single: None,
             powers: [0.0; 4],
         };
         (motion.now.carried, motion.now.imbalance) = motion.balance();
         motion.weigh();
         motion.ledger.start = motion.ledger.energy();
         motion
+    }
+
+    /// The same for an empty bed, whose sheets are brought to the ends of their stages in f32. What steps sum up stays f64.
+    #[must_use]
+    pub fn in_f32(self) -> Motion {
+        let lattice = self.bed.lattice.rounded();
+        Motion { single: Some((lattice, Kept::new())), ..self }
     }
 
     /// Seconds since the start.
@@ -130,13 +142,21 @@ impl Motion {
     /// One stage.
     fn stage(&mut self, formula: &Formula, bed: Bed) -> Result<(), Fault> {
         let mut guess = self.guess(&bed);
-        let (next, kept) = {
-            let increment = self.increment(formula, &bed);
-            let scene = Scene::in_motion(&bed, &self.body, &increment);
-            let kept = alone::settle(&scene, &mut guess, &self.kept);
-            (find(&scene, &guess)?, kept)
+        let mut single = self.single.take();
+        let mut kept = std::mem::take(&mut self.kept);
+        let increment = self.increment(formula, &bed);
+        let scene = Scene::in_motion(&bed, &self.body, &increment);
+        let next = if let Some((lattice, kept)) = &mut single {
+            let (own, all) = alone::settle(&scene, lattice, &mut guess, kept, |s| Cow::Owned(s.rounded()));
+            *kept = own;
+            // What f32 does not bring to rest f64 does.
+            if all { read(&scene, guess) } else { find(&scene, &guess)? }
+        } else {
+            (kept, _) = alone::settle(&scene, &bed.lattice, &mut guess, &kept, |s| Cow::Borrowed(s));
+            find(&scene, &guess)?
         };
-        self.kept = kept;
+        drop(increment);
+        (self.single, self.kept) = (single, kept);
         self.follow(formula, bed, next);
         Ok(())
     }
@@ -155,18 +175,20 @@ impl Motion {
             let one = |s: &crate::sheet::Spring| Damper::new(ends(s.ends, &expected), ends(s.ends, &resting));
             lattice.springs.iter().map(one).collect()
         };
+        let sheet = |tile: usize| Swing {
+            inertia: self.node_mass() * formula.rate * formula.rate,
+            damping: self.matter.sheet_loss * formula.rate,
+            nodes: in_tile(tile, &|t| t.expected(formula)),
+            dampers: dampers(tile),
+        };
         let resting = |(pose, tracks): (&Pose, &[Track; 6])| {
             pose.moved([0.0; 3], turn(&tracks.map(|t| t.place), &tracks.map(|t| t.resting(formula))))
         };
-        let tiles = 0..bed.tiles.len();
         let memory = |layers| Memory { tissue: self.matter.tissue, formula: *formula, layers };
         Increment {
             rate: formula.rate,
-            node_mass: self.node_mass(),
-            sheet_loss: self.matter.sheet_loss,
             joint_loss: self.matter.joint_loss,
-            nodes: tiles.clone().map(|tile| in_tile(tile, &|t| t.expected(formula))).collect(),
-            dampers: tiles.map(dampers).collect(),
+            sheets: (0..bed.tiles.len()).map(sheet).collect(),
             segments: self.segments.iter().map(|s| s.map(|t| t.expected(formula))).collect(),
             resting: self.now.state.segments.iter().zip(&self.segments).map(resting).collect(),
             tissue: self.layers.iter().map(memory).collect(),
@@ -196,7 +218,7 @@ impl Motion {
 
     /// Takes the end of a stage as the state of now.
     fn follow(&mut self, formula: &Formula, bed: Bed, next: Solution) {
-        self.ledger.lost_by_friction += slipped(&self.now.state, &next);
+        self.ledger.lost_by_friction += slipped(&self.now.state, &next, &bed);
         let given = regulated(&self.bed, &bed, &self.now.state, &next.state);
         self.layers = self.remembered(formula, &next);
         for (tile, tracks) in self.nodes.iter_mut().enumerate() {
@@ -274,6 +296,7 @@ impl Motion {
             ledger.tissue +=
                 pressed.map(|((_, s), layer)| self.layer(*s) * self.matter.tissue.energy(layer)).sum::<f64>();
         }
+        ledger.sheets += state.rubs.iter().map(Rub::held).sum::<f64>();
         ledger.sheets += self.now.met.iter().map(|m| m.energy(&self.bed, &state.sheets)).sum::<f64>();
         for (segment, tracks) in self.body.segments.iter().zip(&self.segments) {
             ledger.kinetic +=
@@ -327,10 +350,12 @@ impl Motion {
         let inertia: f64 = inertia.map(|(_, (t, x))| self.node_mass() * dot(t.acceleration, way(*x))).sum();
         let pressed = next.contacts[tile].iter();
         let sheet = &next.state.sheets[tile];
-        let met = next.met.iter().map(|meeting| {
-            let force = meeting.force(bed, &next.state.sheets);
-            let own = meeting.ends.iter().filter(|end| end.0 == tile);
-            own.map(|(_, node, share)| force * share * dot(meeting.normal, way(sheet[*node]))).sum::<f64>()
+        let sheets = &next.state.sheets;
+        let pushed = next.met.iter().map(|m| (&m.ends, scale(m.normal, m.force(bed, sheets))));
+        let rubbed = self.now.state.rubs.iter().map(|rub| (&rub.ends, rub.drag(bed, sheets)));
+        let met = pushed.chain(rubbed).map(|(ends, force)| {
+            let own = ends.iter().filter(|end| end.0 == tile);
+            own.map(|(_, node, share)| share * dot(force, way(sheet[*node]))).sum::<f64>()
         });
         let lifted = |tile: &Tile| bed.cover_energy(tile, sheet);
         let borne = lifted(&bed.tiles[tile]) - lifted(&self.bed.tiles[tile]);
@@ -361,8 +386,9 @@ fn spin(tracks: &[Track; 6]) -> Vec3<f64> {
 }
 
 /// Energy (J) that slip has taken: work of friction by the trapezoid rule, less what its springs hold more.
-fn slipped(before: &State, next: &Solution) -> f64 {
-    let mut lost = 0.0;
+fn slipped(before: &State, next: &Solution, bed: &Bed) -> f64 {
+    let mut lost: f64 = before.rubs.iter().map(|rub| rub.taken(bed, &next.state.sheets)).sum();
+    lost -= next.state.rubs.iter().map(Rub::held).sum::<f64>();
     for (tile, old) in before.anchors.iter().enumerate() {
         for (node, anchor) in old.iter().enumerate() {
             let Some(anchor) = anchor else { continue };

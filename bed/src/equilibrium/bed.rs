@@ -33,6 +33,8 @@ pub struct Bed {
     pub tiles: Vec<Tile>,
     /// Coulomb's coefficient of tissue on sheets.
     pub friction: f64,
+    /// That of sheets on sheets of neighbours.
+    pub rubbing: f64,
     /// Neighbours whose sheets may touch.
     pub beside: Vec<[usize; 2]>,
     /// What is mounted on the sheets.

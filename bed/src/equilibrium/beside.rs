@@ -3,12 +3,13 @@
 //! In: a bed's pairs of neighbours and a state. Out: where nodes are near facets, with the shares w_i of the facet's corners
 //! in the foot and the normal n there (the runtime's facets, whose normals pass from one to the next without a jump). A
 //! depth d = n . (sum w_i b_i - x) > 0 stores k d^2/2; w and n stand for a pass and are renewed as friction's limits are.
-//! Forces at node and foot are equal, opposite and in one line. Sheets slide on one another without friction.
+//! Forces at node and foot are equal, opposite and in one line. What friction adds stands in `rub`.
 
-use super::bed::Bed;
+use super::bed::{ALONG, Bed};
+use super::rub::{Ends, Rub, span};
 use super::state::State;
 use smartbed_runtime::surface::facet::{Facet, vertex_normals};
-use smartbed_runtime::vec3::{Vec3, axpy, dot, norm, sub};
+use smartbed_runtime::vec3::{Vec3, axpy, dot, norm, scale, sub, tangential};
 use std::collections::BTreeMap;
 
 /// Pressure per depth (Pa/m) of one sheet in another: air that presses by 5 kPa takes a tenth of a millimetre.
@@ -23,8 +24,8 @@ const INSIDE: f64 = 0.04;
 /// A node near a facet of a neighbour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// Tile, node and share in the depth: the facet's corners w_i, the node -1.
-    pub ends: [(usize, usize, f64); 5],
+    /// Of its depth.
+    pub ends: Ends,
     /// Out of the facet, in the bed's frame.
     pub normal: Vec3<f64>,
     /// N/m.
@@ -35,10 +36,7 @@ impl Meeting {
     /// Depth (m), < 0 where they are apart.
     #[must_use]
     pub fn depth(&self, bed: &Bed, sheets: &[Vec<Vec3<f64>>]) -> f64 {
-        let along = |(tile, node, share): (usize, usize, f64)| {
-            share * dot(self.normal, bed.tiles[tile].pose.outwards(sheets[tile][node]))
-        };
-        self.ends.into_iter().map(along).sum()
+        dot(self.normal, span(&self.ends, bed, sheets))
     }
 
     /// Force (N) that drives them apart.
@@ -169,4 +167,45 @@ pub fn change(bed: &Bed, state: &State, [old, new]: [&[Meeting]; 2]) -> f64 {
     let of = |all: &BTreeMap<_, Vec3<f64>>, key| all.get(key).copied().unwrap_or_default();
     let keys = old.keys().chain(new.keys());
     keys.map(|key| norm(sub(of(&old, key), of(&new, key)))).fold(0.0, f64::max)
+}
+
+/// A node and the neighbour whose sheet it meets.
+fn key(ends: &Ends) -> (usize, usize, usize) {
+    (ends[4].0, ends[4].1, ends[0].0)
+}
+
+/// Rubs with the normals and limits of now, and the largest change of a limit (N).
+pub fn renewed(bed: &Bed, state: &State, met: &[Meeting]) -> (Vec<Rub>, f64) {
+    let mut most = 0.0_f64;
+    let renew = |rub: &Rub| {
+        let now = met.iter().find(|m| key(&m.ends) == key(&rub.ends));
+        let limit = now.map_or(0.0, |m| bed.rubbing * m.force(bed, &state.sheets));
+        most = most.max((limit - rub.limit).abs());
+        Rub { limit, normal: now.map_or(rub.normal, |m| m.normal), ..*rub }
+    };
+    let rubs = state.rubs.iter().map(renew).collect();
+    (rubs, most)
+}
+
+/// What friction can hold from a state on, with what it holds already.
+pub fn anchored(bed: &Bed, state: &State, met: &[Meeting]) -> Vec<Rub> {
+    let sheets = &state.sheets;
+    let one = |meeting: &Meeting| {
+        let limit = bed.rubbing * meeting.force(bed, sheets);
+        let old = state.rubs.iter().find(|rub| key(&rub.ends) == key(&meeting.ends));
+        let held = old.map_or([0.0; 3], |rub| tangential(rub.drag(bed, sheets), meeting.normal));
+        let size = norm(held);
+        let force = if size > limit { scale(held, limit / size) } else { held };
+        let (ends, normal) = (meeting.ends, meeting.normal);
+        let before = span(&ends, bed, sheets);
+        (limit > 0.0).then_some(Rub {
+            ends,
+            before,
+            force,
+            normal,
+            limit,
+            stiffness: ALONG * meeting.stiffness,
+        })
+    };
+    met.iter().filter_map(one).collect()
 }

@@ -1,19 +1,19 @@
-//! Sheets that meet in a Newton step: forces mu between them are unknowns beside the segments' ways y.
+//! Sheets that meet in a Newton step: forces mu of the springs between them are unknowns beside the segments' ways y.
 //!
-//! In: what each tile gives. Out: what meetings add to the segments' rows, and mu. With W the directions of depths,
+//! In: what each tile gives. Out: what they add to the segments' rows, and mu. With W the directions of springs,
 //! x = -K^-1 g - Z y - K^-1 W mu and W' x = mu/k give R mu = -W' K^-1 g - Q' y, where R = 1/k + W' K^-1 W and Q = B' K^-1 W;
 //! the segments' matrix grows by Q R^-1 Q'.
 
-use super::beside::Meeting;
 use super::stiffness::product;
 use super::tile::{Crossing, Eliminated};
 use crate::band::Band;
+use std::collections::BTreeMap;
 
-/// Meetings that press.
+/// Springs between sheets.
 pub struct Bridge {
-    /// Which.
-    meetings: Vec<usize>,
-    /// Rows of Q', by meeting.
+    /// Their numbers.
+    numbers: Vec<usize>,
+    /// Rows of Q', by spring.
     coupled: Vec<Vec<f64>>,
     /// R^-1 Q', by row of a segment.
     solved: Vec<Vec<f64>>,
@@ -23,15 +23,15 @@ pub struct Bridge {
 
 impl Bridge {
     /// Of all tiles; segments have so many rows.
-    pub fn new(met: &[Meeting], tiles: &[Option<Eliminated>], size: usize) -> Bridge {
-        let mut meetings: Vec<usize> =
-            tiles.iter().flatten().flat_map(|t| &t.crossings).map(|c| c.meeting).collect();
-        meetings.sort_unstable();
-        meetings.dedup();
-        let place = |c: &Crossing| meetings.partition_point(|m| *m < c.meeting);
-        let count = meetings.len();
+    pub fn new(tiles: &[Option<Eliminated>], size: usize) -> Bridge {
+        // Both tiles of a spring name it.
+        let crossings = tiles.iter().flatten().flat_map(|t| &t.crossings);
+        let springs: BTreeMap<usize, f64> = crossings.map(|c| (c.number, c.stiffness)).collect();
+        let numbers: Vec<usize> = springs.keys().copied().collect();
+        let place = |c: &Crossing| numbers.partition_point(|n| *n < c.number);
+        let count = numbers.len();
         let mut matrix = Band::new(count, count);
-        (0..count).for_each(|i| matrix.add(i, i, 1.0 / met[meetings[i]].stiffness));
+        springs.values().enumerate().for_each(|(i, stiffness)| matrix.add(i, i, 1.0 / stiffness));
         let (mut coupled, mut alone) = (vec![vec![0.0; size]; count], vec![0.0; count]);
         for tile in tiles.iter().flatten() {
             for a in &tile.crossings {
@@ -55,7 +55,7 @@ impl Bridge {
                 factor.solve(own);
             }
         }
-        Bridge { meetings, coupled, solved, alone }
+        Bridge { numbers, coupled, solved, alone }
     }
 
     /// Adds Q R^-1 Q' to the segments' matrix.
@@ -73,9 +73,9 @@ impl Bridge {
         self.coupled.iter().zip(&self.alone).map(|(q, mu)| q[row] * mu).sum()
     }
 
-    /// mu of a meeting by the segments' ways.
-    pub fn force(&self, meeting: usize, segments: &[f64]) -> f64 {
-        let i = self.meetings.partition_point(|m| *m < meeting);
+    /// mu of a spring by the segments' ways.
+    pub fn force(&self, number: usize, segments: &[f64]) -> f64 {
+        let i = self.numbers.partition_point(|n| *n < number);
         let by_ways: Vec<f64> = self.solved.iter().map(|row| row[i]).collect();
         self.alone[i] - product(&by_ways, segments)
     }

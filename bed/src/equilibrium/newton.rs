@@ -94,11 +94,12 @@ pub fn find(scene: &Scene, start: &State) -> Result<Solution, Fault> {
         let now = beside::meetings(scene.bed, &state);
         let pushed = beside::change(scene.bed, &state, [&met, &now]);
         let (anchors, change) = renewed(scene, &state);
+        let (rubs, rubbed) = beside::renewed(scene.bed, &state, &now);
         // What is read off balances with the limits of this pass: those of the next one would miss it, node by node.
-        if change <= least * weight && pushed <= 100.0 * scene.calm() || pass == PASSES {
+        if change.max(rubbed) <= least * weight && pushed <= 100.0 * scene.calm() || pass == PASSES {
             break;
         }
-        (state.anchors, met) = (anchors, now);
+        (state.anchors, state.rubs, met) = (anchors, rubs, now);
         (pass, of_pass) = (pass + 1, 0);
     }
     Ok(finish(&Scene { met: &met, ..*scene }, state, steps))
@@ -223,7 +224,8 @@ fn energy(scene: &Scene, state: &State) -> Result<f64, Fault> {
     let tiles = named(side_by_side::run(scene.bed.tiles.len(), one))?;
     let motion = scene.increment.map_or(0.0, |i| i.body_energy(scene.body, &state.segments));
     let met: f64 = scene.met.iter().map(|m| m.energy(scene.bed, &state.sheets)).sum();
-    Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion + met)
+    let rubbed: f64 = state.rubs.iter().map(|rub| rub.energy(scene.bed, &state.sheets)).sum();
+    Ok(tiles.iter().sum::<f64>() + scene.body.energy(&state.segments, GRAVITY) + motion + met + rubbed)
 }
 
 fn eliminate(scene: &Scene, state: &State, calm: f64) -> Result<Vec<Option<Eliminated>>, Fault> {
@@ -315,7 +317,7 @@ pub fn stiffness(
     let tiles = named(side_by_side::run(bed.tiles.len(), one))?;
     let rows = rows(&scene, state, &tiles);
     let size = rows.gradient.len();
-    let condensed = condensed(&rows, &tiles, &Bridge::new(&met, &tiles, size));
+    let condensed = condensed(&rows, &tiles, &Bridge::new(&tiles, size));
     let entry = |i: usize, j: usize| condensed[(6 * segment + i) * size + 6 * segment + j];
     let matrix = [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)));
     let gradient = [0, 1, 2].map(|i| rows.gradient[6 * segment + i]);

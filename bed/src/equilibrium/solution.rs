@@ -1,7 +1,7 @@
 //! What an equilibrium is read off: contact forces, pressures, what friction holds from there on.
 
 use super::bed::{Bed, GRAVITY};
-use super::beside::Meeting;
+use super::beside::{self, Meeting};
 use super::scene::Scene;
 use super::state::State;
 use super::tile::Patch;
@@ -95,6 +95,7 @@ pub(super) fn finish(scene: &Scene, mut state: State, steps: usize) -> Solution 
     for (own, contacts) in state.anchors.iter_mut().zip(&contacts) {
         *own = anchors(bed, contacts, &state.segments);
     }
+    state.rubs = if bed.rubbing > 0.0 { beside::anchored(bed, &state, scene.met) } else { Vec::new() };
     let met = scene.met.to_vec();
     Solution { state, contacts, met, gauges, bottomed, steps, carried, imbalance }
 }

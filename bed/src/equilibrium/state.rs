@@ -1,6 +1,7 @@
 //! Where everything is: what an equilibrium is looked for from, and what it is.
 
 use super::bed::Bed;
+use super::rub::Rub;
 use super::touch::Anchor;
 use crate::pose::Pose;
 use smartbed_runtime::vec3::Vec3;
@@ -14,6 +15,8 @@ pub struct State {
     pub segments: Vec<Pose>,
     /// What friction holds, by tile and node.
     pub anchors: Vec<Vec<Option<Anchor>>>,
+    /// The same between sheets of neighbours.
+    pub rubs: Vec<Rub>,
 }
 
 impl Bed {
@@ -24,6 +27,6 @@ impl Bed {
         let bulged = self.lattice.bulged(0.1 * self.lattice.size[0].min(self.lattice.size[1]));
         let tiles = self.tiles.len();
         let anchors = vec![vec![None; self.lattice.nodes()]; tiles];
-        State { sheets: vec![bulged; tiles], segments: body, anchors }
+        State { sheets: vec![bulged; tiles], segments: body, anchors, rubs: Vec::new() }
     }
 }

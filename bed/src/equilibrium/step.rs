@@ -49,7 +49,7 @@ impl Ways {
     /// The step.
     pub fn new(scene: &Scene, rows: &Rows, tiles: &[Option<Eliminated>]) -> Ways {
         let (bed, body) = (scene.bed, scene.body);
-        let bridge = Bridge::new(scene.met, tiles, rows.gradient.len());
+        let bridge = Bridge::new(tiles, rows.gradient.len());
         let segments = of_segments(body, rows, tiles, &bridge);
         let size = 3 * bed.lattice.free_nodes();
         let nodes = |tile: &Option<Eliminated>| {
@@ -60,7 +60,7 @@ impl Ways {
                 way.iter_mut().zip(&coupling.solved).for_each(|(w, z)| *w -= product(y, z));
             }
             for crossing in &tile.crossings {
-                let force = bridge.force(crossing.meeting, &segments);
+                let force = bridge.force(crossing.number, &segments);
                 way.iter_mut().zip(&crossing.solved).for_each(|(w, z)| *w -= force * z);
             }
             way

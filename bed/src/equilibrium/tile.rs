@@ -3,14 +3,16 @@
 //! In: a tile, its sheet and the segments near it. Out: energy; gradient and Hessian with the nodes' rows solved for, by the
 //! sheet's [`Stiffness`], and so the columns B that couple nodes to segments.
 
-use super::bed::{Bed, PLATE, Tile};
+use super::bed::{Bed, Tile};
 use super::beside::Meeting;
-use super::increment::{Increment, Placed};
+use super::increment::Increment;
+use super::link::{Link, links};
+use super::lone::Lone;
+use super::rub::Rub;
 use super::scene::Scene;
 use super::state::State;
 use super::stiffness::Stiffness;
 use super::touch::{self, Pull, Touch};
-use crate::band::Band;
 use crate::body::{Body, lever};
 use crate::pose::Pose;
 use crate::sheet::air::Collapsed;
@@ -31,6 +33,7 @@ pub struct Patch<'a> {
     poses: &'a [Pose],
     sheets: &'a [Vec<Vec3<f64>>],
     met: &'a [Meeting],
+    rubs: &'a [Rub],
     /// Hessians are whole, as stiffness wants them; else what may make them indefinite is left out.
     is_exact: bool,
 }
@@ -53,11 +56,13 @@ pub struct Coupling {
     pub solved: Vec<[f64; 6]>,
 }
 
-/// A meeting with a neighbour's sheet that presses.
+/// A spring between a node and a neighbour's sheet.
 pub struct Crossing {
-    /// Which.
-    pub meeting: usize,
-    /// W: how its depth follows the free nodes, by their places among them.
+    /// Which, by its number among those of all links.
+    pub number: usize,
+    /// N/m.
+    pub stiffness: f64,
+    /// W: how its length follows the free nodes, by their places among them.
     column: Vec<(usize, Vec3<f64>)>,
     /// (K + c g g')^-1 W.
     pub solved: Vec<f64>,
@@ -97,6 +102,7 @@ impl<'a> Patch<'a> {
             poses: &state.segments,
             sheets: &state.sheets,
             met: scene.met,
+            rubs: &state.rubs,
             is_exact: false,
         }
     }
@@ -106,33 +112,10 @@ impl<'a> Patch<'a> {
         Patch { is_exact: true, ..self }
     }
 
-    /// The same with the sheet elsewhere.
-    pub fn with<'b>(&'b self, sheet: &'b [Vec3<f64>]) -> Patch<'b> {
-        Patch { sheet, ..*self }
-    }
-
-    /// Nodes in the tile's frame.
-    pub fn sheet(&self) -> &'a [Vec3<f64>] {
-        self.sheet
-    }
-
     /// No segment can reach the sheet, and friction holds nothing.
     pub fn is_alone(&self) -> bool {
         let is_free = self.anchors.iter().all(Option::is_none);
         is_free && touch::near(self.bed, self.body, &self.tile.pose, self.poses).is_empty()
-    }
-
-    /// Changes the free nodes of a sheet, each with its place among them.
-    pub fn free_nodes(&self, sheet: &mut [Vec3<f64>], mut change: impl FnMut(&mut Vec3<f64>, usize)) {
-        for (node, x) in sheet.iter_mut().enumerate() {
-            if let Some(free) = self.bed.lattice.free(node) {
-                change(x, free);
-            }
-        }
-    }
-
-    fn placed(&self) -> Placed<'a> {
-        Placed { lattice: &self.bed.lattice, sheet: self.sheet, tile: self.index }
     }
 
     /// All nodes in tissue, with their places in the bed.
@@ -177,7 +160,7 @@ impl<'a> Patch<'a> {
     pub fn energy(&self) -> Result<f64, Collapsed> {
         let lattice = &self.bed.lattice;
         let mut energy = membrane::energy(lattice, self.sheet);
-        energy += self.increment.map_or(0.0, |i| i.sheet_energy(self.placed()));
+        energy += self.increment.map_or(0.0, |i| i.sheets[self.index].energy(lattice, self.sheet));
         energy += self.tile.air.energy(self.bed.volume(self.sheet))?;
         energy += self.bed.plate_energy(self.sheet) + self.bed.cover_energy(self.tile, self.sheet);
         energy += self.touches().iter().map(|(touch, _)| touch.energy()).sum::<f64>();
@@ -188,14 +171,9 @@ impl<'a> Patch<'a> {
         Ok(energy + held.sum::<f64>())
     }
 
-    /// How far a node is in the plate (m).
-    fn below(&self, x: &Vec3<f64>) -> f64 {
-        (-self.bed.depth - x[2]).max(0.0)
-    }
-
     /// Nodes that rest on the plate.
     pub fn bottomed(&self) -> usize {
-        self.sheet.iter().filter(|x| self.below(x) > 0.0).count()
+        self.sheet.iter().filter(|x| self.lone().below(x) > 0.0).count()
     }
 
     /// Everything between nodes and segments.
@@ -238,65 +216,37 @@ impl<'a> Patch<'a> {
         pull
     }
 
+    /// What is the sheet's own.
+    fn lone(&self) -> Lone<'a> {
+        let swing = self.increment.map(|i| &i.sheets[self.index]);
+        Lone::new(self.bed, self.tile, &self.bed.lattice, swing)
+    }
+
     /// Gradient by the free nodes, and the volume's.
     pub fn gradients(&self, bonds: &[Bond]) -> Result<[Vec<f64>; 2], Collapsed> {
-        let (lattice, count) = (&self.bed.lattice, self.sheet.len());
-        let pressure = self.tile.air.gauge(self.bed.volume(self.sheet))?;
-        let (mut force, mut volume) = (vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
-        membrane::add_volume_gradient(lattice, self.sheet, 1.0, &mut volume);
-        membrane::add_gradient(lattice, self.sheet, &mut force);
-        if let Some(increment) = self.increment {
-            increment.add_sheet_gradient(self.placed(), &mut force);
-        }
-        let borne = self.tile.pose.attitude.to_body([0.0, 0.0, self.bed.borne()]);
-        for ((f, v), x) in force.iter_mut().zip(&volume).zip(self.sheet) {
-            *f = add(add(*f, scale(*v, -pressure)), borne);
-            f[2] -= PLATE * lattice.cell() * self.below(x);
-        }
-        for (meeting, node, way) in self.meetings() {
-            force[node] = add(force[node], scale(way, meeting.force(self.bed, self.sheets)));
+        let lone = self.lone();
+        let [mut force, volume] = lone.gradients(self.sheet)?;
+        for link in self.links() {
+            for (node, share) in self.own(&link) {
+                force[node] = add(force[node], self.tile.pose.attitude.to_body(scale(link.force, share)));
+            }
         }
         for bond in bonds {
             force[bond.node] = add(force[bond.node], self.tile.pose.attitude.to_body(bond.pull.gradient));
         }
-        Ok([&force, &volume].map(|rows| {
-            let free = rows.iter().enumerate().filter(|(node, _)| lattice.free(*node).is_some());
-            free.flat_map(|(_, v)| *v).collect()
-        }))
+        Ok([&force, &volume].map(|rows| lone.of_free(rows)))
     }
 
     /// The free nodes' Hessian, factored; the volume's gradient is known.
     pub fn stiffness(&self, bonds: &[Bond], by_nodes: Vec<f64>) -> Result<Stiffness, Collapsed> {
-        let lattice = &self.bed.lattice;
-        let volume = self.bed.volume(self.sheet);
-        let mut band = Band::new(3 * lattice.free_nodes(), lattice.width());
-        membrane::add_hessian(lattice, self.sheet, self.is_exact, &mut band);
-        membrane::add_volume_hessian(lattice, self.sheet, -self.tile.air.gauge(volume)?, &mut band);
-        if let Some(increment) = self.increment {
-            increment.add_sheet_hessian(lattice, self.index, &mut band);
-        }
-        for (node, x) in self.sheet.iter().enumerate() {
-            let Some(free) = lattice.free(node) else { continue };
-            if self.below(x) > 0.0 {
-                band.add(3 * free + 2, 3 * free + 2, PLATE * lattice.cell());
-            }
-        }
+        let lone = self.lone();
+        let mut band = lone.hessian(self.sheet, self.is_exact)?;
         for bond in bonds {
-            if let Some(free) = lattice.free(bond.node) {
+            if let Some(free) = self.bed.lattice.free(bond.node) {
                 band.add_block(free, free, &self.inwards(&bond.pull.hessian));
             }
         }
-        // A slack sheet has no stiffness across: as much is added as makes the band positive.
-        let mut shift = 0.0;
-        while shift < 1e12 {
-            let mut shifted = band.clone();
-            shifted.shift(shift);
-            if let Some(factor) = shifted.factor() {
-                return Ok(Stiffness::new(factor, by_nodes, self.tile.air.stiffness(volume)?));
-            }
-            shift = if shift == 0.0 { 1.0 } else { 4.0 * shift };
-        }
-        Err(Collapsed(volume))
+        lone.factored(self.sheet, &band, by_nodes)
     }
 
     /// A matrix of the bed's frame in the tile's.
@@ -316,8 +266,7 @@ impl<'a> Patch<'a> {
     pub fn eliminate(&self, calm: f64) -> Result<Option<Eliminated>, Collapsed> {
         let bonds = self.bonds();
         let [gradient, volume] = self.gradients(&bonds)?;
-        let is_met = self.meetings().any(|(m, ..)| m.depth(self.bed, self.sheets) > 0.0);
-        if bonds.is_empty() && !is_met && gradient.iter().all(|g| g.abs() <= calm) {
+        if bonds.is_empty() && self.links().is_empty() && gradient.iter().all(|g| g.abs() <= calm) {
             return Ok(None);
         }
         let stiffness = self.stiffness(&bonds, volume)?;
@@ -329,31 +278,35 @@ impl<'a> Patch<'a> {
         Ok(Some(Eliminated { solved, gradient, couplings, bonds, crossings }))
     }
 
-    /// Meetings with neighbours by their nodes in this sheet: how the depth follows the node, in the tile's axes.
-    fn meetings(&self) -> impl Iterator<Item = (&'a Meeting, usize, Vec3<f64>)> {
-        let (index, attitude) = (self.index, self.tile.pose.attitude);
-        self.met.iter().flat_map(move |meeting| {
-            let own = meeting.ends.into_iter().filter(move |end| end.0 == index);
-            own.map(move |(_, node, share)| (meeting, node, attitude.to_body(scale(meeting.normal, share))))
-        })
+    /// What sheets of neighbours do to this one.
+    fn links(&self) -> Vec<Link> {
+        links(self.bed, self.sheets, self.met, self.rubs, self.index)
     }
 
-    /// Those that press, solved for.
+    /// Nodes of this sheet among the ends of a link, with their shares.
+    fn own<'b>(&self, link: &'b Link) -> impl Iterator<Item = (usize, f64)> + 'b {
+        let index = self.index;
+        link.ends.iter().filter(move |end| end.0 == index).map(|(_, node, share)| (*node, *share))
+    }
+
+    /// Springs of links, solved for.
     fn crossings(&self, stiffness: &Stiffness, size: usize) -> Vec<Crossing> {
-        let one = |(index, meeting): (usize, &Meeting)| {
-            if !meeting.is_of(self.index) || meeting.depth(self.bed, self.sheets) <= 0.0 {
-                return None;
+        let attitude = self.tile.pose.attitude;
+        let mut crossings = Vec::new();
+        for link in self.links() {
+            for (number, direction, spring) in &link.ways {
+                let (mut column, mut solved) = (Vec::new(), vec![0.0; size]);
+                for (node, share) in self.own(&link) {
+                    let Some(free) = self.bed.lattice.free(node) else { continue };
+                    let way = attitude.to_body(scale(*direction, share));
+                    (0..3).for_each(|k| solved[3 * free + k] += way[k]);
+                    column.push((free, way));
+                }
+                stiffness.solve(&mut solved);
+                crossings.push(Crossing { number: *number, stiffness: *spring, column, solved });
             }
-            let (mut column, mut solved) = (Vec::new(), vec![0.0; size]);
-            for (_, node, way) in self.meetings().filter(|(m, ..)| std::ptr::eq(*m, meeting)) {
-                let Some(free) = self.bed.lattice.free(node) else { continue };
-                (0..3).for_each(|k| solved[3 * free + k] += way[k]);
-                column.push((free, way));
-            }
-            stiffness.solve(&mut solved);
-            Some(Crossing { meeting: index, column, solved })
-        };
-        self.met.iter().enumerate().filter_map(one).collect()
+        }
+        crossings
     }
 
     /// B, one segment after the other: -H (e_k, e_k x r) in the tile's axes; not solved yet.

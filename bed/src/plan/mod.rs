@@ -40,6 +40,8 @@ pub struct Layout {
     pub intervals: [usize; 2],
     /// Coulomb's coefficient of skin on sheets.
     pub friction: f64,
+    /// That of sheets on sheets of neighbours.
+    pub rubbing: f64,
     /// Radius of the screws' circle (m).
     pub circle: f64,
     /// Way of a screw (m), half of it up and half down.
@@ -71,6 +73,7 @@ impl Default for Layout {
             modulus: 5000.0,
             intervals: [8, 10],
             friction: 0.4,
+            rubbing: 0.0,
             circle: 0.09,
             stroke: 0.06,
             speed: 6.7e-3,
@@ -218,6 +221,8 @@ pub struct Dynamics {
     pub start: Start,
     /// Masses and losses.
     pub matter: Matter,
+    /// An empty bed's sheets move in f32.
+    pub is_f32: bool,
 }
 
 /// Where a load begins to move.
@@ -242,7 +247,13 @@ pub enum Laying {
 
 impl Default for Dynamics {
     fn default() -> Dynamics {
-        Dynamics { step: 2e-3, method: Method::Bdf2, start: Start::Dropped(DROP), matter: Matter::default() }
+        Dynamics {
+            step: 2e-3,
+            method: Method::Bdf2,
+            start: Start::Dropped(DROP),
+            matter: Matter::default(),
+            is_f32: false,
+        }
     }
 }
 
@@ -355,6 +366,7 @@ impl Plan {
             depth: layout.depth,
             tiles: self.tiles(time),
             friction: layout.friction,
+            rubbing: layout.rubbing,
             beside,
             cover: layout.cover,
         })

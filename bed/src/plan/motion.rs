@@ -35,7 +35,8 @@ pub(super) fn run(
     seal(plan, &mut bed, &state);
     let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);
     let step = plan.every / count;
-    let mut motion = Motion::new(bed, body, state, dynamics.matter, dynamics.method, step);
+    let motion = Motion::new(bed, body, state, dynamics.matter, dynamics.method, step);
+    let mut motion = if dynamics.is_f32 { motion.in_f32() } else { motion };
     let mut history = Recorder::new(plan, &motion.bed, &motion.now);
     history.take(plan, &motion.bed, &motion.now, 0.0)?;
     history.decide(plan, decide)?;

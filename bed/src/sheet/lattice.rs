@@ -5,29 +5,30 @@
 //! k_d = 3/8 E t l^2/(2 a b), k_x = (b/a) (9/8 - 3/8 (a/b)^2) E t, and k_y with a and b exchanged. A square cell has
 //! k = 3/4 E t, k_d = 3/8 E t; sides beyond 1 : sqrt 3 would need springs that push.
 
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::Vec3;
 use std::fmt;
 
 /// A spring between two nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Spring {
+pub struct Spring<T = f64> {
     /// Its ends.
     pub ends: [usize; 2],
     /// N/m.
-    pub stiffness: f64,
+    pub stiffness: T,
     /// m.
-    pub rest_length: f64,
+    pub rest_length: T,
 }
 
 /// Nodes, springs and facets of a sheet at rest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lattice {
+pub struct Lattice<T = f64> {
     /// Intervals along x and y.
     pub intervals: [usize; 2],
     /// Lengths along x and y (m).
     pub size: [f64; 2],
     /// Springs.
-    pub springs: Vec<Spring>,
+    pub springs: Vec<Spring<T>>,
 }
 
 /// Why there is no such sheet.
@@ -106,6 +107,38 @@ impl Lattice {
         }
     }
 
+    /// The same in another scalar.
+    #[must_use]
+    pub fn rounded<T: Scalar>(&self) -> Lattice<T> {
+        let round = |s: &Spring| Spring {
+            ends: s.ends,
+            stiffness: T::from_f64(s.stiffness),
+            rest_length: T::from_f64(s.rest_length),
+        };
+        let springs = self.springs.iter().map(round).collect();
+        Lattice { intervals: self.intervals, size: self.size, springs }
+    }
+
+    /// The flat sheet.
+    #[must_use]
+    pub fn flat(&self) -> Vec<Vec3<f64>> {
+        self.bulged(0.0)
+    }
+
+    /// A sheet that bulges by this height (m) in the middle, as a product of two parabolas.
+    #[must_use]
+    pub fn bulged(&self, height: f64) -> Vec<Vec3<f64>> {
+        let [nx, ny] = self.intervals;
+        let place = |node: usize| {
+            let u = (node % (nx + 1)) as f64 / nx as f64 - 0.5;
+            let v = (node / (nx + 1)) as f64 / ny as f64 - 0.5;
+            [u * self.size[0], v * self.size[1], height * (1.0 - 4.0 * u * u) * (1.0 - 4.0 * v * v)]
+        };
+        (0..self.nodes()).map(place).collect()
+    }
+}
+
+impl<T> Lattice<T> {
     /// Nodes, the rim's included.
     #[must_use]
     pub fn nodes(&self) -> usize {
@@ -146,23 +179,5 @@ impl Lattice {
             let (i, j) = (k % nx, k / nx);
             [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)]
         })
-    }
-
-    /// The flat sheet.
-    #[must_use]
-    pub fn flat(&self) -> Vec<Vec3<f64>> {
-        self.bulged(0.0)
-    }
-
-    /// A sheet that bulges by this height (m) in the middle, as a product of two parabolas.
-    #[must_use]
-    pub fn bulged(&self, height: f64) -> Vec<Vec3<f64>> {
-        let [nx, ny] = self.intervals;
-        let place = |node: usize| {
-            let u = (node % (nx + 1)) as f64 / nx as f64 - 0.5;
-            let v = (node / (nx + 1)) as f64 / ny as f64 - 0.5;
-            [u * self.size[0], v * self.size[1], height * (1.0 - 4.0 * u * u) * (1.0 - 4.0 * v * v)]
-        };
-        (0..self.nodes()).map(place).collect()
     }
 }

@@ -7,42 +7,43 @@
 
 use super::Lattice;
 use crate::band::Band;
+use smartbed_runtime::real::Scalar;
 use smartbed_runtime::vec3::{Vec3, add_at, cross, dot, norm, scale, sub};
 
 /// Energy of all springs (J).
 #[must_use]
-pub fn energy(lattice: &Lattice, places: &[Vec3<f64>]) -> f64 {
-    let one = |s: &super::Spring| {
+pub fn energy<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> T {
+    let one = |s: &super::Spring<T>| {
         let stretch = norm(sub(places[s.ends[1]], places[s.ends[0]])) - s.rest_length;
-        0.5 * s.stiffness * stretch * stretch
+        T::from_f64(0.5) * s.stiffness * stretch * stretch
     };
-    lattice.springs.iter().map(one).sum()
+    lattice.springs.iter().map(one).fold(T::ZERO, |sum, x| sum + x)
 }
 
 /// Adds the gradient of the springs' energy.
-pub fn add_gradient(lattice: &Lattice, places: &[Vec3<f64>], gradient: &mut [Vec3<f64>]) {
+pub fn add_gradient<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>], gradient: &mut [Vec3<T>]) {
     for spring in &lattice.springs {
         let [tail, head] = spring.ends;
         let along = sub(places[head], places[tail]);
         let length = norm(along);
         let pull = scale(along, spring.stiffness * (length - spring.rest_length) / length);
         add_at(gradient, head, pull);
-        add_at(gradient, tail, scale(pull, -1.0));
+        add_at(gradient, tail, scale(pull, -T::ONE));
     }
 }
 
 /// Adds the springs' Hessian: all of it, or where pushed its positive part.
-pub fn add_hessian(lattice: &Lattice, places: &[Vec3<f64>], is_exact: bool, band: &mut Band) {
+pub fn add_hessian<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>], is_exact: bool, band: &mut Band<T>) {
     for spring in &lattice.springs {
         let [tail, head] = spring.ends.map(|end| lattice.free(end));
         let along = sub(places[spring.ends[1]], places[spring.ends[0]]);
         let length = norm(along);
-        let d = scale(along, 1.0 / length);
+        let d = scale(along, T::ONE / length);
         let across = spring.stiffness * (length - spring.rest_length) / length;
-        let across = if is_exact { across } else { across.max(0.0) };
+        let across = if is_exact || across > T::ZERO { across } else { T::ZERO };
         let block = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
-                let same = if i == j { across } else { 0.0 };
+                let same = if i == j { across } else { T::ZERO };
                 same + (spring.stiffness - across) * d[i] * d[j]
             })
         });
@@ -50,7 +51,7 @@ pub fn add_hessian(lattice: &Lattice, places: &[Vec3<f64>], is_exact: bool, band
             band.add_block(end, end, &block);
         }
         if let (Some(tail), Some(head)) = (tail, head) {
-            band.add_block(tail, head, &block.map(|row: [f64; 3]| row.map(|x| -x)));
+            band.add_block(tail, head, &block.map(|row: [T; 3]| row.map(|x| -x)));
         }
     }
 }
@@ -62,40 +63,51 @@ fn triangles([a, b, c, d]: [usize; 4]) -> [[usize; 3]; 4] {
 
 /// Volume between the sheet and the plane of its rim (m^3).
 #[must_use]
-pub fn volume(lattice: &Lattice, places: &[Vec3<f64>]) -> f64 {
+pub fn volume<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> T {
     let one = |t: [usize; 3]| {
         let [a, b, c] = t.map(|node| places[node]);
-        dot(a, cross(b, c)) / 12.0
+        dot(a, cross(b, c)) / T::from_f64(12.0)
     };
-    lattice.facets().flat_map(triangles).map(one).sum()
+    lattice.facets().flat_map(triangles).map(one).fold(T::ZERO, |sum, x| sum + x)
 }
 
 /// Adds a factor times the gradient of the volume.
-pub fn add_volume_gradient(lattice: &Lattice, places: &[Vec3<f64>], factor: f64, gradient: &mut [Vec3<f64>]) {
+pub fn add_volume_gradient<T: Scalar>(
+    lattice: &Lattice<T>,
+    places: &[Vec3<T>],
+    factor: T,
+    gradient: &mut [Vec3<T>],
+) {
+    let factor = factor / T::from_f64(12.0);
     for [i, j, k] in lattice.facets().flat_map(triangles) {
         let (a, b, c) = (places[i], places[j], places[k]);
-        add_at(gradient, i, scale(cross(b, c), factor / 12.0));
-        add_at(gradient, j, scale(cross(c, a), factor / 12.0));
-        add_at(gradient, k, scale(cross(a, b), factor / 12.0));
+        add_at(gradient, i, scale(cross(b, c), factor));
+        add_at(gradient, j, scale(cross(c, a), factor));
+        add_at(gradient, k, scale(cross(a, b), factor));
     }
 }
 
 /// The area that belongs to each node, towards the outside (m^2): the volume's derivative by its place.
 #[must_use]
-pub fn areas(lattice: &Lattice, places: &[Vec3<f64>]) -> Vec<Vec3<f64>> {
-    let mut areas = vec![[0.0; 3]; places.len()];
-    add_volume_gradient(lattice, places, 1.0, &mut areas);
+pub fn areas<T: Scalar>(lattice: &Lattice<T>, places: &[Vec3<T>]) -> Vec<Vec3<T>> {
+    let mut areas = vec![[T::ZERO; 3]; places.len()];
+    add_volume_gradient(lattice, places, T::ONE, &mut areas);
     areas
 }
 
 /// Adds a factor times the Hessian of the volume: the derivative of b x c by b is v -> v x c.
-pub fn add_volume_hessian(lattice: &Lattice, places: &[Vec3<f64>], factor: f64, band: &mut Band) {
-    let s = factor / 12.0;
+pub fn add_volume_hessian<T: Scalar>(
+    lattice: &Lattice<T>,
+    places: &[Vec3<T>],
+    factor: T,
+    band: &mut Band<T>,
+) {
+    let s = factor / T::from_f64(12.0);
     for [i, j, k] in lattice.facets().flat_map(triangles) {
         for (row, column, third) in [(i, j, k), (j, k, i), (k, i, j)] {
             let (Some(row), Some(column)) = (lattice.free(row), lattice.free(column)) else { continue };
             let [x, y, z] = scale(places[third], s);
-            let block = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]];
+            let block = [[T::ZERO, z, -y], [-z, T::ZERO, x], [y, -x, T::ZERO]];
             band.add_block(row, column, &block);
         }
     }

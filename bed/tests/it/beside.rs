@@ -11,7 +11,7 @@ use smartbed_runtime::vec3::{Vec3, add, axpy, cross, norm, scale, sub};
 const SIZE: [f64; 2] = [0.219, 0.2797];
 
 /// Two soft bladders with a gap of 6 mm, which lean towards each other by an angle (deg).
-fn pair(pressures: [f64; 2], degrees: f64) -> Bed {
+pub fn pair(pressures: [f64; 2], degrees: f64) -> Bed {
     softer(400.0, pressures, degrees)
 }
 
@@ -28,6 +28,7 @@ fn softer(modulus: f64, pressures: [f64; 2], degrees: f64) -> Bed {
         depth: 0.1,
         tiles: vec![tile(0), tile(1)],
         friction: 0.4,
+        rubbing: 0.0,
         beside: vec![[0, 1]],
         cover: smartbed_bed::equilibrium::Cover::default(),
     }
@@ -48,7 +49,7 @@ fn pressed(bed: &Bed, solution: &Solution, tile: usize) -> Vec3<f64> {
 }
 
 /// Energy of sheets and air, and of where they meet.
-fn energy(bed: &Bed, solution: &Solution, sheets: &[Vec<Vec3<f64>>]) -> f64 {
+pub fn energy(bed: &Bed, solution: &Solution, sheets: &[Vec<Vec3<f64>>]) -> f64 {
     let own = |(tile, sheet): (usize, &Vec<Vec3<f64>>)| {
         membrane::energy(&bed.lattice, sheet) - solution.gauges[tile] * bed.volume(sheet)
     };

@@ -14,6 +14,8 @@ use std::f64::consts::TAU;
 
 /// How long tiles move (s).
 const SECONDS: f64 = 1.0;
+/// The thesis' grid.
+const THESIS: [usize; 2] = [28, 28];
 /// Sheets are compared this often (s).
 const EVERY: f64 = 0.2;
 
@@ -46,6 +48,7 @@ fn busy(layout: &Layout, course: Course, time: f64) -> Bed {
         depth: layout.depth,
         tiles: (0..layout.count()).map(tile).collect(),
         friction: 0.4,
+        rubbing: 0.0,
         beside,
         cover: smartbed_bed::equilibrium::Cover::default(),
     }
@@ -58,12 +61,13 @@ fn processor() -> f64 {
 }
 
 /// Sheets in their tiles' frames, first at rest, then at each time that is compared; seconds that it took.
-fn run(intervals: [usize; 2], course: Course, step: f64) -> (Vec<Vec<[f64; 3]>>, f64) {
+fn run(intervals: [usize; 2], course: Course, step: f64, is_f32: bool) -> (Vec<Vec<[f64; 3]>>, f64) {
     let layout = Layout { intervals, ..Layout::default() };
     let bed = busy(&layout, course, 0.0);
     let body = Body::default();
     let state = solve(&bed, &body, &bed.start(Vec::new())).expect("rests").state;
-    let mut motion = Motion::new(bed, body, state, Matter::default(), Method::Bdf2, step);
+    let motion = Motion::new(bed, body, state, Matter::default(), Method::Bdf2, step);
+    let mut motion = if is_f32 { motion.in_f32() } else { motion };
     let begin = processor();
     let mut seen = vec![motion.now.state.sheets.concat()];
     for moment in 1..=(SECONDS / EVERY).round() as usize {
@@ -82,14 +86,14 @@ fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
 }
 
 /// Errors of steps, largest of all times over the largest way, and processor time a simulated second.
-fn curve(intervals: [usize; 2], course: Course, truth: f64, steps: &[f64]) -> Vec<(f64, f64)> {
-    let (truth, _) = run(intervals, course, truth);
+fn curve(course: Course, is_f32: bool, truth: &[Vec<[f64; 3]>], steps: &[f64]) -> Vec<(f64, f64)> {
     let way = truth.iter().map(|places| apart(places, &truth[0])).fold(0.0, f64::max);
     let one = |step: &f64| {
-        let (seen, taken) = run(intervals, course, *step);
-        let off = seen.iter().zip(&truth).map(|(a, b)| apart(a, b)).fold(0.0, f64::max);
+        let (seen, taken) = run(THESIS, course, *step, is_f32);
+        let off = seen.iter().zip(truth).map(|(a, b)| apart(a, b)).fold(0.0, f64::max);
         println!(
-            "{step} s: {:.1e} of {:.1} mm, {:.2} s a simulated second",
+            "{} {step} s: {:.1e} of {:.1} mm, {:.2} s a simulated second",
+            if is_f32 { "f32" } else { "f64" },
             off / way,
             1e3 * way,
             taken / SECONDS
@@ -101,11 +105,17 @@ fn curve(intervals: [usize; 2], course: Course, truth: f64, steps: &[f64]) -> Ve
 
 #[test]
 fn a_busy_bed_is_right_at_steps_that_keep_up_with_time() {
-    // The thesis' grid; by `taskset -c 0` on one core, whose time is then this thread's.
+    // By `taskset -c 0` on one core, whose time is then this thread's.
     for course in [smooth as Course, ramp] {
-        let found = curve([28, 28], course, 8e-3, &[0.2, 0.1, 0.05, 0.025]);
+        let (truth, _) = run(THESIS, course, 8e-3, false);
+        let found = curve(course, false, &truth, &[0.2, 0.1, 0.05, 0.025]);
         assert!(found[0].0 > 1e-3 && found[2].0 < 1e-3 && found[3].0 < 0.3 * found[2].0, "{found:?}");
         assert!(cores() > 1 || found[2].1 < 1.0, "{found:?}");
+        let single = curve(course, true, &truth, &[0.1, 0.05, 0.025]);
+        assert!(single[0].0 > 1e-3 && single[1].0 < 1e-3 && single[2].0 < 1e-3, "{single:?}");
+        // The same errors but for rounding, which makes numbers that are not the same.
+        assert!((single[1].0 - found[2].0).abs() < 1e-4 && single[1].0 != found[2].0, "{single:?} {found:?}");
+        assert!(cores() > 1 || single[1].1 < 1.0, "{single:?}");
     }
 }
 

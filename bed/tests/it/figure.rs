@@ -68,7 +68,15 @@ pub fn whole_bed(intervals: [usize; 2], pressure: f64) -> Bed {
     let lattice = Lattice::new(intervals, [0.219, 0.2797], 5000.0).expect("a sheet");
     let at = |k: usize| Pose::at([((k % 4) as f64 - 1.5) * 0.225, (3.0 - (k / 4) as f64) * 0.2857, 0.0]);
     let tiles = (0..28).map(|k| Tile { pose: at(k), air: Air::Regulated(pressure) }).collect();
-    Bed { lattice, depth: 0.1, tiles, friction: 0.4, beside: Vec::new(), cover: Cover::default() }
+    Bed {
+        lattice,
+        depth: 0.1,
+        tiles,
+        friction: 0.4,
+        rubbing: 0.0,
+        beside: Vec::new(),
+        cover: Cover::default(),
+    }
 }
 
 pub fn lie(bed: &Bed, figure: &Figure, along: f64) -> Solution {

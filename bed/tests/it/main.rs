@@ -16,6 +16,7 @@ mod policy;
 mod published;
 mod readings;
 mod rest;
+mod rub;
 mod sensor;
 mod sheet;
 mod soft;

@@ -195,7 +195,7 @@ fn four(friction: f64) -> Bed {
     let lattice = Lattice::new([10, 12], [0.219, 0.2797], 5000.0).unwrap();
     let at = |x: f64, y: f64| Tile { pose: Pose::at([x, y, 0.0]), air: Air::Regulated(4000.0) };
     let tiles = vec![at(-0.1125, 0.14285), at(0.1125, 0.14285), at(-0.1125, -0.14285), at(0.1125, -0.14285)];
-    Bed { lattice, depth: 0.1, tiles, friction, beside: Vec::new(), cover: Cover::default() }
+    Bed { lattice, depth: 0.1, tiles, friction, rubbing: 0.0, beside: Vec::new(), cover: Cover::default() }
 }
 
 fn single(shape: Surface) -> Body {

@@ -17,6 +17,7 @@ pub fn bed(intervals: [usize; 2], size: [f64; 2], air: Air) -> Bed {
         depth: 0.1,
         tiles: vec![Tile { pose: Pose::at([0.0; 3]), air }],
         friction: 0.0,
+        rubbing: 0.0,
         beside: Vec::new(),
         cover: Cover::default(),
     }

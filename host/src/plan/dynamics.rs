@@ -41,6 +41,7 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
         relaxation: key("tissue_relaxation", "s", Bound::Positive, matter.tissue.relaxation),
     };
     let method = named(&fields, "method", &METHODS, found);
+    let is_f32 = named(&fields, "scalar", &SCALARS, found);
     let start = named(&fields, "start", &STARTS, found);
     let drop = number(&fields, "drop", "m", Bound::NotNegative, found);
     fields.finish(found);
@@ -60,13 +61,22 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
         return refuse(format!("more than {MOST_STEPS} steps"), "a longer `step`");
     }
     let matter = Matter { density, sheet_loss, joint_loss, tissue };
-    let fall = Dynamics { step, method: method?, start: Start::Dropped(drop.unwrap_or(DROP)), matter };
+    let fall = Dynamics {
+        step,
+        method: method?,
+        start: Start::Dropped(drop.unwrap_or(DROP)),
+        matter,
+        is_f32: is_f32?,
+    };
     let start = if is_at_rest { Start::AtRest } else { fall.start };
     Some(Told { dynamics: Dynamics { start, ..fall }, fall })
 }
 
 /// Starts by name, the usual one first: is it at rest?
 const STARTS: [(&str, bool); 2] = [("dropped", false), ("at_rest", true)];
+
+/// Scalars by name, the usual one first: is it f32?
+const SCALARS: [(&str, bool); 2] = [("f64", false), ("f32", true)];
 
 /// Methods by name, the usual one first.
 const METHODS: [(&str, Method); 4] = [

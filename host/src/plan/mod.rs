@@ -156,6 +156,15 @@ fn read(path: &str, table: &Table, found: &mut Diagnostics) -> Option<Read> {
         found.push(error.help("leave `fall` out, or dynamics.start = \"at_rest\" after it"));
         return None;
     }
+    if told.dynamics.is_f32 && !load.body.segments.is_empty() {
+        let error = Diagnostic::error("a bed moves in f32 only where nothing lies on it");
+        found.push(
+            error
+                .label(dynamics.span, "of this motion")
+                .help("scalar = \"f64\", or neither [patient] nor [load]"),
+        );
+        return None;
+    }
     let laying = match fall {
         Some(seconds) => Laying::Fallen(told.fall, seconds),
         None if parts > 1 => Laying::InParts(parts),
@@ -231,6 +240,8 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     };
     let pressure = positive("pressure", "Pa", 4000.0);
     layout.friction = number(&fields, "friction", "", Bound::NotNegative, found).unwrap_or(usual.friction);
+    layout.rubbing =
+        number(&fields, "sheet_friction", "", Bound::NotNegative, found).unwrap_or(usual.rubbing);
     layout.exponent = number(&fields, "exponent", "", Bound::Positive, found).unwrap_or(usual.exponent);
     layout.rows = count(&fields, "rows", 1, found).unwrap_or(usual.rows);
     layout.columns = count(&fields, "columns", 1, found).unwrap_or(usual.columns);

@@ -101,6 +101,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[run]\nseconds = 1e9".to_owned(),
         "[run]\nparts = 101".to_owned(),
         "[run]\nparts = 8\nfall = 4".to_owned(),
+        "[patient]\n[dynamics]\nscalar = \"f32\"".to_owned(),
         "[run]\nclock = \"dynamics\"\nfall = 4".to_owned(),
         "[dynamics]\ntissue_at_once = 0.5".to_owned(),
         "[dynamics]\nstart = \"at_rest\"\ndrop = 0.02".to_owned(),
