@@ -6,6 +6,7 @@
 //! Accelerations are counted from those at u' = 0 (`composite`, outwards). Inwards every hinge, in the order from the
 //! leaves, is set free: with s its twist, U = I s and D = s . U, its u' = (F - s . wrench) / D - (U / D) . A, where A is
 //! what the body inside accelerates beyond u' = 0; that body then bears I - U U' / D. Outwards A follows.
+//! A ball joint's three speeds are set free one after the other; what remains opposes no turn, exactly.
 //! Featherstone 2008, chapter 7; D are the pivots of M = L' D L.
 
 use super::articulated_inertia::Articulated;
@@ -13,16 +14,16 @@ use super::given::Given;
 use super::mass_and_force::MassAndForce;
 use super::solve::NO_INERTIA;
 use super::spatial::Wrench;
-use super::tree::{self, Node};
+use super::tree::{self, JointTurn, Node};
 use super::tree_motion::{self, Base, Moves, State, power};
 use super::{active_force, shared_axis};
 use crate::expr::tape::SampleTable;
 use crate::expr::{Dag, ExprId, Label};
-use crate::kinematics::eliminate::{Pivot, pivot_of};
+use crate::kinematics::eliminate::{Pivot, Solution, Step, pivot_of};
 use crate::kinematics::{Kinematics, UnknownId, derivative_of};
 use crate::model::Model;
 use crate::section::Section;
-use crate::vector::{Algebra, Components, cross_components, dot_components, turn_components};
+use crate::vector::{Algebra, Components, cross_components, dot_components};
 use std::collections::BTreeMap;
 
 /// With fewer speeds little is gained: six point masses on hinges take 623 operations, 638 by the mass matrix.
@@ -77,18 +78,21 @@ pub(super) fn derive(
     alg: &mut Algebra,
     model: &Model,
     k: &Kinematics,
+    solution: &Solution,
     table: &mut SampleTable,
     mass_matrix: &[Vec<ExprId>],
 ) -> Option<HingeByHinge> {
     if k.unknowns.len() < FEWEST_SPEEDS {
         return None;
     }
-    let independent = k.unknowns.are_independent();
+    // Dependent speeds that stand still, as those along Euler parameters themselves, take no part.
+    let still = |step: &Step| step.coefficients.is_empty() && alg.dag.is_zero(step.bias);
+    let independent = k.unknowns.clock().is_none() && solution.steps.iter().all(still);
     let bodies = shared_axis::bodies(alg, model, k);
     if !independent || bodies.is_empty() || bodies.iter().any(|m| !m.body.weight) {
         return None;
     }
-    let forest = tree::build(alg, model, k, &bodies);
+    let forest = tree::build(alg, model, k, &bodies, tree::Balls::Joints);
     let roots: Vec<usize> = forest.roots().into_keys().collect();
     let moving =
         roots.iter().filter(|&&root| !derivative_of(alg, k, &forest.nodes[root].origin).partials.is_empty());
@@ -151,7 +155,13 @@ impl Tree {
                 places.push(Place { parent: joint.parent, offset: joint.offset, slides });
             }
         }
+        let one = alg.dag.one();
+        let mut balls = moves.iter().flatten().filter_map(|motion| motion.ball.as_ref()).flatten();
+        if !balls.clone().all(|rate| rate.partials.len() == 1 && rate.partials.values().all(|p| *p == one)) {
+            return None;
+        }
         let turning = moves.iter().flatten().flat_map(|motion| motion.turn.partials.keys());
+        let turning = turning.chain(balls.by_ref().flat_map(|rate| rate.partials.keys()));
         let sliding = places.iter().flat_map(|place| place.slides.keys());
         let mut speeds: Vec<UnknownId> =
             base.twists.iter().map(|(u, ..)| u).chain(turning).chain(sliding).copied().collect();
@@ -186,12 +196,29 @@ impl Tree {
                     self.base.twists.iter().map(|t| set_free(dag, &mut body, *t, active)).collect();
                 continue;
             };
-            for (&unknown, &partial) in &motion.turn.partials {
-                let mut w = zero;
-                w[joint.axis as usize] = partial;
-                freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
-            }
-            let body = body.turned(dag, joint.axis, joint.angle);
+            let body = match &joint.turn {
+                JointTurn::Hinge(axis, angle) => {
+                    for (&unknown, &partial) in &motion.turn.partials {
+                        let mut w = zero;
+                        w[*axis as usize] = partial;
+                        freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
+                    }
+                    body.turned(dag, *axis, *angle)
+                }
+                JointTurn::Ball(ball) => {
+                    let one = dag.one();
+                    let mut moment = zero;
+                    for (axis, rate) in motion.ball.iter().flatten().enumerate() {
+                        let mut w = zero;
+                        w[axis] = one;
+                        for &unknown in rate.partials.keys() {
+                            freed.turning[i].push(set_free(dag, &mut body, (unknown, zero, w), active));
+                            moment[axis] = active.force.coefficient(dag, unknown);
+                        }
+                    }
+                    body.held_by_force(dag, &ball.0, moment)
+                }
+            };
             hanging[p] =
                 Some(hanging[p].take().map_or_else(|| body.clone(), |beside| beside.plus(dag, &body)));
         }
@@ -214,7 +241,7 @@ impl Tree {
                 accelerate(dag, (a, alpha), &freed.sliding[p], &mut found)
             });
             at_place[p] = Some((a, alpha));
-            let [a, alpha] = [a, alpha].map(|v| turn_components(dag, joint.axis, joint.angle, v, true));
+            let [a, alpha] = [a, alpha].map(|v| joint.outwards(dag, v));
             beyond[i] = Some(accelerate(dag, (a, alpha), &freed.turning[i], &mut found));
         }
         found

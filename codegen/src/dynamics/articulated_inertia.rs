@@ -7,7 +7,7 @@
 use super::spatial::{Inertia, Symmetric, Wrench, entry, turned_matrix, turned_symmetric};
 use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
-use crate::vector::{Components, cross_components};
+use crate::vector::{Components, cross_components, dot_components};
 
 /// M, H, J and the wrench (f, n) at the accelerations from which others are counted; about an origin, in one triad.
 #[derive(Clone, Debug)]
@@ -88,6 +88,27 @@ impl Articulated {
             inertia,
             wrench: self.wrench.turned(dag, axis, angle),
         }
+    }
+
+    /// What a ball joint leaves of a body that gives way to every turn: it opposes no angular acceleration and transmits no
+    /// moment but the `moment` of the forces on the joint's speeds. In the parent's axes, `rows` being the body's in them.
+    pub(super) fn held_by_force(&self, dag: &mut Dag, rows: &[Components; 3], moment: Components) -> Self {
+        let zero = dag.zero();
+        let turned = |dag: &mut Dag, v: &Components| -> Components {
+            std::array::from_fn(|i| dot_components(dag, &[0, 1, 2].map(|j| rows[j][i]), v))
+        };
+        // R' M R: columns of M turned, then rows.
+        let columns = [0, 1, 2].map(|j| [0, 1, 2].map(|i| self.mass[entry(i, j)]));
+        let columns = columns.map(|column| turned(dag, &column));
+        let mut mass = self.mass;
+        for i in 0..3 {
+            for j in i..3 {
+                let row = [0, 1, 2].map(|n| columns[n][i]);
+                mass[entry(i, j)] = dot_components(dag, &row, &[0, 1, 2].map(|n| rows[n][j]));
+            }
+        }
+        let wrench = Wrench { force: turned(dag, &self.wrench.force), moment: turned(dag, &moment) };
+        Self { mass, coupling: [[zero; 3]; 3], inertia: [zero; 6], wrench }
     }
 
     /// About an origin at -`offset`, which moves the old one by alpha x offset: with C alpha = alpha x offset,

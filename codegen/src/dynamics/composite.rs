@@ -59,8 +59,9 @@ pub(super) fn contributions(
         let (Some(joint), Some(motion), Some(load)) = (&nodes[i].joint, &moves[i], loads[i].take()) else {
             continue;
         };
-        let Some(inner) = states[joint.parent].clone() else { continue };
-        let load = inwards(alg, &nodes[i], joint, motion, (load, turning[i].take()), &inner, &mut found);
+        let (Some(inner), Some(hinge)) = (states[joint.parent].clone(), joint.hinge()) else { continue };
+        let load =
+            inwards(alg, &nodes[i], joint, motion, (load, turning[i].take()), (&inner, hinge), &mut found);
         if let Some(parent) = &mut loads[joint.parent] {
             if let Some(turning) = &mut turning[joint.parent] {
                 turning.add(&mut alg.dag, i, &load.inertia, &joint.offset);
@@ -102,12 +103,12 @@ fn inwards(
     joint: &Joint,
     motion: &Moves,
     (mut load, turning): (Load, Option<Turning>),
-    inner: &State,
+    (inner, hinge): (&State, (Axis, ExprId)),
     found: &mut Terms,
 ) -> Load {
     let dag = &mut alg.dag;
     let zero = [dag.zero(); 3];
-    let axis = joint.axis as usize;
+    let axis = hinge.0 as usize;
     let mut own: Vec<(UnknownId, Components, Components)> = Vec::new();
     for (&unknown, &partial) in &motion.turn.partials {
         let mut w = zero;
@@ -118,8 +119,8 @@ fn inwards(
         Some(turning) => load.project_parallel(dag, &own[0], &turning, found),
         None => load.project(dag, &own, found),
     }
-    let mut load = load.turned(dag, joint);
-    load.spin(dag, node.spin, joint.axis, motion, inner, found);
+    let mut load = load.turned(dag, hinge);
+    load.spin(dag, node.spin, hinge.0, motion, inner, found);
     let sliding: Vec<UnknownId> = motion.slide.iter().flat_map(|r| r.partials.keys().copied()).collect();
     let mut own = BTreeMap::new();
     for unknown in sliding {
@@ -190,12 +191,12 @@ impl Load {
         self.completed_by.insert(*unknown, outer);
     }
 
-    fn turned(&self, dag: &mut Dag, joint: &Joint) -> Self {
+    fn turned(&self, dag: &mut Dag, (axis, angle): (Axis, ExprId)) -> Self {
         Self {
-            inertia: self.inertia.turned(dag, joint.axis, joint.angle),
-            bias: self.bias.turned(dag, joint.axis, joint.angle),
+            inertia: self.inertia.turned(dag, axis, angle),
+            bias: self.bias.turned(dag, axis, angle),
             columns: (self.columns.iter())
-                .map(|(&unknown, column)| (unknown, column.turned(dag, joint.axis, joint.angle)))
+                .map(|(&unknown, column)| (unknown, column.turned(dag, axis, angle)))
                 .collect(),
             completed_by: self.completed_by.clone(),
         }

@@ -114,7 +114,7 @@ pub fn derive(
         true => {
             let equations = (&mass_matrix[..], &forcing[..]);
             let (u_dot, pivots) =
-                accelerations(alg, model, k, table, segments.as_deref(), equations, optimise)?;
+                accelerations(alg, (model, k, solution), table, segments.as_deref(), equations, optimise)?;
             Solved { u_dot, pivots, ..Solved::default() }
         }
         false => tied(alg, model, k, table, (solution, &values), (&mass_matrix, &forcing))?,
@@ -228,15 +228,14 @@ pub(crate) fn without_mass(
 /// u' and pivots in whichever form costs less: through the mass matrix, as a chain, or hinge by hinge.
 fn accelerations(
     alg: &mut Algebra,
-    model: &Model,
-    k: &Kinematics,
+    (model, k, solution): (&Model, &Kinematics, &Solution),
     table: &mut SampleTable,
     segments: Option<&[Segment]>,
     (mass_matrix, forcing): (&[Vec<ExprId>], &[ExprId]),
     optimise: Optimise,
 ) -> Result<(Vec<ExprId>, Vec<Pivot>), Diagnostics> {
     let chain = segments.and_then(|segments| chain::derive(alg, model, k, table, segments));
-    let hinges = articulated::derive(alg, model, k, table, mass_matrix);
+    let hinges = articulated::derive(alg, model, k, solution, table, mass_matrix);
     let forms = chain.map(|c| (c.u_dot, c.pivots)).into_iter().chain(hinges.map(|h| (h.u_dot, h.pivots)));
     let shortest = forms.map(|form| (alg.dag.cost(&form.0, optimise), form)).min_by_key(|(cost, _)| *cost);
     // The mass matrix alone may cost more: then it need not be solved with.

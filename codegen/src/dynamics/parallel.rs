@@ -8,7 +8,7 @@
 //! is never formed.
 
 use super::spatial::{Inertia, Wrench};
-use super::tree::Node;
+use super::tree::{Joint, Node};
 use super::tree_motion::{Moves, power};
 use crate::expr::{Dag, ExprId};
 use crate::kinematics::{Kinematics, UnknownId};
@@ -39,7 +39,8 @@ pub(super) fn turning(
     for (i, node) in nodes.iter().enumerate() {
         let Some(joint) = &node.joint else { continue };
         let inner = &nodes[joint.parent];
-        let same_axis = inner.joint.as_ref().is_some_and(|other| other.axis == joint.axis);
+        let axis = |joint: &Joint| joint.hinge().map(|(axis, _)| axis);
+        let same_axis = axis(joint).is_some() && inner.joint.as_ref().and_then(axis) == axis(joint);
         let rigid = moves[i].as_ref().is_some_and(|m| m.slide.iter().all(|rate| rate.partials.is_empty()));
         let weight = !node.own.is_zero(&alg.dag) && alg.dag.is_zero(node.spin) && alg.dag.is_zero(inner.spin);
         if let (true, Some(outer), Some(_)) =

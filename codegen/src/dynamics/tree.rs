@@ -7,10 +7,10 @@
 
 use super::rigid_inertia::RigidInertia;
 use super::spatial::Inertia;
-use crate::expr::{Dependence, ExprId};
+use crate::expr::{Dag, Dependence, ExprId};
 use crate::kinematics::{Kinematics, derivative_of, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
-use crate::vector::{Algebra, Components, TriadId, Turn, Vector};
+use crate::vector::{Algebra, Components, Spin, TriadId, Turn, Vector, dot_components, turn_components};
 use std::collections::BTreeMap;
 
 /// A triad at an origin.
@@ -27,13 +27,46 @@ pub(super) struct Node {
     pub spin: ExprId,
 }
 
-/// A node is turned against its parent by `angle` about `axis`, at `offset` in the parent's triad.
+/// A node is turned against its parent, at `offset` in the parent's triad.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
     pub parent: usize,
-    pub axis: Axis,
-    pub angle: ExprId,
+    pub turn: JointTurn,
     pub offset: Components,
+}
+
+/// How a node is turned against its parent.
+#[derive(Clone, Debug)]
+pub(super) enum JointTurn {
+    /// By an angle about an axis.
+    Hinge(Axis, ExprId),
+    /// In any way: its axes in the parent's components, and its angular velocity against the parent along its own axes.
+    Ball(Box<([Components; 3], Spin)>),
+}
+
+impl Joint {
+    /// Axis and angle of a hinge.
+    pub(super) fn hinge(&self) -> Option<(Axis, ExprId)> {
+        match self.turn {
+            JointTurn::Hinge(axis, angle) => Some((axis, angle)),
+            JointTurn::Ball(_) => None,
+        }
+    }
+
+    /// A vector of the parent's triad in the node's.
+    pub(super) fn outwards(&self, dag: &mut Dag, v: Components) -> Components {
+        match &self.turn {
+            JointTurn::Hinge(axis, angle) => turn_components(dag, *axis, *angle, v, true),
+            JointTurn::Ball(ball) => ball.0.each_ref().map(|row| dot_components(dag, row, &v)),
+        }
+    }
+}
+
+/// What a node turned in any way is: a joint, or the root of a tree of its own.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Balls {
+    Joints,
+    Roots,
 }
 
 /// Nodes, a parent before its children, and the node of every body.
@@ -64,7 +97,13 @@ impl Forest {
 }
 
 /// The tree of the bodies given.
-pub(super) fn build(alg: &mut Algebra, model: &Model, k: &Kinematics, bodies: &[RigidInertia]) -> Forest {
+pub(super) fn build(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    bodies: &[RigidInertia],
+    balls: Balls,
+) -> Forest {
     let mut nodes = Vec::new();
     let mut node_of_body = Vec::new();
     for RigidInertia { body, inertia } in bodies {
@@ -79,7 +118,7 @@ pub(super) fn build(alg: &mut Algebra, model: &Model, k: &Kinematics, bodies: &[
         }
         let mass = body.mass.as_ref().map_or(zero, |m| lower_scalar(alg, k, m));
         let inertia = Inertia::of_body(&mut alg.dag, mass, &centre, inertia);
-        let node = node_of(alg, model, k, &mut nodes, triad, &origin);
+        let node = node_of(alg, (model, k, balls), &mut nodes, triad, &origin);
         nodes[node].own = nodes[node].own.plus(&mut alg.dag, &inertia);
         node_of_body.push(node);
     }
@@ -95,8 +134,7 @@ fn without(alg: &mut Algebra, vector: &Vector, triad: TriadId) -> (Vector, Compo
 
 fn node_of(
     alg: &mut Algebra,
-    model: &Model,
-    k: &Kinematics,
+    (model, k, balls): (&Model, &Kinematics, Balls),
     nodes: &mut Vec<Node>,
     triad: TriadId,
     origin: &Vector,
@@ -104,14 +142,19 @@ fn node_of(
     if let Some(found) = nodes.iter().position(|n| n.triad == triad && n.origin == *origin) {
         return found;
     }
-    let joint = match alg.triads.turn(triad).clone() {
-        Turn::Simple { parent, axis, angle } if !is_lifted_triad(model, k, triad) => {
-            let (rest, offset) = without(alg, origin, parent);
-            let parent = node_of(alg, model, k, nodes, parent, &rest);
-            Some(Joint { parent, axis, angle, offset })
+    let turn = match alg.triads.turn(triad).clone() {
+        _ if is_lifted_triad(model, k, triad) => None,
+        Turn::Simple { parent, axis, angle } => Some((parent, JointTurn::Hinge(axis, angle))),
+        Turn::Directions { parent, rows, spin: Some(spin) } if balls == Balls::Joints => {
+            Some((parent, JointTurn::Ball(Box::new((rows, spin)))))
         }
-        _ => None,
+        Turn::Directions { .. } | Turn::Inertial => None,
     };
+    let joint = turn.map(|(parent, turn)| {
+        let (rest, offset) = without(alg, origin, parent);
+        let parent = node_of(alg, (model, k, balls), nodes, parent, &rest);
+        Joint { parent, turn, offset }
+    });
     let (own, spin) = (Inertia::zero(&mut alg.dag), alg.dag.zero());
     nodes.push(Node { triad, origin: origin.clone(), joint, own, spin });
     nodes.len() - 1
@@ -152,18 +195,19 @@ pub(super) fn move_inwards(alg: &mut Algebra, nodes: &mut [Node], cut: usize, wh
     }
     for i in (cut + 1..nodes.len()).rev().filter(|&i| hangs[i]) {
         let Some(joint) = nodes[i].joint.clone() else { continue };
+        let Some((axis, angle)) = joint.hinge() else { continue };
         let dag = &mut alg.dag;
         if joint.offset.iter().any(|&c| dag.dependence(c) == Dependence::State) {
             continue;
         }
         let own = nodes[i].own.clone();
-        let (inner, outer) = if dag.dependence(joint.angle) < Dependence::State {
-            (own.turned(dag, joint.axis, joint.angle), Inertia::zero(dag))
-        } else if wheels == Wheels::Spin && own.is_axisymmetric(dag, joint.axis) {
-            nodes[i].spin = own.about(dag, joint.axis);
+        let (inner, outer) = if dag.dependence(angle) < Dependence::State {
+            (own.turned(dag, axis, angle), Inertia::zero(dag))
+        } else if wheels == Wheels::Spin && own.is_axisymmetric(dag, axis) {
+            nodes[i].spin = own.about(dag, axis);
             (own, Inertia::zero(dag))
         } else {
-            own.split(dag, joint.axis)
+            own.split(dag, axis)
         };
         nodes[i].own = outer;
         let inner = inner.shifted(dag, &joint.offset);

@@ -5,9 +5,12 @@
 
 use super::given::Given;
 use super::spatial::{Acceleration, Wrench, gradient};
-use super::tree::{Joint, Node};
+use super::tree::{Joint, JointTurn, Node};
 use crate::expr::{Dag, ExprId};
-use crate::kinematics::{Kinematics, Motion, Rate, UnknownId, derivative_of, lower_vector, scalar_rate_of};
+use crate::kinematics::{
+    Kinematics, LinearForm, Motion, Rate, UnknownId, derivative_of, lower_vector, scalar_rate_of,
+    sum_of_rates,
+};
 use crate::model::{Axis, Model};
 use crate::vector::{Algebra, Components, Vector, dot_components};
 
@@ -21,8 +24,11 @@ pub(super) struct State {
 
 /// A joint's rates: how it turns, and how its place moves in the parent's triad.
 pub(super) struct Moves {
+    /// Of a hinge's angle; of a ball joint nothing.
     pub turn: Rate,
     pub turn_rate: ExprId,
+    /// Angular velocity of a ball joint, along the node's axes.
+    pub ball: Option<[Rate; 3]>,
     pub slide: [Rate; 3],
 }
 
@@ -50,14 +56,24 @@ pub(super) fn motions(
 
 impl Moves {
     fn new(alg: &mut Algebra, k: &Kinematics, given: &Given, joint: &Joint) -> Self {
-        let turn = scalar_rate_of(alg, k, joint.angle);
+        let (turn, ball) = match &joint.turn {
+            JointTurn::Hinge(_, angle) => (scalar_rate_of(alg, k, *angle), None),
+            JointTurn::Ball(ball) => {
+                let still = Rate { partials: LinearForm::default(), bias: alg.dag.zero() };
+                let spin = ball.1.each_ref().map(|terms| {
+                    let rate = sum_of_rates(alg, k, terms);
+                    given.rate(alg, rate)
+                });
+                (still, Some(spin))
+            }
+        };
         let turn_rate = turn.value(alg, k);
         let turn = given.rate(alg, turn);
         let slide = joint.offset.map(|c| {
             let rate = scalar_rate_of(alg, k, c);
             given.rate(alg, rate)
         });
-        Self { turn, turn_rate, slide }
+        Self { turn, turn_rate, ball, slide }
     }
 }
 
@@ -75,6 +91,10 @@ pub(super) fn relative_alpha(dag: &mut Dag, axis: Axis, motion: &Moves, w: &Comp
 /// From the parent's state to the node's.
 fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, inner: &State) -> State {
     let slide = motion.slide.clone().map(|rate| (rate.value(alg, k), rate.bias));
+    let ball = motion
+        .ball
+        .as_ref()
+        .map(|spin| (spin.each_ref().map(|rate| rate.value(alg, k)), spin.each_ref().map(|rate| rate.bias)));
     let dag = &mut alg.dag;
     // a + U c + c'' + 2 w x c'
     let mut origin = inner.acceleration.at(dag, &joint.offset);
@@ -86,12 +106,27 @@ fn outwards(alg: &mut Algebra, k: &Kinematics, joint: &Joint, motion: &Moves, in
         let term = dag.add(term, slide[i].1);
         origin[i] = dag.add(origin[i], term);
     }
-    let relative = relative_alpha(dag, joint.axis, motion, &inner.w);
-    let alpha = std::array::from_fn(|i| dag.add(inner.alpha[i], relative[i]));
-    let turn = |dag: &mut Dag, v| crate::vector::turn_components(dag, joint.axis, joint.angle, v, true);
-    let (alpha, origin) = (turn(dag, alpha), turn(dag, origin));
-    let mut w = turn(dag, inner.w);
-    w[joint.axis as usize] = dag.add(w[joint.axis as usize], motion.turn_rate);
+    let (w, alpha, origin) = match (joint.hinge(), ball) {
+        (Some((axis, _)), _) => {
+            let relative = relative_alpha(dag, axis, motion, &inner.w);
+            let alpha = std::array::from_fn(|i| dag.add(inner.alpha[i], relative[i]));
+            let (alpha, origin) = (joint.outwards(dag, alpha), joint.outwards(dag, origin));
+            let mut w = joint.outwards(dag, inner.w);
+            w[axis as usize] = dag.add(w[axis as usize], motion.turn_rate);
+            (w, alpha, origin)
+        }
+        // alpha + s' + w x s, s the angular velocity of the joint
+        (None, ball) => {
+            let (s, bias) = ball.unwrap_or(([dag.zero(); 3], [dag.zero(); 3]));
+            let [w, alpha, origin] = [inner.w, inner.alpha, origin].map(|v| joint.outwards(dag, v));
+            let turning = crate::vector::cross_components(dag, &w, &s);
+            let relative: Components = std::array::from_fn(|i| dag.add(bias[i], turning[i]));
+            let sum = |dag: &mut Dag, a: Components, b: Components| -> Components {
+                std::array::from_fn(|i| dag.add(a[i], b[i]))
+            };
+            (sum(dag, w, s), sum(dag, alpha, relative), origin)
+        }
+    };
     let gradient = gradient(dag, &w, &alpha);
     State { w, alpha, acceleration: Acceleration { origin, gradient } }
 }

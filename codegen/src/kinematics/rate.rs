@@ -84,7 +84,7 @@ fn total_derivative(alg: &mut Algebra, k: &Kinematics, s: ExprId) -> LinearForm 
 }
 
 /// The rate of a sum whose coefficients c are held: sum c s'.
-pub(super) fn sum_of_rates(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> Rate {
+pub(crate) fn sum_of_rates(alg: &mut Algebra, k: &Kinematics, terms: &[(ExprId, ExprId)]) -> Rate {
     let partials = rate_of_sum(alg, k, terms);
     let bias = bias_of(alg, k, &partials);
     Rate { partials, bias }
