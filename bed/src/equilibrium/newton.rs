@@ -36,6 +36,8 @@ pub enum Fault {
     Collapsed(usize, f64),
     /// A sheet is too soft for its pressure: its tile, and its area over that of its rim.
     Burst(usize, f64),
+    /// Nothing carries the body.
+    Lost,
     /// Force (N) is left over after all steps: on nodes, on segments.
     NotFound(f64, f64),
 }
@@ -55,6 +57,10 @@ impl fmt::Display for Fault {
                 "the sheet of tile {} is too soft for its pressure: it has grown to {share:.0} times its area, and further \
                  on bears less; expected stiffer sheets or less pressure",
                 tile + 1
+            ),
+            Fault::Lost => f.write_str(
+                "the load touches no bladder: it lies beside them, or has slid or rolled off; expected another `place`, or \
+                 more friction",
             ),
             Fault::NotFound(node, segment) => write!(
                 f,
@@ -189,7 +195,11 @@ fn descend(scene: &Scene, state: &mut State, weight: f64, most: usize) -> Result
         let before = last.map_or_else(|| energy(scene, state), Ok)?;
         let found = match search(scene, state, &ways, before, steepness)? {
             Some(found) if step + 1 < most => found,
-            _ => return Err(burst(scene.bed, state).unwrap_or(Fault::NotFound(left[0], left[1]))),
+            _ => {
+                let is_lost = left[1] > 0.0 && tiles.iter().flatten().all(|tile| tile.bonds.is_empty());
+                let other = if is_lost { Fault::Lost } else { Fault::NotFound(left[0], left[1]) };
+                return Err(burst(scene.bed, state).unwrap_or(other));
+            }
         };
         gone += found.way;
         (*state, last) = (found.state, Some(found.energy));

@@ -168,6 +168,16 @@ fn a_joint_holds_two_segments_and_turns_them_back() {
 }
 
 #[test]
+fn a_load_beside_the_bed_is_a_fault() {
+    let body = Body::single(segment(Shape::ball(0.05), 2.0));
+    let bed = four([6, 6], Air::Regulated(4000.0), 0.4);
+    let fault =
+        solve(&bed, &body, &bed.start(vec![Pose::at([2.0, 0.0, 0.2])])).expect_err("nothing holds it");
+    assert_eq!(fault, Fault::Lost);
+    assert!(fault.to_string().contains("touches no bladder"), "{fault}");
+}
+
+#[test]
 fn an_air_that_is_gone_is_a_fault() {
     let air = Air::sealed(4000.0, 1e-3, 1.4);
     let mut bed = bed([8, 8], [0.2, 0.2], air);

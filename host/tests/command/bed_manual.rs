@@ -138,7 +138,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
-    let faults = [Fault::Collapsed(3, -1e-3), Fault::Burst(3, 30.0), Fault::NotFound(1.0, 2.0)];
+    let faults = [Fault::Collapsed(3, -1e-3), Fault::Burst(3, 30.0), Fault::Lost, Fault::NotFound(1.0, 2.0)];
     let runs = faults.map(|fault| RunError::Fault(10.0, fault)).into_iter();
     found.extend(runs.chain([RunError::Invalid(10.0, 1e-3)]).map(|error| error.to_string()));
     found.extend(crate::bed_mesh::refusals());
