@@ -6,6 +6,7 @@
 
 mod near_singular;
 mod rank;
+mod report;
 mod rounding;
 mod text;
 
@@ -14,10 +15,11 @@ use crate::progress::Waiting;
 use crate::{model_argument, output};
 use near_singular::Nearest;
 use rank::Rank;
+use report::Report;
 use serde_json::{Value, json};
 use smartbed_codegen::expr::Dependence;
 use smartbed_codegen::model::{Model, SpeedMeaning};
-use smartbed_codegen::{Diagnostics, Effort, Optimise, ParameterChoice, Program, kinematics, program};
+use smartbed_codegen::{Effort, Optimise, ParameterChoice, Program, kinematics, program};
 
 /// Constraints of whose conditioning less than this share of nominal is left somewhere are worth a warning.
 const LOST: f64 = 0.02;
@@ -41,17 +43,6 @@ pub struct Arguments {
     /// Print one JSON object.
     #[arg(long)]
     pub json: bool,
-}
-
-/// Everything that is said about a model.
-#[derive(Debug)]
-pub(crate) struct Report {
-    /// The report as JSON; the text is made from it and from the warnings.
-    pub facts: Value,
-    /// Warnings with their places.
-    pub found: Diagnostics,
-    /// Warnings that only numbers gave.
-    pub numeric: Vec<String>,
 }
 
 /// Does what the command line asks for.

@@ -1,6 +1,6 @@
 //! The report of `check` for people.
 
-use super::Report;
+use super::report::Report;
 use crate::grouped;
 use crate::output::Stream;
 use serde_json::Value;

@@ -238,7 +238,7 @@ fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
         return Err(Failure::Wrong(format!("{why}: choose another method, for example --set method=verlet")));
     }
     let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
-        .map_err(|e| Failure::Wrong(format!("{}: {}", path.display(), scene::run::describe(&e))))?;
+        .map_err(|e| Failure::Wrong(format!("{}: {}", path.display(), scene::describe::describe(&e))))?;
     let steps = u32::try_from(scene.steps()).unwrap_or(u32::MAX);
     Ok((tables::rust(&simulation, scene.step as f32), steps))
 }

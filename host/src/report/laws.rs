@@ -6,8 +6,8 @@
 
 use super::front::slope;
 use super::point::Table;
+use crate::scene::describe::describe;
 use crate::scene::method::{Entry, METHODS, Row, TABLE};
-use crate::scene::run::describe;
 use crate::scene::{Scene, Simulation, parse};
 
 /// Heights of the fall (m).

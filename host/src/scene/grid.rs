@@ -8,19 +8,10 @@ use std::collections::BTreeMap;
 use smartbed_runtime::flexible::grid::{Family, Grid, Run, pitch};
 use smartbed_runtime::real::Scalar;
 
-use super::lists::Lists;
+use super::lists::{Lists, Table};
 
 /// Shorter rows leave most of a register's work undone: their springs and facets are faster as lists (`docs/performance.md`).
 const SHORTEST: usize = 12;
-
-/// Numbers of the nodes row by row, none where the grid has a hole.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Table {
-    /// Length of a row.
-    pub columns: usize,
-    /// Row after row.
-    pub nodes: Vec<Option<usize>>,
-}
 
 /// What a [`Grid`] borrows.
 #[derive(Clone, Debug)]

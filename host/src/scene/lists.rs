@@ -4,7 +4,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::grid::Table;
+/// Numbers of the nodes row by row, none where the grid has a hole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Length of a row.
+    pub columns: usize,
+    /// Row after row.
+    pub nodes: Vec<Option<usize>>,
+}
 
 /// Points, springs and facets of one body, SI units.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,5 +1,6 @@
 //! Scenes of flexible bodies: text -> lists -> a simulation -> rows of numbers.
 
+pub mod describe;
 pub mod dop853;
 pub mod fields;
 pub mod grid;

@@ -1,6 +1,5 @@
 //! Runs a scene and gives rows: time, state, ledger; and the events as they happened.
 
-use smartbed_codegen::words::count;
 use std::fmt::Write as _;
 
 use smartbed_runtime::contact::System;
@@ -9,6 +8,7 @@ use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::real::Scalar;
 use smartbed_runtime::scene::{Event, Flow, Observer};
 
+use super::describe::describe;
 use super::read::Scene;
 use super::simulation::Simulation;
 use crate::contact_force::ContactForce;
@@ -245,46 +245,6 @@ fn row<S: Scalar>(simulation: &Simulation<S>, watch: &Watch<S>) -> Row {
         cut_short: watch.cut_short,
     }
 }
-
-/// An error of the runtime in words.
-#[must_use]
-pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
-    match error {
-        BodyError::Empty => "the body has no points".to_string(),
-        BodyError::Length { expected, found } => {
-            format!("a list has {}, expected {expected}", count(found, "entry"))
-        }
-        BodyError::UnknownPoint { point, points } => {
-            format!("point {point} is named, but the points are 0 to {}", points - 1)
-        }
-        BodyError::Negative { index } => format!("entry {index} of the masses or springs is negative"),
-        BodyError::Scratch { needed, given } => {
-            format!("scratch memory: {given} vectors given, {needed} needed")
-        }
-        BodyError::NotFinite { point } => {
-            format!("point {point} left the numbers; take a smaller step or a smaller load")
-        }
-        BodyError::BelowGround { point, depth } => format!(
-            "point {point} starts {:.6e} m below the ground, which no law of touches can undo; raise the body (drop_height) or lower the floor, or take a ground that gives way: penalty, hunt_crossley",
-            depth.to_f64()
-        ),
-        BodyError::ThroughGround { point } => format!(
-            "point {point} has mass and went through the ground, which keeps off massless points alone; name it in `massless`, or take another law"
-        ),
-        BodyError::PressureTooHigh { pressure, spring } => format!(
-            "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
-            pressure.to_f64(),
-            smartbed_runtime::flexible::pressure::STRETCH_LIMIT
-        ),
-        BodyError::Collapsed { volume } => {
-            format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())
-        }
-        BodyError::NotConverged { step } => {
-            format!("the implicit step of {:.6e} s did not settle; take a smaller step", step.to_f64())
-        }
-    }
-}
-
 /// Header of the CSV for n points.
 #[must_use]
 pub fn csv_header(n: usize) -> String {

@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::grid::Table;
-use super::lists::Lists;
+use super::lists::{Lists, Table};
 
 /// Vertical chain of `links` springs of one length.
 #[must_use]

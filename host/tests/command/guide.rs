@@ -6,7 +6,8 @@
 
 use crate::support::{Done, command, file, finish, smartbed, written};
 use smartbed::engine::explain;
-use smartbed::scene::run::{describe, no_number};
+use smartbed::scene::describe::describe;
+use smartbed::scene::run::no_number;
 use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::mechanism::Fault;
 use std::path::{Path, PathBuf};

@@ -8,11 +8,11 @@ use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
 use smartbed_runtime::ode::nodes::{Method, Step};
 
+use super::describe::describe;
 use super::fields::{self, Fields};
 use super::keys::{self, Choice};
 use super::lists::Lists;
 use super::method::{self, Chosen, Situation};
-use super::run::describe;
 use super::simulation::{Simulation, Surroundings};
 use crate::input;
 use crate::number::six_digits;

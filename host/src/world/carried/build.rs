@@ -288,7 +288,7 @@ fn stable_step(assembly: &Assembly, fixed: &Fixed) -> Result<Option<f64>, String
             .filter(|(_, fixed)| **fixed)
             .for_each(|(mass, _)| *mass = 1.0);
         let probe = Simulation::<f64>::new(&lists, &around, method)
-            .map_err(|e| format!("`{}`: {}", part.name, crate::scene::run::describe(&e)))?;
+            .map_err(|e| format!("`{}`: {}", part.name, crate::scene::describe::describe(&e)))?;
         let Some(largest) = probe.largest_stable_step() else { continue };
         if assembly.run.step > largest {
             return Err(format!(

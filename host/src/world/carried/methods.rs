@@ -25,6 +25,9 @@ pub enum Contacts {
     Unlocated,
 }
 
+/// The method of free motion while a world without contacts is relaxed.
+pub(super) const RELAXED: Method = Method::SemiImplicitEuler;
+
 /// A method: name, step, order where nothing touches.
 pub type Named = (&'static str, Stepping, u32);
 

@@ -153,7 +153,7 @@ impl CarriedWorld {
 
     /// The method between touches; of steps that have no such method, that of what is relaxed.
     fn ode_method(&self) -> Method {
-        if let Stepping::Ode(method) = self.method.1 { method } else { rest::RELAXED }
+        if let Stepping::Ode(method) = self.method.1 { method } else { methods::RELAXED }
     }
 
     /// Does a step know of contacts, or does it act over its whole like one that does?

@@ -1,15 +1,12 @@
 //! Relaxation towards rest: what `settle::relax` asks of a world of flexible parts.
 
-use super::methods::Contacts;
+use super::methods::{Contacts, RELAXED};
 use super::{CarriedWorld, Place};
 use crate::world::settle::Relaxing;
 use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::ode::{Method, State};
+use smartbed_runtime::ode::State;
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::Carrier;
-
-/// The method of free motion while a world without contacts is relaxed.
-pub(super) const RELAXED: Method = Method::SemiImplicitEuler;
 
 impl Relaxing for CarriedWorld {
     fn vector(&self) -> Vec<f64> {
