@@ -175,6 +175,7 @@ struct Trial<'a, S> {
 
 impl<S: Scalar> Trial<'_, S> {
     /// state + delta.
+    #[inline(always)]
     fn advance_from(&mut self, state: &State<'_, S>, delta: impl Iterator<Item = S>) {
         let old = state.x().iter().zip(state.low());
         let new = self.x.iter_mut().zip(self.low.iter_mut());
@@ -185,20 +186,29 @@ impl<S: Scalar> Trial<'_, S> {
 
     /// Projects at the end `t` of the step and checks; returns the residual before the first projection. `before`
     /// is memory.
+    #[inline(always)]
+    #[expect(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
     fn settle(&mut self, system: &mut impl Ode<S>, t: S, before: &mut [S]) -> Result<S, Fault> {
         let mut residual = S::ZERO;
         system.set_time(t);
-        for round in 0..system.projections().min(2) {
+        let rounds = system.projections().min(2);
+        if rounds > 0 {
             before.iter_mut().zip(&*self.x).for_each(|(b, x)| *b = *x);
+        }
+        for round in 0..rounds {
             let found = system.project(self.x)?;
             residual = if round == 0 { found } else { residual };
+        }
+        // One comparison at the end for all numbers: v - v is 0, or not a number.
+        let mut watched = residual;
+        for ((low, b), x) in self.low.iter_mut().zip(&*before).zip(&*self.x) {
             // A coordinate that the projection has moved is determined by the others' rounded
             // values: its old rounding error has lost its meaning.
-            for ((low, b), x) in self.low.iter_mut().zip(&*before).zip(&*self.x) {
-                *low = if *b == *x { *low } else { S::ZERO };
-            }
+            *low = if rounds == 0 || *b == *x { *low } else { S::ZERO };
+            let exact = *x + *low;
+            watched = watched + (exact - exact);
         }
-        if is_finite(residual, self.x.iter().zip(&*self.low)) { Ok(residual) } else { Err(Fault::NonFinite) }
+        if watched.is_finite() { Ok(residual) } else { Err(Fault::NonFinite) }
     }
 
     /// Makes it the state; takes whole turns off angles.
@@ -208,12 +218,6 @@ impl<S: Scalar> Trial<'_, S> {
             (*old.0, *old.1) = if system.is_angle(index) { wrap(*new.0, *new.1) } else { (*new.0, *new.1) };
         }
     }
-}
-
-/// Are a number and all pairs finite? One comparison for all of them: v - v is 0, or not a number.
-#[expect(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
-fn is_finite<'a, S: Scalar>(number: S, pairs: impl Iterator<Item = (&'a S, &'a S)>) -> bool {
-    pairs.fold(number, |sum, (&x, &low)| sum + ((x + low) - (x + low))).is_finite()
 }
 
 /// The first `K` slices of `n` numbers of the scratch memory.

@@ -95,24 +95,38 @@ pub fn rk4<S: Scalar>(
 ) -> Result<Report<S>, Fault> {
     let n = check_shape(system, state)?;
     let [k, sum, stage, x, low] = split(scratch, n)?;
+    let [b1, b2, b3, b4] = KUTTA.b.map(S::constant);
+    let [_, c2, c3, c4] = KUTTA.c.map(S::constant);
     let mut pivot = S::ONE;
-    sum.fill(S::ZERO);
-    // x is x + low, rounded: the first stage is the state itself.
+    // x is x + low, rounded: the first stage is the state itself. Each other one reads the rates of the one before alone.
     evaluate(system, t, state.x(), k, &mut pivot)?;
-    // A stage reads the rates of the stage before it alone, with the weight c.
-    for (b, c) in KUTTA.b.into_iter().zip(KUTTA.c.into_iter().skip(1)) {
-        let (b, c) = (S::constant(b), S::constant(c));
-        let start = state.x().iter().zip(state.low());
-        for (((stage, sum), (x, low)), k) in stage.iter_mut().zip(&mut *sum).zip(start).zip(&*k) {
-            *sum = *sum + b * *k;
-            *stage = *x + (*low + c * h * *k);
-        }
-        evaluate(system, t + c * h, stage, k, &mut pivot)?;
-    }
-    let [.., b] = KUTTA.b.map(S::constant);
+    sum.iter_mut().zip(&*k).for_each(|(sum, k)| *sum = b1 * *k);
+    displace(stage, state, c2 * h, k);
+    evaluate(system, t + c2 * h, stage, k, &mut pivot)?;
+    add(sum, b2, k);
+    displace(stage, state, c3 * h, k);
+    evaluate(system, t + c3 * h, stage, k, &mut pivot)?;
+    add(sum, b3, k);
+    displace(stage, state, c4 * h, k);
+    evaluate(system, t + c4 * h, stage, k, &mut pivot)?;
     let mut trial = Trial { x, low };
-    trial.advance_from(state, sum.iter().zip(&*k).map(|(sum, k)| h * (*sum + b * *k)));
+    trial.advance_from(state, sum.iter().zip(&*k).map(|(sum, k)| h * (*sum + b4 * *k)));
     let residual = trial.settle(system, t + h, stage)?;
     trial.commit(system, state);
     Ok(Report { pivot, residual })
+}
+
+/// Adds b k.
+#[inline(always)]
+fn add<S: Scalar>(sum: &mut [S], b: S, k: &[S]) {
+    sum.iter_mut().zip(k).for_each(|(sum, k)| *sum = *sum + b * *k);
+}
+
+/// x + (low + step k), rounded once.
+#[inline(always)]
+fn displace<S: Scalar>(stage: &mut [S], state: &State<'_, S>, step: S, k: &[S]) {
+    let start = state.x().iter().zip(state.low());
+    for ((stage, (x, low)), k) in stage.iter_mut().zip(start).zip(k) {
+        *stage = *x + (*low + step * *k);
+    }
 }
