@@ -32,15 +32,52 @@ macro_rules! derived {
                 const FIRST: &[usize] = &[$($first),*];
                 FIRST.len()
             }
+            fn coupled(&self, _: usize) -> core::ops::Range<usize> {
+                if $module::NU == 0 { 0..0 } else { 0..self.n_ports() }
+            }
             fn inverse_inertia(
                 &mut self,
-                _: f32,
-                _: &[f32],
-                _: &[f32],
-                _: [usize; 2],
+                t: f32,
+                q: &[f32],
+                u: &[f32],
+                [seen, at]: [usize; 2],
             ) -> Result<InverseInertia<f32>, Fault> {
-                // Impacts ask for it: images have none.
-                Err(Fault::Shape)
+                let (Ok(own_q), Ok(own_u)) =
+                    (<&[f32; $module::NQ]>::try_from(q), <&[f32; $module::NU]>::try_from(u))
+                else {
+                    return Err(Fault::Shape);
+                };
+                const FIRST: &[usize] = &[$($first),*];
+                let (mut number, mut found) = (0, None);
+                $(
+                    if number == seen {
+                        let port = $module::$function(t, own_q, own_u, &self.inputs, self.equations.prepared());
+                        found = Some((port.inverse_inertia, port.jacobian));
+                    }
+                    number += 1;
+                )*
+                let _ = number;
+                let (own, jacobian) = found.ok_or(Fault::Shape)?;
+                if seen == at {
+                    return Ok(own);
+                }
+                // J of the one times what a unit wrench at the other does to u'.
+                let mut free = [0.0; $module::NU];
+                let mut changes = [[0.0; $module::NU]; 6];
+                let wrenches = [Wrench::zero(); FIRST.len()];
+                self.rates(t, q, u, &wrenches, &mut [0.0; $module::NQ], &mut free)?;
+                for (direction, change) in changes.iter_mut().enumerate() {
+                    let mut wrenches = wrenches;
+                    if let Some(wrench) = wrenches.get_mut(at) {
+                        let parts = wrench.force.iter_mut().chain(&mut wrench.moment);
+                        parts.skip(direction).take(1).for_each(|part| *part = 1.0);
+                    }
+                    self.rates(t, q, u, &wrenches, &mut [0.0; $module::NQ], change)?;
+                    change.iter_mut().zip(&free).for_each(|(to, free)| *to -= free);
+                }
+                Ok(jacobian.map(|row| {
+                    changes.map(|change| row.iter().zip(&change).map(|(entry, u_dot)| entry * u_dot).sum::<f32>())
+                }))
             }
             fn frames(&mut self, t: f32, q: &[f32], u: &[f32], frames: &mut [Frame<f32>]) -> Result<(), Fault> {
                 let (Ok(q), Ok(u)) =
@@ -120,6 +157,9 @@ macro_rules! carriers {
             }
             fn n_ports(&self) -> usize {
                 match self { $(Self::$variant(own) => own.n_ports(),)* }
+            }
+            fn coupled(&self, port: usize) -> core::ops::Range<usize> {
+                match self { $(Self::$variant(own) => own.coupled(port),)* }
             }
             fn inverse_inertia(
                 &mut self,

@@ -1,11 +1,13 @@
 //! A world on the chip: flexible parts on derived mechanisms and other carriers, in steps of fixed length.
 //!
 //! In: the tables and equations that `smartbed firmware SCENE` prints for a scene of format 2. Out: the [`Digest`] of the
-//! state after each step; on the host the last state too. What steps is the runtime's [`Island`], as on the host.
+//! state after each step; on the host the last state too. What steps is the runtime's [`Island`], or its [`World`] where parts
+//! touch, as on the host; an image links the one that its scene has.
 //! [`world_step`] is a symbol of the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[macro_use]
+#[allow(unused_macros, reason = "a scene may have no mechanism")]
 mod carriers;
 
 use smartbed_firmware::{
@@ -15,8 +17,9 @@ use smartbed_firmware::{
 use smartbed_runtime::flexible::{Body, Massless};
 use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::State;
+use smartbed_runtime::rigid::contact::Twist;
 use smartbed_runtime::surface::Frame;
-use smartbed_runtime::world::{Group, Island, Memory, Wrench};
+use smartbed_runtime::world::{Coupling, Group, Inertias, Island, Memory, StepMemory, Touch, World, Wrench};
 
 /// The world.
 #[allow(clippy::all, unused_imports, dead_code, reason = "generated: what a scene names depends on it")]
@@ -26,20 +29,31 @@ mod table {
     use smartbed_runtime::mechanism::{Fault, Mechanism};
     use smartbed_runtime::ode::Method::{self, *};
     use smartbed_runtime::rigid::RigidBody;
-    use smartbed_runtime::surface::Frame;
+    use smartbed_runtime::surface::Shape::*;
+    use smartbed_runtime::surface::{Capsule, Cuboid, Frame, Sphere};
     use smartbed_runtime::vec3::{self, Vec3};
     use smartbed_runtime::world::Content::*;
-    use smartbed_runtime::world::{Attachment, Carrier, Cell, Floating, InverseInertia, Still, Wrench};
+    use smartbed_runtime::world::Thing::{self, *};
+    use smartbed_runtime::world::{
+        Attachment, Carrier, Cell, Floating, InverseInertia, Pair, Place, Still, Wrench,
+    };
 
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 use table::{
-    AIR_DRAG, ATTACHMENTS, CELLS, FACETS, GRAVITY, HELD, MASS, METHOD, Member, NODES, NUMBERS, PORTS, POS,
-    SPRINGS, START, STEP, members,
+    AIR_DRAG, ANSWERS, ATTACHMENTS, CELLS, CONTACTS, FACETS, GRAVITY, HELD, MASS, METHOD, Member, NODES,
+    NUMBERS, PAIRS, PORTS, POS, SPRINGS, START, STEP, THINGS, members,
 };
 
-/// Carriers, nodes and memory joined.
-type World<'a> = Island<'a, f32, Group<'a, Member>>;
+/// Numbers that a step works with.
+const SCRATCH: usize = match METHOD {
+    Some(method) => method.scratch(NUMBERS),
+    None => StepMemory::<f32>::scratch(NUMBERS),
+};
+/// Ports that contacts know of: none where nothing touches.
+const SEEN_PORTS: usize = if METHOD.is_none() { PORTS } else { 0 };
+/// Nodes that contacts know of.
+const SEEN_NODES: usize = if METHOD.is_none() { NODES } else { 0 };
 
 /// Takes all steps; the digest, and the last state to `show`.
 fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
@@ -69,13 +83,29 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
     };
     let mut carriers = members();
     let group = Group { members: &mut carriers };
-    let mut world = Island::new(group, body, &ATTACHMENTS, memory)?.with_cells(&CELLS)?;
+    let island = Island::new(group, body, &ATTACHMENTS, memory)?.with_cells(&CELLS)?;
+    let mut world = World { island, things: &THINGS, pairs: &PAIRS };
     let (mut x, mut low) = (START, [0.0; NUMBERS]);
     let mut state = State::resume(&mut x, &mut low)?;
-    let mut scratch = [0.0; METHOD.scratch(NUMBERS)];
+    let [mut first, mut last] = [[Frame::inertial(); SEEN_PORTS]; 2];
+    let [mut start, mut free, mut end] = [[Twist::zero(); SEEN_PORTS + SEEN_NODES]; 3];
+    let [mut now, mut before] = [[Touch::empty(); CONTACTS]; 2];
+    let mut memory = StepMemory {
+        scratch: &mut [0.0; SCRATCH],
+        frames: [&mut first, &mut last],
+        twists: [&mut start, &mut free, &mut end],
+        normals: &mut [[0.0; 3]; SEEN_NODES],
+        inertias: Inertias {
+            couplings: &mut [Coupling::default(); SEEN_PORTS],
+            answers: &mut [[[0.0; 6]; 6]; ANSWERS],
+            nodes: &mut [0.0; SEEN_NODES],
+        },
+        touches: [&mut now, &mut before],
+        counts: [0; 2],
+    };
     let mut digest = Digest::default();
     for n in 0..STEPS {
-        world_step(&mut world, n as f32 * STEP, &mut state, &mut scratch)?;
+        world_step(&mut world, n as f32 * STEP, &mut state, &mut memory)?;
         digest.add(state.x());
     }
     show(state.x());
@@ -90,12 +120,15 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
 #[unsafe(no_mangle)]
 #[inline(never)]
 fn world_step(
-    world: &mut World<'_>,
+    world: &mut World<'_, f32, Group<'_, Member>>,
     t: f32,
     state: &mut State<'_, f32>,
-    scratch: &mut [f32],
+    memory: &mut StepMemory<'_, f32>,
 ) -> Result<(), Fault> {
-    METHOD.step(world, t, STEP, state, scratch).map(|_| ())
+    match METHOD {
+        Some(method) => method.step(&mut world.island, t, STEP, state, memory.scratch).map(|_| ()),
+        None => world.step(t, STEP, state, memory).map(|_| ()),
+    }
 }
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.

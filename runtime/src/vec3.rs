@@ -76,6 +76,18 @@ pub fn tangential<S: Scalar>(a: Vec3<S>, n: Vec3<S>) -> Vec3<S> {
     axpy(a, -dot(a, n), n)
 }
 
+/// Entry `i` of three; the last one beyond. No index can panic.
+#[inline(always)]
+#[must_use]
+pub fn pick<T: Copy>(of: &[T; 3], i: usize) -> T {
+    let [a, b, c] = *of;
+    match i {
+        0 => a,
+        1 => b,
+        _ => c,
+    }
+}
+
 /// Row i.
 #[must_use]
 #[inline(always)]

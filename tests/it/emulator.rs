@@ -161,6 +161,66 @@ fn a_world_as_fine_as_ram_carries_runs_on_the_chip_bit_for_bit() {
     assert!(off < 2e-6, "single precision is {off:e} m off");
 }
 
+/// Runs a world with contacts on the chip; the largest difference of its places from the host's f64 (m or rad), and its events there.
+fn touched_on_the_chip(model: &str, steps: u32) -> (f64, usize) {
+    let arguments = Arguments { model: Some(model.to_owned()), steps: Some(steps), ..Arguments::default() };
+    let report = report(&arguments);
+    let Subject::World(world) = &report.settings.subject else { panic!("a world") };
+    assert!(world.demand.contacts() > 0, "room for contacts");
+    let chip = report.run.expect("the image keeps its rules and runs");
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "bits");
+    assert_eq!(chip.step.calls, u64::from(steps));
+    let asked = smartbed::run::Arguments { model: model.to_owned(), ..smartbed::run::Arguments::default() };
+    let assembly = smartbed::run::world(&asked).unwrap_or_else(|failure| panic!("{failure}"));
+    let (mut host, mut events) = (CarriedWorld::new(&assembly).expect("a world"), Vec::new());
+    (0..steps).for_each(|_| host.step(assembly.run.step, &mut events).expect("a step"));
+    assert_eq!(chip.state.len(), host.numbers().len());
+    let half = chip.state.iter().zip(host.numbers()).take(chip.state.len() / 2);
+    let off = half.map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max);
+    println!("{model}: {} events, {off:.1e} off, {} instructions", events.len(), chip.step.instructions[1]);
+    (off, events.len())
+}
+
+#[test]
+fn a_ball_meets_a_bladder_on_the_chip_as_on_the_host() {
+    let _image = one_at_a_time();
+    let (off, events) = touched_on_the_chip("ball_on_bladder", 250);
+    assert!(events > 0 && off < 1e-4, "{off:e} after {events} events");
+}
+
+#[test]
+fn both_rods_of_a_pendulum_meet_a_wall_on_the_chip_as_on_the_host() {
+    let _image = one_at_a_time();
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let ports = "[ports]\nupper = { frame = \"upper\", point = \"A\" }\nlower = { frame = \"lower\", point = \"B\" }\n\n[outputs]";
+    let rods =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../models/double_pendulum.toml"));
+    let rods = rods
+        .expect("a model")
+        .replace("[outputs]", ports)
+        .replace("name = \"double_pendulum\"", "name = \"two_rods\"");
+    let model = folder.join("two_rods.toml");
+    std::fs::write(&model, rods).expect("a file");
+    let part = |name: &str, port: &str| {
+        format!(
+            "[parts.{name}]\nrigid = \"sphere\"\nradius = \"50_mm\"\non = \"pendulum.{port}\"\n\
+             [[contacts]]\nbetween = [\"{name}\", \"wall\"]\nimpact = \"moreau\"\nfriction = 0.3\n"
+        )
+    };
+    let text = format!(
+        "format = 2\n[parts.pendulum]\nmechanism = {:?}\nlaw = {{ T = 0 }}\nstart = {{ q1 = \"30*deg\", q2 = \"-20*deg\" }}\n\
+         [parts.wall]\nrigid = \"box\"\nsize = [1, 0.04, 2]\nfixed = true\nstart = {{ position = [0, -0.08, -0.5] }}\n{}{}\
+         [run]\nseconds = 0.5\nstep = \"0.5_ms\"\n",
+        model.display().to_string(),
+        part("knee", "upper"),
+        part("foot", "lower"),
+    );
+    let scene = folder.join("rods_on_wall.toml");
+    std::fs::write(&scene, text).expect("a file");
+    let (off, events) = touched_on_the_chip(&scene.display().to_string(), 1000);
+    assert!(events >= 2 && off < 1e-4, "{off:e} after {events} events");
+}
+
 #[test]
 fn a_small_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
     let _image = one_at_a_time();

@@ -52,10 +52,11 @@ impl Fitted {
             model_argument::open_world(path, &set)
         };
         let mut rows = None;
-        if !sheets.is_empty() {
+        let written = read(None)?;
+        // How many contacts there are depends on how fine they are: what touches stays as it is written.
+        if !sheets.is_empty() && written.contacts.is_empty() {
             // What carries the sheets stays: only nodes are counted anew.
-            let written = read(None)?;
-            let plain = CarriedWorld::new(&written).map_err(wrong)?.demand().without(nodes(&written));
+            let plain = CarriedWorld::new(&written).map_err(wrong)?.demand(0).without(nodes(&written));
             for finer in 1.. {
                 if plain.with(nodes(&read(Some(finer))?)).bytes() + bytes > RAM {
                     break;
@@ -78,10 +79,20 @@ impl Fitted {
         }
         let (all, whole) = (assembly.run.steps(), |n: usize| assembly.run.length(n) == assembly.run.step);
         let steps = if all > 0 && !whole(all) { all - 1 } else { all };
+        world.for_chip(&assembly).map_err(wrong)?;
+        let room = world.contact_room(steps).map_err(wrong)?;
+        let demand = world.demand(room);
+        if demand.bytes() + bytes > RAM {
+            return Err(wrong(format!(
+                "with room for {room} contacts it takes {} KB of RAM, {} are there; give its sheets fewer rows and columns",
+                (demand.bytes() + bytes).div_ceil(1024),
+                RAM / 1024
+            )));
+        }
         Ok(Self {
-            tables: world.tables(&assembly).map_err(wrong)?,
+            tables: world.tables(&assembly, room).map_err(wrong)?,
             steps: u32::try_from(steps).unwrap_or(u32::MAX),
-            demand: world.demand(),
+            demand,
             rows,
         })
     }

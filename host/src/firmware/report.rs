@@ -143,6 +143,9 @@ impl Report {
                 format!(", in sheets of {rows} x {rows}: the finest that {} KB of RAM carry", RAM / 1024)
             });
             line("nodes", format!("{}{sheets}", world.demand.nodes));
+            if world.demand.contacts() > 0 {
+                line("contacts", format!("room for {} at once", world.demand.contacts()));
+            }
         }
         if let Some(run) = &self.run {
             line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest));

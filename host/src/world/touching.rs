@@ -218,6 +218,16 @@ impl Touching {
         }
     }
 
+    /// Answers about ports that impulses ask for.
+    pub(super) fn answers(&self) -> usize {
+        self.answers.len()
+    }
+
+    /// Contacts that were near in the last step.
+    pub(super) fn near(&self) -> usize {
+        self.counts[0]
+    }
+
     /// A step of an island; pairs that come into touch are events.
     pub(super) fn step(
         &mut self,

@@ -159,14 +159,14 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 impl<S: Scalar> Cuboid<S> {
     /// From inside: the face that is least deep; of faces alike the first in the order of the axes.
     fn nearest_face(&self, place: Vec3<S>) -> Nearest<S> {
-        let depth = |i: usize| self.half[i] - place[i].abs();
+        let depth = |i: usize| vec3::pick(&self.half, i) - vec3::pick(&place, i).abs();
         let mut best = 0;
         for i in 1..3 {
             if depth(i) < depth(best) {
                 best = i;
             }
         }
-        let side = if place[best] < S::ZERO { -S::ONE } else { S::ONE };
+        let side = if vec3::pick(&place, best) < S::ZERO { -S::ONE } else { S::ONE };
         let (normal, gap) = (vec3::scale(axis(best), side), -depth(best));
         let foot = vec3::axpy(place, -gap, normal);
         Nearest { gap, normal, foot, feature: Feature::Face, distance: S::ZERO }

@@ -77,11 +77,11 @@ fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
     for touch in touches {
         let (weight, changes) = (touch.weight(), &touch.trail.changes);
         square = square + weight * vec3::dot(touch.change, touch.change);
-        for i in 0..count.min(DEPTH) {
-            let own = vec3::scale(changes[i], weight);
-            right[i] = right[i] + vec3::dot(own, touch.change);
-            for j in 0..count.min(DEPTH) {
-                matrix[i][j] = matrix[i][j] + vec3::dot(own, changes[j]);
+        for ((own, row), right) in changes.iter().zip(&mut matrix).zip(&mut right).take(count) {
+            let own = vec3::scale(*own, weight);
+            *right = *right + vec3::dot(own, touch.change);
+            for (entry, other) in row.iter_mut().zip(changes).take(count) {
+                *entry = *entry + vec3::dot(own, *other);
             }
         }
     }
@@ -102,10 +102,13 @@ pub(super) fn eliminate<S: Scalar>(
             continue;
         }
         taken[i] = true;
-        for j in (0..DEPTH).filter(|j| *j != i) {
-            let factor = matrix[j][i] / row[i];
-            right[j] = right[j] - factor * of_row;
-            matrix[j].iter_mut().zip(row).for_each(|(to, from)| *to = *to - factor * from);
+        for (j, (other, of_other)) in matrix.iter_mut().zip(&mut right).enumerate() {
+            if j == i {
+                continue;
+            }
+            let factor = other[i] / row[i];
+            *of_other = *of_other - factor * of_row;
+            other.iter_mut().zip(row).for_each(|(to, from)| *to = *to - factor * from);
         }
     }
     core::array::from_fn(|i| if taken[i] { right[i] / matrix[i][i] } else { S::ZERO })

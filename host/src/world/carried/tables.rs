@@ -5,14 +5,21 @@
 //! reads back to it: the compiler rounds it once to single precision, for chip and host alike.
 
 use super::methods::{Contacts, Stepping};
-use super::{CarriedWorld, Place};
+use super::{CarriedWorld, Place, Touching};
 use crate::world::assembly::{Assembly, Kind, Mechanism};
 use crate::world::carriers::HostCarrier;
+use crate::world::engine::Engine as _;
 use smartbed_codegen::{
     Asked, Effort, EmitOptions, Function, ParameterChoice, Program, ScalarType, program, rust,
 };
 use smartbed_runtime::ode::Method;
+use smartbed_runtime::rigid::contact::Twist;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::world::{Coupling, InverseInertia, StepMemory, Touch};
 use std::fmt::{Debug, Write as _};
+
+/// Contacts more than a quarter, for where few are near.
+const BESIDE: usize = 4;
 
 /// What a world needs of the chip's memory, in single precision.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -22,14 +29,31 @@ pub struct Demand {
     /// Numbers of the state.
     numbers: usize,
     method: Method,
+    /// Ports, answers about them and room for contacts, where parts touch.
+    contacts: Option<[usize; 3]>,
 }
 
 impl Demand {
     /// Bytes: state and what its sums have rounded away, the method's memory; places, velocities and two forces of each
-    /// node.
+    /// node; what contacts need beside, with the host's pointers a little more than the chip's.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of::<f32>() * (2 * self.numbers + self.method.scratch(self.numbers) + 4 * 3 * self.nodes)
+        let numbers = |scratch: usize| size_of::<f32>() * (2 * self.numbers + scratch + 4 * 3 * self.nodes);
+        let Some([ports, answers, room]) = self.contacts else {
+            return numbers(self.method.scratch(self.numbers));
+        };
+        numbers(StepMemory::<f32>::scratch(self.numbers))
+            + ports * (2 * size_of::<Frame<f32>>() + size_of::<Coupling>())
+            + 3 * (ports + self.nodes) * size_of::<Twist<f32>>()
+            + self.nodes * 4 * size_of::<f32>()
+            + answers * size_of::<InverseInertia<f32>>()
+            + 2 * room * size_of::<Touch<f32>>()
+    }
+
+    /// Room for contacts.
+    #[must_use]
+    pub fn contacts(&self) -> usize {
+        self.contacts.map_or(0, |[.., room]| room)
     }
 
     /// Without these nodes, so many of all and of the free ones.
@@ -46,24 +70,38 @@ impl Demand {
 }
 
 impl CarriedWorld {
-    /// The tables.
+    /// The chip's method, None where contacts have their own.
     ///
     /// # Errors
-    /// What the chip does not do, or what cannot be derived.
-    pub fn tables(&self, assembly: &Assembly) -> Result<String, String> {
-        if self.contacts != Contacts::None {
-            return Err("the chip steps worlds without contacts; leave [[contacts]] out".to_owned());
+    /// What the chip does not do.
+    pub fn for_chip(&self, assembly: &Assembly) -> Result<Option<Method>, String> {
+        if self.contacts == Contacts::Located {
+            return Err("the chip locates no touches; take impact = \"moreau\" for all contacts".to_owned());
+        }
+        if assembly.is_rigid() {
+            let why = "the chip steps flexible parts, mechanisms and contacts; rigid parts without any have a step of their own";
+            return Err(why.to_owned());
         }
         if assembly.has_lines() || !assembly.controllers.is_empty() {
             let why = "the chip steps worlds without lines of gas and controllers; leave supply, vent and [controllers] out";
             return Err(why.to_owned());
         }
-        let Stepping::Ode(method) = self.method.1 else {
-            return Err(format!(
-                "run.method = \"{}\": the chip takes verlet, rk4 and their like; take one of them",
+        match self.method.1 {
+            Stepping::Ode(method) => Ok(Some(method)),
+            Stepping::Moreau => Ok(None),
+            Stepping::Conserving => Err(format!(
+                "run.method = \"{}\": the chip takes verlet, rk4 and their like, or moreau with contacts; take one of them",
                 self.method.0
-            ));
-        };
+            )),
+        }
+    }
+
+    /// The tables, with room for so many contacts.
+    ///
+    /// # Errors
+    /// What the chip does not do, or what cannot be derived.
+    pub fn tables(&self, assembly: &Assembly, room: usize) -> Result<String, String> {
+        let method = self.for_chip(assembly)?;
         let fixed = &self.fixed;
         let mut text = String::new();
         let mut constant = |name: &str, kind: &str, value: &dyn Debug| {
@@ -73,9 +111,11 @@ impl CarriedWorld {
         constant("PORTS", "usize", &self.room.frames.len());
         constant("NUMBERS", "usize", &self.x.len());
         constant("STEP", "f32", &self.h);
-        constant("METHOD", "Method", &method);
+        constant("METHOD", "Option<Method>", &method);
         constant("GRAVITY", "Vec3<f32>", &fixed.gravity);
         constant("AIR_DRAG", "f32", &fixed.air_drag);
+        constant("CONTACTS", "usize", &room);
+        constant("ANSWERS", "usize", &if method.is_none() { self.touched().answers() } else { 0 });
         constant("POS", "[Vec3<f32>; NODES]", &self.room.pos);
         constant("START", "[f32; NUMBERS]", &self.x);
         let mut table = |name: &str, kind: &str, length: usize, values: &dyn Debug| {
@@ -87,14 +127,40 @@ impl CarriedWorld {
         table("FACETS", "[usize; 4]", fixed.facets.len(), &fixed.facets);
         table("CELLS", "Cell<f32>", fixed.cells.len(), &fixed.cells);
         table("ATTACHMENTS", "Attachment<f32>", fixed.attachments.len(), &fixed.attachments);
+        let (things, pairs) = (&self.touched().things, &self.touched().pairs);
+        table("THINGS", "Thing<f32>", things.len(), things);
+        table("PAIRS", "Pair<f32>", pairs.len(), pairs);
         representable(&text)?;
         Ok(text + &self.members(assembly)?)
     }
 
-    /// What it needs.
+    /// What it needs, with room for so many contacts.
     #[must_use]
-    pub fn demand(&self) -> Demand {
-        Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.ode_method() }
+    pub fn demand(&self, room: usize) -> Demand {
+        let ports = self.room.frames.len();
+        let contacts = (self.contacts != Contacts::None).then(|| [ports, self.touched().answers(), room]);
+        Demand { nodes: self.fixed.mass.len(), numbers: self.x.len(), method: self.ode_method(), contacts }
+    }
+
+    /// Room for the contacts of so many steps: what is near at once, found by taking them, and a quarter more.
+    ///
+    /// # Errors
+    /// Why a step cannot be taken.
+    pub fn contact_room(&self, steps: usize) -> Result<usize, String> {
+        if self.contacts != Contacts::Unlocated {
+            return Ok(0);
+        }
+        let (mut world, mut most) = (self.clone(), 0);
+        for _ in 0..steps {
+            world.step(self.h, &mut Vec::new())?;
+            most = most.max(world.touched().near());
+        }
+        Ok(most + most / 4 + BESIDE)
+    }
+
+    /// What can be touched.
+    fn touched(&self) -> &Touching {
+        self.touching.as_ref().expect("there is one but while a step is made")
     }
 
     /// Equations of mechanisms, those of copies once, and the list of carriers.

@@ -181,10 +181,10 @@ impl<S: Scalar> Plane<S> {
     fn new((cuboid, frame): Standing<S>, face: &Face<S>) -> Plane<S> {
         let (p, q) = ((face.axis + 1) % 3, (face.axis + 2) % 3);
         Plane {
-            middle: vec3::axpy(frame.origin, cuboid.half[face.axis], face.normal),
+            middle: vec3::axpy(frame.origin, vec3::pick(&cuboid.half, face.axis), face.normal),
             normal: face.normal,
-            directions: [frame.axes[p], frame.axes[q]],
-            half: [cuboid.half[p], cuboid.half[q]],
+            directions: [vec3::pick(&frame.axes, p), vec3::pick(&frame.axes, q)],
+            half: [vec3::pick(&cuboid.half, p), vec3::pick(&cuboid.half, q)],
         }
     }
 
@@ -192,13 +192,13 @@ impl<S: Scalar> Plane<S> {
     fn facing(standing: Standing<S>, against: Vec3<S>) -> Plane<S> {
         let along = standing.1.axes.map(|axis| vec3::dot(axis, against));
         let mut axis = 0;
-        for i in 1..3 {
-            if along[i].abs() > along[axis].abs() {
+        for (i, size) in along.iter().enumerate() {
+            if size.abs() > vec3::pick(&along, axis).abs() {
                 axis = i;
             }
         }
-        let sense = if along[axis] > S::ZERO { -S::ONE } else { S::ONE };
-        let normal = vec3::scale(standing.1.axes[axis], sense);
+        let sense = if vec3::pick(&along, axis) > S::ZERO { -S::ONE } else { S::ONE };
+        let normal = vec3::scale(vec3::pick(&standing.1.axes, axis), sense);
         Plane::new(standing, &Face { apart: S::ZERO, of_a: true, axis, normal })
     }
 
@@ -210,10 +210,16 @@ impl<S: Scalar> Plane<S> {
         vec3::dot(self.normal, vec3::sub(point, self.middle))
     }
 
+    /// Direction k, 0 or 1, and the half side along it.
+    fn across(&self, k: usize) -> (Vec3<S>, S) {
+        let ([d, e], [a, b]) = (self.directions, self.half);
+        if k == 0 { (d, a) } else { (e, b) }
+    }
+
     /// Is the point between the two sides across direction k? `rim` widens, as a share of the size.
     fn within(&self, point: Vec3<S>, k: usize, rim: S) -> bool {
-        let place = vec3::dot(self.directions[k], vec3::sub(point, self.middle));
-        place.abs() <= self.half[k] + rim * self.size()
+        let (direction, half) = self.across(k);
+        vec3::dot(direction, vec3::sub(point, self.middle)).abs() <= half + rim * self.size()
     }
 
     fn holds(&self, point: Vec3<S>, rim: S) -> bool {
@@ -244,6 +250,7 @@ impl<S: Scalar> Plane<S> {
 
     /// How far a point lies outside a wall (m).
     fn beyond(&self, point: Vec3<S>, (k, sense): (usize, S)) -> S {
-        sense * vec3::dot(self.directions[k], vec3::sub(point, self.middle)) - self.half[k]
+        let (direction, half) = self.across(k);
+        sense * vec3::dot(direction, vec3::sub(point, self.middle)) - half
     }
 }

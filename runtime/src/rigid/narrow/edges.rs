@@ -138,7 +138,12 @@ pub(super) fn box_edge<'a, S: Scalar>(
     let along = (number / 4) as usize % 3;
     let (p, q) = ((along + 1) % 3, (along + 2) % 3);
     let side = |bit: u32| if number & bit == 0 { -S::ONE } else { S::ONE };
-    let faces = [vec3::scale(frame.axes[p], side(1)), vec3::scale(frame.axes[q], side(2))];
-    let middle = vec3::axpy(vec3::axpy(frame.origin, cuboid.half[p], faces[0]), cuboid.half[q], faces[1]);
-    (Edge { middle, direction: frame.axes[along], half_length: cuboid.half[along], frame }, faces)
+    let [one, other] =
+        [vec3::scale(vec3::pick(&frame.axes, p), side(1)), vec3::scale(vec3::pick(&frame.axes, q), side(2))];
+    let half = |axis: usize| vec3::pick(&cuboid.half, axis);
+    let middle = vec3::axpy(vec3::axpy(frame.origin, half(p), one), half(q), other);
+    (
+        Edge { middle, direction: vec3::pick(&frame.axes, along), half_length: half(along), frame },
+        [one, other],
+    )
 }
