@@ -3,15 +3,19 @@
 //! These tests fail, and never skip, where the toolchain or the emulator is missing; the message
 //! names the command that installs it.
 
+use smartbed::engine::crate_text;
 use smartbed::firmware::compile::Subject;
 use smartbed::firmware::fit::RAM;
+use smartbed::firmware::functions::{self, Measured};
 use smartbed::firmware::image::rules::Rule;
 use smartbed::firmware::report::{Outcome, Report};
 use smartbed::firmware::{Arguments, chip, measure, toolchain};
 use smartbed::world::carried::CarriedWorld;
 use smartbed::world::engine::Engine as _;
 use smartbed_codegen::model::StartRef;
-use smartbed_codegen::{Asked, Function, Interpreted, ParameterChoice, Settings, program};
+use smartbed_codegen::{
+    Asked, Effort, EmitOptions, Function, Interpreted, ParameterChoice, ScalarType, Settings, program,
+};
 use smartbed_firmware::simulation::Simulation;
 use smartbed_runtime::mechanism::Mechanism;
 use std::process::{Command, Stdio};
@@ -250,6 +254,32 @@ fn the_equations_keep_to_their_instructions_and_bytes() {
     // Stricter than the bar: what sines and cosines share is left to the operations.
     assert!(equations.by_operation_with_constants() <= 1.7, "{equations:?}");
     assert!(equations.bytes <= 16 * 1024, "{equations:?}");
+}
+
+/// `derive --costs` counts instructions where they stand, in a function by itself; here they are executed, called through the
+/// trait, which copies the results.
+#[test]
+fn the_cost_sheet_counts_what_the_chip_executes() {
+    let _image = one_at_a_time();
+    let executed = outcome(&Arguments { steps: Some(10), ..Arguments::default() });
+    let [_, executed, _] = executed.rates.expect("a mechanism has rates").instructions;
+    let model = smartbed_codegen::model::read(&smartbed_tests::interpreted::path("tile")).expect("a model");
+    let program = program::derive_with(&model, &ParameterChoice::default(), Effort::All);
+    let program = program.unwrap_or_else(|found| panic!("{found}"));
+    let options = EmitOptions {
+        scalar: ScalarType::F32,
+        functions: Function::each(&["rates"]),
+        ..EmitOptions::default()
+    };
+    let files = crate_text::library(&program, &options.scalar, &options);
+    let rates = Measured { name: "rates".to_owned(), takes_u_dot: false };
+    let toolchain = functions::toolchain().expect("`cargo smartbed firmware` installs one");
+    let costs = functions::costs(&toolchain, files, &[rates]).unwrap_or_else(|failure| panic!("{failure}"));
+    let counted = costs[0].instructions;
+    println!("rates of the tile: {} instructions counted, {executed} executed", counted.count);
+    assert!(!counted.has_loops);
+    let off = executed.abs_diff(counted.count);
+    assert!(20 * off <= executed, "{} counted, {executed} executed", counted.count);
 }
 
 #[test]

@@ -3,8 +3,6 @@
 //! In: the nodes of each row as the shape was built ([`Table`]), the lists. Out: the memory that a [`Grid`] borrows, or
 //! nothing where the springs are not those of a grid.
 
-use std::collections::BTreeMap;
-
 use smartbed_runtime::flexible::grid::{Family, Grid, Run, pitch};
 use smartbed_runtime::real::Scalar;
 
@@ -12,6 +10,32 @@ use super::lists::{Lists, Table};
 
 /// Shorter rows leave most of a register's work undone: their springs and facets are faster as lists (`docs/performance.md`).
 const SHORTEST: usize = 12;
+
+/// The place in a table of each of the nodes from `first` on.
+struct Places {
+    first: usize,
+    list: Vec<usize>,
+}
+
+impl Places {
+    /// None where the table holds no nodes, or not all from its first to its last once.
+    fn new(nodes: &[Option<usize>]) -> Option<Self> {
+        let all = || nodes.iter().flatten().copied();
+        let (first, last) = (all().min()?, all().max()?);
+        let mut list = vec![usize::MAX; last + 1 - first];
+        if all().count() != list.len() {
+            return None;
+        }
+        for (place, node) in nodes.iter().enumerate().filter_map(|(place, node)| Some((place, (*node)?))) {
+            list[node - first] = place;
+        }
+        (!list.contains(&usize::MAX)).then_some(Places { first, list })
+    }
+
+    fn of(&self, node: usize) -> Option<usize> {
+        self.list.get(node.checked_sub(self.first)?).copied()
+    }
+}
 
 /// What a [`Grid`] borrows.
 #[derive(Clone, Debug)]
@@ -35,17 +59,13 @@ impl<S: Scalar> Woven<S> {
     pub fn new(lists: &Lists, [node, spring, facet]: [usize; 3]) -> Option<Self> {
         let Table { columns, nodes } = lists.table.as_ref().filter(|table| table.columns >= SHORTEST)?;
         let (columns, rows) = (*columns, nodes.len() / *columns);
-        let place: BTreeMap<usize, usize> =
-            nodes.iter().enumerate().filter_map(|(place, node)| Some(((*node)?, place))).collect();
-        let (first, last) = (*place.first_key_value()?.0, *place.last_key_value()?.0);
-        if place.len() != last + 1 - first {
-            return None;
-        }
+        let place = Places::new(nodes)?;
+        let (first, last) = (place.first, place.first + place.list.len() - 1);
         let in_rows = |place: usize| place / columns * pitch(columns) + place % columns;
         let mut taken = vec![[false; 2]; nodes.len()];
         let mut families = [(); 2].map(|()| [(); 3].map(|()| vec![S::ZERO; rows * pitch(columns)]));
         for (number, [tail, head]) in lists.springs.iter().enumerate() {
-            let (tail, head) = (*place.get(tail)?, *place.get(head)?);
+            let (tail, head) = (place.of(*tail)?, place.of(*head)?);
             let family = match head.checked_sub(tail)? {
                 1 if head % columns > 0 => 0,
                 way if way == columns => 1,
@@ -63,8 +83,8 @@ impl<S: Scalar> Woven<S> {
         }
         let (cells, facets) = cells(lists, &place, columns, rows)?;
         let mut mass = vec![S::ZERO; rows * pitch(columns)];
-        for (node, place) in &place {
-            mass[in_rows(*place)] = S::from_f64(lists.masses[*node]);
+        for (node, place) in (first..).zip(&place.list) {
+            mass[in_rows(*place)] = S::from_f64(lists.masses[node]);
         }
         let (mut runs, starts) = runs(nodes, columns);
         runs.iter_mut().for_each(|run| run.node += node);
@@ -118,16 +138,11 @@ fn runs(nodes: &[Option<usize>], columns: usize) -> (Vec<Run>, Vec<usize>) {
 
 /// Which places of the table are first corners of facets, those of four corners that the list begins with, and their
 /// number; none if they do not go row by row.
-fn cells<S: Scalar>(
-    lists: &Lists,
-    place: &BTreeMap<usize, usize>,
-    columns: usize,
-    rows: usize,
-) -> Option<(Vec<S>, usize)> {
+fn cells<S: Scalar>(lists: &Lists, place: &Places, columns: usize, rows: usize) -> Option<(Vec<S>, usize)> {
     let mut cells = vec![S::ZERO; rows * pitch(columns)];
     let (mut count, mut next) = (0, 0);
     for facet in &lists.facets {
-        let corners: Option<Vec<usize>> = facet.iter().map(|node| place.get(node).copied()).collect();
+        let corners: Option<Vec<usize>> = facet.iter().map(|node| place.of(*node)).collect();
         let Some([a, b, c, d]) = corners.and_then(|corners| <[usize; 4]>::try_from(corners).ok()) else {
             break;
         };

@@ -193,10 +193,12 @@ pub fn cubes(n: usize, m: usize, k: usize, side: f64) -> Lists {
 pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
     let mut body = Lists::default();
     let (dx, dy) = (width / (columns + 1) as f64, depth / (rows + 1) as f64);
-    let mut number = std::collections::BTreeMap::new();
+    // By place in the frame: none in its corners.
+    let place = |r: usize, c: usize| r * (columns + 2) + c;
+    let mut number = vec![None; (rows + 2) * (columns + 2)];
     for r in 1..=rows {
         for c in 1..=columns {
-            number.insert((r, c), body.point([c as f64 * dx, r as f64 * dy, 0.0]));
+            number[place(r, c)] = Some(body.point([c as f64 * dx, r as f64 * dy, 0.0]));
         }
     }
     for r in 0..=rows + 1 {
@@ -205,33 +207,37 @@ pub fn sheet(rows: usize, columns: usize, width: f64, depth: f64) -> Lists {
             if edge_r != edge_c {
                 let anchor = body.point([c as f64 * dx, r as f64 * dy, 0.0]);
                 body.fixed[anchor] = true;
-                number.insert((r, c), anchor);
+                number[place(r, c)] = Some(anchor);
             }
         }
     }
+    let mut join = |one: usize, other: usize| {
+        if let (Some(one), Some(other)) = (number[one], number[other]) {
+            body.spring(one, other);
+        }
+    };
     for r in 1..=rows {
-        (0..=columns).for_each(|c| body.spring(number[&(r, c)], number[&(r, c + 1)]));
+        (0..=columns).for_each(|c| join(place(r, c), place(r, c + 1)));
     }
     for c in 1..=columns {
-        (0..=rows).for_each(|r| body.spring(number[&(r, c)], number[&(r + 1, c)]));
+        (0..=rows).for_each(|r| join(place(r, c), place(r + 1, c)));
     }
     let mut corners_of_frame = Vec::new();
     for r in 0..=rows {
         for c in 0..=columns {
             let cell = [(r, c), (r, c + 1), (r + 1, c + 1), (r + 1, c)];
-            let corners: Vec<usize> = cell.iter().filter_map(|k| number.get(k).copied()).collect();
-            match corners[..] {
-                [a, b, c, d] => body.facets.push([a, b, c, d]),
+            let mut corners = cell.iter().filter_map(|(r, c)| number[place(*r, *c)]);
+            let found = [(); 4].map(|()| corners.next());
+            match found {
+                [Some(a), Some(b), Some(c), Some(d)] => body.facets.push([a, b, c, d]),
                 // A corner cell: the triangle up to the anchors keeps the surface's edge at rest.
-                [a, b, c] => corners_of_frame.push([a, b, c, c]),
+                [Some(a), Some(b), Some(c), None] => corners_of_frame.push([a, b, c, c]),
                 _ => {}
             }
         }
     }
     body.facets.append(&mut corners_of_frame);
-    let places = (0..=rows + 1).flat_map(|r| (0..=columns + 1).map(move |c| (r, c)));
-    let nodes = places.map(|place| number.get(&place).copied()).collect();
-    body.table = Some(Table { columns: columns + 2, nodes });
+    body.table = Some(Table { columns: columns + 2, nodes: number });
     body
 }
 

@@ -137,7 +137,21 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
     let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
     let controlled = format!("format = 2\n{DRIVEN}[controllers.a]\n{HELD}period = 0.001");
     let file = written("controlled.toml", &controlled);
-    found.extend([error_of(&["run", &file, "--error", "1e-3"]), error_of(&["firmware", &file])]);
+    found.push(error_of(&["firmware", &file]));
+    let by_step =
+        controlled.replace("reads = \"arm.q1\"", "reads = \"sensors.s\"") + "\n[sensors.s]\nof = \"arm.q1\"";
+    found.push(error_of(&["run", &written("by_step.toml", &by_step), "--error", "1e-3"]));
+    let coarse =
+        "[parts.sheet]\nshape = \"sheet\"\nrows = 60\ncolumns = 60\n[run]\nseconds = 1e-5\nstep = 1e-5\n";
+    let for_chip = [
+        pair("impact = \"newton\""),
+        format!("{BALL}{HIGH}"),
+        format!("{BALL}{HIGH}{coarse}[[contacts]]\nbetween = [\"ball\", \"sheet\"]\nimpact = \"moreau\""),
+    ];
+    for (number, text) in for_chip.iter().enumerate() {
+        let file = written(&format!("for_chip_{number}.toml"), &format!("format = 2\n{text}"));
+        found.push(error_of(&["firmware", &file]));
+    }
     found.iter().for_each(|said| println!("{said}"));
     same(&found, &messages("## Scenes of format 2", Some("## Plans of the bed")));
 }

@@ -19,6 +19,46 @@ fn step([columns, rows]: [usize; 2]) -> f64 {
     least.as_secs_f64()
 }
 
+/// A closed sheet of so many nodes a side, one step long.
+fn sheet(side: usize) -> String {
+    format!(
+        "format = 2\n[parts.ground]\nrigid = \"half_space\"\n[parts.sheet]\nshape = \"sheet\"\nrows = {side}\ncolumns = {side}\n\
+         width = 2\ndepth = 2\nbase = 0.04\nmass = 1e-4\nK = 2e3\nC = 0.01\nstart = {{ position = [0, 0, 0.04] }}\n\
+         gas = {{ gauge = 1e3, sealed = true }}\n\
+         attach = [{{ nodes = \"rim\", to = \"ground\" }}, {{ facets = \"base\", to = \"ground\" }}]\n\
+         [run]\nseconds = 1e-5\nstep = 1e-5\n"
+    )
+}
+
+#[test]
+fn a_sheet_of_200_x_200_takes_its_first_step_within_a_tenth_of_a_second() {
+    let text = sheet(200);
+    let first = || {
+        let start = Instant::now();
+        let mut world = engine(&parse(&text).expect("a world")).expect("an engine");
+        world.step(1e-5, &mut Vec::new()).expect("a step");
+        start.elapsed()
+    };
+    let least = (0..5).map(|_| first()).min().expect("five");
+    println!("from the text to the end of the first step: {least:?}");
+    assert!(least < Duration::from_millis(100), "{least:?}");
+}
+
+/// The address space that a run may take is a straight line in the number of nodes.
+#[test]
+#[cfg(target_os = "linux")]
+fn memory_is_linear_in_the_nodes_of_a_sheet() {
+    for side in [100, 200, 300] {
+        let file = super::support::scene(&format!("sheet_{side}"), &sheet(side));
+        let kilobytes = 64 * 1024 + 3 * side * side;
+        let program = env!("CARGO_BIN_EXE_smartbed");
+        let command = format!("ulimit -v {kilobytes} && exec {program} run {file}");
+        let output = std::process::Command::new("sh").args(["-c", &command]).output().expect("a shell");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{side} x {side} within {kilobytes} KB: {said}");
+    }
+}
+
 #[test]
 fn a_step_costs_in_proportion_to_the_tiles() {
     let each = [[1, 1], [2, 2], [4, 4], [7, 4]].map(|count| {

@@ -173,6 +173,19 @@ impl<S: Scalar> Cuboid<S> {
     }
 }
 
+impl<S: Scalar> Shape<S> {
+    /// How far it reaches from the origin of its axes (m); None for the half-space.
+    #[must_use]
+    pub fn reach(&self) -> Option<S> {
+        match self {
+            Shape::HalfSpace => None,
+            Shape::Sphere(sphere) => Some(sphere.radius),
+            Shape::Capsule(capsule) => Some(capsule.radius + capsule.half_length),
+            Shape::Cuboid(cuboid) => Some(vec3::norm(cuboid.half)),
+        }
+    }
+}
+
 impl<S: Scalar> Surface<S> for Shape<S> {
     fn nearest(&self, place: Vec3<S>) -> Nearest<S> {
         match self {

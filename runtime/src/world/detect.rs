@@ -20,7 +20,7 @@ use crate::rigid::contact::{Contact, Point, Side};
 use crate::rigid::impact::InverseMass;
 use crate::rigid::narrow::{Placed, core_points, features};
 use crate::surface::facet::{Facet, FacetNearest};
-use crate::surface::{Frame, Shape, Surface};
+use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
 /// Numbers of contacts of a shape's points over facets begin here; below are nodes.
@@ -237,10 +237,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         shape: Standing<S>,
         found: &mut Found<S>,
     ) {
-        let Some(mesh) = self.mesh(mesh) else { return };
+        let Some(mesh) = self.mesh(mesh).filter(|mesh| self.may_meet(mesh, &shape)) else { return };
         for (id, node) in (0..).zip(mesh.nodes[0]..mesh.nodes[1]) {
-            let (gap, point, contact) = self.node_over_shape(node, &shape);
-            if gap <= self.margin {
+            if self.near_node(node, &shape).gap <= self.margin {
+                let (gap, point, contact) = self.node_over_shape(node, &shape);
                 found.push(pair, id, gap, point, contact);
             }
         }
@@ -256,10 +256,27 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
+    /// Is the shape's bounding sphere near the box around the mesh's nodes? If not, nothing of theirs is.
+    fn may_meet(&self, mesh: &Mesh<S>, (shape, _, frame): &Standing<S>) -> bool {
+        let Some(reach) = shape.reach() else { return true };
+        let Some((low, high)) = self.bounds(mesh) else { return false };
+        let outside = frame.origin.iter().zip(low.iter().zip(high));
+        let outside = outside.fold(S::ZERO, |sum, (x, (low, high))| {
+            let over = (*low - *x).max(*x - high).max(S::ZERO);
+            sum + over * over
+        });
+        outside.sqrt() <= reach + self.margin.max(mesh.depth)
+    }
+
+    /// Where a shape's surface is nearest to a node, in the shape's axes.
+    fn near_node(&self, node: usize, (shape, _, frame): &Standing<S>) -> Nearest<S> {
+        shape.nearest(frame.place(vec3::at(self.pos, node)))
+    }
+
     /// A node over the surface of a shape.
-    fn node_over_shape(&self, node: usize, (shape, port, frame): &Standing<S>) -> Place<S> {
-        let x = vec3::at(self.pos, node);
-        let near = shape.nearest(frame.place(x));
+    fn node_over_shape(&self, node: usize, standing: &Standing<S>) -> Place<S> {
+        let (x, near, (_, port, frame)) =
+            (vec3::at(self.pos, node), self.near_node(node, standing), standing);
         let sides = [self.side_of_node(node), self.side_of_port(*port, x)];
         (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
     }
@@ -300,10 +317,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         gap: S,
         shape: &Standing<S>,
     ) -> bool {
-        let mean = facet.iter().zip(near.weights).fold(S::ZERO, |sum, (node, weight)| {
-            let (own, ..) = self.node_over_shape(*node, shape);
-            sum + weight * own.abs()
-        });
+        let mean = facet
+            .iter()
+            .zip(near.weights)
+            .fold(S::ZERO, |sum, (node, weight)| sum + weight * self.near_node(*node, shape).gap.abs());
         self.at_node < S::ONE && mean < gap.abs()
     }
 
@@ -316,7 +333,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
-        let Some((low, high)) = self.bounds(&other) else { return };
+        let Some((low, high)) = self.bounds(&other).filter(|_| !other.facets.is_empty()) else { return };
         let far = self.margin.max(other.depth);
         let base = if own.nodes[0] < other.nodes[0] { 0 } else { OF_SHAPE };
         for (id, node) in (base..).zip(own.nodes[0]..own.nodes[1]) {
@@ -401,14 +418,14 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         (-mesh.depth <= gap && gap <= self.margin).then_some(near)
     }
 
-    /// Box around a mesh's facets.
+    /// Box around a mesh's nodes.
     fn bounds(&self, mesh: &Mesh<S>) -> Option<(Vec3<S>, Vec3<S>)> {
-        let first = vec3::at(self.pos, *mesh.facets.first()?.first()?);
-        let mut bounds = (first, first);
-        for node in mesh.facets.iter().flatten() {
-            let x = vec3::at(self.pos, *node);
+        let [first, end] = mesh.nodes;
+        let places = self.pos.get(first..end)?;
+        let mut bounds = (*places.first()?, *places.first()?);
+        for x in places {
             for ((low, high), x) in bounds.0.iter_mut().zip(bounds.1.iter_mut()).zip(x) {
-                (*low, *high) = (low.min(x), high.max(x));
+                (*low, *high) = (low.min(*x), high.max(*x));
             }
         }
         Some(bounds)

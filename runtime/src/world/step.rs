@@ -379,16 +379,9 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
     /// Largest shape's radius about its port (m).
     pub(super) fn largest(&self) -> S {
-        use crate::surface::Shape;
         self.things.iter().fold(S::ZERO, |most, thing| {
             let Thing::Rigid { shape, place, .. } = thing else { return most };
-            let own = match shape {
-                Shape::HalfSpace => S::ZERO,
-                Shape::Sphere(ball) => ball.radius,
-                Shape::Capsule(capsule) => capsule.radius + capsule.half_length,
-                Shape::Cuboid(cuboid) => vec3::norm(cuboid.half),
-            };
-            most.max(own + vec3::norm(place.origin))
+            most.max(shape.reach().unwrap_or(S::ZERO) + vec3::norm(place.origin))
         })
     }
 

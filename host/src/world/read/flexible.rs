@@ -182,17 +182,26 @@ fn close_below(lists: &mut Lists, depth: f64) {
 
 /// Edges of facets that no other facet has the other way round, from each node to the next.
 pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
-    let mut edges: BTreeMap<[usize; 2], i32> = BTreeMap::new();
-    for facet in facets {
-        for k in 0..4 {
-            let (a, b) = (facet[k], facet[(k + 1) % 4]);
-            if a != b {
-                *edges.entry([a, b]).or_default() += 1;
+    // Edges by their ends, whichever way they go: those of a pair of neighbours stand beside each other.
+    let mut edges = Vec::with_capacity(4 * facets.len());
+    for [a, b, c, d] in facets.iter().copied() {
+        for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
+            if from != to {
+                edges.push(([from.min(to), from.max(to)], from < to));
             }
         }
     }
-    let open = edges.iter().filter(|([a, b], count)| edges.get(&[*b, *a]) != Some(count));
-    open.map(|([a, b], _)| (*a, *b)).collect()
+    edges.sort_unstable();
+    let mut open = BTreeMap::new();
+    for alike in edges.chunk_by(|one, other| one.0 == other.0) {
+        let ([low, high], rising) = (alike[0].0, alike.iter().filter(|(_, rises)| *rises).count());
+        let falling = alike.len() - rising;
+        if rising != falling {
+            open.extend((rising > 0).then_some((low, high)));
+            open.extend((falling > 0).then_some((high, low)));
+        }
+    }
+    open
 }
 
 /// The nodes around an open surface, in the order of its facets; none unless it has one edge all round.
