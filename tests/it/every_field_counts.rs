@@ -191,6 +191,7 @@ const ELSEWHERE: [(&str, &str, &str); 48] = [
     ("definitions.unit", "smartbed-codegen", "units_are_checked_at_the_subexpression"),
     ("definitions.doc", "smartbed-codegen", "every_model_is_read_without_a_finding"),
     ("frames.z", "smartbed-tests", "newton_euler_agrees_at_random_states_and_parameters"),
+    ("frames.euler", "smartbed-codegen", "a_free_joint_is_the_free_body_in_euler_parameters"),
     ("frames.fixed", "smartbed-codegen", "a_fixed_vector_may_be_a_definition_that_nothing_else_needs"),
     ("outputs.unit", "smartbed-codegen", "units_are_checked_at_the_subexpression"),
     ("outputs.doc", "smartbed-codegen", "every_model_is_read_without_a_finding"),
