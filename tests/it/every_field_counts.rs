@@ -156,7 +156,7 @@ const CHANGES: [(&str, Change); 41] = [
 ];
 
 /// Fields that no change of a drawn mechanism reaches, each with a test that fails if it is misread.
-const ELSEWHERE: [(&str, &str, &str); 48] = [
+const ELSEWHERE: [(&str, &str, &str); 49] = [
     ("top level.format", "smartbed-codegen", "rejected_models_have_their_exact_messages"),
     ("top level.name", "smartbed-tests", "emitted_text_equals_the_golden_files"),
     ("top level.doc", "smartbed-tests", "emitted_text_equals_the_golden_files"),
