@@ -183,18 +183,23 @@ fn close_below(lists: &mut Lists, depth: f64) {
 /// Edges of facets that no other facet has the other way round, from each node to the next.
 pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
     // Edges by their ends, whichever way they go: those of a pair of neighbours stand beside each other.
+    // One number an edge, lower node, higher node, direction, because numbers are sorted four times as fast as tuples.
+    const NODE: u32 = 31;
     let mut edges = Vec::with_capacity(4 * facets.len());
     for [a, b, c, d] in facets.iter().copied() {
         for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
             if from != to {
-                edges.push(([from.min(to), from.max(to)], from < to));
+                let (low, high) = (from.min(to) as u64, from.max(to) as u64);
+                edges.push((low << NODE | high) << 1 | u64::from(from < to));
             }
         }
     }
     edges.sort_unstable();
     let mut open = BTreeMap::new();
-    for alike in edges.chunk_by(|one, other| one.0 == other.0) {
-        let ([low, high], rising) = (alike[0].0, alike.iter().filter(|(_, rises)| *rises).count());
+    for alike in edges.chunk_by(|one, other| one >> 1 == other >> 1) {
+        let ends = alike[0] >> 1;
+        let (low, high) = ((ends >> NODE) as usize, (ends & ((1 << NODE) - 1)) as usize);
+        let rising = alike.iter().filter(|edge| *edge & 1 == 1).count();
         let falling = alike.len() - rising;
         if rising != falling {
             open.extend((rising > 0).then_some((low, high)));

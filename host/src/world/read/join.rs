@@ -88,7 +88,8 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
             let nodes: Vec<usize> =
                 match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
                     "base" => base,
-                    _ => (0..count).filter(|n| lists.fixed[*n] && !base.contains(n)).collect(),
+                    // Both in rising order.
+                    _ => (0..count).filter(|n| lists.fixed[*n] && base.binary_search(n).is_err()).collect(),
                 };
             if nodes.is_empty() {
                 let error = Diagnostic::error(format!("`{}` has no nodes `{}`", part.name, group.text));
@@ -125,10 +126,10 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
 
 /// Nodes that facets alone touch, no springs: those below a sheet.
 fn base_nodes(body: &crate::world::assembly::Flexible) -> Vec<usize> {
-    let mut lonely = vec![true; body.lists.points.len()];
-    body.lists.springs.iter().flatten().for_each(|node| lonely[*node] = false);
-    let in_facets = |node: &usize| body.lists.facets.iter().any(|corners| corners.contains(node));
-    (0..lonely.len()).filter(|n| lonely[*n] && in_facets(n)).collect()
+    let mut below = vec![false; body.lists.points.len()];
+    body.lists.facets.iter().flatten().for_each(|node| below[*node] = true);
+    body.lists.springs.iter().flatten().for_each(|node| below[*node] = false);
+    (0..below.len()).filter(|n| below[*n]).collect()
 }
 
 /// `tile.platform`: a part and its port; of a rigid part its name alone.
