@@ -41,13 +41,7 @@ pub(super) fn angular_velocity(alg: &mut Algebra, k: &Kinematics, triad: TriadId
 fn spinning(alg: &mut Algebra, k: &Kinematics, (triad, parent): (TriadId, TriadId), spin: &Spin) -> Motion {
     let rates = spin.each_ref().map(|terms| sum_of_rates(alg, k, terms));
     let mut motion = k.angular[parent].clone();
-    let zero = alg.dag.zero();
-    let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
-    for unknown in unknowns {
-        let c = std::array::from_fn(|i| rates[i].partials.get(&unknown).copied().unwrap_or(zero));
-        let term = Vector::new(&alg.dag, triad, c);
-        motion.partials.add_term(&mut alg.dag, unknown, &term);
-    }
+    motion.add_components(alg, triad, &rates);
     let relative = rates.each_ref().map(|rate| rate.value(alg, k));
     let relative = Vector::new(&alg.dag, triad, relative);
     let w_parent = k.angular[parent].value(alg, k);

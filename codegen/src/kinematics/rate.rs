@@ -16,6 +16,17 @@ use rustc_hash::FxHashMap as HashMap;
 use std::collections::BTreeSet;
 
 impl Motion {
+    /// Adds the partials of the vector whose components in a triad have these rates.
+    pub(super) fn add_components(&mut self, alg: &mut Algebra, triad: TriadId, rates: &[Rate; 3]) {
+        let zero = alg.dag.zero();
+        let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
+        for unknown in unknowns {
+            let c = std::array::from_fn(|i| rates[i].partials.get(&unknown).copied().unwrap_or(zero));
+            let term = Vector::new(&alg.dag, triad, c);
+            self.partials.add_term(&mut alg.dag, unknown, &term);
+        }
+    }
+
     /// Adds `factor` times `other`.
     pub(super) fn add(&mut self, dag: &mut Dag, factor: ExprId, other: &Self) {
         self.partials.add(dag, factor, &other.partials);
@@ -259,13 +270,7 @@ fn growing(
         return Growing { motion, rate: Growth::Scalar(rate.value(alg, k)) };
     }
     let rates = direction.map(|c| scalar_rate(alg, k, c));
-    let zero = alg.dag.zero();
-    let unknowns: BTreeSet<UnknownId> = rates.iter().flat_map(|r| r.partials.keys().copied()).collect();
-    for unknown in unknowns {
-        let c = std::array::from_fn(|i| rates[i].partials.get(&unknown).copied().unwrap_or(zero));
-        let term = Vector::new(&alg.dag, triad, c);
-        motion.partials.add_term(&mut alg.dag, unknown, &term);
-    }
+    motion.add_components(alg, triad, &rates);
     let second = std::array::from_fn(|i| rates[i].bias);
     motion.bias = Vector::new(&alg.dag, triad, second);
     let relative = std::array::from_fn(|i| rates[i].value(alg, k));

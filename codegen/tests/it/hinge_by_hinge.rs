@@ -177,27 +177,32 @@ fn balls(n: usize) -> String {
         )
         .expect("a string grows");
     }
-    for i in 0..n {
-        write!(
-            text,
+    text += &bodies(n);
+    text
+}
+
+/// Bodies without symmetry, mass centres off the joints, on frames f0, f1, ...
+fn bodies(n: usize) -> String {
+    let body = |i| {
+        format!(
             "[points.C{i}]\nposition = \"f{i} + 0.1_m*f{i}.x - 0.07_m*f{i}.y + 0.2_m*f{i}.z\"\n\
              [bodies.b{i}]\ncentre = \"C{i}\"\nframe = \"f{i}\"\nmass = \"1.5_kg\"\n\
              inertia = {{ Ixx = 0.03, Iyy = 0.04, Izz = 0.05, Ixy = 0.004, Ixz = -0.003, Iyz = 0.002 }}\n"
         )
-        .expect("a string grows");
-    }
-    text
+    };
+    (0..n).map(body).collect()
+}
+
+/// Makes Euler parameters of four numbers.
+fn normalise(parameters: &mut [f64]) {
+    let length = parameters.iter().map(|e| e * e).sum::<f64>().sqrt();
+    parameters.iter_mut().for_each(|e| *e /= length);
 }
 
 #[test]
 fn operations_of_ball_joints_in_a_row() {
     for (n, most) in [(1, 130), (2, 545), (3, 1_075), (4, 1_600), (8, 3_720)] {
-        check_at(&balls(n), most, |q| {
-            for parameters in q.chunks_exact_mut(4) {
-                let length = parameters.iter().map(|e| e * e).sum::<f64>().sqrt();
-                parameters.iter_mut().for_each(|e| *e /= length);
-            }
-        });
+        check_at(&balls(n), most, |q| q.chunks_exact_mut(4).for_each(normalise));
     }
 }
 
@@ -217,19 +222,6 @@ fn hinges_and_ball_joints_in_a_row_under_loads() {
          [torques]\nmotor = { frame = \"f1\", torque = \"T*f1.z\", reaction = \"f0\" }\n\
          [springs]\nrope = { between = [\"f4\", \"O\"], stiffness = \"k\", rest_length = \"0.1_m\", damping = \"c\" }\n",
     );
-    for i in 0..5 {
-        write!(
-            text,
-            "[points.C{i}]\nposition = \"f{i} + 0.1_m*f{i}.x - 0.07_m*f{i}.y + 0.2_m*f{i}.z\"\n\
-             [bodies.b{i}]\ncentre = \"C{i}\"\nframe = \"f{i}\"\nmass = \"1.5_kg\"\n\
-             inertia = {{ Ixx = 0.03, Iyy = 0.04, Izz = 0.05, Ixy = 0.004, Ixz = -0.003, Iyz = 0.002 }}\n"
-        )
-        .expect("a string grows");
-    }
-    check_at(&text, 2_450, |q| {
-        for first in [1, 6] {
-            let length = q[first..first + 4].iter().map(|e| e * e).sum::<f64>().sqrt();
-            q[first..first + 4].iter_mut().for_each(|e| *e /= length);
-        }
-    });
+    text += &bodies(5);
+    check_at(&text, 2_450, |q| [1, 6].into_iter().for_each(|first| normalise(&mut q[first..first + 4])));
 }

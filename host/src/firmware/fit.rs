@@ -69,8 +69,9 @@ impl Fitted {
                 return Err(wrong(why));
             }
         }
-        let assembly = read(rows)?;
+        let assembly = if rows.is_some() { read(rows)? } else { written };
         let mut world = CarriedWorld::new(&assembly).map_err(wrong)?;
+        world.for_chip(&assembly).map_err(wrong)?;
         if assembly.run.settled {
             world.settle().map_err(wrong)?;
         }
@@ -79,7 +80,6 @@ impl Fitted {
         }
         let (all, whole) = (assembly.run.steps(), |n: usize| assembly.run.length(n) == assembly.run.step);
         let steps = if all > 0 && !whole(all) { all - 1 } else { all };
-        world.for_chip(&assembly).map_err(wrong)?;
         let room = world.contact_room(steps).map_err(wrong)?;
         let demand = world.demand(room);
         if demand.bytes() + bytes > RAM {

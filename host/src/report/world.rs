@@ -20,7 +20,7 @@ use crate::world::assembly::{Controlling, Sensing, Transducer};
 use crate::world::carried::CarriedWorld;
 use crate::world::carried::methods::Contacts;
 use crate::world::engine::Engine;
-use crate::world::observers::Observers;
+use crate::world::feedback::Feedback;
 use crate::world::rigid::RigidWorld;
 use crate::world::run::run;
 use smartbed_codegen::words::count;
@@ -183,11 +183,11 @@ impl World {
         }
         let engine = start.engine();
         let (h, ends) = self.steps(longest, seconds)?;
-        let mut observers = match self.is_controlled() {
+        let mut feedback = match self.is_controlled() {
             true => {
                 let mut assembly = self.assembly.clone();
                 assembly.run.step = h;
-                Some(Observers::new(&assembly, engine)?)
+                Some(Feedback::new(&assembly, engine)?)
             }
             false => None,
         };
@@ -200,8 +200,8 @@ impl World {
             if i > 0 {
                 engine.step(h, &mut events)?;
             }
-            if let Some(observers) = &mut observers {
-                observers.look(i as u64, engine)?;
+            if let Some(feedback) = &mut feedback {
+                feedback.look(i as u64, engine)?;
             }
             for _ in ends.iter().filter(|end| **end == i) {
                 samples.push(self.sample(engine)?);

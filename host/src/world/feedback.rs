@@ -10,18 +10,20 @@ use super::sensors::Probes;
 
 /// Sensors and controllers of a world.
 #[derive(Clone, Debug)]
-pub struct Observers {
+pub struct Feedback {
     probes: Probes,
     controllers: Controllers,
 }
 
-impl Observers {
+impl Feedback {
     /// Of an assembly that this engine moves, by steps of the assembly's length.
     ///
     /// # Errors
     /// What one of them reads or drives is not there, or its times are no whole numbers of steps.
     pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
-        let columns = engine.columns();
+        // Names of a row are many where nodes are.
+        let blind = assembly.sensors.is_empty() && assembly.controllers.is_empty();
+        let columns = if blind { Vec::new() } else { engine.columns() };
         Ok(Self {
             probes: Probes::new(assembly, &columns)?,
             controllers: Controllers::new(assembly, &columns, &engine.inputs())?,
@@ -55,7 +57,7 @@ impl Observers {
         numbers
     }
 
-    /// Goes on from [`Observers::save`]: the engine holds the inputs that it held then.
+    /// Goes on from [`Feedback::save`]: the engine holds the inputs that it held then.
     ///
     /// # Errors
     /// Numbers of other sensors or controllers.

@@ -3,7 +3,7 @@
 //! In: a scene text. Out: an [`Assembly`], plain data in SI units, then rows, energies and events of its motion.
 //! `read` turns text into the assembly, `run` steps it by an `engine`: `rigid` moves worlds of rigid bodies, `carried`
 //! flexible parts on mechanisms (`ported`) and other `carriers`, `touching` what of all that meets, `settle` finds
-//! their equilibrium; `sensors` observe it, `controllers` drive its inputs, both as `observers`; `picture` is what pages show, `pushed` the forces
+//! their equilibrium; `sensors` observe it, `controllers` drive its inputs, both as `feedback`; `picture` is what pages show, `pushed` the forces
 //! between parts as rows show them.
 
 pub mod assembly;
@@ -11,7 +11,7 @@ pub mod carried;
 pub mod carriers;
 pub mod controllers;
 pub mod engine;
-pub mod observers;
+pub mod feedback;
 pub mod picture;
 pub mod ported;
 mod pushed;

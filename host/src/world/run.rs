@@ -6,7 +6,7 @@
 use super::assembly::Assembly;
 use super::carried::CarriedWorld;
 use super::engine::{Energies, Engine, Event};
-use super::observers::Observers;
+use super::feedback::Feedback;
 use super::rigid::RigidWorld;
 
 /// The engine of a world.
@@ -125,9 +125,9 @@ pub fn run<E: From<String>>(
             (0, engine.energies().map_err(|why| at(0.0, why))?.total())
         }
     };
-    let mut observers = Observers::new(assembly, engine)?;
+    let mut feedback = Feedback::new(assembly, engine)?;
     if let Some(checkpoint) = from {
-        observers.load(&checkpoint.seen, engine)?;
+        feedback.load(&checkpoint.seen, engine)?;
     }
     let (mut t, mut events) = (first as f64 * assembly.run.step, Vec::new());
     for n in first..=assembly.run.steps() {
@@ -141,15 +141,15 @@ pub fn run<E: From<String>>(
         }
         // Behind the step of a checkpoint they have looked already.
         if n > first || from.is_none() {
-            observers.look(n as u64, engine).map_err(|why| at(t, why))?;
+            feedback.look(n as u64, engine).map_err(|why| at(t, why))?;
         }
         if n % assembly.run.every == 0 || n == assembly.run.steps() {
             let (state, energies) = (engine.state(), engine.energies());
             let (state, energies) = (state.map_err(|why| at(t, why))?, energies.map_err(|why| at(t, why))?);
-            let readings = observers.readings(n as u64);
+            let readings = feedback.readings(n as u64);
             emit(&Row { t, state: &state, energies: &energies, readings: &readings, start }, engine)?;
         }
         stepped(t)?;
     }
-    Ok(Ran { events, seen: observers.save() })
+    Ok(Ran { events, seen: feedback.save() })
 }

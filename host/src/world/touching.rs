@@ -52,7 +52,10 @@ pub(super) struct Touching {
     touches: [Vec<Touch<f64>>; 2],
     counts: [usize; 2],
     located: Option<Located>,
-    means: Means,
+    /// Made when a step first asks for it.
+    means: Option<Means>,
+    /// Numbers of the state.
+    n: usize,
 }
 
 /// How a step is made.
@@ -72,6 +75,17 @@ struct Means {
     scratch: Vec<f64>,
     nodes: [Vec<Vec3<f64>>; 4],
     frames: [Vec<Frame<f64>>; 2],
+}
+
+impl Means {
+    /// For so many numbers of the state, nodes and ports.
+    fn new([n, points, ports]: [usize; 3]) -> Self {
+        Means {
+            scratch: vec![0.0; MeanMemory::<f64>::scratch(n)],
+            nodes: [0; 4].map(|_| vec![[0.0; 3]; points]),
+            frames: [0; 2].map(|_| vec![Frame::inertial(); ports]),
+        }
+    }
 }
 
 /// Memory of steps with located touches.
@@ -202,11 +216,8 @@ impl Touching {
             touches: [vec![Touch::empty(); room], vec![Touch::empty(); room]],
             counts: [0, 0],
             located,
-            means: Means {
-                scratch: vec![0.0; MeanMemory::<f64>::scratch(n)],
-                nodes: [0; 4].map(|_| vec![[0.0; 3]; points]),
-                frames: [0; 2].map(|_| vec![Frame::inertial(); ports]),
-            },
+            means: None,
+            n,
         })
     }
 
@@ -237,6 +248,7 @@ impl Touching {
         how: How,
         found: &mut Vec<Event>,
     ) -> Result<Stepped, Fault> {
+        let sizes = [self.n, self.yields.len(), self.couplings.len()];
         let [first, last] = &mut self.frames;
         let [start, free, end] = &mut self.twists;
         let [now, before] = &mut self.touches;
@@ -306,7 +318,7 @@ impl Touching {
             How::Freely => world.step(t, h, state, &mut memory),
             How::Conserving => {
                 let Means { scratch, nodes: [start, middle, change, velocity], frames: [from, seen] } =
-                    &mut self.means;
+                    self.means.get_or_insert_with(|| Means::new(sizes));
                 let nodes = [&mut **start, middle, change, velocity];
                 let mut means = MeanMemory { scratch, nodes, frames: [from, seen] };
                 world.step_conserving(t, h, state, &mut memory, &mut means)

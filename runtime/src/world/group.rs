@@ -46,6 +46,27 @@ impl<C> Group<'_, C> {
         }
         None
     }
+
+    /// Has each member write its rates under the wrenches at its ports; returns the worst pivot.
+    fn each_rates<S: Scalar>(
+        &mut self,
+        mut wrenches: &[Wrench<S>],
+        [mut q_dot, mut u_dot]: [&mut [S]; 2],
+        mut rates: impl FnMut(&mut C, &[Wrench<S>], [&mut [S]; 2]) -> Result<S, Fault>,
+    ) -> Result<S, Fault>
+    where
+        C: Carrier<S>,
+    {
+        let mut worst = S::ONE;
+        for member in self.members.iter_mut() {
+            let dot = [cut_mut(&mut q_dot, member.n_q())?, cut_mut(&mut u_dot, member.n_u())?];
+            let wrenches = cut(&mut wrenches, member.n_ports())?;
+            let pivot = rates(member, wrenches, dot)?.abs();
+            // What is no number must not be lost in a minimum.
+            worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
+        }
+        Ok(worst)
+    }
 }
 
 impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
@@ -107,41 +128,28 @@ impl<S: Scalar, C: Carrier<S>> Carrier<S> for Group<'_, C> {
         t: S,
         mut q: &[S],
         mut u: &[S],
-        mut wrenches: &[Wrench<S>],
-        mut q_dot: &mut [S],
-        mut u_dot: &mut [S],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
     ) -> Result<S, Fault> {
-        let mut worst = S::ONE;
-        for member in self.members.iter_mut() {
-            let (n_q, n_u) = (member.n_q(), member.n_u());
-            let (q, u) = (cut(&mut q, n_q)?, cut(&mut u, n_u)?);
-            let (q_dot, u_dot) = (cut_mut(&mut q_dot, n_q)?, cut_mut(&mut u_dot, n_u)?);
-            let wrenches = cut(&mut wrenches, member.n_ports())?;
-            let pivot = member.rates(t, q, u, wrenches, q_dot, u_dot)?.abs();
-            // What is no number must not be lost in a minimum.
-            worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
-        }
-        Ok(worst)
+        self.each_rates(wrenches, [q_dot, u_dot], |member, wrenches, [q_dot, u_dot]| {
+            let (q, u) = (cut(&mut q, member.n_q())?, cut(&mut u, member.n_u())?);
+            member.rates(t, q, u, wrenches, q_dot, u_dot)
+        })
     }
     fn mean_rates(
         &mut self,
         times: [S; 2],
         mut q: [&[S]; 3],
         mut u: [&[S]; 3],
-        mut wrenches: &[Wrench<S>],
-        mut q_dot: &mut [S],
-        mut u_dot: &mut [S],
+        wrenches: &[Wrench<S>],
+        q_dot: &mut [S],
+        u_dot: &mut [S],
     ) -> Result<S, Fault> {
-        let mut worst = S::ONE;
-        for member in self.members.iter_mut() {
-            let (n_q, n_u) = (member.n_q(), member.n_u());
-            let (q, u) = (cut_all(&mut q, n_q)?, cut_all(&mut u, n_u)?);
-            let (q_dot, u_dot) = (cut_mut(&mut q_dot, n_q)?, cut_mut(&mut u_dot, n_u)?);
-            let wrenches = cut(&mut wrenches, member.n_ports())?;
-            let pivot = member.mean_rates(times, q, u, wrenches, q_dot, u_dot)?.abs();
-            worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
-        }
-        Ok(worst)
+        self.each_rates(wrenches, [q_dot, u_dot], |member, wrenches, [q_dot, u_dot]| {
+            let (q, u) = (cut_all(&mut q, member.n_q())?, cut_all(&mut u, member.n_u())?);
+            member.mean_rates(times, q, u, wrenches, q_dot, u_dot)
+        })
     }
     fn energy(&mut self, t: S, mut q: &[S], mut u: &[S]) -> Result<(S, S), Fault> {
         let mut sum = (S::ZERO, S::ZERO);

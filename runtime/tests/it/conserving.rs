@@ -2,11 +2,10 @@
 
 use crate::scenery::{Law, Part, Scene};
 use smartbed_runtime::gas::{Chamber, Gas, GasState};
-use smartbed_runtime::ode::{Method, State};
-use smartbed_runtime::rigid::RigidBody;
+use smartbed_runtime::ode::Method;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::{self, Vec3};
-use smartbed_runtime::world::{Commanded, Content, Floating, Group, World};
+use smartbed_runtime::world::{Commanded, Content};
 
 /// A ball falls 20 mm onto a bladder without dampers: the ledger's error, and the largest mean force over 10 ms.
 fn drop(h: f64, friction: f64, restitution: f64) -> (f64, f64, f64) {
@@ -49,10 +48,7 @@ fn nodes_that_bounce_back_lose_nothing_to_the_ball() {
 fn a_torque_free_body_keeps_energy_and_angular_momentum_by_steps_of_any_size() {
     for h in [1e-3, 0.05, 0.4] {
         let mut scene = Scene::default();
-        let body = RigidBody { mass: 3.0, inertia: [0.04, 0.05, 0.07] };
-        scene.parts.push(Part::Free(Floating { body, gravity: [0.0; 3] }));
-        scene.q.extend([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-        scene.u.extend([0.1, 0.0, 0.2, 0.01, 0.2, 0.03]);
+        scene.body([0.1, 0.0, 0.2, 0.01, 0.2, 0.03]);
         let mut worst = 0.0_f64;
         let (x, imbalance, _) = scene.run_conserving((h, 100_000), |_, _, x| {
             worst = worst.max((vec3::norm([x[3], x[4], x[5]]).powi(2) + x[6] * x[6] - 1.0).abs());
@@ -67,21 +63,19 @@ fn a_torque_free_body_keeps_energy_and_angular_momentum_by_steps_of_any_size() {
 fn a_tumbling_body_is_followed_to_order_two() {
     let run = |steps: u32, exact: bool| {
         let mut scene = Scene::default();
-        let body = RigidBody { mass: 3.0, inertia: [0.04, 0.05, 0.07] };
-        scene.parts.push(Part::Free(Floating { body, gravity: [0.0; 3] }));
-        scene.q.extend([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-        scene.u.extend([0.1, 0.0, 0.2, 0.01, 0.2, 0.03]);
+        scene.body([0.1, 0.0, 0.2, 0.01, 0.2, 0.03]);
         let h = 1.0 / f64::from(steps);
         if !exact {
             return scene.run_conserving((h, steps), |_, _, _| {}).0;
         }
         let method = Method::Rk4;
         let mut scratch = vec![0.0; method.scratch(13)];
-        let step = |world: &mut World<'_, f64, Group<'_, Part>>, state: &mut State<'_, f64>, n: u32| {
-            method.step(&mut world.island, f64::from(n) * h, h, state, &mut scratch).expect("a step");
-        };
-        let mut step = step;
-        scene.with(|world, state, _| (0..steps).for_each(|n| step(world, state, n))).0
+        let advanced = scene.with(|world, state, _| {
+            for n in 0..steps {
+                method.step(&mut world.island, f64::from(n) * h, h, state, &mut scratch).expect("a step");
+            }
+        });
+        advanced.0
     };
     let truth = run(4000, true);
     let off = |steps| {
@@ -95,23 +89,11 @@ fn a_tumbling_body_is_followed_to_order_two() {
 
 /// A bladder with sealed gas on a floating body, and a ball that flies into it.
 fn floating(damping: f64, air_drag: f64) -> Scene {
-    let mut scene = Scene { room: 200, air_drag, ..Scene::default() };
-    let body = RigidBody { mass: 3.0, inertia: [0.04, 0.05, 0.07] };
-    scene.parts.push(Part::Free(Floating { body, gravity: [0.0; 3] }));
-    scene.q.extend([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-    scene.u.extend([0.1, 0.0, 0.2, 0.01, 0.0, 0.02]);
-    let sheet = scene.bladder(7, 0.4, 500.0, Some(0));
+    let mut scene = Scene { air_drag, ..Scene::floating_bladder() };
     scene.springs.iter_mut().for_each(|spring| spring.damping = damping);
     let chamber = Chamber { gas: Gas::air(), exponent: 1.4, ambient: 101_325.0, reference_volume: 0.0027 };
     let state = GasState { reference_pressure: 101_825.0, mass: 0.0033 };
     scene.cells[0].content = Content::Sealed { chamber, state };
-    for k in 0..scene.attachments.len() {
-        let attachment = scene.attachments[k];
-        scene.pos[attachment.node] = attachment.place;
-    }
-    // Towards an edge, so that attached nodes are met as well as free ones.
-    let ball = scene.ball(1.5, 0.1, [0.12, 0.03, 0.15], [0.2, 0.0, -1.5]);
-    scene.pair(sheet, ball, 0.4, 0.0);
     scene
 }
 
@@ -128,35 +110,12 @@ fn what_floats_keeps_energy_and_both_momenta_with_friction_and_attached_nodes() 
 
 /// Flies the ball into the bladder; returns by how much momentum and angular momentum move, of the sums of sizes.
 fn collide(mut scene: Scene) -> [f64; 2] {
-    let free: Vec<f64> =
-        scene.mass.iter().zip(&scene.fixed).filter(|(_, held)| !**held).map(|(m, _)| *m).collect();
-    let speeds = 14 + 3 * free.len();
-    let momenta = |x: &[f64]| {
-        let row = |k: usize| [x[k], x[k + 1], x[k + 2]];
-        let (mut sums, mut sizes) = ([[0.0; 3]; 2], [0.0; 2]);
-        let mut count = |mass: f64, place: usize, speed: usize, spin: Vec3<f64>| {
-            let p = vec3::scale(row(speed), mass);
-            let turn = vec3::cross(row(place), p);
-            sums = [vec3::add(sums[0], p), vec3::add(sums[1], vec3::add(turn, spin))];
-            sizes = [sizes[0] + vec3::norm(p), sizes[1] + vec3::norm(turn) + vec3::norm(spin)];
-        };
-        for (number, mass) in [3.0, 1.5].into_iter().enumerate() {
-            count(mass, 7 * number, speeds + 6 * number, row(speeds + 6 * number + 3));
-        }
-        for (node, mass) in free.iter().enumerate() {
-            count(*mass, 14 + 3 * node, speeds + 12 + 3 * node, [0.0; 3]);
-        }
-        (sums, sizes)
-    };
-    let (mut start, mut hit, mut moved) = (None, 0, [0.0_f64; 2]);
+    let (mut drift, mut hit) = (scene.drift(), 0);
     let (_, imbalance, accounts) = scene.run_conserving((2e-4, 2000), |report, _, x| {
         hit += report.active;
-        let (sums, sizes) = momenta(x);
-        let (first, _) = *start.get_or_insert((sums, sizes));
-        for k in 0..2 {
-            moved[k] = moved[k].max(vec3::norm(vec3::sub(sums[k], first[k])) / sizes[k]);
-        }
+        drift.see(x);
     });
+    let moved = drift.moved;
     println!("{hit} contacts, momenta move by {moved:?}, ledger {imbalance:e} of {accounts:?}");
     assert!(hit > 50 && accounts.friction > 0.0);
     assert!(imbalance.abs() < 1e-10);

@@ -252,6 +252,44 @@ impl Scene {
         self.thing(Thing::Mesh { nodes: [first, first + n * n], facets: [facet, sheet], depth: 0.05 })
     }
 
+    /// A bladder of 7 x 7 nodes on a floating body that turns and moves, and a ball that flies into it.
+    pub fn floating_bladder() -> Scene {
+        let mut scene = Scene { room: 200, ..Scene::default() };
+        scene.body([0.1, 0.0, 0.2, 0.01, 0.0, 0.02]);
+        let sheet = scene.bladder(7, 0.4, 500.0, Some(0));
+        for k in 0..scene.attachments.len() {
+            let attachment = scene.attachments[k];
+            scene.pos[attachment.node] = attachment.place;
+        }
+        // Towards an edge, so that attached nodes are met as well as free ones.
+        let ball = scene.ball(1.5, 0.1, [0.12, 0.03, 0.15], [0.2, 0.0, -1.5]);
+        scene.pair(sheet, ball, 0.4, 0.0);
+        scene
+    }
+
+    /// A body without a shape and without weight at the origin: velocity, then angular momentum.
+    pub fn body(&mut self, u: [f64; 6]) {
+        let body = RigidBody { mass: 3.0, inertia: [0.04, 0.05, 0.07] };
+        self.parts.push(Part::Free(Floating { body, gravity: [0.0; 3] }));
+        self.q.extend([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+        self.u.extend(u);
+    }
+
+    /// By how much momentum and angular momentum move, of the sums of sizes; all parts float.
+    pub fn drift(&self) -> Drift {
+        let mass = |part: &Part| match part {
+            Part::Free(floating) => floating.body.mass,
+            _ => panic!("a part that does not float"),
+        };
+        let free = self.mass.iter().zip(&self.fixed).filter(|(_, held)| !**held).map(|(mass, _)| *mass);
+        Drift {
+            rigid: self.parts.iter().map(mass).collect(),
+            free: free.collect(),
+            first: None,
+            moved: [0.0; 2],
+        }
+    }
+
     /// Puts the world together; its state after `act`.
     pub fn with<T>(
         &mut self,
@@ -405,5 +443,40 @@ impl Scene {
             (energy - start + accounts.lost(), accounts)
         });
         (x, imbalance, accounts)
+    }
+}
+
+/// Momentum and angular momentum of what floats, watched.
+pub struct Drift {
+    rigid: Vec<f64>,
+    free: Vec<f64>,
+    first: Option<[Vec3<f64>; 2]>,
+    /// The most that they moved, of the sums of sizes.
+    pub moved: [f64; 2],
+}
+
+impl Drift {
+    /// Looks at a state.
+    pub fn see(&mut self, x: &[f64]) {
+        let row = |k: usize| [x[k], x[k + 1], x[k + 2]];
+        let (mut sums, mut sizes) = ([[0.0; 3]; 2], [0.0; 2]);
+        let mut count = |mass: f64, place: usize, speed: usize, spin: Vec3<f64>| {
+            let p = vec3::scale(row(speed), mass);
+            let turn = vec3::cross(row(place), p);
+            sums = [vec3::add(sums[0], p), vec3::add(sums[1], vec3::add(turn, spin))];
+            sizes = [sizes[0] + vec3::norm(p), sizes[1] + vec3::norm(turn) + vec3::norm(spin)];
+        };
+        let bodies = self.rigid.len();
+        let speeds = 7 * bodies + 3 * self.free.len();
+        for (number, mass) in self.rigid.iter().enumerate() {
+            count(*mass, 7 * number, speeds + 6 * number, row(speeds + 6 * number + 3));
+        }
+        for (node, mass) in self.free.iter().enumerate() {
+            count(*mass, 7 * bodies + 3 * node, speeds + 6 * bodies + 3 * node, [0.0; 3]);
+        }
+        let first = *self.first.get_or_insert(sums);
+        for k in 0..2 {
+            self.moved[k] = self.moved[k].max(vec3::norm(vec3::sub(sums[k], first[k])) / sizes[k]);
+        }
     }
 }

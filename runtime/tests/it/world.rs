@@ -408,48 +408,13 @@ fn a_ball_that_lies_off_the_middle_of_a_bladder_is_found_in_few_sweeps() {
 #[test]
 fn a_ball_on_a_bladder_that_a_floating_body_carries_keeps_both_momenta() {
     // The rim and the base are attached: their part of a contact, and of the gas, goes to the body through its port.
-    let mut scene = Scene { room: 200, ..Scene::default() };
-    let body = RigidBody { mass: 3.0, inertia: [0.04, 0.05, 0.07] };
-    scene.parts.push(Part::Free(Floating { body, gravity: [0.0; 3] }));
-    scene.q.extend([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
-    scene.u.extend([0.1, 0.0, 0.2, 0.01, 0.0, 0.02]);
-    let sheet = scene.bladder(7, 0.4, 500.0, Some(0));
-    for k in 0..scene.attachments.len() {
-        let attachment = scene.attachments[k];
-        scene.pos[attachment.node] = attachment.place;
-    }
-    // Towards an edge, so that attached nodes are met as well as free ones.
-    let ball = scene.ball(1.5, 0.1, [0.12, 0.03, 0.15], [0.2, 0.0, -1.5]);
-    scene.pair(sheet, ball, 0.4, 0.0);
-    let free: Vec<f64> =
-        scene.mass.iter().zip(&scene.fixed).filter(|(_, held)| !**held).map(|(m, _)| *m).collect();
-    let speeds = 14 + 3 * free.len();
-    let momenta = |x: &[f64]| {
-        let row = |k: usize| [x[k], x[k + 1], x[k + 2]];
-        let (mut sums, mut sizes) = ([[0.0; 3]; 2], [0.0; 2]);
-        let mut count = |mass: f64, place: usize, speed: usize, spin: Vec3<f64>| {
-            let p = vec3::scale(row(speed), mass);
-            let turn = vec3::cross(row(place), p);
-            sums = [vec3::add(sums[0], p), vec3::add(sums[1], vec3::add(turn, spin))];
-            sizes = [sizes[0] + vec3::norm(p), sizes[1] + vec3::norm(turn) + vec3::norm(spin)];
-        };
-        for (number, mass) in [3.0, 1.5].into_iter().enumerate() {
-            count(mass, 7 * number, speeds + 6 * number, row(speeds + 6 * number + 3));
-        }
-        for (node, mass) in free.iter().enumerate() {
-            count(*mass, 14 + 3 * node, speeds + 12 + 3 * node, [0.0; 3]);
-        }
-        (sums, sizes)
-    };
-    let (mut start, mut hit, mut moved) = (None, 0, [0.0_f64; 2]);
+    let mut scene = Scene::floating_bladder();
+    let (mut drift, mut hit) = (scene.drift(), 0);
     let (_, imbalance, accounts) = scene.run(1e-4, 4000, |report, _, x| {
         hit += report.active;
-        let (sums, sizes) = momenta(x);
-        let (first, _) = *start.get_or_insert((sums, sizes));
-        for k in 0..2 {
-            moved[k] = moved[k].max(vec3::norm(vec3::sub(sums[k], first[k])) / sizes[k]);
-        }
+        drift.see(x);
     });
+    let moved = drift.moved;
     println!("{hit} contacts, momenta move by {moved:?}, ledger {imbalance:e} of {accounts:?}");
     assert!(hit > 100 && accounts.friction > 0.0);
     assert!(moved.iter().all(|moved| *moved < 1e-12), "{moved:?}");
