@@ -32,7 +32,7 @@ pub fn describe<S: Scalar>(error: &BodyError<S>) -> String {
         BodyError::PressureTooHigh { pressure, spring } => format!(
             "a gauge pressure of {:.6} Pa is too much: spring {spring} grew beyond {} rest lengths and no equilibrium holds it; lower the pressure or let the gas follow p V^n",
             pressure.to_f64(),
-            smartbed_runtime::flexible::pressure::STRETCH_LIMIT
+            smartbed_runtime::flexible::spring::STRETCH_LIMIT
         ),
         BodyError::Collapsed { volume } => {
             format!("the enclosed volume is {:.6e} m^3: the gas law has no pressure there", volume.to_f64())

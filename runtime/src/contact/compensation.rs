@@ -13,7 +13,8 @@
 //! momentum and angular momentum change by those of the J_i alone.
 //! Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
 
-use super::{Repertoire, System};
+use super::repertoire::Repertoire;
+use super::system::System;
 use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

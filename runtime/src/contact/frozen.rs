@@ -2,8 +2,10 @@
 //!
 //! Held nodes keep to the surface, stuck ones stay; the ground that gives way pushes, massless nodes are settled.
 
+use super::ground::ContactState;
 use super::repertoire::Repertoire;
-use super::{ContactState, System, massless, soft};
+use super::system::System;
+use super::{massless, soft};
 use crate::flexible::element::Elements;
 use crate::flexible::{BodyError, force};
 use crate::ode::nodes::{Motion, Newton, Step, Way, Workspace};

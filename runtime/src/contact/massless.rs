@@ -8,7 +8,7 @@
 //! With friction (Coulomb, quasi-static) a point stays where it stood, or where it came down, as long as its springs pull it
 //! sideways by |T| <= mu N; else it follows them until T = mu N d, d the direction it has moved in.
 
-use super::Ground;
+use super::ground::Ground;
 use crate::flexible::{Body, Spring};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

@@ -3,7 +3,8 @@
 //! Moreau's time stepping uses the same law over a whole step (see `scene::moreau`).
 
 use super::compensation::{Impact, PointImpact, Root};
-use super::{Repertoire, System};
+use super::repertoire::Repertoire;
+use super::system::System;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 

@@ -2,7 +2,7 @@
 //!
 //! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
 
-use super::{ContactLaw, Ground};
+use super::ground::{ContactLaw, Ground};
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

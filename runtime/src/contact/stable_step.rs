@@ -6,7 +6,10 @@
 //! A ground that gives way is one more spring along its normal, fixed at its other end, for every point:
 //! each may touch.
 
-use super::{ContactLaw, Ground, Repertoire, System, soft};
+use super::ground::{ContactLaw, Ground};
+use super::repertoire::Repertoire;
+use super::soft;
+use super::system::System;
 use crate::flexible::element::{Bond, Element};
 use crate::flexible::energy::eval_energies;
 use crate::real::Scalar;

@@ -4,8 +4,8 @@
 //! the operations of `spring` and `pressure` in their order, and the forces are added in the order of the lists. A
 //! microcontroller takes them one by one.
 
-use super::Spring;
 use super::pressure::{self, PressureForm};
+use super::spring::{Spring, is_runaway};
 use crate::kernel::{BLOCK, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -16,7 +16,7 @@ type Lanes<S> = [[S; BLOCK]; 3];
 /// Fewer springs or facets than these are taken one by one: a block would be empty for the most part.
 const FEW: usize = if cfg!(target_os = "none") { usize::MAX } else { 8 };
 
-/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`pressure::STRETCH_LIMIT`].
+/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`super::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Pulls<'a, S> {
     /// The springs.
@@ -69,7 +69,7 @@ pub(super) fn pull<S: Scalar>(way: [&mut [S]; 3], stiffness: &[S], rest_length: 
     for ((((x, y), z), k), l) in x.iter_mut().zip(y).zip(z).zip(stiffness).zip(rest_length) {
         let (direction, length) = vec3::direction([*x, *y, *z]);
         [*x, *y, *z] = vec3::scale(direction, *k * (length - *l));
-        runaway |= u32::from(pressure::is_runaway(*l, length));
+        runaway |= u32::from(is_runaway(*l, length));
     }
     runaway > 0
 }

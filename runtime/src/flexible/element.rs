@@ -4,9 +4,13 @@
 //! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
 
 use super::block::{Pulls, Pushes};
+use super::body::Body;
+use super::fault::BodyError;
 use super::grid::{Damp, Grid, Mean, Weave, beside};
+use super::mean;
 use super::patch::{self, Patches};
-use super::{Body, BodyError, Inflation, Spring, mean, pressure};
+use super::pressure::{self, Filled};
+use super::spring::Spring;
 use crate::kernel;
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
@@ -89,15 +93,6 @@ impl<S: Scalar> Element<S> for [Spring<S>] {
     }
 }
 
-/// Facets and the gas inside. It bounds no step: where its stiffness counts, a scene's own step is what limits it.
-#[derive(Clone, Copy, Debug)]
-pub struct Filled<'a, S> {
-    /// Corners of each facet.
-    pub facets: &'a [[usize; 4]],
-    /// The gas.
-    pub inflation: Inflation<S>,
-}
-
 impl<S: Scalar> Element<S> for Filled<'_, S> {
     fn add_viscous(&self, _: &[Vec3<S>], _: &[Vec3<S>], _: &mut [Vec3<S>]) {}
 
@@ -149,6 +144,12 @@ impl<'a, S: Scalar> Body<'a, S> {
             patches: if cfg!(target_os = "none") { None } else { self.patches },
         }
     }
+
+    /// True where some force depends on speeds.
+    #[must_use]
+    pub fn is_damped(&self) -> bool {
+        self.air_drag > S::ZERO || self.elements().is_damped()
+    }
 }
 
 impl<S: Scalar> Elements<'_, S> {
@@ -156,7 +157,7 @@ impl<S: Scalar> Elements<'_, S> {
     /// those that are `ours`, the others' nodes are left alone.
     ///
     /// # Errors
-    /// Where a gas law has no volume left, or the gas has stretched a spring beyond [`pressure::STRETCH_LIMIT`].
+    /// Where a gas law has no volume left, or the gas has stretched a spring beyond [`super::spring::STRETCH_LIMIT`].
     pub fn eval_elastic(
         &self,
         (mass, gravity): (&[S], Vec3<S>),

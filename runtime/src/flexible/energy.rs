@@ -2,7 +2,7 @@
 //!
 //! In: positions and velocities. Out: energies (J). Gravity is 0 at the origin.
 
-use super::Body;
+use super::body::Body;
 use super::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

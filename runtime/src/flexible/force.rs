@@ -4,8 +4,9 @@
 //! treat dampers implicitly need both. Eq. 3.3 prints M^-1 (F_D - F_K); with the signs of Eqs. 3.1
 //! and 3.2 the sum is meant.
 
+use super::body::Body;
 use super::element::{Element, Elements};
-use super::{Body, BodyError};
+use super::fault::BodyError;
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

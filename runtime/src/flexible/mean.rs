@@ -4,9 +4,9 @@
 //! (d + d')/(l + l'). Its work over the step is then exactly -K [(l'-L)^2 - (l-L)^2]/2 - C (l'-l)^2/h.
 //! Source: Simo & Tarnow 1992, Gonzalez 1996. In: nodes in the middle of the step, and their changes over it.
 
-use super::element::Filled;
-use super::pressure::{self, Gas, PressureForm, Weights};
-use super::{BodyError, Spring};
+use super::fault::BodyError;
+use super::pressure::{self, Filled, Gas, PressureForm, Weights};
+use super::spring::Spring;
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

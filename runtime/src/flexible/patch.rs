@@ -3,7 +3,8 @@
 //! In: positions. Out: the sums of forces, each node's added in the order of the springs. The nodes of a patch are copied
 //! to and fro once, four numbers each: a spring then reads and writes each end in one go, and names it by a byte.
 
-use super::{mean, pressure};
+use super::mean;
+use super::spring::is_runaway;
 use crate::kernel::{BLOCK, Kernel};
 use crate::ode::nodes::Way;
 use crate::real::Scalar;
@@ -31,7 +32,7 @@ pub struct Patches<'a, S> {
     pub is_damped: bool,
 }
 
-/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`pressure::STRETCH_LIMIT`].
+/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`super::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Pulls<'a, S> {
     /// The springs.
@@ -50,7 +51,7 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
         walk(self.patches, [self.pos], self.force, |[way], [stiffness, rest_length, _]| {
             let (direction, length) = vec3::direction(way);
             let tension = stiffness * (length - rest_length);
-            (vec3::scale(direction, tension), pressure::is_runaway(rest_length, length))
+            (vec3::scale(direction, tension), is_runaway(rest_length, length))
         })
     }
 }
@@ -207,7 +208,7 @@ impl<S: Scalar, const N: usize> Room<S, N> {
         found > 0
     }
 
-    /// Adds them to the nodes, with the operations of [`super::Spring::pull`] and their order.
+    /// Adds them to the nodes, with the operations of [`super::spring::Spring::pull`] and their order.
     #[inline(always)]
     fn add(&mut self, springs: &[[u8; 2]], nodes: usize) {
         let sums = self.sums.get_mut(..nodes).unwrap_or_default();

@@ -8,22 +8,10 @@
 //!
 //! Gas: constant gauge pressure, or p_abs V^n constant. Sign: normals and forces point outwards.
 
-use super::element::Filled;
-use super::{BodyError, Spring};
+use super::fault::BodyError;
+use super::spring::{Spring, is_runaway};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
-
-/// A spring stretched to more than this many rest lengths counts as a runaway.
-///
-/// Membranes of linear springs lose their last equilibrium below twice the rest length; the factor 4
-/// lies beyond every overshoot of a body that still has one.
-pub const STRETCH_LIMIT: f64 = 4.0;
-
-/// Is a spring of this length beyond [`STRETCH_LIMIT`]?
-#[inline(always)]
-pub(super) fn is_runaway<S: Scalar>(rest_length: S, length: S) -> bool {
-    (rest_length > S::ZERO) & (length > S::from_f64(STRETCH_LIMIT) * rest_length)
-}
 
 /// How a facet's force is shared by its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +51,15 @@ pub struct Inflation<S> {
     pub gas: Gas<S>,
     /// Sharing of the force.
     pub form: PressureForm,
+}
+
+/// Facets and the gas inside. It bounds no step: where its stiffness counts, a scene's own step is what limits it.
+#[derive(Clone, Copy, Debug)]
+pub struct Filled<'a, S> {
+    /// Corners of each facet.
+    pub facets: &'a [[usize; 4]],
+    /// The gas.
+    pub inflation: Inflation<S>,
 }
 
 /// How much of the diagonals' products each corner takes, see [`corner_shares`].

@@ -4,9 +4,20 @@
 //! Sign: f > 0 pulls the ends together; +f d acts on the tail, -f d on the head.
 //! A spring of length 0 has no direction and gives no force.
 
-use super::pressure::is_runaway;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
+
+/// A spring stretched to more than this many rest lengths counts as a runaway.
+///
+/// Membranes of linear springs lose their last equilibrium below twice the rest length; the factor 4
+/// lies beyond every overshoot of a body that still has one.
+pub const STRETCH_LIMIT: f64 = 4.0;
+
+/// Is a spring of this length beyond [`STRETCH_LIMIT`]?
+#[inline(always)]
+pub(super) fn is_runaway<S: Scalar>(rest_length: S, length: S) -> bool {
+    (rest_length > S::ZERO) & (length > S::from_f64(STRETCH_LIMIT) * rest_length)
+}
 
 /// One spring-damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +66,7 @@ impl<S: Scalar> Spring<S> {
         self.stiffness * (length - self.rest_length)
     }
 
-    /// Adds the elastic forces; returns whether the spring has run away, see [`super::pressure::STRETCH_LIMIT`].
+    /// Adds the elastic forces; returns whether the spring has run away, see [`STRETCH_LIMIT`].
     #[inline(always)]
     pub fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> bool {
         let (direction, length) = self.direction(pos);

@@ -6,8 +6,9 @@
 
 use super::state::State;
 use super::step_size::{Controller, Tolerance};
+use super::system::Ode;
 use super::tableau::{self, Tableau};
-use super::{Ode, Report, Trial, check_shape, evaluate, split};
+use super::trial::{Report, Trial, check_shape, evaluate, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Scalar};
 

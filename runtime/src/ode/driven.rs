@@ -1,6 +1,6 @@
 //! A mechanism under a law that commands its inputs, as an [`Ode`].
 
-use super::Ode;
+use super::system::Ode;
 use crate::mechanism::{Fault, Mechanism};
 use crate::real::Real;
 

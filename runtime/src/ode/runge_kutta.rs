@@ -3,8 +3,9 @@
 //! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
 
 use super::state::State;
+use super::system::Ode;
 use super::tableau::{self, Tableau};
-use super::{Ode, Report, Trial, check_shape, evaluate, split};
+use super::trial::{Report, Trial, check_shape, evaluate, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Scalar};
 

@@ -6,8 +6,9 @@
 //! momentum to rounding, and so do their compositions (Hairer, Lubich & Wanner, Geometric Numerical Integration, II.5, VI.3).
 
 use super::state::{State, advance};
+use super::system::Ode;
 use super::tableau::{BLANES_MOAN_DRIFTS, BLANES_MOAN_KICKS};
-use super::{Ode, Report, Trial, accept, check_shape, split};
+use super::trial::{Report, Trial, accept, check_shape, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Scalar};
 

@@ -14,6 +14,7 @@ pub mod narrow;
 pub mod scene;
 pub mod several;
 mod swerve;
+pub mod touch;
 
 use crate::real::Scalar;
 use crate::surface::Frame;

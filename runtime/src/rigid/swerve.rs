@@ -8,7 +8,7 @@
 //! and the end of the work are roots of its polynomials. The direction tends to one that it keeps; from there on, or
 //! once slip is lost in rounding, the straight phases of `impact` take over.
 
-use super::impact::{BISECTIONS, Progress, Touch, slip_of};
+use super::touch::{BISECTIONS, Progress, Touch, slip_of};
 use crate::real::Scalar;
 use crate::vec3;
 

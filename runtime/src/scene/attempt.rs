@@ -3,7 +3,7 @@
 //! In: the state and what is left of the caller's step. Out: the length taken, with its first event located. Methods of
 //! adaptive step plan by their error; an implicit step that does not settle is halved.
 
-use super::State;
+use super::state::State;
 use crate::contact::{Ground, Repertoire, Start, System, advance};
 use crate::flexible::BodyError;
 use crate::guard::{self, Shortened};

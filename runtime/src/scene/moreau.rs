@@ -5,7 +5,7 @@
 //! negative for a point that comes; one that rises is let turn around, v'.n >= -v.n, and friction turns no slip
 //! around, so that neither gives energy.
 
-use super::State;
+use super::state::State;
 use crate::contact::{Frozen, Ground, Repertoire, System, friction};
 use crate::flexible::BodyError;
 use crate::ode::nodes::Workspace;

@@ -7,7 +7,7 @@
 //! Massless points slide by statics (`contact::massless`); here their loss alone is counted.
 //! Invariant: friction takes energy out or does nothing.
 
-use super::State;
+use super::state::State;
 use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction, massless};
 use crate::flexible::BodyError;
 use crate::ode::nodes::{Motion, Workspace, copy};

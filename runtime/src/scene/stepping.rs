@@ -4,9 +4,11 @@
 //! only as far as that, v'.n >= -gap/tau; x' = x + tau v'; there it is held. Order 1, never below the surface,
 //! and the law takes energy out or does nothing.
 
+use super::modes::take_over;
 use super::moreau;
+use super::state::State;
 use super::touch::{lift, release};
-use super::{Flow, Observer, State, StepReport, take_over};
+use super::watch::{Flow, Observer, StepReport};
 use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction};
 use crate::flexible::BodyError;
 use crate::ode::nodes::Workspace;

@@ -3,7 +3,7 @@
 //!
 //! Invariant: positions change by the rounding that located the event, nothing else.
 
-use super::State;
+use super::state::State;
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
 use crate::contact::{ContactLaw, ContactState, Ground, Repertoire, System, friction, restitution};
 use crate::flexible::energy::eval_energies;

@@ -2,7 +2,8 @@
 //!
 //! In: a grid, positions and velocities. Out: the sums of forces.
 
-use super::{FIRST, Grid, Row, Strip, WIDTH};
+use super::layout::{Grid, WIDTH};
+use super::strip::{FIRST, Row, Strip};
 use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

@@ -2,8 +2,9 @@
 //!
 //! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: the sums of forces.
 
+use super::layout::{Family, Grid, WIDTH};
+use super::strip::{FIRST, Row, Strip};
 use super::weave::{corners, share, sum};
-use super::{FIRST, Family, Grid, Row, Strip, WIDTH};
 use crate::flexible::mean;
 use crate::flexible::pressure::{self, PressureForm, Weights};
 use crate::kernel::Kernel;

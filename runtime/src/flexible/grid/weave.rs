@@ -2,13 +2,15 @@
 //!
 //! In: a grid, the pressure, positions. Out: the sums of forces.
 
-use super::{FIRST, Grid, Row, Strip, WIDTH};
+use super::layout::{Grid, WIDTH};
+use super::strip::{FIRST, Row, Strip};
 use crate::flexible::pressure::{self, PressureForm, Weights};
+use crate::flexible::spring::is_runaway;
 use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Writes the forces on the nodes of a grid (N), their weight among them; returns whether a spring has run away, see [`pressure::STRETCH_LIMIT`].
+/// Writes the forces on the nodes of a grid (N), their weight among them; returns whether a spring has run away, see [`crate::flexible::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Weave<'a, S> {
     /// The grid.
@@ -114,7 +116,7 @@ fn pull<S: Scalar>(
         let (direction, length) = vec3::direction(vec3::sub(head, tail));
         let tension = stiffness[lane] * (length - rest_length[lane]);
         pulls.set(FIRST + lane, vec3::scale(direction, tension));
-        runaway |= u32::from(pressure::is_runaway(rest_length[lane], length));
+        runaway |= u32::from(is_runaway(rest_length[lane], length));
     }
     runaway > 0
 }

@@ -3,7 +3,10 @@
 //! A program that knows its method names the type and links nothing else (a microcontroller's image); one that
 //! chooses when it runs takes [`Method`].
 
-use super::{Motion, Newton, Workspace, midpoint, nystrom, verlet};
+use super::motion::Motion;
+use super::newton::Newton;
+use super::workspace::Workspace;
+use super::{midpoint, nystrom, verlet};
 use crate::ode::tableau::{self, Tableau};
 use crate::real::{Constant, Scalar};
 

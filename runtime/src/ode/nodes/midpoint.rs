@@ -5,8 +5,11 @@
 //! undamped energy stays, damped energy never rises, for any step; momentum and angular momentum stay.
 //! Solved by fixed-point iteration (h w_max < 2), gone on with along the last change (Anderson 1965, depth 1).
 
+use super::motion::{Motion, set};
+use super::newton::{Newton, NodeFault, Way};
+use super::rows;
 use super::verlet::accelerations;
-use super::{Motion, Newton, NodeFault, Way, Workspace, rows, set};
+use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3;

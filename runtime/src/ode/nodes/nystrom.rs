@@ -3,7 +3,10 @@
 //! k_s = a(x + c_s h v + h^2 sum abar_sj k_j,  v + h sum a_sj k_j)
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
 
-use super::{Motion, Newton, Workspace, rows};
+use super::motion::Motion;
+use super::newton::Newton;
+use super::rows;
+use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::ode::tableau::Tableau;
 use crate::real::{Constant, Scalar};

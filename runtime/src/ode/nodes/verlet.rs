@@ -4,8 +4,10 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
+use super::motion::{Motion, copy};
+use super::newton::{Newton, NodeFault, movable};
 use super::rows::{self, Squares};
-use super::{Motion, Newton, NodeFault, Workspace, copy, movable};
+use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};

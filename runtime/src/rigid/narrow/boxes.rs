@@ -4,7 +4,7 @@
 //! On a face: corners of either box inside the other's face, and crossings of the faces' sides, up to eight points.
 
 use super::edges::{Edge, box_edge, crossing};
-use super::{Feature, Features, corners};
+use super::feature::{Feature, Features, corners};
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame};
 use crate::vec3::{self, Vec3};

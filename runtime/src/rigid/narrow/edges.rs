@@ -6,7 +6,7 @@
 //! v_1 - v_2 + a s' - b t' = d' n + d n'                          s', t': how fast the nearest points run along the edges
 //! ```
 
-use super::{Feature, Features, Placed};
+use super::feature::{Feature, Features, Placed};
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame, Shape};
 use crate::vec3::{self, Vec3};

@@ -1,6 +1,8 @@
 //! The way between events: forces at its start and in its middle, what is met at its end, and what drifted put back.
 
-use super::{Fault, Memory, Report, RigidScene, Rounding, Touching};
+use super::memory::{Memory, Report};
+use super::parts::{Fault, RigidScene, Rounding};
+use super::touching::Touching;
 use crate::real::Scalar;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Twist, solve_tangential};

@@ -1,0 +1,192 @@
+//! The whole step: impacts, then the way to the next event, again and again.
+
+use super::advance::Start;
+use super::memory::{Memory, Report, Strike};
+use super::parts::{Fault, RigidScene, Rounding};
+use super::touching::Touching;
+use crate::ode::root::locate;
+use crate::real::Scalar;
+use crate::rigid::RigidState;
+use crate::rigid::law::Kind;
+use crate::rigid::several::{Struck, compensate_all, stop, strike_all};
+
+/// Splits of one step at most.
+pub const SPLITS: usize = 64;
+/// Pieces of equal length in which the rest goes then, touches looked for between them only.
+const REST: u32 = 16;
+
+/// A small whole number.
+fn whole<S: Scalar>(n: u32) -> S {
+    S::from_f64(f64::from(n))
+}
+
+impl<S: Scalar> RigidScene<'_, S> {
+    /// Advances the states by h (s), > 0.
+    ///
+    /// # Errors
+    /// [`Fault`]; the states are then those before the step.
+    pub fn step(
+        &self,
+        states: &mut [RigidState<S>],
+        h: S,
+        memory: &mut Memory<S>,
+    ) -> Result<Report<S>, Fault> {
+        self.step_watched(states, h, memory, |_| {})
+    }
+
+    /// As [`RigidScene::step`]; shows every impact, those of a step refused in the end too.
+    ///
+    /// # Errors
+    /// As [`RigidScene::step`].
+    pub fn step_watched(
+        &self,
+        states: &mut [RigidState<S>],
+        h: S,
+        memory: &mut Memory<S>,
+        mut watch: impl FnMut(Strike<'_, S>),
+    ) -> Result<Report<S>, Fault> {
+        self.check_sizes(states, memory)?;
+        let mut report = Report {
+            impacts: 0,
+            splits: 0,
+            held: 0,
+            pressing: S::ZERO,
+            impact_loss: S::ZERO,
+            friction_loss: S::ZERO,
+            forced: false,
+        };
+        let [now, ..] = &mut memory.states;
+        now.iter_mut().zip(states.iter()).for_each(|(to, from)| *to = *from);
+        self.go(h, memory, &mut report, &mut watch)?;
+        states.iter_mut().zip(memory.states[0].iter()).for_each(|(to, from)| *to = *from);
+        Ok(report)
+    }
+
+    fn check_sizes(&self, states: &[RigidState<S>], memory: &Memory<S>) -> Result<(), Fault> {
+        let n = self.parts.len();
+        let [a, b, c] = &memory.states;
+        let sizes = [states.len(), a.len(), b.len(), c.len(), memory.twists.len(), memory.spare.len()];
+        let all = sizes.iter().all(|size| *size == n) && memory.mobilities.len() == n;
+        let pairs = self.pairs.iter().flat_map(|pair| pair.parts).all(|part| part < n);
+        if all && pairs { Ok(()) } else { Err(Fault::WrongSizes) }
+    }
+
+    /// The stages, on the first of the memory's states.
+    fn go(
+        &self,
+        h: S,
+        memory: &mut Memory<S>,
+        report: &mut Report<S>,
+        watch: &mut impl FnMut(Strike<'_, S>),
+    ) -> Result<(), Fault> {
+        let (mut left, mut rest) = (h, REST);
+        for split in 0..SPLITS + REST as usize {
+            let last = split >= SPLITS;
+            let rounding = self.rounding(memory.states[0]);
+            self.strike(memory, rounding, last, report, |touching, struck, loss| {
+                watch(Strike { time: h - left, loss, touching, struck });
+            })?;
+            let start = self.hold_at_start(memory, rounding)?;
+            let (length, pressing) = if last {
+                let piece = left / whole(rest);
+                rest -= 1;
+                (piece, self.advance(memory, piece, start.held, rounding)?)
+            } else {
+                self.shorten(memory, left, start, rounding)?
+            };
+            self.commit(memory, length, pressing, report);
+            self.project(memory, pressing, rounding)?;
+            (report.splits, report.forced) = (split + 1, last);
+            left = left - length;
+            if left <= S::ZERO || rest == 0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Impact of all that touch, if some of them close.
+    fn strike(
+        &self,
+        memory: &mut Memory<S>,
+        rounding: Rounding<S>,
+        last: bool,
+        report: &mut Report<S>,
+        show: impl FnOnce(&[Touching<S>], &[Struck<S>], S),
+    ) -> Result<(), Fault> {
+        let Memory { states: [now, ..], twists, spare, mobilities, touching, struck, .. } = memory;
+        let count = self.detect(now, twists, mobilities, touching, rounding.gap, |_| true)?;
+        let touching = touching.get(..count).unwrap_or_default();
+        if !touching.iter().any(|t| t.velocity[0] < -rounding.rate) {
+            return Ok(());
+        }
+        let struck = struck.get_mut(..count).ok_or(Fault::TooManyContacts)?;
+        for (s, t) in struck.iter_mut().zip(touching) {
+            *s = Struck::new(t.held.contact, &**mobilities);
+        }
+        let before = self.energy(now);
+        let law_of = |t: &Touching<S>| self.pairs.get(t.pair).map(|pair| pair.law);
+        let law = touching.first().and_then(law_of);
+        let alike = touching.iter().all(|t| law_of(t) == law);
+        match law {
+            _ if last => {
+                // Whether or not it settled, what it did takes energy only.
+                let _ = stop(struck, &**mobilities, twists);
+            }
+            Some(law) if alike && law.kind() != Kind::Stronge => {
+                // Newton's e alike at all points without friction is compensation of e^2.
+                compensate_all(struck, law.restitution() * law.restitution(), &**mobilities, twists);
+            }
+            _ => {
+                strike_all(struck, &**mobilities, twists, spare);
+            }
+        }
+        for s in struck.iter() {
+            self.push(now, &s.contact, s.contact.impulse);
+        }
+        let loss = before - self.energy(now);
+        report.impacts += 1;
+        report.impact_loss = report.impact_loss + loss;
+        show(touching, struck, loss);
+        Ok(())
+    }
+
+    /// Goes all that is left, or to the first new touch or end of a slip: how far, and the contacts `along`.
+    fn shorten(
+        &self,
+        memory: &mut Memory<S>,
+        left: S,
+        start: Start,
+        rounding: Rounding<S>,
+    ) -> Result<(S, usize), Fault> {
+        let pressing = self.advance(memory, left, start.held, rounding)?;
+        let clear = self.clearance(memory, start, rounding);
+        if clear.gap >= -rounding.gap && clear.slip >= -rounding.rate {
+            return Ok((left, pressing));
+        }
+        let mut fault = None;
+        let guard = |length: S| {
+            // At the start nothing new touches and nothing has turned back.
+            if length <= S::ZERO {
+                return S::ZERO;
+            }
+            match self.advance(memory, length, start.held, rounding) {
+                Ok(_) => {
+                    let clear = self.clearance(memory, start, rounding);
+                    clear.gap.min(clear.slip)
+                }
+                Err(why) => {
+                    fault = Some(why);
+                    S::ZERO
+                }
+            }
+        };
+        let found = locate(guard, S::ZERO, left, S::from_f64(4.0) * S::EPSILON * left);
+        if let Some(why) = fault {
+            return Err(why);
+        }
+        // To the far side: what touches does so within rounding, a slip has just stopped.
+        let length = found.map_or(left, |(_, beyond)| beyond);
+        Ok((length, self.advance(memory, length, start.held, rounding)?))
+    }
+}
