@@ -3,7 +3,7 @@
 //! Sine and cosine are exact to rounding up to [`Scalar::LARGEST_ANGLE`]. Beyond, an angle that stands in nothing
 //! but sines and cosines is taken less whole turns, which changes none of them; any other one is refused.
 
-use crate::engine::{EngineScalar, explain};
+use crate::engine::kinds::{EngineScalar, explain};
 use crate::failure::Failure;
 use smartbed_codegen::program::limits::fits_single;
 use smartbed_codegen::{Interpreted, Program, ScalarType};

@@ -79,10 +79,13 @@ pub const INTEGRATOR_SOURCES: &[(&str, &str)] = &[
     ("ode/mod.rs", include_str!("ode/mod.rs")),
     ("ode/dormand_prince.rs", include_str!("ode/dormand_prince.rs")),
     ("ode/driven.rs", include_str!("ode/driven.rs")),
+    ("ode/method.rs", include_str!("ode/method.rs")),
     ("ode/root.rs", include_str!("ode/root.rs")),
     ("ode/runge_kutta.rs", include_str!("ode/runge_kutta.rs")),
     ("ode/splitting.rs", include_str!("ode/splitting.rs")),
     ("ode/state.rs", include_str!("ode/state.rs")),
     ("ode/step_size.rs", include_str!("ode/step_size.rs")),
+    ("ode/system.rs", include_str!("ode/system.rs")),
     ("ode/tableau.rs", include_str!("ode/tableau.rs")),
+    ("ode/trial.rs", include_str!("ode/trial.rs")),
 ];

@@ -64,10 +64,11 @@ fn collect(module: &Module, stream: TokenStream, found: &mut Vec<Module>) {
     }
 }
 
-/// `#[cfg(test)] mod`
+/// `#[cfg(test)] mod`, whoever may see it.
 fn is_test(tokens: &[TokenTree]) -> bool {
-    let texts: Vec<String> = tokens.iter().take(3).map(|token| token.to_string().replace(' ', "")).collect();
-    texts.len() == 3 && texts[0] == "#" && texts[1] == "[cfg(test)]" && texts[2] == "mod"
+    let mut texts = tokens.iter().take(5).map(|token| token.to_string().replace(' ', ""));
+    let is_asked = texts.next().as_deref() == Some("#") && texts.next().as_deref() == Some("[cfg(test)]");
+    is_asked && texts.find(|text| text != "pub" && !text.starts_with('(')).as_deref() == Some("mod")
 }
 
 /// Where `crate::`, `self::` or any number of `super::` lead, or a word before `::`, and the token behind them.
@@ -197,6 +198,8 @@ fn circles_are_found_through_every_kind_of_name() {
         crate_of(&[("a", "use crate::b::X;"), ("b", "#[cfg(test)] mod tests { use crate::a::X; }")]),
         0
     );
+    let seen = "#[cfg(test)] pub(crate) mod tests { use crate::a::X; }";
+    assert_eq!(crate_of(&[("a", "use crate::b::X;"), ("b", seen)]), 0);
     let three =
         [("a", "use super::b;"), ("b", "use super::c;"), ("c", "use crate::a;"), ("d", "use crate::a;")];
     assert_eq!(crate_of(&three), 1);

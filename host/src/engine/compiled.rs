@@ -1,6 +1,7 @@
 //! The emitted Rust, compiled into a dynamic library and called through its one C function.
 
-use super::{Engine, EngineScalar, cache, crate_text};
+use super::kinds::{Engine, EngineScalar};
+use super::{cache, crate_text};
 use crate::failure::Failure;
 use libloading::Library;
 use smartbed_codegen::program::arguments::Arguments;

@@ -73,7 +73,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             arguments.model
         )));
     }
-    let start = run::start(model, &program, &settings)?;
+    let start = run::start::start(model, &program, &settings)?;
     let mut search = Search::new(model, &program, engine::new(EngineKind::Interpreter, &program)?, &start);
     hold(arguments, &program, &mut search)?;
     let found = search.find().map_err(|why| Failure::Wrong(format!("{}: {why}", arguments.model)))?;

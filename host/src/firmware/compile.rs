@@ -5,9 +5,8 @@
 //! Both are built by the same cargo into a target folder of their own, so that no outer cargo
 //! waits for it and a second toolchain disturbs nothing.
 
-use super::Arguments;
+use super::arguments::{Arguments, Bus};
 use super::chip::Chip;
-use super::equations::{RATES, SIN_COS};
 use super::fit::Fitted;
 use super::image::checksum;
 use super::process::{clean, run_limited};
@@ -21,6 +20,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
+
+/// An evaluation of the rates, as a function of the image.
+pub const RATES: &str = "tile_rates";
+/// A sine and cosine, out of line.
+pub const SIN_COS: &str = "tile_sin_cos";
 
 /// The host runs 10,000 steps in milliseconds.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
@@ -61,15 +65,6 @@ pub enum Subject {
     Board(Bus),
     /// The controller without a board, to be measured.
     Bare,
-}
-
-/// What a board talks over.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
-pub enum Bus {
-    /// A serial line.
-    Serial,
-    /// A CAN bus.
-    Can,
 }
 
 impl Settings {

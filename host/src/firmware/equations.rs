@@ -7,7 +7,7 @@
 //! inlined and share their constants, so a second, stricter figure leaves those to the rates. What else the rates
 //! do (arguments, results, the worst pivot, which is no operation of the rates) is counted with the operations.
 
-use super::compile::Settings;
+use super::compile::{RATES, SIN_COS, Settings};
 use super::emulator::Count;
 use super::image::{Image, straight};
 use super::thumb::Kind;
@@ -19,11 +19,6 @@ use std::collections::BTreeSet;
 
 /// The functions of the image that are the equations: rates, projection, energy.
 const ANSWERS: [&str; 3] = [RATES, "tile_project", "tile_energy"];
-
-/// An evaluation of the rates, as a function of the image.
-pub const RATES: &str = "tile_rates";
-/// A sine and cosine, out of line.
-pub const SIN_COS: &str = "tile_sin_cos";
 
 /// Cost of the equations.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -4,10 +4,11 @@
 //! lines, so that their instructions are counted where they stand; the image is linked, never run.
 
 use super::chip::STM32F405;
+use super::compile;
 use super::image::straight::{self, Instructions};
 use super::image::{Image, stack};
 use super::toolchain::{self, Toolchain};
-use super::{compile, lock, read, workspace};
+use super::workspace::{lock, workspace};
 use crate::engine::crate_text::Files;
 use crate::failure::Failure;
 use std::fs;
@@ -80,7 +81,7 @@ pub fn costs(
             fs::create_dir_all(file.parent().unwrap_or(&source)).and_then(|()| fs::write(&file, text));
         written.map_err(|e| Failure::Lacking(format!("{}: {e}", file.display())))?;
     }
-    let image = read(&build(toolchain, &source, &folder)?)?;
+    let image = Image::open(&build(toolchain, &source, &folder)?)?;
     functions.iter().map(|function| cost(&image, &function.name)).collect()
 }
 

@@ -7,6 +7,7 @@
 //! plug-in ([`emulator`]), compare the digests of chip and host, set the counts against the operations
 //! ([`equations`]), print ([`report`]).
 
+pub mod arguments;
 pub mod chip;
 pub mod compile;
 pub mod cycles;
@@ -20,53 +21,21 @@ pub mod report;
 pub mod riscv;
 pub mod thumb;
 pub mod toolchain;
+pub mod workspace;
+
+pub use arguments::Arguments;
 
 use crate::failure::Failure;
 use crate::output;
 use crate::progress::Waiting;
+use arguments::Bus;
 use chip::{Chip, STM32F405};
-use compile::{Bus, Settings, Subject};
+use compile::{Settings, Subject};
 use image::{Image, rules};
 use report::Report;
 use smartbed_codegen::words::count;
-use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-
-/// Generate, build for the microcontroller, check, and run in the emulator.
-#[derive(clap::Args, Clone, Default, PartialEq, Eq, Debug)]
-#[command(
-    after_help = "Example:\n  cargo smartbed firmware\n  cargo smartbed firmware tile --steps 1000 --set M=8 --json\n  cargo smartbed firmware truss --set K=4000\n  cargo smartbed firmware tile_with_bladder\n  cargo smartbed firmware single_spring --small\n  cargo smartbed firmware --elf target/thumbv7em-none-eabihf/release/mine\n  cargo smartbed firmware --board\n  cargo smartbed firmware --board=can"
-)]
-pub struct Arguments {
-    /// The model or scene: a path, or a name under models/ or models/scenes/ [default: tile].
-    pub model: Option<String>,
-    /// Number of steps: of 1 ms [default: 10000], of a scene its own [default: all].
-    #[arg(long, value_name = "N")]
-    pub steps: Option<u32>,
-    /// Changes a parameter, on the chip and on the host; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
-    /// Every parameter of a mechanism tunable, every answer computed in every step: what leaving out saves.
-    #[arg(long)]
-    pub everything: bool,
-    /// Optimise for size: a scene takes a third less flash and a quarter more instructions.
-    #[arg(long)]
-    pub small: bool,
-    /// Print one JSON object.
-    #[arg(long)]
-    pub json: bool,
-    /// Build the controller for a real STM32F405 and judge its image; the emulator lacks the board's pins. It talks
-    /// over a serial line, with `--board=can` over a CAN bus.
-    #[arg(long, value_name = "BUS", num_args = 0..=1, require_equals = true, default_missing_value = "serial",
-        conflicts_with_all = ["model", "steps", "set", "everything", "small", "inject", "elf"])]
-    pub board: Option<Bus>,
-    /// Judge this image instead of building one: size, stack bound, and every rule of an image.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["model", "steps", "set", "everything", "small", "inject"])]
-    pub elf: Option<PathBuf>,
-    /// Build a defect into the image, which the checks must then find.
-    #[arg(long, hide = true, value_parser = ["panic", "double", "recursion", "indirect"])]
-    pub inject: Option<String>,
-}
+use workspace::{lock, workspace};
 
 /// Does what the command line asks for and prints the report.
 ///
@@ -119,11 +88,11 @@ fn build(arguments: &Arguments, compared: bool) -> Result<Report, Failure> {
     let waiting = Waiting::new("building the image");
     let elf = compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?;
     drop(waiting);
-    let mut image = read(&elf)?;
+    let mut image = Image::open(&elf)?;
     let mut stack = image.stack().map_err(Failure::Wrong)?;
     if settings.refit(image.size.ram + u64::from(stack.bytes))? {
         let _waiting = Waiting::new("building the image");
-        image = read(&compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?)?;
+        image = Image::open(&compile::image(&toolchain, &workspace, &folder, &STM32F405, &settings)?)?;
         stack = image.stack().map_err(Failure::Wrong)?;
     }
     let findings = rules::findings(&image, &stack, &STM32F405);
@@ -171,7 +140,7 @@ pub fn bare(chip: &Chip) -> Result<PathBuf, Failure> {
 
 /// Applies the rules to an image that was built elsewhere.
 fn judge(elf: &Path, as_json: bool) -> Result<(), Failure> {
-    let image = read(elf)?;
+    let image = Image::open(elf)?;
     let stack = image.stack().map_err(Failure::Wrong)?;
     let findings = rules::findings(&image, &stack, &STM32F405);
     output::print(&report::of_image(elf, &image, &stack, &findings, as_json))?;
@@ -179,28 +148,4 @@ fn judge(elf: &Path, as_json: bool) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Wrong(findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("\nerror: ")))
-}
-
-pub(crate) fn read(elf: &Path) -> Result<Image, Failure> {
-    let bytes = fs::read(elf).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))?;
-    Image::read(&bytes).map_err(|e| Failure::Wrong(format!("{}: {e}", elf.display())))
-}
-
-/// The workspace's root: the image is built from its sources.
-pub(crate) fn workspace() -> Result<PathBuf, Failure> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(""));
-    if root.join("firmware/Cargo.toml").is_file() {
-        return Ok(root.to_owned());
-    }
-    let why = format!("the sources of the firmware are no longer in {}", root.display());
-    Err(Failure::Lacking(format!("{why}: run `cargo smartbed firmware` inside a clone of the project")))
-}
-
-/// One build at a time in this folder: the settings go through the environment of one build script.
-pub(crate) fn lock(folder: &Path) -> Result<File, Failure> {
-    let wrong = |e: std::io::Error| Failure::Wrong(format!("{}: {e}", folder.display()));
-    fs::create_dir_all(folder).map_err(wrong)?;
-    let file = File::create(folder.join(".lock")).map_err(wrong)?;
-    file.lock().map_err(wrong)?;
-    Ok(file)
 }

@@ -1,9 +1,9 @@
 //! What `smartbed firmware` has found out, as text for people and as JSON for machines.
 
 use super::chip::STM32F405;
-use super::compile::{Settings, Subject};
+use super::compile::{RATES, SIN_COS, Settings, Subject};
 use super::emulator::{Count, Run};
-use super::equations::{Equations, RATES, SIN_COS};
+use super::equations::Equations;
 use super::fit::RAM;
 use super::image::Image;
 use super::image::rules::{Finding, Rule};

@@ -6,6 +6,7 @@
 //! failure names the one command that helps. rustup is never called.
 
 use super::process::{self, output, which};
+use super::workspace::workspace;
 use crate::failure::Failure;
 use crate::install::{install, lacking, update_lists};
 use crate::output::say;
@@ -64,7 +65,7 @@ pub fn announce(target: &str) {
         packages.extend(TOOLCHAIN_PACKAGES);
         lacking.push(format!("a Rust toolchain that builds for {target}"));
     }
-    if found_emulator().is_none() && !super::workspace().is_ok_and(|w| w.join("target/emulator").is_dir()) {
+    if found_emulator().is_none() && !workspace().is_ok_and(|w| w.join("target/emulator").is_dir()) {
         packages.push(EMULATOR);
         lacking.push(format!("{EMULATOR} with plug-ins"));
     }
@@ -115,7 +116,7 @@ pub fn emulator() -> Result<PathBuf, Failure> {
     if let Some(found) = found_emulator() {
         return Ok(found);
     }
-    let unpacked = super::workspace()?.join("target/emulator");
+    let unpacked = workspace()?.join("target/emulator");
     if unpacked.is_dir() {
         return unpack(EMULATOR, &unpacked);
     }

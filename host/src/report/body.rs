@@ -48,20 +48,10 @@ impl Body {
         Ok(Self { name: name.to_owned(), path: path.to_owned(), settings: settings.to_vec(), scene })
     }
 
-    /// The scene as its file has it.
+    /// What was read.
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
-    }
-
-    /// Its file.
-    pub(super) fn path(&self) -> &str {
-        &self.path
-    }
-
-    /// Changes `key=value`.
-    pub(super) fn settings(&self) -> &[String] {
-        &self.settings
     }
 
     fn with(&self, method: &str, tolerance: f64, step: f64) -> Result<Scene, String> {
@@ -188,7 +178,7 @@ impl Subject for Body {
     }
 
     fn sheet(&self) -> Result<Option<Sheet>, String> {
-        sheet_body::make(self).map(Some)
+        sheet_body::make(&self.scene, &self.path, &self.settings).map(Some)
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {

@@ -3,6 +3,7 @@
 //! counted and its cycles modelled.
 
 use super::point::{ChipCost, Section};
+use super::sheet::Variant;
 use super::subject::{Kind, Subject};
 use crate::failure::Failure;
 use crate::firmware;
@@ -10,15 +11,6 @@ use std::time::{Duration, Instant};
 
 /// Steps that an image runs.
 const STEPS: u32 = 200;
-
-/// How a subject's image differs from what its file asks for.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Variant {
-    /// Changes `key=value`.
-    pub set: Vec<String>,
-    /// Of a mechanism: every parameter tunable, every answer in each step.
-    pub everything: bool,
-}
 
 /// Where costs on the chip come from, as long as they can be had.
 #[derive(Clone, PartialEq, Debug)]

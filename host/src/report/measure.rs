@@ -7,7 +7,7 @@ use super::clock::{self, Stop};
 use super::plan::Plan;
 use super::point::{Control, Point};
 use super::reference::Truth;
-use super::subject::{Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{Method, Subject, Time, Trace};
 use crate::engine::ScalarKind;
 use std::time::Duration;
 
@@ -171,10 +171,4 @@ pub fn name_of(scalar: ScalarKind) -> &'static str {
         ScalarKind::F32 => "f32",
         ScalarKind::F64 => "f64",
     }
-}
-
-/// The step of a ladder that divides the time between two samples into `steps`.
-#[must_use]
-pub fn step_of(seconds: f64, steps: usize) -> f64 {
-    seconds / (SAMPLES * steps) as f64
 }

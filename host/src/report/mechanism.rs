@@ -4,7 +4,7 @@ use super::clock;
 use super::clock::{Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::sheet_mechanism;
+use super::sheet_mechanism::{self, Plant64};
 use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
 use crate::engine::{self, EngineKind, EngineScalar, ScalarKind, explain};
 use crate::failure::Failure;
@@ -12,9 +12,10 @@ use crate::model_argument;
 use crate::observers::Observers;
 use crate::plot::motion::{self, Motion};
 use crate::plot::{Recording, svg};
+use crate::run::arguments::Arguments;
 use crate::run::settings::{self, Settings};
 use crate::run::simulate::{Plant, Row, Setup, columns, simulate};
-use crate::run::{self, Arguments};
+use crate::run::start::start;
 use crate::scene::dop853::Dop853;
 use clap::ValueEnum;
 use smartbed_codegen::model::Model;
@@ -33,9 +34,6 @@ const COARSE: f64 = 32.0;
 const LOOK: usize = 1024;
 /// Rows of a graph.
 const ROWS: f64 = 500.0;
-
-/// A mechanism in f64 under its laws.
-pub(super) type Plant64 = Plant<Box<dyn engine::Engine<f64>>, f64>;
 
 /// A mechanism with its equations.
 pub struct Mechanism {
@@ -68,7 +66,7 @@ impl Mechanism {
         let wrong = |e| model_argument::wrong(&e);
         let program = program::derive(&model, &settings.choice).map_err(wrong)?;
         let observers = Observers::derive(&model, &settings.choice).map_err(wrong)?;
-        let start = run::start(&model, &program, &settings)?;
+        let start = start(&model, &program, &settings)?;
         Ok(Self { name: name.to_owned(), model, settings, program, observers, start, engine })
     }
 
@@ -78,28 +76,8 @@ impl Mechanism {
         self.settings.row_interval()
     }
 
-    /// Its model.
-    pub(super) fn model(&self) -> &Model {
-        &self.model
-    }
-
-    /// Its equations.
-    pub(super) fn program(&self) -> &Program {
-        &self.program
-    }
-
-    /// Coordinates and independent speeds at the start.
-    pub(super) fn start(&self) -> &[f64] {
-        &self.start
-    }
-
-    /// Its own step (s).
-    pub(super) fn step(&self) -> f64 {
-        self.settings.step
-    }
-
     /// Other equations of the same mechanism under its laws.
-    pub(super) fn plant_of(&self, program: &Program) -> Result<Plant64, String> {
+    fn plant_of(&self, program: &Program) -> Result<Plant64, String> {
         let engine = engine::new::<f64>(self.engine, program).map_err(|e| e.to_string())?;
         Ok(Plant::new(engine, program, &self.observers))
     }
@@ -258,7 +236,10 @@ impl Subject for Mechanism {
     }
 
     fn sheet(&self) -> Result<Option<Sheet>, String> {
-        sheet_mechanism::make(self).map(Some)
+        sheet_mechanism::make((&self.model, &self.program), (&self.start, self.settings.step), |program| {
+            self.plant_of(program)
+        })
+        .map(Some)
     }
 
     fn graph(&self, limit: Duration) -> Result<String, String> {

@@ -16,6 +16,7 @@ pub mod laws;
 pub mod markdown;
 pub mod measure;
 pub mod mechanism;
+pub mod open;
 pub mod order;
 pub mod page;
 pub mod peers;
@@ -26,6 +27,7 @@ pub mod reference;
 pub mod sheet;
 mod sheet_body;
 mod sheet_mechanism;
+mod sheet_table;
 pub mod subject;
 pub mod work_precision;
 pub mod world;
@@ -190,7 +192,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     // Whatever is wrong is said before anything is measured.
     let mut subjects = Vec::with_capacity(names.len());
     for name in &names {
-        let subject = subject::open(name, plan.engine)?;
+        let subject = open::open(name, plan.engine)?;
         check_method(subject.as_ref(), &plan)?;
         subjects.push(subject);
     }
@@ -272,7 +274,7 @@ pub fn make(arguments: &Arguments) -> Result<Report, Failure> {
     }
     let mut chip = arguments.chip(progress.seconds());
     if !arguments.is_row() {
-        let sheets = sheet::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
+        let sheets = sheet_table::table(&subjects, &mut chip, &report.command).map_err(Failure::Wrong)?;
         if !sheets.rows.is_empty() {
             report.tables.push(sheets);
         }

@@ -1,6 +1,5 @@
 //! How much is measured: the full report, the quick one, or one point.
 
-use super::measure::step_of;
 use super::point::Control;
 use super::subject::{Method, SAMPLES, Subject};
 use crate::engine::{EngineKind, ScalarKind};
@@ -149,4 +148,9 @@ impl Plan {
             EngineKind::Compiled => " --engine compiled",
         }
     }
+}
+
+/// The step of a ladder that divides the time between two samples into `steps`.
+fn step_of(seconds: f64, steps: usize) -> f64 {
+    seconds / (SAMPLES * steps) as f64
 }

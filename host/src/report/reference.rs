@@ -9,8 +9,6 @@ use super::point::Reference;
 use super::subject::{SAMPLES, Subject, Time, Trace};
 use std::time::Duration;
 
-/// Largest difference of the references (m or rad) for the time to be used, where equations are smooth.
-pub const AGREEMENT: f64 = 1e-8;
 /// Times the simulated time may be cut.
 const CUTS: usize = 6;
 /// A share of the time below which a reference says nothing about the whole.

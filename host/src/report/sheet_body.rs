@@ -1,9 +1,7 @@
 //! The cost sheet of a scene: operations counted and time taken over its first steps.
 
-use super::body::Body;
-use super::chip::Variant;
 use super::clock;
-use super::sheet::{Cost, Sheet};
+use super::sheet::{Cost, Sheet, Variant};
 use crate::scene::describe::describe;
 use crate::scene::run::open_ledger;
 use crate::scene::{Scene, Simulation, read};
@@ -19,14 +17,13 @@ const REPEATS: usize = 5;
 /// A damper, drag, friction or pressure that moves nothing.
 const NOTHING: &str = "1e-12";
 
-/// Makes it.
+/// Makes it; the scene is that of the file at `path` with `settings`.
 ///
 /// # Errors
 /// Why the scene could not be run, in words.
-pub fn make(body: &Body) -> Result<Sheet, String> {
-    let scene = body.scene();
+pub fn make(scene: &Scene, path: &str, settings: &[String]) -> Result<Sheet, String> {
     let (left_out, everything) = rest(scene);
-    let full = read::open_varied(body.path(), body.settings(), &everything)?;
+    let full = read::open_varied(path, settings, &everything)?;
     let costs = [cost(scene, false)?, cost(&full, true)?];
     let lists = &scene.lists;
     let asked = format!(

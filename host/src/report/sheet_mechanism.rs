@@ -1,10 +1,10 @@
 //! The cost sheet of a mechanism: a step of rk4, its equations counted by the derivation.
 
-use super::chip::Variant;
 use super::clock;
-use super::mechanism::{Mechanism, Plant64};
-use super::sheet::{Cost, Sheet};
-use crate::engine::explain;
+use super::sheet::{Cost, Sheet, Variant};
+use crate::engine::{self, explain};
+use crate::run::simulate::Plant;
+use smartbed_codegen::model::Model;
 use smartbed_codegen::words::count;
 use smartbed_codegen::{ParameterChoice, Program, program};
 use smartbed_runtime::ode::Method;
@@ -16,18 +16,24 @@ const REPEATS: usize = 5;
 /// Evaluations in a step of rk4.
 const STAGES: f64 = 4.0;
 
-/// Makes it.
+/// A mechanism in f64 under its laws.
+pub(super) type Plant64 = Plant<Box<dyn engine::Engine<f64>>, f64>;
+
+/// Makes it of a model and its equations; `plant_of` sets equations under the mechanism's laws, to start at `start` with a step (s).
 ///
 /// # Errors
 /// Why the mechanism could not be derived or run, in words.
-pub fn make(mechanism: &Mechanism) -> Result<Sheet, String> {
-    let (model, lean) = (mechanism.model(), mechanism.program());
+pub fn make(
+    (model, lean): (&Model, &Program),
+    start: (&[f64], f64),
+    plant_of: impl Fn(&Program) -> Result<Plant64, String>,
+) -> Result<Sheet, String> {
     let keep = model.parameters.iter().map(|p| p.name.clone()).collect();
     let choice = ParameterChoice { keep, ..ParameterChoice::default() };
     let full = program::derive(model, &choice).map_err(|e| e.to_string())?;
     let costs = [
-        Cost { operations: lean_operations(lean), nanoseconds: time(mechanism, lean, false)? },
-        Cost { operations: full_operations(&full), nanoseconds: time(mechanism, &full, true)? },
+        Cost { operations: lean_operations(lean), nanoseconds: time(|| plant_of(lean), start, false)? },
+        Cost { operations: full_operations(&full), nanoseconds: time(|| plant_of(&full), start, true)? },
     ];
     let projection = if lean.correction.is_empty() { "" } else { ", projection" };
     let folded = model.parameters.len() - lean.parameters.len();
@@ -58,15 +64,18 @@ fn full_operations(program: &Program) -> f64 {
 }
 
 /// Time of a step (ns), all answers taken after it if `full`.
-fn time(mechanism: &Mechanism, program: &Program, full: bool) -> Result<f64, String> {
+fn time(
+    plant: impl Fn() -> Result<Plant64, String>,
+    (start, h): (&[f64], f64),
+    full: bool,
+) -> Result<f64, String> {
     let mut best = f64::INFINITY;
     for _ in 0..REPEATS {
-        let mut plant: Plant64 = mechanism.plant_of(program)?;
-        let mut x = mechanism.start().to_vec();
+        let mut plant = plant()?;
+        let mut x = start.to_vec();
         let mut low = vec![0.0; x.len()];
         let mut scratch = vec![0.0; Method::Rk4.scratch(x.len())];
         let mut state = State::new(&mut x, &mut low).map_err(|f| explain(f).to_owned())?;
-        let h = mechanism.step();
         let begin = clock::now();
         for n in 0..STEPS {
             let t = n as f64 * h;

@@ -1,18 +1,13 @@
 //! What is measured: a scene of a flexible body, a mechanism or a world, all behind one trait.
 
-use super::body::Body;
 use super::clock::Stop;
-use super::mechanism::Mechanism;
 use super::point::Control;
-use super::reference::AGREEMENT;
 use super::sheet::Sheet;
-use super::world::World;
-use crate::engine::{EngineKind, ScalarKind};
-use crate::failure::Failure;
-use crate::model_argument;
-use crate::scene::read::is_scene;
+use crate::engine::ScalarKind;
 use std::time::Duration;
 
+/// Largest difference of the references (m or rad) for the time to be used, where equations are smooth.
+pub const AGREEMENT: f64 = 1e-8;
 /// Times at which a run is compared, evenly over it, its end included.
 pub const SAMPLES: usize = 10;
 
@@ -134,19 +129,4 @@ pub trait Subject {
     /// # Errors
     /// Why the run stopped, in words.
     fn graph(&self, limit: Duration) -> Result<String, String>;
-}
-
-/// The subject of this name or path.
-///
-/// # Errors
-/// [`Failure::Wrong`] if there is none, or with what is wrong in it.
-pub fn open(name: &str, engine: EngineKind) -> Result<Box<dyn Subject>, Failure> {
-    let path = model_argument::find(name)?;
-    Ok(if model_argument::is_world(&path) {
-        Box::new(World::open(name, &path, &[])?)
-    } else if is_scene(&path) {
-        Box::new(Body::open(name, &path.display().to_string(), &[])?)
-    } else {
-        Box::new(Mechanism::open(name, engine)?)
-    })
 }

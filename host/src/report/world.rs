@@ -8,7 +8,7 @@
 use super::clock::{self, Deadline, Stop};
 use super::point::Control;
 use super::sheet::Sheet;
-use super::subject::{Kind, Method, SAMPLES, Subject, Time, Trace};
+use super::subject::{AGREEMENT, Kind, Method, SAMPLES, Subject, Time, Trace};
 use crate::engine::ScalarKind;
 use crate::failure::Failure;
 use crate::model_argument;
@@ -353,7 +353,7 @@ impl Subject for World {
     }
 
     fn agreement(&self) -> f64 {
-        if self.smooth().is_some() { super::reference::AGREEMENT } else { TOUCHING }
+        if self.smooth().is_some() { AGREEMENT } else { TOUCHING }
     }
 
     fn run(&self, (method, control, scalar): (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {

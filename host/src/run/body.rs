@@ -1,8 +1,9 @@
 //! `smartbed run` of a scene: a flexible body instead of a mechanism, with the same arguments.
 
+use super::arguments::Arguments;
 use super::health::{Energies, Health};
+use super::outcome::{Outcome, ended_early, noted};
 use super::simulate::interrupted;
-use super::{Arguments, Outcome, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::interrupt;
@@ -14,8 +15,7 @@ use crate::progress::Progress;
 use crate::scene::graph::Album;
 use crate::scene::read::{self, Scene};
 use crate::scene::run::{EventRecord, Row, csv_header, csv_line, run_until};
-use crate::view::Film;
-use crate::view::film::Series;
+use crate::view::film::{Film, Series};
 use crate::view::scene::stage;
 use smartbed_codegen::words::count;
 use smartbed_runtime::real::Scalar;
@@ -184,7 +184,7 @@ fn record<S: Scalar>(arguments: &Arguments, scene: &Scene) -> Result<Done, Failu
         Ok(events) => events,
         Err(failure) => {
             let file = arguments.csv.as_deref().unwrap_or_default();
-            return Err(super::ended_early(failure, csv, rows, file));
+            return Err(ended_early(failure, csv, rows, file));
         }
     };
     csv.map_or(Ok(()), Output::finish)?;

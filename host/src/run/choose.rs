@@ -1,7 +1,7 @@
 //! `--error` and `--budget`: method and step are picked by calibration, then the run goes on as if they had
 //! been given.
 
-use super::Arguments;
+use super::arguments::Arguments;
 use super::body::is_scene;
 use crate::engine::EngineKind;
 use crate::failure::Failure;

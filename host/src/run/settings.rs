@@ -1,6 +1,6 @@
 //! What a run is: the model's `[start]` and `[run]`, changed by the command line.
 
-use super::Arguments;
+use super::arguments::Arguments;
 use super::health::Range;
 use crate::failure::Failure;
 use crate::number::six_digits;

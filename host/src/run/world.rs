@@ -1,8 +1,9 @@
 //! `smartbed run` of a scene of format 2: the same arguments, rows, plots, page and summary for any world.
 
+use super::arguments::Arguments;
 use super::health::{Energies as Moved, Health};
+use super::outcome::{Outcome, ended_early, line, noted};
 use super::simulate::interrupted;
-use super::{Arguments, Outcome, noted};
 use crate::engine::{EngineKind, ScalarKind};
 use crate::failure::Failure;
 use crate::number::{json_number, json_object, json_string, six_digits, worst};
@@ -13,8 +14,8 @@ use crate::plot::energies;
 use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
 use crate::progress::Progress;
-use crate::view::film::Series;
-use crate::view::{Film, world as stage};
+use crate::view::film::{Film, Series};
+use crate::view::world as stage;
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
 use crate::world::run::{Checkpoint, Ran, Row, engine, run};
@@ -106,7 +107,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         |row, engine| {
             let values = values(row);
             if let Some(csv) = &mut csv {
-                csv.write(&super::line(&values))?;
+                csv.write(&line(&values))?;
             }
             if let Some(recording) = &mut recording {
                 recording.push(&values);
@@ -141,7 +142,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
         Ok(ran) => ran,
         Err(failure) => {
             let file = arguments.csv.as_deref().unwrap_or_default();
-            return Err(super::ended_early(failure, csv, rows, file));
+            return Err(ended_early(failure, csv, rows, file));
         }
     };
     csv.map_or(Ok(()), Output::finish)?;

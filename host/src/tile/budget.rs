@@ -9,12 +9,13 @@ use super::bus::Bus;
 use super::machine::{self, Kind, Machine, Program};
 use super::order;
 use crate::failure::Failure;
+use crate::firmware::arguments::Bus as Wires;
 use crate::firmware::chip::{Chip, M7, M33, RV32, STM32F405};
-use crate::firmware::compile::Bus as Wires;
 use crate::firmware::emulator::{count_option, plugin, read_counts};
 use crate::firmware::image::Image;
 use crate::firmware::image::rules::{self, Rule};
-use crate::firmware::{bare, board, lock, read, toolchain, workspace};
+use crate::firmware::workspace::{lock, workspace};
+use crate::firmware::{bare, board, toolchain};
 use crate::output;
 use std::fmt::Write;
 
@@ -94,13 +95,13 @@ impl Report {
 pub fn measure() -> Result<Report, Failure> {
     let mut report = Report::default();
     for (bus, name) in [(Wires::Serial, "board"), (Wires::Can, "board on CAN")] {
-        report.judge(name, &read(&board(bus)?)?, &STM32F405, CONTROL)?;
+        report.judge(name, &Image::open(&board(bus)?)?, &STM32F405, CONTROL)?;
     }
-    report.judge(&format!("controller on {}", RV32.short), &read(&bare(&RV32)?)?, &RV32, CONTROL)?;
+    report.judge(&format!("controller on {}", RV32.short), &Image::open(&bare(&RV32)?)?, &RV32, CONTROL)?;
     for chip in [STM32F405, M7, M33] {
         let name = format!("loop on {}", chip.short);
         let program = machine::build(Kind::Emulated(chip))?;
-        let image = read(&program.file)?;
+        let image = Image::open(&program.file)?;
         let bound = report.judge(&name, &image, &chip, LOOP)?;
         let used = sessions(&program, &image)?;
         report.hold(&format!("{name}: stack used, painted"), used.stack, bound, "bytes");

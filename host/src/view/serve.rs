@@ -4,7 +4,8 @@
 //! model is run again; the page then fetches `/data`. What is wrong with an edit is shown on the page, and the
 //! last motion stays. Requests are answered one after the other: there is one reader.
 
-use super::{Arguments, page};
+use super::arguments::Arguments;
+use super::page::page;
 use crate::failure::Failure;
 use crate::number::json_string;
 use crate::{model_argument, output, run};

@@ -15,12 +15,12 @@ pub mod straight;
 
 use super::riscv;
 use super::thumb::{self, Instruction, Kind};
+use crate::failure::Failure;
 use object::elf::SHF_EXECINSTR;
 use object::{Architecture, Object, ObjectSection, ObjectSymbol, SectionFlags, SymbolKind};
 use std::collections::BTreeMap;
-
-/// Where a program without vectors begins.
-const ENTRY: &str = "_start";
+use std::fs;
+use std::path::Path;
 
 /// A function of the image with everything that its instructions do.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -81,22 +81,13 @@ impl Image {
         Ok(Self { functions, entries, symbols, vectors: vectors(&file), size: size::Size::of(&file) })
     }
 
-    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no
-    /// board starts, from its entry, without the exceptions that a board would have.
+    /// Reads a file.
     ///
     /// # Errors
-    /// A text if there is no vector table, or an entry is no function.
-    pub fn stack(&self) -> Result<stack::Stack, String> {
-        let functions: Option<Vec<usize>> = self.vectors.iter().map(|v| self.owner(*v)).collect();
-        match functions.as_deref() {
-            Some([entry, unmaskable, fault, others @ ..]) => {
-                Ok(stack::bound(self, *entry, &[others, &[*fault], &[*unmaskable]]))
-            }
-            _ => match self.find(ENTRY).filter(|_| self.vectors.is_empty()) {
-                Some(entry) => Ok(stack::bound(self, entry, &[])),
-                None => Err("the image has no vector table of known functions".to_owned()),
-            },
-        }
+    /// [`Failure::Wrong`] names the file and what is wrong with it.
+    pub fn open(elf: &Path) -> Result<Self, Failure> {
+        let wrong = |e: String| Failure::Wrong(format!("{}: {e}", elf.display()));
+        Self::read(&fs::read(elf).map_err(|e| wrong(e.to_string()))?).map_err(wrong)
     }
 
     /// The function that holds `address`.

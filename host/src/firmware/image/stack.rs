@@ -14,6 +14,9 @@ use std::collections::BTreeSet;
 /// Words that an exception pushes with floating-point state, and one to align (bytes).
 pub const EXCEPTION_FRAME: u32 = 4 * (26 + 1);
 
+/// Where a program without vectors begins.
+const ENTRY: &str = "_start";
+
 /// The deepest path.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub struct Stack {
@@ -23,6 +26,26 @@ pub struct Stack {
     pub path: Vec<(String, u32)>,
     /// Functions that call themselves, directly or not.
     pub recursive: BTreeSet<String>,
+}
+
+impl Image {
+    /// The stack bound from the vector table's reset handler and its other handlers; of a program without one, which no
+    /// board starts, from its entry, without the exceptions that a board would have.
+    ///
+    /// # Errors
+    /// A text if there is no vector table, or an entry is no function.
+    pub fn stack(&self) -> Result<Stack, String> {
+        let functions: Option<Vec<usize>> = self.vectors.iter().map(|v| self.owner(*v)).collect();
+        match functions.as_deref() {
+            Some([entry, unmaskable, fault, others @ ..]) => {
+                Ok(bound(self, *entry, &[others, &[*fault], &[*unmaskable]]))
+            }
+            _ => match self.find(ENTRY).filter(|_| self.vectors.is_empty()) {
+                Some(entry) => Ok(bound(self, entry, &[])),
+                None => Err("the image has no vector table of known functions".to_owned()),
+            },
+        }
+    }
 }
 
 /// Bytes by which a function lowers sp.

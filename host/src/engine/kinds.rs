@@ -1,0 +1,113 @@
+//! What an engine answers, in which numbers, and how engines are told apart.
+
+use clap::ValueEnum;
+use smartbed_codegen::{Interpreted, ScalarType};
+use smartbed_runtime::mechanism::{Fault, Mechanism};
+use smartbed_runtime::real::Scalar;
+
+/// Which engine.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum EngineKind {
+    /// At once, no compiler in between.
+    #[default]
+    Interpreter,
+    /// The emitted Rust, compiled once per model into a cache.
+    Compiled,
+}
+
+/// Scalars that one state can be computed with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, ValueEnum)]
+pub enum ScalarKind {
+    /// 32-bit floating point, as on the microcontroller.
+    F32,
+    /// 64-bit floating point.
+    #[default]
+    F64,
+}
+
+impl ScalarKind {
+    /// What rounding leaves, over a run, of numbers of size 1 that cancel.
+    #[must_use]
+    pub fn noise(self) -> f64 {
+        match self {
+            Self::F32 => 1e-5,
+            Self::F64 => 1e-12,
+        }
+    }
+}
+
+/// A scalar that an engine computes with.
+pub trait EngineScalar: Scalar {
+    /// Its name in emitted files.
+    fn scalar_type() -> ScalarType;
+}
+
+impl EngineScalar for f32 {
+    fn scalar_type() -> ScalarType {
+        ScalarType::F32
+    }
+}
+
+impl EngineScalar for f64 {
+    fn scalar_type() -> ScalarType {
+        ScalarType::F64
+    }
+}
+
+/// Equations of motion and everything else a program answers.
+pub trait Engine<S: EngineScalar>: Mechanism<S> {
+    /// Sets all tunable parameters, in the program's order.
+    fn set_parameters(&mut self, values: &[S]);
+    /// All speeds, dependent ones included, at the time last set.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault>;
+    /// The model's outputs.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault>;
+    /// The power (W) that the drive puts in; 0 where nothing is driven.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length.
+    fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault>;
+    /// The results of a function on request, by its place in the program's functions; `u_dot` is empty where no answer
+    /// takes it.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if a slice has not the stated length, or there is no such function.
+    fn function(&mut self, place: usize, at: (S, &[S], &[S], &[S], &[S])) -> Result<Vec<S>, Fault>;
+    /// Largest constraint residual of a configuration, which stays as it is, at the time last set.
+    ///
+    /// # Errors
+    /// [`Fault::Shape`] if `q` has not the stated length.
+    fn residual(&mut self, q: &[S]) -> Result<S, Fault> {
+        self.project(&mut q.to_vec())
+    }
+}
+
+impl<S: EngineScalar> Engine<S> for Interpreted<S> {
+    fn set_parameters(&mut self, values: &[S]) {
+        Interpreted::set_parameters(self, values);
+    }
+    fn speeds(&mut self, q: &[S], u: &[S]) -> Result<Vec<S>, Fault> {
+        Interpreted::speeds(self, q, u)
+    }
+    fn outputs(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<Vec<S>, Fault> {
+        Interpreted::outputs(self, t, q, u, inputs)
+    }
+    fn drive(&mut self, t: S, q: &[S], u: &[S], inputs: &[S]) -> Result<S, Fault> {
+        Interpreted::drive(self, t, q, u, inputs)
+    }
+    fn function(&mut self, place: usize, at: (S, &[S], &[S], &[S], &[S])) -> Result<Vec<S>, Fault> {
+        Interpreted::function(self, place, at)
+    }
+}
+
+/// A fault in words.
+#[must_use]
+pub fn explain(fault: Fault) -> &'static str {
+    fault.reason()
+}

@@ -1,0 +1,23 @@
+//! The page that shows a motion: its scripts and data in one text.
+
+/// The page without data and scripts.
+const PAGE: &str = include_str!("page.html");
+/// The library.
+pub const THREE: &str = include_str!("three/three.min.js");
+/// Our own scripts, in order.
+const SCRIPTS: [&str; 5] = [
+    include_str!("film.js"),
+    include_str!("solids.js"),
+    include_str!("skin.js"),
+    include_str!("stage.js"),
+    include_str!("player.js"),
+];
+
+/// The page's text for data as [`Film::data`](super::film::Film::data) gives them.
+#[must_use]
+pub fn page(data: &str) -> String {
+    // `<` would let a name end the script that the data stand in.
+    let data = data.replace('<', "\\u003c");
+    let page = PAGE.replacen("/*THREE*/", THREE, 1).replacen("/*SCRIPT*/", &SCRIPTS.concat(), 1);
+    page.replacen("<!--DATA-->", &data, 1)
+}
