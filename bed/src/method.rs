@@ -134,6 +134,15 @@ impl Track {
         axpy(self.place, formula.seconds, self.velocity)
     }
 
+    /// With an impact that will change its velocity, so many seconds from now: as if it had moved so all along and were at
+    /// that time where it will be. Stages are so long.
+    #[must_use]
+    pub fn struck(&self, gain: Vec3<f64>, ahead: f64, stage: f64) -> Track {
+        let change = [axpy(self.change[0], stage, gain), self.change[1]];
+        let place = axpy(self.place, -ahead, gain);
+        Track { place, velocity: axpy(self.velocity, 1.0, gain), change, ..*self }
+    }
+
     /// At the end of a stage.
     #[must_use]
     pub fn after(&self, formula: &Formula, place: Vec3<f64>) -> Track {

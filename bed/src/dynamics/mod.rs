@@ -6,11 +6,13 @@
 //! M b^2 and D b added (`equilibrium/increment.rs`). So both clocks share one scene, and a step that does not end is
 //! an equilibrium.
 
+mod books;
+pub mod impact;
 mod ledger;
 mod motion;
 mod start;
 
 pub use crate::method::{Formula, Method, Track};
 pub use ledger::Ledger;
-pub use motion::{Matter, Motion};
+pub use motion::{Impact, Matter, Motion};
 pub use start::{dropped, lowered};

@@ -3,18 +3,20 @@
 //! In: a state at rest, and the bed as it stands at the end of each stage. Out: the state there. Nodes and six points of each
 //! segment are followed in the bed's frame, so that a tile that moves takes its sheet along.
 
+use super::impact::{Blow, Sheet, Yields, strike};
 use super::ledger::Ledger;
 use crate::body::Body;
 use crate::equilibrium::alone::{self, Kept};
 use crate::equilibrium::increment::{Increment, points};
 use crate::equilibrium::scene::Scene;
 use crate::equilibrium::swing::{Damper, Swing};
-use crate::equilibrium::{Anchor, Bed, Contact, Fault, GRAVITY, Rub, Solution, State, Tile, find, read};
+use crate::equilibrium::tile::Patch;
+use crate::equilibrium::{Bed, Contact, Fault, GRAVITY, Solution, State, Touch, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
-use crate::sheet::{Lattice, membrane};
+use crate::sheet::Lattice;
 use crate::tissue::{Layers, Memory, Tissue};
-use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub, tangential};
+use smartbed_runtime::vec3::{Vec3, add, axpy, cross, dot, scale, sub};
 use std::borrow::Cow;
 
 /// A body is in equilibrium where contacts miss its weight by less than this share.
@@ -40,6 +42,16 @@ impl Default for Matter {
     }
 }
 
+/// What happens where a node of a sheet comes to touch tissue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Impact {
+    /// Tissue presses at the end of the stage, nothing else.
+    Implicit,
+    /// The approach ends at once, and what that takes goes on along the sheet's springs: energy compensation.
+    #[default]
+    Compensation,
+}
+
 /// A bed and a body in motion.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -51,13 +63,16 @@ pub struct Motion {
     pub now: Solution,
     /// All energy.
     pub ledger: Ledger,
-    matter: Matter,
+    /// Impacts so far.
+    pub blows: Blow,
+    pub(super) matter: Matter,
+    impact: Impact,
     method: Method,
     step: f64,
     stages: usize,
-    nodes: Vec<Vec<Track>>,
-    segments: Vec<[Track; 6]>,
-    layers: Vec<Layers>,
+    pub(super) nodes: Vec<Vec<Track>>,
+    pub(super) segments: Vec<[Track; 6]>,
+    pub(super) layers: Vec<Layers>,
     before: State,
     /// Stiffnesses of sheets that nothing touches.
     kept: Kept<f64>,
@@ -89,7 +104,9 @@ impl Motion {
             body,
             now,
             ledger: Ledger::default(),
+            blows: Blow::default(),
             matter,
+            impact: Impact::default(),
             method,
             step,
             stages: 0,
@@ -105,6 +122,12 @@ impl Motion {
         motion.weigh();
         motion.ledger.start = motion.ledger.energy();
         motion
+    }
+
+    /// The same with another law of touching.
+    #[must_use]
+    pub fn touching(self, impact: Impact) -> Motion {
+        Motion { impact, ..self }
     }
 
     /// The same for an empty bed, whose sheets are brought to the ends of their stages in f32. What steps sum up stays f64.
@@ -141,6 +164,9 @@ impl Motion {
 
     /// One stage.
     fn stage(&mut self, formula: &Formula, bed: Bed) -> Result<(), Fault> {
+        if self.impact == Impact::Compensation && !self.body.segments.is_empty() {
+            self.strike(formula, &bed);
+        }
         let mut guess = self.guess(&bed);
         let mut single = self.single.take();
         let mut kept = std::mem::take(&mut self.kept);
@@ -159,6 +185,56 @@ impl Motion {
         (self.single, self.kept) = (single, kept);
         self.follow(formula, bed, next);
         Ok(())
+    }
+
+    /// Resolves the impacts of nodes that will touch within the stage, sheet after sheet.
+    fn strike(&mut self, formula: &Formula, bed: &Bed) {
+        let ahead = self.ahead(formula, bed);
+        let scene = Scene::at_rest(bed, &self.body);
+        let coming = |tile: usize| -> Vec<Touch> {
+            let is_new = |t: &Touch| !self.layers[tile].contains_key(&(t.node, t.segment));
+            Patch::new(&scene, &ahead, tile).touches().into_iter().map(|(t, _)| t).filter(is_new).collect()
+        };
+        let coming: Vec<Vec<Touch>> = (0..bed.tiles.len()).map(coming).collect();
+        if coming.iter().all(Vec::is_empty) {
+            return;
+        }
+        let yields = Yields::new(&self.body, &self.now.state.segments, self.node_mass());
+        let lasting = self.lasting(formula.seconds);
+        for (tile, touches) in coming.iter().enumerate().filter(|(_, touches)| !touches.is_empty()) {
+            let is_touched = |node: usize| self.layers[tile].range((node, 0)..(node + 1, 0)).next().is_some();
+            let is_open = |node: usize| bed.lattice.free(node).is_some() && !is_touched(node);
+            let is_free: Vec<bool> = (0..bed.lattice.nodes()).map(is_open).collect();
+            let sheet = Sheet { lattice: &bed.lattice, is_free: &is_free, seconds: formula.seconds, lasting };
+            let poses = &self.now.state.segments;
+            let blow = strike(&sheet, &yields, touches, poses, &mut self.nodes[tile], &mut self.segments);
+            self.blows = self.blows.and(blow);
+            self.ledger.lost_in_sheets += (1.0 - lasting) * blow.handed_on;
+        }
+    }
+
+    /// Share of what two nodes take along a spring that its damper leaves at the end of a stage: exp(-2 c h/m) at most.
+    fn lasting(&self, seconds: f64) -> f64 {
+        let softest = self.bed.lattice.springs.iter().map(|s| s.stiffness).fold(f64::INFINITY, f64::min);
+        (-2.0 * self.matter.sheet_loss * softest * seconds / self.node_mass()).exp()
+    }
+
+    /// The state at the end of a stage in which nothing presses on anything.
+    fn ahead(&self, formula: &Formula, bed: &Bed) -> State {
+        let mut ahead = self.now.state.clone();
+        for (tile, sheet) in ahead.sheets.iter_mut().enumerate() {
+            let pose = &bed.tiles[tile].pose;
+            for (node, x) in sheet.iter_mut().enumerate().filter(|(n, _)| bed.lattice.free(*n).is_some()) {
+                *x = pose.inwards(self.nodes[tile][node].onwards(formula));
+            }
+        }
+        for (pose, tracks) in ahead.segments.iter_mut().zip(&self.segments) {
+            let middle = tracks.iter().fold([0.0; 3], |sum, t| axpy(sum, 1.0 / 6.0, t.velocity));
+            let turn = scale(spin(tracks), formula.seconds);
+            let arm = sub(pose.place, tracks.iter().fold([0.0; 3], |sum, t| axpy(sum, 1.0 / 6.0, t.place)));
+            *pose = pose.moved(axpy(cross(turn, arm), formula.seconds, middle), turn);
+        }
+        ahead
     }
 
     /// What the stage adds to the energy.
@@ -195,7 +271,7 @@ impl Motion {
         }
     }
 
-    fn node_mass(&self) -> f64 {
+    pub(super) fn node_mass(&self) -> f64 {
         (self.matter.density + self.bed.cover.density) * self.bed.lattice.cell()
     }
 
@@ -218,8 +294,8 @@ impl Motion {
 
     /// Takes the end of a stage as the state of now.
     fn follow(&mut self, formula: &Formula, bed: Bed, next: Solution) {
-        self.ledger.lost_by_friction += slipped(&self.now.state, &next, &bed);
-        let given = regulated(&self.bed, &bed, &self.now.state, &next.state);
+        self.ledger.lost_by_friction += self.slipped(&next, &bed);
+        let given = self.regulated(&bed, &next.state);
         self.layers = self.remembered(formula, &next);
         for (tile, tracks) in self.nodes.iter_mut().enumerate() {
             let pose = &bed.tiles[tile].pose;
@@ -278,92 +354,6 @@ impl Motion {
         let needed: f64 = self.segments.iter().enumerate().map(needed).sum();
         (needed, if weight > 0.0 { (up - needed).abs() / weight } else { 0.0 })
     }
-
-    /// Energies of now.
-    fn weigh(&mut self) {
-        let (lattice, state) = (&self.bed.lattice, &self.now.state);
-        let of_node = 0.5 * self.node_mass();
-        let mut ledger = Ledger { kinetic: 0.0, sheets: 0.0, air: 0.0, tissue: 0.0, ..self.ledger };
-        for (tile, sheet) in state.sheets.iter().enumerate() {
-            let free = self.nodes[tile].iter().enumerate().filter(|(node, _)| lattice.free(*node).is_some());
-            ledger.kinetic += free.map(|(_, t)| of_node * dot(t.velocity, t.velocity)).sum::<f64>();
-            ledger.sheets += membrane::energy(lattice, sheet) + self.bed.plate_energy(sheet);
-            ledger.sheets += self.bed.cover_energy(&self.bed.tiles[tile], sheet);
-            // A bladder without air has ended the step before.
-            ledger.air += self.bed.tiles[tile].air.energy(self.bed.volume(sheet)).unwrap_or(f64::NAN);
-            ledger.tissue += state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
-            let pressed = self.layers[tile].iter();
-            ledger.tissue +=
-                pressed.map(|((_, s), layer)| self.layer(*s) * self.matter.tissue.energy(layer)).sum::<f64>();
-        }
-        ledger.sheets += state.rubs.iter().map(Rub::held).sum::<f64>();
-        ledger.sheets += self.now.met.iter().map(|m| m.energy(&self.bed, &state.sheets)).sum::<f64>();
-        for (segment, tracks) in self.body.segments.iter().zip(&self.segments) {
-            ledger.kinetic +=
-                tracks.iter().map(|t| segment.mass / 12.0 * dot(t.velocity, t.velocity)).sum::<f64>();
-        }
-        ledger.body = self.body.energy(&state.segments, GRAVITY);
-        self.ledger = ledger;
-    }
-
-    /// Stiffness of a node's layer in a segment (N/m).
-    fn layer(&self, segment: usize) -> f64 {
-        self.body.segments[segment].foundation * self.bed.lattice.cell()
-    }
-
-    fn power_of_sheets(&self) -> f64 {
-        let one = |(tracks, spring): (&Vec<Track>, &crate::sheet::Spring)| {
-            let [a, b] = spring.ends.map(|end| &tracks[end]);
-            let along = sub(b.place, a.place);
-            let speed = dot(along, sub(b.velocity, a.velocity));
-            self.matter.sheet_loss * spring.stiffness * speed * speed / dot(along, along)
-        };
-        let all =
-            self.nodes.iter().flat_map(|tracks| self.bed.lattice.springs.iter().map(move |s| (tracks, s)));
-        all.map(one).sum()
-    }
-
-    fn power_of_tissue(&self) -> f64 {
-        let layers = self.layers.iter().flatten();
-        layers.map(|((_, segment), layer)| self.layer(*segment) * self.matter.tissue.power(layer)).sum()
-    }
-
-    fn power_of_joints(&self) -> f64 {
-        let spin = |s: usize| spin(&self.segments[s]);
-        let one = |joint: &crate::body::Joint| {
-            let [a, b] = joint.segments.map(spin);
-            let relative = sub(b, a);
-            self.matter.joint_loss * joint.turning * dot(relative, relative)
-        };
-        self.body.joints.iter().map(one).sum()
-    }
-
-    /// Work (J) of what moves a tile: its rim carries what contacts leave of the nodes' inertia.
-    fn moved(&self, tile: usize, bed: &Bed, next: &Solution) -> f64 {
-        let [old, new] = [&self.bed, bed].map(|bed| &bed.tiles[tile].pose);
-        if old == new {
-            return 0.0;
-        }
-        let way = |x: Vec3<f64>| sub(new.outwards(x), old.outwards(x));
-        let inertia = self.nodes[tile].iter().zip(&next.state.sheets[tile]).enumerate();
-        let inertia = inertia.filter(|(node, _)| bed.lattice.free(*node).is_some());
-        let inertia: f64 = inertia.map(|(_, (t, x))| self.node_mass() * dot(t.acceleration, way(*x))).sum();
-        let pressed = next.contacts[tile].iter();
-        let sheet = &next.state.sheets[tile];
-        let sheets = &next.state.sheets;
-        let pushed = next.met.iter().map(|m| (&m.ends, scale(m.normal, m.force(bed, sheets))));
-        let rubbed = self.now.state.rubs.iter().map(|rub| (&rub.ends, rub.drag(bed, sheets)));
-        let met = pushed.chain(rubbed).map(|(ends, force)| {
-            let own = ends.iter().filter(|end| end.0 == tile);
-            own.map(|(_, node, share)| share * dot(force, way(sheet[*node]))).sum::<f64>()
-        });
-        let lifted = |tile: &Tile| bed.cover_energy(tile, sheet);
-        let borne = lifted(&bed.tiles[tile]) - lifted(&self.bed.tiles[tile]);
-        borne
-            + inertia
-            + met.sum::<f64>()
-            + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
-    }
 }
 
 /// Rotation vector (rad, to first order) that takes six points to others: sum e_i x (t x e_i) = 2 t.
@@ -376,50 +366,11 @@ fn turn(from: &[Vec3<f64>; 6], to: &[Vec3<f64>; 6]) -> Vec3<f64> {
 }
 
 /// Angular velocity (rad/s) of six points.
-fn spin(tracks: &[Track; 6]) -> Vec3<f64> {
+pub(super) fn spin(tracks: &[Track; 6]) -> Vec3<f64> {
     let one = |axis: usize| {
         let [a, b] = [&tracks[2 * axis], &tracks[2 * axis + 1]];
         let arm = sub(a.place, b.place);
         scale(cross(arm, sub(a.velocity, b.velocity)), 0.5 / dot(arm, arm))
     };
     add(add(one(0), one(1)), one(2))
-}
-
-/// Energy (J) that slip has taken: work of friction by the trapezoid rule, less what its springs hold more.
-fn slipped(before: &State, next: &Solution, bed: &Bed) -> f64 {
-    let mut lost: f64 = before.rubs.iter().map(|rub| rub.taken(bed, &next.state.sheets)).sum();
-    lost -= next.state.rubs.iter().map(Rub::held).sum::<f64>();
-    for (tile, old) in before.anchors.iter().enumerate() {
-        for (node, anchor) in old.iter().enumerate() {
-            let Some(anchor) = anchor else { continue };
-            let pose = &next.state.segments[anchor.segment];
-            let own = next.contacts[tile]
-                .iter()
-                .find(|c| c.touch.node == node && c.touch.segment == anchor.segment);
-            lost += anchor.held();
-            if let Some(contact) = own {
-                let normal = pose.attitude.to_body(contact.touch.normal);
-                let slid = tangential(sub(pose.inwards(contact.place), anchor.place), normal);
-                let drag = pose.attitude.to_body(contact.drag);
-                lost += 0.5 * dot(add(anchor.force, drag), slid);
-            }
-        }
-        lost -= next.state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
-    }
-    lost
-}
-
-/// Energy (J) that regulators give by changing pressures, at the mean of both volumes.
-fn regulated(old: &Bed, new: &Bed, before: &State, after: &State) -> f64 {
-    let mut given = 0.0;
-    for (tile, (a, b)) in old.tiles.iter().zip(&new.tiles).enumerate() {
-        if a.air != b.air {
-            for state in [before, after] {
-                let volume = old.volume(&state.sheets[tile]);
-                let energy = |air: &crate::sheet::air::Air| air.energy(volume).unwrap_or(f64::NAN);
-                given += 0.5 * (energy(&b.air) - energy(&a.air));
-            }
-        }
-    }
-    given
 }

@@ -21,7 +21,7 @@ mod state;
 mod step;
 mod stiffness;
 pub(crate) mod swing;
-mod tile;
+pub(crate) mod tile;
 mod touch;
 
 pub use bed::{Bed, Cover, GRAVITY, Tile};

@@ -6,6 +6,7 @@
 use super::check::Refusal;
 use super::maps::{self, Map, SkinPoint};
 use super::{Move, Order, Plan};
+use crate::dynamics::impact::Blow;
 use crate::equilibrium::{Bed, Fault, GRAVITY, Solution, State};
 use crate::map::{Frame, Grid, MapError, Recording, Site};
 use crate::metrics::spatial::load_error;
@@ -116,6 +117,8 @@ pub struct Watched {
     pub still: Option<f64>,
     /// Energy (J) lost by the end.
     pub lost: f64,
+    /// Impacts.
+    pub blows: Blow,
     /// Largest energy (J) that the method made or lost.
     pub left_over: f64,
     /// Steps.

@@ -13,7 +13,7 @@ mod start;
 
 use crate::body::Body;
 use crate::body::figure::Figure;
-use crate::dynamics::{Matter, Method};
+use crate::dynamics::{Impact, Matter, Method};
 use crate::equilibrium::{Bed, Cover, Tile};
 use crate::pose::Pose;
 use crate::sheet::air::Air;
@@ -221,6 +221,8 @@ pub struct Dynamics {
     pub start: Start,
     /// Masses and losses.
     pub matter: Matter,
+    /// What happens where sheets come to touch the load.
+    pub impact: Impact,
     /// An empty bed's sheets move in f32.
     pub is_f32: bool,
 }
@@ -252,6 +254,7 @@ impl Default for Dynamics {
             method: Method::Bdf2,
             start: Start::Dropped(DROP),
             matter: Matter::default(),
+            impact: Impact::default(),
             is_f32: false,
         }
     }

@@ -36,6 +36,7 @@ pub(super) fn run(
     let count = (plan.every / dynamics.step - 1e-9).ceil().max(1.0);
     let step = plan.every / count;
     let motion = Motion::new(bed, body, state, dynamics.matter, dynamics.method, step);
+    let motion = motion.touching(dynamics.impact);
     let mut motion = if dynamics.is_f32 { motion.in_f32() } else { motion };
     let mut history = Recorder::new(plan, &motion.bed, &motion.now);
     history.take(plan, &motion.bed, &motion.now, 0.0)?;
@@ -83,19 +84,21 @@ impl Watch {
     }
 
     fn see(&mut self, motion: &Motion) {
-        let up = motion.now.contacts.iter().flatten().map(|c| c.force()[2]).sum();
+        let own = &mut self.watched;
+        let pressed: f64 = motion.now.contacts.iter().flatten().map(|c| c.force()[2]).sum();
+        let up = pressed + (motion.blows.upwards - own.blows.upwards) / own.step;
         self.forces.push_back(up);
         if self.forces.len() > self.window {
             self.forces.pop_front();
         }
         let mean = self.forces.iter().sum::<f64>() / self.forces.len() as f64;
-        let own = &mut self.watched;
         if mean > own.peak {
             (own.peak, own.peak_time) = (mean, motion.time());
         }
         own.still = if motion.fastest() >= STILL { None } else { own.still.or(Some(motion.time())) };
         own.left_over = own.left_over.max(motion.ledger.left_over().abs());
         own.lost = motion.ledger.lost();
+        own.blows = motion.blows;
         own.steps += 1;
         own.newton += motion.now.steps;
     }

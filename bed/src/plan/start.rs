@@ -25,10 +25,11 @@ fn fallen(
     mut at: impl FnMut(f64) -> bool,
 ) -> Result<Solution, RunError> {
     let (body, fault) = (&plan.load.body, |fault| RunError::Fault(0.0, fault));
-    let Dynamics { step, method, start, matter, .. } = *dynamics;
+    let Dynamics { step, method, start, matter, impact, .. } = *dynamics;
     let height = if let Start::Dropped(height) = start { height } else { DROP };
     let state = dropped(bed, body, &plan.load.poses, height).map_err(fault)?;
-    let mut motion = Motion::new(bed.clone(), body.clone(), state, matter, method, step);
+    let motion = Motion::new(bed.clone(), body.clone(), state, matter, method, step);
+    let mut motion = motion.touching(impact);
     while motion.time() < seconds - 1e-9 {
         if !at(0.0) {
             return Err(RunError::Stopped);

@@ -43,7 +43,7 @@ fn between_four(intervals: usize, friction: f64, shape: Shape, step: f64) -> Mot
     Motion::new(bed, body, state, Matter::default(), Method::Bdf2, step)
 }
 
-fn go(motion: &mut Motion, seconds: f64, mut see: impl FnMut(&Motion)) {
+pub fn go(motion: &mut Motion, seconds: f64, mut see: impl FnMut(&Motion)) {
     let bed = motion.bed.clone();
     while motion.time() < seconds - 1e-9 {
         motion.step(|_| bed.clone()).expect("a step");
@@ -51,7 +51,7 @@ fn go(motion: &mut Motion, seconds: f64, mut see: impl FnMut(&Motion)) {
     }
 }
 
-fn up(motion: &Motion) -> f64 {
+pub fn up(motion: &Motion) -> f64 {
     motion.now.contacts.iter().flatten().map(|c| c.force()[2]).sum()
 }
 

@@ -8,6 +8,7 @@ mod dynamics;
 mod empty;
 mod figure;
 mod files;
+mod impact;
 mod laying;
 mod mesh;
 mod metrics;

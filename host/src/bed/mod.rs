@@ -231,13 +231,15 @@ fn moments(history: &History) -> &'static str {
 /// What motion adds to the JSON object.
 fn motion_json(watched: &Watched) -> String {
     format!(
-        "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"energy_lost\": {}, \
-         \"energy_left_over\": {}, ",
+        "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
+         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_left_over\": {}, ",
         json_number(watched.step),
         watched.steps,
         json_number(watched.peak),
         json_number(watched.peak_time),
         watched.still.map_or_else(|| "null".to_owned(), json_number),
+        watched.blows.touches,
+        json_number(watched.blows.handed_on),
         json_number(watched.lost),
         json_number(watched.left_over)
     )
@@ -250,12 +252,14 @@ fn motion_text(watched: &Watched) -> String {
         |time| format!("slower than 1 mm/s from {time:.2} s on"),
     );
     format!(
-        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {:.3} J are lost, \
-         {:.1e} J left over\n",
+        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {} touches \
+         hand on {:.3} J; {:.3} J are lost, {:.1e} J left over\n",
         watched.steps,
         1e3 * watched.step,
         watched.peak,
         watched.peak_time,
+        watched.blows.touches,
+        watched.blows.handed_on,
         watched.lost,
         watched.left_over
     )

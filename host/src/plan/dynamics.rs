@@ -2,7 +2,7 @@
 
 use super::load::named;
 use crate::world::read::value::{Bound, number};
-use smartbed_bed::dynamics::{Matter, Method};
+use smartbed_bed::dynamics::{Impact, Matter, Method};
 use smartbed_bed::plan::{DROP, Dynamics, Start};
 use smartbed_bed::tissue::Tissue;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -41,6 +41,7 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
         relaxation: key("tissue_relaxation", "s", Bound::Positive, matter.tissue.relaxation),
     };
     let method = named(&fields, "method", &METHODS, found);
+    let impact = named(&fields, "impact", &IMPACTS, found);
     let is_f32 = named(&fields, "scalar", &SCALARS, found);
     let start = named(&fields, "start", &STARTS, found);
     let drop = number(&fields, "drop", "m", Bound::NotNegative, found);
@@ -66,6 +67,7 @@ pub(super) fn read(table: &Table, seconds: f64, is_fallen: bool, found: &mut Dia
         method: method?,
         start: Start::Dropped(drop.unwrap_or(DROP)),
         matter,
+        impact: impact?,
         is_f32: is_f32?,
     };
     let start = if is_at_rest { Start::AtRest } else { fall.start };
@@ -77,6 +79,9 @@ const STARTS: [(&str, bool); 2] = [("dropped", false), ("at_rest", true)];
 
 /// Scalars by name, the usual one first: is it f32?
 const SCALARS: [(&str, bool); 2] = [("f64", false), ("f32", true)];
+
+/// What happens where sheets come to touch the load, by name, the usual one first.
+const IMPACTS: [(&str, Impact); 2] = [("compensation", Impact::Compensation), ("implicit", Impact::Implicit)];
 
 /// Methods by name, the usual one first.
 const METHODS: [(&str, Method); 4] = [

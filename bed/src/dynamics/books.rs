@@ -1,0 +1,139 @@
+//! Keeps the books of a motion: energies of now, powers of what is lost, work of what moves tiles.
+//!
+//! In: a motion at the end of a stage. Out: its [`Ledger`](super::ledger::Ledger).
+
+use super::ledger::Ledger;
+use super::motion::{Motion, spin};
+use crate::equilibrium::{Anchor, Bed, GRAVITY, Rub, Solution, State, Tile};
+use crate::method::Track;
+use crate::sheet::membrane;
+use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub, tangential};
+
+impl Motion {
+    /// Energies of now.
+    pub(super) fn weigh(&mut self) {
+        let (lattice, state) = (&self.bed.lattice, &self.now.state);
+        let of_node = 0.5 * self.node_mass();
+        let mut ledger = Ledger { kinetic: 0.0, sheets: 0.0, air: 0.0, tissue: 0.0, ..self.ledger };
+        for (tile, sheet) in state.sheets.iter().enumerate() {
+            let free = self.nodes[tile].iter().enumerate().filter(|(node, _)| lattice.free(*node).is_some());
+            ledger.kinetic += free.map(|(_, t)| of_node * dot(t.velocity, t.velocity)).sum::<f64>();
+            ledger.sheets += membrane::energy(lattice, sheet) + self.bed.plate_energy(sheet);
+            ledger.sheets += self.bed.cover_energy(&self.bed.tiles[tile], sheet);
+            // A bladder without air has ended the step before.
+            ledger.air += self.bed.tiles[tile].air.energy(self.bed.volume(sheet)).unwrap_or(f64::NAN);
+            ledger.tissue += state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
+            let pressed = self.layers[tile].iter();
+            ledger.tissue +=
+                pressed.map(|((_, s), layer)| self.layer(*s) * self.matter.tissue.energy(layer)).sum::<f64>();
+        }
+        ledger.sheets += state.rubs.iter().map(Rub::held).sum::<f64>();
+        ledger.sheets += self.now.met.iter().map(|m| m.energy(&self.bed, &state.sheets)).sum::<f64>();
+        for (segment, tracks) in self.body.segments.iter().zip(&self.segments) {
+            ledger.kinetic +=
+                tracks.iter().map(|t| segment.mass / 12.0 * dot(t.velocity, t.velocity)).sum::<f64>();
+        }
+        ledger.body = self.body.energy(&state.segments, GRAVITY);
+        self.ledger = ledger;
+    }
+
+    /// Stiffness of a node's layer in a segment (N/m).
+    fn layer(&self, segment: usize) -> f64 {
+        self.body.segments[segment].foundation * self.bed.lattice.cell()
+    }
+
+    pub(super) fn power_of_sheets(&self) -> f64 {
+        let one = |(tracks, spring): (&Vec<Track>, &crate::sheet::Spring)| {
+            let [a, b] = spring.ends.map(|end| &tracks[end]);
+            let along = sub(b.place, a.place);
+            let speed = dot(along, sub(b.velocity, a.velocity));
+            self.matter.sheet_loss * spring.stiffness * speed * speed / dot(along, along)
+        };
+        let all =
+            self.nodes.iter().flat_map(|tracks| self.bed.lattice.springs.iter().map(move |s| (tracks, s)));
+        all.map(one).sum()
+    }
+
+    pub(super) fn power_of_tissue(&self) -> f64 {
+        let layers = self.layers.iter().flatten();
+        layers.map(|((_, segment), layer)| self.layer(*segment) * self.matter.tissue.power(layer)).sum()
+    }
+
+    pub(super) fn power_of_joints(&self) -> f64 {
+        let spin = |s: usize| spin(&self.segments[s]);
+        let one = |joint: &crate::body::Joint| {
+            let [a, b] = joint.segments.map(spin);
+            let relative = sub(b, a);
+            self.matter.joint_loss * joint.turning * dot(relative, relative)
+        };
+        self.body.joints.iter().map(one).sum()
+    }
+
+    /// Work (J) of what moves a tile: its rim carries what contacts leave of the nodes' inertia.
+    pub(super) fn moved(&self, tile: usize, bed: &Bed, next: &Solution) -> f64 {
+        let [old, new] = [&self.bed, bed].map(|bed| &bed.tiles[tile].pose);
+        if old == new {
+            return 0.0;
+        }
+        let way = |x: Vec3<f64>| sub(new.outwards(x), old.outwards(x));
+        let inertia = self.nodes[tile].iter().zip(&next.state.sheets[tile]).enumerate();
+        let inertia = inertia.filter(|(node, _)| bed.lattice.free(*node).is_some());
+        let inertia: f64 = inertia.map(|(_, (t, x))| self.node_mass() * dot(t.acceleration, way(*x))).sum();
+        let pressed = next.contacts[tile].iter();
+        let sheet = &next.state.sheets[tile];
+        let sheets = &next.state.sheets;
+        let pushed = next.met.iter().map(|m| (&m.ends, scale(m.normal, m.force(bed, sheets))));
+        let rubbed = self.now.state.rubs.iter().map(|rub| (&rub.ends, rub.drag(bed, sheets)));
+        let met = pushed.chain(rubbed).map(|(ends, force)| {
+            let own = ends.iter().filter(|end| end.0 == tile);
+            own.map(|(_, node, share)| share * dot(force, way(sheet[*node]))).sum::<f64>()
+        });
+        let lifted = |tile: &Tile| bed.cover_energy(tile, sheet);
+        let borne = lifted(&bed.tiles[tile]) - lifted(&self.bed.tiles[tile]);
+        borne
+            + inertia
+            + met.sum::<f64>()
+            + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
+    }
+
+    /// Energy (J) that slip has taken in a stage: work of friction by the trapezoid rule, less what its springs hold more.
+    pub(super) fn slipped(&self, next: &Solution, bed: &Bed) -> f64 {
+        let before = &self.now.state;
+        let mut lost: f64 = before.rubs.iter().map(|rub| rub.taken(bed, &next.state.sheets)).sum();
+        lost -= next.state.rubs.iter().map(Rub::held).sum::<f64>();
+        for (tile, old) in before.anchors.iter().enumerate() {
+            for (node, anchor) in old.iter().enumerate() {
+                let Some(anchor) = anchor else { continue };
+                let pose = &next.state.segments[anchor.segment];
+                let own = next.contacts[tile]
+                    .iter()
+                    .find(|c| c.touch.node == node && c.touch.segment == anchor.segment);
+                lost += anchor.held();
+                if let Some(contact) = own {
+                    let normal = pose.attitude.to_body(contact.touch.normal);
+                    let slid = tangential(sub(pose.inwards(contact.place), anchor.place), normal);
+                    let drag = pose.attitude.to_body(contact.drag);
+                    lost += 0.5 * dot(add(anchor.force, drag), slid);
+                }
+            }
+            lost -= next.state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
+        }
+        lost
+    }
+
+    /// Energy (J) that regulators give in a stage by changing pressures, at the mean of both volumes.
+    pub(super) fn regulated(&self, new: &Bed, after: &State) -> f64 {
+        let (old, before) = (&self.bed, &self.now.state);
+        let mut given = 0.0;
+        for (tile, (a, b)) in old.tiles.iter().zip(&new.tiles).enumerate() {
+            if a.air != b.air {
+                for state in [before, after] {
+                    let volume = old.volume(&state.sheets[tile]);
+                    let energy = |air: &crate::sheet::air::Air| air.energy(volume).unwrap_or(f64::NAN);
+                    given += 0.5 * (energy(&b.air) - energy(&a.air));
+                }
+            }
+        }
+        given
+    }
+}
