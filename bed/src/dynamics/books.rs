@@ -4,7 +4,7 @@
 
 use super::ledger::Ledger;
 use super::motion::{Motion, spin};
-use crate::equilibrium::{Anchor, Bed, GRAVITY, Rub, Solution, State, Tile};
+use crate::equilibrium::{Anchor, Bed, GRAVITY, Meeting, Rub, Solution, State, Tile};
 use crate::method::Track;
 use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub, tangential};
@@ -119,6 +119,16 @@ impl Motion {
             lost -= next.state.anchors[tile].iter().flatten().map(Anchor::held).sum::<f64>();
         }
         lost
+    }
+
+    /// Energy (J) that meetings of neighbours' sheets gain in a stage by being found anew, at the mean of both states: their
+    /// feet and normals go along the facets, so that their force is not quite the slope of their energy.
+    pub(super) fn turned(&self, next: &Solution, bed: &Bed) -> f64 {
+        let gain = |bed: &Bed, state: &State| {
+            let of = |met: &[Meeting]| met.iter().map(|m| m.energy(bed, &state.sheets)).sum::<f64>();
+            of(&next.met) - of(&self.now.met)
+        };
+        0.5 * (gain(&self.bed, &self.now.state) + gain(bed, &next.state))
     }
 
     /// Energy (J) that regulators give in a stage by changing pressures, at the mean of both volumes.

@@ -26,6 +26,8 @@ pub struct Ledger {
     pub lost_by_friction: f64,
     /// Given by screws and regulators so far.
     pub driven: f64,
+    /// Given by meetings of neighbours' sheets whose feet and normals went along, so far.
+    pub turned: f64,
     /// All energy at the start.
     pub start: f64,
 }
@@ -46,6 +48,6 @@ impl Ledger {
     /// What the method has made, or lost where below 0.
     #[must_use]
     pub fn left_over(&self) -> f64 {
-        self.energy() - self.start + self.lost() - self.driven
+        self.energy() - self.start + self.lost() - self.driven - self.turned
     }
 }

@@ -295,6 +295,7 @@ impl Motion {
     /// Takes the end of a stage as the state of now.
     fn follow(&mut self, formula: &Formula, bed: Bed, next: Solution) {
         self.ledger.lost_by_friction += self.slipped(&next, &bed);
+        self.ledger.turned += self.turned(&next, &bed);
         let given = self.regulated(&bed, &next.state);
         self.layers = self.remembered(formula, &next);
         for (tile, tracks) in self.nodes.iter_mut().enumerate() {

@@ -119,6 +119,8 @@ pub struct Watched {
     pub lost: f64,
     /// Impacts.
     pub blows: Blow,
+    /// Energy (J) that sheets of neighbours have given by turning on each other.
+    pub turned: f64,
     /// Largest energy (J) that the method made or lost.
     pub left_over: f64,
     /// Steps.

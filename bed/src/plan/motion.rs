@@ -99,6 +99,7 @@ impl Watch {
         own.left_over = own.left_over.max(motion.ledger.left_over().abs());
         own.lost = motion.ledger.lost();
         own.blows = motion.blows;
+        own.turned = motion.ledger.turned;
         own.steps += 1;
         own.newton += motion.now.steps;
     }

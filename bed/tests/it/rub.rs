@@ -4,6 +4,7 @@ use crate::beside::{energy, pair};
 use smartbed_bed::body::Body;
 use smartbed_bed::dynamics::{Matter, Method, Motion};
 use smartbed_bed::equilibrium::{Bed, Meeting, Rub, Solution, State, solve};
+use smartbed_bed::sheet::air::Air;
 use smartbed_runtime::vec3::{axpy, dot, norm, sub};
 
 /// What sticks.
@@ -137,5 +138,39 @@ fn slip_between_sheets_takes_energy_and_the_ledger_knows_it() {
         let [(long, _), (short, driven)] = [5e-3, 2.5e-3].map(run);
         println!("mu {rubbing}: {long:.1e} and {short:.1e} J left over of {driven:.1e} J at 5 and 2.5 ms");
         assert!(short < 0.05 * driven && short < 0.75 * long, "{long} {short} {driven}");
+    }
+}
+
+#[test]
+fn what_sheets_give_by_turning_on_each_other_is_booked_at_any_step() {
+    // Without friction: one goes up and down, or loses pressure and regains it.
+    let rises = |time: f64| raised(0.0, 2e-3 * (1.0 - (std::f64::consts::TAU * time).cos()));
+    let changes = |time: f64| {
+        let mut bed = raised(0.0, 0.0);
+        let low = 500.0 * (std::f64::consts::PI * time).sin().powi(2);
+        bed.tiles[0].air = Air::Regulated(4400.0 - low);
+        bed
+    };
+    let missed = |told: &dyn Fn(f64) -> Bed, step: f64| {
+        let bed = told(0.0);
+        let rest = solve(&bed, &Body::default(), &bed.start(Vec::new())).expect("rests");
+        let mut motion = Motion::new(bed, Body::default(), rest.state, Matter::default(), Method::Bdf2, step);
+        let (mut worst, mut without) = (0.0_f64, 0.0_f64);
+        while motion.time() < 1.0 - 1e-9 {
+            motion.step(told).expect("a step");
+            let ledger = motion.ledger;
+            worst = worst.max(ledger.left_over().abs());
+            without = without.max((ledger.left_over() + ledger.turned).abs());
+        }
+        (worst, without)
+    };
+    for (name, told, order) in
+        [("rises", &rises as &dyn Fn(f64) -> Bed, 1.8), ("changes its pressure", &changes, 3.0)]
+    {
+        let found = [10e-3, 5e-3, 2.5e-3].map(|step| missed(told, step));
+        println!("one {name}: left over, and what would be without it: {found:?}");
+        // What would be missed does not go away with the step.
+        assert!(found.iter().all(|f| f.1 > 6e-3), "{found:?}");
+        assert!(found[2].0 < 1e-4 && found.windows(2).all(|f| f[0].0 > order * f[1].0), "{found:?}");
     }
 }

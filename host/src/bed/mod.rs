@@ -232,7 +232,7 @@ fn moments(history: &History) -> &'static str {
 fn motion_json(watched: &Watched) -> String {
     format!(
         "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
-         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_left_over\": {}, ",
+         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_turned\": {}, \"energy_left_over\": {}, ",
         json_number(watched.step),
         watched.steps,
         json_number(watched.peak),
@@ -241,6 +241,7 @@ fn motion_json(watched: &Watched) -> String {
         watched.blows.touches,
         json_number(watched.blows.handed_on),
         json_number(watched.lost),
+        json_number(watched.turned),
         json_number(watched.left_over)
     )
 }
