@@ -44,7 +44,7 @@ pub struct Moment {
 pub struct History {
     /// Where sensels lie.
     pub grid: Grid,
-    /// What they felt.
+    /// What they felt; their areas are those of the last map.
     pub sensels: Recording,
     /// What the skin felt.
     pub skin: Recording,
@@ -159,7 +159,8 @@ fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
 /// Frames as they come.
 pub(super) struct Recorder {
     grid: Grid,
-    sites: Vec<Site>,
+    /// Sensels with their areas of now, and with those of the moment before.
+    sites: [Vec<Site>; 2],
     points: Vec<SkinPoint>,
     skin_sites: Vec<Site>,
     frames: [Vec<Frame>; 2],
@@ -171,6 +172,7 @@ impl Recorder {
         let (points, skin_sites) = maps::skin(&plan.load);
         let sites = maps::sensels(&plan.layout, bed, solution);
         let grid = maps::grid(&plan.layout);
+        let sites = [sites.clone(), sites];
         Recorder { grid, sites, points, skin_sites, frames: [Vec::new(), Vec::new()], moments: Vec::new() }
     }
 
@@ -182,6 +184,8 @@ impl Recorder {
         let sites = maps::sensels(&plan.layout, bed, solution);
         let felt = maps::felt(&plan.layout, solution, &sites);
         let sensed = sensed(plan, solution, &sites, &felt);
+        self.sites.swap(0, 1);
+        self.sites[0] = sites;
         let skin = maps::on_skin(bed, solution, &self.points);
         let seconds = plan.every;
         for (frames, map) in self.frames.iter_mut().zip([felt, skin]) {
@@ -208,7 +212,7 @@ impl Recorder {
         decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
     ) -> Result<(), RunError> {
         let Some(frame) = self.frames[0].last() else { return Ok(()) };
-        let seen = Seen { plan, grid: &self.grid, sites: &self.sites, frame };
+        let seen = Seen { plan, grid: &self.grid, sites: &self.sites[0], frame };
         let moves = decide(&seen).map_err(RunError::Refused)?;
         if !moves.is_empty() {
             *plan = plan.with(&moves);
@@ -217,15 +221,16 @@ impl Recorder {
     }
 
     pub fn finish(self, plan: &Plan) -> Result<History, RunError> {
-        let [mut sensels, mut skin] = self.frames;
+        let ([mut sensels, mut skin], [mut sites, before]) = (self.frames, self.sites);
         // The last equilibrium is an end, not a stretch of time: it is left out where others stand for all of it.
         if sensels.len() > 1 && plan.seconds > 0.0 {
             sensels.pop();
             skin.pop();
+            sites = before;
         }
         Ok(History {
             grid: self.grid,
-            sensels: Recording::new(self.sites, sensels).map_err(RunError::Map)?,
+            sensels: Recording::new(sites, sensels).map_err(RunError::Map)?,
             skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
             moments: self.moments,
             moves: plan.moves.clone(),

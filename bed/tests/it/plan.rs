@@ -121,7 +121,7 @@ fn a_run_carries_the_weight_and_feels_it() {
         }
         // Skin and sensels feel the same load, each in its own sites.
         let load = |r: &smartbed_bed::map::Recording| -> f64 {
-            let f = &r.frames()[0];
+            let f = r.frames().last().expect("a map");
             r.sites().iter().zip(&f.pressure).map(|(s, p)| s.area * p).sum()
         };
         let ratio = load(&history.skin) / load(&history.sensels);
@@ -197,4 +197,28 @@ fn a_finer_sheet_changes_the_peak_pressure_index_little() {
     let [coarse, fine] = [28, 56].map(index);
     println!("PPI {coarse} Pa with 27 nodes a side, {fine} Pa with 55");
     assert!((fine / coarse - 1.0).abs() < 0.05, "{coarse} {fine}");
+}
+
+#[test]
+fn areas_are_those_of_the_map_that_is_measured() {
+    // Without friction a bed that was at 4 kPa and one that never was press alike at 2 kPa, and on as much area.
+    let told = |pressure: f64, moves: Vec<Move>| {
+        let mut p = plan(2, 2, moves);
+        p.layout.friction = 0.0;
+        p.pressure = pressure;
+        p.load.body.segments[0].free = [false, false, true, false, false, false];
+        run(&p, |_| true).expect("a run")
+    };
+    let low = Move { at: 5.0, over: 10.0, pressure: Some(2000.0), ..change(&[0, 1, 2, 3]) };
+    let [let_down, low] = [told(4000.0, vec![low]), told(2000.0, Vec::new())];
+    let measured = |history: &smartbed_bed::plan::history::History| {
+        let (sites, last) = (history.sensels.sites(), history.sensels.frames().last().expect("a map"));
+        let spread = spatial::spread(sites, &last.pressure, 0.0).expect("contact");
+        [spatial::area_above(sites, &last.pressure, 0.0), spread.mean]
+    };
+    let [a, b] = [&let_down, &low].map(measured);
+    println!("area {:.6e} and {:.6e} m2, mean {:.4} and {:.4} Pa", a[0], b[0], a[1], b[1]);
+    assert!((a[0] / b[0] - 1.0).abs() < 1e-6 && (a[1] / b[1] - 1.0).abs() < 1e-6, "{a:?} {b:?}");
+    // All that presses carries the weight; slopes at the edges of the slab press sideways too.
+    assert!((1.0..1.1).contains(&(a[0] * a[1] / (12.0 * 9.81))), "{a:?}");
 }
