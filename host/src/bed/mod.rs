@@ -266,6 +266,11 @@ fn motion_text(watched: &Watched) -> String {
     )
 }
 
+/// More of the energy that is lost than this is left over: steps are too long.
+const OPEN: f64 = 0.05;
+/// Energy (J) that no run is blamed for.
+const LITTLE: f64 = 1e-3;
+
 /// For people.
 fn text(read: &Read, history: &History) -> String {
     let [imbalance, felt] = validity(history);
@@ -297,6 +302,13 @@ fn text(read: &Read, history: &History) -> String {
     }
     if let Some(own) = read.instruments {
         text += &readings::text(&own.of(&read.plan, history));
+    }
+    if history.watched.as_ref().is_some_and(|w| w.left_over > LITTLE.max(OPEN * w.lost)) {
+        let limit = 100.0 * OPEN;
+        let _ = writeln!(
+            text,
+            "NOT CLOSED: more than {limit} % of the energy lost is left over; shorter steps, `dynamics.step`"
+        );
     }
     if !is_valid([imbalance, felt], sensed.as_ref()) {
         text += "NOT VALID: what is felt or read is more than 1 % off\n";

@@ -316,6 +316,13 @@ fn timing(table: &Table, found: &mut Diagnostics) -> Option<Timing> {
         found.push(error.label(table.span, "of this run").help("a longer `every`"));
         return None;
     }
+    let count = (seconds / every).round();
+    if (seconds - count * every).abs() > 1e-6 * every {
+        let error = Diagnostic::error(format!("`seconds` is {seconds} s, no multiple of `every`, {every} s"));
+        let help = format!("every = {}, or seconds = {}", seconds / count.max(1.0), count.max(1.0) * every);
+        found.push(error.label(table.span, "of this run: its end would not be looked at").help(help));
+        return None;
+    }
     Some(Timing { seconds, every, cycle, is_motion: clock?, parts, fall, is_supervised })
 }
 
@@ -362,6 +369,7 @@ fn tiles(value: &Value, layout: &Layout, found: &mut Diagnostics) -> Option<Vec<
     };
     match value {
         Value::Text(text) if text.text == "all" => Some((0..most).collect()),
+        Value::Array(items, span) if items.is_empty() => refuse(*span, "no tile is told".to_owned()),
         Value::Array(items, _) => {
             let mut tiles = Vec::new();
             for item in items {
