@@ -9,7 +9,7 @@
  *
  * Build: cc -O3 -march=native -DREAL=float|double [-DPLAIN -ffast-math] [-fno-math-errno -fno-trapping-math] sheet.c -lm -pthread
  * Use: sheet <steps> <turns> [<bladders> <threads>]; prints ns a step of each bladder (least, median) and the height of the
- * middle. Bladders take each step one after the other, every thread those of its share.
+ * middle. Bladders take their steps one bladder after the other, every thread those of its share.
  */
 #include <math.h>
 #include <pthread.h>
@@ -153,8 +153,8 @@ static int before(const void *a, const void *b) { double d = *(double *)a - *(do
 typedef struct { Sheet *sheets; int count, steps; } Share;
 static void *run(void *data) {
     Share *share = data;
-    for (int s = 0; s < share->steps; s++)
-        for (int n = 0; n < share->count; n++) step(&share->sheets[n]);
+    for (int n = 0; n < share->count; n++)
+        for (int s = 0; s < share->steps; s++) step(&share->sheets[n]);
     return NULL;
 }
 

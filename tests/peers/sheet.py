@@ -48,8 +48,8 @@ def ours():
 def c_runs(scalar, programs):
     """Least time of a step (ns) by (scalar, C, what) for all that C does."""
     runs = {name: (programs[name], ["50", "60"]) for name in ("same", "plain")}
-    runs |= {f"many {cores}": (programs["same"], ["50", "15", str(MANY), str(cores)]) for cores in (1, 2)}
-    runs |= {f"lanes {n}": (programs[f"lanes {n}"], ["50", "15", str(MANY), "1"]) for n in LANES[scalar]}
+    runs |= {f"many {cores}": (programs["same"], ["10", "75", str(MANY), str(cores)]) for cores in (1, 2)}
+    runs |= {f"lanes {n}": (programs[f"lanes {n}"], ["10", "75", str(MANY), "1"]) for n in LANES[scalar]}
     for name, (path, numbers) in runs.items():
         text = subprocess.run([str(path), *numbers], check=True, capture_output=True, text=True).stdout
         yield (scalar, "C", name), float(text.split()[0])

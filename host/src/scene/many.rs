@@ -17,11 +17,12 @@ pub struct Refused<S> {
     pub body: usize,
     /// The step that was refused, from 0.
     pub step: usize,
-    /// Why: the body stands where it was before that step, those after it on the same core too.
+    /// Why: the body stands where it was before that step, those after it on the same core at the start.
     pub why: BodyError<S>,
 }
 
-/// Takes steps of length h with all bodies, one step of each after the other, on so many cores.
+/// Takes steps of length h with all bodies on so many cores, all steps of one body before the next: its numbers stay in the
+/// nearer caches, which do not hold those of a bed.
 ///
 /// # Errors
 /// The first body of which a step is refused.
@@ -33,8 +34,8 @@ pub fn advance<S: Scalar + Send + Sync>(
 ) -> Result<(), Refused<S>> {
     let share = bodies.len().div_ceil(cores.max(1)).max(1);
     let one_core = |(number, bodies): (usize, &mut [Simulation<S>])| {
-        for step in 0..steps {
-            for (i, body) in bodies.iter_mut().enumerate() {
+        for (i, body) in bodies.iter_mut().enumerate() {
+            for step in 0..steps {
                 body.step(h, &mut ()).map_err(|why| Refused { body: number * share + i, step, why })?;
             }
         }

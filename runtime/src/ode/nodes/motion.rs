@@ -1,7 +1,7 @@
 //! Where nodes are and how they move, with what rounding dropped and the forces there.
 
 use super::newton::{Newton, NodeFault};
-use super::rows::Squares;
+use super::rows;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -66,12 +66,12 @@ impl<'a, S: Scalar> Motion<'a, S> {
     /// # Errors
     /// [`NodeFault::NotFinite`] for the first such node.
     pub fn check_finite(&self) -> Result<(), NodeFault<S>> {
-        self.check_squares(&kernel::run(SumOfSquares { rows: [self.pos, self.vel] }))
+        self.check_far(kernel::run(FindFar { rows: [self.pos, self.vel] }))
     }
 
-    /// The same, where the squares of positions and speeds have been summed: almost always one look at the sums is enough.
-    pub(super) fn check_squares(&self, squares: &Squares<S>) -> Result<(), NodeFault<S>> {
-        if squares.are_finite() {
+    /// The same, where it is known whether a position or speed [`rows::is_far`]: almost always none is.
+    pub(super) fn check_far(&self, far: bool) -> Result<(), NodeFault<S>> {
+        if !far {
             return Ok(());
         }
         let finite = |x: &Vec3<S>, v: &Vec3<S>| (vec3::dot(*x, *x) + vec3::dot(*v, *v)).is_finite();
@@ -80,19 +80,17 @@ impl<'a, S: Scalar> Motion<'a, S> {
     }
 }
 
-/// The squares of rows.
-struct SumOfSquares<'a, S> {
+/// Whether a number of some rows [`rows::is_far`].
+struct FindFar<'a, S> {
     rows: [&'a [Vec3<S>]; 2],
 }
 
-impl<S: Scalar> Kernel for SumOfSquares<'_, S> {
-    type Output = Squares<S>;
+impl<S: Scalar> Kernel for FindFar<'_, S> {
+    type Output = bool;
 
     #[inline(always)]
-    fn run(self) -> Squares<S> {
-        let mut squares = Squares::none();
-        self.rows.into_iter().for_each(|row| squares.add(row));
-        squares
+    fn run(self) -> bool {
+        self.rows.iter().any(|row| row.as_flattened().iter().fold(false, |far, x| far | rows::is_far(*x)))
     }
 }
 

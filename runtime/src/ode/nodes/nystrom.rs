@@ -154,51 +154,59 @@ fn weigh<S: Scalar>(
     }
 }
 
-/// Sum over the first `count` stages of weight_j k_j of node i.
-fn weighted<S: Scalar>(
-    stages: &[Vec3<S>],
-    n: usize,
-    i: usize,
-    weights: &[Constant],
-    count: usize,
-) -> Vec3<S> {
-    let mut sum = vec3::zero();
-    for (stage, weight) in stages.chunks_exact(n).zip(weights).take(count) {
-        let weight = S::constant(*weight);
-        if weight != S::ZERO {
-            sum = vec3::axpy(sum, weight, vec3::at(stage, i));
-        }
-    }
-    sum
-}
-
-/// Largest component of the estimated error over (tolerance (1 + |y|)); Hairer's combination where two estimates exist.
+/// Largest estimated error over (tolerance (1 + |y|)), y node by node; Hairer's combination where two estimates exist.
 fn error_estimate<S: Scalar, const K: usize>(
     tableau: &Tableau<Constant, K>,
     start: &Motion<S>,
     h: S,
     tolerance: S,
-    work: &Workspace<S>,
+    work: &mut Workspace<S>,
     n: usize,
 ) -> S {
-    if tableau.error.b.iter().all(|e| S::constant(*e) == S::ZERO) {
-        return S::ZERO;
-    }
     // Finer than rounding no step is, however short (Hairer's DOP853 asks for ten units): it would be shortened in vain.
     let tolerance = tolerance.max(S::from_f64(10.0) * S::EPSILON);
-    let (mut fine, mut coarse) = (S::ZERO, S::ZERO);
-    for i in 0..n {
-        let (x, v) = (vec3::at(start.pos, i), vec3::at(start.vel, i));
-        let x_size = tolerance * (S::ONE + vec3::norm(x));
-        let v_size = tolerance * (S::ONE + vec3::norm(v));
-        let scaled = |bbar: &[Constant; K], b: &[Constant; K]| {
-            let in_x = vec3::norm(weighted(work.stages, n, i, bbar, K)) * h * h / x_size;
-            let in_v = vec3::norm(weighted(work.stages, n, i, b, K)) * h.abs() / v_size;
-            in_x.max(in_v)
-        };
-        fine = fine.max(scaled(&tableau.error.bbar, &tableau.error.b));
-        coarse = coarse.max(scaled(&tableau.coarse.bbar, &tableau.coarse.b));
-    }
+    let estimate = |[bbar, b]: [&[Constant; K]; 2], work: &mut Workspace<S>| {
+        if b.iter().all(|e| S::constant(*e) == S::ZERO) {
+            return S::ZERO;
+        }
+        kernel::run(Estimate { n, start, weights: [bbar, b], h, tolerance, work })
+    };
+    let fine = estimate([&tableau.error.bbar, &tableau.error.b], work);
+    let coarse = estimate([&tableau.coarse.bbar, &tableau.coarse.b], work);
     let total = (fine * fine + S::from_f64(0.01) * coarse * coarse).sqrt();
     if coarse > S::ZERO && total > S::ZERO { fine * fine / total } else { fine }
+}
+
+/// One estimate of the error over what is allowed, the largest of all nodes, from the weights of the stages in it.
+struct Estimate<'a, 'm, 'w, S> {
+    n: usize,
+    start: &'a Motion<'m, S>,
+    weights: [&'a [Constant]; 2],
+    h: S,
+    tolerance: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar> Kernel for Estimate<'_, '_, '_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let Estimate { n, start, weights: [bbar, b], h, tolerance, work } = self;
+        let Workspace { stage_pos, stage_vel, stages, .. } = work;
+        let mut largest = S::ZERO;
+        for first in rows::blocks(n) {
+            let [in_x, in_v] = [&mut **stage_pos, stage_vel].map(|row| rows::block_mut(row, first));
+            weigh(in_x, stages, (n, first), bbar, bbar.len());
+            weigh(in_v, stages, (n, first), b, b.len());
+            let errors = in_x.iter().zip(in_v.iter());
+            let states = rows::block(start.pos, first).iter().zip(rows::block(start.vel, first));
+            for ((in_x, in_v), (x, v)) in errors.zip(states) {
+                let [x, v] = [x, v].map(|y| tolerance * (S::ONE + vec3::norm(*y)));
+                let (in_x, in_v) = (vec3::norm(*in_x) * h * h / x, vec3::norm(*in_v) * h.abs() / v);
+                largest = largest.max(in_x.max(in_v));
+            }
+        }
+        largest
+    }
 }

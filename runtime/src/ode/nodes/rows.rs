@@ -87,49 +87,33 @@ pub(super) fn sum_compensated<S: Scalar>(
     }
 }
 
-/// Numbers whose squares are summed side by side.
-const SQUARED: usize = if cfg!(target_os = "none") { 4 } else { 32 };
+/// Whether the square of a place or a velocity with such a component may leave the numbers: six such squares are added there.
+#[inline(always)]
+pub(super) fn is_far<S: Scalar>(x: S) -> bool {
+    !(S::from_f64(8.0) * x * x).is_finite()
+}
+
+/// Numbers looked at side by side.
+const SIDE_BY_SIDE: usize = if cfg!(target_os = "none") { 4 } else { 32 };
 
 /// Takes each number of a row into the lane it falls to.
 #[inline(always)]
-fn gather<S: Scalar>(lanes: &mut [S; SQUARED], row: &[Vec3<S>], with: impl Fn(S, S) -> S) {
-    let (chunks, rest) = row.as_flattened().as_chunks::<SQUARED>();
+fn gather<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], row: &[Vec3<S>], with: impl Fn(S, S) -> S) {
+    let (chunks, rest) = row.as_flattened().as_chunks::<SIDE_BY_SIDE>();
     for chunk in chunks {
         lanes.iter_mut().zip(chunk).for_each(|(lane, x)| *lane = with(*lane, *x));
     }
     lanes.iter_mut().zip(rest).for_each(|(lane, x)| *lane = with(*lane, *x));
 }
 
-/// Sums of squares, finite where no number and no square has left the numbers.
-#[derive(Clone, Copy)]
-pub(super) struct Squares<S>([S; SQUARED]);
-
-impl<S: Scalar> Squares<S> {
-    /// Of nothing.
-    pub fn none() -> Self {
-        Squares([S::ZERO; SQUARED])
-    }
-
-    /// Adds those of a row.
-    #[inline(always)]
-    pub fn add(&mut self, row: &[Vec3<S>]) {
-        gather(&mut self.0, row, |sum, x| sum + x * x);
-    }
-
-    /// Whether no sum has left the numbers.
-    pub fn are_finite(&self) -> bool {
-        self.0.iter().fold(S::ZERO, |sum, square| sum + *square).is_finite()
-    }
-}
-
 /// The largest sizes of numbers, side by side.
 #[derive(Clone, Copy)]
-pub(super) struct Largest<S>([S; SQUARED]);
+pub(super) struct Largest<S>([S; SIDE_BY_SIDE]);
 
 impl<S: Scalar> Largest<S> {
     /// Of nothing.
     pub fn none() -> Self {
-        Largest([S::ZERO; SQUARED])
+        Largest([S::ZERO; SIDE_BY_SIDE])
     }
 
     /// Looks at those of a row.

@@ -6,7 +6,7 @@
 
 use super::motion::{Motion, copy};
 use super::newton::{Newton, NodeFault, movable};
-use super::rows::{self, Squares};
+use super::rows;
 use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
@@ -57,19 +57,22 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
         relax(newton, start, Place::Start, half, work)?;
         core::mem::swap(&mut work.stage_vel, &mut work.dv);
     }
-    let mut squares = kernel::run(KickAndDrift { newton, start, damped, h, work });
+    let mut far = kernel::run(KickAndDrift { newton, start, damped, h, work });
     work.evaluations += 1;
     newton.elastic(work.end.pos, work.end.elastic)?;
     if damped {
+        core::mem::swap(&mut work.stage_vel, &mut work.end.vel);
         kernel::run(Kick { newton, h: half, work });
-        relax(newton, start, Place::End, half, work)?;
+        let relaxed = relax(newton, start, Place::End, half, work);
+        core::mem::swap(&mut work.stage_vel, &mut work.end.vel);
+        relaxed?;
     }
     let kick = if damped { S::ZERO } else { half };
-    kernel::run(Arrive { newton, start, kick, work, squares: &mut squares });
+    far |= kernel::run(Arrive { newton, start, kick, work });
     if damped {
         newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
     }
-    Ok(work.end.check_squares(&squares)?)
+    Ok(work.end.check_far(far)?)
 }
 
 /// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
@@ -115,7 +118,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, '_, S, N> {
     }
 }
 
-/// v += h/2 a at the start, x += h v; returns the squares of x. Velocities that dampers have changed stand in `work.dv`.
+/// v += h/2 a at the start, x += h v; v half-way stands in `end.vel`; returns whether an x
+/// [`rows::is_far`]. Velocities that dampers have changed stand in `work.dv`.
 struct KickAndDrift<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
@@ -125,19 +129,19 @@ struct KickAndDrift<'a, 'm, 'w, S, N> {
 }
 
 impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
-    type Output = Squares<S>;
+    type Output = bool;
 
     #[inline(always)]
-    fn run(self) -> Squares<S> {
+    fn run(self) -> bool {
         let KickAndDrift { newton, start, damped, h, work } = self;
-        let Workspace { end, stage_vel, dx, dv, stages, .. } = work;
+        let Workspace { end, dx, dv, stages, .. } = work;
         let before: &[Vec3<S>] = if damped { dv } else { start.vel };
         let half = S::from_f64(0.5) * h;
-        let mut squares = Squares::none();
+        let mut far = false;
         for first in rows::blocks(newton.nodes()) {
             let [force, factors] = accelerations(newton, first, start.elastic, [dx, stages]);
             let before = rows::block(before, first).as_flattened().iter();
-            let vel = rows::block_mut(stage_vel, first).as_flattened_mut().iter_mut().zip(before);
+            let vel = rows::block_mut(end.vel, first).as_flattened_mut().iter_mut().zip(before);
             let kicks = force.as_flattened().iter().zip(factors.as_flattened());
             let start_pos = rows::block(start.pos, first).as_flattened().iter();
             let start_rest = rows::block(start.pos_rest, first).as_flattened().iter();
@@ -149,51 +153,49 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
                 let way = h * *v;
                 let way = if *factor > S::ZERO { way } else { S::ZERO };
                 (*x, *rest) = rows::add_exactly(*x0, *rest0, way);
+                far |= rows::is_far(*x);
             }
-            squares.add(rows::block(end.pos, first));
         }
-        squares
+        far
     }
 }
 
-/// v += kick a at the end, then the sum of v at the start and its change; adds the squares of v.
+/// v += kick a at the end, then the sum of v at the start and its change; returns whether a v [`rows::is_far`].
 struct Arrive<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
     kick: S,
     work: &'a mut Workspace<'w, S>,
-    squares: &'a mut Squares<S>,
 }
 
 impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
-    type Output = ();
+    type Output = bool;
 
     #[inline(always)]
-    fn run(self) {
-        let Arrive { newton, start, kick, work, squares } = self;
-        let Workspace { end, stage_vel, dx, stages, .. } = work;
-        let mut sums = *squares;
+    fn run(self) -> bool {
+        let Arrive { newton, start, kick, work } = self;
+        let Workspace { end, dx, stages, .. } = work;
+        let mut far = false;
         for first in rows::blocks(newton.nodes()) {
             let [force, factors] = accelerations(newton, first, end.elastic, [dx, stages]);
-            let half_way = rows::block(stage_vel, first).as_flattened().iter();
             let kicks = force.as_flattened().iter().zip(factors.as_flattened());
             let start_vel = rows::block(start.vel, first).as_flattened().iter();
             let start_rest = rows::block(start.vel_rest, first).as_flattened().iter();
             let vel = rows::block_mut(end.vel, first).as_flattened_mut().iter_mut();
             let rest = rows::block_mut(end.vel_rest, first).as_flattened_mut().iter_mut();
             let ends = vel.zip(rest).zip(start_vel.zip(start_rest));
-            for ((m, (force, factor)), ((v, rest), (v0, rest0))) in half_way.zip(kicks).zip(ends) {
-                let end = *m + kick * (*force * *factor);
+            for ((force, factor), ((v, rest), (v0, rest0))) in kicks.zip(ends) {
+                let end = *v + kick * (*force * *factor);
                 (*v, *rest) = rows::add_exactly(*v0, *rest0, end - *v0);
+                far |= rows::is_far(*v);
             }
             let [vel, rest] = [&mut *end.vel, end.vel_rest].map(|row| rows::block_mut(row, first));
             if newton.holds(first, vel.len()) {
                 newton.admit(first, vel);
                 newton.admit(first, rest);
             }
-            sums.add(vel);
         }
-        *squares = sums;
+        far
     }
 }
 
