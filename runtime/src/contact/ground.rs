@@ -77,6 +77,7 @@ pub enum ContactState {
 
 impl ContactState {
     /// On the surface.
+    #[inline]
     #[must_use]
     pub fn is_held(self) -> bool {
         matches!(self, ContactState::Held | ContactState::Stuck)

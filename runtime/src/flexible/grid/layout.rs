@@ -75,6 +75,7 @@ pub fn beside<'g, S>(
 /// Columns computed at a time: those that a strip owns, and one more on either side where there is one.
 pub const WIDTH: usize = 32;
 /// Numbers of a list for each row of a grid: its columns, and 0 beyond them as far as the last strip reaches.
+#[inline]
 #[must_use]
 pub const fn pitch(columns: usize) -> usize {
     // Two neighbouring strips share two columns.

@@ -3,12 +3,12 @@
 //! x' = x + h v + h^2/2 k,  v' = v + h k,  k = f/m, f at the middle of the step. In the energy-momentum form (Simo &
 //! Tarnow 1992, Gonzalez 1996) f is a mean force whose work is the change of the stored energy ([`Newton::mean_force`]):
 //! undamped energy stays, damped energy never rises, for any step; momentum and angular momentum stay.
-//! Solved by fixed-point iteration (h w_max < 2), gone on with along the last change (Anderson 1965, depth 1).
+//! Solved by fixed-point iteration (h w_max < 2), gone on with along the last change (`anderson`).
 
+use super::anderson::Trail;
 use super::motion::{Motion, set};
 use super::newton::{Newton, NodeFault, Way};
 use super::rows;
-use super::verlet::accelerations;
 use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
@@ -60,7 +60,7 @@ pub(super) fn energy_momentum<S: Scalar, N: Newton<S>>(
 /// Solves k = force(middle of the step)/m; `force` leaves its answer in `work.stage_elastic`.
 ///
 /// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position, `stages` k. What
-/// [`Improve`] and [`GoOn`] keep of the iteration before stands in rows of the end that are not asked for yet.
+/// a [`Trail`] keeps of the iteration before stands in rows of the end that are not asked for yet.
 fn iterate<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -76,7 +76,9 @@ fn iterate<S: Scalar, N: Newton<S>>(
         kernel::run(PlaceMiddle { newton, start, h, work });
         work.evaluations += 1;
         force(work)?;
-        let [change, size] = kernel::run(Improve { newton, work });
+        let Workspace { end, dx, dv, stage_elastic, stages, .. } = work;
+        let mut trail = Trail { k: stages, off: end.elastic, turn: end.pos_rest, before: end.vel };
+        let [change, size] = trail.improve(newton, stage_elastic, [dx, dv]);
         if smallest.is_some_and(|smallest| change >= smallest) {
             without_gain += 1;
         } else {
@@ -92,7 +94,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
             }
             return work.finish(newton, start);
         }
-        kernel::run(GoOn { is_first: before.is_none(), work });
+        trail.go_on(before.is_none());
         before = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())
@@ -106,64 +108,6 @@ fn has_stalled<S: Scalar>(newton: &impl Newton<S>, [change, size]: [S; 2], witho
     let scale = size + newton.acceleration_of_unit_strain();
     let patience = if change <= S::from_f64(ROUNDED) * S::EPSILON * scale { 1 } else { PATIENCE };
     change <= S::EPSILON.sqrt() * scale && without_gain >= patience
-}
-
-/// Puts g = f/m in the place of k, r = g - k into `end.elastic` and its change since the iteration before into `end.pos_rest`;
-/// returns the largest components of r and g.
-struct Improve<'a, 'w, S, N> {
-    newton: &'a N,
-    work: &'a mut Workspace<'w, S>,
-}
-
-impl<S: Scalar, N: Newton<S>> Kernel for Improve<'_, '_, S, N> {
-    type Output = [S; 2];
-
-    #[inline(always)]
-    fn run(self) -> [S; 2] {
-        let Improve { newton, work } = self;
-        let Workspace { end, dx, dv, stage_elastic, stages, .. } = work;
-        let mut largest = [rows::Largest::none(); 2];
-        for first in rows::blocks(newton.nodes()) {
-            let [force, factors] = accelerations(newton, first, stage_elastic, [dx, dv]);
-            let found = force.as_flattened().iter().zip(factors.as_flattened());
-            let [k, off, turn] =
-                [&mut **stages, end.elastic, end.pos_rest].map(|row| rows::block_mut(row, first));
-            let lanes = off.as_flattened_mut().iter_mut().zip(turn.as_flattened_mut());
-            for ((k, (force, factor)), (off, turn)) in k.as_flattened_mut().iter_mut().zip(found).zip(lanes) {
-                let found = *force * *factor;
-                let now = found - *k;
-                (*k, *turn, *off) = (found, now - *off, now);
-            }
-            largest[0].add(off);
-            largest[1].add(k);
-        }
-        largest.map(|largest| largest.size())
-    }
-}
-
-/// The next k by Anderson's method: g - gamma (g - g~), gamma = r.dr/dr.dr, g~ and dr since the iteration before. Where that
-/// would go back or on by more than the whole change, k = g.
-struct GoOn<'a, 'w, S> {
-    is_first: bool,
-    work: &'a mut Workspace<'w, S>,
-}
-
-impl<S: Scalar> Kernel for GoOn<'_, '_, S> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let Workspace { end, stages, .. } = self.work;
-        let gamma = rows::quotient(end.elastic, end.pos_rest);
-        // Also where it is no number.
-        let goes_on = !self.is_first && gamma.abs() <= S::ONE;
-        let pairs = stages.as_flattened_mut().iter_mut().zip(end.vel.as_flattened_mut());
-        for (k, before) in pairs {
-            let g = *k;
-            let next = g - gamma * (g - *before);
-            (*k, *before) = (if goes_on { next } else { g }, g);
-        }
-    }
 }
 
 /// Middle and end of the step from the accelerations k.

@@ -4,6 +4,7 @@
 //! [`Workspace`]; the start is left alone, so a step can be tried, shortened and tried again.
 //! Positions and speeds carry what rounding dropped (compensated sums): an f32 node at 10 m moves at 1 mm/s.
 
+mod anderson;
 pub mod method;
 mod midpoint;
 pub mod motion;

@@ -3,6 +3,7 @@
 //! Rows of unequal length are handled as far as the shortest reaches. Every function is inlined into its
 //! [`crate::kernel::Kernel`].
 
+use super::newton::Newton;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
@@ -27,6 +28,29 @@ pub(super) fn block_mut<T>(row: &mut [T], first: usize) -> &mut [T] {
     let rest = row.get_mut(first..).unwrap_or_default();
     let length = rest.len().min(BLOCK);
     rest.get_mut(..length).unwrap_or_default()
+}
+
+/// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
+/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1. `memory` is two
+/// rows of all nodes.
+#[inline(always)]
+pub(super) fn accelerations<'a, S: Scalar>(
+    newton: &'a impl Newton<S>,
+    first: usize,
+    force: &'a [Vec3<S>],
+    [accelerations, factors]: [&'a mut [Vec3<S>]; 2],
+) -> [&'a [Vec3<S>]; 2] {
+    let (force, factors) = (block(force, first), block_mut(factors, first));
+    if !newton.holds(first, factors.len()) {
+        return [force, newton.inverse_masses(first, factors)];
+    }
+    let accelerations = block_mut(accelerations, first);
+    multiply(accelerations, force, newton.inverse_masses(first, factors));
+    newton.admit(first, accelerations);
+    for (i, factor) in factors.iter_mut().enumerate() {
+        *factor = [if newton.is_movable(first + i) { S::ONE } else { S::ZERO }; 3];
+    }
+    [accelerations, factors]
 }
 
 /// y + h a b into y, component by component.
@@ -94,38 +118,51 @@ pub(super) fn is_far<S: Scalar>(x: S) -> bool {
 }
 
 /// Numbers looked at side by side.
-const SIDE_BY_SIDE: usize = if cfg!(target_os = "none") { 4 } else { 32 };
-
-/// Takes each number of a row into the lane it falls to.
-#[inline(always)]
-fn gather<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], row: &[Vec3<S>], with: impl Fn(S, S) -> S) {
-    let (chunks, rest) = row.as_flattened().as_chunks::<SIDE_BY_SIDE>();
-    for chunk in chunks {
-        lanes.iter_mut().zip(chunk).for_each(|(lane, x)| *lane = with(*lane, *x));
-    }
-    lanes.iter_mut().zip(rest).for_each(|(lane, x)| *lane = with(*lane, *x));
-}
+const SIDE_BY_SIDE: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 
 /// The largest sizes of numbers, side by side.
 #[derive(Clone, Copy)]
-pub(super) struct Largest<S>([S; SIDE_BY_SIDE]);
+pub(super) struct Largest<S> {
+    lanes: [S; SIDE_BY_SIDE],
+    /// Has one been no number? Lanes that kept it themselves would go through memory.
+    is_lost: bool,
+}
 
 impl<S: Scalar> Largest<S> {
     /// Of nothing.
     pub fn none() -> Self {
-        Largest([S::ZERO; SIDE_BY_SIDE])
+        Largest { lanes: [S::ZERO; SIDE_BY_SIDE], is_lost: false }
     }
 
     /// Looks at those of a row.
     #[inline(always)]
     pub fn add(&mut self, row: &[Vec3<S>]) {
-        gather(&mut self.0, row, |largest, x| largest.max(x.abs()));
+        let Largest { mut lanes, mut is_lost } = *self;
+        let (chunks, rest) = row.as_flattened().as_chunks::<SIDE_BY_SIDE>();
+        for chunk in chunks {
+            is_lost |= take_larger(&mut lanes, chunk);
+        }
+        is_lost |= take_larger(&mut lanes, rest);
+        *self = Largest { lanes, is_lost };
     }
 
     /// The largest; no number if one was none.
     pub fn size(&self) -> S {
-        self.0.iter().fold(S::ZERO, |largest, x| largest.max(*x))
+        let largest = self.lanes.iter().fold(S::ZERO, |largest, x| largest.max(*x));
+        if self.is_lost { S::from_f64(f64::NAN) } else { largest }
     }
+}
+
+/// Takes each number into the lane it falls to, if it is larger; returns whether one is none.
+#[inline(always)]
+fn take_larger<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], numbers: &[S]) -> bool {
+    let mut is_lost = false;
+    for (lane, x) in lanes.iter_mut().zip(numbers) {
+        let size = x.abs();
+        *lane = if size > *lane { size } else { *lane };
+        is_lost |= size.partial_cmp(&size).is_none();
+    }
+    is_lost
 }
 
 /// Sums of products added side by side: as many on every machine, so that all have the same bits.
@@ -142,7 +179,10 @@ pub(super) fn quotient<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>]) -> S {
     };
     let ((a, rest_a), (b, rest_b)) =
         (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
-    a.iter().zip(b).for_each(|(a, b)| add(a, b));
+    // A loop: a closure called by an iterator would keep the instructions of the oldest machine.
+    for (a, b) in a.iter().zip(b) {
+        add(a, b);
+    }
     add(rest_a, rest_b);
     let sum = |sums: [S; SUMS]| sums.into_iter().fold(S::ZERO, |sum, x| sum + x);
     sum(products) / sum(squares)

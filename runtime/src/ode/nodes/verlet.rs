@@ -4,18 +4,21 @@
 //! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
 //! fixed positions, which takes energy out for every C and h and conserves momentum.
 
+use super::anderson::Trail;
 use super::motion::{Motion, copy};
 use super::newton::{Newton, NodeFault, movable};
-use super::rows;
+use super::rows::{self, accelerations};
 use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring.
+/// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring and more.
 const ITERATIONS: usize = 100;
-/// Changes of the speed below this many rounding units end the iteration.
+/// An error of the speed below this many rounding units ends the iteration.
 const SETTLED: f64 = 2.0;
+/// Part of a change that is left as an error by the next iteration, at least as the iteration believes.
+const LEAST_RATE: f64 = 1.0 / 16.0;
 
 /// Where the dampers act.
 #[derive(Clone, Copy)]
@@ -73,29 +76,6 @@ pub(super) fn verlet<S: Scalar, N: Newton<S>>(
         newton.viscous(work.end.pos, work.end.vel, work.end.viscous);
     }
     Ok(work.end.check_far(far)?)
-}
-
-/// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
-/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1. `memory` is two
-/// rows of all nodes.
-#[inline(always)]
-pub(super) fn accelerations<'a, S: Scalar>(
-    newton: &'a impl Newton<S>,
-    first: usize,
-    force: &'a [Vec3<S>],
-    [accelerations, factors]: [&'a mut [Vec3<S>]; 2],
-) -> [&'a [Vec3<S>]; 2] {
-    let (force, factors) = (rows::block(force, first), rows::block_mut(factors, first));
-    if !newton.holds(first, factors.len()) {
-        return [force, newton.inverse_masses(first, factors)];
-    }
-    let accelerations = rows::block_mut(accelerations, first);
-    rows::multiply(accelerations, force, newton.inverse_masses(first, factors));
-    newton.admit(first, accelerations);
-    for (i, factor) in factors.iter_mut().enumerate() {
-        *factor = [if newton.is_movable(first + i) { S::ONE } else { S::ZERO }; 3];
-    }
-    [accelerations, factors]
 }
 
 /// v += h a(force at the end), v in `work.stage_vel`.
@@ -199,9 +179,10 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     }
 }
 
-/// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h a((v + v')/2), at fixed positions.
+/// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h k, k = a(v + h/2 k), at fixed positions.
 ///
-/// Fixed-point iteration on the middle: all springs at once, so a symmetric body stays symmetric.
+/// An iteration for k, which stands in `work.stage_elastic`: all springs at once, so a symmetric body stays symmetric. At the
+/// end of a step it begins with what it was at the start.
 fn relax<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -209,29 +190,56 @@ fn relax<S: Scalar, N: Newton<S>>(
     h: S,
     work: &mut Workspace<S>,
 ) -> Result<(), N::Fault> {
+    let Workspace { end, dx, dv, stage_pos, stage_vel, stage_elastic, stage_viscous, stages, .. } = work;
     let pos: &[Vec3<S>] = match place {
         Place::Start => start.pos,
-        Place::End => work.end.pos,
+        Place::End => end.pos,
     };
-    let (vel, middle) = (&mut *work.stage_vel, &mut *work.stages);
-    copy(middle, vel);
-    let half = S::from_f64(0.5) * h;
+    if matches!(place, Place::Start) {
+        stage_elastic.as_flattened_mut().fill(S::ZERO);
+    }
+    let mut trail = Trail { k: stage_elastic, off: stage_pos, turn: end.vel_rest, before: end.viscous };
+    let (half, middle) = (S::from_f64(0.5) * h, &mut **stages);
+    let mut before: Option<S> = None;
     for _ in 0..ITERATIONS {
-        newton.viscous(pos, middle, work.stage_viscous);
-        let (mut change, mut size) = (S::ZERO, S::ZERO);
-        for (i, (m, v)) in middle.iter_mut().zip(vel.iter()).enumerate() {
-            let a = newton.acceleration(i, vec3::at(work.stage_viscous, i));
-            let next = vec3::axpy(*v, half, a);
-            change = change.max(vec3::norm(vec3::sub(next, *m)));
-            size = size.max(vec3::norm(next));
-            *m = next;
-        }
-        if change <= S::from_f64(SETTLED) * S::EPSILON * size {
-            for (v, m) in vel.iter_mut().zip(middle.iter()) {
-                *v = vec3::sub(vec3::add(*m, *m), *v);
-            }
+        let size = kernel::run(Change { vel: stage_vel, h: half, k: trail.k, out: middle });
+        newton.viscous(pos, middle, stage_viscous);
+        let [change, _] = trail.improve(newton, stage_viscous, [dx, dv]);
+        // What the next iteration would still change of the middle.
+        let rate = before.map_or(S::ONE, |before| change / before).max(S::from_f64(LEAST_RATE)).min(S::ONE);
+        if half * change * rate <= S::from_f64(SETTLED) * S::EPSILON * size {
+            copy(middle, stage_vel);
+            kernel::run(Change { vel: middle, h, k: trail.k, out: stage_vel });
             return Ok(());
         }
+        trail.go_on(before.is_none());
+        before = Some(change);
     }
     Err(NodeFault::NotConverged { step: h }.into())
+}
+
+/// v + h k; returns its largest component.
+struct Change<'a, S> {
+    vel: &'a [Vec3<S>],
+    h: S,
+    k: &'a [Vec3<S>],
+    out: &'a mut [Vec3<S>],
+}
+
+impl<S: Scalar> Kernel for Change<'_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let mut largest = rows::Largest::none();
+        for first in rows::blocks(self.vel.len()) {
+            let [vel, k] = [self.vel, self.k].map(|row| rows::block(row, first).as_flattened().iter());
+            let out = rows::block_mut(self.out, first);
+            for (out, (v, k)) in out.as_flattened_mut().iter_mut().zip(vel.zip(k)) {
+                *out = *v + self.h * *k;
+            }
+            largest.add(out);
+        }
+        largest.size()
+    }
 }
