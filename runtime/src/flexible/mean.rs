@@ -60,10 +60,11 @@ pub fn add_pressure<S: Scalar>(
 ) {
     for facet in facets {
         let [_, _, c, d] = facet;
-        let corners = [way.pos[1], way.dx].map(|rows| pressure::corners(rows, facet));
+        let [middle, change] = [way.pos[1], way.dx].map(|rows| pressure::corners(rows, facet));
+        let weights = Weights::of(form, c == d);
         let shares = match form {
-            PressureForm::Fan => shares(pressure::fan_shares, corners),
-            _ => shares(|corners| pressure::shares(Weights::of(form, c == d), corners), corners),
+            PressureForm::Fan => simpson(pressure::fan_shares(middle), pressure::fan_shares(change)),
+            _ => simpson(pressure::shares(weights, middle), pressure::shares(weights, change)),
         };
         for (point, share) in facet.iter().zip(shares) {
             vec3::add_at(force, *point, vec3::scale(share, pressure));
@@ -73,13 +74,9 @@ pub fn add_pressure<S: Scalar>(
 
 /// Means over a step of what is quadratic in the corners x: Q(x) in the middle + Q(change)/12, as Simpson's rule exact.
 #[inline(always)]
-pub(super) fn shares<S: Scalar>(
-    of: impl Fn([Vec3<S>; 4]) -> [Vec3<S>; 4],
-    [middle, change]: [[Vec3<S>; 4]; 2],
-) -> [Vec3<S>; 4] {
-    let ([a, b, c, d], [p, q, r, s]) = (of(middle), of(change));
-    let twelfth = S::from_f64(1.0 / 12.0);
-    [(a, p), (b, q), (c, r), (d, s)].map(|(middle, change)| vec3::axpy(middle, twelfth, change))
+pub(super) fn simpson<S: Scalar>([a, b, c, d]: [Vec3<S>; 4], [p, q, r, s]: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
+    let w = S::from_f64(1.0 / 12.0);
+    [vec3::axpy(a, w, p), vec3::axpy(b, w, q), vec3::axpy(c, w, r), vec3::axpy(d, w, s)]
 }
 
 /// Mean gauge pressure (Pa) over the change of volume: Simpson's rule on the gas law.

@@ -4,7 +4,7 @@
 
 use super::layout::{Family, Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
-use super::weave::{corners, share, sum};
+use super::weave::{Shares, corners, share, sum};
 use crate::flexible::mean;
 use crate::flexible::pressure::{self, PressureForm, Weights};
 use crate::kernel::Kernel;
@@ -134,16 +134,30 @@ fn push<S: Scalar>(
     rows: [&[Row<S>; 2]; 2],
     cells: &mut [Row<S>; 4],
 ) {
-    let [here, above] = rows;
-    let both = |left: usize| [0, 1].map(|i: usize| corners([&here[i], &above[i]], left));
     match form {
         PressureForm::Fan => {
-            share(|left| mean::shares(pressure::fan_shares, both(left)), exists, pressure, cells);
+            share(Means::<S, true> { weights: Weights::of(form, false), rows }, exists, pressure, cells)
         }
-        _ => {
-            let weights = Weights::of(form, false);
-            let of = |corners| pressure::shares(weights, corners);
-            share(|left| mean::shares(of, both(left)), exists, pressure, cells);
+        _ => share(Means::<S, false> { weights: Weights::of(form, false), rows }, exists, pressure, cells),
+    }
+}
+
+/// Mean shares of the cells between two rows. No closure, which would stand alone and keep the instructions of the oldest machine.
+struct Means<'r, S, const FAN: bool> {
+    weights: Weights<S>,
+    rows: [&'r [Row<S>; 2]; 2],
+}
+
+impl<S: Scalar, const FAN: bool> Shares<S> for Means<'_, S, FAN> {
+    #[inline(always)]
+    fn of(&self, left: usize) -> [Vec3<S>; 4] {
+        let [[middle, change], [middle_above, change_above]] = self.rows;
+        let middle = corners([middle, middle_above], left);
+        let change = corners([change, change_above], left);
+        if FAN {
+            mean::simpson(pressure::fan_shares(middle), pressure::fan_shares(change))
+        } else {
+            mean::simpson(pressure::shares(self.weights, middle), pressure::shares(self.weights, change))
         }
     }
 }

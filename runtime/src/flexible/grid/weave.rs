@@ -148,10 +148,23 @@ pub(super) fn corners<S: Scalar>([here, above]: [&Row<S>; 2], left: usize) -> [V
     [here.get(left), here.get(right), above.get(right), above.get(left)]
 }
 
+/// Shares of the corners of a cell in its pressure (m^2).
+pub(super) trait Shares<S> {
+    /// Of the cell to the right of a column.
+    fn of(&self, left: usize) -> [Vec3<S>; 4];
+}
+
+impl<S, F: Fn(usize) -> [Vec3<S>; 4]> Shares<S> for F {
+    #[inline(always)]
+    fn of(&self, left: usize) -> [Vec3<S>; 4] {
+        self(left)
+    }
+}
+
 /// Shares out the pressure on the cells between two rows, as `shares` says for the cell to the right of a column.
 #[inline(always)]
 pub(super) fn share<S: Scalar>(
-    shares: impl Fn(usize) -> [Vec3<S>; 4],
+    shares: impl Shares<S>,
     exists: &[S; WIDTH],
     pressure: S,
     [a, b, c, d]: &mut [Row<S>; 4],
@@ -160,7 +173,7 @@ pub(super) fn share<S: Scalar>(
     let pressures = exists.map(|exists| exists * pressure);
     for left in FIRST..FIRST + WIDTH {
         let pressure = pressures[left - FIRST];
-        let [on_a, on_b, on_c, on_d] = shares(left).map(|share| vec3::scale(share, pressure));
+        let [on_a, on_b, on_c, on_d] = shares.of(left).map(|share| vec3::scale(share, pressure));
         a.set(left, on_a);
         b.set(left, on_b);
         c.set(left, on_c);
