@@ -28,6 +28,11 @@ fn five_kilograms_dropped_by_20_mm_without_dampers_close_the_account_at_the_scen
     let fell = 5.0 * 9.81 * 0.02;
     let (imbalance, [impact, ..]) = books(&[&drop[..], &UNDAMPED[..]].concat());
     assert!(imbalance < 1e-6 * fell && impact > 1e-3, "{imbalance:e}");
+    // It is the method of a world that nothing damps.
+    let chosen = json(&[&drop[..], &UNDAMPED[..]].concat());
+    let method = chosen["method"].as_str().expect("a text");
+    assert!(method.starts_with("energy_momentum"), "{method}");
+    assert!(number(&chosen["imbalance"]).abs() < 1e-6 * fell);
     // With dampers and air as well.
     let (imbalance, [_, _, damping, _]) = books(&drop);
     assert!(imbalance < 1e-6 * fell && damping > 1e-2, "{imbalance:e}");

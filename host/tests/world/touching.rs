@@ -172,3 +172,47 @@ fn the_bed_carries_a_ball() {
     let (missed, given) = (number(&done["imbalance"]), last("drive"));
     assert!(given > 1.0 && missed.abs() < 1e-3 * given, "{missed} of {given}");
 }
+
+/// What falls into a valley of two facets at a right angle.
+const IN_VALLEY: [&str; 2] = [
+    "points = [[0, 0, 0], [0, 0.4, 0]]\nsprings = [[0, 1]]\nK = 1000\nC = 1\nmass = 1\n",
+    "rigid = \"box\"\nsize = [0.2, 0.4, 0.2]\nmass = 2\n",
+];
+
+#[test]
+fn a_fold_of_facets_holds_what_falls_into_it() {
+    for (kind, body) in IN_VALLEY.iter().enumerate() {
+        for (law, friction) in [("moreau", 0.0), ("moreau", 0.3), ("stronge", 0.0)] {
+            // Straight into the fold, and beside it; the box on an edge.
+            for x in [0.0, 0.2] {
+                let start = match kind {
+                    0 => format!("start = {{ position = [{x}, 0.3, 0.5] }}\n"),
+                    _ => format!(
+                        "start = {{ position = [{x}, 0.5, 0.7], angle = 0.7853981633974483, axis = [0, 1, 0] }}\n"
+                    ),
+                };
+                let text = format!(
+                    "format = 2\n[parts.valley]\npoints = [[-1, 0, 1], [-1, 1, 1], [0, 0, 0], [0, 1, 0], [1, 0, 1], [1, 1, 1]]\n\
+                     springs = [[0, 2], [2, 4], [1, 3], [3, 5]]\nfacets = [[0, 2, 3, 1], [2, 4, 5, 3]]\n\
+                     fixed = [0, 1, 2, 3, 4, 5]\nmass = 1\n[parts.bar]\n{body}{start}\
+                     [[contacts]]\nbetween = [\"bar\", \"valley\"]\nimpact = \"{law}\"\nfriction = {friction}\n\
+                     [run]\nseconds = 2\nstep = 1e-3\nevery = 500\n"
+                );
+                let done = json(&[&scene(&format!("valley_{kind}_{law}_{friction}_{x}"), &text)]);
+                let of = |name: &str| number(&done["last"][name]);
+                let (across, height) = match kind {
+                    0 => (of("bar.x0"), of("bar.z0")),
+                    _ => (of("bar.x"), of("bar.z") - 0.1 * 2.0_f64.sqrt()),
+                };
+                println!(
+                    "{kind} {law} mu {friction} from {x}: {across:.2e} {height:.2e}, {:e}",
+                    number(&done["imbalance"])
+                );
+                assert!(
+                    across.abs() < 2e-3 && height.abs() < 2e-3,
+                    "{kind} {law} {friction} from {x}: {across} {height}"
+                );
+            }
+        }
+    }
+}

@@ -13,9 +13,10 @@
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
-use super::detect::{AT_NODE, Scenery, Touch};
+use super::detect::{AT_NODE, Touch};
 use super::inertia::Inertias;
 use super::island::{Cut, Island};
+use super::scenery::Scenery;
 use super::sweep::{self, sweep};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;

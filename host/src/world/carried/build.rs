@@ -7,7 +7,7 @@ use super::methods::Contacts;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
 use crate::scene::{Lists, Simulation, Surroundings};
-use crate::world::assembly::{Assembly, Kind, Law, Rigid};
+use crate::world::assembly::{Assembly, Kind, Law, Part, Rigid};
 use crate::world::carriers::HostCarrier;
 use crate::world::ported::Ported;
 use crate::world::touching::{Touchable, Touching};
@@ -24,7 +24,8 @@ impl CarriedWorld {
     /// What cannot be derived, assembled or stepped, in words.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
         let contacts = contacts(assembly);
-        let method = contacts.method(assembly.run.method.as_deref().unwrap_or(contacts.default_method()))?;
+        let default = contacts.default_method(assembly.parts.iter().any(is_undamped));
+        let method = contacts.method(assembly.run.method.as_deref().unwrap_or(default))?;
         let mut world = CarriedWorld {
             names: assembly.parts.iter().map(|part| part.name.clone()).collect(),
             places: Vec::new(),
@@ -226,6 +227,13 @@ impl CarriedWorld {
         let own = name.and_then(|name| ports(assembly, part).iter().position(|port| port == name));
         first + own.unwrap_or(0)
     }
+}
+
+/// Is it flexible, with springs that nothing damps?
+fn is_undamped(part: &Part) -> bool {
+    let Kind::Flexible(body) = &part.kind else { return false };
+    let lists = &body.lists;
+    !lists.springs.is_empty() && body.air_drag == 0.0 && lists.damping.iter().all(|c| *c == 0.0)
 }
 
 /// What the contacts of an assembly ask of its method.

@@ -54,10 +54,15 @@ impl Contacts {
         })
     }
 
-    /// The method where nobody chooses.
+    /// The method where nobody chooses. A flexible part without any damping keeps what a step errs in energy: there the
+    /// method is one that errs in none.
     #[must_use]
-    pub fn default_method(self) -> &'static str {
-        if self == Contacts::Unlocated { "moreau" } else { "rk4" }
+    pub fn default_method(self, is_undamped: bool) -> &'static str {
+        match self {
+            Contacts::Unlocated if is_undamped => "energy_momentum",
+            Contacts::Unlocated => "moreau",
+            Contacts::None | Contacts::Located => "rk4",
+        }
     }
 
     /// The method of this name.

@@ -22,6 +22,7 @@ use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{self, Key, Table, Value, wrong_kind};
 use smartbed_codegen::source::{Source, Span};
+use std::path::{Path, PathBuf};
 use value::{Bound, count, number, vector};
 
 /// Most copies of a part.
@@ -31,7 +32,7 @@ const MOST_NODES: usize = 200_000;
 /// Most steps of a run.
 const MOST_STEPS: f64 = 1e9;
 
-/// Reads a scene; `settings` are `--set`'s, `find` gives the file of a model's name.
+/// Reads a scene; `settings` are `--set`'s, `find` gives the file of a model's name where none lies beside the scene.
 ///
 /// # Errors
 /// Everything that is wrong in it.
@@ -50,11 +51,19 @@ pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Res
         Err(items) => return Err(Diagnostics { source, items }),
     };
     let table = settings::apply(table, settings, &mut found);
-    let assembly = read(path, &table, find, &mut found);
+    let find = |name: &str| beside(Path::new(path), name).map_or_else(|| find(name), Ok);
+    let assembly = read(path, &table, &find, &mut found);
     match assembly {
         Some(assembly) => found.finish(assembly),
         None => Err(found),
     }
+}
+
+/// The file of a model in the scene's own folder, which moves with the scene.
+fn beside(scene: &Path, name: &str) -> Option<PathBuf> {
+    let folder = scene.parent()?;
+    let files = [name.to_owned(), format!("{name}.toml")].map(|file| folder.join(file));
+    files.into_iter().find(|file| file.is_file() && file != scene)
 }
 
 fn read(path: &str, table: &Table, find: Find<'_>, found: &mut Diagnostics) -> Option<Assembly> {

@@ -1,0 +1,218 @@
+//! What stands where, and the foot of a point on what is near it.
+//!
+//! In: things with the frames and nodes that carry them. Out: sides of contacts, the facet below a point, the two facets of a
+//! fold around it.
+
+use super::island::Attachment;
+use super::thing::Thing;
+use crate::flexible::Body;
+use crate::real::Scalar;
+use crate::rigid::contact::{Point, Side};
+use crate::surface::facet::{Facet, FacetNearest};
+use crate::surface::{Frame, Nearest, Shape, Surface};
+use crate::vec3::{self, Vec3};
+
+/// Cosine of the angle between a facet and the mean of those around a corner beyond which the corner is sharp: there the facet
+/// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
+const CREASE: f64 = 0.85;
+
+/// Sine of the angle by which the middle of a facet rises over another one's plane at least, for the two to form a fold.
+const FOLD: f64 = 0.2;
+
+/// How many times as far as a point is deep the facets of a fold go on behind their edge: the tangent of their slope at most.
+const BEYOND: f64 = 8.0;
+
+/// What stands where.
+pub(super) struct Scenery<'a, S> {
+    pub(super) things: &'a [Thing<S>],
+    pub(super) body: &'a Body<'a, S>,
+    pub(super) attachments: &'a [Attachment<S>],
+    pub(super) frames: &'a [Frame<S>],
+    pub(super) pos: &'a [Vec3<S>],
+    /// Unit normals at the nodes.
+    pub(super) normals: &'a [Vec3<S>],
+    /// Gaps up to this (m) count as near.
+    pub(super) margin: S,
+    /// Feet with more than this share of one corner are left to the corner's own contact.
+    pub(super) at_node: S,
+}
+
+/// Nodes and facets of a mesh.
+#[derive(Clone, Copy)]
+pub(super) struct Mesh<'a, S> {
+    pub(super) nodes: [usize; 2],
+    pub(super) facets: &'a [[usize; 4]],
+    pub(super) depth: S,
+}
+
+/// A shape, the port that carries it, its frame.
+pub(super) type Standing<S> = (Shape<S>, Option<usize>, Frame<S>);
+
+/// A facet, and a foot on it.
+pub(super) type Foot<'a, S> = (&'a [usize; 4], FacetNearest<S>);
+
+/// Which facet of a mesh a point is over.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Over {
+    /// That of this number.
+    Facet(usize),
+    /// The nearest one.
+    Nearest,
+    /// The first of a fold.
+    First,
+    /// The second of a fold.
+    Second,
+}
+
+impl<'a, S: Scalar> Scenery<'a, S> {
+    pub(super) fn rigid(&self, thing: &Thing<S>) -> Option<Standing<S>> {
+        let Thing::Rigid { shape, port, place } = thing else { return None };
+        let frame = match port {
+            Some(port) => place.in_frame(self.frames.get(*port)?),
+            None => place.in_frame(&Frame::inertial()),
+        };
+        Some((*shape, *port, frame))
+    }
+
+    pub(super) fn mesh(&self, thing: &Thing<S>) -> Option<Mesh<'a, S>> {
+        let Thing::Mesh { nodes, facets: [first, end], depth } = thing else { return None };
+        Some(Mesh { nodes: *nodes, facets: self.body.facets.get(*first..*end)?, depth: *depth })
+    }
+
+    /// A point of N as a point of a port; fixed in space without one.
+    pub(super) fn side_of_port(&self, port: Option<usize>, point: Vec3<S>) -> Side<S> {
+        match port.and_then(|port| Some((port, self.frames.get(port)?))) {
+            Some((port, frame)) => Side::of_body(port, vec3::sub(point, frame.origin)),
+            None => Side::fixed(),
+        }
+    }
+
+    /// A node with a share in a side: itself, a point of the port that holds it, or nothing.
+    fn point_of_node(&self, node: usize, weight: S) -> Option<Point<S>> {
+        if self.body.fixed.get(node) == Some(&false) {
+            return Some(Point { body: self.frames.len() + node, arm: vec3::zero(), weight });
+        }
+        let port = self.attachments.iter().find(|a| a.node == node)?.port;
+        let arm = vec3::sub(vec3::at(self.pos, node), self.frames.get(port)?.origin);
+        Some(Point { body: port, arm, weight })
+    }
+
+    pub(super) fn side_of_node(&self, node: usize) -> Side<S> {
+        Side::blend([self.point_of_node(node, S::ONE), None, None, None])
+    }
+
+    pub(super) fn side_of_facet(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> Side<S> {
+        let [a, b, c, d] = *facet;
+        let [p, q, r, s] = near.weights;
+        // A triangle's third corner stands twice.
+        let corners = if c == d {
+            [(a, p), (b, q), (c, r + s), (d, S::ZERO)]
+        } else {
+            [(a, p), (b, q), (c, r), (d, s)]
+        };
+        Side::blend(corners.map(|(node, weight)| self.point_of_node(node, weight)))
+    }
+
+    /// Is the shape's bounding sphere near the box around the mesh's nodes? If not, nothing of theirs is.
+    pub(super) fn may_meet(&self, mesh: &Mesh<S>, (shape, _, frame): &Standing<S>) -> bool {
+        let Some(reach) = shape.reach() else { return true };
+        let Some((low, high)) = self.bounds(mesh) else { return false };
+        let outside = frame.origin.iter().zip(low.iter().zip(high));
+        let outside = outside.fold(S::ZERO, |sum, (x, (low, high))| {
+            let over = (*low - *x).max(*x - high).max(S::ZERO);
+            sum + over * over
+        });
+        outside.sqrt() <= reach + self.margin.max(mesh.depth)
+    }
+
+    /// Where a shape's surface is nearest to a node, in the shape's axes.
+    pub(super) fn near_node(&self, node: usize, (shape, _, frame): &Standing<S>) -> Nearest<S> {
+        shape.nearest(frame.place(vec3::at(self.pos, node)))
+    }
+
+    /// The facet to whose surface a point is nearest, not deeper than the mesh allows.
+    pub(super) fn facet_below(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Option<Foot<'a, S>> {
+        let mut best: Option<(&[usize; 4], FacetNearest<S>)> = None;
+        for facet in mesh.facets {
+            let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), S::ZERO) else { continue };
+            if best.as_ref().is_none_or(|(_, b)| near.gap.abs() < b.gap.abs()) {
+                best = Some((facet, near));
+            }
+        }
+        best
+    }
+
+    /// The two facets of a fold that a point is in, in the order of the mesh: the nearest one, and of those that face it the
+    /// nearest. Below both, at the bottom of a fold, a point has a foot on neither: there the facets go on behind their edge
+    /// as far as the point is deep.
+    pub(super) fn fold(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Option<(Foot<'a, S>, Foot<'a, S>)> {
+        let nearest = |beyond: S, other: Option<(&[usize; 4], &FacetNearest<S>)>| {
+            let mut best: Option<(usize, &'a [usize; 4], FacetNearest<S>)> = None;
+            for (number, facet) in mesh.facets.iter().enumerate() {
+                let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), beyond) else { continue };
+                let faces = other.is_none_or(|(other, foot)| {
+                    self.rises_over(foot, facet) && self.rises_over(&near, other)
+                });
+                if faces && best.as_ref().is_none_or(|(.., b)| near.gap.abs() < b.gap.abs()) {
+                    best = Some((number, facet, near));
+                }
+            }
+            best
+        };
+        let first = nearest(S::ZERO, None).or_else(|| nearest(S::ONE, None))?;
+        let second = nearest(S::ONE, Some((first.1, &first.2)))?;
+        let ((m, one, a), (n, two, b)) = (first, second);
+        Some(if m < n { ((one, a), (two, b)) } else { ((two, b), (one, a)) })
+    }
+
+    /// Does the middle of a facet stand over the plane at a foot?
+    fn rises_over(&self, near: &FacetNearest<S>, facet: &[usize; 4]) -> bool {
+        let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
+        let way = vec3::sub(vec3::scale(sum, S::from_f64(0.25)), near.foot);
+        vec3::dot(near.normal, way) > S::from_f64(FOLD) * vec3::norm(way)
+    }
+
+    /// The foot on a facet of a ball about a point, where it is near the surface and not deeper than the mesh allows. With
+    /// `beyond` 1 the facet goes on behind its edges, [`BEYOND`] times as far as the point is deep.
+    pub(super) fn over_facet(
+        &self,
+        mesh: &Mesh<'a, S>,
+        facet: &[usize; 4],
+        (point, radius): (Vec3<S>, S),
+        beyond: S,
+    ) -> Option<FacetNearest<S>> {
+        let corners = facet.map(|node| vec3::at(self.pos, node));
+        let [a, _, c, _] = corners;
+        let middle = vec3::scale(vec3::add(a, c), S::from_f64(0.5));
+        let reach = corners.iter().fold(S::ZERO, |most, x| most.max(vec3::norm(vec3::sub(*x, middle))));
+        let far = reach + radius + self.margin.max(mesh.depth);
+        if vec3::norm(vec3::sub(point, middle)) > far {
+            return None;
+        }
+        let own = vec3::direction(vec3::cross(vec3::sub(c, a), vec3::sub(corners[3], corners[1]))).0;
+        let normals = facet.map(|node| {
+            let mean = vec3::at(self.normals, node);
+            let smooth = vec3::dot(mean, own) > S::from_f64(CREASE);
+            if smooth { mean } else { own }
+        });
+        let edge = S::from_f64(1e3) * S::EPSILON;
+        let near = (Facet { corners, normals }).nearest(point, edge.max(beyond))?;
+        let gap = near.gap - radius;
+        let outside = -near.weights.iter().fold(S::ZERO, |least, weight| least.min(*weight));
+        let allowed = edge.max(beyond * S::from_f64(BEYOND) * -gap / reach);
+        (-mesh.depth <= gap && gap <= self.margin && outside <= allowed).then_some(near)
+    }
+
+    /// Box around a mesh's nodes.
+    pub(super) fn bounds(&self, mesh: &Mesh<S>) -> Option<(Vec3<S>, Vec3<S>)> {
+        let [first, end] = mesh.nodes;
+        let places = self.pos.get(first..end)?;
+        let mut bounds = (*places.first()?, *places.first()?);
+        for x in places {
+            for ((low, high), x) in bounds.0.iter_mut().zip(bounds.1.iter_mut()).zip(x) {
+                (*low, *high) = (low.min(*x), high.max(*x));
+            }
+        }
+        Some(bounds)
+    }
+}
