@@ -115,6 +115,8 @@ pub struct Watched {
     pub peak_time: f64,
     /// When everything was slower than 1 mm/s for good (s); none if it never was.
     pub still: Option<f64>,
+    /// Largest kinetic energy (J).
+    pub kinetic: f64,
     /// Energy (J) lost by the end.
     pub lost: f64,
     /// Impacts.

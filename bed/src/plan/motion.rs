@@ -97,6 +97,7 @@ impl Watch {
         }
         own.still = if motion.fastest() >= STILL { None } else { own.still.or(Some(motion.time())) };
         own.left_over = own.left_over.max(motion.ledger.left_over().abs());
+        own.kinetic = own.kinetic.max(motion.ledger.kinetic);
         own.lost = motion.ledger.lost();
         own.blows = motion.blows;
         own.turned = motion.ledger.turned;

@@ -266,7 +266,7 @@ fn motion_text(watched: &Watched) -> String {
     )
 }
 
-/// More of the energy that is lost than this is left over: steps are too long.
+/// More of the energy that moved or was lost than this is left over: steps are too long.
 const OPEN: f64 = 0.05;
 /// Energy (J) that no run is blamed for.
 const LITTLE: f64 = 1e-3;
@@ -303,11 +303,11 @@ fn text(read: &Read, history: &History) -> String {
     if let Some(own) = read.instruments {
         text += &readings::text(&own.of(&read.plan, history));
     }
-    if history.watched.as_ref().is_some_and(|w| w.left_over > LITTLE.max(OPEN * w.lost)) {
+    if history.watched.as_ref().is_some_and(|w| w.left_over > LITTLE.max(OPEN * w.lost.max(w.kinetic))) {
         let limit = 100.0 * OPEN;
         let _ = writeln!(
             text,
-            "NOT CLOSED: more than {limit} % of the energy lost is left over; shorter steps, `dynamics.step`"
+            "NOT CLOSED: more than {limit} % of the energy that moved is left over; shorter steps, `dynamics.step`"
         );
     }
     if !is_valid([imbalance, felt], sensed.as_ref()) {

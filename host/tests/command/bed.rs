@@ -219,3 +219,20 @@ fn ten_minutes_on_the_thesis_grid_take_less_than_two_of_a_processor() {
     println!("{seconds:.0} s of processor time");
     assert!(seconds < 120.0, "{seconds} s");
 }
+
+#[test]
+fn a_motion_whose_energy_does_not_close_says_so() {
+    let text = "format = 1\n[bed]\nrows = 1\ncolumns = 1\n[load]\nshape = \"ball\"\nradius = \"0.1_m\"\nmass = \"2_kg\"\n\
+                [run]\nclock = \"dynamics\"\nseconds = 0.4\nevery = 0.2\n";
+    let plan = written("bed_not_closed.toml", text);
+    let said = |set: &[&str]| {
+        let set = set.iter().flat_map(|s| ["--set", s]);
+        let arguments: Vec<&str> = ["bed", "run", plan.as_str()].into_iter().chain(set).collect();
+        let done = smartbed(&arguments);
+        assert!(done.out.contains("motion:"), "{}", done.err);
+        done.out.contains("NOT CLOSED")
+    };
+    assert!(said(&["dynamics.step=0.1"]));
+    assert!(!said(&[]));
+    assert!(!said(&["dynamics.sheet_loss=0", "dynamics.tissue_loss=0"]));
+}
