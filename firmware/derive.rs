@@ -31,6 +31,7 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
         ..Options::default()
     };
     options.emit.scalar = ScalarType::F32;
+    options.emit.shared_work = true;
     for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
         let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;
         options.parameters.values.insert(name.to_owned(), value.parse()?);
@@ -42,7 +43,8 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
     }
     let (_, program) = smartbed_codegen::build_program(model, &options);
     program.start()?;
-    fs::write(out.join("model.rs"), command(!read.laws.is_empty()))?;
+    let corrects_speeds = !program.speed_correction.is_empty();
+    fs::write(out.join("model.rs"), command(!read.laws.is_empty()) + correct(corrects_speeds))?;
     Ok(())
 }
 
@@ -59,6 +61,21 @@ fn command(has_law: bool) -> String {
          pub fn command({t}: f32, {q}: &[f32; NQ], {u}: &[f32; NU], inputs: &[f32; N_INPUTS], {p}: &Prepared) \
          -> [f32; N_INPUTS] {{\n    {body}\n}}\n"
     )
+}
+
+/// The corrections that the first evaluation of a step finds, added to the state.
+fn correct(speeds: bool) -> &'static str {
+    match speeds {
+        true => {
+            "/// Corrects coordinates and speeds.\npub fn correct(begun: &BeginStep, q: &mut [f32; NQ], u: &mut [f32; NU]) {\n    \
+             CORRECTED.iter().zip(&begun.projection.0).for_each(|(&index, change)| q[index] += change);\n    \
+             u.iter_mut().zip(&begun.speed_projection).for_each(|(u, change)| *u += change);\n}\n"
+        }
+        false => {
+            "/// Corrects coordinates; the speeds are independent.\npub fn correct(begun: &BeginStep, q: &mut [f32; NQ], _: &mut [f32; NU]) {\n    \
+             CORRECTED.iter().zip(&begun.projection.0).for_each(|(&index, change)| q[index] += change);\n}\n"
+        }
+    }
 }
 
 /// Numbers of the tile (SI), as in `firmware/src/tile/design.rs`; the patient's mass lies 130 mm over the middle.

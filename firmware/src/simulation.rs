@@ -3,7 +3,8 @@
 //! A model with a `[law]` is commanded by it, at every stage of a step as `smartbed run` does it; a tile without one by
 //! the demonstration, whose forces are held for a step; nothing commands the inputs of another model.
 //! It starts where the model's `[start]` says.
-//! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u) and of the energies at the end.
+//! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u), and of energies and rates at the end.
+//! The first evaluation of a step corrects the state too ([`smartbed_runtime::ode::shared_work`]).
 //! [`tile_step`] and the answers [`tile_rates`], [`tile_project`] and [`tile_energy`] are symbols of the image, so that
 //! the emulator can count them and the report can tell their size.
 
@@ -11,14 +12,16 @@ use crate::command::Profile;
 use crate::control;
 use crate::digest::Digest;
 use crate::mechanism::{
-    HAS_LAW, INPUT_NAMES, Model, N_INPUTS, NQ, NU, PARAMETER_NAMES, Q_NAMES, START_Q, START_U, U_NAMES,
-    command,
+    self, BeginStep, CORRECTED, HAS_LAW, INPUT_NAMES, Model, N_INPUTS, NQ, NU, PARAMETER_NAMES, Q_NAMES,
+    START_Q, START_U, U_NAMES, command,
 };
 use crate::names::{equal, position};
 use smartbed_runtime::mechanism::{Fault, Mechanism};
 use smartbed_runtime::ode::Ode;
 use smartbed_runtime::ode::State;
-use smartbed_runtime::ode::{rk4, runge_kutta};
+use smartbed_runtime::ode::shared_work::{Begun, rk4_shared_scratch};
+use smartbed_runtime::ode::{SharedWork, rk4_shared};
+use smartbed_runtime::real::Turn;
 
 /// Length of the state x = [q, u].
 pub const NX: usize = NQ + NU;
@@ -66,7 +69,7 @@ pub struct Simulation {
     weight: f32,
     x: [f32; NX],
     low: [f32; NX],
-    scratch: [f32; runge_kutta::rk4_scratch(NX)],
+    scratch: [f32; rk4_shared_scratch(NX)],
     steps: u32,
 }
 
@@ -91,7 +94,7 @@ impl Simulation {
         x.iter_mut().zip(q.iter().chain(&START_U)).for_each(|(x, start)| *x = *start);
         let start = LEGS.map_or(0.0, |legs| legs.iter().map(|l| at(&x, l.height)).sum::<f32>() / 3.0);
         let profile = Profile::demonstration(start);
-        let (low, scratch) = ([0.0; NX], [0.0; runge_kutta::rk4_scratch(NX)]);
+        let (low, scratch) = ([0.0; NX], [0.0; rk4_shared_scratch(NX)]);
         Ok(Self { model, profile, radius, weight, x, low, scratch, steps: 0 })
     }
 
@@ -143,6 +146,11 @@ impl Simulation {
         self.model.set_time(time);
         let (kinetic, potential) = tile_energy(&mut self.model, &self.x).map_err(|fault| (steps, fault))?;
         digest.add(&[kinetic, potential]);
+        let mut rates = [0.0; NX];
+        let inputs = self.inputs();
+        let last = Held { model: &mut self.model, inputs }.rates(time, &self.x, &mut rates);
+        last.map_err(|fault| (steps, fault))?;
+        digest.add(&rates);
         Ok(digest)
     }
 }
@@ -163,7 +171,7 @@ pub fn tile_step(simulation: &mut Simulation) -> Result<(), Fault> {
     let inputs = simulation.inputs();
     let t = simulation.time();
     let Simulation { model, x, low, scratch, .. } = simulation;
-    rk4(&mut Held { model, inputs }, t, STEP, &mut State::resume(x, low)?, scratch)?;
+    rk4_shared(&mut Held { model, inputs }, t, STEP, &mut State::resume(x, low)?, scratch)?;
     #[cfg(feature = "everything")]
     answer(model, t, x, &inputs);
     simulation.steps += 1;
@@ -220,10 +228,61 @@ pub fn tile_energy(model: &mut Model, x: &[f32]) -> Result<(f32, f32), Fault> {
     model.energy(q, u)
 }
 
+/// Sines and cosines that the evaluations of a step share.
+type Near = [Turn<f32>; N_NEAR];
+const N_NEAR: usize = mechanism::N_NEAR;
+
+/// One evaluation of the equations of motion close to where a step began.
+#[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
+#[unsafe(no_mangle)]
+#[inline(never)]
+pub fn tile_rates_near(
+    model: &Model,
+    t: f32,
+    (x, inputs): (&[f32; NX], &[f32; N_INPUTS]),
+    x_dot: &mut [f32; NX],
+    near: &Near,
+) -> f32 {
+    let (Ok((q, u)), Ok((q_dot, u_dot))) = (parts(x), parts_mut(x_dot)) else { return f32::NAN };
+    let pivot;
+    (*q_dot, *u_dot, pivot) = mechanism::rates_near(t, q, u, inputs, model.prepared(), near);
+    pivot
+}
+
 /// The model with its inputs held, or commanded by its law.
 struct Held<'a> {
     model: &'a mut Model,
     inputs: [f32; N_INPUTS],
+}
+
+impl Held<'_> {
+    /// As the law commands them, or held.
+    #[inline(always)]
+    fn inputs<'i>(
+        &'i self,
+        t: f32,
+        q: &[f32; NQ],
+        u: &[f32; NU],
+        commanded: &'i mut [f32; N_INPUTS],
+    ) -> &'i [f32; N_INPUTS] {
+        if !HAS_LAW {
+            return &self.inputs;
+        }
+        *commanded = command(t, q, u, &self.inputs, self.model.prepared());
+        commanded
+    }
+}
+
+/// x or x_dot as coordinates and speeds.
+fn parts(x: &[f32]) -> Result<(&[f32; NQ], &[f32; NU]), Fault> {
+    let (q, u) = x.split_first_chunk::<NQ>().ok_or(Fault::Shape)?;
+    Ok((q, u.try_into().map_err(|_| Fault::Shape)?))
+}
+
+/// The same, to be written.
+fn parts_mut(x: &mut [f32]) -> Result<(&mut [f32; NQ], &mut [f32; NU]), Fault> {
+    let (q, u) = x.split_first_chunk_mut::<NQ>().ok_or(Fault::Shape)?;
+    Ok((q, u.try_into().map_err(|_| Fault::Shape)?))
 }
 
 impl Ode<f32> for Held<'_> {
@@ -234,33 +293,55 @@ impl Ode<f32> for Held<'_> {
         NQ
     }
     fn rates(&mut self, t: f32, x: &[f32], x_dot: &mut [f32]) -> Result<f32, Fault> {
-        let (q, u) = x.split_at_checked(NQ).ok_or(Fault::Shape)?;
-        let rates = x_dot.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
-        if HAS_LAW {
-            let (Some(q), Some(u)) = (q.first_chunk::<NQ>(), u.first_chunk::<NU>()) else {
-                return Err(Fault::Shape);
-            };
-            let inputs = command(t, q, u, &self.inputs, self.model.prepared());
-            return tile_rates(self.model, t, (q, u, &inputs), rates);
-        }
-        tile_rates(self.model, t, (q, u, &self.inputs), rates)
-    }
-    fn set_time(&mut self, t: f32) {
-        self.model.set_time(t);
-    }
-    fn project(&mut self, x: &mut [f32]) -> Result<f32, Fault> {
-        let (q, _) = x.split_at_mut_checked(NQ).ok_or(Fault::Shape)?;
-        tile_project(self.model, q)
-    }
-    fn projections(&self) -> u8 {
-        1
+        let ((q, u), (q_dot, u_dot)) = (parts(x)?, parts_mut(x_dot)?);
+        let inputs = *self.inputs(t, q, u, &mut [0.0; N_INPUTS]);
+        tile_rates(self.model, t, (q, u, &inputs), (q_dot, u_dot))
     }
 }
 
+impl SharedWork<f32> for Held<'_> {
+    type Near = Near;
+    fn begin(&mut self, t: f32, x: &mut [f32], x_dot: &mut [f32]) -> Result<Begun<f32, Near>, Fault> {
+        let ((q, u), (q_dot, u_dot)) = (parts_mut(x)?, parts_mut(x_dot)?);
+        let mut commanded = [0.0; N_INPUTS];
+        let inputs = self.inputs(t, q, u, &mut commanded);
+        let begun = mechanism::begin_step(t, q, u, inputs, self.model.prepared());
+        let BeginStep { rates: (q_rates, u_rates, pivot), projection: (_, residual), near, .. } = begun;
+        (*q_dot, *u_dot) = (q_rates, u_rates);
+        mechanism::correct(&begun, q, u);
+        Ok(Begun { pivot, residual, near })
+    }
+    fn rates_near(&mut self, t: f32, x: &[f32], x_dot: &mut [f32], near: &Near) -> Result<f32, Fault> {
+        let mut commanded = [0.0; N_INPUTS];
+        let (x, x_dot): (&[f32; NX], &mut [f32; NX]) =
+            (x.try_into().map_err(|_| Fault::Shape)?, x_dot.try_into().map_err(|_| Fault::Shape)?);
+        let (q, u) = parts(x)?;
+        let inputs = self.inputs(t, q, u, &mut commanded);
+        Ok(tile_rates_near(self.model, t, (x, inputs), x_dot, near))
+    }
+    fn is_corrected(&self, index: usize) -> bool {
+        IS_CORRECTED.get(index).copied().unwrap_or(false)
+    }
+}
+
+/// By entry of x: does the correction onto the constraints determine it?
+const IS_CORRECTED: [bool; NX] = {
+    let mut is = [false; NX];
+    let mut place = 0;
+    while place < CORRECTED.len() {
+        is[CORRECTED[place]] = true;
+        place += 1;
+    }
+    is
+};
+
 #[cfg(test)]
 mod tests {
-    use super::{LEGS, STEP, Simulation};
+    use super::{Held, LEGS, NQ, NX, STEP, Simulation, tile_step};
     use crate::control::{DAMPING, STIFFNESS};
+    use smartbed_runtime::mechanism::{Fault, Mechanism};
+    use smartbed_runtime::ode::runge_kutta::rk4_scratch;
+    use smartbed_runtime::ode::{Ode, State, rk4};
 
     /// The law has no velocity feed-forward, so a moving command is followed with a lag of
     /// (D + friction)/K; heights move at up to slope x R x turn + rise rate < 0.06 m/s. Twice that.
@@ -278,6 +359,52 @@ mod tests {
                 assert!(error < LAG, "at {} s off by {error} m", simulation.time());
             }
         }
+    }
+
+    /// The same equations without shared work: every evaluation by itself, a correction behind each step.
+    struct Plain<'a>(Held<'a>);
+
+    impl Ode<f32> for Plain<'_> {
+        fn n_x(&self) -> usize {
+            NX
+        }
+        fn n_q(&self) -> usize {
+            NQ
+        }
+        fn rates(&mut self, t: f32, x: &[f32], x_dot: &mut [f32]) -> Result<f32, Fault> {
+            self.0.rates(t, x, x_dot)
+        }
+        fn project(&mut self, x: &mut [f32]) -> Result<f32, Fault> {
+            self.0.model.project(&mut x[..NQ])
+        }
+        fn projections(&self) -> u8 {
+            1
+        }
+    }
+
+    /// A quarter of an hour beside the step that shares no work: what rounding makes of either stays where it is.
+    #[test]
+    fn a_million_steps_stay_beside_those_that_share_no_work() {
+        let mut shared = Simulation::new().expect("a start");
+        let mut plain = Simulation::new().expect("a start");
+        let mut scratch = [0.0; rk4_scratch(NX)];
+        let (mut apart, mut off) = (0.0_f32, 0.0_f32);
+        for step in 0..1_000_000 {
+            tile_step(&mut shared).expect("a step");
+            let (inputs, t) = (plain.inputs(), plain.time());
+            let Simulation { model, x, low, .. } = &mut plain;
+            let mut state = State::resume(x, low).expect("equal lengths");
+            rk4(&mut Plain(Held { model, inputs }), t, STEP, &mut state, &mut scratch).expect("a step");
+            plain.steps += 1;
+            if step % 100 == 0 {
+                let by_entry = shared.x.iter().zip(&plain.x).map(|(a, b)| (a - b).abs());
+                apart = by_entry.fold(apart, f32::max);
+                let mut q = *shared.x.first_chunk::<NQ>().expect("coordinates");
+                off = off.max(shared.model.project(&mut q).expect("a correction"));
+            }
+        }
+        std::println!("{apart:e} apart, {off:e} off the constraints");
+        assert!(apart < 1e-6 && off < 5e-7, "{apart:e} {off:e}");
     }
 
     #[test]

@@ -82,6 +82,7 @@ pub const INTEGRATOR_SOURCES: &[(&str, &str)] = &[
     ("ode/method.rs", include_str!("ode/method.rs")),
     ("ode/root.rs", include_str!("ode/root.rs")),
     ("ode/runge_kutta.rs", include_str!("ode/runge_kutta.rs")),
+    ("ode/shared_work.rs", include_str!("ode/shared_work.rs")),
     ("ode/splitting.rs", include_str!("ode/splitting.rs")),
     ("ode/state.rs", include_str!("ode/state.rs")),
     ("ode/step_size.rs", include_str!("ode/step_size.rs")),

@@ -4,12 +4,12 @@
 //! tuple of its parts; one on request is a struct with a field for each part; several asked together are a struct with a
 //! field for each answer.
 
-use super::layout::{self, PLAIN_STRUCT};
-use super::name::{self, Scope};
+use super::layout::{self, PLAIN_STRUCT, UNREAD};
+use super::name::{self, NEAR, Scope};
 use super::options::EmitOptions;
 use crate::expr::ExprId;
 use crate::program::Program;
-use crate::program::answer::{Answer, Function, Part, Shape};
+use crate::program::answer::{Answer, Function, Part, Request, Shape};
 use std::collections::BTreeMap;
 
 /// Operations by kind.
@@ -22,8 +22,21 @@ pub(super) struct Emitted {
     /// What it gives.
     pub doc: String,
     answers: Vec<Field>,
+    /// What it does with the sines and cosines that the functions of a step share.
+    pub role: Role,
     /// The struct that several answers are fields of.
     together: Option<String>,
+}
+
+/// The part that a function has in a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// None.
+    Alone,
+    /// It is the first, and hands on its sines and cosines.
+    First,
+    /// It goes on from them.
+    Close,
 }
 
 /// An answer and what it is called.
@@ -36,15 +49,18 @@ struct Field {
 
 /// The functions of a file, in its order; an answer that the program does not have is left out.
 pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted> {
-    let mut asked = options.functions.clone();
-    if asked.is_empty() {
-        asked = Function::each(&program.standing());
-        asked.extend(program.functions.iter().cloned());
+    let mut asked: Vec<(Function, Role)> = Vec::new();
+    if options.functions.is_empty() {
+        asked.extend(Function::each(&program.standing()).into_iter().map(|function| (function, Role::Alone)));
+        asked.extend(program.functions.iter().map(|function| (function.clone(), Role::Alone)));
+        asked.extend(options.shared_work.then(functions_of_a_step).into_iter().flatten());
+    } else {
+        asked.extend(options.functions.iter().map(|function| (function.clone(), Role::Alone)));
     }
     let (mut names, mut types) = (Scope::of_functions(), Scope::of_types(program));
     let mut structures: BTreeMap<String, String> = BTreeMap::new();
     let mut emitted = Vec::new();
-    for function in asked {
+    for (function, role) in asked {
         let mut fields = Scope::default();
         let mut answers: Vec<Field> = Vec::new();
         for answer in program.answers_of(&function) {
@@ -57,18 +73,31 @@ pub(super) fn functions(program: &Program, options: &EmitOptions) -> Vec<Emitted
         if answers.is_empty() {
             continue;
         }
-        let together =
-            (function.requests.len() > 1).then(|| types.unique_type(&name::type_name(&function.name)));
+        let together = (function.requests.len() > 1 || role == Role::First)
+            .then(|| types.unique_type(&name::type_name(&function.name)));
         let doc = match answers.as_slice() {
+            [only] if role == Role::Close => {
+                format!("{} Sines and cosines are turned on from those of a place close by.", only.answer.doc)
+            }
             [only] => only.answer.doc.clone(),
             all => {
                 let names: Vec<&str> = all.iter().map(|field| field.answer.name.as_str()).collect();
                 format!("Together, what they share computed once: {}.", names.join(", "))
             }
         };
-        emitted.push(Emitted { name: names.unique(&function.name), doc, answers, together });
+        emitted.push(Emitted { name: names.unique(&function.name), doc, answers, role, together });
     }
     emitted
+}
+
+/// The first evaluation of a step with the correction beside it, and the others.
+fn functions_of_a_step() -> [(Function, Role); 2] {
+    let requests = |names: &[&str]| names.iter().map(|name| Request::new(name)).collect();
+    let first = requests(&["rates", "projection", "speed_projection"]);
+    [
+        (Function { name: "begin_step".to_owned(), requests: first }, Role::First),
+        (Function { name: "rates_near".to_owned(), requests: requests(&["rates"]) }, Role::Close),
+    ]
 }
 
 impl Emitted {
@@ -88,7 +117,7 @@ impl Emitted {
     }
 
     /// The structs of its answers that are not among `defined` yet, and its own.
-    pub fn structures(&self, defined: &mut Vec<String>) -> String {
+    pub fn structures(&self, defined: &mut Vec<String>, handed_on: usize, runtime: &str) -> String {
         let mut text = String::new();
         for field in &self.answers {
             let Some(name) = field.structure.as_ref().filter(|name| !defined.contains(name)) else {
@@ -105,8 +134,16 @@ impl Emitted {
                 .answers
                 .iter()
                 .map(|field| format!("/// {}\n    pub {}: {}", field.answer.doc, field.name, field.output()));
+            let near = (self.role == Role::First).then(|| {
+                let angles = "/// Angles with their sines and cosines, for evaluations close by.";
+                format!("{angles}\n    pub {NEAR}: [{runtime}::real::Turn<S>; N_NEAR]")
+            });
+            if near.is_some() {
+                text += "/// Number of angles whose sines and cosines are handed on.\n";
+                text += &format!("{UNREAD}pub const N_NEAR: usize = {handed_on}usize;\n");
+            }
             text += &format!("/// {}\n{PLAIN_STRUCT}", self.doc);
-            text += &layout::block(&format!("pub struct {name}"), members, "");
+            text += &layout::block(&format!("pub struct {name}"), members.chain(near), "");
         }
         text
     }
@@ -120,14 +157,15 @@ impl Emitted {
     }
 
     /// The expression of what it returns, from those of all results.
-    pub fn result(&self, results: &[String]) -> String {
+    pub fn result(&self, results: &[String], near: Option<String>) -> String {
         let mut rest = results;
         let mut values = self.answers.iter().map(|field| field.value(&mut rest)).collect::<Vec<_>>();
         match &self.together {
             None => values.pop().unwrap_or_default(),
             Some(name) => {
                 let members = self.answers.iter().zip(values);
-                let members: Vec<String> = members.map(|(f, value)| format!("{}: {value}", f.name)).collect();
+                let members = members.map(|(f, value)| format!("{}: {value}", f.name)).chain(near);
+                let members: Vec<String> = members.collect();
                 format!("{name} {{ {} }}", members.join(", "))
             }
         }

@@ -1,8 +1,9 @@
 //! The emitted file, from its first line to its last.
 
-use super::answer::{self, Cost};
+use super::answer::{self, Cost, Role};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
+use super::sines::{self, Sines};
 use super::{function, glue, header, items, name};
 use crate::expr::{Dependence, ExprId};
 use crate::program::Program;
@@ -34,9 +35,15 @@ pub fn emit(program: &Program, options: &EmitOptions) -> String {
     }
     text += &function::prepare(program, &fields, &prepared, &preparing, options);
     let mut defined = Vec::new();
+    let angles = if options.shared_work { sines::angles(program, &prepared) } else { Vec::new() };
     for (function, cost) in functions.iter().zip(&costs) {
-        text += &function.structures(&mut defined);
-        text += &function::answer(program, function, cost, &prepared, options);
+        let sines = match function.role {
+            Role::Alone => Sines::Own,
+            Role::First => Sines::HandedOn(&angles),
+            Role::Close => Sines::Near(&angles),
+        };
+        text += &function.structures(&mut defined, angles.len(), runtime);
+        text += &function::answer(program, (function, sines), cost, &prepared, options);
     }
     if options.functions.is_empty() {
         text += &glue::mechanism(program, &fields, runtime, &options.scalar);

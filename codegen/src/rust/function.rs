@@ -4,6 +4,7 @@ use super::answer::{Cost, Emitted};
 use super::layout::{self, PLAIN_STRUCT, STRAIGHT_LINE};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
+use super::sines::Sines;
 use super::statement::{Body, Parameters};
 use crate::program::Program;
 use crate::words::count;
@@ -20,7 +21,7 @@ pub(super) fn prepare(
         Some(_) => format!("/// The parameter `{field}`.\n    pub {field}: S"),
         None => format!("/// Of parameters alone.\n    pub {field}: S"),
     });
-    let body = Body::new(program, &prepared.roots(), options, Parameters::Given(names));
+    let body = Body::new(program, &prepared.roots(), options, (Parameters::Given(names), Sines::Own));
     let values: Vec<String> = (prepared.fields.iter().zip(&body.results))
         .map(|((_, field), value)| match field == value {
             true => field.clone(),
@@ -42,27 +43,27 @@ pub(super) fn prepare(
 /// One answer, or several together, as a function.
 pub(super) fn answer(
     program: &Program,
-    function: &Emitted,
+    (function, sines): (&Emitted, Sines),
     cost: &Cost,
     prepared: &Prepared,
     options: &EmitOptions,
 ) -> String {
     let parameters = Parameters::Prepared { prepared, takes_u_dot: function.takes_u_dot() };
-    let body = Body::new(program, &function.roots(), options, parameters);
+    let body = Body::new(program, &function.roots(), options, (parameters, sines));
     let operations = count(cost.values().sum::<usize>(), "operation");
     let head = format!("pub fn {}", function.name);
     let signature = layout::signature(&head, &body.arguments(), &function.output(), "");
     format!(
         "/// {}\n///\n{}/// {operations}.\n{STRAIGHT_LINE}{signature}{}    {}\n}}\n",
         function.doc,
-        arguments(function.takes_u_dot()),
+        arguments(function.takes_u_dot(), sines),
         body.statements,
-        function.result(&body.results)
+        function.result(&body.results, body.handed_on())
     )
 }
 
 /// What the arguments are, as lines of documentation.
-fn arguments(takes_u_dot: bool) -> String {
+fn arguments(takes_u_dot: bool, sines: Sines) -> String {
     let mut text = "\
 /// - `t`: time (s)
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
@@ -71,5 +72,9 @@ fn arguments(takes_u_dot: bool) -> String {
     if takes_u_dot {
         text += "/// - `u_dot`: derivatives of the speeds, at their places\n";
     }
-    text + "/// - `p`: what [`prepare`] makes of the parameters\n///\n"
+    text += "/// - `p`: what [`prepare`] makes of the parameters\n";
+    if matches!(sines, Sines::Near(_)) {
+        text += "/// - `near`: what [`begin_step`] hands on\n";
+    }
+    text + "///\n"
 }

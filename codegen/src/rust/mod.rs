@@ -20,6 +20,7 @@ mod places;
 mod prepared;
 mod schedule;
 mod sections;
+mod sines;
 mod statement;
 
 pub use cost::{FunctionCost, cost};

@@ -20,8 +20,12 @@ const KEYWORDS: [&str; 53] = [
 /// depends on parameters.
 pub(super) const ARGUMENTS: [&str; 6] = ["t", "q", "u", "inputs", "u_dot", "p"];
 
+/// Argument of the functions that go on from sines and cosines of angles close by, and the field that hands these on.
+pub(super) const NEAR: &str = "near";
+
 /// Constants of the emitted file. A `let` with such a name would compare with the constant.
-const CONSTANTS: [&str; 16] = [
+const CONSTANTS: [&str; 17] = [
+    "N_NEAR",
     "NQ",
     "NU",
     "N_INPUTS",
@@ -171,7 +175,7 @@ impl Scope {
 
     /// The values of a function of the emitted file.
     pub fn of_function() -> Self {
-        Self::of(ARGUMENTS.iter().chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
+        Self::of(ARGUMENTS.iter().chain(&[NEAR]).chain(&CONSTANTS).chain(&TYPES).chain(&PRELUDE))
     }
 
     /// The wished name, or with the first free numeric suffix.

@@ -38,6 +38,9 @@ pub struct EmitOptions {
     /// What runs the code, if not what usually computes with the scalar: a host with f64, a microcontroller with
     /// any other.
     pub core: Option<Core>,
+    /// Two functions more in a complete file, for steps whose evaluations share work (`ode::shared_work` of the runtime):
+    /// `begin_step` and `rates_near`.
+    pub shared_work: bool,
 }
 
 impl Default for EmitOptions {
@@ -47,6 +50,7 @@ impl Default for EmitOptions {
             runtime: "smartbed_runtime".to_owned(),
             functions: Vec::new(),
             core: None,
+            shared_work: false,
         }
     }
 }

@@ -9,11 +9,12 @@
 
 mod steps;
 
-use super::name::{ARGUMENTS, Scope};
+use super::name::{ARGUMENTS, NEAR, Scope};
 use super::options::EmitOptions;
 use super::prepared::Prepared;
 use super::schedule::{self, Step};
 use super::sections::Sections;
+use super::sines::Sines;
 use crate::escape;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
@@ -44,6 +45,9 @@ pub(super) struct Body<'p> {
     program: &'p Program,
     options: &'p EmitOptions,
     parameters: Parameters<'p>,
+    sines: Sines<'p>,
+    /// By angle that is handed on: the angle, its sine and its cosine.
+    handed_on: Vec<String>,
     /// Statements in order, one a line.
     pub statements: String,
     n_statements: usize,
@@ -70,9 +74,9 @@ impl<'p> Body<'p> {
         program: &'p Program,
         roots: &[ExprId],
         options: &'p EmitOptions,
-        parameters: Parameters<'p>,
+        (parameters, sines): (Parameters<'p>, Sines<'p>),
     ) -> Self {
-        let mut body = Self::empty(program, roots, options, parameters);
+        let mut body = Self::empty(program, roots, options, (parameters, sines));
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
         let order = schedule::order(&steps, &results, options.core());
@@ -87,7 +91,7 @@ impl<'p> Body<'p> {
         options: &'p EmitOptions,
         parameters: Parameters<'p>,
     ) -> usize {
-        let mut body = Self::empty(program, roots, options, parameters);
+        let mut body = Self::empty(program, roots, options, (parameters, Sines::Own));
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
         schedule::most_waiting(&steps, &results, options.core())
@@ -97,13 +101,15 @@ impl<'p> Body<'p> {
         program: &'p Program,
         roots: &[ExprId],
         options: &'p EmitOptions,
-        parameters: Parameters<'p>,
+        (parameters, sines): (Parameters<'p>, Sines<'p>),
     ) -> Self {
         let n = roots.iter().map(|root| root.index() + 1).max().unwrap_or(0);
         Self {
             program,
             options,
             parameters,
+            sines,
+            handed_on: vec![String::new(); sines.handed_on().len()],
             statements: String::new(),
             n_statements: 0,
             results: Vec::new(),
@@ -269,8 +275,14 @@ impl<'p> Body<'p> {
         self.name(id, ident);
     }
 
-    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once, or of their difference.
+    /// `let (sin_psiA, cos_psiA) = Real::sin_cos(psiA);`, or of two angles at once, or of their difference, or turned on
+    /// from those of an angle close by.
     fn sin_cos(&mut self, angle: ExprId) {
+        if let Some(place) = self.sines.given().iter().position(|&given| given == angle) {
+            let (argument, names) = (self.operand(angle), self.name_sin_cos(angle));
+            self.push(&names, format_args!("Real::sin_cos_near({argument}, &{NEAR}[{place}])"));
+            return;
+        }
         let angles: Vec<ExprId> = [angle].into_iter().chain(self.pairs.get(&angle).copied()).collect();
         let of = angles.iter().flat_map(|&angle| self.angles(angle)).flatten();
         let arguments: Vec<String> = of.map(|angle| self.operand(angle)).collect();
@@ -292,15 +304,25 @@ impl<'p> Body<'p> {
             Some(name) => name.to_owned(),
             None => format!("angle{}", self.n_statements),
         };
+        let place = self.sines.handed_on().iter().position(|&handed_on| handed_on == angle);
         let names = [Unary::Sin, Unary::Cos].map(|function| {
             let is_read = |id: &ExprId| self.uses.get(id.index()).is_some_and(|&n| n > 0);
-            let Some(id) = self.dag().find(Node::Unary(function, angle)).filter(is_read) else {
+            let id = self.dag().find(Node::Unary(function, angle)).filter(is_read);
+            if id.is_none() && place.is_none() {
                 return "_".to_owned();
-            };
+            }
             let name = self.scope.unique(&format!("{}_{of}", unary_name(function)));
-            self.name(id, name.clone());
+            id.into_iter().for_each(|id| self.name(id, name.clone()));
             name
         });
+        if let Some(place) = place {
+            let ([sin, cos], angle) = (&names, self.operand(angle));
+            let turn = format!(
+                "{}::real::Turn {{ angle: {angle}, sin: {sin}, cos: {cos} }}",
+                self.options.runtime.trim()
+            );
+            self.handed_on[place] = turn;
+        }
         format!("({})", names.join(", "))
     }
 
@@ -381,6 +403,11 @@ impl<'p> Body<'p> {
         }
     }
 
+    /// `near: [Turn { .. }, ..]`, where the sines and cosines are handed on.
+    pub fn handed_on(&self) -> Option<String> {
+        matches!(self.sines, Sines::HandedOn(_)).then(|| format!("{NEAR}: [{}]", self.handed_on.join(", ")))
+    }
+
     /// The arguments of the signature; what is not read gets an underscore.
     pub fn arguments(&self) -> Vec<String> {
         let program = self.program;
@@ -395,7 +422,11 @@ impl<'p> Body<'p> {
         let types = ["S".to_owned(), q, u.clone(), inputs, u, "&Prepared".to_owned()];
         let named = ARGUMENTS.iter().zip(types).zip(self.read);
         let named = named.filter(|((name, _), _)| takes_u_dot || **name != "u_dot");
-        named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).collect()
+        let near = matches!(self.sines, Sines::Near(_)).then(|| {
+            let (runtime, read) = (self.options.runtime.trim(), !self.sines.given().is_empty());
+            format!("{}{NEAR}: &[{runtime}::real::Turn<S>; N_NEAR]", underscore(read))
+        });
+        named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).chain(near).collect()
     }
 }
 

@@ -145,3 +145,27 @@ fn a_dependent_speed_says_where_it_is_declared() {
         assert!(line.ends_with(&format!("; // fourbar.toml:{declared}")), "{line}");
     }
 }
+
+/// The text of a function, from its head to its closing brace.
+fn function<'t>(text: &'t str, name: &str) -> &'t str {
+    let from = text.find(&format!("pub fn {name}(")).unwrap_or_else(|| panic!("no function {name}"));
+    let rest = &text[from..];
+    &rest[..rest.find("\n}\n").expect("an end")]
+}
+
+/// `rates_near` turns on every sine and cosine that `begin_step` hands on, and takes none of an angle anew; without the option
+/// neither is there.
+#[test]
+fn functions_of_a_step_share_their_sines() {
+    for name in ["tile", "arm6", "fourbar", "rolling_disc", "satellite", "free_body"] {
+        let program = derived(name, &[]);
+        let emit = |shared_work| rust::emit(&program, &EmitOptions { shared_work, ..EmitOptions::default() });
+        let (text, usual) = (emit(true), emit(false));
+        assert!(!usual.contains("begin_step") && !usual.contains("rates_near"), "{name}");
+        let (first, near) = (function(&text, "begin_step"), function(&text, "rates_near"));
+        let turned = near.matches("Real::sin_cos_near(").count();
+        assert!(!near.contains("Real::sin_cos(") && !near.contains("Real::sin_cos_of_two("), "{name}");
+        assert_eq!(first.matches("real::Turn {").count(), turned, "{name}");
+        assert!(text.contains(&format!("pub const N_NEAR: usize = {turned}usize;")), "{name}");
+    }
+}

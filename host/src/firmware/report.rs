@@ -86,7 +86,7 @@ impl Report {
         };
         let find = |name: &str| rest.iter().find(|count| count.name == name);
         let (steps, rates) = (u64::from(self.settings.steps), find(RATES));
-        if step.calls != steps || rates.is_some_and(|r| r.calls < steps) {
+        if step.calls != steps || rates.is_some_and(|r| r.calls == 0) {
             let evaluations = rates.map_or(0, |r| r.calls);
             return Err(Failure::Wrong(format!(
                 "{steps} steps, but {} calls of a step and {evaluations} of the rates were counted",

@@ -18,7 +18,7 @@ pub struct Report<S> {
 /// the rounding unit half of the digits of an acceleration are gone.
 #[must_use]
 pub fn pivot_limit<S: Scalar>() -> S {
-    S::EPSILON.sqrt()
+    S::ROOT_EPSILON
 }
 
 /// The rates at (t, x), refused if singular; lowers `worst` to the pivot met.

@@ -183,6 +183,7 @@ impl Real for Counting {
 /// Comparisons are free.
 impl Scalar for Counting {
     const EPSILON: Counting = Counting(f64::EPSILON);
+    const ROOT_EPSILON: Counting = Counting(f64::ROOT_EPSILON);
     const LARGEST_ANGLE: Counting = Counting(<f64 as Scalar>::LARGEST_ANGLE);
     const TURN: [Counting; 3] = {
         let [a, b, c] = <f64 as Scalar>::TURN;

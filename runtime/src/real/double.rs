@@ -2,7 +2,7 @@
 //! and therefore the same on every machine.
 
 use super::sqrt::sqrt_f64;
-use super::{Real, Scalar, lane, trig};
+use super::{Real, Scalar, Turn, lane, trig};
 #[cfg(target_arch = "x86_64")]
 use super::{exact_difference, turn_further};
 
@@ -33,6 +33,16 @@ impl Real for f64 {
         let ((one, lost), (two, lost_of_two)) = (exact_difference(a, b), exact_difference(c, d));
         let [first, second] = super::pair::sin_cos(one, two);
         [turn_further(first, lost), turn_further(second, lost_of_two)]
+    }
+    #[inline(always)]
+    fn sin_cos_near(self, known: &Turn<f64>) -> (f64, f64) {
+        let d = self - known.angle;
+        // What is not a number is not near.
+        if f64::abs(d) <= trig::NEAR {
+            trig::turn_on_f64((known.sin, known.cos), d)
+        } else {
+            Real::sin_cos(self)
+        }
     }
     fn tan(self) -> f64 {
         libm::tan(self)
@@ -75,6 +85,7 @@ impl Real for f64 {
 
 impl Scalar for f64 {
     const EPSILON: f64 = f64::EPSILON;
+    const ROOT_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
     /// 2^20 quarter turns: so far both products of the reduction are exact.
     const LARGEST_ANGLE: f64 = 1.6e6;
     /// Exact multiples of the quarter turn's parts.

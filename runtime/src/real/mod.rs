@@ -64,6 +64,13 @@ pub trait Real:
     fn sin_cos_of_two_differences(a: Self, b: Self, c: Self, d: Self) -> [(Self, Self); 2] {
         [Self::sin_cos_of_difference(a, b), Self::sin_cos_of_difference(c, d)]
     }
+    /// (sin, cos) of an angle (rad) close to one whose sine and cosine are known: turned on from those where the angles
+    /// differ by [`trig::NEAR`] at most, else as [`Real::sin_cos`]. A unit in the last place less exact than that.
+    #[inline]
+    fn sin_cos_near(self, known: &Turn<Self>) -> (Self, Self) {
+        let _ = known;
+        self.sin_cos()
+    }
     /// Tangent (rad), same domain.
     #[must_use]
     fn tan(self) -> Self;
@@ -97,6 +104,17 @@ pub trait Real:
     /// The larger of two; NaN if either is; of equals (-0 and 0 included) `other`.
     #[must_use]
     fn max(self, other: Self) -> Self;
+}
+
+/// An angle (rad) with its sine and cosine.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Turn<S> {
+    /// The angle.
+    pub angle: S,
+    /// Its sine.
+    pub sin: S,
+    /// Its cosine.
+    pub cos: S,
 }
 
 /// a - b as the rounded difference and what the rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2).
@@ -133,6 +151,8 @@ impl Constant {
 pub trait Scalar: Real + PartialOrd {
     /// Distance from 1 to the next number.
     const EPSILON: Self;
+    /// Square root of [`Scalar::EPSILON`], rounded: half of the digits.
+    const ROOT_EPSILON: Self;
     /// The largest angle (rad) of which sine and cosine are taken: up to it the error is that of `trig`, f32 adds 3e-11
     /// of the angle, a thousandth of the angle's own rounding. Far beyond they are not even between -1 and 1.
     const LARGEST_ANGLE: Self;

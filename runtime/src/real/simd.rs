@@ -4,12 +4,12 @@
 //! functions lane by lane.
 
 use super::lane::{self, Lane};
-use super::{Real, trig};
+use super::{Real, Turn, trig};
 use wide::bytemuck::cast;
 use wide::{f32x8, f64x4, i32x8, i64x4};
 
 macro_rules! lanes {
-    ($lanes:ty, $ints:ty, $t:ty, $bits:literal, $sin_cos:path) => {
+    ($lanes:ty, $ints:ty, $t:ty, $bits:literal, $sin_cos:path, $turn_on:path) => {
         impl Lane for $lanes {
             type Element = $t;
             /// All bits of a lane set, or none.
@@ -57,6 +57,13 @@ macro_rules! lanes {
             fn sin_cos(self) -> (Self, Self) {
                 $sin_cos(self)
             }
+            fn sin_cos_near(self, known: &Turn<Self>) -> (Self, Self) {
+                let d = self - known.angle;
+                let is_far = <$lanes>::splat(trig::NEAR as $t).simd_lt(Real::abs(d));
+                let near = $turn_on((known.sin, known.cos), d);
+                let exact = $sin_cos(self);
+                (Self::select(is_far, exact.0, near.0), Self::select(is_far, exact.1, near.1))
+            }
             fn tan(self) -> Self {
                 self.to_array().map(Real::tan).into()
             }
@@ -100,5 +107,5 @@ macro_rules! lanes {
     };
 }
 
-lanes!(f32x8, i32x8, f32, 32, trig::sin_cos_f32);
-lanes!(f64x4, i64x4, f64, 64, trig::sin_cos_f64);
+lanes!(f32x8, i32x8, f32, 32, trig::sin_cos_f32, trig::turn_on_f32);
+lanes!(f64x4, i64x4, f64, 64, trig::sin_cos_f64, trig::turn_on_f64);

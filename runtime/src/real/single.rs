@@ -6,7 +6,7 @@
 
 use super::lane::Lane;
 use super::sqrt::sqrt_f32;
-use super::{Constant, Real, Scalar, lane, trig};
+use super::{Constant, Real, Scalar, Turn, lane, trig};
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
 
 /// pi/2 - `FRAC_PI_2`.
@@ -36,6 +36,16 @@ impl Real for f32 {
     #[inline]
     fn sin_cos(self) -> (f32, f32) {
         trig::sin_cos_f32(self)
+    }
+    #[inline(always)]
+    fn sin_cos_near(self, known: &Turn<f32>) -> (f32, f32) {
+        let d = self - known.angle;
+        // What is not a number is not near.
+        if f32::abs(d) <= trig::NEAR as f32 {
+            trig::turn_on_f32((known.sin, known.cos), d)
+        } else {
+            Real::sin_cos(self)
+        }
     }
     #[inline]
     fn tan(self) -> f32 {
@@ -93,6 +103,7 @@ impl Real for f32 {
 
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
+    const ROOT_EPSILON: f32 = 3.452_669_8e-4;
     /// 2^16 quarter turns: so far the first product of the reduction is exact.
     const LARGEST_ANGLE: f32 = 1e5;
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use crate::double_double::{self, DoubleDouble};
 use proptest::prelude::*;
-use smartbed_runtime::real::{Real, Scalar};
+use smartbed_runtime::real::{Real, Scalar, Turn, trig};
 
 /// Points of a sweep in f32 for sine and cosine; for the other functions a quarter of it.
 const POINTS: usize = 2_000_000;
@@ -276,6 +276,59 @@ proptest! {
     }
 }
 
+/// Sine and cosine turned on from those of an angle close by [ulp]: those of the angle, and a rounding more.
+const NEAR_ULP: f64 = 2.8;
+/// Near zeros in f32: the bound of the angle itself, and d^3/6 at the largest turn.
+const NEAR_F32_ABSOLUTE: f64 = 3e-10;
+
+fn turned<S: Real>(from: S, to: S) -> (S, S) {
+    let (sin, cos) = Real::sin_cos(from);
+    Real::sin_cos_near(to, &Turn { angle: from, sin, cos })
+}
+
+#[test]
+fn sines_turned_on_stay_within_their_bounds() {
+    let (mut single, mut near_zero, mut double) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for (i, x) in sweep(-7.0, 7.0, POINTS / 4).enumerate() {
+        let d = trig::NEAR * ((i * 7919 % 2001) as f64 / 1000.0 - 1.0);
+        let to = (f64::from(x) + 0.999 * d) as f32;
+        let (s, c) = turned(x, to);
+        let (s_want, c_want) = f64::from(to).sin_cos();
+        for (got, want) in [(s, s_want), (c, c_want)] {
+            if want.abs() > SMALL {
+                single = single.max(ulp_f32(got, want));
+            } else {
+                near_zero = near_zero.max((f64::from(got) - want).abs());
+            }
+        }
+        let (from, to) = (f64::from(x), f64::from(x) + d);
+        let (s, c) = turned(from, to);
+        let (s_want, c_want) = double_double::sin_cos(to);
+        for (got, want) in [(s, s_want), (c, c_want)].into_iter().filter(|(_, want)| want.hi.abs() > SMALL) {
+            let place = want.hi.abs().next_up() - want.hi.abs();
+            double = double.max(((got - want.hi) - want.lo).abs() / place);
+        }
+    }
+    println!("turned on: f32 {single:.3} ulp, {near_zero:.2e} near zeros, f64 {double:.3} ulp");
+    assert!(single <= NEAR_ULP && double <= NEAR_ULP && near_zero <= NEAR_F32_ABSOLUTE);
+}
+
+#[test]
+fn what_is_not_near_is_computed_from_the_angle() {
+    for (from, to) in [(0.3_f32, 0.31), (0.3, -2.0), (0.3, f32::NAN), (f32::NAN, 0.3), (f32::INFINITY, 0.3)] {
+        let (got, want) = (turned(from, to), Real::sin_cos(to));
+        let same = |a: f32, b: f32| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan());
+        assert!(same(got.0, want.0) && same(got.1, want.1), "{from} {to}");
+        assert!(turned(f64::from(from), f64::from(to)).0.is_nan() == to.is_nan());
+    }
+}
+
+#[test]
+fn half_of_the_digits() {
+    assert_eq!(f32::ROOT_EPSILON, Real::sqrt(f32::EPSILON));
+    assert_eq!(f64::ROOT_EPSILON, Real::sqrt(f64::EPSILON));
+}
+
 #[cfg(feature = "simd")]
 mod lanes {
     use super::*;
@@ -306,6 +359,22 @@ mod lanes {
                         prop_assert!(same, "function {index}: {got:e} from lanes, {want:e} from {a:e}, {b:e}");
                     }
                 }
+            }
+        }
+
+        #[test]
+        fn sines_are_turned_on_in_lanes_as_alone(x in prop::array::uniform8(-7.0_f32..7.0), d in prop::array::uniform8(-2e-3_f32..2e-3)) {
+            let to: [f32; 8] = core::array::from_fn(|i| x[i] + d[i]);
+            let (s, c) = turned(f32x8::from(x), f32x8::from(to));
+            for (i, (s, c)) in s.to_array().into_iter().zip(c.to_array()).enumerate() {
+                let want = turned(x[i], to[i]);
+                prop_assert_eq!((s.to_bits(), c.to_bits()), (want.0.to_bits(), want.1.to_bits()));
+            }
+            let [x, to] = [x, to].map(|v| [v[0], v[1], v[2], v[3]].map(f64::from));
+            let (s, c) = turned(f64x4::from(x), f64x4::from(to));
+            for (i, (s, c)) in s.to_array().into_iter().zip(c.to_array()).enumerate() {
+                let want = turned(x[i], to[i]);
+                prop_assert_eq!((s.to_bits(), c.to_bits()), (want.0.to_bits(), want.1.to_bits()));
             }
         }
 

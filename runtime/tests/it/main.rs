@@ -20,6 +20,7 @@ mod rigid_scene;
 mod scenery;
 mod sensor;
 mod several;
+mod shared_work;
 mod sides;
 mod state;
 mod surface;

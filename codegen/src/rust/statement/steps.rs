@@ -32,7 +32,7 @@ impl<'p> Body<'p> {
     pub(super) fn steps(&mut self, roots: &[ExprId]) -> Vec<Step> {
         let dag = self.dag();
         let order = dag.reachable_above(roots, |id| self.field(id).is_some());
-        if self.options.core() == Core::Host {
+        if self.options.core() == Core::Host && self.sines.given().is_empty() {
             self.pairs = pair_angles(dag, &order, |id| self.field(id).is_some());
         }
         let mut steps: Vec<Step> = Vec::new();
