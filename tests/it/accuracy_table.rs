@@ -7,8 +7,8 @@
 use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::model_argument;
 use smartbed::report::point::Control;
-use smartbed::report::subject::{self, Method, SAMPLES, Subject, Time};
-use smartbed::report::{measure, reference};
+use smartbed::report::subject::{Method, SAMPLES, Subject, Time};
+use smartbed::report::{measure, open, plan, reference};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -51,7 +51,7 @@ fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scala
     let seconds = truth.seconds;
     let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step()).ceil().max(1.0) as usize;
     let control = match (method.adaptive, scalar) {
-        (false, _) => Control::Step(measure::step_of(seconds, 8 * coarsest)),
+        (false, _) => Control::Step(plan::step_of(seconds, 8 * coarsest)),
         (true, ScalarKind::F64) => Control::Tolerance(1e-8),
         (true, ScalarKind::F32) => Control::Tolerance(1e-5),
     };
@@ -66,8 +66,7 @@ fn table(folder: &Path) -> String {
     let mut names: Vec<String> = Vec::new();
     for file in files(folder) {
         let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
-        let subject =
-            subject::open(&file.display().to_string(), EngineKind::Interpreter).expect("it is read");
+        let subject = open::open(&file.display().to_string(), EngineKind::Interpreter).expect("it is read");
         let seconds = subject.seconds().min(MOST_SECONDS).min(WORK / subject.weight());
         let truth =
             reference::make(subject.as_ref(), seconds, false, Duration::from_secs(600)).expect("a reference");

@@ -6,7 +6,7 @@
 use smartbed::engine::{EngineKind, ScalarKind};
 use smartbed::report::order::{Order, observe};
 use smartbed::report::plan::Plan;
-use smartbed::report::{section, subject};
+use smartbed::report::{open, section};
 use std::time::Duration;
 
 /// What an observed order may fall below the nominal one.
@@ -27,7 +27,7 @@ fn orders(name: &str, seconds: f64) -> Vec<Order> {
     let path = ["models", "models/scenes"]
         .map(|folder| format!("{}/../{folder}/{name}.toml", env!("CARGO_MANIFEST_DIR")));
     let path = path.iter().find(|p| std::path::Path::new(p).is_file()).expect("a model of that name");
-    let subject = subject::open(path, EngineKind::Interpreter).expect("it is read");
+    let subject = open::open(path, EngineKind::Interpreter).expect("it is read");
     let seconds = seconds.min(subject.seconds());
     let section = section(subject.as_ref(), &plan(), Some(seconds)).expect("it is measured");
     let orders = observe(&section, &subject.methods());

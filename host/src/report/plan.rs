@@ -151,6 +151,6 @@ impl Plan {
 }
 
 /// The step of a ladder that divides the time between two samples into `steps`.
-fn step_of(seconds: f64, steps: usize) -> f64 {
+pub fn step_of(seconds: f64, steps: usize) -> f64 {
     seconds / (SAMPLES * steps) as f64
 }
