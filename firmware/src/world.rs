@@ -100,6 +100,8 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
             answers: &mut [[[0.0; 6]; 6]; ANSWERS],
             nodes: &mut [0.0; SEEN_NODES],
         },
+        // Declared pairs are few: none is worth the memory of a box.
+        extents: &mut [],
         touches: [&mut now, &mut before],
         counts: [0; 2],
     };

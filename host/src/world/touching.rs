@@ -17,8 +17,8 @@ use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::Frame;
 use smartbed_runtime::vec3::Vec3;
 use smartbed_runtime::world::{
-    Accounts, Carrier, Coupling, Inertias, InverseInertia, Island, LocatedMemory, MeanMemory, Pair, Place,
-    Pressing, StepMemory, Thing, Touch, World,
+    Accounts, Carrier, Coupling, Extent, Inertias, InverseInertia, Island, LocatedMemory, MeanMemory, Pair,
+    Place, Pressing, StepMemory, Thing, Touch, World,
 };
 use std::ops::Range;
 
@@ -46,6 +46,7 @@ pub(super) struct Touching {
     frames: [Vec<Frame<f64>>; 2],
     twists: [Vec<Twist<f64>>; 3],
     normals: Vec<Vec3<f64>>,
+    extents: Vec<Extent<f64>>,
     couplings: Vec<Coupling>,
     answers: Vec<InverseInertia<f64>>,
     yields: Vec<f64>,
@@ -204,6 +205,7 @@ impl Touching {
             active: vec![false; pairs.len()],
             forces: Vec::new(),
             pushed: Pushed::new(pairs.len()),
+            extents: vec![Extent::everywhere(); things.len()],
             things,
             pairs,
             scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
@@ -262,6 +264,7 @@ impl Touching {
                 answers: &mut self.answers,
                 nodes: &mut self.yields,
             },
+            extents: &mut self.extents,
             touches: [now, before],
             counts: self.counts,
         };

@@ -11,7 +11,7 @@
 //! Both sides of a contact have one place, a node's or the foot on a facet, so that impulse and opposite act on one line; but a
 //! node over a facet, where friction's arm is the gap. Edges of facets that cross, and a mesh on itself, are not looked for.
 
-use super::scenery::{Mesh, Over, Scenery, Standing};
+use super::scenery::{Extent, Mesh, Over, Scenery, Standing};
 use super::thing::{Pair, Thing};
 use super::trail::Trail;
 use crate::mechanism::Fault;
@@ -116,10 +116,22 @@ impl<S: Scalar> Found<'_, S> {
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// Fills the list; returns how many.
-    pub(super) fn find(&self, pairs: &[Pair<S>], touches: &mut [Touch<S>]) -> Result<usize, Fault> {
+    /// Fills the list; returns how many. `extents` is memory for a box around each thing, of which pairs are passed over that
+    /// are too far apart to touch; where it has no room, all are looked at.
+    pub(super) fn find(
+        &self,
+        pairs: &[Pair<S>],
+        touches: &mut [Touch<S>],
+        extents: &mut [Extent<S>],
+    ) -> Result<usize, Fault> {
         let mut found = Found { touches, count: 0, full: false };
+        extents.iter_mut().zip(self.things).for_each(|(extent, thing)| *extent = self.extent(thing));
         for pair in pairs.iter().enumerate() {
+            if let [Some(one), Some(other)] = pair.1.things.map(|thing| extents.get(thing))
+                && !one.is_near(other, self.margin)
+            {
+                continue;
+            }
             let [Some(one), Some(other)] = pair.1.things.map(|thing| self.things.get(thing)) else {
                 return Err(Fault::Shape);
             };
@@ -257,7 +269,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
-        let Some((low, high)) = self.bounds(&other).filter(|_| !other.facets.is_empty()) else { return };
+        let Some(Extent { low, high }) = self.bounds(&other).filter(|_| !other.facets.is_empty()) else {
+            return;
+        };
         let far = self.margin.max(other.depth);
         let base = if own.nodes[0] < other.nodes[0] { 0 } else { OF_SHAPE };
         for (id, node) in (base..).zip(own.nodes[0]..own.nodes[1]) {

@@ -38,6 +38,7 @@ pub use inertia::{Coupling, Inertias};
 pub use island::{Attachment, Island, IslandEnergy, Memory};
 pub use located::{LocatedMemory, LocatedReport, SPLITS, Strike};
 pub use pressed::Pressing;
+pub use scenery::Extent;
 pub use step::{StepMemory, StepReport, World};
 pub use sweep::FEW;
 pub use thing::{Pair, Place, Thing};

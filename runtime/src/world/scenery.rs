@@ -51,6 +51,27 @@ pub(super) type Standing<S> = (Shape<S>, Option<usize>, Frame<S>);
 /// A facet, and a foot on it.
 pub(super) type Foot<'a, S> = (&'a [usize; 4], FacetNearest<S>);
 
+/// Box around a thing, its sides along N (m); without an end it reaches everywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent<S> {
+    pub(super) low: Vec3<S>,
+    pub(super) high: Vec3<S>,
+}
+
+impl<S: Scalar> Extent<S> {
+    /// Everywhere.
+    #[must_use]
+    pub fn everywhere() -> Extent<S> {
+        let far = S::from_f64(f64::INFINITY);
+        Extent { low: [-far; 3], high: [far; 3] }
+    }
+
+    /// May something of the one be so near (m) to something of the other?
+    pub(super) fn is_near(&self, other: &Extent<S>, margin: S) -> bool {
+        (0..3).all(|i| self.low[i] - margin <= other.high[i] && other.low[i] - margin <= self.high[i])
+    }
+}
+
 /// Which facet of a mesh a point is over.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Over {
@@ -116,7 +137,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     /// Is the shape's bounding sphere near the box around the mesh's nodes? If not, nothing of theirs is.
     pub(super) fn may_meet(&self, mesh: &Mesh<S>, (shape, _, frame): &Standing<S>) -> bool {
         let Some(reach) = shape.reach() else { return true };
-        let Some((low, high)) = self.bounds(mesh) else { return false };
+        let Some(Extent { low, high }) = self.bounds(mesh) else { return false };
         let outside = frame.origin.iter().zip(low.iter().zip(high));
         let outside = outside.fold(S::ZERO, |sum, (x, (low, high))| {
             let over = (*low - *x).max(*x - high).max(S::ZERO);
@@ -204,15 +225,31 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     }
 
     /// Box around a mesh's nodes.
-    pub(super) fn bounds(&self, mesh: &Mesh<S>) -> Option<(Vec3<S>, Vec3<S>)> {
+    pub(super) fn bounds(&self, mesh: &Mesh<S>) -> Option<Extent<S>> {
         let [first, end] = mesh.nodes;
         let places = self.pos.get(first..end)?;
-        let mut bounds = (*places.first()?, *places.first()?);
+        let mut bounds = Extent { low: *places.first()?, high: *places.first()? };
         for x in places {
-            for ((low, high), x) in bounds.0.iter_mut().zip(bounds.1.iter_mut()).zip(x) {
+            for ((low, high), x) in bounds.low.iter_mut().zip(bounds.high.iter_mut()).zip(x) {
                 (*low, *high) = (low.min(*x), high.max(*x));
             }
         }
         Some(bounds)
+    }
+
+    /// Box around a thing, wider by how deep something may be in it.
+    pub(super) fn extent(&self, thing: &Thing<S>) -> Extent<S> {
+        let (Extent { low, high }, wider) = match (self.rigid(thing), self.mesh(thing)) {
+            (Some((shape, _, frame)), _) => match shape.reach() {
+                Some(reach) => (Extent { low: frame.origin, high: frame.origin }, reach),
+                None => return Extent::everywhere(),
+            },
+            (_, Some(mesh)) => match self.bounds(&mesh) {
+                Some(extent) => (extent, mesh.depth),
+                None => return Extent::everywhere(),
+            },
+            _ => return Extent::everywhere(),
+        };
+        Extent { low: low.map(|x| x - wider), high: high.map(|x| x + wider) }
     }
 }

@@ -16,7 +16,7 @@ use super::carrier::{Carrier, Wrench};
 use super::detect::{AT_NODE, Touch};
 use super::inertia::Inertias;
 use super::island::{Cut, Island};
-use super::scenery::Scenery;
+use super::scenery::{Extent, Scenery};
 use super::sweep::{self, sweep};
 use super::thing::{Pair, Thing};
 use crate::mechanism::Fault;
@@ -53,6 +53,8 @@ pub struct StepMemory<'a, S> {
     pub normals: &'a mut [Vec3<S>],
     /// What ports and nodes yield.
     pub inertias: Inertias<'a, S>,
+    /// Boxes around the things, one entry per thing; may be empty where there are few pairs.
+    pub extents: &'a mut [Extent<S>],
     /// Contacts of this step and of the one before: as many as are expected at once.
     pub touches: [&'a mut [Touch<S>]; 2],
     /// How many there are.
@@ -294,14 +296,21 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         memory.touches.swap(0, 1);
         memory.counts.swap(0, 1);
         let margin = self.margin(h, memory);
-        let StepMemory { twists: [start, ..], normals, inertias, touches: [now, before], counts, .. } =
-            memory;
+        let StepMemory {
+            twists: [start, ..],
+            normals,
+            inertias,
+            extents,
+            touches: [now, before],
+            counts,
+            ..
+        } = memory;
         counts[0] = 0;
         if self.pairs.is_empty() {
             return Ok(());
         }
         self.turn_normals(normals);
-        let count = self.scenery(normals, margin, S::from_f64(AT_NODE)).find(self.pairs, now)?;
+        let count = self.scenery(normals, margin, S::from_f64(AT_NODE)).find(self.pairs, now, extents)?;
         let island = &mut self.island;
         counts[0] = count;
         if count == 0 {

@@ -12,7 +12,7 @@ use smartbed_runtime::rigid::several::Struck;
 use smartbed_runtime::surface::{Cuboid, Frame, Shape, Sphere};
 use smartbed_runtime::vec3::{self, Vec3};
 use smartbed_runtime::world::{
-    Accounts, Attachment, Carrier, Cell, Commanded, Content, Coupling, Floating, Group, Inertias,
+    Accounts, Attachment, Carrier, Cell, Commanded, Content, Coupling, Extent, Floating, Group, Inertias,
     InverseInertia, Island, LocatedMemory, LocatedReport, MeanMemory, Memory, Pair, Place, Pressing,
     StepMemory, StepReport, Thing, Touch, World, Wrench,
 };
@@ -337,6 +337,7 @@ impl Scene {
         let mut answers = vec![[[0.0; 6]; 6]; answers_needed];
         let mut nodes = vec![0.0; n];
         let mut touches = [0; 2].map(|_| vec![Touch::empty(); self.room]);
+        let mut extents = vec![Extent::everywhere(); self.things.len()];
         let [first, last] = &mut rows;
         let [a, b, c] = &mut twists;
         let [now, before] = &mut touches;
@@ -347,6 +348,7 @@ impl Scene {
             twists: [a, b, c],
             normals: &mut normals,
             inertias,
+            extents: &mut extents,
             touches: [now, before],
             counts: [0; 2],
         };

@@ -362,6 +362,7 @@ fn in_f32_a_box_slides_to_rest_as_well() {
         twists: [a, b, c],
         normals: &mut [],
         inertias: Inertias { couplings: &mut couplings, answers: &mut answers, nodes: &mut [] },
+        extents: &mut [],
         touches: [&mut now, &mut before],
         counts: [0; 2],
     };

@@ -24,6 +24,11 @@ use crate::vec3::{self, Vec3};
 ///
 /// Two half-spaces have none.
 pub fn features<S: Scalar>(one: Placed<S>, other: Placed<S>, margin: S) -> Features<S> {
+    let reach = one.shape.reach().zip(other.shape.reach());
+    let apart = vec3::norm(vec3::sub(one.frame.origin, other.frame.origin));
+    if reach.is_some_and(|(one, other)| apart > one + other + margin) {
+        return Features::none();
+    }
     if rank(one.shape) < rank(other.shape) {
         features_in_order(other, one, margin).swapped()
     } else {

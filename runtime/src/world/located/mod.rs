@@ -267,10 +267,12 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Finds what touches at the state so far, with its velocity.
     fn find_touches(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         self.island.place(t, way.now[0])?;
-        let StepMemory { twists: [_, twists, _], normals, touches: [now, _], counts, .. } = &mut *way.memory;
+        let StepMemory { twists: [_, twists, _], normals, extents, touches: [now, _], counts, .. } =
+            &mut *way.memory;
         self.turn_normals(normals);
         Pressed::read_twists(self, twists);
-        let count = self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, now)?;
+        let count =
+            self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, now, extents)?;
         for touch in now.iter_mut().take(count) {
             touch.start = touch.contact.relative(twists);
         }

@@ -63,9 +63,10 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         way.dots[1] = dot;
         gone?;
         let list = way.pressing.get(..way.held).unwrap_or_default();
-        let StepMemory { normals, touches: [known, found], .. } = &mut *way.memory;
+        let StepMemory { normals, extents, touches: [known, found], .. } = &mut *way.memory;
         self.turn_normals(normals);
-        let count = self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, found)?;
+        let count =
+            self.scenery(normals, way.rounding.gap, S::from_f64(AT_NODE)).find(self.pairs, found, extents)?;
         let known = known.get(..way.known).unwrap_or_default();
         let mut clear = S::ONE;
         for touch in found.iter().take(count) {
