@@ -357,6 +357,26 @@ fn requests_that_mean_nothing_are_refused() {
 }
 
 #[test]
+fn a_name_that_would_mean_two_things_is_refused() {
+    let model = shipped("pendulum");
+    let derived = |texts: &[&str]| {
+        let functions = texts.iter().enumerate().map(|(place, text)| Function::parse(text, place));
+        let asked = Asked::only(functions.collect::<Result<_, _>>().expect("requests"));
+        program::derive_asked(&model, &ParameterChoice::default(), program::Settings::default(), &asked)
+    };
+    for (texts, message) in [
+        (&["rates=energy", "rates"][..], "the function `rates` would not be the answer `rates`"),
+        (&["rates", "rates"], "two functions are named `rates`"),
+        (&["a = rates, energy", "a = speeds, rates"], "two functions are named `a`"),
+        (&["a = pose:P, rates, pose:P"], "`a` asks for `pose:P` twice"),
+    ] {
+        let said = derived(texts).map(|_| ()).expect_err(message).to_string();
+        assert!(said.contains(message) && said.contains("help: "), "{said}");
+    }
+    derived(&["rates", "a = rates, pose:P", "b = rates"]).expect("names of their own");
+}
+
+#[test]
 fn multipliers_are_those_of_the_equations_before_the_elimination() {
     for name in ["fourbar", "tile", "tile_minimal", "slider_crank", "bicycle"] {
         let mut asking = Asking::new(name, &["augmented", "multipliers"]);

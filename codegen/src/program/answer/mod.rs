@@ -183,9 +183,30 @@ pub(super) struct Resolved<'m> {
     pub wrench: Option<&'m Port>,
 }
 
+/// Why the names of functions mean two things, or one of them asks for an answer twice.
+fn ambiguous(functions: &[Function]) -> impl Iterator<Item = Diagnostic> {
+    functions.iter().enumerate().filter_map(|(place, function)| {
+        let Function { name, requests } = function;
+        let is_own = matches!(&requests[..], [request] if request.to_string() == *name);
+        if functions[..place].iter().any(|other| other.name == *name) {
+            let error = Diagnostic::error(format!("two functions are named `{name}`"));
+            return Some(error.help("ask once, or give one another name: `other = ...`"));
+        }
+        if find(name).is_some() && !is_own {
+            let error = Diagnostic::error(format!("the function `{name}` would not be the answer `{name}`"));
+            return Some(error.help("that is the name of another answer: choose one of your own"));
+        }
+        let twice = requests.iter().enumerate().find(|(n, request)| requests[..*n].contains(request));
+        twice.map(|(_, request)| {
+            Diagnostic::error(format!("`{name}` asks for `{request}` twice")).help("once is enough")
+        })
+    })
+}
+
 /// Requests whose names exist.
 pub(super) fn resolve<'m>(model: &'m Model, asked: &Asked) -> Result<Vec<Resolved<'m>>, Diagnostics> {
     let mut found = Diagnostics::new(model.source.clone());
+    ambiguous(&asked.functions).for_each(|error| found.push(error));
     let mut resolved = Vec::new();
     for request in asked.requests() {
         match resolve_one(model, request) {
