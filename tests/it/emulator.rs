@@ -247,7 +247,7 @@ fn a_small_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
 fn the_equations_keep_to_their_instructions_and_bytes() {
     let _image = one_at_a_time();
     let chip = outcome(&Arguments { steps: Some(10), ..Arguments::default() });
-    assert!(chip.step.instructions[1] <= 5_200, "{:?}", chip.step);
+    assert!(chip.step.instructions[1] <= 5_210, "{:?}", chip.step);
     let equations = chip.equations.expect("a mechanism has equations");
     assert!(equations.sin_cos <= 60, "{equations:?}");
     assert!(equations.by_operation() <= 1.6, "{equations:?}");

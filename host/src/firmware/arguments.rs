@@ -28,7 +28,7 @@ pub struct Arguments {
     /// Every parameter of a mechanism tunable, every answer computed in every step: what leaving out saves.
     #[arg(long)]
     pub everything: bool,
-    /// Optimise for size: a scene takes a third less flash and a quarter more instructions.
+    /// Optimise for size: a scene takes little more than half of the flash, and up to a twentieth more instructions.
     #[arg(long)]
     pub small: bool,
     /// Print one JSON object.

@@ -5,7 +5,7 @@
 //! stays as it is.
 
 use crate::failure::Failure;
-use crate::world::assembly::{Assembly, Kind};
+use crate::world::assembly::{Assembly, Contact, Kind, Law};
 use crate::world::carried::CarriedWorld;
 use crate::world::carried::tables::Demand;
 use crate::world::engine::Engine as _;
@@ -49,7 +49,13 @@ impl Fitted {
             for (name, rows) in rows.iter().flat_map(|rows| sheets.iter().map(move |name| (name, rows))) {
                 set.extend(["rows", "columns"].map(|key| format!("parts.{name}.{key}={rows}")));
             }
-            model_argument::open_world(path, &set)
+            let mut assembly = model_argument::open_world(path, &set)?;
+            // What a world that nothing damps takes where no method is named is too much for the chip.
+            let lasting = |contact: &Contact| matches!(contact.law, Law::Moreau { .. });
+            if assembly.run.method.is_none() && assembly.contacts.iter().any(lasting) {
+                assembly.run.method = Some("moreau".to_owned());
+            }
+            Ok::<_, Failure>(assembly)
         };
         let mut rows = None;
         let written = read(None)?;

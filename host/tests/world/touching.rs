@@ -198,7 +198,16 @@ fn a_fold_of_facets_holds_what_falls_into_it() {
                      [[contacts]]\nbetween = [\"bar\", \"valley\"]\nimpact = \"{law}\"\nfriction = {friction}\n\
                      [run]\nseconds = 2\nstep = 1e-3\nevery = 500\n"
                 );
-                let done = json(&[&scene(&format!("valley_{kind}_{law}_{friction}_{x}"), &text)]);
+                let file = scene(&format!("valley_{kind}_{law}_{friction}_{x}"), &text);
+                if law == "stronge" && x > 0.0 {
+                    // What slides into a fold is no impact that located touches find: never without a word.
+                    let output = smartbed(&["run", &file]);
+                    let said = String::from_utf8_lossy(&output.stderr);
+                    let refused = said.contains("forces of contacts that last were not found");
+                    assert!(refused || said.contains("are in no account"), "{said}");
+                    continue;
+                }
+                let done = json(&[&file]);
                 let of = |name: &str| number(&done["last"][name]);
                 let (across, height) = match kind {
                     0 => (of("bar.x0"), of("bar.z0")),

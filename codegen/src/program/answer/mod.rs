@@ -192,7 +192,7 @@ fn ambiguous(functions: &[Function]) -> impl Iterator<Item = Diagnostic> {
             let error = Diagnostic::error(format!("two functions are named `{name}`"));
             return Some(error.help("ask once, or give one another name: `other = ...`"));
         }
-        if find(name).is_some() && !is_own {
+        if find(name).is_some_and(|kind| kind.about == About::Mechanism) && !is_own {
             let error = Diagnostic::error(format!("the function `{name}` would not be the answer `{name}`"));
             return Some(error.help("that is the name of another answer: choose one of your own"));
         }

@@ -136,8 +136,9 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     }
 }
 
-/// Sums over the first `count` stages of weight_j k_j, for a block of n nodes.
-#[inline(always)]
+/// Sums over the first `count` stages of weight_j k_j, for a block of n nodes. Flash of a microcontroller has it once.
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 fn weigh<S: Scalar>(
     sums: &mut [Vec3<S>],
     stages: &[Vec3<S>],
