@@ -251,19 +251,8 @@ impl Party {
         twists: &mut [Twist<f64>],
     ) {
         let (mass, fixed) = (vec![1.0 / yields.node; self.nodes.len()], vec![false; self.nodes.len()]);
-        let body = flexible::Body {
-            mass: &mass,
-            fixed: &fixed,
-            inverse_mass: &[],
-            springs: &self.springs,
-            gravity: [0.0; 3],
-            air_drag: 0.0,
-            facets: &[],
-            inflation: None,
-            massless: flexible::Massless::default(),
-            grids: &[],
-            patches: None,
-        };
+        let body =
+            flexible::Body { mass: &mass, fixed: &fixed, springs: &self.springs, ..flexible::Body::none() };
         let setting = Setting { body: &body, pos: places, ports: yields.segments.len(), inertia: yields };
         let (mut lifts, mut field, mut before) = (struck.to_vec(), twists.to_vec(), twists.to_vec());
         let mut spare = Spare { lifts: &mut lifts, twists: [&mut field, &mut before] };

@@ -11,7 +11,7 @@
 //! Both sides of a contact have one place, a node's or the foot on a facet, so that impulse and opposite act on one line; but a
 //! node over a facet, where friction's arm is the gap. Edges of facets that cross, and a mesh on itself, are not looked for.
 
-use super::scenery::{Extent, Mesh, Over, Scenery, Standing};
+use super::scenery::{Extent, Feet, Foot, Mesh, Over, Scenery, Standing};
 use super::thing::{Pair, Thing};
 use super::trail::Trail;
 use crate::mechanism::Fault;
@@ -25,7 +25,7 @@ use crate::vec3::{self, Vec3};
 /// Numbers of contacts of a shape's points over facets begin here; below are nodes.
 const OF_SHAPE: u32 = 1 << 30;
 /// Points of a shape at most: numbers of contacts over the next facet are so many higher.
-const POINTS: usize = 8;
+const POINTS: u32 = 8;
 /// Added to the number of a point in a fold, for its contacts with either facet.
 const IN_FOLD: [u32; 2] = [1 << 28, 1 << 29];
 
@@ -179,24 +179,21 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 found.push(pair, id, gap, point, contact);
             }
         }
-        let (_, count, radius) = core_points(&shape.0);
-        for number in 0..count {
-            let facets = if radius > S::ZERO { mesh.facets.len() } else { 0 };
-            for facet in 0..facets {
-                let Ok(id) = u32::try_from(POINTS * facet + number) else { continue };
-                let over = Over::Facet(facet);
-                if let Some((gap, point, contact)) = self.shape_over_mesh(&shape, (number, over), &mesh) {
-                    found.push(pair, OF_SHAPE + id, gap, point, contact);
-                }
-            }
+        let (points, count, radius) = core_points(&shape.0);
+        for (number, place) in (0..).zip(points.iter().take(count)) {
+            let point = shape.2.point(*place);
             if radius > S::ZERO {
+                for (facet, corners) in (0..).zip(mesh.facets) {
+                    let near = self.over_facet(&mesh, corners, (point, radius), S::ZERO);
+                    let place = near.and_then(|near| self.shape_over_facet(&shape, (corners, near)));
+                    let Some((gap, point, contact)) = place else { continue };
+                    found.push(pair, OF_SHAPE + POINTS * facet + number, gap, point, contact);
+                }
                 continue;
             }
-            let point = core_points(&shape.0).0.get(number).map(|place| shape.2.point(*place));
-            let Some((point, id)) = point.zip(u32::try_from(number).ok()) else { continue };
-            for (flag, over) in self.overs(&mesh, point) {
-                if let Some((gap, point, contact)) = self.shape_over_mesh(&shape, (number, over), &mesh) {
-                    found.push(pair, OF_SHAPE + id + flag, gap, point, contact);
+            for (flag, foot) in self.flagged_feet(&mesh, point) {
+                if let Some((gap, point, contact)) = self.shape_over_facet(&shape, foot) {
+                    found.push(pair, OF_SHAPE + number + flag, gap, point, contact);
                 }
             }
         }
@@ -210,25 +207,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
     }
 
-    /// A point of a shape's core over a facet; without a radius over the facet below it.
-    fn shape_over_mesh(
-        &self,
-        standing: &Standing<S>,
-        (number, over): (usize, Over),
-        mesh: &Mesh<'a, S>,
-    ) -> Option<Place<S>> {
-        let (shape, port, frame) = standing;
-        let (points, _, radius) = core_points(shape);
-        let point = frame.point(*points.get(number)?);
-        let (facet, near) = match over {
-            Over::Facet(facet) => {
-                let facet = mesh.facets.get(facet)?;
-                (facet, self.over_facet(mesh, facet, (point, radius), S::ZERO)?)
-            }
-            Over::Nearest => self.facet_below(mesh, point)?,
-            Over::First => self.fold(mesh, point)?.0,
-            Over::Second => self.fold(mesh, point)?.1,
-        };
+    /// A point of a shape's core over a facet.
+    fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<'a, S>) -> Option<Place<S>> {
+        let (shape, port, _) = standing;
+        let (_, _, radius) = core_points(shape);
         let gap = near.gap - radius;
         let one_corner = near.weights.iter().any(|weight| *weight > self.at_node);
         if one_corner || self.left_to_corners(facet, &near, gap, standing) {
@@ -256,16 +238,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         self.at_node < S::ONE && mean < gap.abs()
     }
 
-    /// A node over the facet below it, or over one of a fold.
-    fn node_over_mesh(&self, (node, over): (usize, Over), mesh: &Mesh<'a, S>) -> Option<Place<S>> {
-        let x = vec3::at(self.pos, node);
-        let (facet, near) = match over {
-            Over::First => self.fold(mesh, x)?.0,
-            Over::Second => self.fold(mesh, x)?.1,
-            Over::Nearest | Over::Facet(_) => self.facet_below(mesh, x)?,
-        };
+    /// A node over a facet.
+    fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Place<S> {
         let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
-        Some((near.gap, x, Contact::between(sides, near.normal)))
+        (near.gap, vec3::at(self.pos, node), Contact::between(sides, near.normal))
     }
 
     fn nodes_on_mesh(&self, pair: (usize, &Pair<S>), own: Mesh<S>, other: Mesh<'a, S>, found: &mut Found<S>) {
@@ -279,22 +255,25 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             if !(0..3).all(|i| low[i] - far <= x[i] && x[i] <= high[i] + far) {
                 continue;
             }
-            for (flag, over) in self.overs(&other, x) {
-                if let Some((gap, point, contact)) = self.node_over_mesh((node, over), &other) {
-                    found.push(pair, id + flag, gap, point, contact);
-                }
+            for (flag, foot) in self.flagged_feet(&other, x) {
+                let (gap, point, contact) = self.node_over_facet(node, foot);
+                found.push(pair, id + flag, gap, point, contact);
             }
         }
     }
 
-    /// What a point is over, each with what it adds to the number of its contact: the facet below it, or both of a fold.
-    fn overs(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> impl Iterator<Item = (u32, Over)> + use<S> {
+    /// The feet of a point, each with what it adds to the number of its contact.
+    fn flagged_feet(
+        &self,
+        mesh: &Mesh<'a, S>,
+        point: Vec3<S>,
+    ) -> impl Iterator<Item = (u32, Foot<'a, S>)> + use<'a, S> {
         let [low, high] = IN_FOLD;
-        let (first, second) = match self.fold(mesh, point) {
-            Some(_) => ((low, Over::First), Some((high, Over::Second))),
-            None => ((0, Over::Nearest), None),
+        let (first, second) = match self.feet(mesh, point) {
+            Feet::Below(foot) => (foot.map(|foot| (0, foot)), None),
+            Feet::Fold(first, second) => (Some((low, first)), Some((high, second))),
         };
-        core::iter::once(first).chain(second)
+        first.into_iter().chain(second)
     }
 
     /// A contact found before, where things stand now: gap, point, sides and axes. None where it is no more.
@@ -306,8 +285,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
             [_, true] => Over::Second,
             _ => Over::Nearest,
         };
-        let number =
-            (id % OF_SHAPE) as usize % if over == Over::Nearest { OF_SHAPE } else { IN_FOLD[0] } as usize;
+        let number = (id % IN_FOLD[0]) as usize;
         let (gap, point, contact) = match (self.rigid(one), self.rigid(other)) {
             (Some(a), Some(b)) => {
                 let (first, second) =
@@ -320,16 +298,18 @@ impl<'a, S: Scalar> Scenery<'a, S> {
                 let (a, b) = (self.mesh(one)?, self.mesh(other)?);
                 let (low, high) = if a.nodes[0] < b.nodes[0] { (a, b) } else { (b, a) };
                 let (own, below) = if id < OF_SHAPE { (low, high) } else { (high, low) };
-                self.node_over_mesh((own.nodes[0] + number, over), &below)?
+                let node = own.nodes[0] + number;
+                self.node_over_facet(node, self.foot(&below, (vec3::at(self.pos, node), S::ZERO), over)?)
             }
             (Some(shape), None) | (None, Some(shape)) => {
                 let mesh = self.mesh(one).or_else(|| self.mesh(other))?;
                 if id < OF_SHAPE {
                     self.node_over_shape(mesh.nodes[0] + number, &shape)
                 } else {
-                    let round = core_points(&shape.0).2 > S::ZERO;
-                    let over = if round { Over::Facet(number / POINTS) } else { over };
-                    self.shape_over_mesh(&shape, (number % POINTS, over), &mesh)?
+                    let (points, _, radius) = core_points(&shape.0);
+                    let point = shape.2.point(*points.get(number % POINTS as usize)?);
+                    let over = if radius > S::ZERO { Over::Facet(number / POINTS as usize) } else { over };
+                    self.shape_over_facet(&shape, self.foot(&mesh, (point, radius), over)?)?
                 }
             }
         };

@@ -72,6 +72,14 @@ impl<S: Scalar> Extent<S> {
     }
 }
 
+/// What a point stands on.
+pub(super) enum Feet<'a, S> {
+    /// The facet below it, if there is one.
+    Below(Option<Foot<'a, S>>),
+    /// Both facets of a fold.
+    Fold(Foot<'a, S>, Foot<'a, S>),
+}
+
 /// Which facet of a mesh a point is over.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Over {
@@ -151,39 +159,61 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         shape.nearest(frame.place(vec3::at(self.pos, node)))
     }
 
-    /// The facet to whose surface a point is nearest, not deeper than the mesh allows.
-    pub(super) fn facet_below(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Option<Foot<'a, S>> {
-        let mut best: Option<(&[usize; 4], FacetNearest<S>)> = None;
-        for facet in mesh.facets {
-            let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), S::ZERO) else { continue };
-            if best.as_ref().is_none_or(|(_, b)| near.gap.abs() < b.gap.abs()) {
-                best = Some((facet, near));
+    /// The facet to whose surface a point is nearest, with its number, not deeper than the mesh allows: of those that `faces` it, if
+    /// another one's foot is given. See [`Scenery::over_facet`] for `beyond`.
+    fn nearest_facet(
+        &self,
+        mesh: &Mesh<'a, S>,
+        point: Vec3<S>,
+        beyond: S,
+        faces: Option<&Foot<'a, S>>,
+    ) -> Option<(usize, Foot<'a, S>)> {
+        let mut best: Option<(usize, Foot<'a, S>)> = None;
+        for (number, facet) in mesh.facets.iter().enumerate() {
+            let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), beyond) else { continue };
+            let faces = faces
+                .is_none_or(|(other, foot)| self.rises_over(foot, facet) && self.rises_over(&near, other));
+            if faces && best.as_ref().is_none_or(|(_, (_, b))| near.gap.abs() < b.gap.abs()) {
+                best = Some((number, (facet, near)));
             }
         }
         best
     }
 
-    /// The two facets of a fold that a point is in, in the order of the mesh: the nearest one, and of those that face it the
-    /// nearest. Below both, at the bottom of a fold, a point has a foot on neither: there the facets go on behind their edge
-    /// as far as the point is deep.
-    pub(super) fn fold(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Option<(Foot<'a, S>, Foot<'a, S>)> {
-        let nearest = |beyond: S, other: Option<(&[usize; 4], &FacetNearest<S>)>| {
-            let mut best: Option<(usize, &'a [usize; 4], FacetNearest<S>)> = None;
-            for (number, facet) in mesh.facets.iter().enumerate() {
-                let Some(near) = self.over_facet(mesh, facet, (point, S::ZERO), beyond) else { continue };
-                let faces = other.is_none_or(|(other, foot)| {
-                    self.rises_over(foot, facet) && self.rises_over(&near, other)
-                });
-                if faces && best.as_ref().is_none_or(|(.., b)| near.gap.abs() < b.gap.abs()) {
-                    best = Some((number, facet, near));
-                }
-            }
-            best
+    /// The feet of a point on a mesh: on the nearest facet, or on the two of a fold that the point is in, in the order of the mesh:
+    /// the nearest one, and of those that face it the nearest. Below both, at the bottom of a fold, a point has a foot on neither:
+    /// there the facets go on behind their edge as far as the point is deep.
+    pub(super) fn feet(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Feet<'a, S> {
+        let below = self.nearest_facet(mesh, point, S::ZERO, None);
+        let first = below.or_else(|| self.nearest_facet(mesh, point, S::ONE, None));
+        let second = first.and_then(|(_, foot)| self.nearest_facet(mesh, point, S::ONE, Some(&foot)));
+        match (first, second) {
+            (Some((m, one)), Some((n, two))) if m < n => Feet::Fold(one, two),
+            (Some((_, one)), Some((_, two))) => Feet::Fold(two, one),
+            _ => Feet::Below(below.map(|(_, foot)| foot)),
+        }
+    }
+
+    /// The foot of a ball about a point on the facet that it was over.
+    pub(super) fn foot(
+        &self,
+        mesh: &Mesh<'a, S>,
+        (point, radius): (Vec3<S>, S),
+        over: Over,
+    ) -> Option<Foot<'a, S>> {
+        let in_fold = || match self.feet(mesh, point) {
+            Feet::Fold(first, second) => Some((first, second)),
+            Feet::Below(_) => None,
         };
-        let first = nearest(S::ZERO, None).or_else(|| nearest(S::ONE, None))?;
-        let second = nearest(S::ONE, Some((first.1, &first.2)))?;
-        let ((m, one, a), (n, two, b)) = (first, second);
-        Some(if m < n { ((one, a), (two, b)) } else { ((two, b), (one, a)) })
+        match over {
+            Over::Facet(number) => {
+                let facet = mesh.facets.get(number)?;
+                Some((facet, self.over_facet(mesh, facet, (point, radius), S::ZERO)?))
+            }
+            Over::Nearest => Some(self.nearest_facet(mesh, point, S::ZERO, None)?.1),
+            Over::First => Some(in_fold()?.0),
+            Over::Second => Some(in_fold()?.1),
+        }
     }
 
     /// Does the middle of a facet stand over the plane at a foot?
