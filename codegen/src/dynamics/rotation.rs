@@ -16,11 +16,11 @@ pub(super) fn rotation(
     found: &mut Terms,
 ) {
     let Some(frame) = rigid.body.frame else { return };
-    let [xx, yy, zz, xy, xz, yz] = rigid.inertia;
+    let [xx, yy, zz, yz, zx, xy] = rigid.inertia;
     if rigid.inertia.iter().all(|&e| alg.dag.is_zero(e)) {
         return;
     }
-    let inertia = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+    let inertia = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]];
     let triad = k.frame_triad[frame];
     let angular = k.angular[triad].clone();
     let angular = given.motion(alg, angular);

@@ -7,8 +7,9 @@
 
 use super::given::Given;
 use super::mass_and_force::Terms;
-use super::rigid_inertia::{Moments, RigidInertia};
+use super::rigid_inertia::RigidInertia;
 use super::rotation::rotation;
+use super::spatial::{Symmetric, entry};
 use crate::expr::ExprId;
 use crate::kinematics::{Kinematics, is_lifted_triad, lower_scalar};
 use crate::model::{Axis, Model};
@@ -74,13 +75,14 @@ fn cost(alg: &mut Algebra, k: &Kinematics, rigid: &RigidInertia) -> (usize, usiz
 }
 
 /// Adds part (1 - e e').
-fn add_across(alg: &mut Algebra, inertia: &mut Moments, part: ExprId, e: &Components) {
+fn add_across(alg: &mut Algebra, inertia: &mut Symmetric, part: ExprId, e: &Components) {
     let dag = &mut alg.dag;
-    for (entry, (i, j)) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].into_iter().enumerate() {
+    for (i, j) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)] {
         let along = dag.mul(e[i], e[j]);
         let identity = if i == j { dag.one() } else { dag.zero() };
         let across = dag.sub(identity, along);
         let term = dag.mul(part, across);
-        inertia[entry] = dag.add(inertia[entry], term);
+        let own = &mut inertia[entry(i, j)];
+        *own = dag.add(*own, term);
     }
 }

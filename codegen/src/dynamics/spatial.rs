@@ -8,7 +8,7 @@ use crate::expr::{Dag, ExprId};
 use crate::model::Axis;
 use crate::vector::{Components, cross_components, dot_components, turn_components};
 
-/// A symmetric 3 x 3 matrix: xx, yy, zz, yz, zx, xy.
+/// A symmetric 3 x 3 matrix: xx, yy, zz, yz, zx, xy, the order of a body's moments in the model too.
 pub(super) type Symmetric = [ExprId; 6];
 
 /// Index of entry (i, j) of a [`Symmetric`].
@@ -72,10 +72,9 @@ impl Inertia {
         Self { mass: zero, first: [zero; 3], second: [zero; 6] }
     }
 
-    /// Of a body with its mass centre at `centre` and the inertia matrix `[xx, yy, zz, xy, xz, yz]`
-    /// about it.
-    pub(super) fn of_body(dag: &mut Dag, mass: ExprId, centre: &Components, matrix: &[ExprId; 6]) -> Self {
-        let [xx, yy, zz, xy, xz, yz] = *matrix;
+    /// Of a body with its mass centre at `centre` and the inertia matrix `matrix` about it.
+    pub(super) fn of_body(dag: &mut Dag, mass: ExprId, centre: &Components, matrix: &Symmetric) -> Self {
+        let [xx, yy, zz, yz, zx, xy] = *matrix;
         let half = dag.number(crate::expr::number::Number::rational(1, 2));
         let mut central = |a: ExprId, b: ExprId, c: ExprId| {
             let sum = dag.add(a, b);
@@ -83,7 +82,7 @@ impl Inertia {
             dag.mul(half, difference)
         };
         let diagonal = [central(yy, zz, xx), central(zz, xx, yy), central(xx, yy, zz)];
-        let products = [yz, xz, xy].map(|e| dag.negate(e));
+        let products = [yz, zx, xy].map(|e| dag.negate(e));
         let [a, b, c] = diagonal;
         let [d, e, f] = products;
         let at_centre = Self { mass, first: [dag.zero(); 3], second: [a, b, c, d, e, f] };
@@ -269,8 +268,8 @@ mod tests {
 
     const MASS: f64 = 2.0;
     const CENTRE: [f64; 3] = [0.3, -0.2, 0.5];
-    /// About the mass centre: xx, yy, zz, xy, xz, yz.
-    const MATRIX: [f64; 6] = [0.9, 0.8, 0.7, 0.1, -0.05, 0.2];
+    /// About the mass centre: xx, yy, zz, yz, zx, xy.
+    const MATRIX: [f64; 6] = [0.9, 0.8, 0.7, 0.2, -0.05, 0.1];
 
     fn constants<const N: usize>(dag: &mut Dag, values: [f64; N]) -> [ExprId; N] {
         values.map(|x| dag.constant(x))
@@ -286,8 +285,8 @@ mod tests {
     }
 
     fn times(w: [f64; 3]) -> [f64; 3] {
-        let [xx, yy, zz, xy, xz, yz] = MATRIX;
-        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| row.iter().zip(w).map(|(a, b)| a * b).sum())
+        let [xx, yy, zz, yz, zx, xy] = MATRIX;
+        [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| row.iter().zip(w).map(|(a, b)| a * b).sum())
     }
 
     fn plus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

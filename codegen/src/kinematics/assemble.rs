@@ -398,10 +398,10 @@ fn scale(size: f64) -> f64 {
     (STEP * (size.log2() / STEP).round()).exp2()
 }
 
-/// Fills the samples: nominal, stated configurations, random ones.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    closed_forms(alg, model, k)?;
-    let mut assembly = Assembly::new(alg, model, k);
+/// The kinematics with samples: nominal, stated configurations, random ones.
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Result<Kinematics, Diagnostics> {
+    let k = closed_forms(alg, model, k)?;
+    let mut assembly = Assembly::new(alg, model, &k);
     let state: Vec<CoordinateId> =
         model.coordinates.ids().filter(|&c| k.coordinate_symbol(&alg.dag, c).is_some()).collect();
     let mut nominal: Vec<f64> = state.iter().map(|&c| model.coordinates[c].nominal).collect();
@@ -444,8 +444,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Re
             times.push(t);
         }
     }
-    (k.samples, k.sample_times) = (samples, times);
-    Ok(())
+    Ok(Kinematics { samples, sample_times: times, ..k })
 }
 
 /// The nominal configuration at another time.
@@ -454,17 +453,17 @@ fn at_time(assembly: &mut Assembly, nominal: &[f64], t: f64) -> Result<Vec<f64>,
     if t == 0.0 { Ok(nominal.to_vec()) } else { assembly.continue_in_time(nominal, t) }
 }
 
-/// Puts closed forms into the residuals. Those that hold by the forms alone are solved already.
+/// The kinematics with closed forms put into the residuals. Those that hold by the forms alone are solved already.
 ///
 /// # Errors
 /// If closed forms contradict a constraint that nothing else could satisfy.
-fn closed_forms(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
     if k.closed_forms.is_empty() || k.residuals.is_empty() {
-        return Ok(());
+        return Ok(k);
     }
     let forms = k.closed_form_values(&mut alg.dag);
     let residuals = alg.dag.substitute(&k.residuals, &forms);
-    let mut table = speed_map::screening_table(alg, model, k);
+    let mut table = speed_map::screening_table(alg, model, &k);
     let free: Vec<SymbolId> = (model.coordinates.enumerate())
         .filter(|(_, c)| !c.independent)
         .filter_map(|(id, _)| k.coordinate_symbol(&alg.dag, id))
@@ -491,7 +490,7 @@ fn closed_forms(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<
         }
     }
     (k.residuals, k.residual_names) = kept.into_iter().unzip();
-    found.finish(())
+    found.finish(k)
 }
 
 fn in_range(model: &Model, state: &[CoordinateId], q: &[f64]) -> bool {

@@ -26,16 +26,33 @@ struct Equation {
     triads: BTreeSet<TriadId>,
 }
 
-/// Fills candidate rows (cheapest first) and the plain residuals.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+/// What configuration constraints say of positions, besides their rows.
+#[derive(Default)]
+struct Configuration {
+    /// Components that vanish, and what each belongs to.
+    residuals: Vec<(ExprId, Place)>,
+    /// Vectors fixed in a frame, less what is stated of them.
+    fixed_vectors: Vec<(Place, [ExprId; 3])>,
+}
+
+/// The kinematics with candidate rows (cheapest first) and the plain residuals.
+pub(super) fn derive(alg: &mut Algebra, model: &Model, k: Kinematics) -> Kinematics {
+    let mut found = Configuration::default();
+    let rows = rows(alg, model, &k, &mut found);
+    let (residuals, residual_names) = found.residuals.into_iter().unzip();
+    Kinematics { rows, residuals, residual_names, fixed_vectors: found.fixed_vectors, ..k }
+}
+
+/// Candidate rows, cheapest first; what else the constraints say goes into `found`.
+fn rows(alg: &mut Algebra, model: &Model, k: &Kinematics, found: &mut Configuration) -> Vec<Row> {
     let mut rows = Vec::new();
     for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
-        for equation in closures(alg, model, k, point) {
+        for equation in closures(alg, model, k, point, found) {
             rows.extend(project(alg, equation));
         }
     }
     for frame in model.frames.ids().filter(|&f| lifted::frame_is_lifted(model, f)) {
-        for equation in turning(alg, model, k, frame) {
+        for equation in turning(alg, model, k, frame, found) {
             rows.extend(project(alg, equation));
         }
     }
@@ -46,17 +63,17 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
                 let motion = rate::derivative(alg, k, &residual);
                 let triads = triads_of(&motion);
                 let name = constraint.name.clone();
-                add_residuals(alg, k, &residual, &Place { name: name.clone(), span: constraint.span });
+                let place = Place { name: name.clone(), span: constraint.span };
+                found.add_residuals(alg, &residual, &place);
                 let residual = rigid(alg, model, k, residual);
                 rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
             }
             Value::Scalar(e) => {
                 let rate = rate::scalar_rate(alg, k, e);
-                k.residuals.push(e);
-                k.residual_names.push(Place { name: constraint.name.clone(), span: constraint.span });
+                let place = Place { name: constraint.name.clone(), span: constraint.span };
+                found.residuals.push((e, place));
                 rows.extend(row(alg, &constraint.name, rate, e));
             }
-            Value::Pending => {}
         }
     }
     for constraint in &model.motion_constraints {
@@ -74,21 +91,21 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
                 rows.extend(project(alg, Equation { name, motion, residual, fixed: None, triads }));
             }
             Value::Scalar(e) => rows.extend(motion_row(alg, k, &constraint.name, e)),
-            Value::Pending => {}
         }
     }
     rows.sort_by_key(|row| row.cost);
-    k.rows = rows;
+    rows
 }
 
-/// Adds the derivatives of closed forms where the constraints do not give all dependent speeds.
-pub(super) fn complete(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
-    if k.is_state.iter().all(|&state| state) || rank::determined(alg, model, k) {
-        return;
+/// The kinematics with the derivatives of closed forms where the constraints do not give all dependent speeds.
+pub(super) fn complete(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
+    if k.is_state.iter().all(|&state| state) || rank::determined(alg, model, &k) {
+        return k;
     }
-    let rows = speeds_in_closed_form(alg, model, k);
+    let rows = speeds_in_closed_form(alg, model, &k);
     k.rows.extend(rows);
     k.rows.sort_by_key(|row| row.cost);
+    k
 }
 
 /// u_c - d/dt(closed form) = 0 for a speed that is the rate of a coordinate in closed form.
@@ -114,7 +131,13 @@ fn speeds_in_closed_form(alg: &mut Algebra, model: &Model, k: &Kinematics) -> Ve
 }
 
 /// V_P - d/dt(expression) = 0 for every expression of a closing point's position.
-fn closures(alg: &mut Algebra, model: &Model, k: &mut Kinematics, point: PointId) -> Vec<Equation> {
+fn closures(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    point: PointId,
+    found: &mut Configuration,
+) -> Vec<Equation> {
     let declared = &model.points[point];
     let velocity = k.velocities[point].clone();
     let home = velocity.partials.values().flat_map(|v| v.terms.keys()).next().copied();
@@ -127,7 +150,7 @@ fn closures(alg: &mut Algebra, model: &Model, k: &mut Kinematics, point: PointId
             let flat = lifted::flatten(alg, k, &place);
             let residual = reference.minus(&mut alg.dag, &flat);
             let name = format!("{} closure {}", declared.name, nth + 1);
-            add_residuals(alg, k, &residual, &Place { name, span: expression.span });
+            found.add_residuals(alg, &residual, &Place { name, span: expression.span });
         }
         // Vectors that are constant in the body's triad turn with the body; Newton's residual must
         // see them where the body has them, or it would not converge quadratically.
@@ -154,7 +177,13 @@ fn closures(alg: &mut Algebra, model: &Model, k: &mut Kinematics, point: PointId
 }
 
 /// d/dt(vector) - w x vector = 0 for every vector stated to be fixed in a frame.
-fn turning(alg: &mut Algebra, model: &Model, k: &mut Kinematics, frame: FrameId) -> Vec<Equation> {
+fn turning(
+    alg: &mut Algebra,
+    model: &Model,
+    k: &Kinematics,
+    frame: FrameId,
+    found: &mut Configuration,
+) -> Vec<Equation> {
     let triad = k.frame_triad[frame];
     let orthonormal = orientation::orthonormal(alg, triad);
     let mut equations = Vec::new();
@@ -187,7 +216,7 @@ fn turning(alg: &mut Algebra, model: &Model, k: &mut Kinematics, frame: FrameId)
         let triads = BTreeSet::from([TriadId::INERTIAL, triad, along]);
         let name = format!("{} fixed vector {}", model.frames[frame].name, nth + 1);
         let difference = alg.express(&residual, TriadId::INERTIAL);
-        k.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
+        found.fixed_vectors.push((Place { name: name.clone(), span: fixed.span }, difference));
         equations.push(Equation { name, motion, residual, fixed: Some(vector), triads });
     }
     equations
@@ -216,13 +245,11 @@ fn triads_of(motion: &Motion) -> BTreeSet<TriadId> {
     triads
 }
 
-/// The inertial components of a residual that are not identically zero.
-fn add_residuals(alg: &mut Algebra, k: &mut Kinematics, residual: &Vector, place: &Place) {
-    for e in alg.express(residual, TriadId::INERTIAL) {
-        if !alg.dag.is_zero(e) {
-            k.residuals.push(e);
-            k.residual_names.push(place.clone());
-        }
+impl Configuration {
+    /// Adds the inertial components of a residual that are not identically zero.
+    fn add_residuals(&mut self, alg: &mut Algebra, residual: &Vector, place: &Place) {
+        let components = alg.express(residual, TriadId::INERTIAL).into_iter();
+        self.residuals.extend(components.filter(|&e| !alg.dag.is_zero(e)).map(|e| (e, place.clone())));
     }
 }
 

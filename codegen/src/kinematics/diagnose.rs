@@ -32,22 +32,25 @@ const MAX_CORRECTIONS: usize = 40;
 /// Deviation of a stated constancy or orthonormality that is more than rounding.
 const NOT_CONSTANT: f64 = 1e-9;
 
-/// Checks the frames and the configuration constraints; drops what is redundant.
+/// Checks the frames and the configuration constraints; the kinematics without what is redundant, and warnings of that.
 ///
 /// # Errors
 /// A frame whose axes are not orthonormal or whose fixed vectors are not fixed; singular constraints.
 pub(crate) fn check(
     alg: &mut Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: Kinematics,
     table: &mut SampleTable,
-) -> Result<Diagnostics, Diagnostics> {
+) -> Result<(Kinematics, Diagnostics), Diagnostics> {
     let mut found = Diagnostics::new(model.source.clone());
-    fixed_vectors(alg, k, table, &mut found);
-    axes(alg, model, k, table, &mut found);
+    fixed_vectors(alg, &k, table, &mut found);
+    axes(alg, model, &k, table, &mut found);
     let mut warnings = found.finish(Diagnostics::new(model.source.clone()))?;
-    constraints(alg, model, k, &mut warnings)?;
-    Ok(warnings)
+    let k = match independent(alg, model, &k, &mut warnings)? {
+        Some(kept) => only(k, &kept),
+        None => k,
+    };
+    Ok((k, warnings))
 }
 
 /// Largest absolute value over all samples.
@@ -228,15 +231,16 @@ fn free_directions(rows: &[Vec<f64>], n: usize) -> Vec<Vec<f64>> {
     basis.into_iter().skip(rank).collect()
 }
 
-/// Drops redundant equations with a warning; refuses singular ones.
-fn constraints(
-    alg: &mut Algebra,
+/// The equations that do not follow from the others, with a warning of each that does; singular ones are refused.
+/// None where there is nothing to look at.
+fn independent(
+    alg: &Algebra,
     model: &Model,
-    k: &mut Kinematics,
+    k: &Kinematics,
     warnings: &mut Diagnostics,
-) -> Result<(), Diagnostics> {
+) -> Result<Option<Vec<usize>>, Diagnostics> {
     if k.residuals.is_empty() || k.samples[0].is_empty() {
-        return Ok(());
+        return Ok(None);
     }
     let mut equations = Equations::new(alg, model, k);
     let nominal = sample(k, 0);
@@ -267,9 +271,7 @@ fn constraints(
             }
         }
     }
-    errors.finish(())?;
-    drop_rows(k, &kept);
-    Ok(())
+    errors.finish(Some(kept))
 }
 
 fn redundant(k: &Kinematics, kept: &[usize], suspect: usize, residual: f64) -> Diagnostic {
@@ -305,9 +307,9 @@ fn after_moves(equations: &mut Equations, q: &[f64], others: &[usize], suspect: 
     ends.iter().map(|end| largest(&equations.at(end).0[suspect..=suspect])).fold(0.0, f64::max)
 }
 
-/// Keeps only the residuals `kept`, and no rows of a scalar equation that is dropped as a whole. The others are
-/// implied: they are watched, not solved.
-fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
+/// The kinematics with the residuals `kept` alone, and no rows of a scalar equation that is dropped as a whole. The
+/// others are implied: they are watched, not solved.
+fn only(mut k: Kinematics, kept: &[usize]) -> Kinematics {
     let names: Vec<&str> = kept.iter().map(|&i| k.residual_names[i].name.as_str()).collect();
     let dropped: Vec<String> = (k.residual_names.iter().map(|p| p.name.clone()))
         .filter(|name| !names.contains(&name.as_str()))
@@ -323,6 +325,7 @@ fn drop_rows(k: &mut Kinematics, kept: &[usize]) {
         residuals.push(residual);
         names.push(name);
     }
+    k
 }
 
 fn singular(k: &Kinematics, equations: &mut Equations, suspect: usize, residual: f64) -> Diagnostic {

@@ -36,7 +36,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         unknowns.push(clock);
     }
     let inertial = triads.push(Turn::Inertial);
-    let mut k = Kinematics {
+    let k = Kinematics {
         time,
         q,
         is_state,
@@ -48,7 +48,7 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         frame_triad: model.frames.iter().map(|_| inertial).collect(),
         positions: model.points.iter().map(|_| Vector::zero()).collect(),
         flat_positions: Default::default(),
-        definitions: model.definitions.iter().map(|_| Value::Pending).collect(),
+        definitions: model.definitions.iter().map(|_| None).collect(),
         rates: IdVec::default(),
         angular: IdVec::default(),
         velocities: IdVec::default(),
@@ -65,12 +65,11 @@ pub(super) fn symbols(alg: &mut Algebra, model: &Model, choice: &ParameterChoice
         samples: Vec::new(),
         sample_times: Vec::new(),
     };
-    parameters(alg, model, choice, &mut k);
-    k
+    parameters(alg, model, choice, k)
 }
 
 /// Tunable parameters become symbols; fixed ones their value.
-fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, k: &mut Kinematics) {
+fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, mut k: Kinematics) -> Kinematics {
     for entity in &model.order {
         let Entity::Parameter(id) = *entity else { continue };
         let parameter = &model.parameters[id];
@@ -82,9 +81,10 @@ fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, k: &mu
         k.parameters[id] = match (kept, set) {
             (true, _) => alg.dag.parameter(&parameter.name),
             (false, Some(value)) => alg.dag.constant(value),
-            (false, None) => scalar(alg, k, &parameter.value),
+            (false, None) => scalar(alg, &k, &parameter.value),
         };
     }
+    k
 }
 
 /// Lowers an expression that must be a scalar.
@@ -94,7 +94,7 @@ fn parameters(alg: &mut Algebra, model: &Model, choice: &ParameterChoice, k: &mu
 pub(crate) fn scalar(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> ExprId {
     match value(alg, k, expr) {
         Value::Scalar(e) => e,
-        Value::Vector(_) | Value::Pending => unreachable!("type-checked: a scalar was expected"),
+        Value::Vector(_) => unreachable!("type-checked: a scalar was expected"),
     }
 }
 
@@ -106,7 +106,7 @@ pub(crate) fn vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
     match value(alg, k, expr) {
         Value::Vector(v) => v,
         Value::Scalar(e) if alg.dag.is_zero(e) => Vector::zero(),
-        Value::Scalar(_) | Value::Pending => unreachable!("type-checked: a vector was expected"),
+        Value::Scalar(_) => unreachable!("type-checked: a vector was expected"),
     }
 }
 
@@ -114,7 +114,7 @@ pub(crate) fn vector(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Vector {
 pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
     match &expr.kind {
         ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Rate(_) => true,
-        ExprKind::Definition(d) => k.definitions[*d] == Value::Pending,
+        ExprKind::Definition(d) => k.definitions[*d].is_none(),
         ExprKind::Negate(a) | ExprKind::Power(a, _) | ExprKind::Norm(a) => needs_motion(k, a),
         ExprKind::Add(a, b)
         | ExprKind::Subtract(a, b)
@@ -131,7 +131,7 @@ pub(super) fn needs_motion(k: &Kinematics, expr: &Expr) -> bool {
 pub(super) fn needs_definitions(k: &Kinematics, expr: &Expr) -> bool {
     let mut found = false;
     expr.visit(&mut |e| {
-        found |= matches!(e.kind, ExprKind::Definition(id) if k.definitions[id] == Value::Pending);
+        found |= matches!(e.kind, ExprKind::Definition(id) if k.definitions[id].is_none());
     });
     found
 }
@@ -151,7 +151,9 @@ pub(super) fn value(alg: &mut Algebra, k: &Kinematics, expr: &Expr) -> Value {
         ExprKind::Rate(id) => Value::Scalar(k.rates[*id].value(alg, k)),
         ExprKind::Speed(id) => Value::Scalar(k.unknowns[k.unknowns.of(*id)].value),
         ExprKind::Input(id) => Value::Scalar(k.inputs[*id]),
-        ExprKind::Definition(id) => k.definitions[*id].clone(),
+        ExprKind::Definition(id) => {
+            k.definitions[*id].clone().expect("definitions are lowered before what reads them")
+        }
         ExprKind::Point(id) => Value::Vector(k.positions[*id].clone()),
         ExprKind::Velocity(id) => Value::Vector(k.velocities[*id].value(alg, k)),
         ExprKind::AngularVelocity(id) => Value::Vector(k.angular[k.frame_triad[*id]].value(alg, k)),
@@ -176,7 +178,6 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
         ExprKind::Negate(a) => match value(alg, k, a) {
             Value::Vector(v) => Value::Vector(v.negated(&mut alg.dag)),
             Value::Scalar(x) => Value::Scalar(alg.dag.negate(x)),
-            Value::Pending => Value::Pending,
         },
         ExprKind::Add(a, b) | ExprKind::Subtract(a, b) => {
             let minus = matches!(kind, ExprKind::Subtract(..));
@@ -195,7 +196,9 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
             (Value::Vector(v), Value::Scalar(x)) | (Value::Scalar(x), Value::Vector(v)) => {
                 Value::Vector(v.scaled(&mut alg.dag, x))
             }
-            _ => Value::Pending,
+            (Value::Vector(_), Value::Vector(_)) => {
+                unreachable!("type-checked: vectors are multiplied by dot or cross")
+            }
         },
         ExprKind::Divide(a, b) => {
             let divisor = scalar(alg, k, b);
@@ -206,7 +209,6 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
                     let reciprocal = alg.dag.div(one, divisor);
                     Value::Vector(v.scaled(&mut alg.dag, reciprocal))
                 }
-                Value::Pending => Value::Pending,
             }
         }
         ExprKind::Dot(a, b) => {
@@ -227,7 +229,7 @@ fn operator(alg: &mut Algebra, k: &Kinematics, kind: &ExprKind) -> Value {
             }
             Value::Scalar(alg.dag.sqrt(square))
         }
-        _ => Value::Pending,
+        _ => unreachable!("every other kind is lowered by `value`"),
     }
 }
 
@@ -242,7 +244,7 @@ fn reads_speeds(alg: &Algebra, k: &Kinematics, e: ExprId) -> bool {
 fn as_vector(value: Value) -> Vector {
     match value {
         Value::Vector(v) => v,
-        Value::Scalar(_) | Value::Pending => Vector::zero(),
+        Value::Scalar(_) => Vector::zero(),
     }
 }
 

@@ -73,13 +73,13 @@ pub fn derive(
 ) -> Result<(Algebra, Kinematics), Diagnostics> {
     choice.check(model)?;
     let mut alg = Algebra::default();
-    let mut k = lower::symbols(&mut alg, model, choice);
+    let k = lower::symbols(&mut alg, model, choice);
     alg.dag.unrounded_differences = optimise == Optimise::Accuracy;
-    position::derive(&mut alg, model, &mut k);
-    speed_map::derive(&mut alg, model, &mut k)?;
-    velocity::derive(&mut alg, model, &mut k);
-    constraint::derive(&mut alg, model, &mut k);
-    assemble::derive(&mut alg, model, &mut k)?;
-    constraint::complete(&mut alg, model, &mut k);
+    let k = position::derive(&mut alg, model, k);
+    let k = speed_map::derive(&mut alg, model, k)?;
+    let k = velocity::derive(&mut alg, model, k);
+    let k = constraint::derive(&mut alg, model, k);
+    let k = assemble::derive(&mut alg, model, k)?;
+    let k = constraint::complete(&mut alg, model, k);
     Ok((alg, k))
 }

@@ -9,26 +9,26 @@ use crate::model::{Entity, Model};
 use crate::section::Section;
 use crate::vector::{Algebra, Vector};
 
-/// Fills triads, positions and those definitions that need no velocities.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+/// The kinematics with triads, positions and those definitions that need no velocities.
+pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for entity in &model.order {
         match *entity {
             Entity::Parameter(_) => {}
             Entity::Definition(id) => {
                 let definition = &model.definitions[id];
-                if lower::needs_motion(k, &definition.value) {
+                if lower::needs_motion(&k, &definition.value) {
                     continue;
                 }
-                let value = lower::value(alg, k, &definition.value);
+                let value = lower::value(alg, &k, &definition.value);
                 if let Value::Scalar(e) = value {
                     let label = Label::named(Section::Orientations, &*definition.name);
                     alg.dag.label(e, label.at(model.source.place(definition.span)));
                 }
-                k.definitions[id] = value;
+                k.definitions[id] = Some(value);
             }
             Entity::Coordinate(id) => {
                 if let Some(form) = &model.coordinates[id].closed_form {
-                    let value = lower::scalar(alg, k, form);
+                    let value = lower::scalar(alg, &k, form);
                     let name = &model.coordinates[id].name;
                     let label = Label::named(Section::Orientations, name);
                     alg.dag.label(value, label.at(model.source.place(model.coordinates[id].span)));
@@ -40,16 +40,17 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
                     };
                 }
             }
-            Entity::Frame(id) => k.frame_triad[id] = orientation::derive(alg, model, k, id),
+            Entity::Frame(id) => k.frame_triad[id] = orientation::derive(alg, model, &k, id),
             Entity::Point(id) => {
-                let position = lower::vector(alg, k, &model.points[id].position);
+                let position = lower::vector(alg, &k, &model.points[id].position);
                 k.positions[id] = position.clone();
                 if point_is_lifted(model, id) {
-                    let flat = flatten(alg, k, &position);
+                    let flat = flatten(alg, &k, &position);
                     k.flat_positions.insert(id, flat);
                     k.positions[id] = Vector::position(&mut alg.dag, id);
                 }
             }
         }
     }
+    k
 }

@@ -47,8 +47,6 @@ pub enum Value {
     Scalar(ExprId),
     /// A vector.
     Vector(Vector),
-    /// Not lowered yet: it needs velocities.
-    Pending,
 }
 
 /// One scalar equation: `sum_k coefficients[k] y_k = 0` (the clock's coefficient is its part without speeds), `sum_k coefficients[k] y_k' + bias = 0`,
@@ -93,8 +91,8 @@ pub struct Kinematics {
     pub positions: IdVec<PointId, Vector>,
     /// Positions of lifted points in plain terms (through their first expression).
     pub flat_positions: BTreeMap<PointId, Vector>,
-    /// Values of definitions (those of velocities only after the motions are known).
-    pub definitions: IdVec<DefinitionId, Value>,
+    /// Values of definitions; of those that read velocities none until the motions are known.
+    pub definitions: IdVec<DefinitionId, Option<Value>>,
     /// Rate of every coordinate.
     pub rates: IdVec<CoordinateId, Rate>,
     /// Angular velocity of every triad in N.

@@ -7,7 +7,7 @@
 //! the derivative of the form. Without, its rate follows from the coordinates that it is a function of.
 
 use super::linear_form::LinearForm;
-use super::quantities::{Kinematics, Rate, Value};
+use super::quantities::{Kinematics, Rate};
 use super::random::Random;
 use super::sparse::{self, Equation, Values};
 use super::unknowns::{Unknown, UnknownId, UnknownKind, Unknowns};
@@ -30,13 +30,13 @@ const SINGULAR: f64 = 1e-9;
 /// What differs by less than this part of its terms, everywhere, is equal.
 const IDENTICAL: f64 = 1e-12;
 
-/// Fills the rates of all coordinates.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
+/// The kinematics with the rates of all coordinates.
+pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
     let (zero, one) = (alg.dag.zero(), alg.dag.one());
     k.rates =
         model.coordinates.iter().map(|_| Rate { partials: LinearForm::default(), bias: zero }).collect();
     if has_combinations(model) {
-        invert(alg, model, k)?;
+        k = invert(alg, model, k)?;
     } else {
         for (speed, declared) in model.speeds.enumerate() {
             if let SpeedMeaning::RateOf(coordinate) = declared.meaning
@@ -46,8 +46,7 @@ pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Re
             }
         }
     }
-    closed_forms(alg, model, k);
-    Ok(())
+    Ok(closed_forms(alg, model, k))
 }
 
 fn has_combinations(model: &Model) -> bool {
@@ -60,29 +59,30 @@ pub(super) fn is_variable(model: &Model, coordinate: CoordinateId) -> bool {
     model.speeds.iter().any(own) && !has_combinations(model)
 }
 
-/// Rates of coordinates in closed form, by the chain rule.
-fn closed_forms(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+/// The kinematics with the rates of coordinates in closed form, by the chain rule.
+fn closed_forms(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for id in model.coordinates.ids() {
         if k.variable(&alg.dag, id).is_none() {
-            k.rates[id] = rate::scalar_rate(alg, k, k.q[id]);
+            k.rates[id] = rate::scalar_rate(alg, &k, k.q[id]);
         }
     }
+    k
 }
 
 /// N = Y^-1, row by row; then the part of q'' that is quadratic in the speeds.
-fn invert(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Diagnostics> {
-    let equations = equations(alg, model, k)?;
+fn invert(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Result<Kinematics, Diagnostics> {
+    let equations = equations(alg, model, &k)?;
     let states: Vec<CoordinateId> = model.coordinates.ids().filter(|&c| k.is_state[c]).collect();
-    let mut table = screening_table(alg, model, k);
+    let mut table = screening_table(alg, model, &k);
     let mut usable = |dag: &Dag, (values, pivots): &(Values, Vec<ExprId>)| {
         let mut nominal = |p: &ExprId| table.values(dag, *p)[0].abs();
         values.len() >= states.len() && pivots.iter().all(|p| SINGULAR < nominal(p))
     };
-    let mut screened = screening_table(alg, model, k);
+    let mut screened = screening_table(alg, model, &k);
     let solved = sparse::solve(&mut alg.dag, &mut screened, equations.clone());
     let solved = match solved.filter(|solved| usable(&alg.dag, solved)) {
-        Some(solved) if is_regular(alg, model, k, &solved.1) => Some(solved),
-        solved => least_norm(alg, model, k, &equations).filter(|solved| usable(&alg.dag, solved)).or(solved),
+        Some(solved) if is_regular(alg, model, &k, &solved.1) => Some(solved),
+        solved => least_norm(alg, model, &k, &equations).filter(|solved| usable(&alg.dag, solved)).or(solved),
     };
     let Some((values, pivots)) = solved else { return Err(not_invertible(model)) };
     k.rate_pivots = pivots;
@@ -90,15 +90,15 @@ fn invert(alg: &mut Algebra, model: &Model, k: &mut Kinematics) -> Result<(), Di
         let entries = row.iter().enumerate().filter(|(_, e)| !alg.dag.is_zero(**e));
         k.rates[coordinate].partials = entries.map(|(u, &e)| (UnknownId::from_index(u), e)).collect();
     }
-    let speeds = equations.into_iter().zip(model.speeds.enumerate().filter(|(_, speed)| has_row(k, speed)));
+    let speeds = equations.into_iter().zip(model.speeds.enumerate().filter(|(_, speed)| has_row(&k, speed)));
     k.combinations = speeds
         .filter(|(_, (_, speed))| matches!(speed.meaning, SpeedMeaning::Combination(_)))
         .map(|(row, (speed, _))| (k.unknowns.of(speed), row.coefficients))
         .collect();
     for &coordinate in &states {
-        k.rates[coordinate].bias = rate::bias_of(alg, k, &k.rates[coordinate].partials);
+        k.rates[coordinate].bias = rate::bias_of(alg, &k, &k.rates[coordinate].partials);
     }
-    Ok(())
+    Ok(k)
 }
 
 /// Do the pivots vanish only where Y does? Where one has two signs and their product, det Y but for its sign, has one,
@@ -219,12 +219,12 @@ fn with_rates_as_unknowns(alg: &mut Algebra, model: &Model, k: &Kinematics) -> K
     if let Some(clock) = k.unknowns.clock() {
         by_rates.unknowns.push(k.unknowns[clock].clone());
     }
-    closed_forms(alg, model, &mut by_rates);
+    let mut by_rates = closed_forms(alg, model, by_rates);
     for entity in &model.order {
         let Entity::Definition(id) = *entity else { continue };
         let value = &model.definitions[id].value;
-        if by_rates.definitions[id] == Value::Pending && !needs_speeds(&by_rates, value) {
-            by_rates.definitions[id] = lower::value(alg, &by_rates, value);
+        if by_rates.definitions[id].is_none() && !needs_speeds(&by_rates, value) {
+            by_rates.definitions[id] = Some(lower::value(alg, &by_rates, value));
         }
     }
     by_rates
@@ -235,7 +235,7 @@ fn needs_speeds(k: &Kinematics, expr: &Expr) -> bool {
     expr.visit(&mut |e| {
         found |= match &e.kind {
             ExprKind::Velocity(_) | ExprKind::AngularVelocity(_) | ExprKind::Speed(_) => true,
-            ExprKind::Definition(id) => k.definitions[*id] == Value::Pending,
+            ExprKind::Definition(id) => k.definitions[*id].is_none(),
             _ => false,
         };
     });

@@ -6,7 +6,7 @@
 use super::angular::angular_velocity;
 use super::quantities::{Kinematics, Motion, Value};
 use super::rate::{derivative, linear_motion};
-use super::unknowns::{Unknown, UnknownKind};
+use super::unknowns::{Unknown, UnknownKind, Unknowns};
 use super::{lifted, lower, route};
 use crate::expr::Label;
 use crate::id::Id;
@@ -15,47 +15,47 @@ use crate::section::Section;
 use crate::vector::{Algebra, TriadId, Vector};
 use std::collections::BTreeSet;
 
-/// Fills angular velocities, velocities and the definitions that need them.
-pub(super) fn derive(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+/// The kinematics with angular velocities, velocities and the definitions that need them.
+pub(super) fn derive(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     k.angular = (0..alg.triads.len()).map(|_| Motion::default()).collect();
     k.velocities = model.points.iter().map(|_| Motion::default()).collect();
     k.term_derivatives.take();
-    lift(alg, model, k);
+    k = lift(alg, model, k);
     let lifted_triads: BTreeSet<_> = lifted_frames(model).map(|f| k.frame_triad[f]).collect();
     for triad in (0..alg.triads.len()).map(TriadId::from_index) {
         if !lifted_triads.contains(&triad) {
-            let motion = angular_velocity(alg, k, triad);
-            k.angular[triad] = motion;
+            k.angular[triad] = angular_velocity(alg, &k, triad);
         }
     }
-    let loops = route::loops(alg, model, k);
+    let loops = route::loops(alg, model, &k);
     let stated = model.points.iter().filter_map(|point| point.velocity.as_ref());
-    let reads_definitions = stated.into_iter().any(|velocity| lower::needs_definitions(k, velocity));
+    let reads_definitions = stated.into_iter().any(|velocity| lower::needs_definitions(&k, velocity));
     for entity in &model.order {
         if let (true, Entity::Definition(id)) = (reads_definitions, *entity) {
-            lower_definition(alg, model, k, id);
+            k.definitions[id] = Some(definition(alg, model, &k, id));
         }
         let Entity::Point(point) = *entity else { continue };
         if let Some(velocity) = &model.points[point].velocity {
-            let velocity = lower::vector(alg, k, velocity);
-            k.velocities[point] = linear_motion(alg, k, &velocity);
+            let velocity = lower::vector(alg, &k, velocity);
+            k.velocities[point] = linear_motion(alg, &k, &velocity);
         } else if !lifted::point_is_lifted(model, point) {
             let position = k.positions[point].clone();
-            let position = route::shortest(alg, k, position, &loops);
-            k.velocities[point] = derivative(alg, k, &position);
+            let position = route::shortest(alg, &k, position, &loops);
+            k.velocities[point] = derivative(alg, &k, &position);
         }
     }
     for entity in &model.order {
         if let Entity::Definition(id) = *entity {
-            lower_definition(alg, model, k, id);
+            k.definitions[id] = Some(definition(alg, model, &k, id));
         }
     }
+    k
 }
 
-/// Lowers a definition that has waited for velocities.
-fn lower_definition(alg: &mut Algebra, model: &Model, k: &mut Kinematics, id: DefinitionId) {
-    if k.definitions[id] != Value::Pending {
-        return;
+/// The value of a definition, lowered now if it has waited for velocities.
+fn definition(alg: &mut Algebra, model: &Model, k: &Kinematics, id: DefinitionId) -> Value {
+    if let Some(known) = &k.definitions[id] {
+        return known.clone();
     }
     let value = lower::value(alg, k, &model.definitions[id].value);
     if let Value::Scalar(e) = value {
@@ -63,7 +63,7 @@ fn lower_definition(alg: &mut Algebra, model: &Model, k: &mut Kinematics, id: De
         let label = Label::named(Section::Velocities, &*definition.name);
         alg.dag.label(e, label.at(model.source.place(definition.span)));
     }
-    k.definitions[id] = value;
+    value
 }
 
 fn lifted_frames(model: &Model) -> impl Iterator<Item = FrameId> + '_ {
@@ -75,18 +75,19 @@ pub(crate) fn is_lifted_triad(model: &Model, k: &Kinematics, triad: TriadId) -> 
     lifted_frames(model).any(|f| k.frame_triad[f] == triad)
 }
 
-/// Adds the unknown twist components of bodies that close loops.
-fn lift(alg: &mut Algebra, model: &Model, k: &mut Kinematics) {
+/// The kinematics with unknown twist components of bodies that close loops.
+fn lift(alg: &mut Algebra, model: &Model, mut k: Kinematics) -> Kinematics {
     for frame in lifted_frames(model) {
         let triad = k.frame_triad[frame];
         let name = format!("w_{}", model.frames[frame].name);
-        k.angular[triad] = unknown_vector(alg, k, triad, &name);
+        k.angular[triad] = unknown_vector(alg, &mut k.unknowns, triad, &name);
     }
     for point in model.points.ids().filter(|&p| !model.points[p].closures.is_empty()) {
-        let triad = home_of(model, k, point);
+        let triad = home_of(model, &k, point);
         let name = format!("v_{}", model.points[point].name);
-        k.velocities[point] = unknown_vector(alg, k, triad, &name);
+        k.velocities[point] = unknown_vector(alg, &mut k.unknowns, triad, &name);
     }
+    k
 }
 
 /// The triad whose axes resolve a lifted point's velocity: that of the body centred there, if any.
@@ -95,12 +96,13 @@ fn home_of(model: &Model, k: &Kinematics, point: PointId) -> TriadId {
     body.and_then(|b| b.frame).map_or(TriadId::INERTIAL, |f| k.frame_triad[f])
 }
 
-fn unknown_vector(alg: &mut Algebra, k: &mut Kinematics, triad: TriadId, name: &str) -> Motion {
+/// A vector whose components are three unknowns more.
+fn unknown_vector(alg: &mut Algebra, unknowns: &mut Unknowns, triad: TriadId, name: &str) -> Motion {
     let mut motion = Motion::default();
     for (axis, letter) in [(Axis::X, 'x'), (Axis::Y, 'y'), (Axis::Z, 'z')] {
         let name = format!("{name}_{letter}");
         let value = alg.dag.symbol(&name);
-        let unknown = k.unknowns.push(Unknown { name, value, kind: UnknownKind::Lifted });
+        let unknown = unknowns.push(Unknown { name, value, kind: UnknownKind::Lifted });
         let axis = Vector::axis(&mut alg.dag, triad, axis);
         motion.partials.insert(unknown, axis);
     }

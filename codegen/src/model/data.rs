@@ -298,7 +298,7 @@ pub struct Body {
     pub mass: Option<Expr>,
     /// The frame fixed in it; none for a particle.
     pub frame: Option<FrameId>,
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the inertia matrix about the mass centre, in `frame`.
+    /// Ixx, Iyy, Izz, Iyz, Ixz, Ixy of the inertia matrix about the mass centre, in `frame`.
     pub inertia: [Option<Expr>; 6],
     /// Does gravity act on it?
     pub weight: bool,

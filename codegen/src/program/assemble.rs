@@ -12,28 +12,30 @@ use crate::kinematics::eliminate::{self, Pivot, Solution};
 use crate::kinematics::{self, Algebra, Assembly, Kinematics, projection, redundant};
 use crate::model::{CoordinateId, Model, Speed, SpeedMeaning};
 
+/// The constraints solved, with the algebra, the kinematics and the samples in which they are.
+pub(super) type Solved = (Algebra, Kinematics, SampleTable, Solution);
+
 /// Every dependent unknown from the independent speeds; or, where the motion passes dead points of these and some mass
 /// moves with it there, all speeds as state.
 pub(super) fn constraints(
-    alg: &mut Algebra,
+    mut alg: Algebra,
     model: &Model,
-    k: &mut Kinematics,
-    table: &mut SampleTable,
-) -> Result<Solution, Diagnostics> {
-    let minimal = eliminate::solve(alg, model, k, table);
+    k: Kinematics,
+    mut table: SampleTable,
+) -> Result<Solved, Diagnostics> {
+    let minimal = eliminate::solve(&mut alg, model, &k, &mut table);
     if let Some((mut wider, all, solution, mut samples)) =
-        redundant::solve(alg, model, k, table, minimal.as_ref().ok())
+        redundant::solve(&alg, model, &k, &mut table, minimal.as_ref().ok())
     {
         let moved =
             model.bodies.is_empty() || dynamics::is_inert(&mut wider, model, &all, &solution, &mut samples);
         if moved || minimal.is_err() {
-            (*alg, *k, *table) = (wider, all, samples);
-            return Ok(solution);
+            return Ok((wider, all, samples, solution));
         }
     }
     let mut solution = minimal?;
-    projection::correct(alg, model, k, table, &mut solution);
-    Ok(solution)
+    projection::correct(&mut alg, model, &k, &mut table, &mut solution);
+    Ok((alg, k, table, solution))
 }
 
 pub(super) fn assemble(

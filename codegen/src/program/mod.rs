@@ -8,7 +8,6 @@ pub mod arguments;
 mod assemble;
 mod derived;
 pub mod interpreter;
-mod kinematic;
 pub mod limits;
 mod prepared;
 mod reciprocal;
@@ -31,7 +30,6 @@ use answer::Stages;
 pub use answer::{Answer, Asked, Function, Request};
 use assemble::{assemble, constraints, mark_angles};
 pub use derived::{Origin, Program, Quantity, Rates, Settings};
-pub use kinematic::derive_kinematic;
 use stage::Stage;
 pub use start::Start;
 
@@ -65,30 +63,69 @@ pub fn derive_asked(
     settings: impl Into<Settings>,
     asked: &Asked,
 ) -> Result<Program, Diagnostics> {
-    let settings = settings.into();
-    let Settings { effort, optimise } = settings;
     let requests = answer::resolve(model, asked)?;
-    if asked.only && requests.iter().all(|request| request.kind.needs == answer::Needs::Motion) {
-        return kinematic::derive(model, choice, effort, asked);
-    }
+    let needs_no_mass = requests.iter().all(|request| request.kind.needs == answer::Needs::Motion);
+    let masses = if asked.only && needs_no_mass { Masses::Unread } else { Masses::Read };
+    derive_stages(model, (choice, settings.into()), (asked, &requests), masses)
+}
+
+/// Derives speeds, outputs, projection of a model whose masses are unknown or missing: what needs no mass.
+///
+/// # Errors
+/// What only numbers show: frames that are none, constraints that are singular or do not fit.
+pub fn derive_kinematic(
+    model: &Model,
+    choice: &ParameterChoice,
+    effort: Effort,
+) -> Result<Program, Diagnostics> {
+    derive_stages(model, (choice, effort.into()), (&Asked::default(), &[]), Masses::Unread)
+}
+
+/// Does anything that is asked for depend on masses?
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Masses {
+    Read,
+    /// No: they may be unknown or missing.
+    Unread,
+}
+
+/// All stages, one after the other.
+fn derive_stages(
+    model: &Model,
+    (choice, settings): (&ParameterChoice, Settings),
+    (asked, requests): (&Asked, &[answer::Resolved]),
+    masses: Masses,
+) -> Result<Program, Diagnostics> {
+    let optimise = if masses == Masses::Read { settings.optimise } else { Optimise::default() };
+    let settings = Settings { optimise, ..settings };
+    let effort = settings.effort;
     let own_inputs = model.inputs.len();
-    let model = &*answer::with_wrenches(model, &requests)?;
+    let model = &*answer::with_wrenches(model, requests)?;
     stage::begin(Stage::Kinematics);
-    let (mut alg, mut k) = kinematics::derive(model, choice, optimise)?;
-    let mut warnings = implausible(model, &k)?;
+    let (mut alg, k) = kinematics::derive(model, choice, optimise)?;
+    let mut warnings = match masses {
+        Masses::Read => implausible(model, &k)?,
+        Masses::Unread => Diagnostics::new(model.source.clone()),
+    };
     stage::begin(Stage::Constraints);
     let mut table = sampling::sample_table(&alg, model, &k);
-    warnings.items.extend(kinematics::diagnose::check(&mut alg, model, &mut k, &mut table)?.items);
-    let solution = constraints(&mut alg, model, &mut k, &mut table)?;
+    let (k, found) = kinematics::diagnose::check(&mut alg, model, k, &mut table)?;
+    warnings.items.extend(found.items);
+    let (mut alg, k, mut table, solution) = constraints(alg, model, k, table)?;
     // The values of the rows have served: their memory is used again.
     table.clear();
     stage::begin(Stage::Dynamics);
     let with_augmented = requests.iter().any(|request| request.kind.name == "augmented");
-    let dynamics = dynamics::derive(&mut alg, model, &k, &solution, &mut table, (optimise, with_augmented))?;
+    let dynamics = match masses {
+        Masses::Read => {
+            dynamics::derive(&mut alg, model, &k, &solution, &mut table, (optimise, with_augmented))?
+        }
+        Masses::Unread => dynamics::without_mass(&mut alg, model, &k, &solution, &mut table),
+    };
     stage::begin(Stage::Answers);
-    let given = (own_inputs, answer::holds_u_dot(&requests), effort);
+    let given = (own_inputs, answer::holds_u_dot(requests), effort);
     let mut stages = Stages::new(&mut alg, (model, choice), &k, (&solution, &dynamics), &mut table, given);
-    let answered = answer::derive(&mut stages, &requests, asked)?;
+    let answered = answer::derive(&mut stages, requests, asked)?;
     let assembly = Assembly::new(&mut alg, model, &k);
     let sizes = Sizes::new(&alg, model, &k);
     let origin = Origin::new(model, choice, settings);
@@ -99,7 +136,7 @@ pub fn derive_asked(
     stage::begin(Stage::Values);
     shorten::answers(&mut program, &mut table, effort);
     stage::begin(Stage::Sums);
-    if effort != Effort::None {
+    if effort != Effort::None && masses == Masses::Read {
         reorder::sums(&mut program, &mut table);
     }
     relative::to_parameters(&mut program, &sizes);

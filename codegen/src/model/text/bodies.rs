@@ -87,7 +87,7 @@ impl Builder<'_> {
         match (table, solid.zip(mass)) {
             (Some(table), _) => {
                 let moments = Fields::of("inertia", table.span, table);
-                let inertia = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
+                let inertia = ["Ixx", "Iyy", "Izz", "Iyz", "Ixz", "Ixy"];
                 let inertia = inertia.map(|name| self.optional(&moments, name, Unit::INERTIA));
                 moments.finish(self.found);
                 inertia

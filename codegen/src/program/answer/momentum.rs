@@ -66,11 +66,11 @@ fn of_turning(stages: &mut Stages, body: &Body) -> Components {
         let e = body.inertia[i].as_ref();
         e.map_or(zero, |e| lower_scalar(stages.alg, stages.k, e))
     };
-    let [xx, yy, zz, xy, xz, yz] = [0, 1, 2, 3, 4, 5].map(|i| entry(i, stages));
+    let [xx, yy, zz, yz, zx, xy] = [0, 1, 2, 3, 4, 5].map(|i| entry(i, stages));
     let triad = stages.k.frame_triad[frame];
     let w = stages.k.angular[triad].value(stages.alg, stages.k);
     let w = stages.alg.express(&w, triad);
-    let along = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|row| dot(stages, row, w));
+    let along = [[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]].map(|row| dot(stages, row, w));
     let axes = Marker { point: None, frame: Some(frame) }.rotation(stages.alg, stages.k);
     axes.map_or(along, |rows| rows.map(|row| dot(stages, row, along)))
 }

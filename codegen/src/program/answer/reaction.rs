@@ -64,9 +64,9 @@ fn cut_of(model: &Model, target: &Target) -> Result<Cut, Diagnostic> {
 /// give no freedom.
 fn forces(stages: &mut Stages, cut: Cut, components: &[usize]) -> Option<Vec<ExprId>> {
     let model = stages.model.released(cut, components).ok()?;
-    let (mut alg, mut k) = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
+    let (mut alg, k) = kinematics::derive(&model, stages.choice, Optimise::default()).ok()?;
     let mut table = sampling::sample_table(&alg, &model, &k);
-    diagnose::check(&mut alg, &model, &mut k, &mut table).ok()?;
+    let (k, _) = diagnose::check(&mut alg, &model, k, &mut table).ok()?;
     let solution = eliminate::solve(&mut alg, &model, &k, &mut table).ok()?;
     let zero = alg.dag.zero();
     let moving: Vec<ExprId> = stages.dynamics.u_dot.iter().map(|_| alg.dag.symbol("u_dot")).collect();
