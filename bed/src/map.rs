@@ -108,7 +108,7 @@ pub struct Site {
 pub struct Frame {
     /// When (s).
     pub time: f64,
-    /// How long the frame stands for (s).
+    /// How long the frame stands for (s); 0 for the last, if it is an end.
     pub seconds: f64,
     /// Pressure at each site (Pa).
     pub pressure: Vec<f64>,
@@ -149,7 +149,7 @@ pub enum MapError {
         /// The site, from 0.
         site: usize,
     },
-    /// A frame's time does not lie behind the one before, or it stands for no time.
+    /// A frame's time does not lie behind the one before, or it stands for no time and is not the last.
     Time {
         /// The frame, from 0.
         frame: usize,
@@ -169,7 +169,7 @@ impl fmt::Display for MapError {
             MapError::Time { frame } => {
                 write!(
                     f,
-                    "frame {frame}: its time must lie behind that of the frame before, its duration be > 0"
+                    "frame {frame}: its time must lie behind that of the frame before, its duration be > 0, of the last >= 0"
                 )
             }
         }
@@ -192,7 +192,8 @@ impl Recording {
         for (index, frame) in frames.iter().enumerate() {
             check(index, frame, sites.len())?;
             let follows = frame.time > before && frame.time.is_finite();
-            if !(follows && frame.seconds > 0.0 && frame.seconds.is_finite()) {
+            let lasts = frame.seconds > 0.0 || frame.seconds == 0.0 && index + 1 == frames.len();
+            if !(follows && lasts && frame.seconds.is_finite()) {
                 return Err(MapError::Time { frame: index });
             }
             before = frame.time;

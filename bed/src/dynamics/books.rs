@@ -4,10 +4,10 @@
 
 use super::ledger::Ledger;
 use super::motion::{Motion, spin};
-use crate::equilibrium::{Anchor, Bed, GRAVITY, Meeting, Rub, Solution, State, Tile};
+use crate::equilibrium::{Anchor, Bed, GRAVITY, Meeting, Rub, Solution, State};
 use crate::method::Track;
 use crate::sheet::membrane;
-use smartbed_runtime::vec3::{Vec3, add, dot, scale, sub, tangential};
+use smartbed_runtime::vec3::{Vec3, add, dot, norm, scale, sub, tangential};
 
 impl Motion {
     /// Energies of now.
@@ -42,16 +42,35 @@ impl Motion {
         self.body.segments[segment].foundation * self.bed.lattice.cell()
     }
 
-    pub(super) fn power_of_sheets(&self) -> f64 {
+    /// Energy (J) that the sheets' dampers have taken in a stage, from their `pulls` at its end: means of powers. A rim that
+    /// is led may begin to move at once, so that its velocity jumps: dampers beside it take means of pulls times their ways.
+    pub(super) fn damped(&self, seconds: f64, pulls: &[[f64; 3]]) -> f64 {
+        let lattice = &self.bed.lattice;
+        let is_led =
+            |spring: &crate::sheet::Spring| spring.ends.iter().any(|end| lattice.free(*end).is_none());
+        let springs = lattice.springs.iter().cycle();
+        let one = |((old, new), spring): ((&[f64; 3], &[f64; 3]), &crate::sheet::Spring)| {
+            if is_led(spring) {
+                0.5 * (old[2] + new[2]) * (new[0] - old[0])
+            } else {
+                0.5 * seconds * (old[1] * old[2] + new[1] * new[2])
+            }
+        };
+        self.pulls.iter().zip(pulls).zip(springs).map(one).sum()
+    }
+
+    /// Length (m) of each spring of all sheets, its rate (m/s) and its damper's pull (N), now.
+    pub(super) fn pulls(&self) -> Vec<[f64; 3]> {
         let one = |(tracks, spring): (&Vec<Track>, &crate::sheet::Spring)| {
             let [a, b] = spring.ends.map(|end| &tracks[end]);
             let along = sub(b.place, a.place);
-            let speed = dot(along, sub(b.velocity, a.velocity));
-            self.matter.sheet_loss * spring.stiffness * speed * speed / dot(along, along)
+            let length = norm(along);
+            let speed = dot(along, sub(b.velocity, a.velocity)) / length;
+            [length, speed, self.matter.sheet_loss * spring.stiffness * speed]
         };
         let all =
             self.nodes.iter().flat_map(|tracks| self.bed.lattice.springs.iter().map(move |s| (tracks, s)));
-        all.map(one).sum()
+        all.map(one).collect()
     }
 
     pub(super) fn power_of_tissue(&self) -> f64 {
@@ -69,31 +88,33 @@ impl Motion {
         self.body.joints.iter().map(one).sum()
     }
 
-    /// Work (J) of what moves a tile: its rim carries what contacts leave of the nodes' inertia.
-    pub(super) fn moved(&self, tile: usize, bed: &Bed, next: &Solution) -> f64 {
-        let [old, new] = [&self.bed, bed].map(|bed| &bed.tiles[tile].pose);
-        if old == new {
+    /// Work (J) that moves a tile from where it stands to where `bed` has it against the forces of one state: its rim carries
+    /// what contacts leave of the nodes' inertia. `drag` is what friction between sheets holds then.
+    pub(super) fn moved(
+        &self,
+        tile: usize,
+        bed: &Bed,
+        (then, solution): (&Bed, &Solution),
+        drag: impl Fn(&Rub) -> Vec3<f64>,
+    ) -> f64 {
+        let [old, new] = [&self.bed, bed].map(|bed| &bed.tiles[tile]);
+        if old.pose == new.pose {
             return 0.0;
         }
-        let way = |x: Vec3<f64>| sub(new.outwards(x), old.outwards(x));
-        let inertia = self.nodes[tile].iter().zip(&next.state.sheets[tile]).enumerate();
+        let way = |x: Vec3<f64>| sub(new.pose.outwards(x), old.pose.outwards(x));
+        let (sheets, sheet) = (&solution.state.sheets, &solution.state.sheets[tile]);
+        let inertia = self.nodes[tile].iter().zip(sheet).enumerate();
         let inertia = inertia.filter(|(node, _)| bed.lattice.free(*node).is_some());
         let inertia: f64 = inertia.map(|(_, (t, x))| self.node_mass() * dot(t.acceleration, way(*x))).sum();
-        let pressed = next.contacts[tile].iter();
-        let sheet = &next.state.sheets[tile];
-        let sheets = &next.state.sheets;
-        let pushed = next.met.iter().map(|m| (&m.ends, scale(m.normal, m.force(bed, sheets))));
-        let rubbed = self.now.state.rubs.iter().map(|rub| (&rub.ends, rub.drag(bed, sheets)));
+        let pushed = solution.met.iter().map(|m| (&m.ends, scale(m.normal, m.force(then, sheets))));
+        let rubbed = self.now.state.rubs.iter().map(|rub| (&rub.ends, drag(rub)));
         let met = pushed.chain(rubbed).map(|(ends, force)| {
             let own = ends.iter().filter(|end| end.0 == tile);
             own.map(|(_, node, share)| share * dot(force, way(sheet[*node]))).sum::<f64>()
         });
-        let lifted = |tile: &Tile| bed.cover_energy(tile, sheet);
-        let borne = lifted(&bed.tiles[tile]) - lifted(&self.bed.tiles[tile]);
-        borne
-            + inertia
-            + met.sum::<f64>()
-            + pressed.map(|c| dot(c.force(), way(sheet[c.touch.node]))).sum::<f64>()
+        let pressed = solution.contacts[tile].iter().map(|c| dot(c.force(), way(sheet[c.touch.node])));
+        let lifted = bed.cover_energy(new, sheet) - bed.cover_energy(old, sheet);
+        lifted + inertia + met.sum::<f64>() + pressed.sum::<f64>()
     }
 
     /// Energy (J) that slip has taken in a stage: work of friction by the trapezoid rule, less what its springs hold more.

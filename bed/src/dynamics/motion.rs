@@ -11,7 +11,7 @@ use crate::equilibrium::increment::{Increment, points};
 use crate::equilibrium::scene::Scene;
 use crate::equilibrium::swing::{Damper, Swing};
 use crate::equilibrium::tile::Patch;
-use crate::equilibrium::{Bed, Contact, Fault, GRAVITY, Solution, State, Touch, find, read};
+use crate::equilibrium::{Bed, Contact, Fault, GRAVITY, Rub, Solution, State, Touch, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
 use crate::sheet::Lattice;
@@ -78,8 +78,10 @@ pub struct Motion {
     kept: Kept<f64>,
     /// The same in f32, and the lattice, where sheets are brought to their ends in it.
     single: Option<(Lattice<f32>, Kept<f32>)>,
-    /// Lost power of sheets, tissue and joints, and that of the drives (W).
-    powers: [f64; 4],
+    /// Length (m) of each spring, its rate (m/s) and its damper's pull (N).
+    pub(super) pulls: Vec<[f64; 3]>,
+    /// Lost power of tissue and joints (W).
+    powers: [f64; 2],
 }
 
 impl Motion {
@@ -116,9 +118,11 @@ impl Motion {
             before: state,
             kept: Kept::new(),
             single: None,
-            powers: [0.0; 4],
+            pulls: Vec::new(),
+            powers: [0.0; 2],
         };
         (motion.now.carried, motion.now.imbalance) = motion.balance();
+        motion.pulls = motion.pulls();
         motion.weigh();
         motion.ledger.start = motion.ledger.energy();
         motion
@@ -297,6 +301,9 @@ impl Motion {
         self.ledger.lost_by_friction += self.slipped(&next, &bed);
         self.ledger.turned += self.turned(&next, &bed);
         let given = self.regulated(&bed, &next.state);
+        let tiles = 0..bed.tiles.len();
+        let begun: f64 =
+            tiles.clone().map(|t| self.moved(t, &bed, (&self.bed, &self.now), |rub| rub.force)).sum();
         self.layers = self.remembered(formula, &next);
         for (tile, tracks) in self.nodes.iter_mut().enumerate() {
             let pose = &bed.tiles[tile].pose;
@@ -308,20 +315,21 @@ impl Motion {
             let places = points(segment, pose);
             tracks.iter_mut().zip(places).for_each(|(t, x)| *t = t.after(formula, x));
         }
-        let moved = (0..bed.tiles.len()).map(|tile| self.moved(tile, &bed, &next)).sum::<f64>();
+        let drag = |rub: &Rub| rub.drag(&bed, &next.state.sheets);
+        let ended: f64 = tiles.map(|t| self.moved(t, &bed, (&bed, &next), drag)).sum();
         self.before = std::mem::replace(&mut self.now, next).state;
         self.bed = bed;
         self.stages += 1;
         (self.now.carried, self.now.imbalance) = self.balance();
-        let powers =
-            [self.power_of_sheets(), self.power_of_tissue(), self.power_of_joints(), moved / formula.seconds];
-        let [sheets, tissue, joints, drives] =
-            [0, 1, 2, 3].map(|k| 0.5 * formula.seconds * (powers[k] + self.powers[k]));
+        let pulls = self.pulls();
+        self.ledger.lost_in_sheets += self.damped(formula.seconds, &pulls);
+        self.pulls = pulls;
+        let powers = [self.power_of_tissue(), self.power_of_joints()];
+        let [tissue, joints] = [0, 1].map(|k| 0.5 * formula.seconds * (powers[k] + self.powers[k]));
         self.powers = powers;
-        self.ledger.lost_in_sheets += sheets;
         self.ledger.lost_in_tissue += tissue;
         self.ledger.lost_in_joints += joints;
-        self.ledger.driven += drives + given;
+        self.ledger.driven += 0.5 * (begun + ended) + given;
         self.weigh();
     }
 

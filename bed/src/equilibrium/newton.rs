@@ -38,6 +38,8 @@ pub enum Fault {
     Burst(usize, f64),
     /// Nothing carries the body.
     Lost,
+    /// Springs so stiff (N/m) that rounding leaves more force (N) on a node than may be left over.
+    Rounded(f64, [f64; 2]),
     /// Force (N) is left over after all steps: on nodes, on segments.
     NotFound(f64, f64),
 }
@@ -61,6 +63,11 @@ impl fmt::Display for Fault {
             Fault::Lost => f.write_str(
                 "the load touches no bladder: it lies beside them, or has slid or rolled off; expected another `place`, or \
                  more friction",
+            ),
+            Fault::Rounded(stiffest, [left, most]) => write!(
+                f,
+                "no equilibrium: springs of {stiffest:.1e} N/m are so stiff that rounding leaves {left:.1e} N on a node, \
+                 expected {most:.1e} N at most; softer sheets, or a softer foundation of the load"
             ),
             Fault::NotFound(node, segment) => write!(
                 f,
@@ -198,7 +205,8 @@ fn descend(scene: &Scene, state: &mut State, weight: f64, most: usize) -> Result
             _ => {
                 let is_lost = left[1] > 0.0 && tiles.iter().flatten().all(|tile| tile.bonds.is_empty());
                 let other = if is_lost { Fault::Lost } else { Fault::NotFound(left[0], left[1]) };
-                return Err(burst(scene.bed, state).unwrap_or(other));
+                let named = burst(scene.bed, state).or_else(|| rounded(scene, left[0]));
+                return Err(named.unwrap_or(other));
             }
         };
         gone += found.way;
@@ -220,6 +228,17 @@ fn burst(bed: &Bed, state: &State) -> Option<Fault> {
     let shares = state.sheets.iter().map(share).enumerate();
     let (tile, most) = shares.max_by(|x, y| x.1.total_cmp(&y.1))?;
     (most > LARGEST).then_some(Fault::Burst(tile, most))
+}
+
+/// What rounding alone leaves on a node: places in a sheet are known to an ulp of its size, forces to that times a stiffness.
+fn rounded(scene: &Scene, left: f64) -> Option<Fault> {
+    let lattice = &scene.bed.lattice;
+    let springs = lattice.springs.iter().map(|spring| spring.stiffness);
+    let layers = scene.body.segments.iter().map(|segment| segment.foundation * lattice.cell());
+    let stiffest = springs.chain(layers).fold(0.0, f64::max);
+    let known = f64::EPSILON * stiffest * lattice.size[0].max(lattice.size[1]);
+    let calm = scene.calm();
+    (known > 0.1 * calm && left < 100.0 * known).then_some(Fault::Rounded(stiffest, [left, calm]))
 }
 
 /// Names the tile of a collapse.

@@ -28,10 +28,10 @@ impl Head {
             "COL_SPACING" => self.column_pitch = Some(metres(value, line)?),
             "SECONDS_PER_FRAME" => {
                 let seconds = number(value, line)?;
-                if seconds <= 0.0 {
+                if seconds < 0.0 {
                     return Err(FileError::at(
                         line,
-                        format!("expected seconds > 0, found `{}`", value.trim()),
+                        format!("expected seconds >= 0, found `{}`", value.trim()),
                     ));
                 }
                 self.seconds = Some(seconds);
@@ -118,14 +118,15 @@ fn full(grid: &Grid, frame: Option<&Frame>, line: usize) -> Result<(), FileError
 /// Writes a movie in kPa; shear is not part of the format.
 ///
 /// # Errors
-/// Frames that do not all stand for the same time, which the format cannot say.
+/// Frames that do not all stand for the same time, which the format cannot say; an end comes to stand for as long as the rest.
 pub fn write(mapped: &Mapped) -> Result<String, FileError> {
     let (grid, frames) = (&mapped.grid, mapped.recording.frames());
     let seconds = frames.first().map_or(1.0, |f| f.seconds);
     let start = frames.first().map_or(0.0, |f| f.time);
     let even = |(index, f): (usize, &Frame)| {
         let expected = start + index as f64 * seconds;
-        f.seconds == seconds && (f.time - expected).abs() <= 1e-9 * (seconds + expected.abs())
+        let is_end = f.seconds == 0.0 && index + 1 == frames.len();
+        (f.seconds == seconds || is_end) && (f.time - expected).abs() <= 1e-9 * (seconds + expected.abs())
     };
     if let Some(index) = (0..frames.len()).find(|i| !even((*i, &frames[*i]))) {
         return Err(FileError::at(

@@ -1,7 +1,7 @@
 //! XSENSOR-style CSV: each frame is a block of lines `Key,value`, then `SENSELS` and its rows, then an empty line.
 //!
 //! Keys: `FRAME`, `Time (s)`, `Duration (s)` (default: till the next frame, the last as long as the one before, a single
-//! one 1 s), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`; others are passed over, and what the
+//! one is a moment), `Rows`, `Columns`, `Row Pitch`, `Column Pitch` (with unit), `Units`; others are passed over, and what the
 //! first frame said need not be said again.
 
 use super::text::{FileError, Mapped, count, mapped, metres, number, pascal, row, row_text};
@@ -97,7 +97,7 @@ fn timed(read: Vec<(Option<f64>, Option<f64>, Vec<f64>)>) -> Result<Vec<Frame>, 
         }
         times.push(time.unwrap_or(0.0));
     }
-    let mut before = 1.0;
+    let mut before = 0.0;
     let frames = read.into_iter().enumerate().map(|(index, (_, seconds, pressure))| {
         let till_next = times.get(index + 1).map(|next| next - times[index]);
         before = seconds.or(till_next).unwrap_or(before);

@@ -60,9 +60,10 @@ impl Report<'_> {
                 "mmHg/cm",
                 None,
             ));
-            let path = time::mobility(grid, self.recording, 0.02);
-            rows.push(row("bed", "path of the centre of pressure", Some(100.0 * path.path), "cm", None));
-            rows.push(row("bed", "shifts above 2 cm", Some(path.shifts as f64), "1", None));
+            let path = (self.recording.seconds() > 0.0).then(|| time::mobility(grid, self.recording, 0.02));
+            let length = path.map(|p| 100.0 * p.path);
+            rows.push(row("bed", "path of the centre of pressure", length, "cm", None));
+            rows.push(row("bed", "shifts above 2 cm", path.map(|p| p.shifts as f64), "1", None));
         }
         for region in Region::ALL {
             if self.recording.sites().iter().any(|s| s.region == Some(region)) {
@@ -150,6 +151,10 @@ impl Report<'_> {
             let turned = largest(&shear::turning(part, LEAST_SHEAR)).map(f64::to_degrees);
             rows.push(row(place, "shear time integral", kilopascal_hours, "kPa h", None));
             rows.push(row(place, "turning of the shear", turned, "deg", None));
+        }
+        // One moment has no history.
+        if part.seconds() <= 0.0 {
+            rows.iter_mut().for_each(|row| row.value = None);
         }
         rows
     }

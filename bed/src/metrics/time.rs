@@ -1,7 +1,7 @@
 //! Metrics over time, site by site: of skin they follow the skin, of sensels they stay in place.
 //!
 //! In: a recording. Out: one number a site, areas, and what the centre of pressure did. A frame stands for its own
-//! duration, so that sums over frames are integrals.
+//! duration, so that sums over frames are integrals; the last may be an end, which stands for none.
 
 use super::spatial;
 use crate::map::{Frame, Grid, Recording};

@@ -27,6 +27,8 @@ pub struct Moment {
     pub gauges: Vec<f64>,
     /// Nodes on plates.
     pub bottomed: Vec<usize>,
+    /// Upward force of each tile on the load (N).
+    pub borne: Vec<f64>,
     /// Contact forces against the weight.
     pub imbalance: f64,
     /// Sensed load against the weight.
@@ -44,8 +46,10 @@ pub struct Moment {
 pub struct History {
     /// Where sensels lie.
     pub grid: Grid,
-    /// What they felt; their areas are those of the last map.
+    /// What they felt; their areas are those of the last map. Every frame stands for the time until the next, the last for none.
     pub sensels: Recording,
+    /// Their areas (m^2), frame by frame.
+    pub areas: Vec<Vec<f64>>,
     /// What the skin felt.
     pub skin: Recording,
     /// What tiles did.
@@ -54,6 +58,23 @@ pub struct History {
     pub moves: Vec<Move>,
     /// What happened between moments, in motion.
     pub watched: Option<Watched>,
+}
+
+impl History {
+    /// What sensels read, by forces over the sensels' nominal cells: what a sensor maker's file has, in which all areas are
+    /// alike, so that its pressures add up to the same force.
+    ///
+    /// # Errors
+    /// [`MapError`].
+    pub fn over_cells(&self, read: &Recording) -> Result<Recording, MapError> {
+        let cell = self.grid.cell();
+        let one = |(frame, areas): (&Frame, &Vec<f64>)| Frame {
+            pressure: frame.pressure.iter().zip(areas).map(|(p, area)| p * area / cell).collect(),
+            shear: frame.shear.iter().zip(areas).map(|(s, area)| s.map(|t| t * area / cell)).collect(),
+            ..*frame
+        };
+        Recording::new(self.grid.all(), read.frames().iter().zip(&self.areas).map(one).collect())
+    }
 }
 
 /// What there is to decide by at a time.
@@ -161,8 +182,10 @@ fn heights(plan: &Plan, bed: &Bed, solution: &Solution) -> Vec<Vec<f32>> {
 /// Frames as they come.
 pub(super) struct Recorder {
     grid: Grid,
-    /// Sensels with their areas of now, and with those of the moment before.
-    sites: [Vec<Site>; 2],
+    /// Sensels with their areas of now.
+    sites: Vec<Site>,
+    /// Areas of all frames.
+    areas: Vec<Vec<f64>>,
     points: Vec<SkinPoint>,
     skin_sites: Vec<Site>,
     frames: [Vec<Frame>; 2],
@@ -174,8 +197,8 @@ impl Recorder {
         let (points, skin_sites) = maps::skin(&plan.load);
         let sites = maps::sensels(&plan.layout, bed, solution);
         let grid = maps::grid(&plan.layout);
-        let sites = [sites.clone(), sites];
-        Recorder { grid, sites, points, skin_sites, frames: [Vec::new(), Vec::new()], moments: Vec::new() }
+        let frames = [Vec::new(), Vec::new()];
+        Recorder { grid, sites, areas: Vec::new(), points, skin_sites, frames, moments: Vec::new() }
     }
 
     pub fn take(&mut self, plan: &Plan, bed: &Bed, solution: &Solution, time: f64) -> Result<(), RunError> {
@@ -186,8 +209,8 @@ impl Recorder {
         let sites = maps::sensels(&plan.layout, bed, solution);
         let felt = maps::felt(&plan.layout, solution, &sites);
         let sensed = sensed(plan, solution, &sites, &felt);
-        self.sites.swap(0, 1);
-        self.sites[0] = sites;
+        self.areas.push(sites.iter().map(|site| site.area).collect());
+        self.sites = sites;
         let skin = maps::on_skin(bed, solution, &self.points);
         let seconds = plan.every;
         for (frames, map) in self.frames.iter_mut().zip([felt, skin]) {
@@ -198,6 +221,7 @@ impl Recorder {
             orders: (0..plan.layout.count()).map(|tile| plan.order(tile, time)).collect(),
             gauges: solution.gauges.clone(),
             bottomed: solution.bottomed.clone(),
+            borne: solution.contacts.iter().map(|own| own.iter().map(|c| c.force()[2]).sum()).collect(),
             imbalance: solution.imbalance,
             sensed,
             steps: solution.steps,
@@ -214,7 +238,7 @@ impl Recorder {
         decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
     ) -> Result<(), RunError> {
         let Some(frame) = self.frames[0].last() else { return Ok(()) };
-        let seen = Seen { plan, grid: &self.grid, sites: &self.sites[0], frame };
+        let seen = Seen { plan, grid: &self.grid, sites: &self.sites, frame };
         let moves = decide(&seen).map_err(RunError::Refused)?;
         if !moves.is_empty() {
             *plan = plan.with(&moves);
@@ -223,16 +247,15 @@ impl Recorder {
     }
 
     pub fn finish(self, plan: &Plan) -> Result<History, RunError> {
-        let ([mut sensels, mut skin], [mut sites, before]) = (self.frames, self.sites);
-        // The last equilibrium is an end, not a stretch of time: it is left out where others stand for all of it.
-        if sensels.len() > 1 && plan.seconds > 0.0 {
-            sensels.pop();
-            skin.pop();
-            sites = before;
+        let [mut sensels, mut skin] = self.frames;
+        // The last moment is an end, not a stretch of time: those before stand for all of it.
+        for end in [sensels.last_mut(), skin.last_mut()].into_iter().flatten() {
+            end.seconds = 0.0;
         }
         Ok(History {
             grid: self.grid,
-            sensels: Recording::new(sites, sensels).map_err(RunError::Map)?,
+            sensels: Recording::new(self.sites, sensels).map_err(RunError::Map)?,
+            areas: self.areas,
             skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
             moments: self.moments,
             moves: plan.moves.clone(),

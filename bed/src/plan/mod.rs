@@ -10,6 +10,7 @@ pub mod motion;
 pub mod readings;
 pub mod run;
 mod start;
+pub mod states;
 
 use crate::body::Body;
 use crate::body::figure::Figure;
@@ -323,7 +324,7 @@ impl Plan {
         plan
     }
 
-    /// Times of all equilibria (s): the grid of `every`, and where a move ends.
+    /// Times of all equilibria (s): the grid of `every`.
     #[must_use]
     pub fn times(&self) -> Vec<f64> {
         let count = (self.seconds / self.every + 1e-9).floor() as usize;

@@ -100,7 +100,7 @@ fn refusals_name_the_line() {
         ("COLS 2\n", "", "line 7: `COLS` is missing before the data"),
         ("Frame 1\n", "", "line 9: expected `Frame` before the first row"),
         ("10.16 mm", "10.16 ft", "line 4: unit of length `ft`: expected mm, cm, m or in"),
-        ("FRAME 0.1", "FRAME 0", "line 6: expected seconds > 0, found `0`"),
+        ("FRAME 0.1", "FRAME -1", "line 6: expected seconds >= 0, found `-1`"),
     ] {
         let text = MOVIE.replacen(from, to, 1);
         assert_ne!(text, MOVIE, "{from}");

@@ -21,3 +21,4 @@ mod rub;
 mod sensor;
 mod sheet;
 mod soft;
+mod states;

@@ -164,13 +164,11 @@ fn what_sheets_give_by_turning_on_each_other_is_booked_at_any_step() {
         }
         (worst, without)
     };
-    for (name, told, order) in
-        [("rises", &rises as &dyn Fn(f64) -> Bed, 1.8), ("changes its pressure", &changes, 3.0)]
-    {
+    for (name, told) in [("rises", &rises as &dyn Fn(f64) -> Bed), ("changes its pressure", &changes)] {
         let found = [10e-3, 5e-3, 2.5e-3].map(|step| missed(told, step));
         println!("one {name}: left over, and what would be without it: {found:?}");
         // What would be missed does not go away with the step.
         assert!(found.iter().all(|f| f.1 > 6e-3), "{found:?}");
-        assert!(found[2].0 < 1e-4 && found.windows(2).all(|f| f[0].0 > order * f[1].0), "{found:?}");
+        assert!(found[2].0 < 1e-4 && found.windows(2).all(|f| f[0].0 > 3.0 * f[1].0), "{found:?}");
     }
 }

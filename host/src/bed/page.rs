@@ -25,6 +25,7 @@ const MOST_TRIANGLES: usize = 4000;
 pub fn text(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]) -> String {
     let parts = [
         ("TITLE", escaped(&plan.title)),
+        ("GATE", escaped(&words::gate(metrics))),
         ("PREVIEW", list(&words::preview(plan, history))),
         ("REPORT", list(&words::report(plan, history))),
         ("METRICS", tables(metrics)),

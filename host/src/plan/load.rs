@@ -129,7 +129,17 @@ fn round(fields: &Fields<'_>, kind: &str, found: &mut Diagnostics) -> Option<(Su
         "cylinder" => needed(fields, "length", ("m", "\"0.4_m\""), found).map(|l| [0.5 * l, 0.0, 0.0]),
         _ => {
             let value = fields.need("size", "[\"0.3_m\", \"0.4_m\", \"0.02_m\"]", found)?;
-            list::<3>(value, "size", "m", found).map(|size| size.map(|s| (0.5 * s).max(0.0)))
+            let size = list::<3>(value, "size", "m", found)?;
+            if let Some(side) = size.iter().find(|side| **side < 0.0) {
+                let error = Diagnostic::error(format!("a side of the plate is {side} m, expected >= 0"));
+                found.push(
+                    error
+                        .label(value.span(), "without the round edge")
+                        .help("size = [\"0.3_m\", \"0.4_m\", 0]"),
+                );
+                return None;
+            }
+            Some(size.map(|side| 0.5 * side))
         }
     };
     Some((Shape { half: half?, radius: radius? }.into(), Pose::at([0.0; 3])))

@@ -250,7 +250,14 @@ fn layout(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
         layout.pitch = list::<2>(value, "pitch", "m", found)?;
     }
     if let Some(value) = fields.get("intervals") {
-        layout.intervals = list::<2>(value, "intervals", "", found)?.map(|n| n as usize);
+        let told = list::<2>(value, "intervals", "", found)?;
+        if told.iter().any(|n| n.fract() != 0.0 || *n < 0.0) {
+            let [x, y] = told;
+            let error = Diagnostic::error(format!("`intervals` are {x} and {y}, expected whole numbers"));
+            found.push(error.label(value.span(), "along x and y").help("intervals = [8, 10]"));
+            return None;
+        }
+        layout.intervals = told.map(|n| n as usize);
     }
     fields.finish(found);
     let mut refuse = |what: String, help: &str| {

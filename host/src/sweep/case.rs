@@ -124,19 +124,18 @@ impl Case {
         let history = read
             .run(|_| !crate::interrupt::is_asked())
             .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
-        let [imbalance, sensed] = bed::validity(&history);
         let mut rows = Vec::new();
-        for (sites, list) in bed::metrics(&read, &history) {
+        let run = [("run", bed::of_run(&read, &history))];
+        for (sites, list) in run.into_iter().chain(bed::metrics(&read, &history)) {
             for row in list {
                 let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
                 rows.push(format!("{name}: {}", row.value.map_or_else(|| "null".to_owned(), json_number)));
             }
         }
         Ok(format!(
-            "{}\"imbalance\": {}, \"sensed_error\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
+            "{}\"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
             self.head(),
-            json_number(imbalance),
-            json_number(sensed),
+            smartbed_bed::plan::states::is_valid(&bed::gate(&read, &history)),
             rows.join(", "),
             json_string(smartbed_bed::metrics::DISCLAIMER)
         ))

@@ -20,7 +20,7 @@ fn a_plan_is_run_and_prints_what_the_schema_says() {
         assert_eq!(json["note"], "engineering indices, not clinical evidence");
         let text = std::fs::read_to_string(map).expect("a map");
         let read = smartbed_bed::files::read(&text).expect("read back");
-        assert_eq!((read.grid.rows, read.grid.columns, read.recording.frames().len()), (20, 16, 4));
+        assert_eq!((read.grid.rows, read.grid.columns, read.recording.frames().len()), (20, 16, 5));
     }
 }
 

@@ -98,6 +98,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[bed]\nrows = 7\nintervals = [80, 100]".to_owned(),
         "[bed]\nintervals = [1, 1]".to_owned(),
         "[bed]\nintervals = [8, 30]".to_owned(),
+        "[bed]\nintervals = [8.5, 10]".to_owned(),
         "[run]\nseconds = 1e9".to_owned(),
         "[run]\nseconds = 15".to_owned(),
         "[[move]]\ntiles = []\nheave = 0".to_owned(),
@@ -112,6 +113,7 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[alternating]\nlow = 1\ncycle = 10\n[run]\nseconds = 9e4\nevery = 1".to_owned(),
         "[alternating]\nhigh = 1".to_owned(),
         "[load]\nshape = \"bowl\"".to_owned(),
+        "[load]\nshape = \"plate\"\nradius = 0.1\nmass = 1\nsize = [-1, 1, 0]".to_owned(),
         "[patient]\n[load]\nshape = \"ball\"".to_owned(),
         "[patient]\nmass = 5".to_owned(),
         "[patient.joints]\n\"left knee\" = [\"30_deg\", 0, 0]".to_owned(),
@@ -140,7 +142,13 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[policy]\nkind = \"planner\"\nslots = 60".to_owned(),
     ];
     let mut found: Vec<String> = texts.iter().map(|text| refusal(text)).collect();
-    let faults = [Fault::Collapsed(3, -1e-3), Fault::Burst(3, 30.0), Fault::Lost, Fault::NotFound(1.0, 2.0)];
+    let faults = [
+        Fault::Collapsed(3, -1e-3),
+        Fault::Burst(3, 30.0),
+        Fault::Lost,
+        Fault::Rounded(1e9, [2e-8, 1e-8]),
+        Fault::NotFound(1.0, 2.0),
+    ];
     let runs = faults.map(|fault| RunError::Fault(10.0, fault)).into_iter();
     found.extend(runs.chain([RunError::Invalid(10.0, 1e-3)]).map(|error| error.to_string()));
     found.extend(crate::bed_mesh::refusals());

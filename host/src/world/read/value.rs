@@ -138,7 +138,12 @@ pub(crate) fn count(
         Value::Number(n, _) if n.fract() == 0.0 && *n >= least as f64 && *n <= 1e9 => Some(*n as usize),
         other => {
             let expected = format!("a whole number >= {least}");
-            found.push(wrong_kind(key, &expected, other).help("correct the number"));
+            let error = match other {
+                Value::Number(n, span) => Diagnostic::error(format!("`{key}` must be {expected}"))
+                    .label(*span, format!("this is {n}")),
+                _ => wrong_kind(key, &expected, other),
+            };
+            found.push(error.help("correct the number"));
             None
         }
     }

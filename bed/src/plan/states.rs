@@ -1,0 +1,108 @@
+//! Rows of what is no map: is the run valid, what did neighbours do to each other, where does each tile stand.
+//!
+//! In: a plan and its history. Out: [`Row`]s like those of maps, of the whole run and of each tile.
+
+use super::check::MOST_TILES;
+use super::history::{GATE, History, Moment};
+use super::{Move, Plan};
+use crate::metrics::report::Row;
+use crate::metrics::shear::differential_drag;
+
+/// Maps must be felt and read to this (%).
+pub const FELT: f64 = 1.0;
+/// More of the energy that moved or was lost than this is left over: steps are too long.
+pub const OPEN: f64 = 0.05;
+/// Energy (J) that no run is blamed for.
+const LITTLE: f64 = 1e-3;
+
+const NAMES: [&str; MOST_TILES] = [
+    "tile 1", "tile 2", "tile 3", "tile 4", "tile 5", "tile 6", "tile 7", "tile 8", "tile 9", "tile 10",
+    "tile 11", "tile 12", "tile 13", "tile 14", "tile 15", "tile 16", "tile 17", "tile 18", "tile 19",
+    "tile 20", "tile 21", "tile 22", "tile 23", "tile 24", "tile 25", "tile 26", "tile 27", "tile 28",
+];
+
+fn row(place: &'static str, metric: &'static str, value: f64, unit: &'static str, most: Option<f64>) -> Row {
+    Row { place, metric, value: Some(value), unit, threshold: most }
+}
+
+/// The gate: contact forces against the weight, the load that is felt, the map that sensors `read` (share that it is off),
+/// the energy that motion leaves over.
+#[must_use]
+pub fn gate(history: &History, read: Option<f64>) -> Vec<Row> {
+    let worst = |of: fn(&Moment) -> f64| history.moments.iter().map(of).fold(0.0, f64::max);
+    let mut rows = vec![
+        row("bed", "contact forces against the weight", worst(|m| m.imbalance), "1", Some(GATE)),
+        row("bed", "sensed load against the weight", 100.0 * worst(|m| m.sensed), "%", Some(FELT)),
+    ];
+    rows.extend(read.map(|off| row("bed", "map that sensors read, off by", 100.0 * off, "%", Some(FELT))));
+    rows.extend(history.watched.as_ref().map(|w| {
+        let most = LITTLE.max(OPEN * w.lost.max(w.kinetic));
+        row("bed", "energy left over", w.left_over, "J", Some(most))
+    }));
+    rows
+}
+
+/// Does every row of the gate keep its limit?
+#[must_use]
+pub fn is_valid(gate: &[Row]) -> bool {
+    gate.iter().all(|row| row.value <= row.threshold)
+}
+
+/// The largest stretch of skin between two neighbours at any moment: how far their rims have shifted apart over the gap.
+#[must_use]
+pub fn drag(plan: &Plan, history: &History) -> Row {
+    let layout = &plan.layout;
+    let shift = |moment: &Moment, tile: usize| {
+        let ([x, y], place) = (layout.middle(tile), layout.rim(tile, &moment.orders[tile].command).place);
+        [place[0] - x, place[1] - y]
+    };
+    let of = |moment: &Moment| {
+        let apart = |(a, b, _): (usize, usize, bool)| {
+            differential_drag(shift(moment, a), shift(moment, b), layout.gap)
+        };
+        layout.neighbours().map(apart).fold(0.0, f64::max)
+    };
+    let most = history.moments.iter().map(of).fold(0.0, f64::max);
+    row("bed", "differential drag of neighbours", most, "1", None)
+}
+
+/// Where each tile stands in the end, how long its screws have turned and what they have lifted.
+#[must_use]
+pub fn tiles(plan: &Plan, history: &History) -> Vec<Row> {
+    let Some(last) = history.moments.last() else { return Vec::new() };
+    let of = |tile: usize| {
+        let (place, command) = (NAMES[tile], &last.orders[tile].command);
+        [
+            row(place, "heave", 1e3 * command.heave, "mm", Some(500.0 * plan.layout.stroke)),
+            row(place, "tilt", command.tilt().to_degrees(), "deg", None),
+            row(place, "pressure", 1e-3 * last.gauges[tile], "kPa", Some(1e-3 * plan.layout.most_pressure)),
+            row(place, "load", last.borne[tile], "N", None),
+            row(place, "motor duty", 100.0 * duty(plan, &history.moves, tile), "%", None),
+            row(place, "work of lifting", lifted(history, tile), "J", None),
+        ]
+    };
+    (0..plan.layout.count().min(MOST_TILES)).flat_map(of).collect()
+}
+
+/// Share of the run in which a tile's screws turn.
+fn duty(plan: &Plan, moves: &[Move], tile: usize) -> f64 {
+    let turns = |m: &&Move| m.tiles.contains(&tile) && (m.heave.is_some() || m.slope.is_some());
+    let mut spans: Vec<[f64; 2]> =
+        moves.iter().filter(turns).map(|m| [m.at, (m.at + m.over).min(plan.seconds)]).collect();
+    spans.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut turned, mut until) = (0.0, 0.0);
+    for [from, to] in spans {
+        turned += (to - from.max(until)).max(0.0);
+        until = to.max(until);
+    }
+    if plan.seconds > 0.0 { turned / plan.seconds } else { 0.0 }
+}
+
+/// Work (J) against what a tile bears on its way up: the mean force of two moments times the way between them.
+fn lifted(history: &History, tile: usize) -> f64 {
+    let of = |pair: &[Moment]| {
+        let way = pair[1].orders[tile].command.heave - pair[0].orders[tile].command.heave;
+        0.5 * (pair[0].borne[tile] + pair[1].borne[tile]) * way.max(0.0)
+    };
+    history.moments.windows(2).map(of).fold(0.0, |sum, work| sum + work)
+}

@@ -1,0 +1,157 @@
+//! What a run of a plan says on standard output: one JSON object, or lines and tables for people.
+//!
+//! In: the plan as it was read, and its history. Out: text.
+
+use super::rows::table;
+use super::{all_rows, gate, metrics, readings, sensed};
+use crate::number::{json_number, json_string};
+use crate::plan::{Read, sensing};
+use smartbed_bed::metrics::DISCLAIMER;
+use smartbed_bed::metrics::report::Row;
+use smartbed_bed::plan::history::{History, Watched};
+use smartbed_bed::plan::states;
+use std::fmt::Write as _;
+
+/// One JSON object.
+pub(super) fn json(read: &Read, history: &History) -> String {
+    let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
+    let row = |row: &Row| {
+        format!(
+            "{{\"place\": {}, \"metric\": {}, \"value\": {}, \"unit\": {}, \"threshold\": {}}}",
+            json_string(row.place),
+            json_string(row.metric),
+            null(row.value),
+            json_string(row.unit),
+            null(row.threshold)
+        )
+    };
+    let lists = all_rows(read, history).map(|(sites, rows)| {
+        let rows: Vec<String> = rows.iter().map(row).collect();
+        format!("\"{sites}\": [{}]", rows.join(", "))
+    });
+    let gate = gate(read, history);
+    let [imbalance, felt] = worst(&gate);
+    let sensed = sensed(read, history);
+    let sensors = sensed.as_ref().map_or_else(|| "null".to_owned(), |sensed| {
+        format!(
+            "{{\"rows\": {}, \"columns\": {}, \"map_error\": {}, \"moisture\": {}, \"ph\": {}, \"mass\": {}}}",
+            sensed.grid[0],
+            sensed.grid[1],
+            json_number(sensed.error),
+            json_number(sensed.skin[0]),
+            json_number(sensed.skin[1]),
+            json_number(sensed.mass)
+        )
+    });
+    let instruments = read.instruments.map(|own| readings::json(&own.of(&read.plan, history)));
+    let instruments = instruments.unwrap_or_else(|| "null".to_owned());
+    format!(
+        "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \"instruments\": {instruments}, \
+         \"policy\": {}, \"supervised\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
+        json_string(&read.plan.title),
+        moments(history),
+        history.moments.len(),
+        json_number(imbalance),
+        json_number(felt),
+        states::is_valid(&gate),
+        read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
+        read.is_supervised,
+        history.moves.len(),
+        history.watched.as_ref().map_or_else(String::new, motion_json),
+        lists.join(", "),
+        json_string(DISCLAIMER)
+    )
+}
+
+/// How well the worst moment carries the weight, and feels it (a share).
+fn worst(gate: &[Row]) -> [f64; 2] {
+    let value = |k: usize| gate.get(k).and_then(|row| row.value).unwrap_or(f64::NAN);
+    [value(0), 0.01 * value(1)]
+}
+
+/// What the moments of a run are.
+fn moments(history: &History) -> &'static str {
+    if history.watched.is_some() { "moments" } else { "equilibria" }
+}
+
+/// What motion adds to the JSON object.
+fn motion_json(watched: &Watched) -> String {
+    format!(
+        "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
+         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_turned\": {}, \"energy_left_over\": {}, ",
+        json_number(watched.step),
+        watched.steps,
+        json_number(watched.peak),
+        json_number(watched.peak_time),
+        watched.still.map_or_else(|| "null".to_owned(), json_number),
+        watched.blows.touches,
+        json_number(watched.blows.handed_on),
+        json_number(watched.lost),
+        json_number(watched.turned),
+        json_number(watched.left_over)
+    )
+}
+
+/// What motion adds for people.
+fn motion_text(watched: &Watched) -> String {
+    let rest = watched.still.map_or_else(
+        || "it is not at rest at the end".to_owned(),
+        |time| format!("slower than 1 mm/s from {time:.2} s on"),
+    );
+    format!(
+        "motion: {} steps of {:.4} ms; the largest force over 10 ms is {:.0} N at {:.3} s; {rest}; {} touches \
+         hand on {:.3} J; {:.3} J are lost, {:.1e} J left over\n",
+        watched.steps,
+        1e3 * watched.step,
+        watched.peak,
+        watched.peak_time,
+        watched.blows.touches,
+        watched.blows.handed_on,
+        watched.lost,
+        watched.left_over
+    )
+}
+
+/// For people.
+pub(super) fn text(read: &Read, history: &History) -> String {
+    let gate = gate(read, history);
+    let [imbalance, felt] = worst(&gate);
+    let mut text = format!(
+        "{}: {} {} over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
+        read.plan.title,
+        history.moments.len(),
+        moments(history),
+        read.plan.seconds,
+        100.0 * felt
+    );
+    if let Some(watched) = &history.watched {
+        text += &motion_text(watched);
+    }
+    if let Some(policy) = read.policy {
+        let through =
+            if read.is_supervised { ", let through by the tiles' controller and its supervisor" } else { "" };
+        let _ = writeln!(text, "policy {}: {} moves{through}", policy.name, history.moves.len());
+    }
+    let sensed = sensed(read, history);
+    if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = &sensed {
+        let _ = writeln!(
+            text,
+            "{rows} x {columns} sensors of {mass:.3} kg in all read the last map to {:.2} %, moisture {:.1} %, pH {:.2}",
+            100.0 * error,
+            skin[0],
+            skin[1]
+        );
+    }
+    if let Some(own) = read.instruments {
+        text += &readings::text(&own.of(&read.plan, history));
+    }
+    for row in gate.iter().filter(|row| row.value > row.threshold) {
+        let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x:.1e}"));
+        let (found, most, unit) = (number(row.value), number(row.threshold), row.unit);
+        let help = if unit == "J" { ": NOT CLOSED, take shorter steps, `dynamics.step`" } else { "" };
+        let _ = writeln!(text, "NOT VALID: {} {found} {unit}, expected at most {most}{help}", row.metric);
+    }
+    text += &table(&metrics(read, history));
+    let _ = writeln!(text, "\n{DISCLAIMER}");
+    text
+}
