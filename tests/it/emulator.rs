@@ -242,6 +242,42 @@ fn a_small_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
     assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
 }
 
+/// What a spring adds is counted against the same sheet without springs.
+#[test]
+fn a_sheet_goes_row_by_row_on_the_chip() {
+    let _image = one_at_a_time();
+    let by_rows = |set: &[&str]| {
+        let set = set.iter().map(|change| (*change).to_owned()).collect();
+        let model = Some("stiff_bladder".to_owned());
+        outcome(&Arguments { model, steps: Some(50), by_rows: true, set, ..Arguments::default() })
+    };
+    let (chip, without) = (by_rows(&[]), by_rows(&["K=0", "C=0"]));
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
+    let [step, without] = [chip, without].map(|outcome| outcome.step.instructions[1]);
+    let spring = (step - without) as f64 / 480.0;
+    println!("{step} instructions a step, {spring:.1} a spring with its damper");
+    assert!(spring <= 60.0, "{spring}");
+    assert!(step <= 65_000, "{step}");
+}
+
+#[test]
+fn a_sheet_at_rest_at_each_pressure_keeps_real_time_and_a_thousandth() {
+    let _image = one_at_a_time();
+    let report = report(&Arguments {
+        model: Some("stiff_bladder".to_owned()),
+        at_rest: true,
+        set: vec!["T=0.5".to_owned()],
+        ..Arguments::default()
+    });
+    let Subject::Rest(found, _) = &report.settings.subject else { panic!("a sheet at rest") };
+    let [from_rest, from_motion] = found.errors;
+    let chip = report.run.expect("the image keeps its rules and runs");
+    println!("{from_rest:e} from rest, {from_motion:e} from the motion, {:?}", chip.step);
+    assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
+    assert!(from_rest <= 1e-4 && from_motion <= 1e-3, "{:?}", found.errors);
+    assert!(chip.step.cycles[1] < 168_000, "{:?}", chip.step);
+}
+
 /// Bars of the tile's equations on the chip.
 #[test]
 fn the_equations_keep_to_their_instructions_and_bytes() {

@@ -7,14 +7,15 @@
 
 use super::arguments::{Arguments, Bus};
 use super::chip::Chip;
-use super::fit::Fitted;
+use super::fit::{Fitted, nanoseconds};
 use super::image::checksum;
 use super::process::{clean, run_limited};
 use super::toolchain::Toolchain;
 use crate::failure::Failure;
 use crate::limits::check_numbers;
 use crate::model_argument;
-use crate::scene::{self, Simulation, tables};
+use crate::scene::rest::Found;
+use crate::scene::{self, Simulation, tables, walk};
 use smartbed_runtime::ode::nodes::Step;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -30,14 +31,18 @@ pub const SIN_COS: &str = "tile_sin_cos";
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 /// Steps unless told otherwise.
 const STEPS: u32 = 10_000;
+/// The demonstration's step (ns).
+const STEP: u64 = 1_000_000;
 
 /// What is built.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Settings {
     /// Path of the model.
     pub model: PathBuf,
     /// Number of steps.
     pub steps: u32,
+    /// Length of each (ns).
+    pub step: u64,
     /// Changed parameters, `name=value`.
     pub set: Vec<String>,
     /// A defect for the checks to find.
@@ -51,12 +56,16 @@ pub struct Settings {
 }
 
 /// A program of the firmware.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub enum Subject {
     /// A mechanism with its demonstration.
     Mechanism,
     /// A scene, by its constant tables in Rust.
     Scene(String),
+    /// A scene that is a sheet, row by row, by its constant tables in Rust.
+    Sheet(String),
+    /// A scene that is a sheet, at rest at each pressure, by its constant tables in Rust.
+    Rest(Box<Found>, String),
     /// A world, by its tables and equations in Rust.
     World(Box<Fitted>),
     /// The controller with the tile that it is tried on.
@@ -74,17 +83,21 @@ impl Settings {
     /// [`Failure::Wrong`] if there is no such model or a change is not `name=number`.
     pub fn new(workspace: &Path, arguments: &Arguments) -> Result<Self, Failure> {
         let model = find_model(workspace, arguments.model.as_deref().unwrap_or("tile"))?;
-        let (subject, steps) = if model_argument::is_world(&model) {
+        let (is_world, is_scene) = (model_argument::is_world(&model), scene::read::is_scene(&model));
+        if (arguments.by_rows || arguments.at_rest) && (is_world || !is_scene) {
+            let why = "--by-rows, --at-rest: they are for a sheet of a scene of format 1; leave them out";
+            return Err(Failure::Wrong(why.to_owned()));
+        }
+        let (subject, steps, step) = if is_world {
             let world = Fitted::new(&model, &arguments.set)?;
-            let steps = world.steps;
-            (Subject::World(Box::new(world)), steps)
-        } else if scene::read::is_scene(&model) {
-            let (tables, steps) = print_scene(&model, &arguments.set)?;
-            (Subject::Scene(tables), steps)
+            let (steps, step) = (world.steps, world.step);
+            (Subject::World(Box::new(world)), steps, step)
+        } else if is_scene {
+            print_scene(&model, arguments)?
         } else {
             check_changes(&arguments.set)?;
             check_names(&model, &arguments.set)?;
-            (Subject::Mechanism, STEPS)
+            (Subject::Mechanism, STEPS, STEP)
         };
         let steps = arguments.steps.unwrap_or(steps);
         if arguments.everything && subject != Subject::Mechanism {
@@ -93,7 +106,7 @@ impl Settings {
         }
         let (set, inject) = (arguments.set.clone(), arguments.inject.clone());
         let (everything, small) = (arguments.everything, arguments.small);
-        Ok(Self { model, steps, set, inject, everything, small, subject })
+        Ok(Self { model, steps, step, set, inject, everything, small, subject })
     }
 
     /// The controller: with the tile that it is tried on, or on a real chip's pins.
@@ -102,6 +115,7 @@ impl Settings {
         Self {
             model: PathBuf::new(),
             steps: STEPS,
+            step: STEP,
             set: Vec::new(),
             inject: None,
             everything: false,
@@ -151,6 +165,8 @@ impl Settings {
         match self.subject {
             Subject::Mechanism => "tile",
             Subject::Scene(_) => "scene",
+            Subject::Sheet(_) => "sheet",
+            Subject::Rest(..) => "rest",
             Subject::World(_) => "world",
             Subject::Loop => "loop",
             Subject::Board(Bus::Serial) => "board",
@@ -164,7 +180,7 @@ impl Settings {
         match self.subject {
             Subject::Mechanism if self.everything => "everything",
             Subject::Mechanism => "model",
-            Subject::Scene(_) => "scene",
+            Subject::Scene(_) | Subject::Sheet(_) | Subject::Rest(..) => "scene",
             Subject::World(_) => "world",
             Subject::Loop => "plant",
             Subject::Board(_) => "board",
@@ -175,7 +191,7 @@ impl Settings {
     /// What the image's scene consists of, in Rust.
     fn tables(&self) -> Option<&str> {
         match &self.subject {
-            Subject::Scene(tables) => Some(tables),
+            Subject::Scene(tables) | Subject::Sheet(tables) | Subject::Rest(_, tables) => Some(tables),
             Subject::World(world) => Some(&world.tables),
             _ => None,
         }
@@ -187,6 +203,8 @@ impl Settings {
     pub fn counted(&self) -> (&'static str, &'static [&'static str]) {
         match self.subject {
             Subject::Scene(_) => ("scene_step", &[]),
+            Subject::Sheet(_) => ("sheet_step", &[]),
+            Subject::Rest(..) => ("rest_step", &[]),
             Subject::World(_) => ("world_step", &[]),
             _ => ("tile_step", &[RATES, SIN_COS]),
         }
@@ -224,18 +242,38 @@ fn check_changes(set: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Reads a scene; returns its constant tables and its number of steps.
-fn print_scene(path: &Path, set: &[String]) -> Result<(String, u32), Failure> {
-    let scene = scene::open(&path.display().to_string(), set).map_err(Failure::Wrong)?;
+/// Reads a scene; returns its constant tables, its number of steps and their length.
+fn print_scene(path: &Path, arguments: &Arguments) -> Result<(Subject, u32, u64), Failure> {
+    let scene = scene::open(&path.display().to_string(), &arguments.set).map_err(Failure::Wrong)?;
     scene.warnings.iter().for_each(|warning| crate::output::say(&format!("warning: {warning}")));
+    let named = |why: String| Failure::Wrong(format!("{}: {why}", path.display()));
     if scene.method.control_order() > 0 {
-        let why = format!("{}: the chip takes steps of fixed length", path.display());
-        return Err(Failure::Wrong(format!("{why}: choose another method, for example --set method=verlet")));
+        let why =
+            "the chip takes steps of fixed length: choose another method, for example --set method=verlet";
+        return Err(named(why.to_owned()));
     }
-    let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
-        .map_err(|e| Failure::Wrong(format!("{}: {}", path.display(), scene::describe::describe(&e))))?;
-    let steps = u32::try_from(scene.steps()).unwrap_or(u32::MAX);
-    Ok((tables::rust(&simulation, scene.step as f32), steps))
+    if arguments.at_rest {
+        let found = Found::new(&scene).map_err(|why| named(format!("--at-rest: {why}")))?;
+        let (step, ticks) = (STEP as f64 * 1e-9, scene.seconds * 1e9 / STEP as f64);
+        let tables = found.rust(step, scene.seconds);
+        return Ok((Subject::Rest(Box::new(found), tables), ticks.round() as u32, STEP));
+    }
+    let walk = walk::rust(&scene.lists, &scene.around, scene.method, scene.step);
+    let subject = match (walk, arguments.by_rows) {
+        (Ok(tables), true) => Subject::Sheet(tables),
+        (Err(why), true) => return Err(named(format!("--by-rows: {why}"))),
+        (walk, false) => {
+            if walk.is_ok() {
+                crate::output::say(
+                    "note: --by-rows steps this sheet with a tenth of the instructions, dampers explicitly",
+                );
+            }
+            let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
+                .map_err(|e| named(scene::describe::describe(&e)))?;
+            Subject::Scene(tables::rust(&simulation, scene.step as f32))
+        }
+    };
+    Ok((subject, u32::try_from(scene.steps()).unwrap_or(u32::MAX), nanoseconds(scene.step)))
 }
 
 /// Reads the model, so that its errors come first, and looks up the names of the changes.
@@ -261,7 +299,8 @@ fn check_names(path: &Path, set: &[String]) -> Result<(), Failure> {
 
 /// A path, or a name under models/.
 fn find_model(workspace: &Path, model: &str) -> Result<PathBuf, Failure> {
-    let named = ["models", "models/scenes"].map(|f| workspace.join(f).join(model).with_extension("toml"));
+    let named = ["models", "models/scenes", "models/chip"]
+        .map(|f| workspace.join(f).join(model).with_extension("toml"));
     let given = Path::new(model);
     if given.is_file() {
         fs::canonicalize(given).map_err(|e| Failure::Wrong(format!("{model}: {e}")))

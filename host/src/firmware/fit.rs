@@ -25,6 +25,8 @@ pub struct Fitted {
     pub tables: String,
     /// Steps of the scene.
     pub steps: u32,
+    /// Length of each (ns).
+    pub step: u64,
     /// What it needs of memory.
     pub demand: Demand,
     /// Rows and columns of its sheets, where they were chosen here.
@@ -98,6 +100,7 @@ impl Fitted {
         Ok(Self {
             tables: world.tables(&assembly, room).map_err(wrong)?,
             steps: u32::try_from(steps).unwrap_or(u32::MAX),
+            step: nanoseconds(assembly.run.step),
             demand,
             rows,
         })
@@ -112,6 +115,12 @@ impl Fitted {
         let better = Self::beside(path, set, taken.saturating_sub(self.demand.bytes()))?;
         Ok((self.rows.is_some() && better.rows != self.rows).then_some(better))
     }
+}
+
+/// A length of time (s) in ns.
+#[must_use]
+pub fn nanoseconds(seconds: f64) -> u64 {
+    (seconds * 1e9).round() as u64
 }
 
 /// Nodes of a world: all, and those that are free.

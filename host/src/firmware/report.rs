@@ -120,6 +120,12 @@ impl Report {
         failures
     }
 
+    /// Time of a step by the cycle model, at least and at most, over its length.
+    fn real_time(&self, run: &Outcome) -> [f64; 2] {
+        let length = self.settings.step as f64 * 1e-9;
+        run.step.cycles.map(|cycles| cycles as f64 / STM32F405.clock as f64 / length)
+    }
+
     /// For people.
     #[must_use]
     pub fn text(&self) -> String {
@@ -147,6 +153,16 @@ impl Report {
                 line("contacts", format!("room for {} at once", world.demand.contacts()));
             }
         }
+        if let Subject::Rest(found, _) = &self.settings.subject {
+            let ([low, high], [off, behind]) = (found.range, found.errors);
+            let terms = count(found.volume.len(), "term");
+            line(
+                "at rest",
+                format!(
+                    "{low} to {high} Pa and back: {terms}, {off:.1e} of the way from rest, {behind:.1e} from the motion"
+                ),
+            );
+        }
         if let Some(run) = &self.run {
             line("trajectory", format!("{}, digest {}", count(self.settings.steps, "step"), run.digest));
             let compared = match &run.host_digest {
@@ -155,6 +171,13 @@ impl Report {
                 Some(host) => format!("DIFFERS: {host}"),
             };
             line("  on the host", compared);
+            let [low, high] = self.real_time(run);
+            let fits = if high <= 1.0 { "within real time" } else { "not within real time" };
+            let length = self.settings.step as f64 * 1e-3;
+            line(
+                "real time",
+                format!("{fits}: a step of {length} us takes {low:.2}..{high:.2} of it by cycle model"),
+            );
             let counts = [("step", Some(&run.step)), ("rates", run.rates.as_ref())];
             for (name, counted) in counts.into_iter().filter_map(|(name, counted)| Some((name, counted?))) {
                 let [min, median, max] = counted.instructions;
@@ -225,6 +248,7 @@ impl Report {
                 "host_digest": run.host_digest,
                 "state": run.state,
                 "instructions": run.instructions,
+                "real_time": self.real_time(run),
                 "step": count(&run.step),
                 "rates": run.rates.as_ref().map(count),
                 "equations": run.equations.as_ref().map(|equations| json!({
@@ -239,6 +263,8 @@ impl Report {
             })
         });
         let world = if let Subject::World(world) = &self.settings.subject { Some(world) } else { None };
+        let rest =
+            if let Subject::Rest(found, _) = &self.settings.subject { Some(found.errors) } else { None };
         let report = json!({
             "model": self.settings.model,
             "set": self.settings.set,
@@ -251,6 +277,7 @@ impl Report {
             "stack": { "bytes": self.stack.bytes, "path": self.stack.path },
             "nodes": world.map(|world| world.demand.nodes),
             "rows": world.and_then(|world| world.rows),
+            "rest_errors": rest,
             "checks": checks,
             "findings": findings,
             "run": run,

@@ -10,6 +10,7 @@ pub mod many;
 pub mod method;
 pub mod patches;
 pub mod read;
+pub mod rest;
 pub mod run;
 pub mod shape;
 pub mod simulation;
@@ -17,6 +18,7 @@ pub mod simulation;
 pub mod graph;
 pub mod pictures;
 pub mod tables;
+pub mod walk;
 
 pub use lists::Lists;
 pub use read::{Scene, open, parse};

@@ -13,7 +13,9 @@ pub mod grid;
 pub mod mean;
 pub mod patch;
 pub mod pressure;
+pub mod rest;
 pub mod spring;
+pub mod walk;
 
 pub use body::{Body, Massless};
 pub use fault::BodyError;

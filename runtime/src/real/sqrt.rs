@@ -1,6 +1,6 @@
 //! Square roots, exactly rounded on every machine, so that host and chip agree bit for bit.
 //!
-//! core offers none on stable Rust. The instruction is reached by assembly on a Cortex-M with a
+//! core offers none on stable Rust. The instruction is reached by C's name on a Cortex-M with a
 //! floating-point unit, by an intrinsic on x86-64; elsewhere libm rounds exactly too.
 
 /// Square root; NaN below 0.
@@ -38,36 +38,30 @@ mod machine {
     }
 }
 
-// The hard-float ABI says that there is a unit, and that argument and result are in s0.
+// Called by the name that C gives it, a root becomes the instruction where it stands: no call, no register moved.
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
-#[expect(unsafe_code, reason = "stable Rust reaches vsqrt by assembly only")]
+#[expect(unsafe_code, reason = "stable Rust reaches vsqrt by a foreign name only")]
 mod machine {
-    /// A name of this crate's own: crates that are derived carry this file, and link into one image.
-    macro_rules! symbol {
-        () => {
-            concat!("smartbed_vsqrt_f32_", env!("CARGO_CRATE_NAME"))
-        };
-    }
+    // What an unoptimised program calls. Weak: crates that are derived carry this file, and link into one image.
     core::arch::global_asm!(
-        concat!(".section .text.", symbol!(), ", \"ax\", %progbits"),
-        concat!(".global ", symbol!()),
-        concat!(".type ", symbol!(), ", %function"),
-        concat!(symbol!(), ":"),
+        ".section .text.sqrtf, \"ax\", %progbits",
+        ".weak sqrtf",
+        ".type sqrtf, %function",
+        "sqrtf:",
         // vsqrt.f32 s0, s0: in numbers, because the assembler takes the target for one without a unit.
         ".inst.w 0xeeb10ac0",
         "bx lr",
-        concat!(".size ", symbol!(), ", . - ", symbol!()),
+        ".size sqrtf, . - sqrtf",
         ".text",
     );
-    // SAFETY: the symbol is defined above with this signature, reads s0 and writes s0 only.
+    // SAFETY: C's function, defined above: argument and result are in s0, nothing else is read or written.
     unsafe extern "C" {
-        #[link_name = concat!("smartbed_vsqrt_f32_", env!("CARGO_CRATE_NAME"))]
-        safe fn smartbed_vsqrt_f32(x: f32) -> f32;
+        safe fn sqrtf(x: f32) -> f32;
     }
 
     #[inline(always)]
     pub fn sqrt_f32(x: f32) -> f32 {
-        smartbed_vsqrt_f32(x)
+        sqrtf(x)
     }
 
     #[inline(always)]

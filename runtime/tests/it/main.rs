@@ -26,4 +26,5 @@ mod state;
 mod surface;
 mod systems;
 mod vector;
+mod walk;
 mod world;
