@@ -38,8 +38,12 @@ pub(super) struct Extraction<'g> {
     cost: u32,
     /// The live classes as last sorted.
     order: Vec<ClassId>,
+    /// Classes that have got positions of their own since.
+    placed: Vec<ClassId>,
     /// Has a definition changed since?
     changed: bool,
+    /// Is everything sorted, and its depth measured, anew where a class must move? Else that class moves alone.
+    pub keeps_depths: bool,
 }
 
 impl<'g> Extraction<'g> {
@@ -60,7 +64,9 @@ impl<'g> Extraction<'g> {
             random: 0x5EED,
             cost: 0,
             order: Vec::new(),
+            placed: Vec::new(),
             changed: true,
+            keeps_depths: true,
         };
         for class in locked {
             search.locked[class.index()] = true;
@@ -233,29 +239,32 @@ impl<'g> Extraction<'g> {
         }
     }
 
-    /// Gives positions to classes that came to life with the definition of `class`; false where that
-    /// takes a new order.
+    /// Gives positions to what came to life with the definition of `class`, and new ones to what stands behind the class
+    /// that reads it now; false where that takes a new order.
     fn place(&mut self, class: ClassId) -> bool {
         let limit = self.position[class.index()];
         let mut stack: Vec<ClassId> = self.graph.classes[class].current.reads().collect();
         while let Some(&c) = stack.last() {
             let i = c.index();
-            if self.position[i] != NOWHERE {
-                if self.position[i] >= limit {
-                    return false;
-                }
+            if self.position[i] < limit {
                 stack.pop();
                 continue;
             }
+            if self.position[i] != NOWHERE && self.keeps_depths {
+                return false;
+            }
             let definition = self.graph.classes[c].current;
             let waiting = stack.len();
-            stack.extend(definition.reads().filter(|r| self.position[r.index()] == NOWHERE));
+            stack.extend(definition.reads().filter(|r| self.position[r.index()] >= limit));
             if stack.len() > waiting {
                 continue;
             }
             let below = definition.reads().map(|r| self.position[r.index()]).max().unwrap_or(0);
             if below + 1 >= limit {
                 return false;
+            }
+            if self.position[i] == NOWHERE {
+                self.placed.push(c);
             }
             self.position[i] = below + (limit - below) / 2;
             self.depth[i] = self.depth_of(&definition);
@@ -295,8 +304,9 @@ impl<'g> Extraction<'g> {
         }
         self.changed = false;
         self.round += 1;
-        self.position.fill(NOWHERE);
-        self.order.clear();
+        for class in self.order.drain(..).chain(self.placed.drain(..)) {
+            self.position[class.index()] = NOWHERE;
+        }
         let mut stack: Vec<(ClassId, bool)> = self.roots.iter().rev().map(|&c| (c, false)).collect();
         while let Some((class, operands_done)) = stack.pop() {
             let i = class.index();

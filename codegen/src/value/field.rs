@@ -67,6 +67,24 @@ impl Field {
         (r.0 == 1).then(|| Self(s.0.rem_euclid(i128::from(P)) as u64))
     }
 
+    /// 1/x of each, and 0 of 0, by one inversion and three products an element (Montgomery 1987, section 10.3.1).
+    pub fn inverses(elements: &[Self]) -> Vec<Self> {
+        let factor = |x: Self| if x == Self::ZERO { Self::ONE } else { x };
+        let mut product = Self::ONE;
+        let mut inverses: Vec<Self> = Vec::with_capacity(elements.len());
+        for &x in elements {
+            inverses.push(product);
+            product = product * factor(x);
+        }
+        // Of all factors up to the element at hand.
+        let mut inverse = product.inverse().unwrap_or(Self::ZERO);
+        for (before, &x) in inverses.iter_mut().zip(elements).rev() {
+            *before = if x == Self::ZERO { Self::ZERO } else { inverse * *before };
+            inverse = inverse * factor(x);
+        }
+        inverses
+    }
+
     /// A constant, exactly; `None` if its root is not in the field or it is not finite.
     pub fn from_number(number: Number) -> Option<Self> {
         match number {
@@ -172,6 +190,16 @@ mod tests {
             assert_eq!(x.power(P - 1), Field::ONE, "Fermat");
         }
         assert_eq!(Field::ZERO.inverse(), None);
+    }
+
+    #[test]
+    fn many_are_inverted_at_once() {
+        let mut elements: Vec<Field> = (0..50).map(|seed| Field::new(mix(seed))).collect();
+        elements[7] = Field::ZERO;
+        for (x, inverse) in elements.iter().zip(Field::inverses(&elements)) {
+            assert_eq!(inverse, x.inverse().unwrap_or(Field::ZERO));
+        }
+        assert_eq!(Field::inverses(&[]), []);
     }
 
     #[test]

@@ -198,6 +198,12 @@ impl Graph {
         (self.classes[class].value == canonical).then_some(Signed { class, negative })
     }
 
+    /// The class that has this value at the first point, whatever it has at the second.
+    pub fn find_at_first_point(&self, value: Field) -> Option<Signed> {
+        let &class = self.index.get(&value.canonical().bits())?;
+        Some(Signed { class, negative: value.is_upper() })
+    }
+
     /// A new class for a (operation) b, whose value is given; the class may be its negative.
     pub fn add(&mut self, value: Value, operation: Operation, a: Signed, b: Signed) -> Signed {
         let negative = value[0].is_upper();
@@ -278,6 +284,17 @@ impl Graph {
 
     /// Offers `target` a further definition, which must have its value; true if it is new and admitted.
     pub fn propose(&mut self, target: Signed, operation: Operation, a: Signed, b: Signed) -> bool {
+        self.propose_within(target, operation, [a, b], f64::INFINITY)
+    }
+
+    /// The same if its round-off bound is at most so many times the class's own.
+    pub fn propose_within(
+        &mut self,
+        target: Signed,
+        operation: Operation,
+        [a, b]: [Signed; 2],
+        most: f64,
+    ) -> bool {
         let definition = self.prepared(Definition::new(operation, a, b, target.negative));
         let class = &self.classes[target.class];
         if class.is_leaf()
@@ -287,7 +304,10 @@ impl Graph {
             return false;
         }
         let old = self.estimates(target.class).iter().copied();
-        let Some(error) = guard::admits(old, self.estimates_of(&definition)) else { return false };
+        let Some(error) = guard::admits(old, self.estimates_of(&definition)).filter(|error| *error <= most)
+        else {
+            return false;
+        };
         self.classes[target.class].others.push(Definition { error, ..definition });
         true
     }

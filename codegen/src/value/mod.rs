@@ -5,7 +5,7 @@
 //! points of a prime field (`field`); whether it may be used is decided by round-off (`guard`), and the program
 //! as a whole is measured against twice the digits (`check`).
 //!
-//! `import` (equal values merge) -> `rules`, `pairs` (further definitions of a value) -> `extract`
+//! `import` (equal values merge) -> `rules`, `multiples`, `near`, `pairs` (further definitions of a value) -> `extract`
 //! (the cheapest choice of definitions) -> `export`.
 
 mod check;
@@ -16,6 +16,8 @@ mod field;
 mod graph;
 mod guard;
 mod import;
+mod multiples;
+mod near;
 mod pairs;
 mod rules;
 mod states;
@@ -34,10 +36,10 @@ pub use states::States;
 pub enum Effort {
     /// The expressions as derived.
     None,
-    /// Equal values merge and common factors are taken out: one or two milliseconds.
+    /// Equal values merge, common factors are taken out, constant multiples and neighbours are looked at: two milliseconds.
     #[default]
     Default,
-    /// All rules and the search over pairs: a tenth of a second, for release builds.
+    /// All rules and the search over all pairs: a tenth of a second, for release builds.
     All,
 }
 
@@ -62,6 +64,8 @@ const PASSES_DEFAULT: usize = 2;
 const PASSES_ALL: usize = 5;
 /// Most rounds of the full effort on the first group alone, and then on all groups.
 const ROUNDS: (usize, usize) = (6, 2);
+/// Most rounds of the default effort where answers are asked for.
+const ROUNDS_ON_REQUEST: usize = 3;
 
 /// More values than this are not looked at in pairs at the default effort: the time grows with their square.
 const MOST_PAIRED: usize = 10_000;
@@ -80,10 +84,13 @@ pub fn shorten(
 ) -> Vec<Vec<ExprId>> {
     let search = search.into();
     let mut best: Vec<Vec<ExprId>> = groups.to_vec();
+    let all = groups.len();
+    let is_requested = groups.iter().skip(search.paired).any(|group| !group.is_empty());
     let rounds: &[(usize, usize)] = match search.effort {
         Effort::None => return best,
-        Effort::Default => &[(1, groups.len())],
-        Effort::All => &[(ROUNDS.0, 1), (ROUNDS.1, groups.len())],
+        Effort::Default if is_requested => &[(ROUNDS_ON_REQUEST, all)],
+        Effort::Default => &[(1, all)],
+        Effort::All => &[(ROUNDS.0, 1), (ROUNDS.1, all)],
     };
     let check = Check::new(dag, groups, samples);
     let mut pairs = Pairs::new();
@@ -134,13 +141,20 @@ fn round(
     for (place, group) in classes[..searched].iter().enumerate() {
         roots.extend(group.iter().flatten());
         let mut search = Extraction::new(&mut graph, &roots, &settled);
+        search.keeps_depths = effort == Effort::All;
         let live = search.live();
         treated.resize(search.graph.classes.len(), false);
         let is_new = |class: &ClassId| !std::mem::replace(&mut treated[class.index()], true);
         let new: Vec<ClassId> = live.iter().copied().filter(is_new).collect();
         let mut passes = PASSES_DEFAULT;
-        if effort == Effort::All || (place >= paired && live.len() <= MOST_PAIRED) {
+        let on_request = place >= paired;
+        if effort == Effort::Default && (place == 0 || on_request) {
+            multiples::propose(search.graph, &live);
+        }
+        if effort == Effort::All || (on_request && live.len() <= MOST_PAIRED) {
             pairs.resubstitute(search.graph, &live, &new);
+        } else if place == 0 {
+            near::resubstitute(search.graph, &live, &new);
         }
         if effort == Effort::All {
             passes = PASSES_ALL;

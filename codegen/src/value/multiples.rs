@@ -1,0 +1,67 @@
+//! Values that are constants times one another.
+//!
+//! In: live classes. Out: k x as a further definition of every one that is k times another one, x. A value is a constant
+//! times another exactly if the quotient of the two is the same at both points of the field, so that all that belong
+//! together have one quotient of their own two elements: no pairs are compared.
+
+use super::field::Field;
+use super::graph::{ClassId, Graph, Operation, Signed};
+use rustc_hash::FxHashMap as HashMap;
+
+/// Proposes k x for every live value that is k times a live value x.
+pub(super) fn propose(graph: &mut Graph, live: &[ClassId]) {
+    let values: Vec<Field> = live.iter().flat_map(|&class| graph.classes[class].value).collect();
+    let inverses = Field::inverses(&values);
+    let quotient = |i: usize| values[2 * i] * inverses[2 * i + 1];
+    let mut families: HashMap<Field, Vec<usize>> = HashMap::default();
+    for i in (0..live.len()).filter(|&i| quotient(i) != Field::ONE) {
+        families.entry(quotient(i)).or_default().push(i);
+    }
+    let constants = Constants::new(graph);
+    for i in 0..live.len() {
+        let Some(family) = families.get(&quotient(i)) else { continue };
+        for &j in family.iter().filter(|&&j| j != i) {
+            let x = Signed { class: live[j], negative: false };
+            if let Some(factor) = constants.class(graph, values[2 * i] * inverses[2 * j]) {
+                graph.propose(Signed { class: live[i], negative: false }, Operation::Product, factor, x);
+            }
+        }
+    }
+}
+
+/// The constants of the graph, their products and quotients: what else a factor might be is no round number.
+struct Constants {
+    /// Of which two a constant, sign canonical, is made.
+    made: HashMap<Field, (Operation, [Signed; 2])>,
+}
+
+impl Constants {
+    fn new(graph: &Graph) -> Self {
+        let is_constant = |class: &ClassId| {
+            let [a, b] = graph.classes[*class].value;
+            a == b && graph.classes[*class].is_leaf()
+        };
+        let known: Vec<ClassId> = graph.classes.ids().filter(is_constant).collect();
+        let values: Vec<Field> = known.iter().map(|&class| graph.classes[class].value[0]).collect();
+        let inverses = Field::inverses(&values);
+        let mut made = HashMap::default();
+        let operands = |i: usize, j: usize| [i, j].map(|i| Signed { class: known[i], negative: false });
+        for i in 0..known.len() {
+            for j in 0..known.len() {
+                made.insert((values[i] * inverses[j]).canonical(), (Operation::Quotient, operands(i, j)));
+                made.insert((values[i] * values[j]).canonical(), (Operation::Product, operands(i, j)));
+            }
+        }
+        Self { made }
+    }
+
+    /// The class of a constant, made if need be: a product of constants is one when expressions are built.
+    fn class(&self, graph: &mut Graph, value: Field) -> Option<Signed> {
+        if let Some(known) = graph.find([value, value]) {
+            return Some(known);
+        }
+        let &(operation, [a, b]) = self.made.get(&value.canonical())?;
+        let class = graph.class_of(operation, a, b)?;
+        (graph.value(class)[0] == value).then_some(class).or_else(|| graph.find([value, value]))
+    }
+}
