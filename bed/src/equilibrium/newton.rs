@@ -21,7 +21,7 @@ use smartbed_runtime::vec3::{Vec3, norm, sub};
 use std::fmt;
 
 /// Most Newton steps of one pass.
-const STEPS: usize = 400;
+const STEPS: usize = 2000;
 /// Most passes in which limits of friction are renewed.
 const PASSES: usize = 60;
 /// Sheets that rest have no more than some four times the area of their rims; those that do not grow on.
@@ -315,17 +315,47 @@ fn search(
             continue;
         }
         // A bladder that collapses on the way is as bad as a rise.
-        if let Ok(after) = energy(scene, &next) {
-            if after < before - rounding {
-                return Ok(Some(Found { state: next, energy: after, way }));
-            }
-            if after <= before + rounding && slope(scene, &next, ways)? <= 0.8 * steepness {
-                return Ok(Some(Found { state: next, energy: after, way }));
+        if let Ok(after) = energy(scene, &next)
+            && after <= before + rounding
+        {
+            let falls = after < before - rounding;
+            // That of the parabola through both energies, where they say enough.
+            let steep =
+                if falls { 2.0 * (after - before) / share + steepness } else { slope(scene, &next, ways)? };
+            if falls || steep <= 0.8 * steepness {
+                let found = Found { state: next, energy: after, way };
+                return go_on(scene, state, ways, (found, share, steep), [steepness, rounding]).map(Some);
             }
         }
         share *= 0.5;
     }
     Ok(None)
+}
+
+/// Goes on along a whole step for as long as it has hardly become less steep: what the Hessian leaves out, the curvature
+/// of tissue, can make a bed far softer along a step than the Hessian says, and each step would be too short.
+fn go_on(
+    scene: &Scene,
+    state: &State,
+    ways: &Ways,
+    (mut found, mut share, mut steep): (Found, f64, f64),
+    [steepness, rounding]: [f64; 2],
+) -> Result<Found, Fault> {
+    let longest = ways.longest();
+    while share >= 1.0 && steep < -0.5 * steepness && 2.0 * share * longest <= LONGEST {
+        share *= 2.0;
+        let (next, way) = (ways.taken(scene.bed, state, share), share * longest);
+        if way > beside::FOLLOWED && beside::is_near(scene.bed, &next) {
+            break;
+        }
+        let Ok(after) = energy(scene, &next) else { break };
+        steep = slope(scene, &next, ways)?;
+        if after > found.energy + rounding || steep > 0.5 * steepness {
+            break;
+        }
+        found = Found { state: next, energy: after, way };
+    }
+    Ok(found)
 }
 
 /// Force on a held segment (N) and how it changes with the segment's way (N/m), all sheets in equilibrium.

@@ -6,6 +6,7 @@ mod film;
 mod map;
 mod page;
 mod readings;
+pub(crate) mod report;
 mod rows;
 mod said;
 mod words;
@@ -13,16 +14,14 @@ mod words;
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::output;
-use crate::plan::{Read, sensing};
+use crate::plan::Read;
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
+use report::all_rows;
 use rows::{csv, write};
 use smartbed_bed::files::Mapped;
-use smartbed_bed::metrics::Thresholds;
-use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::plan::history::{History, RunError};
 use smartbed_bed::plan::readings::Reading;
-use smartbed_bed::plan::states;
 
 /// Run a plan of the bed, make a page of it, or read recorded maps.
 #[derive(clap::Args, Clone, Debug)]
@@ -134,35 +133,6 @@ fn history(read: &Read) -> Result<History, Failure> {
 fn read_off(read: &Read, history: &History, file: &str) -> Result<Vec<Reading>, Failure> {
     let missing = || format!("--readings {file}: the plan has no [instruments]");
     Ok(read.instruments.ok_or_else(missing)?.of(&read.plan, history))
-}
-
-/// All metrics: of sensels, and of the skin.
-pub(crate) fn metrics(read: &Read, history: &History) -> [(&'static str, Vec<Row>); 2] {
-    let thresholds = Thresholds { cycle: read.plan.cycle, ..Thresholds::default() };
-    let friction = read.plan.layout.friction;
-    let of = |recording, grid| Report { recording, grid, thresholds, friction }.rows();
-    [("sensels", of(&history.sensels, Some(&history.grid))), ("skin", of(&history.skin, None))]
-}
-
-/// What the plan's sensors read in the end, if it has some.
-pub(crate) fn sensed(read: &Read, history: &History) -> Option<sensing::Read> {
-    read.sensors.as_ref()?.of(history)
-}
-
-/// The gate of the run: what of it is how far from what it must keep.
-pub(crate) fn gate(read: &Read, history: &History) -> Vec<Row> {
-    states::gate(history, sensed(read, history).map(|sensed| sensed.error))
-}
-
-/// What is no map: the gate, and what neighbours do to each other.
-pub(crate) fn of_run(read: &Read, history: &History) -> Vec<Row> {
-    gate(read, history).into_iter().chain([states::drag(&read.plan, history)]).collect()
-}
-
-/// All rows of a report: of the run, of sensels, of the skin and of each tile.
-fn all_rows(read: &Read, history: &History) -> [(&'static str, Vec<Row>); 4] {
-    let [sensels, skin] = metrics(read, history);
-    [("run", of_run(read, history)), sensels, skin, ("tiles", states::tiles(&read.plan, history))]
 }
 
 /// Maps over time, as the plan's sensors read them if it has some, in the format of the file's ending: forces over nominal cells.

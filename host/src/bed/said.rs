@@ -2,8 +2,9 @@
 //!
 //! In: the plan as it was read, and its history. Out: text.
 
+use super::readings;
+use super::report::{all_rows, gate, metrics, sensed};
 use super::rows::table;
-use super::{all_rows, gate, metrics, readings, sensed};
 use crate::number::{json_number, json_string};
 use crate::plan::{Read, sensing};
 use smartbed_bed::metrics::DISCLAIMER;

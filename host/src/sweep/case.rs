@@ -3,11 +3,12 @@
 //! A result names version, command, settings and the hashes (SHA-256) of the plan's text and of the mesh that it names, so
 //! that it can be made again; a file of another plan, mesh, version or setting does not count as done.
 
+use crate::bed::report;
 use crate::failure::Failure;
+use crate::input;
 use crate::number::{json_number, json_string};
 use crate::plan::Axes;
 use crate::plan_file::PlanFile;
-use crate::{bed, input};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -125,8 +126,8 @@ impl Case {
             .run(|_| !crate::interrupt::is_asked())
             .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
         let mut rows = Vec::new();
-        let run = [("run", bed::of_run(&read, &history))];
-        for (sites, list) in run.into_iter().chain(bed::metrics(&read, &history)) {
+        let run = [("run", report::of_run(&read, &history))];
+        for (sites, list) in run.into_iter().chain(report::metrics(&read, &history)) {
             for row in list {
                 let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
                 rows.push(format!("{name}: {}", row.value.map_or_else(|| "null".to_owned(), json_number)));
@@ -135,7 +136,7 @@ impl Case {
         Ok(format!(
             "{}\"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
             self.head(),
-            smartbed_bed::plan::states::is_valid(&bed::gate(&read, &history)),
+            smartbed_bed::plan::states::is_valid(&report::gate(&read, &history)),
             rows.join(", "),
             json_string(smartbed_bed::metrics::DISCLAIMER)
         ))

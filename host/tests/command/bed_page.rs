@@ -23,7 +23,7 @@ fn report(plan: &str, name: &str) -> String {
 fn a_page_of_the_bed_shows_its_frames_in_a_browser() {
     let page = report("ball_on_four", "bed_page.html");
     let html = open(Path::new(&page), "").html;
-    assert_eq!(attribute(&html, "<body", "data-frames"), 4.0);
+    assert_eq!(attribute(&html, "<body", "data-frames"), 5.0);
     // As wide and high as two by two tiles: the frame has no room beside them.
     let [width, height] = ["width", "height"].map(|name| attribute(&html, "id=\"pressure\"", name));
     let expected = (2.0 * 0.2857 - 0.006) / (2.0 * 0.225 - 0.006);

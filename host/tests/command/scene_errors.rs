@@ -152,6 +152,9 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         let file = written(&format!("for_chip_{number}.toml"), &format!("format = 2\n{text}"));
         found.push(error_of(&["firmware", &file]));
     }
+    for (scene, way) in [("single_spring", "--by-rows"), ("two_cubes", "--by-rows"), ("ball", "--at-rest")] {
+        found.push(error_of(&["firmware", scene, way]));
+    }
     found.iter().for_each(|said| println!("{said}"));
     same(&found, &messages("## Scenes of format 2", Some("## Plans of the bed")));
 }
