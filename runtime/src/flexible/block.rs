@@ -13,8 +13,10 @@ use crate::vec3::{self, Vec3};
 /// Vectors side by side: components x, y, z.
 type Lanes<S> = [[S; BLOCK]; 3];
 
-/// Fewer springs or facets than these are taken one by one: a block would be empty for the most part.
-const FEW: usize = if cfg!(target_os = "none") { usize::MAX } else { 8 };
+/// Fewer facets than these are taken one by one: a block would be empty for the most part.
+const FEW_FACETS: usize = if cfg!(target_os = "none") { usize::MAX } else { 8 };
+/// The same of springs: a block takes the time of as many one by one, and more instructions.
+const FEW_SPRINGS: usize = if cfg!(target_os = "none") { usize::MAX } else { 2 * BLOCK };
 
 /// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`super::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
@@ -33,7 +35,7 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
     #[inline(always)]
     fn run(self) -> bool {
         let mut runaway = false;
-        if self.springs.len() < FEW {
+        if self.springs.len() < FEW_SPRINGS {
             for spring in self.springs {
                 runaway |= spring.add_elastic(self.pos, self.force);
             }
@@ -95,7 +97,7 @@ impl<S: Scalar> Kernel for Pushes<'_, S> {
     #[inline(always)]
     fn run(self) {
         let Pushes { facets, form, pressure, pos, force } = self;
-        if facets.len() < FEW {
+        if facets.len() < FEW_FACETS {
             for facet in facets {
                 let shares = pressure::corner_shares(form, pressure::corners(pos, facet));
                 for (point, share) in facet.iter().zip(shares) {

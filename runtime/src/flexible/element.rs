@@ -140,8 +140,8 @@ impl<'a, S: Scalar> Body<'a, S> {
         Elements {
             springs: self.springs,
             filled: self.inflation.map(|inflation| Filled { facets, inflation }),
-            grids: if cfg!(target_os = "none") { &[] } else { self.grids },
-            patches: if cfg!(target_os = "none") { None } else { self.patches },
+            grids: self.grids,
+            patches: self.patches,
         }
     }
 
@@ -152,7 +152,17 @@ impl<'a, S: Scalar> Body<'a, S> {
     }
 }
 
-impl<S: Scalar> Elements<'_, S> {
+impl<'a, S: Scalar> Elements<'a, S> {
+    /// None on a microcontroller, whatever else is inlined: its image has no code for them.
+    pub(crate) fn grids(&self) -> &'a [Grid<'a, S>] {
+        if cfg!(target_os = "none") { &[] } else { self.grids }
+    }
+
+    /// The same.
+    fn patches(&self) -> Option<Patches<'a, S>> {
+        if cfg!(target_os = "none") { None } else { self.patches }
+    }
+
     /// Writes the forces of positions (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas; of grids
     /// those that are `ours`, the others' nodes are left alone.
     ///
@@ -168,11 +178,11 @@ impl<S: Scalar> Elements<'_, S> {
         let pressure = self.filled.map_or(Ok(S::ZERO), |filled| pressure::of(&filled, pos))?;
         let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
         let mut runaway = self.eval_beside_grids((mass, gravity), pos, force);
-        for grid in self.grids.iter().filter(|grid| ours(grid)) {
+        for grid in self.grids().iter().filter(|grid| ours(grid)) {
             runaway |= kernel::run(Weave { grid, pressure: gas, pos, gravity, force });
         }
         let Some(filled) = self.filled else { return Ok(()) };
-        for facets in beside(self.grids, |grid| grid.facets, filled.facets.len()) {
+        for facets in beside(self.grids(), |grid| grid.facets, filled.facets.len()) {
             let facets = filled.facets.get(facets).unwrap_or_default();
             kernel::run(Pushes { facets, form: filled.inflation.form, pressure, pos, force });
         }
@@ -186,13 +196,13 @@ impl<S: Scalar> Elements<'_, S> {
         pos: &[Vec3<S>],
         force: &mut [Vec3<S>],
     ) -> bool {
-        for nodes in beside(self.grids, |grid| grid.nodes, mass.len()) {
+        for nodes in beside(self.grids(), |grid| grid.nodes, mass.len()) {
             let force = force.get_mut(nodes.clone()).unwrap_or_default();
             for (f, m) in force.iter_mut().zip(mass.get(nodes).unwrap_or_default()) {
                 *f = vec3::scale(gravity, *m);
             }
         }
-        if let Some(patches) = self.patches {
+        if let Some(patches) = self.patches() {
             return kernel::run(patch::Pulls { patches, pos, force });
         }
         let pull = |runaway, springs| runaway | kernel::run(Pulls { springs, pos, force });
@@ -201,7 +211,7 @@ impl<S: Scalar> Elements<'_, S> {
 
     /// The springs of no grid, part by part.
     fn springs_beside_grids(&self) -> impl Iterator<Item = &[Spring<S>]> {
-        let parts = beside(self.grids, |grid| grid.springs, self.springs.len());
+        let parts = beside(self.grids(), |grid| grid.springs, self.springs.len());
         parts.map(|springs| self.springs.get(springs).unwrap_or_default())
     }
 
@@ -210,12 +220,12 @@ impl<S: Scalar> Elements<'_, S> {
         for (f, v) in force.iter_mut().zip(vel) {
             *f = vec3::scale(*v, -air_drag);
         }
-        match self.patches {
+        match self.patches() {
             Some(patches) if !patches.is_damped => {}
             Some(patches) => kernel::run(patch::Damps { patches, pos, vel, force }),
             None => self.springs_beside_grids().for_each(|springs| springs.add_viscous(pos, vel, force)),
         }
-        for grid in self.grids.iter().filter(|grid| grid.is_damped()) {
+        for grid in self.grids().iter().filter(|grid| grid.is_damped()) {
             kernel::run(Damp { grid, pos, vel, air_drag, force });
         }
     }
@@ -227,17 +237,17 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
     }
 
     fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
-        match self.patches {
+        match self.patches() {
             Some(patches) => kernel::run(patch::Means { patches, way, force }),
             None => self.springs_beside_grids().try_for_each(|springs| springs.add_mean(way, force))?,
         }
         let pressure = self.filled.map_or(Ok(S::ZERO), |filled| mean::pressure(&filled, way))?;
         let gas = self.filled.map(|filled| (filled.inflation.form, pressure));
-        for grid in self.grids {
+        for grid in self.grids() {
             kernel::run(Mean { grid, pressure: gas, h: way.h, nodes: [way.pos[1], way.dx], force });
         }
         let Some(filled) = self.filled else { return Ok(()) };
-        for facets in beside(self.grids, |grid| grid.facets, filled.facets.len()) {
+        for facets in beside(self.grids(), |grid| grid.facets, filled.facets.len()) {
             let facets = filled.facets.get(facets).unwrap_or_default();
             mean::add_pressure(facets, filled.inflation.form, pressure, way, force);
         }
@@ -253,11 +263,11 @@ impl<S: Scalar> Element<S> for Elements<'_, S> {
     }
 
     fn is_damped(&self) -> bool {
-        if let Some(patches) = self.patches {
+        if let Some(patches) = self.patches() {
             return patches.is_damped;
         }
         let mut beside = self.springs_beside_grids();
-        self.grids.iter().any(Grid::is_damped) || beside.any(|springs| springs.is_damped())
+        self.grids().iter().any(Grid::is_damped) || beside.any(|springs| springs.is_damped())
     }
 
     fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>)) {

@@ -12,6 +12,8 @@ use crate::vec3::{self, Vec3};
 
 /// Nodes of a patch at most: as many as a byte has values.
 pub const NODES: usize = 256;
+/// Few nodes, for which less memory is cleared.
+const FEW: usize = 64;
 
 /// Springs of a body in patches that follow one another.
 #[derive(Clone, Copy, Debug)]
@@ -107,11 +109,11 @@ impl<S: Scalar> Kernel for Means<'_, '_, S> {
 type Fours<S, const N: usize> = [[S; 4]; N];
 
 /// What is copied of a patch and computed of a block of springs.
-struct Room<S, const N: usize> {
+struct Room<S, const N: usize, const MOST: usize> {
     /// Nodes of the patch, in each of the rows.
-    places: [Fours<S, NODES>; N],
+    places: [Fours<S, MOST>; N],
     /// Forces on them.
-    sums: Fours<S, NODES>,
+    sums: Fours<S, MOST>,
     /// Ways of springs from tail to head, in each of the rows.
     ways: [Fours<S, BLOCK>; N],
     /// Forces on their tails.
@@ -127,11 +129,26 @@ fn walk<S: Scalar, const N: usize>(
     force: &mut [Vec3<S>],
     law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
 ) -> bool {
+    // To clear room for 256 takes as long as some hundred springs.
+    match patches.nodes.len() {
+        0..=FEW => walk_within::<S, N, FEW>(patches, rows, force, law),
+        _ => walk_within::<S, N, NODES>(patches, rows, force, law),
+    }
+}
+
+/// The same of patches of so many nodes at most.
+#[inline(always)]
+fn walk_within<S: Scalar, const N: usize, const MOST: usize>(
+    patches: Patches<S>,
+    rows: [&[Vec3<S>]; N],
+    force: &mut [Vec3<S>],
+    law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
+) -> bool {
     let Patches { ends, nodes, springs, stiffness, rest_length, damping, .. } = patches;
     let none = [S::ZERO; 4];
     let mut room = Room {
-        places: [[none; NODES]; N],
-        sums: [none; NODES],
+        places: [[none; MOST]; N],
+        sums: [none; MOST],
         ways: [[none; BLOCK]; N],
         pulls: [none; BLOCK],
     };
@@ -162,7 +179,7 @@ fn walk<S: Scalar, const N: usize>(
 
 /// Copies the vectors of the nodes of a patch.
 #[inline(always)]
-fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut Fours<S, NODES>) {
+fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut [[S; 4]]) {
     for (node, place) in nodes.iter().zip(to) {
         let [x, y, z] = vec3::at(rows, *node);
         *place = [x, y, z, S::ZERO];
@@ -171,7 +188,7 @@ fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut Fours<S, NODES>) 
 
 // Both loops that follow nodes ask whether these are there: the compiler then takes a node as one register, where it would
 // else collect numbers of several springs one by one.
-impl<S: Scalar, const N: usize> Room<S, N> {
+impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
     /// The ways of a block of springs between so many nodes.
     #[inline(always)]
     fn span(&mut self, springs: &[[u8; 2]], nodes: usize) {

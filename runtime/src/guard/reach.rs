@@ -20,10 +20,12 @@ pub(super) fn blocks(modes: &[ContactState]) -> impl Iterator<Item = (usize, &[C
     modes.chunks(BLOCK).enumerate().map(|(i, modes)| (i * BLOCK, modes))
 }
 
-/// Are these nodes to be looked at together?
+/// Are these nodes to be looked at together? Few are not: each by itself costs less.
 pub(super) fn are_free(modes: &[ContactState]) -> bool {
     // Without a way out in between: side by side.
-    BLOCK > 1 && modes.iter().fold(true, |free, mode| free & (*mode == ContactState::Free))
+    BLOCK > 1
+        && modes.len() >= LANES
+        && modes.iter().fold(true, |free, mode| free & (*mode == ContactState::Free))
 }
 
 /// The rows of so many nodes from `first` on.

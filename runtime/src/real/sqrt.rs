@@ -42,8 +42,10 @@ mod machine {
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 #[expect(unsafe_code, reason = "stable Rust reaches vsqrt by a foreign name only")]
 mod machine {
-    // What an unoptimised program calls. Weak: crates that are derived carry this file, and link into one image.
+    // What an unoptimised program calls. Crates that are derived carry this file too: weak where they link as objects,
+    // asked for where a linker that optimises makes them one text.
     core::arch::global_asm!(
+        ".ifndef sqrtf",
         ".section .text.sqrtf, \"ax\", %progbits",
         ".weak sqrtf",
         ".type sqrtf, %function",
@@ -53,6 +55,7 @@ mod machine {
         "bx lr",
         ".size sqrtf, . - sqrtf",
         ".text",
+        ".endif",
     );
     // SAFETY: C's function, defined above: argument and result are in s0, nothing else is read or written.
     unsafe extern "C" {

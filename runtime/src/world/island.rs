@@ -214,7 +214,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
         forces.map_err(|_| Fault::NonFinite)?;
         for cell in self.cells {
-            cell.add_force(&self.body, elements.grids, memory.pos, memory.elastic)?;
+            cell.add_force(&self.body, elements.grids(), memory.pos, memory.elastic)?;
         }
         force::eval_viscous(&self.body, &elements, memory.pos, memory.vel, memory.viscous);
         memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());

@@ -1,6 +1,6 @@
 //! Where the nodes, springs and cells of a grid stand in the lists of a body, and its numbers row by row.
 
-use core::iter;
+use core::mem;
 use core::ops::Range;
 
 /// Nodes that stand one after the other in a row and in the lists.
@@ -67,9 +67,11 @@ pub fn beside<'g, S>(
     range: impl Fn(&Grid<'_, S>) -> [usize; 2] + Copy + 'g,
     count: usize,
 ) -> impl Iterator<Item = Range<usize>> + 'g {
-    let starts = iter::once(0).chain(grids.iter().map(move |grid| range(grid)[1]));
-    let ends = grids.iter().map(move |grid| range(grid)[0]).chain(iter::once(count));
-    starts.zip(ends).map(|(from, to)| from..to)
+    let mut from = 0;
+    (0..=grids.len()).map(move |i| {
+        let [to, next] = grids.get(i).map_or([count; 2], range);
+        mem::replace(&mut from, next)..to
+    })
 }
 
 /// Columns computed at a time: those that a strip owns, and one more on either side where there is one.

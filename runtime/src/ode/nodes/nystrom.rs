@@ -4,7 +4,7 @@
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
 
 use super::motion::Motion;
-use super::newton::Newton;
+use super::newton::{Newton, movable};
 use super::rows;
 use super::workspace::Workspace;
 use crate::kernel::{self, Kernel};
@@ -21,17 +21,20 @@ pub(super) fn step<S: Scalar, N: Newton<S>, const K: usize>(
     tolerance: S,
     work: &mut Workspace<S>,
 ) -> Result<S, N::Fault> {
-    let n = newton.nodes();
+    let (n, is_damped) = (newton.nodes(), newton.is_damped());
     for (s, (abar, a)) in tableau.abar.iter().zip(&tableau.a).enumerate() {
         let forces: [&[Vec3<S>]; 2] = if s == 0 {
             [start.elastic, start.viscous]
         } else {
             let drift = tableau.drift.get(s).map_or(S::ZERO, |c| h * S::constant(*c));
-            kernel::run(Reach { n, start, weights: [abar, a], count: s, h, drift, work });
+            let weights = [abar.get(..s).unwrap_or_default(), a.get(..s).unwrap_or_default()];
+            kernel::run(Reach { n, start, weights, h, drift, work });
             work.evaluations += 1;
             newton.elastic(work.stage_pos, work.stage_elastic)?;
-            newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
-            [work.stage_elastic, work.stage_viscous]
+            if is_damped {
+                newton.viscous(work.stage_pos, work.stage_vel, work.stage_viscous);
+            }
+            [work.stage_elastic, if is_damped { work.stage_viscous } else { start.viscous }]
         };
         let out = work.stages.get_mut(s * n..).unwrap_or_default();
         kernel::run(Accelerate { newton, forces, memory: work.dx, out });
@@ -57,6 +60,13 @@ impl<S: Scalar, N: Newton<S>> Kernel for Accelerate<'_, S, N> {
     fn run(self) {
         let Accelerate { newton, forces: [elastic, viscous], memory, out } = self;
         let out = out.get_mut(..newton.nodes()).unwrap_or_default();
+        if out.len() < rows::FEW {
+            let forces = elastic.iter().zip(viscous);
+            for (i, (out, (elastic, viscous))) in out.iter_mut().zip(forces).enumerate() {
+                *out = newton.acceleration(i, vec3::add(*elastic, *viscous));
+            }
+            return;
+        }
         for first in rows::blocks(newton.nodes()) {
             let inverse = newton.inverse_masses(first, rows::block_mut(memory, first));
             let out = rows::block_mut(out, first);
@@ -68,12 +78,11 @@ impl<S: Scalar, N: Newton<S>> Kernel for Accelerate<'_, S, N> {
     }
 }
 
-/// Positions and velocities of a stage from `count` stages before it; `drift` is c h.
+/// Positions and velocities of a stage from those before it; `drift` is c h.
 struct Reach<'a, 'm, 'w, S> {
     n: usize,
     start: &'a Motion<'m, S>,
     weights: [&'a [Constant]; 2],
-    count: usize,
     h: S,
     drift: S,
     work: &'a mut Workspace<'w, S>,
@@ -84,13 +93,24 @@ impl<S: Scalar> Kernel for Reach<'_, '_, '_, S> {
 
     #[inline(always)]
     fn run(self) {
-        let Reach { n, start, weights: [abar, a], count, h, drift, work } = self;
+        let Reach { n, start, weights: [abar, a], h, drift, work } = self;
         let Workspace { stage_pos, stage_vel, stages, .. } = work;
+        if n < rows::FEW {
+            let starts = start.pos.iter().zip(start.vel.iter());
+            for (i, ((pos, vel), (x, v))) in
+                stage_pos.iter_mut().zip(stage_vel.iter_mut()).zip(starts).enumerate()
+            {
+                let [bend, kick] = weigh_node(stages, (n, i), [abar, a]);
+                *pos = vec3::axpy(vec3::axpy(*x, drift, *v), h * h, bend);
+                *vel = vec3::axpy(*v, h, kick);
+            }
+            return;
+        }
         for first in rows::blocks(n) {
             let [pos, vel] = [&mut **stage_pos, stage_vel].map(|row| rows::block_mut(row, first));
             let [x, v] = [&*start.pos, start.vel].map(|row| rows::block(row, first));
-            weigh(pos, stages, (n, first), abar, count);
-            weigh(vel, stages, (n, first), a, count);
+            weigh(pos, stages, (n, first), abar);
+            weigh(vel, stages, (n, first), a);
             let starts = x.as_flattened().iter().zip(v.as_flattened());
             let ends = pos.as_flattened_mut().iter_mut().zip(vel.as_flattened_mut());
             for ((bend, kick), (x, v)) in ends.zip(starts) {
@@ -117,12 +137,20 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     fn run(self) {
         let Arrive { newton, start, weights: [bbar, b], h, work } = self;
         let Workspace { dx, dv, stage_pos, stages, .. } = work;
-        let (n, every) = (newton.nodes(), bbar.len());
+        let n = newton.nodes();
+        if n < rows::FEW {
+            for (i, ((dx, dv), v)) in dx.iter_mut().zip(dv.iter_mut()).zip(start.vel.iter()).enumerate() {
+                let [bend, kick] = weigh_node(stages, (n, i), [bbar, b]);
+                *dx = vec3::axpy(movable(newton, i, vec3::scale(*v, h)), h * h, bend);
+                *dv = vec3::scale(kick, h);
+            }
+            return;
+        }
         for first in rows::blocks(n) {
             let inverse = newton.inverse_masses(first, rows::block_mut(stage_pos, first));
             let [dx, dv] = [&mut **dx, dv].map(|row| rows::block_mut(row, first));
-            weigh(dx, stages, (n, first), bbar, every);
-            weigh(dv, stages, (n, first), b, every);
+            weigh(dx, stages, (n, first), bbar);
+            weigh(dv, stages, (n, first), b);
             let starts = rows::block(start.vel, first).as_flattened().iter().zip(inverse.as_flattened());
             let ends = dx.as_flattened_mut().iter_mut().zip(dv.as_flattened_mut());
             for ((bend, kick), (v, inverse)) in ends.zip(starts) {
@@ -136,7 +164,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     }
 }
 
-/// Sums over the first `count` stages of weight_j k_j, for a block of n nodes. Flash of a microcontroller has it once.
+/// Sums of weight_j k_j over as many stages as there are weights, of a block of n nodes. Flash of a microcontroller has
+/// it once.
 #[cfg_attr(target_os = "none", inline(never))]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 fn weigh<S: Scalar>(
@@ -144,15 +173,32 @@ fn weigh<S: Scalar>(
     stages: &[Vec3<S>],
     (n, first): (usize, usize),
     weights: &[Constant],
-    count: usize,
 ) {
     sums.as_flattened_mut().fill(S::ZERO);
-    for (stage, weight) in stages.chunks_exact(n.max(1)).zip(weights).take(count) {
+    for (stage, weight) in stages.chunks_exact(n.max(1)).zip(weights) {
         let weight = S::constant(*weight);
         if weight != S::ZERO {
             rows::add_scaled(sums, weight, rows::block(stage, first));
         }
     }
+}
+
+/// The same for one of few nodes, which stays in registers, for two rows of weights.
+#[inline(always)]
+fn weigh_node<S: Scalar>(
+    stages: &[Vec3<S>],
+    (n, node): (usize, usize),
+    [weights, others]: [&[Constant]; 2],
+) -> [Vec3<S>; 2] {
+    let (mut sum, mut other_sum) = (vec3::zero(), vec3::zero());
+    let mut stages = stages.get(node..).unwrap_or_default();
+    for (weight, other) in weights.iter().zip(others) {
+        let k = stages.first().copied().unwrap_or(vec3::zero());
+        stages = stages.get(n..).unwrap_or_default();
+        sum = vec3::axpy(sum, S::constant(*weight), k);
+        other_sum = vec3::axpy(other_sum, S::constant(*other), k);
+    }
+    [sum, other_sum]
 }
 
 /// Largest estimated error over (tolerance (1 + |y|)), y node by node; Hairer's combination where two estimates exist.
@@ -198,8 +244,8 @@ impl<S: Scalar> Kernel for Estimate<'_, '_, '_, S> {
         let mut largest = S::ZERO;
         for first in rows::blocks(n) {
             let [in_x, in_v] = [&mut **stage_pos, stage_vel].map(|row| rows::block_mut(row, first));
-            weigh(in_x, stages, (n, first), bbar, bbar.len());
-            weigh(in_v, stages, (n, first), b, b.len());
+            weigh(in_x, stages, (n, first), bbar);
+            weigh(in_v, stages, (n, first), b);
             let errors = in_x.iter().zip(in_v.iter());
             let states = rows::block(start.pos, first).iter().zip(rows::block(start.vel, first));
             for ((in_x, in_v), (x, v)) in errors.zip(states) {

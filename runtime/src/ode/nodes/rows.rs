@@ -10,9 +10,12 @@ use crate::vec3::Vec3;
 /// Nodes handled at a time: few enough for the nearest cache, many enough that to begin a block costs little.
 pub(super) const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 128 };
 
+/// Fewer nodes than these are taken one by one: to begin a row costs more than its sums.
+pub(super) const FEW: usize = if cfg!(target_os = "none") { 0 } else { 7 };
+
 /// Where the blocks of n nodes begin.
 pub(super) fn blocks(n: usize) -> impl Iterator<Item = usize> {
-    (0..n).step_by(BLOCK)
+    (0..n.div_ceil(BLOCK)).map(|i| i * BLOCK)
 }
 
 /// The block of a row that begins with node `first`.
@@ -104,6 +107,15 @@ pub(super) fn sum_compensated<S: Scalar>(
     out: &mut [Vec3<S>],
     rest_out: &mut [Vec3<S>],
 ) {
+    if x.len() < FEW {
+        let sums = out.iter_mut().zip(rest_out);
+        for (((x, rest), dx), (out, rest_out)) in x.iter().zip(rest).zip(dx).zip(sums) {
+            for i in 0..3 {
+                (out[i], rest_out[i]) = add_exactly(x[i], rest[i], dx[i]);
+            }
+        }
+        return;
+    }
     let terms = x.as_flattened().iter().zip(rest.as_flattened()).zip(dx.as_flattened());
     let sums = out.as_flattened_mut().iter_mut().zip(rest_out.as_flattened_mut());
     for (((x, rest), dx), (out, rest_out)) in terms.zip(sums) {
