@@ -11,7 +11,7 @@
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.
 #![no_std]
 
-#[cfg(test)]
+#[cfg(any(test, not(target_os = "none")))]
 extern crate std;
 
 #[cfg(all(feature = "model", not(feature = "scene")))]
@@ -23,6 +23,8 @@ pub mod mechanism {
 }
 
 pub mod command;
+#[cfg(not(target_os = "none"))]
+pub mod console;
 pub mod control;
 pub mod defect;
 pub mod digest;

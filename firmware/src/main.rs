@@ -15,17 +15,12 @@ fn simulate(write: impl FnMut(&[u8])) -> Option<Simulation> {
 /// On the host the last state stands behind the digest, to be compared with other simulations.
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
-    use std::io::Write;
-    let mut text = Vec::new();
-    let done = simulate(|bytes| text.extend_from_slice(bytes));
-    let state: String = done.iter().flat_map(Simulation::x).map(|x| format!(" {x:e}")).collect();
-    let written =
-        std::io::stdout().write_all(&text).and_then(|()| writeln!(std::io::stdout(), "state{state}"));
-    if done.is_some() && written.is_ok() {
-        std::process::ExitCode::SUCCESS
-    } else {
-        std::process::ExitCode::FAILURE
-    }
+    smartbed_firmware::console::print(|text| {
+        let done = simulate(|bytes| text.extend_from_slice(bytes));
+        let state: String = done.iter().flat_map(Simulation::x).map(|x| format!(" {x:e}")).collect();
+        text.extend_from_slice(format!("state{state}\n").as_bytes());
+        done.is_some()
+    })
 }
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.

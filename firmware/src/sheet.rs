@@ -55,11 +55,7 @@ fn demonstrate(write: impl FnMut(&[u8])) -> bool {
 
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
-    use std::io::Write;
-    let mut text = Vec::new();
-    let done = demonstrate(|bytes| text.extend_from_slice(bytes));
-    let written = std::io::stdout().write_all(&text).is_ok();
-    if done && written { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }
+    smartbed_firmware::console::print(|text| demonstrate(|bytes| text.extend_from_slice(bytes)))
 }
 
 #[cfg(target_os = "none")]

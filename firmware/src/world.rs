@@ -141,13 +141,13 @@ fn demonstrate_with(write: impl FnMut(&[u8]), show: impl FnOnce(&[f32])) -> bool
 /// On the host the last state stands behind the digest, to be compared with other simulations.
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
-    use std::io::Write;
-    let (mut text, mut last) = (Vec::new(), Vec::new());
-    let done = demonstrate_with(|bytes| text.extend_from_slice(bytes), |x| last = x.to_vec());
-    let state: String = last.iter().map(|x| format!(" {x:e}")).collect();
-    let mut out = std::io::stdout();
-    let written = out.write_all(&text).and_then(|()| writeln!(out, "state{state}")).is_ok();
-    if done && written { std::process::ExitCode::SUCCESS } else { std::process::ExitCode::FAILURE }
+    smartbed_firmware::console::print(|text| {
+        let mut last = Vec::new();
+        let is_done = demonstrate_with(|bytes| text.extend_from_slice(bytes), |x| last = x.to_vec());
+        let state: String = last.iter().map(|x| format!(" {x:e}")).collect();
+        text.extend_from_slice(format!("state{state}\n").as_bytes());
+        is_done
+    })
 }
 
 /// Runs all steps and hands the report to `write`; false if a step was refused.

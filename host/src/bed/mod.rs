@@ -17,7 +17,7 @@ use crate::output;
 use crate::plan::Read;
 use crate::plan_file::PlanFile;
 use crate::progress::Progress;
-use report::all_rows;
+use report::RunReport;
 use rows::{csv, write};
 use smartbed_bed::files::Mapped;
 use smartbed_bed::plan::history::{History, RunError};
@@ -92,8 +92,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Run(asked) => {
             let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
             let history = history(&read)?;
+            let report = RunReport::new(&read, &history);
             if let Some(file) = &asked.csv {
-                write(file, &csv(&all_rows(&read, &history)))?;
+                write(file, &csv(&report.lists))?;
             }
             if let Some(file) = &asked.map {
                 write(file, &maps(file, &read, &history)?)?;
@@ -104,12 +105,13 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             if [&asked.csv, &asked.readings].iter().any(|file| file.as_deref() == Some("-")) {
                 return Ok(());
             }
-            output::print(&if asked.json { said::json(&read, &history) } else { said::text(&read, &history) })
+            let said = if asked.json { said::json } else { said::text };
+            output::print(&said(&read, &history, &report))
         }
         Command::Report(asked) => {
             let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
             let history = history(&read)?;
-            write(&asked.output, &page::text(&read.plan, &history, &all_rows(&read, &history)))?;
+            write(&asked.output, &page::text(&read.plan, &history, &RunReport::new(&read, &history)))?;
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
         Command::Map(asked) => map::run(asked),

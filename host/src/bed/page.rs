@@ -4,6 +4,7 @@
 //! In: plan, history, metrics. Out: HTML. What a plan says stands in it as text only: escaped in HTML, and as JSON in which
 //! `<` is written as an escape, so that none of it can end a script or begin one.
 
+use super::report::RunReport;
 use super::{film, words};
 use crate::number::json_string;
 use crate::plot::svg::escaped;
@@ -22,13 +23,13 @@ const SCRIPT: &str = include_str!("page.js");
 const MOST_TRIANGLES: usize = 4000;
 
 /// The page's text.
-pub fn text(plan: &Plan, history: &History, metrics: &[(&'static str, Vec<Row>)]) -> String {
+pub fn text(plan: &Plan, history: &History, report: &RunReport) -> String {
     let parts = [
         ("TITLE", escaped(&plan.title)),
-        ("GATE", escaped(&words::gate(metrics))),
+        ("GATE", escaped(&words::gate(&report.gate))),
         ("PREVIEW", list(&words::preview(plan, history))),
         ("REPORT", list(&words::report(plan, history))),
-        ("METRICS", tables(metrics)),
+        ("METRICS", tables(&report.lists)),
         ("DATA", data(plan, history)),
         ("THREE", THREE.to_owned()),
         ("SCRIPT", SCRIPT.to_owned()),

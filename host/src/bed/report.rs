@@ -9,31 +9,35 @@ use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::states;
 
-/// All metrics: of sensels, and of the skin.
-pub(crate) fn metrics(read: &Read, history: &History) -> [(&'static str, Vec<Row>); 2] {
-    let thresholds = Thresholds { cycle: read.plan.cycle, ..Thresholds::default() };
-    let friction = read.plan.layout.friction;
-    let of = |recording, grid| Report { recording, grid, thresholds, friction }.rows();
-    [("sensels", of(&history.sensels, Some(&history.grid))), ("skin", of(&history.skin, None))]
+/// What a report says of a run, each thing found once.
+pub(crate) struct RunReport {
+    /// What the plan's sensors read in the end, if it has some.
+    pub sensed: Option<sensing::Read>,
+    /// What of the run is how far from what it must keep.
+    pub gate: Vec<Row>,
+    /// Rows of the run (the gate, and what neighbours do to each other), of sensels, of the skin, of each tile.
+    pub lists: [(&'static str, Vec<Row>); 4],
 }
 
-/// What the plan's sensors read in the end, if it has some.
-pub(crate) fn sensed(read: &Read, history: &History) -> Option<sensing::Read> {
-    read.sensors.as_ref()?.of(history)
-}
+impl RunReport {
+    pub fn new(read: &Read, history: &History) -> Self {
+        let sensed = read.sensors.as_ref().and_then(|sensors| sensors.of(history));
+        let gate = states::gate(history, sensed.as_ref().map(|sensed| sensed.error));
+        let run = gate.iter().cloned().chain([states::drag(&read.plan, history)]).collect();
+        let thresholds = Thresholds { cycle: read.plan.cycle, ..Thresholds::default() };
+        let friction = read.plan.layout.friction;
+        let of = |recording, grid| Report { recording, grid, thresholds, friction }.rows();
+        let lists = [
+            ("run", run),
+            ("sensels", of(&history.sensels, Some(&history.grid))),
+            ("skin", of(&history.skin, None)),
+            ("tiles", states::tiles(&read.plan, history)),
+        ];
+        Self { sensed, gate, lists }
+    }
 
-/// The gate of the run: what of it is how far from what it must keep.
-pub(crate) fn gate(read: &Read, history: &History) -> Vec<Row> {
-    states::gate(history, sensed(read, history).map(|sensed| sensed.error))
-}
-
-/// What is no map: the gate, and what neighbours do to each other.
-pub(crate) fn of_run(read: &Read, history: &History) -> Vec<Row> {
-    gate(read, history).into_iter().chain([states::drag(&read.plan, history)]).collect()
-}
-
-/// All rows of a report: of the run, of sensels, of the skin and of each tile.
-pub(super) fn all_rows(read: &Read, history: &History) -> [(&'static str, Vec<Row>); 4] {
-    let [sensels, skin] = metrics(read, history);
-    [("run", of_run(read, history)), sensels, skin, ("tiles", states::tiles(&read.plan, history))]
+    /// Rows of maps: of sensels, and of the skin.
+    pub fn metrics(&self) -> &[(&'static str, Vec<Row>)] {
+        &self.lists[1..3]
+    }
 }

@@ -3,7 +3,7 @@
 //! In: the plan as it was read, and its history. Out: text.
 
 use super::readings;
-use super::report::{all_rows, gate, metrics, sensed};
+use super::report::RunReport;
 use super::rows::table;
 use crate::number::{json_number, json_string};
 use crate::plan::{Read, sensing};
@@ -14,7 +14,7 @@ use smartbed_bed::plan::states;
 use std::fmt::Write as _;
 
 /// One JSON object.
-pub(super) fn json(read: &Read, history: &History) -> String {
+pub(super) fn json(read: &Read, history: &History, report: &RunReport) -> String {
     let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
     let row = |row: &Row| {
         format!(
@@ -26,13 +26,12 @@ pub(super) fn json(read: &Read, history: &History) -> String {
             null(row.threshold)
         )
     };
-    let lists = all_rows(read, history).map(|(sites, rows)| {
+    let RunReport { sensed, gate, lists } = report;
+    let lists = lists.each_ref().map(|(sites, rows)| {
         let rows: Vec<String> = rows.iter().map(row).collect();
         format!("\"{sites}\": [{}]", rows.join(", "))
     });
-    let gate = gate(read, history);
-    let [imbalance, felt] = worst(&gate);
-    let sensed = sensed(read, history);
+    let [imbalance, felt] = worst(gate);
     let sensors = sensed.as_ref().map_or_else(|| "null".to_owned(), |sensed| {
         format!(
             "{{\"rows\": {}, \"columns\": {}, \"map_error\": {}, \"moisture\": {}, \"ph\": {}, \"mass\": {}}}",
@@ -54,7 +53,7 @@ pub(super) fn json(read: &Read, history: &History) -> String {
         history.moments.len(),
         json_number(imbalance),
         json_number(felt),
-        states::is_valid(&gate),
+        states::is_valid(gate),
         read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
         read.is_supervised,
         history.moves.len(),
@@ -114,9 +113,9 @@ fn motion_text(watched: &Watched) -> String {
 }
 
 /// For people.
-pub(super) fn text(read: &Read, history: &History) -> String {
-    let gate = gate(read, history);
-    let [imbalance, felt] = worst(&gate);
+pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String {
+    let RunReport { sensed, gate, .. } = report;
+    let [imbalance, felt] = worst(gate);
     let mut text = format!(
         "{}: {} {} over {} s; contact forces carry the weight to {imbalance:.0e}, sensels feel it to {:.2} %\n",
         read.plan.title,
@@ -133,8 +132,7 @@ pub(super) fn text(read: &Read, history: &History) -> String {
             if read.is_supervised { ", let through by the tiles' controller and its supervisor" } else { "" };
         let _ = writeln!(text, "policy {}: {} moves{through}", policy.name, history.moves.len());
     }
-    let sensed = sensed(read, history);
-    if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = &sensed {
+    if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = sensed {
         let _ = writeln!(
             text,
             "{rows} x {columns} sensors of {mass:.3} kg in all read the last map to {:.2} %, moisture {:.1} %, pH {:.2}",
@@ -152,7 +150,7 @@ pub(super) fn text(read: &Read, history: &History) -> String {
         let help = if unit == "J" { ": NOT CLOSED, take shorter steps, `dynamics.step`" } else { "" };
         let _ = writeln!(text, "NOT VALID: {} {found} {unit}, expected at most {most}{help}", row.metric);
     }
-    text += &table(&metrics(read, history));
+    text += &table(report.metrics());
     let _ = writeln!(text, "\n{DISCLAIMER}");
     text
 }

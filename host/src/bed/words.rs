@@ -7,7 +7,7 @@ use smartbed_bed::map::{MMHG, Recording, Region};
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::metrics::time;
 use smartbed_bed::plan::history::History;
-use smartbed_bed::plan::{Move, Plan};
+use smartbed_bed::plan::{Move, Plan, states};
 
 /// Capillaries close above this (Pa).
 const SHUT: f64 = 32.0 * MMHG;
@@ -51,17 +51,15 @@ fn told(change: &Move, count: usize) -> String {
     format!("After {}: {tiles} {}, within {}.", clock(change.at), does.join(" and "), clock(change.over))
 }
 
-/// Whether the figures are to be believed: every row with a limit in the first list, that of the run.
-pub(super) fn gate(metrics: &[(&'static str, Vec<Row>)]) -> String {
-    let rows = metrics.iter().take(1).flat_map(|(_, rows)| rows).filter(|row| row.threshold.is_some());
-    let (mut said, mut holds) = (Vec::new(), true);
-    for row in rows {
-        holds &= row.value <= row.threshold;
+/// Whether the figures are to be believed: every row of the gate.
+pub(super) fn gate(gate: &[Row]) -> String {
+    let said = gate.iter().map(|row| {
         let number = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| format!("{x:.1e}"));
         let unit = if row.unit == "1" { String::new() } else { format!(" {}", row.unit) };
-        said.push(format!("{} {}{unit} (at most {})", row.metric, number(row.value), number(row.threshold)));
-    }
-    format!("{}: {}.", if holds { "Valid" } else { "NOT VALID" }, said.join(", "))
+        format!("{} {}{unit} (at most {})", row.metric, number(row.value), number(row.threshold))
+    });
+    let verdict = if states::is_valid(gate) { "Valid" } else { "NOT VALID" };
+    format!("{verdict}: {}.", said.collect::<Vec<_>>().join(", "))
 }
 
 /// What the bed does in the time of the plan; of a policy what it has decided.

@@ -258,20 +258,18 @@ fn print_scene(path: &Path, arguments: &Arguments) -> Result<(Subject, u32, u64)
         let tables = found.rust(step, scene.seconds);
         return Ok((Subject::Rest(Box::new(found), tables), ticks.round() as u32, STEP));
     }
-    let walk = walk::rust(&scene.lists, &scene.around, scene.method, scene.step);
-    let subject = match (walk, arguments.by_rows) {
-        (Ok(tables), true) => Subject::Sheet(tables),
-        (Err(why), true) => return Err(named(format!("--by-rows: {why}"))),
-        (walk, false) => {
-            if walk.is_ok() {
-                crate::output::say(
-                    "note: --by-rows steps this sheet with a tenth of the instructions, dampers explicitly",
-                );
-            }
-            let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
-                .map_err(|e| named(scene::describe::describe(&e)))?;
-            Subject::Scene(tables::rust(&simulation, scene.step as f32))
+    let subject = if arguments.by_rows {
+        let tables = walk::rust(&scene.lists, &scene.around, scene.method, scene.step);
+        Subject::Sheet(tables.map_err(|why| named(format!("--by-rows: {why}")))?)
+    } else {
+        if walk::read::<f32>(&scene.lists, &scene.around, scene.method).is_ok() {
+            crate::output::say(
+                "note: --by-rows steps this sheet with a tenth of the instructions, dampers explicitly",
+            );
         }
+        let simulation = Simulation::<f32>::new(&scene.lists, &scene.around, scene.method)
+            .map_err(|e| named(scene::describe::describe(&e)))?;
+        Subject::Scene(tables::rust(&simulation, scene.step as f32))
     };
     Ok((subject, u32::try_from(scene.steps()).unwrap_or(u32::MAX), nanoseconds(scene.step)))
 }

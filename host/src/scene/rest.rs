@@ -9,6 +9,7 @@ use super::walk;
 use smartbed_runtime::flexible::pressure::enclosed_volume;
 use smartbed_runtime::flexible::rest::Rest;
 use smartbed_runtime::flexible::walk::{Node, Sheet};
+use smartbed_runtime::vec3::{norm, sub};
 use std::f64::consts::PI;
 use std::fmt::Write as _;
 
@@ -168,13 +169,9 @@ impl Bladder {
     }
 }
 
-fn norm(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
 /// Largest distance between the nodes of two shapes (m).
 fn distance(one: &[[f64; 3]], other: &[[f64; 3]]) -> f64 {
-    one.iter().zip(other).map(|(a, b)| norm([0, 1, 2].map(|c| a[c] - b[c]))).fold(0.0, f64::max)
+    one.iter().zip(other).map(|(a, b)| norm(sub(*a, *b))).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

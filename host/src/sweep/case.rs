@@ -3,7 +3,7 @@
 //! A result names version, command, settings and the hashes (SHA-256) of the plan's text and of the mesh that it names, so
 //! that it can be made again; a file of another plan, mesh, version or setting does not count as done.
 
-use crate::bed::report;
+use crate::bed::report::RunReport;
 use crate::failure::Failure;
 use crate::input;
 use crate::number::{json_number, json_string};
@@ -126,8 +126,9 @@ impl Case {
             .run(|_| !crate::interrupt::is_asked())
             .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
         let mut rows = Vec::new();
-        let run = [("run", report::of_run(&read, &history))];
-        for (sites, list) in run.into_iter().chain(report::metrics(&read, &history)) {
+        let report = RunReport::new(&read, &history);
+        // A sweep compares beds; rows of single tiles stand in the reports of each.
+        for (sites, list) in &report.lists[..3] {
             for row in list {
                 let name = json_string(&format!("{sites} {} {} ({})", row.place, row.metric, row.unit));
                 rows.push(format!("{name}: {}", row.value.map_or_else(|| "null".to_owned(), json_number)));
@@ -136,7 +137,7 @@ impl Case {
         Ok(format!(
             "{}\"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
             self.head(),
-            smartbed_bed::plan::states::is_valid(&report::gate(&read, &history)),
+            smartbed_bed::plan::states::is_valid(&report.gate),
             rows.join(", "),
             json_string(smartbed_bed::metrics::DISCLAIMER)
         ))
