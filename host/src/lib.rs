@@ -64,6 +64,8 @@ pub mod import;
 pub mod manual;
 pub mod new;
 #[cfg(feature = "whole")]
+pub mod origin;
+#[cfg(feature = "whole")]
 pub mod plan;
 #[cfg(feature = "whole")]
 pub mod plan_file;

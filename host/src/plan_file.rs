@@ -4,14 +4,16 @@
 
 use crate::failure::Failure;
 use crate::plan::{Read, checked, parse};
-use crate::{input, model_argument};
+use crate::{input, model_argument, origin};
 
 /// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
 #[derive(Clone, Debug)]
 pub struct PlanFile {
     path: String,
     /// What stands in it.
-    pub text: String,
+    text: String,
+    /// Its SHA-256.
+    pub hash: String,
 }
 
 impl PlanFile {
@@ -22,7 +24,8 @@ impl PlanFile {
     pub fn open(argument: &str) -> Result<Self, Failure> {
         let path = model_argument::find_plan(argument)?.display().to_string();
         let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
-        Ok(Self { path, text })
+        let hash = origin::hash(text.as_bytes());
+        Ok(Self { path, text, hash })
     }
 
     /// The mesh that it names with `settings` on top, if it names one.

@@ -52,6 +52,12 @@ impl Braden {
         }
     }
 
+    /// Marks in the order of [`SUBSCALES`].
+    #[must_use]
+    pub fn marks(&self) -> [u8; 6] {
+        self.marks
+    }
+
     /// Sum, 6 to 23.
     #[must_use]
     pub fn sum(&self) -> u8 {

@@ -17,7 +17,7 @@ use crate::map::MMHG;
 /// What stands under every report.
 pub const DISCLAIMER: &str = "engineering indices, not clinical evidence";
 
-/// Pressures at which something is said to begin (Pa).
+/// Pressures at which something is said to begin (Pa), and estimates that metrics go by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// A site touches above this.
@@ -26,10 +26,24 @@ pub struct Thresholds {
     pub occlusion: f64,
     /// Length of a cycle (s), for persistent occlusion and contrast.
     pub cycle: f64,
+    /// Stress in muscle under bone over pressure at the skin: 2 to 4 are in use, unmeasured.
+    pub muscle_factor: f64,
+    /// c of the pressure of the same risk without shear, p (1 + c tau/tau_0).
+    pub shear_factor: f64,
+    /// tau_0 of the same (Pa).
+    pub shear_reference: f64,
 }
 
 impl Default for Thresholds {
     fn default() -> Self {
-        Thresholds { contact: 5.0 * MMHG, occlusion: 32.0 * MMHG, cycle: 600.0 }
+        Thresholds {
+            contact: 5.0 * MMHG,
+            occlusion: 32.0 * MMHG,
+            cycle: 600.0,
+            muscle_factor: 2.0,
+            // Six times the risk where shear is 10 kPa: Dinsdale's ratio, at a shear that is our estimate.
+            shear_factor: 5.0,
+            shear_reference: 10e3,
+        }
     }
 }

@@ -11,8 +11,6 @@ use crate::map::{Grid, MMHG, Recording, Region, Site};
 pub const WINDOW: f64 = 9e-4;
 /// Shear below which it has no direction (Pa).
 pub const LEAST_SHEAR: f64 = 100.0;
-/// Stress in muscle under bone over pressure at the skin: 2 to 4 are in use, unmeasured.
-pub const MUSCLE_FACTOR: f64 = 2.0;
 
 /// One metric of one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,6 +94,7 @@ impl Report<'_> {
         let above = |limit: f64| Some(1e4 * spatial::area_above(sites, p, limit));
         let whole = self.recording.frames().last().map_or(0.0, |f| f.pressure.iter().sum());
         let share = (whole > 0.0).then(|| 100.0 * p.iter().sum::<f64>() / whole);
+        let stress = Some(t.muscle_factor * spatial::peak(p) / 1000.0);
         let mut rows = vec![
             row(place, "peak pressure", Some(spatial::peak(p) / MMHG), "mmHg", Some(t.occlusion / MMHG)),
             row(place, "mean pressure", spread.map(|s| s.mean / MMHG), "mmHg", None),
@@ -106,10 +105,14 @@ impl Report<'_> {
             row(place, "area above 60 mmHg", above(60.0 * MMHG), "cm2", None),
             row(place, "area above 120 mmHg", above(120.0 * MMHG), "cm2", None),
             row(place, "dispersion index", share, "%", Some(50.0)),
+            row(place, "peak stress in muscle", stress, "kPa", Some(Sigmoid::default().floor / 1000.0)),
         ];
         if !last.shear.is_empty() {
             let [x, y] = shear::resultant(sites, &last.shear);
             let slip = shear::slip(last, t.contact, self.friction);
+            let equivalent =
+                shear::equivalent_pressure(last, t.shear_factor, t.shear_reference).map(|p| p / MMHG);
+            rows.push(row(place, "peak pressure of the same risk without shear", equivalent, "mmHg", None));
             rows.push(row(place, "peak shear", Some(shear::peak(&last.shear) / 1000.0), "kPa", None));
             rows.push(row(place, "shear resultant", Some(x.hypot(y)), "N", None));
             rows.push(row(place, "slip index", slip, "1", Some(1.0)));
@@ -125,7 +128,7 @@ impl Report<'_> {
         let persistent = |cycle: f64| time::persistent_occlusion(part, cycle, t.occlusion).map(|a| 1e4 * a);
         let contrast = time::contrast(part, t.cycle).and_then(|c| largest(&c)).map(|c| c / MMHG);
         let relief = |limit: f64| mean(&time::relief(part, limit * MMHG)).map(|share| 100.0 * share);
-        let muscle = Sigmoid::default().shares(part, t.contact, MUSCLE_FACTOR);
+        let muscle = Sigmoid::default().shares(part, t.contact, t.muscle_factor);
         let mut rows = vec![
             row(place, "persistent occlusion, last cycle", persistent(t.cycle), "cm2", None),
             row(place, "persistent occlusion, last 2 h", persistent(7200.0), "cm2", None),

@@ -56,6 +56,8 @@ pub struct History {
     pub moments: Vec<Moment>,
     /// What they were told: the plan's moves, and those that were decided on the way.
     pub moves: Vec<Move>,
+    /// From when (s) on somebody was asked what to tell: the load lay. None while it never did.
+    pub lay: Option<f64>,
     /// What happened between moments, in motion.
     pub watched: Option<Watched>,
 }
@@ -190,6 +192,7 @@ pub(super) struct Recorder {
     skin_sites: Vec<Site>,
     frames: [Vec<Frame>; 2],
     moments: Vec<Moment>,
+    lay: Option<f64>,
 }
 
 impl Recorder {
@@ -198,7 +201,8 @@ impl Recorder {
         let sites = maps::sensels(&plan.layout, bed, solution);
         let grid = maps::grid(&plan.layout);
         let frames = [Vec::new(), Vec::new()];
-        Recorder { grid, sites, areas: Vec::new(), points, skin_sites, frames, moments: Vec::new() }
+        let (areas, moments) = (Vec::new(), Vec::new());
+        Recorder { grid, sites, areas, points, skin_sites, frames, moments, lay: None }
     }
 
     pub fn take(&mut self, plan: &Plan, bed: &Bed, solution: &Solution, time: f64) -> Result<(), RunError> {
@@ -231,13 +235,16 @@ impl Recorder {
         Ok(())
     }
 
-    /// Adds what is decided by the last frame.
-    pub fn decide(
-        &self,
-        plan: &mut Plan,
-        decide: &mut dyn FnMut(&Seen<'_>) -> Result<Vec<Move>, Refusal>,
-    ) -> Result<(), RunError> {
+    /// Adds what is decided by the last frame. Nobody is asked before the load `lies` for the first time: what is in flight
+    /// presses on no bladder that could be told to bear it.
+    pub fn decide(&mut self, plan: &mut Plan, lies: bool, decide: Decide<'_>) -> Result<(), RunError> {
         let Some(frame) = self.frames[0].last() else { return Ok(()) };
+        if lies && self.lay.is_none() {
+            self.lay = Some(frame.time);
+        }
+        if self.lay.is_none() {
+            return Ok(());
+        }
         let seen = Seen { plan, grid: &self.grid, sites: &self.sites, frame };
         let moves = decide(&seen).map_err(RunError::Refused)?;
         if !moves.is_empty() {
@@ -259,6 +266,7 @@ impl Recorder {
             skin: Recording::new(self.skin_sites, skin).map_err(RunError::Map)?,
             moments: self.moments,
             moves: plan.moves.clone(),
+            lay: self.lay,
             watched: None,
         })
     }

@@ -7,13 +7,17 @@ use super::history::{Decide, History, Recorder, RunError, Watched, seal};
 use super::start::laid;
 use super::{Dynamics, Plan, Start};
 use crate::dynamics::{Motion, dropped};
-use crate::equilibrium::Bed;
+use crate::equilibrium::{Bed, GRAVITY};
 use std::collections::VecDeque;
 
 /// Time (s) over which a force is averaged before its peak is taken.
 const WINDOW: f64 = 0.01;
 /// Nothing is faster in a bed at rest (m/s).
 const STILL: f64 = 1e-3;
+/// Nothing is faster under a load that lies, beside what screws move (m/s).
+const SLOW: f64 = 0.01;
+/// A load lies where contacts carry its weight to this share.
+const CARRIED: f64 = 0.05;
 
 /// Runs it.
 pub(super) fn run(
@@ -40,7 +44,7 @@ pub(super) fn run(
     let mut motion = if dynamics.is_f32 { motion.in_f32() } else { motion };
     let mut history = Recorder::new(plan, &motion.bed, &motion.now);
     history.take(plan, &motion.bed, &motion.now, 0.0)?;
-    history.decide(plan, decide)?;
+    history.decide(plan, lies(&motion), decide)?;
     let mut watch = Watch::new(step);
     for pair in times.windows(2) {
         for _ in 0..count as usize {
@@ -54,9 +58,15 @@ pub(super) fn run(
             watch.see(&motion);
         }
         history.take(plan, &motion.bed, &motion.now, pair[1])?;
-        history.decide(plan, decide)?;
+        history.decide(plan, lies(&motion), decide)?;
     }
     Ok(History { watched: Some(watch.watched), ..history.finish(plan)? })
+}
+
+/// Has the load come to lie: is its weight carried and everything slow?
+fn lies(motion: &Motion) -> bool {
+    let weight = motion.body.mass() * GRAVITY;
+    (motion.now.carried - weight).abs() <= CARRIED * weight && motion.fastest() < SLOW
 }
 
 /// The bed as it is told to stand at a time. Bladders whose pressure nobody changes are shut, if the plan says so.

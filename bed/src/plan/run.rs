@@ -44,7 +44,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
     let mut solution = laid(plan, &bed, &mut at)?;
     let mut history = Recorder::new(plan, &bed, &solution);
     history.take(plan, &bed, &solution, 0.0)?;
-    history.decide(plan, decide)?;
+    history.decide(plan, true, decide)?;
     seal(plan, &mut bed, &solution.state);
     for pair in times.windows(2) {
         if !at(pair[0] / plan.seconds) {
@@ -52,7 +52,7 @@ fn equilibria(plan: &Plan, decide: Decide<'_>, mut at: impl FnMut(f64) -> bool) 
         }
         (bed, solution) = onwards(plan, bed, solution, pair[0], pair[1])?;
         history.take(plan, &bed, &solution, pair[1])?;
-        history.decide(plan, decide)?;
+        history.decide(plan, true, decide)?;
     }
     history.finish(plan)
 }

@@ -58,7 +58,8 @@ pub struct Planner {
     lowest: Vec<f64>,
     /// How often each tile was relieved in this cycle.
     tried: Vec<u32>,
-    /// When the next slot and the next cycle begin (s).
+    /// When the next slot and the next cycle begin (s); counted from when they were looked at, so that what was told in one
+    /// slot is over in the next.
     next: [f64; 2],
 }
 
@@ -152,7 +153,7 @@ impl Policy for Planner {
         if is_due(self.next[1]) {
             self.lowest = vec![f64::INFINITY; view.frame.pressure.len()];
             self.tried = vec![0; view.layout.count()];
-            self.next[1] += self.goal.cycle;
+            self.next[1] = view.time + self.goal.cycle;
         }
         for (least, p) in self.lowest.iter_mut().zip(&view.frame.pressure) {
             *least = least.min(*p);
@@ -160,7 +161,7 @@ impl Policy for Planner {
         if !is_due(self.next[0]) {
             return Vec::new();
         }
-        self.next[0] += self.goal.cycle / self.goal.slots as f64;
+        self.next[0] = view.time + self.goal.cycle / self.goal.slots as f64;
         let moves = self.chosen(view);
         // Each tile is told twice: there and back.
         for tile in moves.iter().step_by(2).flat_map(|told| &told.tiles) {

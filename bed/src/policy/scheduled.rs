@@ -1,9 +1,9 @@
-//! Moves known beforehand, told when their time comes: alternating pressure, or a plan's own.
+//! Moves known beforehand, counted from when somebody first asks: alternating pressure, or others.
 
 use super::{Policy, View};
 use crate::plan::{Layout, Move, Plan};
 
-/// Moves by when they begin.
+/// Moves by how long after the first question they begin.
 #[derive(Clone, Debug)]
 pub struct Scheduled {
     moves: Vec<Move>,
@@ -26,8 +26,9 @@ impl Scheduled {
 }
 
 impl Policy for Scheduled {
-    fn decide(&mut self, _: &View<'_>) -> Vec<Move> {
+    fn decide(&mut self, view: &View<'_>) -> Vec<Move> {
         // What begins before one looks again must be told now; all is known, so all is told.
-        std::mem::take(&mut self.moves).into_iter().rev().collect()
+        let told = std::mem::take(&mut self.moves).into_iter().rev();
+        told.map(|change| Move { at: view.time + change.at, ..change }).collect()
     }
 }

@@ -47,6 +47,25 @@ fn a_sitting_patient_of_any_weight_comes_to_rest() {
     }
 }
 
+#[test]
+fn a_bent_knee_finds_its_rest() {
+    let left = ("left knee".to_owned(), [-90.0, 0.0, 0.0]);
+    let both = vec![left.clone(), ("right knee".to_owned(), [-90.0, 0.0, 0.0])];
+    let with_hip = vec![left.clone(), ("left hip".to_owned(), [45.0, 0.0, 0.0])];
+    for joints in [vec![left], both, with_hip] {
+        for (pressure, has_stops) in [(4000.0, false), (6000.0, true)] {
+            let figure =
+                Figure::new(Table::DeLevaMale, 75.0, 1.75, Posture::Supine, &joints).expect("a figure");
+            let figure = if has_stops { figure.with_stops() } else { figure };
+            let load = Load { body: figure.body.clone(), poses: figure.poses.clone(), figure: Some(figure) };
+            let mut p = patient([8, 10]);
+            (p.load, p.pressure, p.seconds) = (load.placed([0.0, 0.0]), pressure, 0.0);
+            let history = run(&p, |_| true).unwrap_or_else(|why| panic!("{joints:?}, {pressure} Pa: {why}"));
+            assert!(history.moments.iter().all(|m| m.imbalance < 1e-6), "{joints:?}, {pressure} Pa");
+        }
+    }
+}
+
 /// A patient whose weight is laid on evenly over so many seconds in motion, as `lay_on` does it in parts; then he is let go.
 fn lowered(p: &Plan, bed: &Bed, seconds: f64) -> Solution {
     let mut body = p.load.body.clone();

@@ -207,7 +207,9 @@ fn shear_by_hand() {
     near(y, 0.24);
     near(shear::slip(first, 100.0, 0.4).expect("contact"), 1.25);
     assert_eq!(shear::slip(first, 5e3, 0.4), None);
-    near(shear::equivalent_pressure(1000.0, [3.0, 4.0], 2.0, 10.0), 2000.0);
+    // 4000 (1 + 2 500/250) Pa; 2000 (1 + 2 1000/250) Pa is less.
+    near(shear::equivalent_pressure(first, 2.0, 250.0).expect("sheared"), 20_000.0);
+    assert_eq!(shear::equivalent_pressure(&Frame { shear: Vec::new(), ..first.clone() }, 2.0, 250.0), None);
     near(shear::shear_time(&recording)[0], 2000.0);
     near(shear::turning(&recording, 100.0)[0], std::f64::consts::FRAC_PI_2);
     assert_eq!(shear::turning(&recording, 100.0)[1], 0.0);
@@ -242,6 +244,9 @@ fn a_report_has_every_metric_of_bed_and_region() {
     near(value("bed", "mean pressure").expect("load"), (6.0 * 40.0 + 30.0 * 20.0) / 36.0);
     near(value("sacrum", "mean pressure").expect("load"), 40.0);
     near(value("sacrum", "dispersion index").expect("load"), 100.0 * 240.0 / 840.0);
+    // Twice the pressure, and p (1 + 5 tau/10 kPa) at 100 Pa of shear.
+    near(value("sacrum", "peak stress in muscle").expect("load"), 2.0 * 40.0 * MMHG / 1000.0);
+    near(value("bed", "peak pressure of the same risk without shear").expect("shear"), 40.0 * 1.05);
     near(value("bed", "persistent occlusion, last cycle").expect("a cycle"), 6.0);
     assert_eq!(value("bed", "persistent occlusion, last 2 h"), None);
     near(value("bed", "peak pressure index, 9 cm2").expect("fits"), (40.0 + 20.0 + 20.0) / 3.0);

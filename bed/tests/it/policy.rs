@@ -2,14 +2,16 @@
 
 use smartbed_bed::body::anthropometry::Table;
 use smartbed_bed::body::figure::{Figure, Posture};
+use smartbed_bed::body::{Body, Segment, Shape};
 use smartbed_bed::metrics::time;
 use smartbed_bed::plan::history::{History, RunError};
-use smartbed_bed::plan::{Clock, Laying, Layout, Load, Move, Plan};
+use smartbed_bed::plan::{Clock, Dynamics, Laying, Layout, Load, Move, Plan, Start};
 use smartbed_bed::policy::bounds::Bounds;
 use smartbed_bed::policy::planner::{Goal, Planner};
 use smartbed_bed::policy::run::run as run_policy;
 use smartbed_bed::policy::scheduled::Scheduled;
 use smartbed_bed::policy::{Policy, View};
+use smartbed_bed::pose::Pose;
 use smartbed_bed::sensor::reader::{Quality, Reader};
 use smartbed_bed::sensor::site::Site;
 
@@ -208,4 +210,52 @@ fn a_policy_sees_what_sensors_read_and_the_same_again() {
     let history =
         run_policy(&empty, &mut planner, &Bounds::default(), None, Some(&reader()), |_| true).expect("runs");
     assert!(history.moves.is_empty());
+}
+
+/// A flat load on four tiles, in motion for some seconds, let go above them or not.
+fn in_motion(seconds: f64, start: Start) -> Plan {
+    let segment = Segment {
+        name: "slab".to_owned(),
+        shape: Shape { half: [0.12, 0.12, 0.0], radius: 0.02 }.into(),
+        mass: 15.0,
+        centre: [0.0; 3],
+        foundation: 1e7,
+        free: [true; 6],
+    };
+    let load = Load { body: Body::single(segment), poses: vec![Pose::at([0.0; 3])], figure: None };
+    Plan {
+        layout: Layout { rows: 2, columns: 2, intervals: [6, 6], ..Layout::default() },
+        load: load.placed([0.02, 0.01]),
+        clock: Clock::Dynamics(Dynamics { start, step: 4e-3, ..Dynamics::default() }),
+        seconds,
+        every: 0.5,
+        ..supine(0.0, 1.0)
+    }
+}
+
+#[test]
+fn a_policy_is_asked_once_the_load_that_falls_lies() {
+    let bounds = Bounds { most_low: 2, ..Bounds::default() };
+    let alternating = |plan: &Plan, bounds: &Bounds| {
+        let mut policy = Scheduled::alternating(&plan.layout, 3000.0, plan.pressure, 60.0, plan.seconds);
+        run_policy(plan, &mut policy, bounds, None, None, |_| true)
+    };
+    let fallen = in_motion(6.0, Start::Dropped(0.02));
+    let history = alternating(&fallen, &bounds).expect("runs");
+    let lay = history.lay.expect("comes to lie");
+    println!("lies from {lay} s on");
+    assert!((0.5..5.0).contains(&lay), "{lay}");
+    assert!(!history.moves.is_empty() && history.moves.iter().all(|told| told.at >= lay));
+    assert!(history.moments.iter().all(|m| m.imbalance < 1e-6));
+    let last = history.moments.last().expect("a moment");
+    assert!(last.gauges.iter().any(|p| *p < 4900.0), "{:?}", last.gauges);
+    // What rests from the start is asked about from the start; what is in flight all the while never.
+    assert_eq!(alternating(&in_motion(0.5, Start::AtRest), &bounds).expect("runs").lay, Some(0.0));
+    let short = Plan { seconds: 0.1, every: 0.05, ..in_motion(0.5, Start::Dropped(0.1)) };
+    let flight = alternating(&short, &bounds).expect("runs");
+    assert!(flight.lay.is_none() && flight.moves.is_empty());
+    // Bladders that cannot carry what lies on them are refused when it lies.
+    let refused = alternating(&fallen, &Bounds { support: 100.0, ..bounds }).expect_err("cannot carry");
+    let RunError::Refused(refusal) = refused else { panic!("{refused}") };
+    assert!(refusal.time >= lay && refusal.what.contains("100 times the weight of 147 N"), "{refusal}");
 }

@@ -13,6 +13,7 @@ mod words;
 
 use crate::failure::Failure;
 use crate::interrupt;
+use crate::origin::{Meshes, Origin};
 use crate::output;
 use crate::plan::Read;
 use crate::plan_file::PlanFile;
@@ -90,7 +91,7 @@ pub struct Page {
 pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
-            let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
+            let (origin, read) = opened("run", &asked.plan, &asked.set)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
             if let Some(file) = &asked.csv {
@@ -105,17 +106,27 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             if [&asked.csv, &asked.readings].iter().any(|file| file.as_deref() == Some("-")) {
                 return Ok(());
             }
-            let said = if asked.json { said::json } else { said::text };
-            output::print(&said(&read, &history, &report))
+            output::print(&match asked.json {
+                true => said::json(&origin, &read, &history, &report),
+                false => said::text(&read, &history, &report),
+            })
         }
         Command::Report(asked) => {
-            let read = PlanFile::open(&asked.plan)?.read(&asked.set)?;
+            let (origin, read) = opened("report", &asked.plan, &asked.set)?;
             let history = history(&read)?;
-            write(&asked.output, &page::text(&read.plan, &history, &RunReport::new(&read, &history)))?;
+            write(&asked.output, &page::text(&origin, &read, &history, &RunReport::new(&read, &history)))?;
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
         Command::Map(asked) => map::run(asked),
     }
+}
+
+/// The plan of a command, and what its results are made from.
+fn opened(does: &str, plan: &str, settings: &[String]) -> Result<(Origin, Read), Failure> {
+    let file = PlanFile::open(plan)?;
+    let command = format!("smartbed bed {does} {plan}");
+    let origin = Origin::new(command, &file, settings.to_vec(), &mut Meshes::new());
+    Ok((origin, file.read(settings)?))
 }
 
 fn history(read: &Read) -> Result<History, Failure> {

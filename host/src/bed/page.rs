@@ -7,6 +7,8 @@
 use super::report::RunReport;
 use super::{film, words};
 use crate::number::json_string;
+use crate::origin::Origin;
+use crate::plan::Read;
 use crate::plot::svg::escaped;
 use crate::template::filled;
 use crate::view::THREE;
@@ -23,12 +25,14 @@ const SCRIPT: &str = include_str!("page.js");
 const MOST_TRIANGLES: usize = 4000;
 
 /// The page's text.
-pub fn text(plan: &Plan, history: &History, report: &RunReport) -> String {
+pub fn text(origin: &Origin, read: &Read, history: &History, report: &RunReport) -> String {
+    let plan = &read.plan;
     let parts = [
         ("TITLE", escaped(&plan.title)),
         ("GATE", escaped(&words::gate(&report.gate))),
         ("PREVIEW", list(&words::preview(plan, history))),
-        ("REPORT", list(&words::report(plan, history))),
+        ("REPORT", list(&words::report(read, history))),
+        ("ORIGIN", escaped(&origin.line(read))),
         ("METRICS", tables(&report.lists)),
         ("DATA", data(plan, history)),
         ("THREE", THREE.to_owned()),

@@ -4,7 +4,6 @@
 //! of the skin, states of the tiles.
 
 use crate::plan::{Read, sensing};
-use smartbed_bed::metrics::Thresholds;
 use smartbed_bed::metrics::report::{Report, Row};
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::states;
@@ -24,8 +23,7 @@ impl RunReport {
         let sensed = read.sensors.as_ref().and_then(|sensors| sensors.of(history));
         let gate = states::gate(history, sensed.as_ref().map(|sensed| sensed.error));
         let run = gate.iter().cloned().chain([states::drag(&read.plan, history)]).collect();
-        let thresholds = Thresholds { cycle: read.plan.cycle, ..Thresholds::default() };
-        let friction = read.plan.layout.friction;
+        let (thresholds, friction) = (read.thresholds, read.plan.layout.friction);
         let of = |recording, grid| Report { recording, grid, thresholds, friction }.rows();
         let lists = [
             ("run", run),

@@ -5,16 +5,19 @@
 use super::readings;
 use super::report::RunReport;
 use super::rows::table;
+use super::words;
 use crate::number::{json_number, json_string};
+use crate::origin::{Origin, seeds_json};
 use crate::plan::{Read, sensing};
 use smartbed_bed::metrics::DISCLAIMER;
+use smartbed_bed::metrics::braden::{Braden, SUBSCALES};
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::plan::history::{History, Watched};
 use smartbed_bed::plan::states;
 use std::fmt::Write as _;
 
 /// One JSON object.
-pub(super) fn json(read: &Read, history: &History, report: &RunReport) -> String {
+pub(super) fn json(origin: &Origin, read: &Read, history: &History, report: &RunReport) -> String {
     let null = |x: Option<f64>| x.map_or_else(|| "null".to_owned(), json_number);
     let row = |row: &Row| {
         format!(
@@ -45,22 +48,37 @@ pub(super) fn json(read: &Read, history: &History, report: &RunReport) -> String
     });
     let instruments = read.instruments.map(|own| readings::json(&own.of(&read.plan, history)));
     let instruments = instruments.unwrap_or_else(|| "null".to_owned());
+    let policy = read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name));
+    let asked = history.lay.filter(|_| read.policy.is_some());
     format!(
-        "{{\"bed\": {}, \"{}\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \"sensors\": {sensors}, \"instruments\": {instruments}, \
-         \"policy\": {}, \"supervised\": {}, \"moves\": {}, {}{}, \"note\": {}}}\n",
+        "{{{}\"seeds\": {}, \"bed\": {}, \"moments\": {}, \"imbalance\": {}, \"sensed_error\": {}, \"valid\": {}, \
+         \"sensors\": {sensors}, \"instruments\": {instruments}, \"policy\": {policy}, \"policy_from\": {}, \
+         \"supervised\": {}, \"moves\": {}, \"motion\": {}, \"braden\": {}, {}, \"note\": {}}}\n",
+        origin.json(),
+        seeds_json(read),
         json_string(&read.plan.title),
-        moments(history),
         history.moments.len(),
         json_number(imbalance),
         json_number(felt),
         states::is_valid(gate),
-        read.policy.map_or_else(|| "null".to_owned(), |policy| json_string(policy.name)),
+        null(asked),
         read.is_supervised,
         history.moves.len(),
-        history.watched.as_ref().map_or_else(String::new, motion_json),
+        history.watched.as_ref().map_or_else(|| "null".to_owned(), motion_json),
+        read.braden.map_or_else(|| "null".to_owned(), braden_json),
         lists.join(", "),
         json_string(DISCLAIMER)
     )
+}
+
+/// The nurse's marks, their sum and what that is called.
+fn braden_json(braden: Braden) -> String {
+    let marks: String = SUBSCALES
+        .iter()
+        .zip(braden.marks())
+        .map(|((name, _), mark)| format!("\"{name}\": {mark}, "))
+        .collect();
+    format!("{{{marks}\"sum\": {}, \"band\": {}}}", braden.sum(), json_string(braden.band()))
 }
 
 /// How well the worst moment carries the weight, and feels it (a share).
@@ -77,8 +95,8 @@ fn moments(history: &History) -> &'static str {
 /// What motion adds to the JSON object.
 fn motion_json(watched: &Watched) -> String {
     format!(
-        "\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
-         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_turned\": {}, \"energy_left_over\": {}, ",
+        "{{\"step\": {}, \"steps\": {}, \"peak_force\": {}, \"peak_time\": {}, \"still\": {}, \"touches\": {}, \
+         \"energy_handed_on\": {}, \"energy_lost\": {}, \"energy_turned\": {}, \"energy_left_over\": {}}}",
         json_number(watched.step),
         watched.steps,
         json_number(watched.peak),
@@ -130,7 +148,12 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
     if let Some(policy) = read.policy {
         let through =
             if read.is_supervised { ", let through by the tiles' controller and its supervisor" } else { "" };
-        let _ = writeln!(text, "policy {}: {} moves{through}", policy.name, history.moves.len());
+        let asked = match history.lay {
+            Some(0.0) => String::new(),
+            Some(time) => format!(", asked from {time} s on, when the load lay"),
+            None => ", never asked: the load never lay still".to_owned(),
+        };
+        let _ = writeln!(text, "policy {}: {} moves{through}{asked}", policy.name, history.moves.len());
     }
     if let Some(sensing::Read { grid: [rows, columns], error, skin, mass }) = sensed {
         let _ = writeln!(
@@ -143,6 +166,9 @@ pub(super) fn text(read: &Read, history: &History, report: &RunReport) -> String
     }
     if let Some(own) = read.instruments {
         text += &readings::text(&own.of(&read.plan, history));
+    }
+    if let Some(braden) = read.braden {
+        let _ = writeln!(text, "{}", words::braden(&braden));
     }
     for row in gate.iter().filter(|row| row.value > row.threshold) {
         let number = |x: Option<f64>| x.map_or_else(String::new, |x| format!("{x:.1e}"));

@@ -3,7 +3,9 @@
 //! In: plan, history, metrics. Out: lists of sentences. Numbers a nurse can hold against a thermometer's kind of scale:
 //! minutes, mmHg, cm². What the patient is scored as is the nurse's own entry and is not computed.
 
+use crate::plan::Read;
 use smartbed_bed::map::{MMHG, Recording, Region};
+use smartbed_bed::metrics::braden::{Braden, SUBSCALES};
 use smartbed_bed::metrics::report::Row;
 use smartbed_bed::metrics::time;
 use smartbed_bed::plan::history::History;
@@ -94,7 +96,8 @@ fn part(skin: &Recording, region: Region) -> Option<Recording> {
 }
 
 /// What happened.
-pub(super) fn report(plan: &Plan, history: &History) -> Vec<String> {
+pub(super) fn report(read: &Read, history: &History) -> Vec<String> {
+    let plan = &read.plan;
     let mut lines = Vec::new();
     let mut never = Vec::new();
     for region in Region::ALL {
@@ -132,6 +135,21 @@ pub(super) fn report(plan: &Plan, history: &History) -> Vec<String> {
     lines.push(format!(
         "The bed changed a bladder's pressure {changes} times and moved a tile {motions} times."
     ));
-    lines.push("Braden: to be entered by the nurse.".to_owned());
+    lines.push(
+        read.braden.map_or_else(|| "Braden: to be entered by the nurse.".to_owned(), |own| braden(&own)),
+    );
     lines
+}
+
+/// What the nurse has entered: it stands beside what is computed and is part of no number.
+pub(super) fn braden(braden: &Braden) -> String {
+    let marks = SUBSCALES.iter().zip(braden.marks());
+    let marks: Vec<String> =
+        marks.map(|((name, _), mark)| format!("{} {mark}", name.replace('_', " "))).collect();
+    format!(
+        "Braden, as the nurse entered it: {} of 23, {} ({}).",
+        braden.sum(),
+        braden.band(),
+        marks.join(", ")
+    )
 }

@@ -1,6 +1,6 @@
 //! `[instruments]`: what is read of the tiles themselves while a plan runs.
 
-use crate::world::read::value::{Bound, number};
+use crate::world::read::value::{Bound, count, number};
 use smartbed_bed::plan::Plan;
 use smartbed_bed::plan::history::History;
 use smartbed_bed::plan::readings::{Reading, readings};
@@ -25,11 +25,11 @@ pub struct Instrumented {
 pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<Instrumented> {
     let fields = Fields::of("instruments", table.span, table);
     let usual = Instruments::default();
+    let seed = count(&fields, "seed", 0, found).map_or(1, |seed| seed as u64);
     let mut get = |key: &'static str, of: &str, bound: Bound, left_out: f64| {
         number(&fields, key, of, bound, found).unwrap_or(left_out)
     };
     let ticks = |seconds: f64| (seconds * TICKS).round().clamp(0.0, 1e9) as u32;
-    let seed = get("seed", "", Bound::NotNegative, 1.0) as u64;
     let mut instruments = Instruments {
         encoder: get("encoder", "m", Bound::Positive, usual.encoder),
         lvdt_noise: [get("lvdt_noise", "m", Bound::NotNegative, usual.lvdt_noise[0]), usual.lvdt_noise[1]],

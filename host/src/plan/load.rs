@@ -1,10 +1,11 @@
 //! What lies on the bed: a patient, or a ball, a cylinder, a plate or a mesh.
 
 use super::mesh;
-use crate::world::read::value::{Bound, list, needed, number, one_of};
+use crate::world::read::value::{Bound, count, list, needed, number, one_of};
 use smartbed_bed::body::anthropometry::Table as Anthropometry;
 use smartbed_bed::body::figure::{Angles, Figure, Posture};
 use smartbed_bed::body::{Body, Segment, Shape, Surface};
+use smartbed_bed::metrics::braden::{Braden, SUBSCALES};
 use smartbed_bed::plan::Load;
 use smartbed_bed::pose::Pose;
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
@@ -26,11 +27,12 @@ const POSTURES: [(&str, Posture); 3] =
 const SHAPES: [&str; 4] = ["ball", "cylinder", "plate", "mesh"];
 
 /// Reads `[patient]` or `[load]` of the plan at a path; a plan without either has an empty bed.
-pub(super) fn read(plan: &Fields<'_>, path: &str, found: &mut Diagnostics) -> Option<Load> {
+/// Beside a patient how the nurse scores him.
+pub(super) fn read(plan: &Fields<'_>, path: &str, found: &mut Diagnostics) -> Option<(Load, Option<Braden>)> {
     match (plan.table("patient", found), plan.table("load", found)) {
         (Some(table), None) => patient(table, found),
-        (None, Some(table)) => solid(table, path, found),
-        (None, None) => Some(Load { body: Body::default(), poses: Vec::new(), figure: None }),
+        (None, Some(table)) => Some((solid(table, path, found)?, None)),
+        (None, None) => Some((Load { body: Body::default(), poses: Vec::new(), figure: None }, None)),
         (Some(_), Some(table)) => {
             let error = Diagnostic::error("a bed bears a patient or a load, not both");
             found.push(error.label(table.span, "the second").help("leave one of them out"));
@@ -56,7 +58,7 @@ pub(super) fn named<T: Copy>(
     known.iter().find(|(name, _)| *name == hit).map(|(_, value)| *value)
 }
 
-fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
+fn patient(table: &Table, found: &mut Diagnostics) -> Option<(Load, Option<Braden>)> {
     let fields = Fields::of("patient", table.span, table);
     let posture = named(&fields, "posture", &POSTURES, found);
     let by = named(&fields, "table", &TABLES, found);
@@ -67,6 +69,10 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
     let joints = match fields.table("joints", found) {
         Some(table) => joints(table, found)?,
         None => Vec::new(),
+    };
+    let braden = match fields.table("braden", found) {
+        Some(table) => Some(braden(table, found)?),
+        None => None,
     };
     fields.finish(found);
     let figure = match Figure::new(by?, mass, stature, posture?, &joints) {
@@ -79,7 +85,26 @@ fn patient(table: &Table, found: &mut Diagnostics) -> Option<Load> {
         }
     };
     let (body, poses) = (figure.body.clone(), figure.poses.clone());
-    Some(Load { body, poses, figure: Some(figure) }.placed(place?))
+    Some((Load { body, poses, figure: Some(figure) }.placed(place?), braden))
+}
+
+/// Marks of the Braden scale, all six of them.
+fn braden(table: &Table, found: &mut Diagnostics) -> Option<Braden> {
+    let fields = Fields::of("braden", table.span, table);
+    let marks = SUBSCALES.map(|(key, _)| {
+        fields.need(key, "3", found)?;
+        count(&fields, key, 1, found).map(|mark| u8::try_from(mark).unwrap_or(u8::MAX))
+    });
+    fields.finish(found);
+    let marks: Vec<u8> = marks.into_iter().collect::<Option<_>>()?;
+    match Braden::new(marks.try_into().ok()?) {
+        Ok(braden) => Some(braden),
+        Err(wrong) => {
+            let error = Diagnostic::error(wrong.to_string()).label(table.span, "of these marks");
+            found.push(error.help("1 is the worst; 4 the best, 3 of friction_and_shear"));
+            None
+        }
+    }
 }
 
 /// Angles of joints: flexion, spread, twist.

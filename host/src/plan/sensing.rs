@@ -1,6 +1,6 @@
 //! `[sensors]`: the surface that a bed is read by, and what it reads of a run.
 
-use crate::world::read::value::{Bound, number};
+use crate::world::read::value::{Bound, count, number};
 use smartbed_bed::body::mesh::field::AROUND;
 use smartbed_bed::equilibrium::Cover;
 use smartbed_bed::plan::history::History;
@@ -48,6 +48,7 @@ pub struct Read {
 pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<Sensing> {
     let fields = Fields::of("sensors", table.span, table);
     let (usual, quality) = (Site::default(), Quality::default());
+    let seed = count(&fields, "seed", 0, found).map_or(quality.seed, |seed| seed as u64);
     let mut get = |key: &'static str, of: &str, bound: Bound, left_out: f64| {
         number(&fields, key, of, bound, found).unwrap_or(left_out)
     };
@@ -61,7 +62,6 @@ pub(super) fn read(table: &Table, bed: f64, found: &mut Diagnostics) -> Option<S
         ],
         ..usual
     };
-    let seed = get("seed", "", Bound::NotNegative, quality.seed as f64) as u64;
     let quality = Quality {
         noise: get("noise", "", Bound::Share, quality.noise),
         step: get("step", "", Bound::Share, quality.step),

@@ -1,16 +1,14 @@
 //! One case of a sweep: its settings, its file, its row of the table.
 //!
-//! A result names version, command, settings and the hashes (SHA-256) of the plan's text and of the mesh that it names, so
-//! that it can be made again; a file of another plan, mesh, version or setting does not count as done.
+//! A result names what it is made from ([`Origin`]); a file of another plan, mesh, version or setting does not count as done.
 
 use crate::bed::report::RunReport;
 use crate::failure::Failure;
 use crate::input;
 use crate::number::{json_number, json_string};
+use crate::origin::{Meshes, Origin, seeds_json};
 use crate::plan::Axes;
 use crate::plan_file::PlanFile;
-use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// Most cases of a sweep.
@@ -21,16 +19,11 @@ const MOST: usize = 1_000_000;
 pub struct Case {
     /// From 0, the last key of the sweep the fastest.
     pub number: usize,
-    /// The plan as the command line names it.
-    name: String,
     plan: PlanFile,
     /// All settings: those of the command line, then the sweep's.
-    settings: Vec<String>,
+    origin: Origin,
     /// What the sweep sets, by key.
     values: Vec<(String, String)>,
-    hash: String,
-    /// Of the mesh, if there is one.
-    mesh: Option<String>,
 }
 
 /// All cases of a plan.
@@ -45,14 +38,7 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
     if count > MOST {
         return Err(Failure::Wrong(format!("{name}: its [sweep] has more than {MOST} cases")));
     }
-    let hash = hex(plan.text.as_bytes());
-    let mut meshes: BTreeMap<PathBuf, String> = BTreeMap::new();
-    let mut mesh = |settings: &[String]| {
-        let path = plan.mesh(settings)?;
-        // One that cannot be read ends its case, by name.
-        let own = || crate::plan::mesh::bytes(&path).map(|bytes| hex(&bytes)).unwrap_or_default();
-        Some(meshes.entry(path.clone()).or_insert_with(own).clone())
-    };
+    let mut meshes = Meshes::new();
     let one = |number: usize| {
         let (mut rest, mut values) = (number, Vec::new());
         for (key, known) in axes.iter().rev() {
@@ -61,16 +47,11 @@ pub fn cases(name: &str, plan: &PlanFile, settings: &[String], axes: &Axes) -> R
         }
         values.reverse();
         let swept = values.iter().map(|(key, value)| format!("{key}={value}"));
-        let settings: Vec<String> = settings.iter().cloned().chain(swept).collect();
-        let mesh = mesh(&settings);
-        Case { number, name: name.to_owned(), plan: plan.clone(), settings, values, hash: hash.clone(), mesh }
+        let settings = settings.iter().cloned().chain(swept).collect();
+        let origin = Origin::new(format!("smartbed sweep {name}"), plan, settings, &mut meshes);
+        Case { number, plan: plan.clone(), origin, values }
     };
     Ok((0..count).map(one).collect())
-}
-
-/// SHA-256 in letters.
-fn hex(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 impl Case {
@@ -87,44 +68,30 @@ impl Case {
 
     /// What its file begins with.
     fn head(&self) -> String {
-        let settings: Vec<String> = self.settings.iter().map(|s| json_string(s)).collect();
-        let mesh =
-            self.mesh.as_ref().map_or_else(String::new, |mesh| format!("\"mesh_sha256\": \"{mesh}\", "));
-        format!(
-            "{{\"version\": {}, \"command\": {}, \"plan_sha256\": {}, {mesh}\"settings\": [{}], ",
-            json_string(env!("CARGO_PKG_VERSION")),
-            json_string(&format!("smartbed sweep {}", self.name)),
-            json_string(&self.hash),
-            settings.join(", ")
-        )
+        format!("{{{}", self.origin.json())
     }
 
     /// What all cases are made from, for a table of them: version, command, hashes, settings before those of the sweep, seeds.
     #[cfg(feature = "parquet")]
     pub fn made_from(&self) -> Vec<(&'static str, String)> {
-        let own = &self.settings[..self.settings.len() - self.values.len()];
-        let settings: Vec<String> = own.iter().map(|s| json_string(s)).collect();
-        let mut pairs = vec![
-            ("version", env!("CARGO_PKG_VERSION").to_owned()),
-            ("command", format!("smartbed sweep {}", self.name)),
-            ("plan_sha256", self.hash.clone()),
-            ("settings", format!("[{}]", settings.join(", "))),
-            ("note", smartbed_bed::metrics::DISCLAIMER.to_owned()),
-        ];
-        pairs.extend(self.mesh.clone().map(|hash| ("mesh_sha256", hash)));
+        let settings = &self.origin.settings;
+        let own = &settings[..settings.len() - self.values.len()];
+        let mut pairs = self.origin.pairs();
+        pairs.push(("settings", crate::origin::list(own)));
+        pairs.push(("note", smartbed_bed::metrics::DISCLAIMER.to_owned()));
         if let Ok(read) = self.plan.read(own) {
-            pairs.extend(read.sensors.map(|sensors| ("sensors.seed", sensors.seed.to_string())));
-            pairs.extend(read.instruments.map(|own| ("instruments.seed", own.seed.to_string())));
+            pairs
+                .extend(crate::origin::seeds(&read).into_iter().map(|(name, seed)| (name, seed.to_string())));
         }
         pairs
     }
 
     /// Runs it: the text of its file.
     pub fn compute(&self) -> Result<String, Failure> {
-        let read = self.plan.read(&self.settings)?;
+        let read = self.plan.read(&self.origin.settings)?;
         let history = read
             .run(|_| !crate::interrupt::is_asked())
-            .map_err(|e| format!("{}: {e}", self.settings.join(" ")))?;
+            .map_err(|e| format!("{}: {e}", self.origin.settings.join(" ")))?;
         let mut rows = Vec::new();
         let report = RunReport::new(&read, &history);
         // A sweep compares beds; rows of single tiles stand in the reports of each.
@@ -135,8 +102,9 @@ impl Case {
             }
         }
         Ok(format!(
-            "{}\"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
+            "{}\"seeds\": {}, \"valid\": {}, \"metrics\": {{{}}}, \"note\": {}}}\n",
             self.head(),
+            seeds_json(&read),
             smartbed_bed::plan::states::is_valid(&report.gate),
             rows.join(", "),
             json_string(smartbed_bed::metrics::DISCLAIMER)

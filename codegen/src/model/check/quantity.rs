@@ -36,9 +36,9 @@ pub fn quantity(text: &Text, unit: Unit, what: &str, found: &mut Diagnostics) ->
     Some(value)
 }
 
-/// `5 N s/m`: a number, a blank and a unit. None if the text is something else; the inner one if it has another unit.
+/// `5 N s/m`, `5_kN/m`: a number, a blank or `_`, and a unit; nothing else has a name here. None if the text is something else; the inner one if it has another unit.
 fn number_and_unit(text: &Text, wanted: Unit, what: &str, found: &mut Diagnostics) -> Option<Option<f64>> {
-    let (number, rest) = text.text.trim().split_once(' ')?;
+    let (number, rest) = text.text.trim().split_once([' ', '_'])?;
     let number: f64 = number.parse().ok().filter(|x: &f64| x.is_finite())?;
     let scale = unit::parse(rest.trim()).ok()?;
     if scale.unit == wanted {
@@ -72,6 +72,7 @@ mod tests {
             ("20_mm", "m", 0.02),
             ("9.81 m/s^2", "m/s^2", 9.81),
             ("2 kN/m", "N/m", 2000.0),
+            ("2_kN/m", "N/m", 2000.0),
             ("3_mm*4", "m", 0.012),
             ("30_deg", "rad", std::f64::consts::PI / 6.0),
             ("0", "kg", 0.0),
@@ -86,6 +87,7 @@ mod tests {
         for (text, words) in [
             ("5_m", "the mass must be in kg"),
             ("5 m/s", "this is in m/s"),
+            ("5_kg/m", "this is in kg/m"),
             ("5", "the mass must be in kg"),
             ("5_kgg", "unknown unit `kgg`"),
             ("m + 1", "unknown name `m`"),

@@ -1,0 +1,156 @@
+//! What tiles are told over time: `[[move]]`, `[alternating]`; and what a `[sweep]` changes.
+
+use super::Axes;
+use crate::world::read::value::{Bound, list, number, scalar};
+use smartbed_bed::plan::{Layout, Move, Plan};
+use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
+use smartbed_codegen::model::Fields;
+use smartbed_codegen::model::document::{Table, Value, wrong_kind};
+use smartbed_codegen::source::Span;
+
+/// Most moves times equilibria: every equilibrium asks every move.
+const MOST_ORDERS: f64 = 1e7;
+
+/// All moves of a plan, by when they begin; `pressure` (Pa) at the start, a run of `seconds` and from moment to moment.
+pub(super) fn read(
+    plan: &Fields<'_>,
+    layout: &Layout,
+    pressure: f64,
+    [seconds, every]: [f64; 2],
+    found: &mut Diagnostics,
+) -> Option<Vec<Move>> {
+    let mut moves = Vec::new();
+    for item in plan.array("move", found).map_or(&[][..], |(items, _)| items) {
+        match item {
+            Value::Table(table) => moves.extend(change(table, layout, found)),
+            other => found.push(wrong_kind("move", "tables, each under [[move]]", other)),
+        }
+    }
+    let mut span = plan.span;
+    if let Some(table) = plan.table("alternating", found) {
+        span = table.span;
+        moves.extend(alternating(table, layout, pressure, seconds, found)?);
+    }
+    let asked = moves.len() as f64 * (seconds / every + 2.0 * moves.len() as f64);
+    if asked > MOST_ORDERS {
+        let error = Diagnostic::error(format!(
+            "moves times equilibria are {asked:.1e}, expected at most {MOST_ORDERS:.0e}"
+        ));
+        found.push(error.label(span, "of these").help("fewer cycles, or a longer `every`"));
+        return None;
+    }
+    moves.sort_by(|a, b| a.at.total_cmp(&b.at));
+    Some(moves)
+}
+
+/// One `[[move]]`.
+fn change(table: &Table, layout: &Layout, found: &mut Diagnostics) -> Option<Move> {
+    let fields = Fields::of("move", table.span, table);
+    let at = number(&fields, "at", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    let over = number(&fields, "over", "s", Bound::NotNegative, found).unwrap_or(0.0);
+    let tiles = tiles(fields.need("tiles", "\"all\"", found)?, layout, found)?;
+    let pressure = number(&fields, "pressure", "Pa", Bound::Any, found);
+    let heave = number(&fields, "heave", "m", Bound::Any, found);
+    let tilt = fields.get("tilt").map(|value| list::<2>(value, "tilt", "", found));
+    fields.finish(found);
+    if pressure.is_none() && heave.is_none() && tilt.is_none() {
+        let error = Diagnostic::error("a move changes nothing").label(table.span, "this one");
+        found.push(error.help("give it pressure, heave or tilt"));
+        return None;
+    }
+    let slope = match tilt {
+        None => None,
+        Some(angles) => {
+            let angles = angles?;
+            if angles.iter().any(|a| a.abs() >= 1.0) {
+                let error =
+                    Diagnostic::error("`tilt` must be below 57 deg").label(table.span, "in this move");
+                found.push(error.help("tilt = [\"5_deg\", \"0_deg\"], towards +x and +y"));
+                return None;
+            }
+            Some(angles.map(f64::tan))
+        }
+    };
+    Some(Move { at, over, tiles, pressure, heave, slope })
+}
+
+/// `"all"`, or numbers from 1.
+fn tiles(value: &Value, layout: &Layout, found: &mut Diagnostics) -> Option<Vec<usize>> {
+    let most = layout.count();
+    let mut refuse = |span: Span, what: String| {
+        let error = Diagnostic::error(what).label(span, "here");
+        found.push(
+            error.help(format!("tiles = \"all\", or numbers from 1 to {most}, row by row from the head")),
+        );
+        None
+    };
+    match value {
+        Value::Text(text) if text.text == "all" => Some((0..most).collect()),
+        Value::Array(items, span) if items.is_empty() => refuse(*span, "no tile is told".to_owned()),
+        Value::Array(items, _) => {
+            let mut tiles = Vec::new();
+            for item in items {
+                match item {
+                    Value::Number(n, _) if n.fract() == 0.0 && (1.0..=most as f64).contains(n) => {
+                        tiles.push(*n as usize - 1);
+                    }
+                    other => return refuse(other.span(), "there is no such tile".to_owned()),
+                }
+            }
+            Some(tiles)
+        }
+        other => refuse(other.span(), "expected tiles".to_owned()),
+    }
+}
+
+/// `[alternating]`.
+fn alternating(
+    table: &Table,
+    layout: &Layout,
+    pressure: f64,
+    seconds: f64,
+    found: &mut Diagnostics,
+) -> Option<Vec<Move>> {
+    let fields = Fields::of("alternating", table.span, table);
+    let low = scalar(fields.need("low", "\"1.6_kPa\"", found)?, "low", "Pa", Bound::NotNegative, found)?;
+    let high = number(&fields, "high", "Pa", Bound::NotNegative, found).unwrap_or(pressure);
+    let cycle = number(&fields, "cycle", "s", Bound::Positive, found).unwrap_or(600.0);
+    fields.finish(found);
+    if seconds / cycle > 10_000.0 {
+        let error = Diagnostic::error("more than 10000 cycles").label(table.span, "of this alternation");
+        found.push(error.help("a longer `cycle`"));
+        return None;
+    }
+    Some(Plan::alternating(layout, low, high, cycle, seconds))
+}
+
+/// Keys and values of a sweep.
+pub(super) fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
+    let mut axes = Axes::new();
+    for (key, value) in &table.entries {
+        let texts = match value {
+            Value::Array(items, _) if !items.is_empty() => {
+                items.iter().map(text_of).collect::<Option<Vec<_>>>()
+            }
+            _ => None,
+        };
+        match texts {
+            Some(texts) => axes.push((key.name.clone(), texts)),
+            None => found.push(
+                wrong_kind(&key.name, "a list of numbers or texts", value)
+                    .help("\"patient.mass\" = [\"60_kg\", \"75_kg\"]"),
+            ),
+        }
+    }
+    axes
+}
+
+/// A value as a setting has it.
+fn text_of(value: &Value) -> Option<String> {
+    match value {
+        Value::Number(x, _) => Some(format!("{x}")),
+        Value::Boolean(x, _) => Some(format!("{x}")),
+        Value::Text(text) => Some(format!("{:?}", text.text)),
+        _ => None,
+    }
+}
