@@ -49,7 +49,7 @@ fn bound(error: f64, least: f64) -> String {
 /// Error of a method at the table's step or tolerance; NaN where there is no answer.
 fn error(subject: &dyn Subject, truth: &reference::Truth, method: &Method, scalar: ScalarKind) -> f64 {
     let seconds = truth.seconds;
-    let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step()).ceil().max(1.0) as usize;
+    let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step(&method.name)).ceil().max(1.0) as usize;
     let control = match (method.adaptive, scalar) {
         (false, _) => Control::Step(plan::step_of(seconds, 8 * coarsest)),
         (true, ScalarKind::F64) => Control::Tolerance(1e-8),

@@ -214,6 +214,7 @@ fn random_bodies_stay_above_the_ground() {
     let methods = [
         "symplectic_euler",
         "verlet",
+        "damped_verlet",
         "blanes_moan4",
         "rk4",
         "implicit_midpoint",
@@ -223,7 +224,11 @@ fn random_bodies_stay_above_the_ground() {
     let (mut runs, mut worst) = (0, 0.0_f64);
     for n in 0..210 {
         let method = format!("method = \"{}\"\n", methods[n % methods.len()]);
-        let law = if n % 2 == 0 { "law = \"compensation\"" } else { "law = \"newton\"\ne = 0.6" };
+        let law = if (n / methods.len()).is_multiple_of(2) {
+            "law = \"compensation\""
+        } else {
+            "law = \"newton\"\ne = 0.6"
+        };
         let mu = if n % 3 == 0 { random.between(0.0, 1.0) } else { 0.0 };
         let text = thrown(&mut random, law, &method, mu);
         let Some(scene) = readable(&text) else { continue };

@@ -174,7 +174,15 @@ fn a_block_on_a_spring_turns_and_sticks_to_order_two() {
         ("law = \"hunt_crossley\"\nstiffness = 2e6\ndissipation = 0", (weight / 2e6).powf(2.0 / 3.0)),
     ];
     for (ground, depth) in grounds {
-        for method in ["verlet", "nystrom4", "blanes_moan4", "rk4", "implicit_midpoint", "energy_momentum"] {
+        for method in [
+            "verlet",
+            "damped_verlet",
+            "nystrom4",
+            "blanes_moan4",
+            "rk4",
+            "implicit_midpoint",
+            "energy_momentum",
+        ] {
             let errors = [2e-3, 1e-3, 5e-4].map(|step| block_error(ground, depth, method, step));
             let order = 0.5 * (errors[0] / errors[2]).log2();
             println!("{ground} {method}: {errors:?}, order {order:.2}");
@@ -213,7 +221,9 @@ fn a_point_that_bounces_on_a_springy_floor_slips_by_its_normal_impulses() {
     // It only falls: the normal force does not pull.
     let end = bisect(|t| -slip(t), 0.0, 1.0);
     let way = |t: f64| SLIP * t - MU * (bouncing(t).0 - bouncing(0.0).0 + 0.5 * G * t * t);
-    for method in ["verlet", "nystrom4", "blanes_moan4", "rk4", "implicit_midpoint", "energy_momentum"] {
+    for method in
+        ["verlet", "damped_verlet", "nystrom4", "blanes_moan4", "rk4", "implicit_midpoint", "energy_momentum"]
+    {
         let error = |step: f64| {
             let text = format!(
                 "points = [[0, 0, 0.05]]\ninitial_velocity = [{SLIP}, 0, 0]\nmu = {MU}\nmass = 1\ng = {G:e}\nT = 0.6\n\

@@ -19,6 +19,8 @@ def equations(scene):
     at = lambda index: ca.DM(ca.Sparsity.triplet(n, len(index), index.tolist(), list(range(len(index)))), 1)
     along = x[head.tolist(), :] - x[tail.tolist(), :]
     tension = scene.stiffness * (1 - scene.rest / ca.sqrt(ca.sum2(along * along)))
+    if scene.damping:
+        tension += scene.damping * ca.sum2(along * (v[head.tolist(), :] - v[tail.tolist(), :])) / ca.sum2(along * along)
     force = (at(tail) - at(head)) @ (ca.repmat(tension, 1, 3) * along) - scene.drag * v - ca.repmat(ca.DM([[0, 0, scene.gravity]]), n, 1)
     if scene.pressure:
         cross = lambda a, b: ca.horzcat(*(a[:, i] * b[:, j] - a[:, j] * b[:, i] for i, j in ((1, 2), (2, 0), (0, 1))))
@@ -67,11 +69,14 @@ def with_scipy(scene, rates, method, tolerance, seconds):
     return solve
 
 
-def with_cvodes(scene, f, tolerance, seconds):
-    """What solves: Adams' method with functional iteration, the one that needs no Jacobian of 4,000 columns."""
+ADAMS = {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"}
+KRYLOV = {"linear_multistep_method": "bdf", "nonlinear_solver_iteration": "newton", "newton_scheme": "gmres"}
+
+
+def with_cvodes(scene, f, tolerance, seconds, how=ADAMS):
+    """What solves: Adams' method with functional iteration, or Gear's with Krylov's; neither needs a Jacobian of 4,000 columns."""
     x, grid = ca.SX.sym("x", 6 * scene.n), numpy.linspace(0, seconds, SAMPLES + 1)[1:]
-    options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 1_000_000, "linear_multistep_method": "adams",
-               "nonlinear_solver_iteration": "functional"}
+    options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 1_000_000, **how}
     integrator = ca.integrator("i", "cvodes", {"x": x, "ode": f(x, 1)}, 0, grid, options)
     start = numpy.concatenate([scene.x.T.ravel(), numpy.zeros(3 * scene.n)])
     return lambda: (numpy.array(integrator(x0=start)["xf"])[:3 * scene.n].T.reshape(-1, 3, scene.n).transpose(0, 2, 1).reshape(SAMPLES, -1), None)

@@ -27,6 +27,8 @@ class Scene:
         self.rest = numpy.linalg.norm(self.x[self.springs[:, 1]] - self.x[self.springs[:, 0]], axis=1)
         self.x[:, 2] += text.get("drop_height", 0.0)
         self.stiffness, self.gravity, self.drag = text["K"], text["g"], text.get("air_drag", 0.0)
+        # Of the springs (N s/m): scenes of motions.py have none.
+        self.damping = 0.0
         self.pressure, self.has_ground, self.seconds = text.get("pressure", 0.0), text["law"] != "none", text["T"]
         self.together = TOGETHER * self.rest.min()
 

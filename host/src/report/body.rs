@@ -134,8 +134,10 @@ impl Subject for Body {
         self.scene.seconds
     }
 
-    fn coarsest_step(&self) -> f64 {
-        self.scene.largest_step.map_or(OUTER_STEP, |h| STABLE * h)
+    fn coarsest_step(&self, method: &str) -> f64 {
+        let Scene { lists, around, .. } = &self.scene;
+        let largest = read::largest_step(lists, around, method).ok().flatten();
+        largest.map_or(OUTER_STEP, |h| STABLE * h)
     }
 
     fn is_smooth(&self) -> bool {
@@ -154,18 +156,18 @@ impl Subject for Body {
     }
 
     fn run(&self, how: (&str, Control, ScalarKind), time: Time) -> Result<Trace, Stop> {
-        let outer = if self.is_smooth() { time.seconds } else { OUTER_STEP.min(self.coarsest_step()) };
+        let outer = if self.is_smooth() { time.seconds } else { OUTER_STEP.min(self.coarsest_step(how.0)) };
         self.trace(how, time, outer)
     }
 
     fn reference(&self, time: Time) -> Result<Trace, Stop> {
         let how = ("dop853", Control::Tolerance(1e-13), ScalarKind::F64);
-        self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step()))
+        self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step(how.0)))
     }
 
     fn second_reference(&self, time: Time) -> Result<(&'static str, Trace), Stop> {
         let how = ("dormand_prince", Control::Tolerance(1e-12), ScalarKind::F64);
-        let trace = self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step()))?;
+        let trace = self.trace(how, time, REFERENCE_STEP.min(self.coarsest_step(how.0)))?;
         Ok(("Dormand-Prince 5(4) at 1e-12", trace))
     }
 

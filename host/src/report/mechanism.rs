@@ -165,7 +165,7 @@ impl Subject for Mechanism {
         self.settings.seconds
     }
 
-    fn coarsest_step(&self) -> f64 {
+    fn coarsest_step(&self, _: &str) -> f64 {
         COARSE * self.settings.step
     }
 

@@ -86,7 +86,7 @@ pub fn pick(
         return Err(Failure::Wrong(format!("{goal}: {}", nearest(&points, aim))));
     };
     let other = fits.iter().copied().filter(|p| p.method != best.method).min_by(better);
-    let control = best.control.unwrap_or(Control::Step(subject.coarsest_step()));
+    let control = best.control.unwrap_or(Control::Step(subject.coarsest_step(&best.method)));
     let text = explain(subject, &truth, &goal, (best, other), &points);
     Ok(Pick { method: best.method.clone(), control, text })
 }

@@ -123,7 +123,8 @@ impl Plan {
         if method.adaptive {
             return self.tolerances(method, scalar);
         }
-        let coarsest = (seconds / SAMPLES as f64 / subject.coarsest_step()).ceil().max(1.0) as usize;
+        let coarsest =
+            (seconds / SAMPLES as f64 / subject.coarsest_step(&method.name)).ceil().max(1.0) as usize;
         let steps = (0..self.rungs).map(|n| coarsest * self.factor.pow(n as u32));
         steps
             .map(|n| Rung { control: Control::Step(step_of(seconds, n)), work: self.factor as f64 })

@@ -80,8 +80,8 @@ pub trait Subject {
     fn title(&self) -> String;
     /// Simulated time that its file asks for (s).
     fn seconds(&self) -> f64;
-    /// The step to start a ladder with (s): the largest that is stable, or a coarse one.
-    fn coarsest_step(&self) -> f64;
+    /// The step to start a method's ladder with (s): the largest that is stable, or a coarse one.
+    fn coarsest_step(&self, method: &str) -> f64;
     /// Without touches and releases?
     fn is_smooth(&self) -> bool;
     /// Work of a simulated second in rough units of one spring over one second: what quick runs are cut by.

@@ -315,7 +315,7 @@ impl Subject for World {
         self.assembly.run.seconds
     }
 
-    fn coarsest_step(&self) -> f64 {
+    fn coarsest_step(&self, _: &str) -> f64 {
         let coarse = if self.is_controlled() { 1.0 } else { COARSE } * self.assembly.run.step;
         match &self.start {
             Start::Carried(world) => world.largest_stable_step().map_or(coarse, |h| (STABLE * h).min(coarse)),

@@ -11,9 +11,10 @@ use smartbed_runtime::ode::nodes::Method;
 use smartbed_runtime::ode::nodes::method::{Dop853, DormandPrince};
 
 /// Methods of scenes: name, order of the error of smooth motion, whether it chooses its own steps.
-pub const METHODS: [(&str, u32, bool); 10] = [
+pub const METHODS: [(&str, u32, bool); 11] = [
     ("symplectic_euler", 1, false),
     ("verlet", 2, false),
+    ("damped_verlet", 2, false),
     ("nystrom4", 4, false),
     ("blanes_moan4", 4, false),
     ("rk4", 4, false),
@@ -47,6 +48,9 @@ const STATICS: Entry = Err(
     "loses energy with law = \"massless_point\": it gives springs their mean force, for \
                             which a point placed by statics has no work to show; take verlet or blanes_moan4",
 );
+const GROUND: Entry =
+    Err("solves for forces that are linear in the speeds, which those of law = \"hunt_crossley\" \
+                           are not; take verlet or rk4");
 const OWN: Entry = Err("is the stepping of law = \"moreau\" and of no other");
 const NONE: Entry = Err("is not for law = \"moreau\", which steps by itself; leave `method` out");
 
@@ -56,19 +60,19 @@ const NONE: Entry = Err("is not for law = \"moreau\", which steps by itself; lea
 /// Adaptive methods find such a place by their error: their orders are those of error over work.
 #[rustfmt::skip]
 pub const TABLE: [Row; 13] = [
-    row("none", false,           [Ok(1), Ok(2), Ok(4),  Ok(4),  Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
-    row("none", true,            [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
-    row("compensation", false,   [Ok(1), Ok(2), Ok(4),  Ok(4),  Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
-    row("compensation", true,    [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
-    row("newton", false,         [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("newton", true,          [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("massless_point", false, [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2), Ok(2), STATICS, Ok(2), Ok(2), OWN]),
-    row("massless_point", true,  [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(2), Ok(2), STATICS, Ok(2), Ok(2), OWN]),
-    row("penalty", false,        [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("penalty", true,         [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("hunt_crossley", false,  [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("hunt_crossley", true,   [Ok(1), Ok(2), SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
-    row("moreau", true,          [NONE,  NONE,  NONE,   NONE,   NONE,  NONE,  NONE,    NONE,  NONE,  Ok(1)]),
+    row("none", false,           [Ok(1), Ok(2), Ok(2),  Ok(4),  Ok(4),  Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
+    row("none", true,            [Ok(1), Ok(2), Ok(2),  SPEEDS, SPEEDS, Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
+    row("compensation", false,   [Ok(1), Ok(2), Ok(2),  Ok(4),  Ok(4),  Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
+    row("compensation", true,    [Ok(1), Ok(2), Ok(2),  SPEEDS, SPEEDS, Ok(4), Ok(2), Ok(2),   Ok(5), Ok(8), OWN]),
+    row("newton", false,         [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("newton", true,          [Ok(1), Ok(2), Ok(2),  SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("massless_point", false, [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2),  Ok(2), Ok(2), STATICS, Ok(2), Ok(2), OWN]),
+    row("massless_point", true,  [Ok(1), Ok(2), Ok(2),  SPEEDS, SPEEDS, Ok(2), Ok(2), STATICS, Ok(2), Ok(2), OWN]),
+    row("penalty", false,        [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("penalty", true,         [Ok(1), Ok(2), Ok(2),  SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("hunt_crossley", false,  [Ok(1), Ok(2), Ok(2),  Ok(2),  Ok(2),  Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("hunt_crossley", true,   [Ok(1), Ok(2), GROUND, SPEEDS, SPEEDS, Ok(2), Ok(2), Ok(2),   Ok(2), Ok(2), OWN]),
+    row("moreau", true,          [NONE,  NONE,  NONE,   NONE,   NONE,   NONE,  NONE,  NONE,    NONE,  NONE,  Ok(1)]),
 ];
 
 const fn row(law: &'static str, damped: bool, entries: [Entry; METHODS.len()]) -> Row {
@@ -195,6 +199,12 @@ pub fn is_adaptive(name: &str) -> Result<bool, String> {
     Ok(METHODS.iter().any(|(method, _, adaptive)| *method == name && *adaptive))
 }
 
+/// Does the method of this name solve for the dampers, so that they bound no step?
+#[must_use]
+pub fn solves_dampers(name: &str) -> bool {
+    name == "damped_verlet"
+}
+
 /// The name as the table has it.
 fn known(name: &str) -> Result<&'static str, String> {
     let spelled = name.replace('-', "_");
@@ -208,6 +218,7 @@ fn method_of(name: &str, tolerance: f64) -> Method<f64> {
     let longest = f64::INFINITY;
     match name {
         "verlet" => Method::Verlet,
+        "damped_verlet" => Method::DampedVerlet,
         "nystrom4" => Method::Nystrom4,
         "blanes_moan4" => Method::BlanesMoan4,
         "rk4" => Method::Rk4,

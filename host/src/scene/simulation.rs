@@ -331,6 +331,7 @@ fn round_method<S: Scalar>(method: Method<f64>) -> Method<S> {
     match method {
         Method::SymplecticEuler => Method::SymplecticEuler,
         Method::Verlet => Method::Verlet,
+        Method::DampedVerlet => Method::DampedVerlet,
         Method::Nystrom4 => Method::Nystrom4,
         Method::BlanesMoan4 => Method::BlanesMoan4,
         Method::Rk4 => Method::Rk4,

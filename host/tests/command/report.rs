@@ -59,7 +59,7 @@ fn every_method_and_scalar_has_points() {
     let has = |subject: &str, method: &str, scalar: &str| {
         points.iter().any(|p| p["subject"] == subject && p["method"] == method && p["scalar"] == scalar)
     };
-    let body = "symplectic_euler verlet nystrom4 blanes_moan4 rk4 implicit_midpoint energy_momentum dormand_prince dop853";
+    let body = "symplectic_euler verlet damped_verlet nystrom4 blanes_moan4 rk4 implicit_midpoint energy_momentum dormand_prince dop853";
     for scalar in ["f64", "f32"] {
         body.split(' ').for_each(|m| assert!(has("single_spring", m, scalar), "{m} {scalar}"));
         "euler rk4 dormand-prince".split(' ').for_each(|m| assert!(has("sleigh", m, scalar), "{m} {scalar}"));

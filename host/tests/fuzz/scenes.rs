@@ -11,9 +11,10 @@ const SHAPES: [&str; 10] =
     ["chain", "polygon", "truss", "prism", "cube", "cylinder", "ball", "cubes", "sheet", "bar"];
 const LAWS: [&str; 8] =
     ["compensation", "massless_point", "moreau", "newton", "penalty", "hunt_crossley", "none", "glue"];
-const METHODS: [&str; 9] = [
+const METHODS: [&str; 10] = [
     "symplectic_euler",
     "verlet",
+    "damped_verlet",
     "nystrom4",
     "blanes_moan4",
     "rk4",

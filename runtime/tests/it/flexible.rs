@@ -5,7 +5,7 @@ use smartbed_runtime::contact::compensation::{Compensation, PointImpact, apply a
 use smartbed_runtime::contact::pair::{self, Touch};
 use smartbed_runtime::contact::stable_step::{Sums, largest_stable_step};
 use smartbed_runtime::contact::{ContactLaw, ContactState, Ground, System, friction};
-use smartbed_runtime::flexible::{Body, Massless, Spring};
+use smartbed_runtime::flexible::{Body, BodyError, Massless, Spring};
 use smartbed_runtime::ledger::{Ledger, eval_stored};
 use smartbed_runtime::ode::nodes::{MOTION_ROWS, Method, Motion, Step, Workspace, workspace_len};
 use smartbed_runtime::scene::{Event, Flow, Observer, State, step};
@@ -24,9 +24,9 @@ const METHODS: [Method<f64>; 6] = [
 /// A body, its ground, its start.
 pub(crate) struct Trial {
     pub pos: Vec<[f64; 3]>,
-    vel: Vec<[f64; 3]>,
-    mass: Vec<f64>,
-    fixed: Vec<bool>,
+    pub vel: Vec<[f64; 3]>,
+    pub mass: Vec<f64>,
+    pub fixed: Vec<bool>,
     pub springs: Vec<Spring<f64>>,
     gravity: f64,
     law: Option<ContactLaw<f64>>,
@@ -37,9 +37,9 @@ pub(crate) struct Trial {
 pub(crate) struct Row {
     pub t: f64,
     pub pos: Vec<[f64; 3]>,
-    vel: Vec<[f64; 3]>,
+    pub vel: Vec<[f64; 3]>,
     ledger: Ledger<f64>,
-    imbalance: f64,
+    pub imbalance: f64,
     touches: usize,
     pub evaluations: usize,
     cut_short: bool,
@@ -112,6 +112,11 @@ impl Trial {
     }
 
     pub fn run(&self, method: Method<f64>, h: f64, seconds: f64) -> Vec<Row> {
+        self.try_run(method, h, seconds).expect("steps")
+    }
+
+    /// The same of a run that may end with a refused step.
+    pub fn try_run(&self, method: Method<f64>, h: f64, seconds: f64) -> Result<Vec<Row>, BodyError<f64>> {
         let n = self.pos.len();
         let system = self.system();
         let mut memory = vec![[0.0; 3]; MOTION_ROWS * n];
@@ -127,7 +132,7 @@ impl Trial {
         state.begin(&system, h, method, &mut work, &mut watch).expect("a start");
         let mut rows = Vec::new();
         for _ in 0..(seconds / h).round() as usize {
-            let report = step(&system, &mut state, h, method, &mut work, &mut watch).expect("a step");
+            let report = step(&system, &mut state, h, method, &mut work, &mut watch)?;
             let stored = eval_stored(&system, state.motion.pos, state.motion.vel);
             rows.push(Row {
                 t: state.t(),
@@ -140,7 +145,7 @@ impl Trial {
                 cut_short: report.cut_short,
             });
         }
-        rows
+        Ok(rows)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod by_blocks;
 mod conserving;
+mod damped;
 mod double_double;
 mod flexible;
 mod flexible_impact;

@@ -6,6 +6,7 @@ mod view;
 
 use smartbed_runtime::contact::ContactLaw;
 use smartbed_runtime::contact::stable_step::FORMULA;
+use smartbed_runtime::flexible::BodyError;
 use smartbed_runtime::ode::nodes::{Method, Step};
 
 use super::describe::describe;
@@ -158,9 +159,14 @@ fn parse_varied(path: &str, text: &str, layers: [&[String]; 2]) -> Result<Scene,
     let mut lists = body::read(&fields)?;
     let around = surroundings::read(&fields, &mut lists)?;
     let step = fields.positive("step", 1e-3)?;
-    let largest_step = largest_step(&fields, &lists, &around)?;
+    let bound = |method: &str| {
+        let place = if fields.get("shape").is_some() { "shape" } else { "points" };
+        largest_step(&lists, &around, method).map_err(|e| fields.error(place, &describe(&e)))
+    };
+    let largest_step = bound("verlet")?;
     let situation = Situation::new(&around, &lists.damping, largest_step.map_or(0.0, |h| step / h));
     let chosen = read_method(&fields, &situation)?;
+    let largest_step = if method::solves_dampers(chosen.name) { bound(chosen.name)? } else { largest_step };
     let mut scene = Scene {
         title: fields.word("title", path)?.to_string(),
         around,
@@ -269,12 +275,22 @@ fn choose_anchor(fields: &Fields, scene: &mut Scene) -> Result<(), String> {
     Ok(())
 }
 
-/// Largest stable step (s), if something sets one.
-fn largest_step(fields: &Fields, lists: &Lists, around: &Surroundings) -> Result<Option<f64>, String> {
-    let probe = Simulation::<f64>::new(lists, around, Method::Verlet).map_err(|e| {
-        fields.error(if fields.get("shape").is_some() { "shape" } else { "points" }, &describe(&e))
-    })?;
-    Ok(probe.largest_stable_step())
+/// Largest stable step (s) of a method, if something sets one. Dampers bound no step of a method that solves for them.
+///
+/// # Errors
+/// A body that cannot be.
+pub fn largest_step(
+    lists: &Lists,
+    around: &Surroundings,
+    method: &str,
+) -> Result<Option<f64>, BodyError<f64>> {
+    let probe = |lists, around| Simulation::<f64>::new(lists, around, Method::Verlet);
+    if method::solves_dampers(method) {
+        let undamped = Lists { damping: vec![0.0; lists.damping.len()], ..lists.clone() };
+        let airless = Surroundings { air_drag: 0.0, ..around.clone() };
+        return Ok(probe(&undamped, &airless)?.largest_stable_step());
+    }
+    Ok(probe(lists, around)?.largest_stable_step())
 }
 
 /// Refuses a step larger than the stable one.

@@ -6,7 +6,7 @@
 use super::motion::Motion;
 use super::newton::Newton;
 use super::workspace::Workspace;
-use super::{midpoint, nystrom, verlet};
+use super::{damped, midpoint, nystrom, verlet};
 use crate::ode::tableau::{self, Tableau};
 use crate::real::{Constant, Scalar};
 
@@ -46,6 +46,10 @@ pub struct SymplecticEuler;
 /// Velocity Verlet: order 2; dampers are solved implicitly, half before and half after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet;
+
+/// Verlet's method with implicit dampers by conjugate gradients: order 2; springs alone bound its step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DampedVerlet;
 
 /// Nystrom's classical order 4, three evaluations; for forces of positions (dampers lower the order).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,6 +165,7 @@ macro_rules! plain {
 plain! {
     SymplecticEuler: verlet::symplectic_euler, false;
     Verlet: verlet::verlet, true;
+    DampedVerlet: damped::damped_verlet, false;
     ImplicitMidpoint: midpoint::midpoint, false;
     EnergyMomentum: midpoint::energy_momentum, false;
 }
@@ -172,6 +177,8 @@ pub enum Method<S> {
     SymplecticEuler,
     /// [`Verlet`].
     Verlet,
+    /// [`DampedVerlet`].
+    DampedVerlet,
     /// [`Nystrom4`].
     Nystrom4,
     /// [`BlanesMoan4`].
@@ -194,6 +201,7 @@ macro_rules! with_type {
         match $method {
             Method::SymplecticEuler => with_type!(SymplecticEuler, $typed, $expression),
             Method::Verlet => with_type!(Verlet, $typed, $expression),
+            Method::DampedVerlet => with_type!(DampedVerlet, $typed, $expression),
             Method::Nystrom4 => with_type!(Nystrom4, $typed, $expression),
             Method::BlanesMoan4 => with_type!(BlanesMoan4, $typed, $expression),
             Method::Rk4 => with_type!(Rk4, $typed, $expression),

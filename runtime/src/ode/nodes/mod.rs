@@ -5,6 +5,7 @@
 //! Positions and speeds carry what rounding dropped (compensated sums): an f32 node at 10 m moves at 1 mm/s.
 
 mod anderson;
+mod damped;
 pub mod method;
 mod midpoint;
 pub mod motion;

@@ -180,6 +180,24 @@ fn take_larger<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], numbers: &[S]) -> bool 
 /// Sums of products added side by side: as many on every machine, so that all have the same bits.
 const SUMS: usize = 8;
 
+/// a.b over rows.
+#[inline(always)]
+pub(super) fn product<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>]) -> S {
+    let mut sums = [S::ZERO; SUMS];
+    let ((a, rest_a), (b, rest_b)) =
+        (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
+    let add = |sums: &mut [S; SUMS], a: &[S], b: &[S]| {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = *sum + *a * *b;
+        }
+    };
+    for (a, b) in a.iter().zip(b) {
+        add(&mut sums, a, b);
+    }
+    add(&mut sums, rest_a, rest_b);
+    sums.into_iter().fold(S::ZERO, |sum, x| sum + x)
+}
+
 /// a.b/b.b over rows.
 #[inline(always)]
 pub(super) fn quotient<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>]) -> S {

@@ -1,0 +1,251 @@
+//! Verlet's method with implicit dampers: springs alone bound its step, however strong the dampers are.
+//!
+//! In: state, step. Out: the motion at the end. At the middle x_m = x + h/2 v of the step (M + h/2 C) k = f - C v, f and C at x_m;
+//! v' = v + h k, x' = x + h v + h^2/2 k: order 2, symmetric, stable for h w < 2 and any C. k is found by conjugate gradients
+//! from 0, preconditioned by M (Hestenes & Stiefel 1952). M times each iterate is a sum of forces of f and between pairs of nodes
+//! along their lines at x_m: wherever the iteration stops, linear and angular momentum stay, and dampers alone give no energy.
+
+use super::motion::{Motion, copy};
+use super::newton::{Newton, NodeFault};
+use super::rows::{self, accelerations};
+use super::workspace::Workspace;
+use crate::kernel::{self, Kernel};
+use crate::real::Scalar;
+use crate::vec3::Vec3;
+
+/// Iterations at most: they grow with the root of h C/(2 m).
+const ITERATIONS: usize = 1000;
+/// What k may leave of f - C v, where that changes by as much within half a step; elsewhere as the square of the
+/// change, as the step's own error goes.
+const ACCURACY: f64 = 1e-2;
+/// Rounding units of f - C v below which nothing is asked for.
+const SETTLED: f64 = 2.0;
+
+/// A step of length h into `work.end`.
+pub(super) fn damped_verlet<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    start: &Motion<S>,
+    h: S,
+    work: &mut Workspace<S>,
+) -> Result<(), N::Fault> {
+    kernel::run(PlaceMiddle { newton, start, h, work });
+    work.evaluations += 1;
+    newton.elastic(work.stage_pos, work.stage_elastic)?;
+    newton.viscous(work.stage_pos, start.vel, work.stage_viscous);
+    solve(newton, start, h, work)?;
+    kernel::run(Arrive { newton, start, h, work });
+    work.finish(newton, start)
+}
+
+/// Leaves k in `work.stages`; rows of the end that are not asked for yet are its memory.
+fn solve<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    start: &Motion<S>,
+    h: S,
+    work: &mut Workspace<S>,
+) -> Result<(), N::Fault> {
+    let pos: &[Vec3<S>] = work.stage_pos;
+    let mut rows = Rows {
+        k: work.stages,
+        left: work.stage_elastic,
+        turned: work.end.elastic,
+        way: work.stage_vel,
+        inertia: work.end.vel,
+        image: work.stage_viscous,
+        memory: [work.dx, work.dv],
+    };
+    let [mut size, change] = kernel::run(Begin { newton, start, rows: &mut rows });
+    let accuracy = S::from_f64(ACCURACY) * (change / size).min(S::ONE);
+    let accuracy = accuracy.max(S::from_f64(SETTLED) * S::EPSILON);
+    let enough = accuracy * accuracy * size;
+    for _ in 0..ITERATIONS {
+        // A size that is no number ends it too: the end of the step then says which node.
+        if size.partial_cmp(&enough) != Some(core::cmp::Ordering::Greater) {
+            return Ok(());
+        }
+        newton.viscous(pos, rows.way, rows.image);
+        let curvature = kernel::run(Bend { half: S::from_f64(0.5) * h, rows: &mut rows });
+        let next = kernel::run(GoOn { newton, gain: size / curvature, rows: &mut rows });
+        kernel::run(Turn { share: next / size, rows: &mut rows });
+        size = next;
+    }
+    Err(NodeFault::NotConverged { step: h }.into())
+}
+
+/// Rows of the iteration.
+struct Rows<'a, S> {
+    /// What is sought (m/s^2).
+    k: &'a mut [Vec3<S>],
+    /// f - C v - (M + h/2 C) k (N).
+    left: &'a mut [Vec3<S>],
+    /// M^-1 times that (m/s^2).
+    turned: &'a mut [Vec3<S>],
+    /// The direction p in which k goes on (m/s^2).
+    way: &'a mut [Vec3<S>],
+    /// M p (N).
+    inertia: &'a mut [Vec3<S>],
+    /// -C p, then (M + h/2 C) p (N).
+    image: &'a mut [Vec3<S>],
+    /// For accelerations and their factors.
+    memory: [&'a mut [Vec3<S>]; 2],
+}
+
+/// A block of M^-1 force, into `out`.
+#[inline(always)]
+fn turn<S: Scalar, N: Newton<S>>(
+    newton: &N,
+    first: usize,
+    force: &[Vec3<S>],
+    [one, other]: [&mut [Vec3<S>]; 2],
+    out: &mut [Vec3<S>],
+) {
+    let [part, factors] = accelerations(newton, first, force, [one, other]);
+    rows::multiply(rows::block_mut(out, first), part, factors);
+}
+
+/// Middle of the step from the velocities at its start; a node that no force moves stays.
+struct PlaceMiddle<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    h: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let PlaceMiddle { newton, start, h, work } = self;
+        let half = S::from_f64(0.5) * h;
+        for first in rows::blocks(newton.nodes()) {
+            let inverse = newton.inverse_masses(first, rows::block_mut(work.dv, first)).as_flattened().iter();
+            let [x, v] = [&*start.pos, start.vel].map(|row| rows::block(row, first).as_flattened().iter());
+            let middle = rows::block_mut(work.stage_pos, first).as_flattened_mut().iter_mut();
+            for (middle, ((x, v), inverse)) in middle.zip(x.zip(v).zip(inverse)) {
+                *middle = *x + if *inverse > S::ZERO { half * *v } else { S::ZERO };
+            }
+        }
+    }
+}
+
+/// From f and -C v in `left` and `image`: k = 0, p = M^-1 (f - C v); returns the squares over M of f - C v and of its change
+/// since the start of the step.
+struct Begin<'a, 'm, 'r, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    rows: &'a mut Rows<'r, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Begin<'_, '_, '_, S, N> {
+    type Output = [S; 2];
+
+    #[inline(always)]
+    fn run(self) -> [S; 2] {
+        let Begin { newton, start, rows } = self;
+        let Rows { k, left, turned, way, inertia, image, memory: [one, other] } = rows;
+        for first in rows::blocks(newton.nodes()) {
+            rows::block_mut(k, first).as_flattened_mut().fill(S::ZERO);
+            rows::add_scaled(rows::block_mut(left, first), S::ONE, rows::block(image, first));
+            turn(newton, first, left, [one, other], way);
+            let [inertia, since] = [&mut **inertia, &mut **image].map(|row| rows::block_mut(row, first));
+            copy(inertia, rows::block(left, first));
+            copy(since, inertia);
+            rows::add_scaled(since, -S::ONE, rows::block(start.elastic, first));
+            rows::add_scaled(since, -S::ONE, rows::block(start.viscous, first));
+            turn(newton, first, image, [one, other], turned);
+        }
+        [rows::product(left, way), rows::product(image, turned)]
+    }
+}
+
+/// (M + h/2 C) p from its parts, into `image`; returns its product with p. `half` is h/2.
+struct Bend<'a, 'r, S> {
+    half: S,
+    rows: &'a mut Rows<'r, S>,
+}
+
+impl<S: Scalar> Kernel for Bend<'_, '_, S> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let Rows { way, inertia, image, .. } = self.rows;
+        for (image, inertia) in image.as_flattened_mut().iter_mut().zip(inertia.as_flattened()) {
+            *image = *inertia - self.half * *image;
+        }
+        rows::product(way, image)
+    }
+}
+
+/// k and what is left a `gain` further along p; returns the square of what is left over M.
+struct GoOn<'a, 'r, S, N> {
+    newton: &'a N,
+    gain: S,
+    rows: &'a mut Rows<'r, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for GoOn<'_, '_, S, N> {
+    type Output = S;
+
+    #[inline(always)]
+    fn run(self) -> S {
+        let Rows { k, left, turned, way, image, memory: [one, other], .. } = self.rows;
+        for first in rows::blocks(self.newton.nodes()) {
+            rows::add_scaled(rows::block_mut(k, first), self.gain, rows::block(way, first));
+            rows::add_scaled(rows::block_mut(left, first), -self.gain, rows::block(image, first));
+            turn(self.newton, first, left, [one, other], turned);
+        }
+        rows::product(left, turned)
+    }
+}
+
+/// The next direction: what is left and a `share` of the last one.
+struct Turn<'a, 'r, S> {
+    share: S,
+    rows: &'a mut Rows<'r, S>,
+}
+
+impl<S: Scalar> Kernel for Turn<'_, '_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Rows { left, turned, way, inertia, .. } = self.rows;
+        for (next, row) in [(&**turned, way), (&**left, inertia)] {
+            for (row, next) in row.as_flattened_mut().iter_mut().zip(next.as_flattened()) {
+                *row = *next + self.share * *row;
+            }
+        }
+    }
+}
+
+/// Changes of positions and velocities from k.
+struct Arrive<'a, 'm, 'w, S, N> {
+    newton: &'a N,
+    start: &'a Motion<'m, S>,
+    h: S,
+    work: &'a mut Workspace<'w, S>,
+}
+
+impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Arrive { newton, start, h, work } = self;
+        let Workspace { dx, dv, stages, stage_elastic, .. } = work;
+        let half = S::from_f64(0.5);
+        for first in rows::blocks(newton.nodes()) {
+            let inverse = newton.inverse_masses(first, rows::block_mut(stage_elastic, first));
+            let [v, k] = [&*start.vel, stages].map(|row| rows::block(row, first).as_flattened().iter());
+            let [dx, dv] =
+                [&mut **dx, dv].map(|row| rows::block_mut(row, first).as_flattened_mut().iter_mut());
+            for ((dx, dv), ((v, k), inverse)) in dx.zip(dv).zip(v.zip(k).zip(inverse.as_flattened())) {
+                *dv = h * *k;
+                // A node that no force moves stays.
+                *dx = if *inverse > S::ZERO { h * (*v + half * *dv) } else { S::ZERO };
+            }
+        }
+    }
+}
