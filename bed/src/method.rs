@@ -2,7 +2,8 @@
 //!
 //! In: a method and how many stages are done. Out: x' = b (x - x~) at the end of a stage. Backward Euler's: b = 1/h,
 //! x~ = x_n. Trapezoid's: b = 2/h, x~ = x_n + h x'_n/2. Backward differences of order 2 (Gear 1971): b = 3/(2 h),
-//! x~ = (4 x_n - x_n-1)/3. One after the other by half steps they are the composite of Bank et al. 1985 and Bathe 2007.
+//! x~ = (4 x_n - x_n-1)/3; behind a stage of another length, w = h/h_n, b = (1 + 2 w)/((1 + w) h), x~ = x_n + w^2/(1 + 2 w) (x_n - x_n-1).
+//! Where velocities or forces jump, what was before says nothing of what comes: one stage of Euler's, whose error is of order 2. One after the other by half steps they are the composite of Bank et al. 1985 and Bathe 2007.
 
 use smartbed_runtime::vec3::{Vec3, axpy, sub};
 
@@ -27,13 +28,16 @@ pub struct Formula {
     /// Length of the stage (s).
     pub seconds: f64,
     kind: Kind,
+    /// Velocities or forces have jumped at its start.
+    pub is_anew: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Euler,
     Trapezoid,
-    Differences,
+    /// Length over that of the stage before.
+    Differences(f64),
 }
 
 impl Method {
@@ -59,21 +63,46 @@ impl Method {
             Method::Trapezoid => Kind::Trapezoid,
             // The first step has no place before its start.
             Method::Bdf2 if done == 0 => Kind::Trapezoid,
-            Method::Bdf2 => Kind::Differences,
+            Method::Bdf2 => Kind::Differences(1.0),
             Method::TrBdf2 if done.is_multiple_of(2) => Kind::Trapezoid,
-            Method::TrBdf2 => Kind::Differences,
+            Method::TrBdf2 => Kind::Differences(1.0),
         };
         let seconds = step / self.stages() as f64;
-        let factor = match kind {
-            Kind::Euler => 1.0,
-            Kind::Trapezoid => 2.0,
-            Kind::Differences => 1.5,
-        };
-        Formula { rate: factor / seconds, seconds, kind }
+        Formula::of(kind, seconds)
     }
 }
 
 impl Formula {
+    fn of(kind: Kind, seconds: f64) -> Formula {
+        let factor = match kind {
+            Kind::Euler => 1.0,
+            Kind::Trapezoid => 2.0,
+            Kind::Differences(ratio) => (1.0 + 2.0 * ratio) / (1.0 + ratio),
+        };
+        Formula { rate: factor / seconds, seconds, kind, is_anew: false }
+    }
+
+    /// The same behind a stage of so many seconds.
+    #[must_use]
+    pub fn behind(self, seconds: f64) -> Formula {
+        match self.kind {
+            Kind::Differences(_) => Formula::of(Kind::Differences(self.seconds / seconds), self.seconds),
+            _ => self,
+        }
+    }
+
+    /// A stage of the same length that looks at nothing before its start.
+    #[must_use]
+    pub fn anew(self) -> Formula {
+        Formula { is_anew: true, ..Formula::of(Kind::Euler, self.seconds) }
+    }
+
+    /// Weights of what was at the start and of what is at the end in a mean over the stage.
+    #[must_use]
+    pub fn means(&self) -> [f64; 2] {
+        if self.is_anew { [0.0, 1.0] } else { [0.5, 0.5] }
+    }
+
     /// x~ - x_n, from x'_n and from x_n - x_n-1.
     #[must_use]
     pub fn ahead(&self, rate: Vec3<f64>, way: Vec3<f64>) -> Vec3<f64> {
@@ -86,7 +115,7 @@ impl Formula {
         match self.kind {
             Kind::Euler => 0.0,
             Kind::Trapezoid => 0.5 * self.seconds * rate,
-            Kind::Differences => way / 3.0,
+            Kind::Differences(ratio) => way * (ratio * ratio) / (1.0 + 2.0 * ratio),
         }
     }
 }

@@ -5,7 +5,7 @@
 use super::ledger::Ledger;
 use super::motion::{Motion, spin};
 use crate::equilibrium::{Anchor, Bed, GRAVITY, Meeting, Rub, Solution, State};
-use crate::method::Track;
+use crate::method::{Formula, Track};
 use crate::sheet::membrane;
 use smartbed_runtime::vec3::{Vec3, add, dot, norm, scale, sub, tangential};
 
@@ -44,19 +44,34 @@ impl Motion {
 
     /// Energy (J) that the sheets' dampers have taken in a stage, from their `pulls` at its end: means of powers. A rim that
     /// is led may begin to move at once, so that its velocity jumps: dampers beside it take means of pulls times their ways.
-    pub(super) fn damped(&self, seconds: f64, pulls: &[[f64; 3]]) -> f64 {
+    pub(super) fn damped(&self, formula: &Formula, pulls: &[[f64; 3]]) -> f64 {
+        let [before, after] = formula.means();
         let lattice = &self.bed.lattice;
         let is_led =
             |spring: &crate::sheet::Spring| spring.ends.iter().any(|end| lattice.free(*end).is_none());
         let springs = lattice.springs.iter().cycle();
         let one = |((old, new), spring): ((&[f64; 3], &[f64; 3]), &crate::sheet::Spring)| {
             if is_led(spring) {
-                0.5 * (old[2] + new[2]) * (new[0] - old[0])
+                (before * old[2] + after * new[2]) * (new[0] - old[0])
             } else {
-                0.5 * seconds * (old[1] * old[2] + new[1] * new[2])
+                formula.seconds * (before * old[1] * old[2] + after * new[1] * new[2])
             }
         };
         self.pulls.iter().zip(pulls).zip(springs).map(one).sum()
+    }
+
+    /// Energy (J) that dampers have taken where a rim was snatched away: nodes have its velocity within microseconds, so that
+    /// what drives give them is m v^2, half of which moves.
+    pub(super) fn snatched(&self, formula: &Formula) -> f64 {
+        if !formula.is_anew {
+            return 0.0;
+        }
+        let lost = 0.5 * self.node_mass() * (1.0 - self.lasting(formula.seconds));
+        let free = |tracks: &Vec<Track>| -> f64 {
+            let own = tracks.iter().enumerate().filter(|(node, _)| self.bed.lattice.free(*node).is_some());
+            own.map(|(_, t)| dot(t.change[1], t.change[1])).sum()
+        };
+        lost * self.nodes.iter().map(free).sum::<f64>()
     }
 
     /// Length (m) of each spring of all sheets, its rate (m/s) and its damper's pull (N), now.

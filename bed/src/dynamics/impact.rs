@@ -61,6 +61,8 @@ pub struct Sheet<'a> {
     pub is_free: &'a [bool],
     /// Length of the stage (s).
     pub seconds: f64,
+    /// That of the stage before (s).
+    pub last: f64,
     /// Share of what springs take that their dampers leave at the end of the stage: a stage longer than that would take a
     /// velocity that has died away for one that lasts.
     pub lasting: f64,
@@ -183,11 +185,11 @@ pub fn strike(
             Twist { velocity: sub(now.velocity, was.velocity), angular: sub(now.angular, was.angular) };
         if let Some(own) = segments.get_mut(body) {
             let arms = own.map(|t| sub(t.place, poses[body].place));
-            own.iter_mut().zip(arms).for_each(|(t, arm)| *t = t.struck(gain.at(arm), mean, sheet.seconds));
+            own.iter_mut().zip(arms).for_each(|(t, arm)| *t = t.struck(gain.at(arm), mean, sheet.last));
         } else {
             let number = body - poses.len();
             let node = &mut nodes[party.nodes[number]];
-            *node = node.struck(gain.velocity, times[number], sheet.seconds);
+            *node = node.struck(gain.velocity, times[number], sheet.last);
         }
     }
     let upwards = struck.iter().map(|s| -s.contact.impulse[0] * s.contact.axes[0][2]).sum();

@@ -7,6 +7,7 @@
 //! an equilibrium.
 
 mod books;
+mod coming;
 pub mod impact;
 mod ledger;
 mod motion;

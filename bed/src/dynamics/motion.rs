@@ -3,20 +3,19 @@
 //! In: a state at rest, and the bed as it stands at the end of each stage. Out: the state there. Nodes and six points of each
 //! segment are followed in the bed's frame, so that a tile that moves takes its sheet along.
 
-use super::impact::{Blow, Sheet, Yields, strike};
+use super::impact::Blow;
 use super::ledger::Ledger;
 use crate::body::Body;
 use crate::equilibrium::alone::{self, Kept};
 use crate::equilibrium::increment::{Increment, points};
 use crate::equilibrium::scene::Scene;
 use crate::equilibrium::swing::{Damper, Swing};
-use crate::equilibrium::tile::Patch;
-use crate::equilibrium::{Bed, Contact, Fault, GRAVITY, Rub, Solution, State, Touch, find, read};
+use crate::equilibrium::{Bed, Contact, Fault, GRAVITY, Rub, Solution, State, find, read};
 use crate::method::{Formula, Method, Track};
 use crate::pose::Pose;
 use crate::sheet::Lattice;
 use crate::tissue::{Layers, Memory, Tissue};
-use smartbed_runtime::vec3::{Vec3, add, axpy, cross, dot, scale, sub};
+use smartbed_runtime::vec3::{Vec3, add, cross, dot, scale, sub};
 use std::borrow::Cow;
 
 /// A body is in equilibrium where contacts miss its weight by less than this share.
@@ -70,6 +69,11 @@ pub struct Motion {
     method: Method,
     step: f64,
     stages: usize,
+    /// When (s) steps of this length began, how many stages since, and the length of the last (s).
+    since: (f64, usize),
+    pub(super) last: f64,
+    /// What drives do jumps now.
+    jumps: bool,
     pub(super) nodes: Vec<Vec<Track>>,
     pub(super) segments: Vec<[Track; 6]>,
     pub(super) layers: Vec<Layers>,
@@ -112,6 +116,9 @@ impl Motion {
             method,
             step,
             stages: 0,
+            since: (0.0, 0),
+            last: 0.0,
+            jumps: false,
             nodes,
             segments,
             layers,
@@ -144,7 +151,7 @@ impl Motion {
     /// Seconds since the start.
     #[must_use]
     pub fn time(&self) -> f64 {
-        (self.stages as f64 * self.step) / self.method.stages() as f64
+        self.since.0 + (self.since.1 as f64 * self.step) / self.method.stages() as f64
     }
 
     /// A step; `bed` says how tiles stand at a time.
@@ -152,11 +159,43 @@ impl Motion {
     /// # Errors
     /// [`Fault`].
     pub fn step(&mut self, bed: impl Fn(f64) -> Bed) -> Result<(), Fault> {
-        for _ in 0..self.method.stages() {
-            let formula = self.method.formula(self.step, self.stages);
+        if !std::mem::take(&mut self.jumps) {
+            return self.stages_of(false, &bed);
+        }
+        // Euler's stage takes m dv^2/2 of the body, which gets a new acceleration: half a step takes a quarter of that.
+        let (whole, (begin, done)) = (self.step, self.since);
+        for is_anew in [true, false] {
+            (self.since, self.step) = ((self.time(), 0), 0.5 * whole);
+            self.stages_of(is_anew, &bed)?;
+        }
+        (self.since, self.step) = ((begin, done + self.method.stages()), whole);
+        Ok(())
+    }
+
+    /// All stages of a step, the first anew or not.
+    fn stages_of(&mut self, is_anew: bool, bed: &impl Fn(f64) -> Bed) -> Result<(), Fault> {
+        for stage in 0..self.method.stages() {
+            let formula = self.method.formula(self.step, self.stages).behind(self.last);
+            let formula = if is_anew && stage == 0 { formula.anew() } else { formula };
             self.stage(&formula, bed(self.time() + formula.seconds))?;
         }
         Ok(())
+    }
+
+    /// The same of another length (s).
+    ///
+    /// # Errors
+    /// [`Fault`].
+    pub fn step_of(&mut self, seconds: f64, bed: impl Fn(f64) -> Bed) -> Result<(), Fault> {
+        if seconds != self.step {
+            (self.since, self.step) = ((self.time(), 0), seconds);
+        }
+        self.step(bed)
+    }
+
+    /// Now screws begin or end their way, or pressures jump: the next stage begins anew.
+    pub fn jump(&mut self) {
+        self.jumps = true;
     }
 
     /// Fastest of all points (m/s).
@@ -189,56 +228,6 @@ impl Motion {
         (self.single, self.kept) = (single, kept);
         self.follow(formula, bed, next);
         Ok(())
-    }
-
-    /// Resolves the impacts of nodes that will touch within the stage, sheet after sheet.
-    fn strike(&mut self, formula: &Formula, bed: &Bed) {
-        let ahead = self.ahead(formula, bed);
-        let scene = Scene::at_rest(bed, &self.body);
-        let coming = |tile: usize| -> Vec<Touch> {
-            let is_new = |t: &Touch| !self.layers[tile].contains_key(&(t.node, t.segment));
-            Patch::new(&scene, &ahead, tile).touches().into_iter().map(|(t, _)| t).filter(is_new).collect()
-        };
-        let coming: Vec<Vec<Touch>> = (0..bed.tiles.len()).map(coming).collect();
-        if coming.iter().all(Vec::is_empty) {
-            return;
-        }
-        let yields = Yields::new(&self.body, &self.now.state.segments, self.node_mass());
-        let lasting = self.lasting(formula.seconds);
-        for (tile, touches) in coming.iter().enumerate().filter(|(_, touches)| !touches.is_empty()) {
-            let is_touched = |node: usize| self.layers[tile].range((node, 0)..(node + 1, 0)).next().is_some();
-            let is_open = |node: usize| bed.lattice.free(node).is_some() && !is_touched(node);
-            let is_free: Vec<bool> = (0..bed.lattice.nodes()).map(is_open).collect();
-            let sheet = Sheet { lattice: &bed.lattice, is_free: &is_free, seconds: formula.seconds, lasting };
-            let poses = &self.now.state.segments;
-            let blow = strike(&sheet, &yields, touches, poses, &mut self.nodes[tile], &mut self.segments);
-            self.blows = self.blows.and(blow);
-            self.ledger.lost_in_sheets += (1.0 - lasting) * blow.handed_on;
-        }
-    }
-
-    /// Share of what two nodes take along a spring that its damper leaves at the end of a stage: exp(-2 c h/m) at most.
-    fn lasting(&self, seconds: f64) -> f64 {
-        let softest = self.bed.lattice.springs.iter().map(|s| s.stiffness).fold(f64::INFINITY, f64::min);
-        (-2.0 * self.matter.sheet_loss * softest * seconds / self.node_mass()).exp()
-    }
-
-    /// The state at the end of a stage in which nothing presses on anything.
-    fn ahead(&self, formula: &Formula, bed: &Bed) -> State {
-        let mut ahead = self.now.state.clone();
-        for (tile, sheet) in ahead.sheets.iter_mut().enumerate() {
-            let pose = &bed.tiles[tile].pose;
-            for (node, x) in sheet.iter_mut().enumerate().filter(|(n, _)| bed.lattice.free(*n).is_some()) {
-                *x = pose.inwards(self.nodes[tile][node].onwards(formula));
-            }
-        }
-        for (pose, tracks) in ahead.segments.iter_mut().zip(&self.segments) {
-            let middle = tracks.iter().fold([0.0; 3], |sum, t| axpy(sum, 1.0 / 6.0, t.velocity));
-            let turn = scale(spin(tracks), formula.seconds);
-            let arm = sub(pose.place, tracks.iter().fold([0.0; 3], |sum, t| axpy(sum, 1.0 / 6.0, t.place)));
-            *pose = pose.moved(axpy(cross(turn, arm), formula.seconds, middle), turn);
-        }
-        ahead
     }
 
     /// What the stage adds to the energy.
@@ -320,16 +309,27 @@ impl Motion {
         self.before = std::mem::replace(&mut self.now, next).state;
         self.bed = bed;
         self.stages += 1;
+        self.since.1 += 1;
+        self.last = formula.seconds;
         (self.now.carried, self.now.imbalance) = self.balance();
         let pulls = self.pulls();
-        self.ledger.lost_in_sheets += self.damped(formula.seconds, &pulls);
+        self.ledger.lost_in_sheets += self.damped(formula, &pulls) + self.snatched(formula);
         self.pulls = pulls;
         let powers = [self.power_of_tissue(), self.power_of_joints()];
-        let [tissue, joints] = [0, 1].map(|k| 0.5 * formula.seconds * (powers[k] + self.powers[k]));
+        let [old, new] = formula.means();
+        let [tissue, joints] = [0, 1].map(|k| formula.seconds * (new * powers[k] + old * self.powers[k]));
         self.powers = powers;
         self.ledger.lost_in_tissue += tissue;
         self.ledger.lost_in_joints += joints;
-        self.ledger.driven += 0.5 * (begun + ended) + given;
+        self.ledger.driven += old * begun + new * ended + given;
+        if formula.is_anew {
+            // Where dampers give a sheet the rim's new velocity at once, it had that from the start.
+            let lasting = self.lasting(formula.seconds);
+            for track in self.nodes.iter_mut().flatten() {
+                track.change[1] = scale(track.change[1], lasting);
+                track.acceleration = scale(track.acceleration, lasting);
+            }
+        }
         self.weigh();
     }
 

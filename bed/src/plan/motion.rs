@@ -16,6 +16,8 @@ const WINDOW: f64 = 0.01;
 const STILL: f64 = 1e-3;
 /// Nothing is faster under a load that lies, beside what screws move (m/s).
 const SLOW: f64 = 0.01;
+/// A move that begins or ends within this share of a step of its end does so there.
+const SHORTEST: f64 = 1e-3;
 /// A load lies where contacts carry its weight to this share.
 const CARRIED: f64 = 0.05;
 
@@ -47,20 +49,49 @@ pub(super) fn run(
     history.decide(plan, lies(&motion), decide)?;
     let mut watch = Watch::new(step);
     for pair in times.windows(2) {
-        for _ in 0..count as usize {
+        for (seconds, jumps) in steps(plan, [pair[0], pair[1]], step) {
             if !at(motion.time() / plan.seconds) {
                 return Err(RunError::Stopped);
+            }
+            if jumps {
+                motion.jump();
             }
             let (before, now) = (motion.bed.clone(), motion.time());
             let volumes: Vec<f64> =
                 motion.now.state.sheets.iter().map(|sheet| before.volume(sheet)).collect();
-            motion.step(|time| ordered(plan, &before, &volumes, now, time)).map_err(fault(now))?;
-            watch.see(&motion);
+            motion
+                .step_of(seconds, |time| ordered(plan, &before, &volumes, now, time))
+                .map_err(fault(now))?;
+            watch.see(&motion, seconds);
         }
         history.take(plan, &motion.bed, &motion.now, pair[1])?;
         history.decide(plan, lies(&motion), decide)?;
     }
     Ok(History { watched: Some(watch.watched), ..history.finish(plan)? })
+}
+
+/// Lengths (s) of the steps from one moment to the next, and whether moves begin or end where they begin: steps of one length,
+/// and shorter ones where a move begins or ends between.
+fn steps(plan: &Plan, [from, to]: [f64; 2], longest: f64) -> Vec<(f64, bool)> {
+    let near = SHORTEST * longest;
+    let mut ends: Vec<f64> = plan.moves.iter().flat_map(|told| [told.at, told.at + told.over]).collect();
+    ends.sort_by(f64::total_cmp);
+    let jumps_at = |time: f64| ends.iter().any(|end| (end - time).abs() <= near);
+    let mut stops = vec![from];
+    for end in ends.iter().copied().filter(|end| *end < to - near) {
+        if stops.last().is_some_and(|last| end > last + near) {
+            stops.push(end);
+        }
+    }
+    stops.push(to);
+    let part = |pair: &[f64]| {
+        let count = ((pair[1] - pair[0]) / longest - 1e-9).ceil().max(1.0);
+        // Between two moments without such an end all steps are as long as any other.
+        let step = if stops.len() == 2 { longest } else { (pair[1] - pair[0]) / count };
+        let jumps = jumps_at(pair[0]);
+        (0..count as usize).map(move |k| (step, jumps && k == 0)).collect::<Vec<_>>()
+    };
+    stops.windows(2).flat_map(part).collect()
 }
 
 /// Has the load come to lie: is its weight carried and everything slow?
@@ -82,26 +113,26 @@ fn ordered(plan: &Plan, before: &Bed, volumes: &[f64], from: f64, to: f64) -> Be
 
 /// Looks at every step.
 struct Watch {
-    forces: VecDeque<f64>,
-    window: usize,
+    /// Forces (N) of the last steps, and how long they were (s).
+    forces: VecDeque<[f64; 2]>,
     watched: Watched,
 }
 
 impl Watch {
     fn new(step: f64) -> Watch {
-        let window = ((WINDOW / step).round() as usize).max(1);
-        Watch { forces: VecDeque::new(), window, watched: Watched { step, ..Watched::default() } }
+        Watch { forces: VecDeque::new(), watched: Watched { step, ..Watched::default() } }
     }
 
-    fn see(&mut self, motion: &Motion) {
+    fn see(&mut self, motion: &Motion, seconds: f64) {
         let own = &mut self.watched;
         let pressed: f64 = motion.now.contacts.iter().flatten().map(|c| c.force()[2]).sum();
-        let up = pressed + (motion.blows.upwards - own.blows.upwards) / own.step;
-        self.forces.push_back(up);
-        if self.forces.len() > self.window {
-            self.forces.pop_front();
+        let up = pressed + (motion.blows.upwards - own.blows.upwards) / seconds;
+        self.forces.push_back([up, seconds]);
+        let mut length: f64 = self.forces.iter().map(|own| own[1]).sum();
+        while self.forces.front().is_some_and(|first| length - first[1] > WINDOW - 0.5 * first[1]) {
+            length -= self.forces.pop_front().map_or(0.0, |own| own[1]);
         }
-        let mean = self.forces.iter().sum::<f64>() / self.forces.len() as f64;
+        let mean = self.forces.iter().map(|[force, seconds]| force * seconds).sum::<f64>() / length;
         if mean > own.peak {
             (own.peak, own.peak_time) = (mean, motion.time());
         }

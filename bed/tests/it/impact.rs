@@ -142,7 +142,7 @@ fn an_impact_keeps_energy_and_momenta_and_ends_the_approach() {
         let rates: Vec<f64> = touches.iter().map(|t| rate(t, &nodes, &segments)).collect();
         let (energy, momenta) = all(&nodes, &segments);
         let lasting = [1.0, 0.3, 0.0][case / 3 % 3];
-        let sheet = Sheet { lattice: &lattice, is_free: &is_free, seconds: 1e-3, lasting };
+        let sheet = Sheet { lattice: &lattice, is_free: &is_free, seconds: 1e-3, last: 1e-3, lasting };
         let yields = Yields::new(&body, &poses, mass);
         let blow = strike(&sheet, &yields, &touches, &poses, &mut nodes, &mut segments);
         assert_eq!(blow.touches, rates.iter().filter(|r| **r < 0.0).count());
