@@ -2,12 +2,12 @@
 // Fingerprint of the model's text: ac55dccdc04fa63e (FNV-1a). Derived with effort default, for fewest operations.
 // fourbar: 3 coordinates, 1 independent speed, 1 input, 11 tunable parameters; scalar f32.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 93 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 58 mul, 3 sin, 10 sub).
+// Cost of rates: 91 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 56 mul, 3 sin, 10 sub).
 // Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
-// Cost of prepare: 66 operations (11 abs, 8 add, 6 div, 3 max, 38 mul).
+// Cost of prepare: 68 operations (11 abs, 8 add, 6 div, 3 max, 40 mul).
 
 #[allow(unused_imports, reason = "sums and products need no function")]
 use smartbed_runtime::real::Real;
@@ -212,7 +212,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-/// 66 operations.
+/// 68 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -251,9 +251,9 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t16 = l2 * g;
     let t17 = l1 * t1;
     let t18 = l1 * t2;
-    let t19 = 0.6062967_f32 / Real::max(0.22727273_f32 * Real::abs(2.0_f32 * Real::abs(l2)), 1e-24_f32);
+    let t19 = l2 * (0.6062967_f32 / Real::max_size(0.22727273_f32 * Real::abs(2.0_f32 * Real::abs(l2)), 1e-24_f32));
     let t20 = Real::abs(l3);
-    let t21 = 0.7410293_f32 / Real::max(0.2777778_f32 * Real::abs(2.0_f32 * t20), 1e-24_f32);
+    let t21 = l3 * (0.7410293_f32 / Real::max_size(0.2777778_f32 * Real::abs(2.0_f32 * t20), 1e-24_f32));
     let t22 = Real::abs(m2);
     let t23 = Real::abs(l1);
     let t24 = t22 * (t23 * t23);
@@ -266,7 +266,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t31 = t29 * (t30 * t30);
     let t32 = Real::abs(I3) + t31;
     let t33 = t23 * (1.0_f32 / t20);
-    let t34 = 0.4120579_f32 / Real::max(0.30970407_f32 * Real::abs(t28 + t33 * (t32 * t33)), 1e-24_f32);
+    let t34 = 0.4120579_f32 / Real::max_size(0.30970407_f32 * Real::abs(t28 + t33 * (t32 * t33)), 1e-24_f32);
     let l4 = p.l4;
     Prepared { l1, l2, l3, l4, m2, m3, k6: t1, k7: t2, k8: t4, k9: t6, k10: t7, k11: t8, k12: t9, k13: t11, k14: t12, k15: t13, k16: t14, k17: t15, k18: t16, k19: t17, k20: t18, k21: t19, k22: t21, k23: t34 }
 }
@@ -276,7 +276,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
 ///
-/// 93 operations.
+/// 91 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -359,7 +359,7 @@ pub fn rates(
     let k23 = p.k23;
     let k22 = p.k22;
     let k21 = p.k21;
-    let t31 = Real::min(Real::min(Real::abs(t29) * k23, Real::abs(l3 * t1) * k22), Real::abs(l2 * t1) * k21);
+    let t31 = Real::min_size(Real::min_size(Real::abs(t29 * k23), Real::abs(t1 * k22)), Real::abs(t1 * k21));
     ([u1, -t4, u3], [t30], t31)
 }
 /// Kinetic and potential energy (J).
@@ -534,7 +534,7 @@ pub fn projection(
     let t7 = t4 * (k7 * t6);
     let t8 = Real::abs(l1 * cos_q1 + l3 * cos_q3 + (l2 * cos_q2 - l4));
     let t9 = l2 * sin_q2 + l3 * sin_q3;
-    let t10 = Real::max(t8, Real::abs(l1 * sin_q1 + t9));
+    let t10 = Real::max_size(t8, Real::abs(l1 * sin_q1 + t9));
     ([t5, -t7], t10)
 }
 /// Four-bar linkage driven by a torque on the crank.

@@ -2,12 +2,12 @@
 // Fingerprint of the model's text: ac55dccdc04fa63e (FNV-1a). Derived with effort default, for fewest operations.
 // fourbar: 3 coordinates, 1 independent speed, 1 input, 11 tunable parameters; scalar f64.
 // Pivots: 3; the worst over 66 sampled configurations is 0.463 of its nominal size.
-// Cost of rates: 93 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 58 mul, 3 sin, 10 sub).
+// Cost of rates: 91 operations (3 abs, 12 add, 3 cos, 2 div, 2 min, 56 mul, 3 sin, 10 sub).
 // Cost of energy: 50 operations (8 add, 3 cos, 1 div, 31 mul, 3 sin, 4 sub).
 // Cost of speeds: 22 operations (3 cos, 1 div, 12 mul, 3 sin, 3 sub).
 // Cost of outputs: 0 operations ().
 // Cost of projection: 49 operations (2 abs, 11 add, 3 cos, 1 div, 1 max, 24 mul, 3 sin, 4 sub).
-// Cost of prepare: 66 operations (11 abs, 8 add, 6 div, 3 max, 38 mul).
+// Cost of prepare: 68 operations (11 abs, 8 add, 6 div, 3 max, 40 mul).
 
 #[allow(unused_imports, reason = "sums and products need no function")]
 use smartbed_runtime::real::Real;
@@ -212,7 +212,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-/// 66 operations.
+/// 68 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -239,12 +239,12 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t7 = Real::abs(I1);
     let t8 = 1.0_f64 / t1;
     let t9 = 0.5_f64 * t1;
-    let t10 = 0.5_f64 * t2;
-    let t11 = t9 * t9;
     let l2 = p.l2;
-    let t12 = Real::abs(l2);
-    let t13 = t10 * t10;
-    let t14 = t3 * t11;
+    let t10 = Real::abs(l2);
+    let t11 = 0.5_f64 * t2;
+    let t12 = t9 * t9;
+    let t13 = t11 * t11;
+    let t14 = t3 * t12;
     let t15 = t2 * t2;
     let t16 = t4 * t13;
     let t17 = t5 + t14;
@@ -252,55 +252,56 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t19 = t6 * t15;
     let t20 = t7 + t16;
     let t21 = t17 * t18;
-    let t22 = t19 + t20;
-    let t23 = t18 * t21;
-    let t24 = 2.0_f64 * t12;
-    let t25 = 2.0_f64 * t1;
-    let t26 = t22 + t23;
-    let t27 = Real::abs(t24);
-    let t28 = Real::abs(t25);
-    let t29 = Real::abs(t26);
-    let t30 = 0.22727272727272727_f64 * t27;
-    let t31 = 0.2777777777777778_f64 * t28;
-    let t32 = 0.30970406056434957_f64 * t29;
-    let t33 = 0.5_f64 * l1;
-    let t34 = 1.0_f64 / l2;
-    let t35 = 1.0_f64 / l3;
-    let t36 = Real::max(t30, 1e-24_f64);
-    let t37 = Real::max(t31, 1e-24_f64);
-    let t38 = Real::max(t32, 1e-24_f64);
-    let t39 = 0.5_f64 * l2;
-    let t40 = 0.5_f64 * l3;
-    let t41 = t33 * t33;
-    let t42 = 0.6062967032112268_f64 / t36;
-    let t43 = 0.7410293039248327_f64 / t37;
-    let t44 = 0.41205789559162753_f64 / t38;
-    let t45 = l1 * l1;
-    let t46 = m1 * t41;
-    let t47 = t39 * t39;
-    let t48 = t40 * t40;
+    let t22 = 2.0_f64 * t10;
+    let t23 = 2.0_f64 * t1;
+    let t24 = t19 + t20;
+    let t25 = t18 * t21;
+    let t26 = Real::abs(t22);
+    let t27 = Real::abs(t23);
+    let t28 = Real::abs(t24 + t25);
+    let t29 = 0.22727272727272727_f64 * t26;
+    let t30 = 0.2777777777777778_f64 * t27;
+    let t31 = Real::max_size(t29, 1e-24_f64);
+    let t32 = Real::max_size(t30, 1e-24_f64);
+    let t33 = 0.30970406056434957_f64 * t28;
+    let t34 = 0.5_f64 * l1;
+    let t35 = 1.0_f64 / l2;
+    let t36 = 1.0_f64 / l3;
+    let t37 = 0.6062967032112268_f64 / t31;
+    let t38 = 0.7410293039248327_f64 / t32;
+    let t39 = Real::max_size(t33, 1e-24_f64);
+    let t40 = 0.5_f64 * l2;
+    let t41 = 0.5_f64 * l3;
+    let t42 = t34 * t34;
+    let t43 = 0.41205789559162753_f64 / t39;
+    let t44 = l1 * l1;
+    let t45 = m1 * t42;
+    let t46 = t40 * t40;
+    let t47 = t41 * t41;
     let g = p.g;
-    let t49 = g * t33;
-    let t50 = l1 * t39;
-    let t51 = g * t40;
-    let t52 = m2 * t45;
-    let t53 = I1 + t46;
-    let t54 = m2 * t47;
-    let t55 = m3 * t48;
-    let t56 = m1 * t49;
-    let t57 = l1 * g;
-    let t58 = g * t39;
-    let t59 = m2 * t50;
-    let t60 = m3 * t51;
-    let t61 = t52 + t53;
+    let t48 = g * t34;
+    let t49 = l1 * t40;
+    let t50 = g * t41;
+    let t51 = m2 * t44;
+    let t52 = I1 + t45;
+    let t53 = m2 * t46;
+    let t54 = m3 * t47;
+    let t55 = m1 * t48;
+    let t56 = l1 * g;
+    let t57 = g * t40;
+    let t58 = m2 * t49;
+    let t59 = m3 * t50;
+    let t60 = t51 + t52;
     let I2 = p.I2;
-    let t62 = I2 + t54;
-    let t63 = I3 + t55;
-    let t64 = l2 * g;
-    let t65 = l1 * t34;
-    let t66 = l1 * t35;
+    let t61 = I2 + t53;
+    let t62 = I3 + t54;
+    let t63 = l2 * g;
+    let t64 = l1 * t35;
+    let t65 = l1 * t36;
+    let t66 = l2 * t37;
+    let t67 = l3 * t38;
     let l4 = p.l4;
-    Prepared { l1, l2, l3, l4, m2, m3, k6: t34, k7: t35, k8: t56, k9: t50, k10: t57, k11: t58, k12: t59, k13: t51, k14: t60, k15: t61, k16: t62, k17: t63, k18: t64, k19: t65, k20: t66, k21: t42, k22: t43, k23: t44 }
+    Prepared { l1, l2, l3, l4, m2, m3, k6: t35, k7: t36, k8: t55, k9: t49, k10: t56, k11: t57, k12: t58, k13: t50, k14: t59, k15: t60, k16: t61, k17: t62, k18: t63, k19: t64, k20: t65, k21: t66, k22: t67, k23: t43 }
 }
 /// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
@@ -308,7 +309,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
 /// - `q`, `u`, `inputs`: coordinates, speeds and inputs (SI), at the places of the modules of these names
 /// - `p`: what [`prepare`] makes of the parameters
 ///
-/// 93 operations.
+/// 91 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -404,38 +405,39 @@ pub fn rates(
     let k7 = p.k7;
     let t53 = k7 * t48;
     let t54 = t49 + t50;
-    // Results: elimination of M, accelerations and what else is returned.
-    let t55 = l3 * t1;
-    let t56 = t8 * t51;
+    let t55 = t8 * t51;
     let k8 = p.k8;
-    let t57 = cos_q1 * k8;
-    let t58 = t30 * t40;
-    let t59 = t7 * t52;
+    let t56 = cos_q1 * k8;
+    let t57 = t30 * t40;
+    let t58 = t7 * t52;
     let k10 = p.k10;
-    let t60 = cos_q1 * k10;
+    let t59 = cos_q1 * k10;
     let u3_dot_bias = t2 * t53;
-    let t61 = Real::abs(t54);
-    let t62 = Real::abs(t55);
-    let t63 = l2 * t1;
-    let t64 = t57 + t56;
-    let T = inputs[0]; // fourbar.toml:22
-    let t65 = T + t58;
-    let t66 = t60 + t59;
-    let t67 = k17 * u3_dot_bias;
-    let k14 = p.k14;
-    let t68 = cos_q3 * k14;
-    let t69 = Real::abs(t63);
-    let t70 = t64 - t65;
-    let t71 = m2 * t66;
-    let t72 = t68 - t67;
-    let t73 = t71 + t70;
-    let forcing_u1 = t11 * t72 - t73;
-    let t74 = forcing_u1 / t54;
+    // Results: elimination of M, accelerations and what else is returned.
     let k23 = p.k23;
+    let t60 = t54 * k23;
     let k22 = p.k22;
+    let t61 = t1 * k22;
+    let t62 = t56 + t55;
+    let T = inputs[0]; // fourbar.toml:22
+    let t63 = T + t57;
+    let t64 = t59 + t58;
+    let t65 = k17 * u3_dot_bias;
+    let k14 = p.k14;
+    let t66 = cos_q3 * k14;
+    let t67 = Real::abs(t60);
+    let t68 = Real::abs(t61);
     let k21 = p.k21;
-    let t75 = Real::min(Real::min(t61 * k23, t62 * k22), t69 * k21);
-    ([u1, -t10, u3], [t74], t75)
+    let t69 = t1 * k21;
+    let t70 = t62 - t63;
+    let t71 = m2 * t64;
+    let t72 = t66 - t65;
+    let t73 = Real::abs(t69);
+    let t74 = t71 + t70;
+    let forcing_u1 = t11 * t72 - t74;
+    let t75 = forcing_u1 / t54;
+    let t76 = Real::min_size(Real::min_size(t67, t68), t73);
+    ([u1, -t10, u3], [t75], t76)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -677,7 +679,7 @@ pub fn projection(
     let t40 = k7 * t38;
     let t41 = t32 * t39;
     let t42 = t32 * t40;
-    let t43 = Real::max(t25, t26);
+    let t43 = Real::max_size(t25, t26);
     ([t41, -t42], t43)
 }
 /// Four-bar linkage driven by a torque on the crank.

@@ -7,7 +7,7 @@
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 74 operations (15 abs, 6 add, 18 div, 8 max, 27 mul).
+// Cost of prepare: 80 operations (21 abs, 6 add, 18 div, 8 max, 27 mul).
 
 #[allow(unused_imports, reason = "sums and products need no function")]
 use smartbed_runtime::real::Real;
@@ -208,7 +208,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-/// 74 operations.
+/// 80 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -219,57 +219,53 @@ pub struct Prepared {
 )]
 #[must_use]
 pub fn prepare(p: &Parameters) -> Prepared {
-    let l0 = p.l0;
-    let t1 = Real::abs(l0);
-    let t2 = t1 * (1.0_f32 / Real::max(Real::abs(t1), 1e-24_f32));
     let l1 = p.l1;
-    let t3 = Real::abs(l1);
-    let t4 = t3 * (1.0_f32 / Real::max(Real::abs(t3), 1e-24_f32));
-    let l2 = p.l2;
-    let t5 = Real::abs(l2);
-    let t6 = t5 * (1.0_f32 / Real::max(Real::abs(t5), 1e-24_f32));
-    let t7 = l1 * l1;
+    let t1 = l1 * l1;
     let m1 = p.m1;
     let m2 = p.m2;
-    let t8 = m1 + m2;
-    let mass_u1_u1 = t8 * t7;
-    let t9 = t8 * (l0 * l1);
+    let t2 = m1 + m2;
+    let mass_u1_u1 = t2 * t1;
+    let l0 = p.l0;
+    let t3 = t2 * (l0 * l1);
     let m0 = p.m0;
-    let mass_u0_u0 = (m0 + t8) * (l0 * l0);
-    let t10 = Real::abs(m2);
-    let t11 = t10 * (1.0_f32 / Real::max(Real::abs(t10), 1e-24_f32));
-    let t12 = 1.0_f32 / t10;
-    let t13 = Real::abs(m0);
-    let t14 = t13 * (1.0_f32 / Real::max(Real::abs(t13), 1e-24_f32));
-    let t15 = 1.0_f32 / t13;
-    let t16 = Real::abs(m1);
-    let t17 = t16 * (1.0_f32 / Real::max(Real::abs(t16), 1e-24_f32));
-    let t18 = 1.0_f32 / t16;
-    let t19 = t18 + t12;
-    let t20 = t15 + t18;
-    let t21 = 1.0_f32 / m2;
-    let t22 = 1.0_f32 / m1;
-    let t23 = t22 + t21;
-    let t24 = 0.5_f32 / Real::max(0.5_f32 * Real::abs(t19), 1e-24_f32);
-    let t25 = Real::abs(t23) * t24;
+    let mass_u0_u0 = (m0 + t2) * (l0 * l0);
+    let t4 = Real::abs(m2);
+    let t5 = 1.0_f32 / t4;
+    let t6 = Real::abs(m1);
+    let t7 = 1.0_f32 / t6;
+    let t8 = t7 + t5;
+    let t9 = Real::abs(m0);
+    let t10 = 1.0_f32 / t9 + t7;
+    let t11 = Real::abs(l0 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l0)), 1e-24_f32)));
+    let t12 = Real::abs(l1 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l1)), 1e-24_f32)));
+    let l2 = p.l2;
     let mass_u2_u2 = m2 * (l2 * l2);
-    let t26 = m2 * (l1 * l2);
-    let t27 = m2 * (l0 * l2);
-    let t28 = 1.0_f32 / t23;
-    let t29 = t22 * t28;
-    let t30 = l2 * t28;
-    let t31 = 1.0_f32 / l2;
+    let t13 = m2 * (l1 * l2);
+    let t14 = m2 * (l0 * l2);
+    let t15 = Real::abs(m2 * (1.0_f32 / Real::max_size(Real::abs(t4), 1e-24_f32)));
+    let t16 = Real::abs(l2 * (1.0_f32 / Real::max_size(Real::abs(Real::abs(l2)), 1e-24_f32)));
+    let t17 = 1.0_f32 / m2;
+    let t18 = 1.0_f32 / m1;
+    let t19 = t18 + t17;
+    let t20 = t19 * (0.5_f32 / Real::max_size(0.5_f32 * Real::abs(t8), 1e-24_f32));
+    let t21 = 1.0_f32 / t19;
+    let t22 = t18 * t21;
+    let t23 = l2 * t21;
+    let t24 = 1.0_f32 / l2;
     let g = p.g;
-    let t32 = l2 * g;
-    let t33 = 2.0_f32 / Real::max(0.5_f32 * Real::abs(t20), 1e-24_f32);
-    let t34 = 1.0_f32 / l0;
-    let t35 = 1.0_f32 / l1;
-    let t36 = 1.0_f32 / m0;
-    let t37 = t36 + t22;
-    let t38 = l0 * g;
-    let t39 = m0 * t38;
-    let t40 = l1 * g;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t9, prepared_mass_u2_u2: mass_u2_u2, k10: t26, k11: t27, k12: t38, k13: t39, k14: t40, k15: t32, k16: t36, k17: t22, k18: t37, k19: t29, k20: t30, k21: t31, k22: t35, k23: t34, k24: t14, k25: t17, k26: t11, k27: t2, k28: t4, k29: t6, k30: t25, k31: t33 }
+    let t25 = l2 * g;
+    let t26 = Real::abs(m0 * (1.0_f32 / Real::max_size(Real::abs(t9), 1e-24_f32)));
+    let t27 = Real::abs(m1 * (1.0_f32 / Real::max_size(Real::abs(t6), 1e-24_f32)));
+    let t28 = Real::abs(t20);
+    let t29 = 2.0_f32 / Real::max_size(0.5_f32 * Real::abs(t10), 1e-24_f32);
+    let t30 = 1.0_f32 / l0;
+    let t31 = 1.0_f32 / l1;
+    let t32 = 1.0_f32 / m0;
+    let t33 = t32 + t18;
+    let t34 = l0 * g;
+    let t35 = m0 * t34;
+    let t36 = l1 * g;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t3, prepared_mass_u2_u2: mass_u2_u2, k10: t13, k11: t14, k12: t34, k13: t35, k14: t36, k15: t25, k16: t32, k17: t18, k18: t33, k19: t22, k20: t23, k21: t24, k22: t31, k23: t30, k24: t26, k25: t27, k26: t15, k27: t11, k28: t12, k29: t16, k30: t28, k31: t29 }
 }
 /// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
@@ -346,7 +342,7 @@ pub fn rates(
     let k26 = p.k26;
     let k25 = p.k25;
     let k24 = p.k24;
-    let t18 = Real::min(Real::min(Real::min(Real::min(Real::min(Real::min(Real::min(Real::abs(t11) * k31, k30), k29), k28), k27), k26), k25), k24);
+    let t18 = Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::min_size(Real::abs(t11 * k31), k30), k29), k28), k27), k26), k25), k24);
     ([u0, u1, u2], [t13, -t16, -t17], t18)
 }
 /// Kinetic and potential energy (J).

@@ -7,7 +7,7 @@
 // Cost of speeds: 0 operations ().
 // Cost of outputs: 0 operations ().
 // Cost of projection: 0 operations ().
-// Cost of prepare: 74 operations (15 abs, 6 add, 18 div, 8 max, 27 mul).
+// Cost of prepare: 80 operations (21 abs, 6 add, 18 div, 8 max, 27 mul).
 
 #[allow(unused_imports, reason = "sums and products need no function")]
 use smartbed_runtime::real::Real;
@@ -212,7 +212,7 @@ pub struct Prepared {
 }
 /// Computes what depends on parameters alone: once, and again when one of them changes.
 ///
-/// 74 operations.
+/// 80 operations.
 #[rustfmt::skip]
 #[allow(
     dead_code,
@@ -227,83 +227,89 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t1 = Real::abs(m1);
     let m2 = p.m2;
     let t2 = Real::abs(m2);
+    let t3 = 1.0_f64 / t1;
+    let t4 = 1.0_f64 / t2;
     let m0 = p.m0;
-    let t3 = Real::abs(m0);
-    let t4 = 1.0_f64 / t1;
-    let t5 = 1.0_f64 / t2;
+    let t5 = Real::abs(m0);
     let l0 = p.l0;
     let t6 = Real::abs(l0);
     let l1 = p.l1;
     let t7 = Real::abs(l1);
     let l2 = p.l2;
     let t8 = Real::abs(l2);
-    let t9 = 1.0_f64 / t3;
-    let t10 = Real::abs(t4 + t5);
-    let t11 = t9 + t4;
-    let t12 = 1.0_f64 / m1;
-    let t13 = 1.0_f64 / m2;
-    let t14 = Real::abs(t3);
-    let t15 = Real::abs(t1);
-    let t16 = Real::abs(t2);
-    let t17 = Real::abs(t6);
-    let t18 = Real::abs(t7);
-    let t19 = Real::abs(t8);
-    let t20 = Real::abs(t11);
-    let t21 = t12 + t13;
-    let t22 = 0.5_f64 * t10;
-    let t23 = Real::abs(t21);
-    let t24 = Real::max(t14, 1e-24_f64);
-    let t25 = Real::max(t15, 1e-24_f64);
-    let t26 = Real::max(t16, 1e-24_f64);
-    let t27 = Real::max(t17, 1e-24_f64);
-    let t28 = Real::max(t18, 1e-24_f64);
-    let t29 = Real::max(t19, 1e-24_f64);
-    let t30 = Real::max(t22, 1e-24_f64);
-    let t31 = 0.5_f64 * t20;
-    let t32 = 1.0_f64 / m0;
-    let t33 = 1.0_f64 / t21;
-    let t34 = 1.0_f64 / t24;
-    let t35 = 1.0_f64 / t25;
-    let t36 = 1.0_f64 / t26;
-    let t37 = 1.0_f64 / t27;
-    let t38 = 1.0_f64 / t28;
-    let t39 = 1.0_f64 / t29;
-    let t40 = 0.5_f64 / t30;
-    let t41 = Real::max(t31, 1e-24_f64);
-    let t42 = 1.0_f64 / l2;
-    let t43 = 1.0_f64 / l1;
-    let t44 = 1.0_f64 / l0;
-    let t45 = 2.0_f64 / t41;
-    let t46 = m1 + m2;
-    let t47 = m0 + t46;
-    let t48 = l0 * l0;
-    let t49 = l1 * l1;
-    let t50 = l0 * l1;
-    let t51 = l2 * l2;
-    let t52 = l1 * l2;
-    let t53 = l0 * l2;
+    let t9 = Real::abs(t3 + t4);
+    let t10 = Real::abs(t5);
+    let t11 = Real::abs(t1);
+    let t12 = Real::abs(t2);
+    let t13 = Real::abs(t6);
+    let t14 = Real::abs(t7);
+    let t15 = Real::abs(t8);
+    let t16 = 1.0_f64 / t5;
+    let t17 = 0.5_f64 * t9;
+    let t18 = t16 + t3;
+    let t19 = 1.0_f64 / m1;
+    let t20 = 1.0_f64 / m2;
+    let t21 = Real::max_size(t10, 1e-24_f64);
+    let t22 = Real::max_size(t11, 1e-24_f64);
+    let t23 = Real::max_size(t12, 1e-24_f64);
+    let t24 = Real::max_size(t13, 1e-24_f64);
+    let t25 = Real::max_size(t14, 1e-24_f64);
+    let t26 = Real::max_size(t15, 1e-24_f64);
+    let t27 = Real::max_size(t17, 1e-24_f64);
+    let t28 = Real::abs(t18);
+    let t29 = 1.0_f64 / t21;
+    let t30 = 1.0_f64 / t22;
+    let t31 = 1.0_f64 / t23;
+    let t32 = 1.0_f64 / t24;
+    let t33 = 1.0_f64 / t25;
+    let t34 = 1.0_f64 / t26;
+    let t35 = 0.5_f64 / t27;
+    let t36 = t19 + t20;
+    let t37 = m0 * t29;
+    let t38 = m1 * t30;
+    let t39 = m2 * t31;
+    let t40 = l0 * t32;
+    let t41 = l1 * t33;
+    let t42 = l2 * t34;
+    let t43 = t36 * t35;
+    let t44 = 0.5_f64 * t28;
+    let t45 = Real::abs(t37);
+    let t46 = Real::abs(t38);
+    let t47 = Real::abs(t39);
+    let t48 = Real::abs(t40);
+    let t49 = Real::abs(t41);
+    let t50 = Real::abs(t42);
+    let t51 = Real::abs(t43);
+    let t52 = 1.0_f64 / m0;
+    let t53 = 1.0_f64 / t36;
+    let t54 = Real::max_size(t44, 1e-24_f64);
+    let t55 = 1.0_f64 / l2;
+    let t56 = 1.0_f64 / l1;
+    let t57 = 1.0_f64 / l0;
+    let t58 = 2.0_f64 / t54;
+    let t59 = m1 + m2;
+    let t60 = m0 + t59;
+    let t61 = l0 * l0;
+    let t62 = l1 * l1;
+    let t63 = l0 * l1;
+    let t64 = l2 * l2;
+    let t65 = l1 * l2;
+    let t66 = l0 * l2;
     let g = p.g;
-    let t54 = l0 * g;
-    let mass_u0_u0 = t47 * t48;
-    let mass_u1_u1 = t46 * t49;
-    let t55 = t46 * t50;
-    let mass_u2_u2 = m2 * t51;
-    let t56 = m2 * t52;
-    let t57 = m2 * t53;
-    let t58 = m0 * t54;
-    let t59 = l1 * g;
-    let t60 = l2 * g;
-    let t61 = t32 + t12;
-    let t62 = t12 * t33;
-    let t63 = l2 * t33;
-    let t64 = t3 * t34;
-    let t65 = t1 * t35;
-    let t66 = t2 * t36;
-    let t67 = t6 * t37;
-    let t68 = t7 * t38;
-    let t69 = t8 * t39;
-    let t70 = t23 * t40;
-    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t55, prepared_mass_u2_u2: mass_u2_u2, k10: t56, k11: t57, k12: t54, k13: t58, k14: t59, k15: t60, k16: t32, k17: t12, k18: t61, k19: t62, k20: t63, k21: t42, k22: t43, k23: t44, k24: t64, k25: t65, k26: t66, k27: t67, k28: t68, k29: t69, k30: t70, k31: t45 }
+    let t67 = l0 * g;
+    let mass_u0_u0 = t60 * t61;
+    let mass_u1_u1 = t59 * t62;
+    let t68 = t59 * t63;
+    let mass_u2_u2 = m2 * t64;
+    let t69 = m2 * t65;
+    let t70 = m2 * t66;
+    let t71 = m0 * t67;
+    let t72 = l1 * g;
+    let t73 = l2 * g;
+    let t74 = t52 + t19;
+    let t75 = t19 * t53;
+    let t76 = l2 * t53;
+    Prepared { m0, m1, m2, l0, l1, g, prepared_mass_u0_u0: mass_u0_u0, prepared_mass_u1_u1: mass_u1_u1, k8: t68, prepared_mass_u2_u2: mass_u2_u2, k10: t69, k11: t70, k12: t67, k13: t71, k14: t72, k15: t73, k16: t52, k17: t19, k18: t74, k19: t75, k20: t76, k21: t55, k22: t56, k23: t57, k24: t45, k25: t46, k26: t47, k27: t48, k28: t49, k29: t50, k30: t51, k31: t58 }
 }
 /// Rates of the coordinates, of the independent speeds, and the worst pivot relative to nominal.
 ///
@@ -355,53 +361,54 @@ pub fn rates(
     let u2 = u[2]; // pendulum3.toml:22
     let t11 = u2 * u2;
     // Results: elimination of M, accelerations and what else is returned.
-    let t12 = Real::abs(t8);
+    let k31 = p.k31;
+    let t12 = t8 * k31;
     let t13 = t9 + t10;
     let k20 = p.k20;
     let t14 = t11 * k20;
     let u1 = u[1]; // pendulum3.toml:22
     let t15 = u1 * u1;
+    let t16 = Real::abs(t12);
     let m0 = p.m0;
-    let t16 = m0 * t13;
-    let t17 = t4 * t14;
+    let t17 = m0 * t13;
+    let t18 = t4 * t14;
     let l1 = p.l1;
-    let t18 = l1 * t15;
-    let t19 = t3 * t16;
-    let force_mass1_y = (t19 + (t18 + t17)) / t8;
-    let k31 = p.k31;
+    let t19 = l1 * t15;
+    let t20 = t3 * t17;
+    let force_mass1_y = (t20 + (t19 + t18)) / t8;
     let k30 = p.k30;
     let k29 = p.k29;
-    let t20 = Real::min(Real::min(t12 * k31, k30), k29);
-    let t21 = cos_t1 * force_mass1_y;
-    let t22 = t5 * force_mass1_y;
+    let t21 = Real::min_size(Real::min_size(t16, k30), k29);
+    let t22 = cos_t1 * force_mass1_y;
+    let t23 = t5 * force_mass1_y;
     let k28 = p.k28;
-    let t23 = Real::min(t20, k28);
-    let t24 = k16 * sin_t1;
-    let force_mass0_y = t16 + t21;
-    let force_mass2_y = t14 + t22;
-    let t25 = k17 * sin_t2;
+    let t24 = Real::min_size(t21, k28);
+    let t25 = k16 * sin_t1;
+    let force_mass0_y = t17 + t22;
+    let force_mass2_y = t14 + t23;
+    let t26 = k17 * sin_t2;
     let k27 = p.k27;
-    let t26 = Real::min(t23, k27);
-    let t27 = t24 * force_mass1_y;
-    let t28 = g * sin_q0;
-    let t29 = t24 * force_mass0_y;
-    let t30 = t25 * force_mass2_y;
+    let t27 = Real::min_size(t24, k27);
+    let t28 = t25 * force_mass1_y;
+    let t29 = g * sin_q0;
+    let t30 = t25 * force_mass0_y;
+    let t31 = t26 * force_mass2_y;
     let k26 = p.k26;
-    let t31 = Real::min(t26, k26);
-    let t32 = t27 - t28;
-    let t33 = t29 - t30;
-    let t34 = t25 * force_mass1_y;
+    let t32 = Real::min_size(t27, k26);
+    let t33 = t28 - t29;
+    let t34 = t30 - t31;
+    let t35 = t26 * force_mass1_y;
     let k25 = p.k25;
-    let t35 = Real::min(t31, k25);
+    let t36 = Real::min_size(t32, k25);
     let k23 = p.k23;
-    let t36 = k23 * t32;
+    let t37 = k23 * t33;
     let k22 = p.k22;
-    let t37 = k22 * t33;
+    let t38 = k22 * t34;
     let k21 = p.k21;
-    let t38 = k21 * t34;
+    let t39 = k21 * t35;
     let k24 = p.k24;
-    let t39 = Real::min(t35, k24);
-    ([u0, u1, u2], [t36, -t37, -t38], t39)
+    let t40 = Real::min_size(t36, k24);
+    ([u0, u1, u2], [t37, -t38, -t39], t40)
 }
 /// Kinetic and potential energy (J).
 ///

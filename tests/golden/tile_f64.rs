@@ -287,7 +287,7 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t2 = Real::abs(Ic2);
     let Ic3 = p.Ic3;
     let t3 = Real::abs(Ic3);
-    let t4 = Real::max(t1, 1e-24_f64);
+    let t4 = Real::max_size(t1, 1e-24_f64);
     let Ic1 = p.Ic1;
     let t5 = Real::abs(Ic1);
     let t6 = 0.17320508075688773_f64 * t4;
@@ -419,12 +419,12 @@ pub fn prepare(p: &Parameters) -> Prepared {
     let t125 = 0.01457105774186382_f64 * t119;
     let t126 = 0.10524221544608167_f64 * t120;
     let t127 = 0.0203132663026893_f64 * t121;
-    let t128 = Real::max(t122, 1e-24_f64);
-    let t129 = Real::max(t123, 1e-24_f64);
-    let t130 = Real::max(t124, 1e-24_f64);
-    let t131 = Real::max(t125, 1e-24_f64);
-    let t132 = Real::max(t126, 1e-24_f64);
-    let t133 = Real::max(t127, 1e-24_f64);
+    let t128 = Real::max_size(t122, 1e-24_f64);
+    let t129 = Real::max_size(t123, 1e-24_f64);
+    let t130 = Real::max_size(t124, 1e-24_f64);
+    let t131 = Real::max_size(t125, 1e-24_f64);
+    let t132 = Real::max_size(t126, 1e-24_f64);
+    let t133 = Real::max_size(t127, 1e-24_f64);
     let t134 = 2.0_f64 * Ic2;
     let t135 = 0.9622504486493761_f64 / t128;
     let t136 = 5.773502691896257_f64 / t129;
@@ -1017,46 +1017,47 @@ pub fn rates(
     let t484 = t480 - t479;
     let pivot_2 = t482 - t481;
     let t485 = t483 + t484;
-    let t486 = Real::abs(pivot_2);
-    let t487 = Real::abs(pivot_1);
+    let k25 = p.k25;
+    let t486 = pivot_2 * k25;
+    let k24 = p.k24;
+    let t487 = pivot_1 * k24;
     let t488 = k8 + t485;
     let t489 = u_hC * c;
-    let t490 = Real::abs(t380);
-    let t491 = t489 + t488;
-    let t492 = t30 * t410;
-    let t493 = Real::abs(t11);
-    let t494 = t492 + t491;
-    let t495 = Real::abs(t2);
-    let t496 = t494 / pivot_2;
-    let t497 = Real::abs(t18);
-    let k25 = p.k25;
-    let k24 = p.k24;
-    let t498 = Real::min(t486 * k25, t487 * k24);
+    let t490 = Real::abs(t486);
+    let t491 = Real::abs(t487);
     let k23 = p.k23;
-    let t499 = t490 * k23;
-    let t500 = t464 * t496;
-    let t501 = t442 * t465;
-    let t502 = Real::min(t498, t499);
+    let t492 = t380 * k23;
+    let t493 = t489 + t488;
+    let t494 = t30 * t410;
+    let t495 = Real::abs(t492);
     let k22 = p.k22;
-    let t503 = t493 * k22;
-    let t504 = t500 + t501;
-    let t505 = Real::min(t502, t503);
+    let t496 = t11 * k22;
+    let t497 = t494 + t493;
+    let t498 = Real::abs(t496);
     let k21 = p.k21;
-    let t506 = t495 * k21;
-    let t507 = t468 * t496;
-    let t508 = t422 * t504;
-    let t509 = Real::min(t505, t506);
+    let t499 = t2 * k21;
+    let t500 = t497 / pivot_2;
+    let t501 = Real::abs(t499);
     let k20 = p.k20;
-    let t510 = t497 * k20;
-    let t511 = Real::min(t31, t32);
-    let t512 = t507 + t508;
-    let t513 = t392 * forcing_u_hA;
-    let t514 = Real::min(t509, t510);
-    let t515 = Real::min(t511, t26);
-    let t516 = t110 - t109;
-    let t517 = t513 + t512;
-    let t518 = Real::min(t514, t515);
-    ([u_hA, -t86, u_thA, -t138, u_hB, -t99, u_thB, u_sB, u_hC, -t101, t516, u_sC], [t517, -t504, -t496], t518)
+    let t502 = Real::abs(t18 * k20);
+    let t503 = Real::min_size(t490, t491);
+    let t504 = t464 * t500;
+    let t505 = t442 * t465;
+    let t506 = Real::min_size(t503, t495);
+    let t507 = t504 + t505;
+    let t508 = Real::min_size(t506, t498);
+    let t509 = t468 * t500;
+    let t510 = t422 * t507;
+    let t511 = Real::min_size(t508, t501);
+    let t512 = Real::min_size(t31, t32);
+    let t513 = t509 + t510;
+    let t514 = t392 * forcing_u_hA;
+    let t515 = Real::min_size(t511, t502);
+    let t516 = Real::min_size(t512, t26);
+    let t517 = t110 - t109;
+    let t518 = t514 + t513;
+    let t519 = Real::min_size(t515, t516);
+    ([u_hA, -t86, u_thA, -t138, u_hB, -t99, u_thB, u_sB, u_hC, -t101, t517, u_sC], [t518, -t507, -t500], t519)
 }
 /// Kinetic and potential energy (J).
 ///
@@ -1798,7 +1799,7 @@ pub fn projection(
     let t288 = sA * t277;
     let t289 = t281 + t280;
     let t290 = t281 - t280;
-    let t291 = Real::max(t233, t234);
+    let t291 = Real::max_size(t233, t234);
     let t292 = Real::abs(t284);
     let t293 = t282 - t285;
     let t294 = sin_thA + sin_thB;
@@ -1809,7 +1810,7 @@ pub fn projection(
     let t299 = 0.8660254037844386_f64 * t289;
     let t300 = 0.8660254037844386_f64 * t290;
     let t301 = 0.8660254037844386_f64 * t148;
-    let t302 = Real::max(t291, t245);
+    let t302 = Real::max_size(t291, t245);
     let t303 = Real::abs(t293);
     let t304 = sin_thC + t294;
     let t305 = 1.0_f64 / t295;
@@ -1823,7 +1824,7 @@ pub fn projection(
     let t313 = 0.8660254037844386_f64 * t44;
     let t314 = t275 * t300;
     let t315 = t276 * t301;
-    let t316 = Real::max(t302, t258);
+    let t316 = Real::max_size(t302, t258);
     let t317 = Real::abs(t304);
     let t318 = t307 + t308;
     let t319 = 0.6666666666666666_f64 * t181;
@@ -1840,7 +1841,7 @@ pub fn projection(
     let t330 = t276 * t290;
     let t331 = 0.5773502691896257_f64 * t315;
     let t332 = sin_thC + t313;
-    let t333 = Real::max(t316, t271);
+    let t333 = Real::max_size(t316, t271);
     let t334 = t319 - t318;
     let t335 = t23 * t117;
     let t336 = t310 * t320;
@@ -1861,7 +1862,7 @@ pub fn projection(
     let t351 = t331 * t296;
     let t352 = t99 + t332;
     let t353 = 1.7320508075688772_f64 * sC;
-    let t354 = Real::max(t333, t283);
+    let t354 = Real::max_size(t333, t283);
     let t355 = t305 * t148;
     let t356 = t305 * t22;
     let t357 = t306 * t22;
@@ -1881,7 +1882,7 @@ pub fn projection(
     let t371 = t350 + t351;
     let t372 = t276 * t352;
     let t373 = t353 * t277;
-    let t374 = Real::max(t354, t292);
+    let t374 = Real::max_size(t354, t292);
     let t375 = t355 * t277;
     let t376 = t356 * t296;
     let t377 = t357 * t277;
@@ -1899,7 +1900,7 @@ pub fn projection(
     let t389 = t315 * t320;
     let t390 = t372 + t371;
     let t391 = t125 - t373;
-    let t392 = Real::max(t374, t303);
+    let t392 = Real::max_size(t374, t303);
     let t393 = t375 + t376;
     let t394 = t378 - t377;
     let t395 = t379 + t380;
@@ -1909,7 +1910,7 @@ pub fn projection(
     let t399 = t387 - t388;
     let t400 = t389 + t390;
     let t401 = t391 - t385;
-    let t402 = Real::max(t392, t317);
+    let t402 = Real::max_size(t392, t317);
     ([-t393, t394, t395, t396, t397, t398, t399, -t400, t401], t402)
 }
 /// Three-legged tile: screws A, B, C lift connectors; rods at 120 degrees carry the platform.

@@ -17,6 +17,7 @@ pub mod number;
 pub mod print;
 pub(crate) mod rounding;
 mod set;
+mod sign;
 mod simplify;
 pub mod substitute;
 pub mod tape;

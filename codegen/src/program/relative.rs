@@ -5,7 +5,7 @@
 
 use super::derived::Program;
 use crate::expr::number::Number;
-use crate::expr::{Binary, Dag, ExprId, Node};
+use crate::expr::{Binary, Dag, ExprId, Node, Unary};
 use crate::kinematics::sizes::Sizes;
 
 /// Takes the worst pivot of a program relative to its parameters.
@@ -23,7 +23,14 @@ pub(super) fn to_parameters(program: &mut Program, sizes: &Sizes) {
     let mut relative = |(number, growth, smallest): (Number, ExprId, ExprId)| {
         let number = dag.number(number);
         let scale = dag.div(number, growth);
-        dag.mul(scale, smallest)
+        match dag.node(smallest) {
+            // The size last: what compares sizes needs none formed.
+            Node::Unary(Unary::Abs, pivot) => {
+                let scaled = dag.mul(scale, pivot);
+                dag.unary(Unary::Abs, scaled)
+            }
+            _ => dag.mul(scale, smallest),
+        }
     };
     let scaled: Vec<ExprId> = groups.into_iter().map(&mut relative).collect();
     // The last pivots innermost: ten instructions fewer of the tile's 962 on a Cortex-M4.

@@ -380,7 +380,9 @@ impl<'p> Body<'p> {
                 self.write_wrapped(text, b, any);
             }
             Binary::Atan2 | Binary::Min | Binary::Max => {
-                for part in ["Real::", binary_name(operator), "("] {
+                let is_size = |id| operator != Binary::Atan2 && self.dag().is_never_negative(id);
+                let of_sizes = if is_size(a) && is_size(b) { "_size" } else { "" };
+                for part in ["Real::", binary_name(operator), of_sizes, "("] {
                     text.push_str(part);
                 }
                 self.write_operand(text, a);

@@ -178,6 +178,12 @@ impl Real for Counting {
     fn max(self, right: Counting) -> Counting {
         other(Real::max(self.0, right.0))
     }
+    fn min_size(self, right: Counting) -> Counting {
+        other(Real::min_size(self.0, right.0))
+    }
+    fn max_size(self, right: Counting) -> Counting {
+        other(Real::max_size(self.0, right.0))
+    }
 }
 
 /// Comparisons are free.

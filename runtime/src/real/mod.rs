@@ -104,6 +104,18 @@ pub trait Real:
     /// The larger of two; NaN if either is; of equals (-0 and 0 included) `other`.
     #[must_use]
     fn max(self, other: Self) -> Self;
+    /// The smaller of two sizes, min(|self|, |other|); NaN if either is.
+    #[must_use]
+    #[inline(always)]
+    fn min_size(self, other: Self) -> Self {
+        Real::min(Real::abs(self), Real::abs(other))
+    }
+    /// The larger of two sizes, max(|self|, |other|); NaN if either is.
+    #[must_use]
+    #[inline(always)]
+    fn max_size(self, other: Self) -> Self {
+        Real::max(Real::abs(self), Real::abs(other))
+    }
 }
 
 /// An angle (rad) with its sine and cosine.

@@ -103,6 +103,13 @@ macro_rules! lanes {
             fn max(self, other: Self) -> Self {
                 lane::max(self, other)
             }
+            #[inline(always)]
+            fn min_size(self, other: Self) -> Self {
+                let (a, b) = (Real::abs(self), Real::abs(other));
+                // a < b ? a : b, or b < a ? b : a: in one of the two orders what is not a number stays, and its bits with any
+                // others are none either.
+                a.fast_min(b) | b.fast_min(a)
+            }
         }
     };
 }

@@ -8,6 +8,7 @@ use super::lane::Lane;
 use super::sqrt::sqrt_f32;
 use super::{Constant, Real, Scalar, Turn, lane, trig};
 use core::f32::consts::{FRAC_PI_2, FRAC_PI_4, LOG2_E, PI};
+use core::hint::select_unpredictable;
 
 /// pi/2 - `FRAC_PI_2`.
 const FRAC_PI_2_LOW: f32 = -4.371_139e-8;
@@ -18,6 +19,10 @@ const LN_2_HIGH: f32 = 0.693_359_4;
 const LN_2_LOW: f32 = -2.121_944_4e-4;
 /// tan(pi/8): up to here the arctangent's polynomial is taken directly.
 const TAN_PI_8: f32 = 0.414_213_57;
+/// Sizes of numbers are ordered as their bits without the sign are, NaN last. Added to twice these bits, this puts infinity
+/// last and takes NaN around zero to the first place. One comparison of integers takes five instructions of a Cortex-M4,
+/// two of numbers nine, and registers of single precision.
+const NAN_FIRST: u32 = 0x00FF_FFFF;
 /// exp overflows above 88.72 and is 0 below -103.98; the clamp keeps the exponent's arithmetic in range.
 const EXP_RANGE: (f32, f32) = (-105.0, 89.0);
 
@@ -98,6 +103,16 @@ impl Real for f32 {
     #[inline(always)]
     fn max(self, other: f32) -> f32 {
         lane::max(self, other)
+    }
+    #[inline(always)]
+    fn min_size(self, other: f32) -> f32 {
+        let [a, b] = [self, other].map(|x| (x.to_bits() << 1).wrapping_add(NAN_FIRST));
+        f32::from_bits(select_unpredictable(a < b, a, b).wrapping_sub(NAN_FIRST) >> 1)
+    }
+    #[inline(always)]
+    fn max_size(self, other: f32) -> f32 {
+        let [a, b] = [self, other].map(|x| x.to_bits() << 1);
+        f32::from_bits(select_unpredictable(b < a, a, b) >> 1)
     }
 }
 

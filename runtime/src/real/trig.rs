@@ -67,11 +67,11 @@ pub fn sin_cos_f64<L: Lane<Element = f64>>(x: L) -> (L, L) {
 pub const NEAR: f64 = 1.0 / 1024.0;
 
 /// (sin, cos) of an angle further on by d, |d| <= [`NEAR`], from those of the angle:
-/// sin(x + d) = s + (c sin d - s (1 - cos d)), with sin d = d and 1 - cos d = d^2/2.
+/// sin(x + d) = s + (c sin d - s (1 - cos d)), with sin d = d and 1 - cos d = (d/2) d.
 #[inline(always)]
 pub fn turn_on_f32<L: Lane<Element = f32>>((s, c): (L, L), d: L) -> (L, L) {
-    let versine = L::splat(0.5) * (d * d);
-    (s + (c * d - s * versine), c - (s * d + c * versine))
+    let (s_d, c_d, half) = (s * d, c * d, L::splat(0.5) * d);
+    (s + (c_d - half * s_d), c - (s_d + half * c_d))
 }
 
 /// The same in f64, with sin d = d - d^3/6 + d^5/120 and 1 - cos d = d^2/2 - d^4/24.

@@ -223,6 +223,25 @@ proptest! {
         prop_assert_eq!(Real::sign(a), if a == 0.0 { a } else { a.signum() });
     }
 
+    /// Compared as integers on purpose; here as numbers of f64, in which f32 are exact.
+    #[test]
+    fn sizes_are_compared_as_numbers_are(bits: [u32; 2], close: u8) {
+        let near = f32::from_bits(bits[0].wrapping_add(u32::from(close)));
+        let special = [0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MIN_POSITIVE, 1e-45];
+        for x in [f32::from_bits(bits[0]), near].into_iter().chain(special) {
+            for y in [f32::from_bits(bits[1]), near].into_iter().chain(special) {
+                let (least, most) = (Real::min_size(x, y), Real::max_size(x, y));
+                if x.is_nan() || y.is_nan() {
+                    prop_assert!(least.is_nan() && most.is_nan(), "{x:e}, {y:e}: {least:e}, {most:e}");
+                    continue;
+                }
+                let [a, b] = [x, y].map(|x| f64::from(x).abs());
+                prop_assert_eq!(f64::from(least).to_bits(), a.min(b).to_bits(), "{:e}, {:e}", x, y);
+                prop_assert_eq!(f64::from(most).to_bits(), a.max(b).to_bits(), "{:e}, {:e}", x, y);
+            }
+        }
+    }
+
     #[test]
     fn no_bits_make_a_function_panic(bits: u32, other: u32) {
         let (x, y) = (f32::from_bits(bits), f32::from_bits(other));
@@ -343,12 +362,14 @@ mod lanes {
                 let (s, c) = f32x8::from(values).sin_cos_own();
                 let other = f32x8::from(x);
                 let lanes = f32x8::from(values);
-                let pairs: [(f32x8, Binary); 7] = [
+                let pairs: [(f32x8, Binary); 9] = [
                     (s, |a, _| Real::sin_cos(a).0),
                     (c, |a, _| Real::sin_cos(a).1),
                     (Real::sqrt(lanes), |a, _| Real::sqrt(a)),
                     (Real::min(lanes, other), Real::min),
                     (Real::max(lanes, other), Real::max),
+                    (Real::min_size(lanes, other), Real::min_size),
+                    (Real::max_size(lanes, other), Real::max_size),
                     (Real::sign(lanes), |a, _| Real::sign(a)),
                     (Real::atan2(lanes, other), Real::atan2),
                 ];
