@@ -165,23 +165,35 @@ fn evaluate<S: EngineScalar>(
             evaluated.closed = values.into_iter().map(S::to_f64).collect();
             agree(names, &given.closed, &evaluated.closed).map_err(at)?;
         }
-        if evaluated.residual > VIOLATED * program.assembly.size() {
-            crate::output::say(&format!(
-                "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
-                 left, and its accelerations are those of no mechanism",
-                evaluated.residual
-            ));
-        }
         if let Some(what) = evaluated.not_finite() {
             return Err(at(format!(
                 "{what} is not finite: the configuration is singular, or a number too large"
             )));
         }
+        warn::<S>(number, &evaluated, program);
         text.push_str(if number == 0 { "\n" } else { ",\n" });
         evaluated.write(program, names, &answers, &mut text);
     }
     text.push_str("\n]}\n");
     Ok(text)
+}
+
+/// Says what makes numbers doubtful that are finite all the same.
+fn warn<S: EngineScalar>(number: usize, evaluated: &Evaluated, program: &Program) {
+    if evaluated.residual > VIOLATED * program.assembly.size() {
+        output::say(&format!(
+            "warning: states[{number}]: the configuration does not satisfy the constraints: a residual of {:.1e} is \
+             left, and its accelerations are those of no mechanism",
+            evaluated.residual
+        ));
+    }
+    if evaluated.pivot.abs() < S::ROOT_EPSILON.to_f64() {
+        output::say(&format!(
+            "warning: states[{number}]: the configuration is singular or nearly so: the smallest pivot is {:.1e} of its \
+             nominal size, and half of the digits or more are lost; `run` takes no step from here",
+            evaluated.pivot
+        ));
+    }
 }
 
 /// Coordinates in closed form that are given all the same have the value of the form.

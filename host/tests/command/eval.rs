@@ -53,6 +53,25 @@ fn a_complete_configuration_is_never_altered() {
 }
 
 #[test]
+fn a_singular_place_is_told_of_whatever_is_asked() {
+    // A disc that lies on its side: yaw and spin are one turn there, and cos(pi/2) is 6e-17.
+    let lying =
+        r#"{"states": [{"q": {"x": 0, "y": 0, "yaw": 0.3, "lean": LEAN, "spin": 0}, "u": {"u3": 0.4}}]}"#;
+    for (lean, singular) in [("1.5707963267948966", true), ("1.5", false)] {
+        for answers in ["mass_matrix", "rates"] {
+            let states = lying.replace("LEAN", lean);
+            let done = eval("lying.json", "rolling_disc", &states, &["--answers", answers]);
+            assert_eq!(done.status, 0, "{done:?}");
+            assert_eq!(
+                done.err.contains("smallest pivot is 6.1e-17 of its nominal size"),
+                singular,
+                "{done:?}"
+            );
+        }
+    }
+}
+
+#[test]
 fn both_engines_give_the_same_bytes() {
     for scalar in ["f32", "f64"] {
         let name = format!("bits_{scalar}.json");
