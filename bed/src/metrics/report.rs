@@ -45,6 +45,13 @@ impl Report<'_> {
     #[must_use]
     pub fn rows(&self) -> Vec<Row> {
         let mut rows = self.of("bed", |_| true);
+        rows.push(row(
+            "bed",
+            "dispersion index of sacrum and seat bones",
+            self.dispersion(),
+            "%",
+            Some(50.0),
+        ));
         if let (Some(grid), Some(last)) = (self.grid, self.recording.frames().last()) {
             let ppi = spatial::peak_pressure_index(grid, &last.pressure, WINDOW).map(|p| p / MMHG);
             rows.push(row("bed", "peak pressure index, 9 cm2", ppi, "mmHg", Some(32.0)));
@@ -69,6 +76,17 @@ impl Report<'_> {
             }
         }
         rows
+    }
+
+    /// Share (%) of all pressures in the last map that lies on sacrum and seat bones; `None` where no site is of a region.
+    fn dispersion(&self) -> Option<f64> {
+        let pressure = &self.recording.frames().last()?.pressure;
+        let sites = self.recording.sites();
+        sites.iter().find(|site| site.region.is_some())?;
+        let is_there = |site: &Site| matches!(site.region, Some(Region::Sacrum | Region::Ischia));
+        let there: f64 = sites.iter().zip(pressure).filter(|(s, _)| is_there(s)).map(|(_, p)| p).sum();
+        let all: f64 = pressure.iter().sum();
+        (all > 0.0).then(|| 100.0 * there / all)
     }
 
     /// Rows of the sites of one place.
@@ -104,7 +122,7 @@ impl Report<'_> {
             row(place, "area above 32 mmHg", above(32.0 * MMHG), "cm2", None),
             row(place, "area above 60 mmHg", above(60.0 * MMHG), "cm2", None),
             row(place, "area above 120 mmHg", above(120.0 * MMHG), "cm2", None),
-            row(place, "dispersion index", share, "%", Some(50.0)),
+            row(place, "share of all pressures", share, "%", None),
             row(place, "peak stress in muscle", stress, "kPa", Some(Sigmoid::default().floor / 1000.0)),
         ];
         if !last.shear.is_empty() {

@@ -1,9 +1,9 @@
 //! What a policy must keep to beyond a plan's limits: how many bladders are low at once, and what the others can carry.
 //!
 //! In: a plan with what a policy has told, where a body reaches. Out: the first bound that it exceeds. Pressures change along
-//! straight lines, so their ends are all that is tried.
+//! straight lines, so their ends are all that is tried, and the end of the run.
 
-use crate::map::{Grid, MMHG, Site};
+use crate::map::{Grid, MMHG};
 use crate::plan::check::Refusal;
 use crate::plan::{Layout, Plan};
 
@@ -31,7 +31,8 @@ impl Bounds {
     /// [`Refusal`], the first.
     pub fn check(&self, plan: &Plan, from: f64, reach: &[f64], weight: f64) -> Result<(), Refusal> {
         let ends = plan.moves.iter().flat_map(|m| [m.at, m.at + m.over]);
-        let mut times: Vec<f64> = ends.chain([from]).filter(|t| (from..=plan.seconds).contains(t)).collect();
+        let mut times: Vec<f64> =
+            ends.chain([from, plan.seconds]).filter(|t| (from..=plan.seconds).contains(t)).collect();
         times.sort_by(f64::total_cmp);
         times.dedup();
         for time in times {
@@ -84,12 +85,13 @@ impl Reach {
         }
     }
 
-    /// Area of each tile (m^2) that is reached.
+    /// Area of each tile (m^2) that is reached, seen from above: a sheet that bulges bears no more for that, and what was
+    /// enough stays enough while it moves.
     #[must_use]
-    pub fn areas(&self, layout: &Layout, grid: &Grid, sites: &[Site]) -> Vec<f64> {
+    pub fn areas(&self, layout: &Layout, grid: &Grid) -> Vec<f64> {
         let mut areas = vec![0.0; layout.count()];
         for (site, _) in self.touched.iter().enumerate().filter(|(_, touched)| **touched) {
-            areas[tile_of(layout, grid, site)] += sites[site].area;
+            areas[tile_of(layout, grid, site)] += grid.cell();
         }
         areas
     }

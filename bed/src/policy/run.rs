@@ -28,7 +28,7 @@ pub fn run(
         let frame = reader.map_or_else(|| seen.frame.clone(), |reader| reader.frame(number, seen.frame));
         number += 1;
         reach.widen(&seen.plan.layout, seen.grid, &frame.pressure);
-        let areas = reach.areas(&seen.plan.layout, seen.grid, seen.sites);
+        let areas = reach.areas(&seen.plan.layout, seen.grid);
         let weight = plan.load.body.mass() * crate::equilibrium::GRAVITY;
         let orders: Vec<Order> =
             (0..plan.layout.count()).map(|tile| seen.plan.order(tile, seen.frame.time)).collect();

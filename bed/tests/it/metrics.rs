@@ -243,7 +243,11 @@ fn a_report_has_every_metric_of_bed_and_region() {
     near(value("bed", "peak pressure").expect("load"), 40.0);
     near(value("bed", "mean pressure").expect("load"), (6.0 * 40.0 + 30.0 * 20.0) / 36.0);
     near(value("sacrum", "mean pressure").expect("load"), 40.0);
-    near(value("sacrum", "dispersion index").expect("load"), 100.0 * 240.0 / 840.0);
+    for (place, name) in
+        [("sacrum", "share of all pressures"), ("bed", "dispersion index of sacrum and seat bones")]
+    {
+        near(value(place, name).expect("load"), 100.0 * 240.0 / 840.0);
+    }
     // Twice the pressure, and p (1 + 5 tau/10 kPa) at 100 Pa of shear.
     near(value("sacrum", "peak stress in muscle").expect("load"), 2.0 * 40.0 * MMHG / 1000.0);
     near(value("bed", "peak pressure of the same risk without shear").expect("shear"), 40.0 * 1.05);

@@ -121,8 +121,9 @@ impl Unit {
 }
 
 /// Units with a name of their own in messages.
-const NAMED: [(&str, Unit); 5] = [
+const NAMED: [(&str, Unit); 6] = [
     ("N", Unit::FORCE),
+    ("Pa", Unit::integers([1, -1, -2, 0, 0])),
     ("N m", Unit::TORQUE),
     ("W", Unit::integers([1, 2, -3, 0, 0])),
     ("N/m", Unit::integers([1, 0, -2, 0, 0])),

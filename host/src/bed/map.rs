@@ -111,11 +111,26 @@ fn compared(name: &str, one: &Mapped, other_name: &str, other: &Mapped) -> Resul
     Ok(format!("against {other_name}: {rms:.3} mmHg root mean square, peak pressure index {ppi} of it\n"))
 }
 
+/// A format of maps.
+#[derive(Clone, Copy)]
+pub(super) enum Format {
+    Xsensor,
+    Tekscan,
+}
+
+/// The format of a file's ending.
+pub(super) fn ending(file: &str) -> Result<Format, Failure> {
+    match file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase().as_str() {
+        "csv" => Ok(Format::Xsensor),
+        "asf" => Ok(Format::Tekscan),
+        _ => Err(Failure::Wrong(format!("{file}: expected a name that ends in .csv or .asf"))),
+    }
+}
+
 /// Maps in the format of a file's ending.
 pub(super) fn encoded(file: &str, mapped: &Mapped) -> Result<String, Failure> {
-    match file.rsplit('.').next().unwrap_or_default().to_ascii_lowercase().as_str() {
-        "csv" => Ok(xsensor::write(mapped)),
-        "asf" => Ok(tekscan::write(mapped).map_err(|e| format!("{file}: {e}"))?),
-        _ => Err(Failure::Wrong(format!("{file}: expected a name that ends in .csv or .asf"))),
+    match ending(file)? {
+        Format::Xsensor => Ok(xsensor::write(mapped)),
+        Format::Tekscan => Ok(tekscan::write(mapped).map_err(|e| format!("{file}: {e}"))?),
     }
 }

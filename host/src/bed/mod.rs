@@ -92,6 +92,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Run(asked) => {
             let (origin, read) = opened("run", &asked.plan, &asked.set)?;
+            writable(asked, &read)?;
             let history = history(&read)?;
             let report = RunReport::new(&read, &history);
             if let Some(file) = &asked.csv {
@@ -101,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
                 write(file, &maps(file, &read, &history)?)?;
             }
             if let Some(file) = &asked.readings {
-                write(file, &readings::csv(&read_off(&read, &history, file)?))?;
+                write(file, &readings::csv(&read_off(&read, &history)))?;
             }
             if [&asked.csv, &asked.readings].iter().any(|file| file.as_deref() == Some("-")) {
                 return Ok(());
@@ -118,6 +119,19 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
             output::print(&format!("{}: {}\n", asked.output, read.plan.title))
         }
         Command::Map(asked) => map::run(asked),
+    }
+}
+
+/// Refuses before a run what could not be written after it.
+fn writable(asked: &Run, read: &Read) -> Result<(), Failure> {
+    if let Some(file) = &asked.map {
+        map::ending(file)?;
+    }
+    match &asked.readings {
+        Some(file) if read.instruments.is_none() => {
+            Err(Failure::Wrong(format!("--readings {file}: the plan has no [instruments]")))
+        }
+        _ => Ok(()),
     }
 }
 
@@ -143,9 +157,8 @@ fn history(read: &Read) -> Result<History, Failure> {
 }
 
 /// What the tiles' instruments read.
-fn read_off(read: &Read, history: &History, file: &str) -> Result<Vec<Reading>, Failure> {
-    let missing = || format!("--readings {file}: the plan has no [instruments]");
-    Ok(read.instruments.ok_or_else(missing)?.of(&read.plan, history))
+fn read_off(read: &Read, history: &History) -> Vec<Reading> {
+    read.instruments.map(|own| own.of(&read.plan, history)).unwrap_or_default()
 }
 
 /// Maps over time, as the plan's sensors read them if it has some, in the format of the file's ending: forces over nominal cells.

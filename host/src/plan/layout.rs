@@ -10,6 +10,9 @@ use smartbed_codegen::model::document::Table;
 /// Most nodes of all sheets.
 const MOST_NODES: usize = 100_000;
 
+/// n of p V^n: from a gas that keeps its temperature to one of single atoms that has no time to.
+const EXPONENTS: std::ops::RangeInclusive<f64> = 1.0..=1.67;
+
 /// Reads `[bed]`: the layout, and the pressure (Pa) at the start.
 pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f64)> {
     let fields = Fields::of("bed", table.span, table);
@@ -55,6 +58,13 @@ pub(super) fn read(table: &Table, found: &mut Diagnostics) -> Option<(Layout, f6
         found.push(Diagnostic::error(what).label(table.span, "of this bed").help(help));
         None
     };
+    if !EXPONENTS.contains(&layout.exponent) {
+        let [least, most] = [EXPONENTS.start(), EXPONENTS.end()];
+        return refuse(
+            format!("`exponent` is {}, expected {least} to {most}: n of p V^n", layout.exponent),
+            "1 where the gas keeps its temperature, 1.4 where air has no time to",
+        );
+    }
     let tiles = layout.rows.saturating_mul(layout.columns);
     if tiles > MOST_TILES {
         return refuse(format!("{tiles} tiles, expected 1 to {MOST_TILES}"), "fewer `rows` or `columns`");

@@ -136,6 +136,10 @@ pub(super) fn axes(table: &Table, found: &mut Diagnostics) -> Axes {
         };
         match texts {
             Some(texts) => axes.push((key.name.clone(), texts)),
+            None if matches!(value, Value::Array(items, _) if items.is_empty()) => {
+                let error = Diagnostic::error(format!("`{}` has no values to sweep", key.name));
+                found.push(error.label(value.span(), "an empty list").help("give at least one"));
+            }
             None => found.push(
                 wrong_kind(&key.name, "a list of numbers or texts", value)
                     .help("\"patient.mass\" = [\"60_kg\", \"75_kg\"]"),

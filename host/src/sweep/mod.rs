@@ -60,6 +60,9 @@ pub fn run(arguments: &Arguments) -> Result<(), Failure> {
         let what = "--parquet: this program was built without it; build it with --features parquet";
         return Err(Failure::Wrong(what.to_owned()));
     }
+    if arguments.cores == Some(0) {
+        return Err(Failure::Wrong("--cores 0: expected at least 1".to_owned()));
+    }
     let plan = PlanFile::open(&arguments.plan)?;
     let axes = plan.read(&arguments.set)?.axes;
     let all = cases(&arguments.plan, &plan, &arguments.set, &axes)?;

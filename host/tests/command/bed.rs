@@ -142,6 +142,35 @@ fn what_a_nurse_enters_stands_beside_what_is_computed_and_changes_nothing() {
 }
 
 #[test]
+fn what_could_not_be_written_is_refused_before_the_run() {
+    let say = |arguments: &[&str]| smartbed(arguments).message().to_owned();
+    // A run of this load would say that it touches no bladder.
+    let lost = ["bed", "run", "ball_on_four", "--set", "load.place=[5, 0]"];
+    let run = |more: &[&str]| say(&[&lost, more].concat());
+    assert!(run(&[]).contains("the load touches no bladder"));
+    assert!(run(&["--map", "map.txt"]).contains("map.txt: expected a name that ends in .csv or .asf"));
+    assert!(run(&["--readings", "r.csv"]).contains("the plan has no [instruments]"));
+    assert!(say(&["sweep", "ball_on_four", "--cores", "0"]).contains("--cores 0: expected at least 1"));
+    let pressure = say(&["bed", "run", "ball_on_four", "--set", "bed.pressure=5_kN/m"]);
+    assert!(pressure.contains("`pressure` must be in Pa"), "{pressure}");
+}
+
+#[test]
+fn a_planner_tells_nothing_that_exceeds_its_bounds_before_a_run_ends() {
+    // A ramp that the end of the run cuts off was judged by its start alone, and refused on its way.
+    let load = "[load]\nshape = \"ball\"\nradius = \"150_mm\"\nmass = \"12_kg\"\n";
+    let clock = "[run]\nclock = \"dynamics\"\nseconds = 6\nevery = 0.5\n[dynamics]\nstep = \"4_ms\"\n";
+    let bed = "[bed]\nrows = 2\ncolumns = 2\n[policy]\nkind = \"planner\"\n";
+    let plan = written("short_planner.toml", &format!("format = 1\n{bed}{load}{clock}"));
+    let done = smartbed(&["bed", "run", &plan, "--json"]);
+    assert_eq!(done.status, 0, "{done:?}");
+    let json = done.json();
+    holds("bed", &json);
+    let from = json["policy_from"].as_f64().expect("the ball lies");
+    assert!((0.5..6.0).contains(&from) && json["motion"]["steps"] == 1500 && json["valid"] == true, "{json}");
+}
+
+#[test]
 fn plans_beyond_their_limits_are_refused_with_the_tile() {
     let say =
         |setting: &str| smartbed(&["bed", "run", "ball_on_four", "--set", setting]).message().to_owned();

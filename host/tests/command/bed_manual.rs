@@ -97,6 +97,10 @@ fn every_refusal_of_a_plan_has_its_cause_and_cure() {
         "[bed]\npressure = -1".to_owned(),
         "[bed]\nrows = 9".to_owned(),
         "[bed]\ngap = 1".to_owned(),
+        "[bed]\nexponent = 100".to_owned(),
+        "[sweep]\n\"bed.gap\" = []".to_owned(),
+        "[patient.braden]\nsensory = 5\nmoisture = 1\nactivity = 1\nmobility = 1\nnutrition = 1\nfriction_and_shear = 1"
+            .to_owned(),
         "[bed]\nrows = 7\nintervals = [80, 100]".to_owned(),
         "[bed]\nintervals = [1, 1]".to_owned(),
         "[bed]\nintervals = [8, 30]".to_owned(),
