@@ -16,7 +16,7 @@ use crate::ode::nodes::{Motion, Workspace};
 use crate::ode::root::Search;
 use crate::real::Scalar;
 use crate::vec3;
-use reach::{Lowest, Nearest, are_free, blocks};
+use reach::{Nearest, are_free, blocks, is_clear};
 
 /// Trials at most for one root (bisection alone halves a step 60 times to nothing).
 const TRIALS: usize = 64;
@@ -51,8 +51,22 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     ground: &Ground<S>,
     start: Start<S>,
     motion: &Motion<S>,
+    times: (S, S),
+    armed: Option<usize>,
+) -> S {
+    let of = |block| block_guard(system, ground, start, motion, times, armed, block);
+    blocks(start.modes).map(of).fold(S::ONE / S::EPSILON, |smallest, guard| smallest.min(guard))
+}
+
+/// The same of a block of nodes.
+fn block_guard<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    motion: &Motion<S>,
     (tau, h): (S, S),
     armed: Option<usize>,
+    (first, modes): (usize, &[ContactState]),
 ) -> S {
     let of = |i: usize, mode: ContactState| {
         if system.body.inverse_mass(i) == S::ZERO {
@@ -74,19 +88,17 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
             }
         }
     };
-    let mut smallest = S::ONE / S::EPSILON;
-    for (first, modes) in blocks(start.modes) {
-        let nearest =
-            |pos| kernel::run(Nearest { body: &system.body, ground, first, count: modes.len(), pos });
-        if are_free(modes) && ground.is_rigid() {
-            smallest = smallest.min(nearest(motion.pos));
-        // What a soft ground does not push at the start is not rubbed within the step.
-        } else if !(are_free(modes) && nearest(start.motion.pos) > S::ZERO) {
-            let guards = modes.iter().enumerate().map(|(i, mode)| of(first + i, *mode));
-            smallest = guards.fold(smallest, |smallest, guard| smallest.min(guard));
-        }
+    let asleep = S::ONE / S::EPSILON;
+    let nearest = |pos| kernel::run(Nearest { body: &system.body, ground, first, count: modes.len(), pos });
+    if are_free(modes) && ground.is_rigid() {
+        return nearest(motion.pos);
     }
-    smallest
+    // What a soft ground does not push at the start is not rubbed within the step.
+    if are_free(modes) && nearest(start.motion.pos) > S::ZERO {
+        return asleep;
+    }
+    let guards = modes.iter().enumerate().map(|(i, mode)| of(first + i, *mode));
+    guards.fold(asleep, |smallest, guard| smallest.min(guard))
 }
 
 /// Guard (m) of a point on the ground against sticking, turning round and slipping.
@@ -155,9 +167,11 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
 ) -> Result<(Option<Bracket<S>>, usize), BodyError<S>> {
     let guard =
         |motion: &Motion<S>, tau, armed| smallest_guard(system, ground, start, motion, (tau, h), armed);
-    let guard_lo = guard(start.motion, S::ZERO, None).max(S::ZERO);
-    let guard_hi = guard(&work.end, h, None);
+    // Asked for where there is an event alone.
+    let guard_lo = || guard(start.motion, S::ZERO, None).max(S::ZERO);
+    let (guard_hi, dip) = look(system, ground, start, h, &work.end);
     if guard_hi < S::ZERO {
+        let guard_lo = guard_lo();
         let guess = first_crossing(ground, start, h, &work.end);
         let whole = Bracket { lo: S::ZERO, guard_lo, hi: h, guard_hi, guess, armed: None };
         let Some((point, top)) = find_return(ground, start, h, &work.end) else {
@@ -172,9 +186,8 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
         }
         return Ok((Some(whole), 1));
     }
-    if ground.is_rigid()
-        && let Some(bottom) = find_dip(ground, start, h, &work.end)
-    {
+    if let Some(bottom) = dip {
+        let guard_lo = guard_lo();
         advance(system, start, bottom, method, work)?;
         let guard_hi = guard(&work.end, bottom, None);
         if guard_hi < S::ZERO {
@@ -260,24 +273,33 @@ fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motio
     None
 }
 
-/// A free point that is above the surface at both ends and below in between: the time of the deepest bottom.
-fn find_dip<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
-    let (mut deepest, mut time) = (-ground.tolerance, None);
+/// The smallest guard at the end of a step, as far as it is negative, and of the free points that are above the surface at
+/// both ends and below in between the time of the deepest bottom. Blocks that stay clear of the ground are passed over.
+fn look<S: Scalar, R: Repertoire<S>>(
+    system: &System<S, R>,
+    ground: &Ground<S>,
+    start: Start<S>,
+    h: S,
+    end: &Motion<S>,
+) -> (S, Option<S>) {
+    let (mut smallest, mut deepest, mut time) = (S::ONE / S::EPSILON, -ground.tolerance, None);
     for (first, modes) in blocks(start.modes) {
-        let bound = Lowest { ground, first, count: modes.len(), ends: [start.motion, end], h };
-        if are_free(modes) && kernel::run(bound) > S::ZERO {
+        if ground.is_rigid() && is_clear(ground, (first, modes), [start.motion, end], h) {
             continue;
         }
-        for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
-            let gap = Cubic::new(ground, start, end, h, first + i);
-            if gap.r0 < S::ZERO
-                && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
-            {
-                (deepest, time) = (gap.at(s), Some(s * h));
+        smallest = smallest.min(block_guard(system, ground, start, end, (h, h), None, (first, modes)));
+        if ground.is_rigid() {
+            for (i, _) in modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Free) {
+                let gap = Cubic::new(ground, start, end, h, first + i);
+                if gap.r0 < S::ZERO
+                    && let Some(s) = gap.turn(false).filter(|s| gap.at(*s) < deepest)
+                {
+                    (deepest, time) = (gap.at(s), Some(s * h));
+                }
             }
         }
     }
-    time
+    (smallest, time)
 }
 
 /// Root of the smallest guard, and the number of steps tried.

@@ -5,7 +5,7 @@
 
 use crate::contact::{ContactState, Ground};
 use crate::flexible::Body;
-use crate::kernel::Kernel;
+use crate::kernel::{self, Kernel};
 use crate::ode::nodes::Motion;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
@@ -70,16 +70,26 @@ fn nearer<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, pos: &[Vec3<S>]
     }
 }
 
+/// Can no node of a block reach the ground between the start and the end of a step?
+pub(super) fn is_clear<S: Scalar>(
+    ground: &Ground<S>,
+    (first, modes): (usize, &[ContactState]),
+    ends: [&Motion<S>; 2],
+    h: S,
+) -> bool {
+    are_free(modes) && kernel::run(Lowest { ground, first, count: modes.len(), ends, h }) > S::ZERO
+}
+
 /// Smallest height (m) above which the gaps of the nodes of a block stay between the start and the end of a step.
 ///
 /// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the values sum
 /// to 1, those of the rates are 4/27 at most. 1/2 instead, and so much of the values, is more than rounding.
-pub(super) struct Lowest<'a, 'm, S> {
-    pub ground: &'a Ground<S>,
-    pub first: usize,
-    pub count: usize,
-    pub ends: [&'a Motion<'m, S>; 2],
-    pub h: S,
+struct Lowest<'a, 'm, S> {
+    ground: &'a Ground<S>,
+    first: usize,
+    count: usize,
+    ends: [&'a Motion<'m, S>; 2],
+    h: S,
 }
 
 impl<S: Scalar> Kernel for Lowest<'_, '_, S> {
