@@ -165,7 +165,7 @@ fn walk_within<S: Scalar, const N: usize, const MOST: usize>(
         {
             room.span(springs, nodes.len());
             found |= room.pull([stiffness, rest_length, damping], &law);
-            room.add(springs, nodes.len());
+            room.add(springs);
         }
         for (node, [x, y, z, _]) in nodes.iter().zip(&room.sums) {
             if let Some(force) = force.get_mut(*node) {
@@ -186,10 +186,10 @@ fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut [[S; 4]]) {
     }
 }
 
-// Both loops that follow nodes ask whether these are there: the compiler then takes a node as one register, where it would
-// else collect numbers of several springs one by one.
+// The loop that reads nodes asks whether these are there: the compiler then takes a node as one register, where it would else collect
+// numbers of several springs one by one. That which adds forces need not ask: a byte is a place of the room.
 impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
-    /// The ways of a block of springs between so many nodes.
+    /// The ways of a block of springs.
     #[inline(always)]
     fn span(&mut self, springs: &[[u8; 2]], nodes: usize) {
         for (ways, places) in self.ways.iter_mut().zip(&self.places) {
@@ -219,7 +219,11 @@ impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
         {
             let ways = self.ways.each_ref().map(|ways| [ways[lane][0], ways[lane][1], ways[lane][2]]);
             let ([x, y, z], yes) = law(ways, [*stiffness, *rest_length, *damping]);
-            *pull = [x, y, z, S::ZERO];
+            // The fourth, 0, of every row is read too: of threes among fours the compiler would leave the last ones of a block for
+            // one by one.
+            let none =
+                self.ways.each_ref().map(|ways| ways[lane][3]).into_iter().fold(S::ZERO, |sum, x| sum + x);
+            *pull = [x, y, z, none];
             found |= u32::from(yes);
         }
         found > 0
@@ -227,13 +231,12 @@ impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
 
     /// Adds them to the nodes, with the operations of [`super::spring::Spring::pull`] and their order.
     #[inline(always)]
-    fn add(&mut self, springs: &[[u8; 2]], nodes: usize) {
-        let sums = self.sums.get_mut(..nodes).unwrap_or_default();
+    fn add(&mut self, springs: &[[u8; 2]]) {
         for ([tail, head], pull) in springs.iter().zip(&self.pulls) {
-            if let Some(sum) = sums.get_mut(usize::from(*tail)) {
+            if let Some(sum) = self.sums.get_mut(usize::from(*tail)) {
                 *sum = core::array::from_fn(|i| sum[i] + pull[i]);
             }
-            if let Some(sum) = sums.get_mut(usize::from(*head)) {
+            if let Some(sum) = self.sums.get_mut(usize::from(*head)) {
                 *sum = core::array::from_fn(|i| sum[i] - pull[i]);
             }
         }
