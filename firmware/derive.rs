@@ -1,7 +1,7 @@
 //! The equations that a build needs: the model's with its demonstration, and those of the tile that the controller is tried on.
 
 use super::option;
-use smartbed_codegen::{Effort, Options, ScalarType};
+use smartbed_codegen::{Core, Effort, Options, ScalarType};
 use std::env;
 use std::error::Error;
 use std::fs;
@@ -31,6 +31,7 @@ fn derive(out: &Path) -> Result<(), Box<dyn Error>> {
         ..Options::default()
     };
     options.emit.scalar = ScalarType::F32;
+    options.emit.core = Some(Core::CortexM4);
     options.emit.shared_work = true;
     for change in option("SMARTBED_SET", "").split(';').filter(|c| !c.is_empty()) {
         let (name, value) = change.split_once('=').ok_or("SMARTBED_SET: expected name=value;...")?;

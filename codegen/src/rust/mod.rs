@@ -18,6 +18,7 @@ mod options;
 mod pairs;
 mod places;
 mod prepared;
+mod refine;
 mod schedule;
 mod sections;
 mod sines;

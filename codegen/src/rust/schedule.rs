@@ -5,13 +5,15 @@
 //! memory. Three orders are tried and the one that overfills the registers least is kept: depth first, the
 //! operand that needs more registers before the other (Sethi & Ullman, The generation of optimal code for
 //! arithmetic expressions, 1970); from the first step on, always what frees most; from the last step back, always
-//! what frees most (Goodman & Hsu, Code scheduling and register allocation in large basic blocks, 1988).
+//! what frees most (Goodman & Hsu, Code scheduling and register allocation in large basic blocks, 1988). On request a search
+//! goes on from there (`refine.rs`).
 //!
 //! An out-of-order core looks a few hundred instructions ahead, and moves to memory and back are cheap for it. There the
 //! longest chain of dependent operations comes first (Hu, Parallel sequencing and assembly line problems, 1961).
 
 use super::few::Few;
 use super::options::Core;
+use super::refine::refine;
 use crate::expr::ExprId;
 use crate::id::Id;
 use std::cmp::Reverse;
@@ -36,10 +38,19 @@ pub(super) struct Step {
     pub latency: usize,
 }
 
+/// Which order is wanted.
+#[derive(Clone, Copy)]
+pub(super) struct Order {
+    /// For whom.
+    pub core: Core,
+    /// Is a chip's order refined by a search?
+    pub is_refined: bool,
+}
+
 /// An order of the steps, by position; `results` are needed to the end.
-pub(super) fn order(steps: &[Step], results: &[ExprId], core: Core) -> Vec<usize> {
+pub(super) fn order(steps: &[Step], results: &[ExprId], order: Order) -> Vec<usize> {
     let graph = Graph::new(steps, results);
-    if core == Core::Host {
+    if order.core == Core::Host {
         return graph.critical_path_first(steps);
     }
     let depth_first = graph.depth_first();
@@ -47,12 +58,18 @@ pub(super) fn order(steps: &[Step], results: &[ExprId], core: Core) -> Vec<usize
     let backward = graph.backward(&ranks(&forward));
     let tried = [depth_first, forward, backward];
     // Of equals the first: the easiest to read.
-    tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default()
+    let best = tried.into_iter().min_by_key(|order| graph.overfull(order)).unwrap_or_default();
+    if !order.is_refined {
+        return best;
+    }
+    let values: Vec<(&[usize], &[usize])> =
+        graph.makes.iter().zip(&graph.reads).map(|(makes, reads)| (&**makes, &**reads)).collect();
+    refine(&best, &values, graph.maker.len())
 }
 
 /// How many values wait at once, at most, in the order of [`order()`].
-pub(super) fn most_waiting(steps: &[Step], results: &[ExprId], core: Core) -> usize {
-    Graph::new(steps, results).waiting(&order(steps, results, core)).max().unwrap_or(0)
+pub(super) fn most_waiting(steps: &[Step], results: &[ExprId], order: Order) -> usize {
+    Graph::new(steps, results).waiting(&self::order(steps, results, order)).max().unwrap_or(0)
 }
 
 /// Position of each step in an order.
@@ -319,7 +336,7 @@ impl<'r> Ready<'r> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Core, Graph, Step, order, ranks};
+    use super::{Core, Graph, Order, Step, order, ranks};
     use crate::expr::ExprId;
     use crate::id::Id;
 
@@ -368,14 +385,18 @@ mod tests {
         let (steps, last) = products_first(50);
         let graph = Graph::new(&steps, &[last]);
         assert!(graph.overfull(&(0..steps.len()).collect::<Vec<_>>()) > 0);
-        assert_eq!(graph.overfull(&order(&steps, &[last], Core::CortexM4)), 0);
+        assert_eq!(
+            graph.overfull(&order(&steps, &[last], Order { core: Core::CortexM4, is_refined: false })),
+            0
+        );
     }
 
     #[test]
     fn the_operand_that_needs_more_registers_is_made_first() {
         // 10 = a + b; 14 = ((a + b) (c + d)); 15 = e - 14: e alone needs one register.
         let steps = steps(&[(10, &[0, 1]), (11, &[4]), (12, &[2, 3]), (14, &[10, 12]), (15, &[11, 14])]);
-        let order = order(&steps, &[ExprId::from_index(15)], Core::CortexM4);
+        let order =
+            order(&steps, &[ExprId::from_index(15)], Order { core: Core::CortexM4, is_refined: false });
         assert_eq!(order, [0, 2, 3, 1, 4]);
     }
 
@@ -384,6 +405,6 @@ mod tests {
         // 12 = ((a + b) + c) + d and 20 = a c; the chain's steps come before the single product.
         let steps = steps(&[(20, &[0, 2]), (10, &[0, 1]), (11, &[10, 2]), (12, &[11, 3])]);
         let results = [20, 12].map(ExprId::from_index);
-        assert_eq!(order(&steps, &results, Core::Host), [1, 2, 0, 3]);
+        assert_eq!(order(&steps, &results, Order { core: Core::Host, is_refined: false }), [1, 2, 0, 3]);
     }
 }

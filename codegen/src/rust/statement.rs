@@ -10,16 +10,16 @@
 mod steps;
 
 use super::name::{ARGUMENTS, NEAR, Scope};
-use super::options::EmitOptions;
+use super::options::{Core, EmitOptions};
 use super::prepared::Prepared;
-use super::schedule::{self, Step};
+use super::schedule::{self, Order, Step};
 use super::sections::Sections;
 use super::sines::Sines;
 use crate::escape;
 use crate::expr::print::{binary_name, infix, unary_name};
 use crate::expr::{Binary, Dag, ExprId, Node, NodeSet, SymbolId, Unary};
 use crate::id::Id;
-use crate::program::Program;
+use crate::program::{Effort, Program};
 use rustc_hash::FxHashMap as HashMap;
 use std::fmt::Write;
 
@@ -79,7 +79,7 @@ impl<'p> Body<'p> {
         let mut body = Self::empty(program, roots, options, (parameters, sines));
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        let order = schedule::order(&steps, &results, options.core());
+        let order = schedule::order(&steps, &results, order_for(program, options));
         body.write(roots, (&steps, &results), &order);
         body
     }
@@ -94,7 +94,7 @@ impl<'p> Body<'p> {
         let mut body = Self::empty(program, roots, options, (parameters, Sines::Own));
         let steps = body.steps(roots);
         let results: Vec<ExprId> = roots.iter().map(|&root| body.value(root)).collect();
-        schedule::most_waiting(&steps, &results, options.core())
+        schedule::most_waiting(&steps, &results, order_for(program, options))
     }
 
     fn empty(
@@ -430,6 +430,12 @@ impl<'p> Body<'p> {
         });
         named.map(|((name, ty), read)| format!("{}{name}: {ty}", underscore(read))).chain(near).collect()
     }
+}
+
+/// Who names the chip and asks for all effort gets an order that is searched for.
+fn order_for(program: &Program, options: &EmitOptions) -> Order {
+    let is_refined = options.core == Some(Core::CortexM4) && program.origin.settings.effort == Effort::All;
+    Order { core: options.core(), is_refined }
 }
 
 fn is_sum(node: Node) -> bool {
