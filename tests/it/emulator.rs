@@ -226,20 +226,27 @@ fn both_rods_of_a_pendulum_meet_a_wall_on_the_chip_as_on_the_host() {
 }
 
 #[test]
-fn a_small_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
+fn an_image_of_one_spring_keeps_to_its_flash_and_its_bits() {
     let _image = one_at_a_time();
-    let spring = Arguments {
-        model: Some("single_spring".to_owned()),
-        steps: Some(1000),
-        small: true,
-        ..Arguments::default()
-    };
+    let spring =
+        Arguments { model: Some("single_spring".to_owned()), steps: Some(1000), ..Arguments::default() };
     let report = report(&spring);
     let flash = report.size.flash;
     let chip = report.run.expect("the image keeps its rules and runs");
     println!("{flash} bytes of flash, {} instructions a step", chip.step.instructions[1]);
     assert!(flash <= 20 * 1024, "{flash} bytes");
     assert_eq!(Some(&chip.digest), chip.host_digest.as_ref());
+}
+
+/// The compiler leaves other checks of bounds in what it optimises for size.
+#[test]
+fn large_scenes_optimised_for_size_keep_the_rules_and_their_bits() {
+    let _image = one_at_a_time();
+    for (scene, steps) in [("two_cubes", 600), ("stiff_bladder", 20), ("tile_with_bladder", 10)] {
+        let model = Some(scene.to_owned());
+        let chip = outcome(&Arguments { model, steps: Some(steps), small: true, ..Arguments::default() });
+        assert_eq!(Some(&chip.digest), chip.host_digest.as_ref(), "{scene}");
+    }
 }
 
 /// What a spring adds is counted against the same sheet without springs.

@@ -127,7 +127,7 @@ impl<S: Scalar> Kernel for Pushes<'_, S> {
 #[inline(always)]
 fn push<S: Scalar>(corners: &mut [Lanes<S>; 4], form: PressureForm, pressure: S) {
     for lane in 0..BLOCK {
-        let places = [0, 1, 2, 3].map(|corner: usize| get(&corners[corner], lane));
+        let places = corners.each_ref().map(|corner| get(corner, lane));
         let shares = pressure::corner_shares(form, places);
         for (corner, share) in corners.iter_mut().zip(shares) {
             set(corner, lane, vec3::scale(share, pressure));

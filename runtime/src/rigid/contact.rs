@@ -193,7 +193,7 @@ impl<S: Scalar> Contact<S> {
     /// The velocity of the first body relative to the second at the point: n, t1, t2 (m/s).
     #[must_use]
     pub fn relative(&self, twists: &[Twist<S>]) -> Vec3<S> {
-        let [one, other] = [0, 1].map(|number| self.sides[number].velocity(twists));
+        let [one, other] = self.sides.each_ref().map(|side| side.velocity(twists));
         vec3::apply(&self.axes, vec3::sub(one, other))
     }
 
