@@ -98,6 +98,24 @@ impl<S: Scalar> Woven<S> {
         Some(Woven { columns, rows, runs, starts, mass, right, up, cells, nodes, springs, facets })
     }
 
+    /// Number of its first node.
+    #[must_use]
+    pub fn first_node(&self) -> usize {
+        self.nodes[0]
+    }
+
+    /// The same where other nodes stand before its own: those before the first of two numbers are those before the second; its springs and
+    /// facets begin with these numbers.
+    #[must_use]
+    pub fn from(&self, [old, new]: [usize; 2], spring: usize, facet: usize) -> Self {
+        let mut moved = self.clone();
+        moved.runs.iter_mut().for_each(|run| run.node = run.node - old + new);
+        moved.nodes = self.nodes.map(|node| node - old + new);
+        moved.springs = [spring, spring + self.springs[1] - self.springs[0]];
+        moved.facets = [facet, facet + self.facets[1] - self.facets[0]];
+        moved
+    }
+
     /// The grid.
     pub fn view<'s>(&'s self) -> Grid<'s, S> {
         let family =

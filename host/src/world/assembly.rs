@@ -254,6 +254,8 @@ pub struct Run {
     pub method: Option<String>,
     /// Does it begin in static equilibrium?
     pub settled: bool,
+    /// Parts that are slower than this (m/s, rad/s) for 0.1 s stand still until something comes near them.
+    pub sleep: Option<f64>,
 }
 
 impl Assembly {

@@ -39,6 +39,7 @@ pub struct Ported {
     /// The ports in use.
     pub ports: Vec<String>,
     projections: u8,
+    reads_time: bool,
     /// Points but the origin, bodies with frames, bodies.
     counts: [usize; 3],
     /// Names and units of q and u.
@@ -106,6 +107,7 @@ impl Ported {
             place: mechanism.place,
             ports: ports.to_vec(),
             projections: u8::from(!program.correction.is_empty()),
+            reads_time: model.is_driven() || model.reads_time(),
             counts: [
                 model.points.len() - 1,
                 model.bodies.iter().filter(|body| body.frame.is_some()).count(),
@@ -123,11 +125,20 @@ impl Ported {
         own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
     }
 
-    /// Holds one of them at a value.
-    pub fn hold(&mut self, input: usize, value: f64) {
-        if let Some(own) = self.inputs[..self.own].get_mut(input) {
-            *own = value;
-        }
+    /// Holds one of them at a value; true if that changes it.
+    pub fn hold(&mut self, input: usize, value: f64) -> bool {
+        let own = self.inputs[..self.own].get_mut(input);
+        own.is_some_and(|own| std::mem::replace(own, value) != value)
+    }
+
+    /// Holds the inputs that another one of the same equations does.
+    pub(super) fn hold_as(&mut self, other: &Ported) {
+        self.inputs[..self.own].copy_from_slice(&other.inputs[..self.own]);
+    }
+
+    /// Does it move, or is it pushed, otherwise as time goes on?
+    pub(super) fn reads_time(&self) -> bool {
+        self.reads_time
     }
 
     /// Sets the inputs: laws at this state, wrenches at the ports.

@@ -59,6 +59,16 @@ impl Pushed {
         });
     }
 
+    /// Does something press there?
+    pub(super) fn presses(&self, pair: usize) -> bool {
+        self.rows[pair][0] > 0.0
+    }
+
+    /// Takes the numbers of a pair from those of one of another list.
+    pub(super) fn take(&mut self, pair: usize, of: &Pushed, other: usize) {
+        self.rows[pair] = of.rows[other];
+    }
+
     /// The numbers, pair by pair.
     pub(super) fn values(&self) -> &[f64] {
         self.rows.as_flattened()

@@ -15,6 +15,11 @@ use super::rigid::RigidWorld;
 /// Why none moves it, in words.
 pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
     if assembly.is_rigid() {
+        if assembly.run.sleep.is_some() {
+            return Err("run.sleep: rigid parts alone whose touches are located are never put to sleep; leave the key out, or take \
+                        impact = \"moreau\" for all contacts"
+                .to_owned());
+        }
         return Ok(Box::new(RigidWorld::new(assembly)?));
     }
     Ok(Box::new(CarriedWorld::new(assembly)?))

@@ -32,6 +32,8 @@ pub(super) struct Touching {
     pub(super) pairs: Vec<Pair<f64>>,
     /// Parts of each pair.
     pub(super) parts: Vec<[usize; 2]>,
+    /// The thing that each part is.
+    of_parts: Vec<Option<usize>>,
     /// Bodies that the parts of each pair are to a contact: ports, then nodes.
     bodies: Vec<[Range<usize>; 2]>,
     /// Which of each pair can move.
@@ -148,7 +150,7 @@ impl Touching {
             numbers[number] = things.len();
             things.push(thing);
         }
-        let (mut pairs, mut kinds, mut room) = (Vec::new(), Vec::new(), 0);
+        let (mut pairs, mut kinds) = (Vec::new(), Vec::new());
         for contact in &assembly.contacts {
             let [one, other] = contact.between.map(|part| &assembly.parts[part].name);
             let things_of = contact.between.map(|part| numbers[part]);
@@ -166,11 +168,6 @@ impl Touching {
                     (law.restitution(), law.friction())
                 }
             };
-            let nodes = |k: usize| match &of[contact.between[k]] {
-                Touchable::Mesh(nodes, facets) => nodes.len() + facets.len() + CAPACITY,
-                _ => CAPACITY,
-            };
-            room += nodes(0) + nodes(1);
             pairs.push(Pair { things: things_of, friction, restitution });
         }
         if !kinds.is_empty() && kinds.len() < pairs.len() {
@@ -178,9 +175,24 @@ impl Touching {
                         take moreau for all or for none"
                 .to_owned());
         }
-        let [ports, points, answers, n] = size;
+        let parts = assembly.contacts.iter().map(|contact| contact.between).collect();
+        let moves =
+            assembly.contacts.iter().map(|c| c.between.map(|n| assembly.parts[n].can_move())).collect();
+        let of_parts = numbers.into_iter().map(|n| (n != usize::MAX).then_some(n)).collect();
+        let located = (!kinds.is_empty()).then_some((kinds, method));
+        Ok(Self::with((things, of_parts), (pairs, parts, moves), located, size))
+    }
+
+    /// For these things and pairs; laws are told of pairs whose touches are located.
+    fn with(
+        (things, of_parts): (Vec<Thing<f64>>, Vec<Option<usize>>),
+        (pairs, parts, moves): (Vec<Pair<f64>>, Vec<[usize; 2]>, Vec<[bool; 2]>),
+        located: Option<(Vec<Impact>, Method)>,
+        [ports, points, answers, n]: [usize; 4],
+    ) -> Self {
         let none: &[Mobility<f64>] = &[];
-        let located = (!kinds.is_empty()).then(|| Located {
+        let room: usize = pairs.iter().flat_map(|pair| pair.things).map(|thing| room(&things[thing])).sum();
+        let located = located.map(|(kinds, method)| Located {
             method,
             kinds,
             scratch: vec![0.0; LocatedMemory::<f64>::scratch(method, n)],
@@ -189,23 +201,20 @@ impl Touching {
             overlaps: false,
         });
         let twists = vec![Twist::zero(); ports + points];
-        let bodies = |part: usize| match &of[part] {
-            Touchable::Shape(Some(port), _) => *port..port + 1,
-            Touchable::Mesh(nodes, _) => ports + nodes.start..ports + nodes.end,
-            Touchable::Shape(None, _) | Touchable::Nothing => 0..0,
+        let bodies = |thing: usize| match &things[thing] {
+            Thing::Rigid { port: Some(port), .. } => *port..port + 1,
+            Thing::Rigid { port: None, .. } => 0..0,
+            Thing::Mesh { nodes: [first, end], .. } => ports + first..ports + end,
         };
-        Ok(Touching {
-            parts: assembly.contacts.iter().map(|contact| contact.between).collect(),
-            bodies: assembly.contacts.iter().map(|contact| contact.between.map(bodies)).collect(),
-            moves: assembly
-                .contacts
-                .iter()
-                .map(|c| c.between.map(|n| assembly.parts[n].can_move()))
-                .collect(),
+        Touching {
+            bodies: pairs.iter().map(|pair| pair.things.map(bodies)).collect(),
             active: vec![false; pairs.len()],
             forces: Vec::new(),
             pushed: Pushed::new(pairs.len()),
             extents: vec![Extent::everywhere(); things.len()],
+            parts,
+            of_parts,
+            moves,
             things,
             pairs,
             scratch: vec![0.0; StepMemory::<f64>::scratch(n)],
@@ -220,7 +229,85 @@ impl Touching {
             located,
             means: None,
             n,
-        })
+        }
+    }
+
+    /// The pairs among these parts, and with what is fixed in space, for things that `moved` renumbers; which pairs they are here.
+    pub(super) fn among(
+        &self,
+        parts: &[usize],
+        moved: impl Fn(&Thing<f64>) -> Thing<f64>,
+        size: [usize; 4],
+    ) -> (Self, Vec<usize>) {
+        let belongs = |pair: usize, side: usize| parts.contains(&self.parts[pair][side]);
+        let is_own = |pair: usize| {
+            let own = [0, 1].map(|side| belongs(pair, side) || !self.moves[pair][side]);
+            own == [true; 2] && (belongs(pair, 0) || belongs(pair, 1))
+        };
+        let own: Vec<usize> = (0..self.pairs.len()).filter(|pair| is_own(*pair)).collect();
+        let mut numbers: Vec<usize> = own.iter().flat_map(|pair| self.pairs[*pair].things).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let number = |thing: usize| numbers.iter().position(|own| *own == thing);
+        let pairs = own.iter().map(|pair| {
+            let of = &self.pairs[*pair];
+            Pair { things: of.things.map(|thing| number(thing).unwrap_or(0)), ..*of }
+        });
+        let located = self.located.as_ref();
+        let laws = |of: &Located| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
+        let mut subset = Self::with(
+            (
+                numbers.iter().map(|thing| moved(&self.things[*thing])).collect(),
+                self.of_parts.iter().map(|thing| thing.and_then(number)).collect(),
+            ),
+            (
+                pairs.collect(),
+                own.iter().map(|pair| self.parts[*pair]).collect(),
+                own.iter().map(|pair| self.moves[*pair]).collect(),
+            ),
+            located.map(laws),
+            size,
+        );
+        for (number, pair) in own.iter().enumerate() {
+            subset.pushed.take(number, &self.pushed, *pair);
+        }
+        subset.active = own.iter().map(|pair| self.active[*pair]).collect();
+        if let (Some(to), Some(of)) = (&mut subset.located, located) {
+            to.overlaps = of.overlaps;
+        }
+        (subset, own)
+    }
+
+    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
+    pub(super) fn load(&mut self, pushed: &[f64]) {
+        self.pushed.load(pushed);
+        self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
+    }
+
+    /// Forgets what pushed in the last step, before parts of it are heard.
+    pub(super) fn fall_silent(&mut self) {
+        self.forces.clear();
+        self.pushed = Pushed::new(self.pairs.len());
+        if let Some(located) = &mut self.located {
+            located.overlaps = false;
+        }
+    }
+
+    /// Takes what a step of some pairs, of these numbers here, found.
+    pub(super) fn hear(&mut self, of: &Touching, pairs: &[usize]) {
+        self.forces.extend(of.forces.iter().cloned());
+        for (own, pair) in pairs.iter().enumerate() {
+            self.pushed.take(*pair, &of.pushed, own);
+            self.active[*pair] = of.active[own];
+        }
+        if let (Some(to), Some(of)) = (&mut self.located, &of.located) {
+            to.overlaps |= of.overlaps;
+        }
+    }
+
+    /// The thing that a part is.
+    pub(super) fn thing_of(&self, part: usize) -> Option<Thing<f64>> {
+        self.of_parts[part].map(|thing| self.things[thing])
     }
 
     /// Takes another method between touches, for a state of n entries.
@@ -348,6 +435,14 @@ impl Touching {
             self.active[pair] = points > 0;
         }
         Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false })
+    }
+}
+
+/// Contacts that a thing may have at once.
+fn room(thing: &Thing<f64>) -> usize {
+    match thing {
+        Thing::Mesh { nodes, facets, .. } => nodes[1] - nodes[0] + facets[1] - facets[0] + CAPACITY,
+        Thing::Rigid { .. } => CAPACITY,
     }
 }
 

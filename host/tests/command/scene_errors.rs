@@ -102,6 +102,7 @@ fn every_refusal_of_a_scene_has_its_cause_and_cure() {
         format!("{TILE}[view]\ncolours = {{ tile = \"sky\" }}"),
         // Assembled.
         format!("{GROUND}{BALL}{HIGH}[run]\nmethod = \"rk4\""),
+        format!("{GROUND}{BALL}{HIGH}[run]\nsleep = 0.1"),
         format!("{CUBE}[run]\nmethod = \"rk5\""),
         format!("{CUBE}[run]\nstep = 1"),
         format!("{TILE}{BALL}{HIGH}[[contacts]]\nbetween = [\"ball\", \"tile\"]\nimpact = \"plastic\""),

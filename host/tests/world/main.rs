@@ -5,6 +5,7 @@ mod air;
 mod carried;
 mod conserving;
 mod costs;
+mod islands;
 mod reading;
 mod rest;
 mod rigid;

@@ -1,6 +1,6 @@
 //! What a run of a world writes: rows, plots, pages, checkpoints, sensors.
 
-use super::support::{fails, json, rows, run};
+use super::support::{fails, json, rows, run, times};
 use std::path::Path;
 
 #[test]
@@ -34,13 +34,18 @@ fn a_page_shows_mechanism_and_body_together() {
 
 #[test]
 fn a_run_that_is_resumed_goes_on_bit_for_bit() {
-    for scene in ["box_bounce", "tile_bladder_coupled"] {
+    for scene in ["box_bounce", "tile_bladder_coupled", "ball_on_bladder", "stack_cubes"] {
         let file =
             Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{scene}.state")).display().to_string();
         let whole = json(&[scene, "--seconds", "0.4"]);
         json(&[scene, "--seconds", "0.3", "--save", &file]);
         let resumed = json(&[scene, "--seconds", "0.4", "--resume", &file]);
         assert_eq!(whole["last"], resumed["last"], "{scene}");
+        let late = |json: &serde_json::Value| -> Vec<f64> {
+            times(json).into_iter().filter(|time| *time > 0.3).collect()
+        };
+        // What presses already is no event.
+        assert_eq!(late(&whole), late(&resumed), "{scene}");
         let said = fails(&["run", "closed_loop_hung", "--resume", &file]);
         assert!(said.contains("of another world"), "{said}");
         let said = fails(&["run", scene, "--step", "1e-4", "--resume", &file]);

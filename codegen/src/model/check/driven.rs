@@ -1,4 +1,4 @@
-//! Does the mechanism move by itself, with all speeds at zero?
+//! Does the mechanism move by itself, with all speeds at zero? Does time change anything of it?
 //!
 //! In: a model. Out: whether time enters positions or constraints, or a velocity has a part without speeds
 //! (Kane's v_t): b of a motion constraint a_r u_r + b = 0, a point's stated velocity. Decided on the text: a part
@@ -22,17 +22,7 @@ impl Model {
     /// Do velocities have a part that no speed enters?
     #[must_use]
     pub fn is_driven(&self) -> bool {
-        let mut known = Definitions {
-            reads_time: self.definitions.iter().map(|_| false).collect(),
-            has_free_part: self.definitions.iter().map(|_| false).collect(),
-        };
-        for entity in &self.order {
-            if let Entity::Definition(id) = *entity {
-                let value = &self.definitions[id].value;
-                known.reads_time[id] = known.time_in(value);
-                known.has_free_part[id] = known.free_part_in(value);
-            }
-        }
+        let known = self.known_definitions();
         self.expressions().into_iter().any(|(role, e)| match role {
             Role::MotionConstraint | Role::StatedVelocity(_) => known.time_in(e) || known.free_part_in(e),
             Role::ClosedForm(_)
@@ -44,6 +34,28 @@ impl Model {
             | Role::ConfigurationConstraint => known.time_in(e),
             _ => false,
         })
+    }
+
+    /// Does anything that it says depend on time: motion, loads, laws, outputs?
+    #[must_use]
+    pub fn reads_time(&self) -> bool {
+        let known = self.known_definitions();
+        self.expressions().into_iter().any(|(_, e)| known.time_in(e))
+    }
+
+    fn known_definitions(&self) -> Definitions {
+        let mut known = Definitions {
+            reads_time: self.definitions.iter().map(|_| false).collect(),
+            has_free_part: self.definitions.iter().map(|_| false).collect(),
+        };
+        for entity in &self.order {
+            if let Entity::Definition(id) = *entity {
+                let value = &self.definitions[id].value;
+                known.reads_time[id] = known.time_in(value);
+                known.has_free_part[id] = known.free_part_in(value);
+            }
+        }
+        known
     }
 }
 

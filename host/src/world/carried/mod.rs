@@ -9,10 +9,12 @@ mod air;
 mod breathing;
 mod build;
 mod choice;
+mod islands;
 pub mod methods;
 mod rest;
 mod rows;
 mod stepping;
+mod subset;
 pub mod tables;
 
 use super::carriers::HostCarrier;
@@ -20,6 +22,7 @@ use super::engine::Event;
 use super::ported::Ported;
 use super::touching::{How, Touching};
 use crate::scene::grid::Woven;
+use islands::Islands;
 use methods::{Contacts, Stepping};
 use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
@@ -100,6 +103,8 @@ pub struct CarriedWorld {
     forced: usize,
     /// The largest step that follows the flexible parts' fastest motion (s).
     stable: Option<f64>,
+    /// Parts that step apart from one another; none where all are one.
+    islands: Option<Box<Islands>>,
 }
 
 fn words(fault: Fault) -> String {

@@ -177,7 +177,12 @@ impl Engine for CarriedWorld {
     }
 
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        self.breathing(h, |world| world.move_on(h, found))
+        let Some(mut islands) = self.islands.take() else {
+            return self.breathing(h, |world| world.move_on(h, found));
+        };
+        let done = islands.step(self, h, found);
+        self.islands = Some(islands);
+        done
     }
 
     fn inputs(&self) -> Vec<String> {
@@ -197,18 +202,24 @@ impl Engine for CarriedWorld {
     fn save(&self) -> Vec<f64> {
         let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
-        [&accounts[..], &self.x, &self.low, &airs, self.pushed()].concat()
+        let slow = self.islands.as_ref().map_or(&[][..], |islands| islands.save());
+        [&accounts[..], &self.x, &self.low, &airs, self.pushed(), slow].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
         let air = 5 + 2 * n + SAVED * self.airs.len();
-        if numbers.len() != air + self.pushed().len() {
+        let slow = self.islands.as_ref().map_or(0, |islands| islands.save().len());
+        if numbers.len() != air + self.pushed().len() + slow {
             return Err(engine::other_world());
         }
         let (numbers, pushed) = numbers.split_at(air);
+        let (pushed, slow) = pushed.split_at(pushed.len() - slow);
+        if let Some(islands) = &mut self.islands {
+            islands.load(slow);
+        }
         if let Some(touching) = &mut self.touching {
-            touching.pushed.load(pushed);
+            touching.load(pushed);
         }
         let (accounts, state) = numbers.split_at(5);
         [self.t, self.drive, self.damping] = [accounts[0], accounts[1], accounts[2]];

@@ -94,9 +94,18 @@ impl CarriedWorld {
 
     /// Holds one at a value.
     pub(super) fn drive_input(&mut self, what: Drivable, value: f64) {
+        let mut changed = false;
+        let part = match what {
+            Drivable::Line(air, _) | Drivable::Valves(air) => Some(self.airs[air].part),
+            Drivable::Input(carrier, _) => self
+                .places
+                .iter()
+                .position(|place| matches!(place, super::Place::Carrier(own, _) if *own == carrier)),
+        };
         let mut open = |air: usize, line: usize, share: f64| {
             if let Some(line) = &mut self.airs[air].lines[line] {
-                line.opening = share.clamp(0.0, 1.0);
+                let before = std::mem::replace(&mut line.opening, share.clamp(0.0, 1.0));
+                changed |= before != line.opening;
             }
         };
         match what {
@@ -107,9 +116,12 @@ impl CarriedWorld {
             }
             Drivable::Input(carrier, input) => {
                 if let HostCarrier::Mechanism(ported) = &mut self.carriers[carrier] {
-                    ported.hold(input, value);
+                    changed = ported.hold(input, value);
                 }
             }
+        }
+        if let (Some(islands), Some(part), true) = (&mut self.islands, part, changed) {
+            islands.wake(part);
         }
     }
 }

@@ -236,7 +236,7 @@ fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut 
 }
 
 fn run(scene: &Fields<'_>, found: &mut Diagnostics) -> Option<Run> {
-    let mut run = Run { seconds: 1.0, step: 1e-3, every: 1, method: None, settled: false };
+    let mut run = Run { seconds: 1.0, step: 1e-3, every: 1, method: None, settled: false, sleep: None };
     let Some(table) = scene.table("run", found) else { return Some(run) };
     let fields = Fields::of("run", table.span, table);
     run.seconds = number(&fields, "seconds", "s", Bound::NotNegative, found).unwrap_or(run.seconds);
@@ -247,6 +247,7 @@ fn run(scene: &Fields<'_>, found: &mut Diagnostics) -> Option<Run> {
             == Some("settled");
     }
     run.method = fields.text("method", found).map(|text| text.text.clone());
+    run.sleep = number(&fields, "sleep", "m/s", Bound::Positive, found);
     fields.finish(found);
     if run.seconds / run.step > MOST_STEPS {
         let error = Diagnostic::error(format!(

@@ -1,0 +1,411 @@
+//! Some parts of a world as a world of its own, which a step may be taken of alone.
+//!
+//! In: a world, parts that no attachment joins to others. Out: the same lists with what belongs to these parts only, and where
+//! its numbers stand in those of the whole. Before a step it takes the whole's state, behind it it gives it back.
+
+use super::{CarriedWorld, Fixed, Place, Room};
+use crate::world::carriers::HostCarrier;
+use crate::world::engine::Engine;
+use smartbed_runtime::surface::Frame;
+use smartbed_runtime::vec3::{self, Vec3};
+use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Inertias, Thing, Wrench};
+use std::ops::Range;
+
+/// Numbers of the whole, by the subset's own.
+#[derive(Clone, Debug)]
+pub(super) struct Subset {
+    /// The parts.
+    pub(super) parts: Vec<usize>,
+    pub(super) world: CarriedWorld,
+    x: Vec<usize>,
+    carriers: Vec<usize>,
+    cells: Vec<usize>,
+    airs: Vec<usize>,
+    pairs: Vec<usize>,
+    /// Nodes and things of each part here, and how far the things reach about their ports (m).
+    nodes: Vec<Range<usize>>,
+    things: Vec<Option<Thing<f64>>>,
+}
+
+/// Box around a part, and its fastest point.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct Reach {
+    low: Vec3<f64>,
+    high: Vec3<f64>,
+    /// (m/s).
+    pub(super) speed: f64,
+}
+
+impl Reach {
+    pub(super) const NOTHING: Reach =
+        Reach { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3], speed: 0.0 };
+    const EVERYWHERE: Reach = Reach { low: [f64::NEG_INFINITY; 3], high: [f64::INFINITY; 3], speed: 0.0 };
+
+    fn add(&mut self, point: Vec3<f64>, around: f64, speed: f64) {
+        for ((low, high), x) in self.low.iter_mut().zip(&mut self.high).zip(point) {
+            (*low, *high) = (low.min(x - around), high.max(x + around));
+        }
+        self.speed = self.speed.max(speed);
+    }
+
+    /// A box around both.
+    pub(super) fn join(&mut self, other: &Reach) {
+        for i in 0..3 {
+            (self.low[i], self.high[i]) = (self.low[i].min(other.low[i]), self.high[i].max(other.high[i]));
+        }
+        self.speed = self.speed.max(other.speed);
+    }
+
+    /// Grown by what a few steps of h (s) may move it.
+    fn grown(&self, h: f64, gravity: f64) -> Reach {
+        let size = vec3::norm(vec3::sub(self.high, self.low));
+        let size = if size.is_finite() { size } else { 0.0 };
+        let by = 4.0 * h * self.speed + 8.0 * h * h * gravity + 0.02 * size;
+        Reach { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by), speed: self.speed }
+    }
+
+    /// May the two touch within the next steps?
+    pub(super) fn is_near(&self, other: &Reach, h: f64, gravity: f64) -> bool {
+        let (own, other) = (self.grown(h, gravity), other.grown(h, gravity));
+        (0..3).all(|i| own.low[i] <= other.high[i] && other.low[i] <= own.high[i])
+    }
+}
+
+/// How numbers of the whole become those of the subset.
+struct Renumbered {
+    nodes: Vec<usize>,
+    ports: Vec<usize>,
+    /// Old and new first facet of each flexible part, by its old facets.
+    facets: Vec<(Range<usize>, usize)>,
+}
+
+impl Renumbered {
+    fn facet(&self, old: usize) -> usize {
+        let own = self.facets.iter().find(|(range, _)| range.contains(&old) || range.end == old);
+        own.map_or(old, |(range, new)| new + old - range.start)
+    }
+}
+
+impl CarriedWorld {
+    /// What belongs to these parts, in ascending order, and to what is fixed in space and holds nodes of theirs.
+    pub(super) fn subset(&self, parts: &[usize]) -> Subset {
+        let parts = &self.with_holders(parts);
+        let (n_q, n_free) = (self.carriers.iter().map(Carrier::n_q).sum::<usize>(), self.free());
+        let split = self.split();
+        let free_before = before(&self.fixed.held);
+        let mut fixed =
+            Fixed { gravity: self.fixed.gravity, air_drag: self.fixed.air_drag, ..Fixed::default() };
+        let mut new = Renumbered {
+            nodes: vec![usize::MAX; self.room.pos.len()],
+            ports: vec![usize::MAX; self.room.frames.len()],
+            facets: Vec::new(),
+        };
+        let [mut q, mut pos, mut u, mut vel] = [const { Vec::new() }; 4];
+        let (mut carriers, mut cells, mut n_ports) = (Vec::new(), Vec::new(), 0);
+        let starts = self.carrier_starts();
+        let mut nodes_of = vec![0..0; parts.len()];
+        for (own_nodes, part) in nodes_of.iter_mut().zip(parts) {
+            match &self.places[*part] {
+                Place::Carrier(number, _) => {
+                    let [first_q, first_u, first_port] = starts[*number];
+                    let carrier = &self.carriers[*number];
+                    q.extend(first_q..first_q + carrier.n_q());
+                    u.extend(split + first_u..split + first_u + carrier.n_u());
+                    for port in first_port..first_port + carrier.n_ports() {
+                        new.ports[port] = n_ports;
+                        n_ports += 1;
+                    }
+                    carriers.push(*number);
+                }
+                Place::Shape(..) => {}
+                Place::Nodes(nodes, facets, cell) => {
+                    let first = [fixed.mass.len(), fixed.springs.len(), fixed.facets.len()];
+                    for (number, node) in nodes.clone().enumerate() {
+                        new.nodes[node] = first[0] + number;
+                        if !self.fixed.held[node] {
+                            let at = free_before[node];
+                            pos.extend(n_q + 3 * at..n_q + 3 * at + 3);
+                            let first_vel = self.x.len() - 3 * n_free;
+                            vel.extend(first_vel + 3 * at..first_vel + 3 * at + 3);
+                        }
+                    }
+                    *own_nodes = first[0]..first[0] + nodes.len();
+                    new.facets.push((facets.clone(), first[2]));
+                    fixed.mass.extend(&self.fixed.mass[nodes.clone()]);
+                    fixed.held.extend(&self.fixed.held[nodes.clone()]);
+                    let own = self.fixed.springs.iter().filter(|spring| nodes.contains(&spring.tail));
+                    fixed.springs.extend(own.map(|spring| {
+                        let [tail, head] = [spring.tail, spring.head].map(|node| new.nodes[node]);
+                        smartbed_runtime::flexible::Spring { tail, head, ..*spring }
+                    }));
+                    let own = self.fixed.facets[facets.clone()].iter();
+                    fixed.facets.extend(own.map(|corners| corners.map(|node| new.nodes[node])));
+                    let grids = self.fixed.grids.iter().filter(|grid| nodes.contains(&grid.first_node()));
+                    fixed
+                        .grids
+                        .extend(grids.map(|grid| grid.from([nodes.start, first[0]], first[1], first[2])));
+                    if let Some(cell) = cell {
+                        let old = self.fixed.cells[*cell];
+                        fixed.cells.push(Cell { facets: [first[2], fixed.facets.len()], ..old });
+                        cells.push(*cell);
+                    }
+                }
+            }
+        }
+        let own = self.fixed.attachments.iter().filter(|held| new.nodes[held.node] != usize::MAX);
+        fixed.attachments = own
+            .map(|held| Attachment { node: new.nodes[held.node], port: new.ports[held.port], ..*held })
+            .collect();
+        let x: Vec<usize> = [q, pos, u, vel].concat();
+        let airs: Vec<usize> = (0..self.airs.len()).filter(|n| parts.contains(&self.airs[*n].part)).collect();
+        let (world, pairs, things) = self.renumbered(&new, (fixed, &carriers, &cells, &airs), parts, x.len());
+        Subset { parts: parts.to_vec(), world, x, carriers, cells, airs, pairs, nodes: nodes_of, things }
+    }
+
+    /// The world of such lists; its pairs by number, the thing that each part is.
+    fn renumbered(
+        &self,
+        new: &Renumbered,
+        (fixed, carriers, cells, airs): (Fixed, &[usize], &[usize], &[usize]),
+        parts: &[usize],
+        n: usize,
+    ) -> (CarriedWorld, Vec<usize>, Vec<Option<Thing<f64>>>) {
+        // Parts stand in ascending order, so nodes and ports keep theirs.
+        let order: Vec<usize> = (0..new.nodes.len()).filter(|node| new.nodes[*node] != usize::MAX).collect();
+        let of_nodes = |list: &[Vec3<f64>]| order.iter().map(|node| list[*node]).collect::<Vec<_>>();
+        let ports = new.ports.iter().filter(|port| **port != usize::MAX).count();
+        let points = order.len();
+        let mut members: Vec<HostCarrier> =
+            carriers.iter().map(|number| self.carriers[*number].clone()).collect();
+        let answers = Inertias::answers(&Group { members: &mut members });
+        let airs = airs.iter().map(|number| {
+            let mut air = self.airs[*number].clone();
+            air.cell = cells.iter().position(|cell| *cell == air.cell).unwrap_or(0);
+            air
+        });
+        let (mut pairs, mut things) = (Vec::new(), vec![None; parts.len()]);
+        let touching = self.touching.as_ref().map(|whole| {
+            let moved = |thing: &Thing<f64>| match thing {
+                Thing::Rigid { shape, port, place } => {
+                    Thing::Rigid { shape: *shape, port: port.map(|port| new.ports[port]), place: *place }
+                }
+                Thing::Mesh { nodes: [first, end], facets, depth } => Thing::Mesh {
+                    nodes: [new.nodes[*first], new.nodes[*first] + end - first],
+                    facets: facets.map(|facet| new.facet(facet)),
+                    depth: *depth,
+                },
+            };
+            let (mut own, numbers) = whole.among(parts, moved, [ports, points, answers, n]);
+            for (thing, part) in things.iter_mut().zip(parts) {
+                *thing = whole.thing_of(*part).map(|thing| moved(&thing));
+            }
+            own.choose(self.ode_method(), n);
+            pairs = numbers;
+            own
+        });
+        let world = CarriedWorld {
+            names: self.names.clone(),
+            places: Vec::new(),
+            carriers: members,
+            room: Room {
+                pos: of_nodes(&self.room.pos),
+                vel: of_nodes(&self.room.vel),
+                elastic: vec![[0.0; 3]; points],
+                viscous: vec![[0.0; 3]; points],
+                frames: frames_of(&new.ports, &self.room.frames),
+                wrenches: vec![Wrench::zero(); ports],
+            },
+            fixed,
+            x: vec![0.0; n],
+            low: vec![0.0; n],
+            scratch: vec![0.0; self.ode_method().scratch(n)],
+            contacts: self.contacts,
+            method: self.method,
+            h: self.h,
+            starts: Vec::new(),
+            t: self.t,
+            drive: 0.0,
+            damping: 0.0,
+            impact: 0.0,
+            friction: 0.0,
+            airs: airs.collect(),
+            touching,
+            unsettled: 0,
+            forced: 0,
+            stable: self.stable,
+            islands: None,
+        };
+        (world, pairs, things)
+    }
+
+    /// These parts and those fixed in space that hold nodes of theirs.
+    fn with_holders(&self, parts: &[usize]) -> Vec<usize> {
+        let is_own = |node: usize| {
+            parts
+                .iter()
+                .any(|part| matches!(&self.places[*part], Place::Nodes(own, ..) if own.contains(&node)))
+        };
+        let held = self.fixed.attachments.iter().filter(|held| is_own(held.node));
+        let ports: Vec<usize> = held.map(|held| held.port).collect();
+        let starts = self.carrier_starts();
+        let holds = |part: &usize| {
+            let Place::Carrier(number, _) = self.places[*part] else { return false };
+            self.is_still(*part) && ports.contains(&starts[number][2])
+        };
+        (0..self.places.len()).filter(|part| parts.contains(part) || holds(part)).collect()
+    }
+
+    /// Is the part fixed in space?
+    pub(super) fn is_still(&self, part: usize) -> bool {
+        matches!(self.places[part], Place::Carrier(number, _) if matches!(self.carriers[number], HostCarrier::Still(_)))
+    }
+
+    /// First coordinate, speed and port of each carrier.
+    fn carrier_starts(&self) -> Vec<[usize; 3]> {
+        let mut next = [0; 3];
+        let starts = self.carriers.iter().map(|carrier| {
+            let own = [carrier.n_q(), carrier.n_u(), carrier.n_ports()];
+            let first = next;
+            next.iter_mut().zip(own).for_each(|(next, own)| *next += own);
+            first
+        });
+        starts.collect()
+    }
+}
+
+impl Subset {
+    /// Takes the whole's state.
+    pub(super) fn take(&mut self, whole: &CarriedWorld) {
+        let own = &mut self.world;
+        for (n, place) in self.x.iter().enumerate() {
+            (own.x[n], own.low[n]) = (whole.x[*place], whole.low[*place]);
+        }
+        for (cell, number) in own.fixed.cells.iter_mut().zip(&self.cells) {
+            cell.content = whole.fixed.cells[*number].content;
+        }
+        for (air, number) in own.airs.iter_mut().zip(&self.airs) {
+            let of = &whole.airs[*number];
+            (air.volume, air.lines, air.account) = (of.volume, of.lines, of.account);
+        }
+        for (carrier, number) in own.carriers.iter_mut().zip(&self.carriers) {
+            if let (HostCarrier::Mechanism(own), HostCarrier::Mechanism(of)) =
+                (carrier, &whole.carriers[*number])
+            {
+                own.hold_as(of);
+            }
+        }
+        own.t = whole.t;
+        [own.drive, own.damping, own.impact, own.friction] = [0.0; 4];
+        (own.unsettled, own.forced) = (0, 0);
+    }
+
+    /// Gives it back, and what the step did.
+    pub(super) fn give(&self, whole: &mut CarriedWorld) {
+        let own = &self.world;
+        for (n, place) in self.x.iter().enumerate() {
+            (whole.x[*place], whole.low[*place]) = (own.x[n], own.low[n]);
+        }
+        for (cell, number) in own.fixed.cells.iter().zip(&self.cells) {
+            whole.fixed.cells[*number].content = cell.content;
+        }
+        for (air, number) in own.airs.iter().zip(&self.airs) {
+            let to = &mut whole.airs[*number];
+            (to.volume, to.account) = (air.volume, air.account);
+        }
+        whole.drive += own.drive;
+        whole.damping += own.damping;
+        whole.impact += own.impact;
+        whole.friction += own.friction;
+        whole.unsettled += own.unsettled;
+        whole.forced += own.forced;
+    }
+
+    /// Tells the whole what pushes here.
+    pub(super) fn tell(&self, whole: &mut CarriedWorld) {
+        if let (Some(to), Some(from)) = (&mut whole.touching, &self.world.touching) {
+            to.hear(from, &self.pairs);
+        }
+    }
+
+    /// Nodes.
+    pub(super) fn points(&self) -> usize {
+        self.world.room.pos.len()
+    }
+
+    /// Boxes of the parts where they were placed last.
+    pub(super) fn reaches(&self) -> impl Iterator<Item = (usize, Reach)> {
+        self.parts.iter().enumerate().map(|(n, part)| {
+            let room = &self.world.room;
+            let mut reach = Reach::NOTHING;
+            for node in self.nodes[n].clone() {
+                reach.add(room.pos[node], 0.0, vec3::norm(room.vel[node]));
+            }
+            if let Some(Thing::Rigid { shape, port: Some(port), place }) = &self.things[n] {
+                let (frame, own) = (&room.frames[*port], shape.reach());
+                let Some(own) = own else { return (*part, Reach::EVERYWHERE) };
+                let far = own + vec3::norm(place.origin);
+                let speed = vec3::norm(frame.velocity) + far * vec3::norm(frame.angular_velocity);
+                reach.add(frame.point(place.origin), own, speed);
+            }
+            (*part, reach)
+        })
+    }
+
+    /// The fastest of all nodes (m/s), speeds of mechanisms and bodies (m/s, rad/s).
+    pub(super) fn fastest(&self) -> f64 {
+        let own = &self.world;
+        let (mut next, mut most) = (own.split(), 0.0_f64);
+        for carrier in &own.carriers {
+            let u = &own.x[next..next + carrier.n_u()];
+            next += carrier.n_u();
+            let mut add = |speed: f64| most = most.max(speed.abs());
+            match carrier {
+                HostCarrier::Floating(floating) => {
+                    u[..3].iter().for_each(|x| add(*x));
+                    // Momentum about the axis of least inertia turns fastest.
+                    let [x, y, z] = floating.body.inertia;
+                    add(vec3::norm([u[3], u[4], u[5]]) / x.min(y).min(z));
+                }
+                _ => u.iter().for_each(|x| add(*x)),
+            }
+        }
+        own.x[next..].iter().fold(most, |most, x| most.max(x.abs()))
+    }
+
+    /// Ends all motion; what was left of it is booked as damping.
+    pub(super) fn stop(&mut self, whole: &mut CarriedWorld) -> Result<(), String> {
+        let before = self.world.energies()?.kinetic;
+        let split = self.world.split();
+        self.world.x[split..].fill(0.0);
+        self.world.low[split..].fill(0.0);
+        for place in &self.x[split..] {
+            (whole.x[*place], whole.low[*place]) = (0.0, 0.0);
+        }
+        whole.damping += before - self.world.energies()?.kinetic;
+        Ok(())
+    }
+
+    /// May it change though nothing of it moves: does time move a mechanism, does gas flow?
+    pub(super) fn is_driven(&self) -> bool {
+        let flows = self.world.airs.iter().flat_map(|air| air.lines.iter().flatten());
+        let reads_time =
+            |carrier: &HostCarrier| matches!(carrier, HostCarrier::Mechanism(ported) if ported.reads_time());
+        self.world.carriers.iter().any(reads_time) || flows.into_iter().any(|line| line.opening > 0.0)
+    }
+}
+
+/// Frames of the ports that have a new number.
+fn frames_of(new: &[usize], frames: &[Frame<f64>]) -> Vec<Frame<f64>> {
+    new.iter().zip(frames).filter(|(new, _)| **new != usize::MAX).map(|(_, frame)| *frame).collect()
+}
+
+/// How many free nodes stand before each.
+fn before(held: &[bool]) -> Vec<usize> {
+    let mut count = 0;
+    let before = held.iter().map(|held| {
+        let before = count;
+        count += usize::from(!held);
+        before
+    });
+    before.collect()
+}
