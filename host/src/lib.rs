@@ -14,6 +14,8 @@ pub mod diagnostics;
 pub mod failure;
 pub mod grouped;
 
+#[cfg(feature = "whole")]
+mod hash;
 pub mod input;
 #[cfg(feature = "whole")]
 pub mod install;

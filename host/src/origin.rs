@@ -3,10 +3,10 @@
 //!
 //! In: a plan's file and settings. Out: members of a JSON object, or a line for a page.
 
+use crate::hash::hash;
 use crate::number::json_string;
 use crate::plan::Read;
 use crate::plan_file::PlanFile;
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -88,10 +88,4 @@ pub fn seeds(read: &Read) -> Vec<(&'static str, u64)> {
 pub fn seeds_json(read: &Read) -> String {
     let seeds: Vec<String> = seeds(read).iter().map(|(name, seed)| format!("\"{name}\": {seed}")).collect();
     format!("{{{}}}", seeds.join(", "))
-}
-
-/// SHA-256 in letters.
-#[must_use]
-pub fn hash(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

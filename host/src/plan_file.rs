@@ -4,7 +4,7 @@
 
 use crate::failure::Failure;
 use crate::plan::{Read, checked, parse};
-use crate::{input, model_argument, origin};
+use crate::{hash, input, model_argument};
 
 /// The file of a plan, read once: whoever needs it again takes the same text, whatever becomes of the file.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl PlanFile {
     pub fn open(argument: &str) -> Result<Self, Failure> {
         let path = model_argument::find_plan(argument)?.display().to_string();
         let text = input::text(&path).map_err(|e| format!("{path}: {e}"))?;
-        let hash = origin::hash(text.as_bytes());
+        let hash = hash::hash(text.as_bytes());
         Ok(Self { path, text, hash })
     }
 

@@ -19,6 +19,7 @@ pub mod supervised;
 mod timing;
 
 use crate::world::read::settings;
+pub use moves::Axes;
 use smartbed_bed::metrics::Thresholds;
 use smartbed_bed::metrics::braden::Braden;
 use smartbed_bed::plan::check::{Refusal, check};
@@ -33,9 +34,6 @@ use smartbed_codegen::source::Source;
 use std::path::PathBuf;
 use supervised::Controller;
 use timing::Timing;
-
-/// What a sweep changes: keys with the texts of their values, in the author's order.
-pub type Axes = Vec<(String, Vec<String>)>;
 
 /// A plan's text, read.
 #[derive(Clone, Debug)]

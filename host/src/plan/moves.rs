@@ -1,12 +1,14 @@
 //! What tiles are told over time: `[[move]]`, `[alternating]`; and what a `[sweep]` changes.
 
-use super::Axes;
 use crate::world::read::value::{Bound, list, number, scalar};
 use smartbed_bed::plan::{Layout, Move, Plan};
 use smartbed_codegen::diagnostic::{Diagnostic, Diagnostics};
 use smartbed_codegen::model::Fields;
 use smartbed_codegen::model::document::{Table, Value, wrong_kind};
 use smartbed_codegen::source::Span;
+
+/// What a sweep changes: keys with the texts of their values, in the author's order.
+pub type Axes = Vec<(String, Vec<String>)>;
 
 /// Most moves times equilibria: every equilibrium asks every move.
 const MOST_ORDERS: f64 = 1e7;

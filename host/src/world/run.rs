@@ -4,7 +4,7 @@
 //! all.
 
 use super::assembly::Assembly;
-use super::carried::CarriedWorld;
+use super::carried::{CarriedWorld, apart};
 use super::engine::{Energies, Engine, Event};
 use super::feedback::Feedback;
 use super::rigid::RigidWorld;
@@ -22,7 +22,7 @@ pub fn engine(assembly: &Assembly) -> Result<Box<dyn Engine>, String> {
         }
         return Ok(Box::new(RigidWorld::new(assembly)?));
     }
-    Ok(Box::new(CarriedWorld::new(assembly)?))
+    Ok(apart::engine(CarriedWorld::new(assembly)?, assembly.run.sleep))
 }
 
 /// A row.

@@ -3,7 +3,6 @@
 //! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
 
 use super::air::Air;
-use super::islands::Islands;
 use super::methods::Contacts;
 use super::{CarriedWorld, Fixed, Place, Room, words};
 use crate::scene::grid::Woven;
@@ -50,14 +49,12 @@ impl CarriedWorld {
             unsettled: 0,
             forced: 0,
             stable: None,
-            islands: None,
         };
         let starts = world.carriers(assembly)?;
         world.flexible(assembly)?;
         world.join(assembly, &starts)?;
         world.stable = stable_step(assembly, &world.fixed)?;
         world.touch(assembly)?;
-        world.islands = Islands::new(&world, assembly.run.sleep).map(Box::new);
         Ok(world)
     }
 

@@ -5,7 +5,8 @@
 //! there are; each is alone, so their number changes no bit. A group in which everything has been slower than
 //! `run.sleep` for a while stands still until something comes near it or an input changes.
 
-use super::subset::{Reach, Subset};
+use super::reach::Reach;
+use super::subset::Subset;
 use super::{CarriedWorld, Place, words};
 use crate::world::engine::Event;
 use smartbed_runtime::vec3;

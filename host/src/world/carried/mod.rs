@@ -6,11 +6,13 @@
 //! Simpson's rule over each step.
 
 mod air;
+pub mod apart;
 mod breathing;
 mod build;
 mod choice;
 mod islands;
 pub mod methods;
+mod reach;
 mod rest;
 mod rows;
 mod stepping;
@@ -22,7 +24,6 @@ use super::engine::Event;
 use super::ported::Ported;
 use super::touching::{How, Touching};
 use crate::scene::grid::Woven;
-use islands::Islands;
 use methods::{Contacts, Stepping};
 use smartbed_runtime::flexible::grid::Grid;
 use smartbed_runtime::flexible::{Body, Massless, Spring};
@@ -103,8 +104,6 @@ pub struct CarriedWorld {
     forced: usize,
     /// The largest step that follows the flexible parts' fastest motion (s).
     stable: Option<f64>,
-    /// Parts that step apart from one another; none where all are one.
-    islands: Option<Box<Islands>>,
 }
 
 fn words(fault: Fault) -> String {

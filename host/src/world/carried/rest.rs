@@ -63,9 +63,6 @@ impl Relaxing for CarriedWorld {
         self.low = vec![0.0; x.len()];
         (self.x, self.t) = (x, 0.0);
         self.forget_volumes();
-        if let Some(islands) = &mut self.islands {
-            islands.forget();
-        }
         [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
     }
 }

@@ -177,12 +177,7 @@ impl Engine for CarriedWorld {
     }
 
     fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
-        let Some(mut islands) = self.islands.take() else {
-            return self.breathing(h, |world| world.move_on(h, found));
-        };
-        let done = islands.step(self, h, found);
-        self.islands = Some(islands);
-        done
+        self.breathing(h, |world| world.move_on(h, found))
     }
 
     fn inputs(&self) -> Vec<String> {
@@ -190,9 +185,7 @@ impl Engine for CarriedWorld {
     }
 
     fn set_input(&mut self, input: usize, value: f64) {
-        if let Some((_, drivable)) = self.drivable().into_iter().nth(input) {
-            self.drive_input(drivable, value);
-        }
+        self.drive_input(input, value);
     }
 
     fn settle(&mut self) -> Result<Settled, String> {
@@ -202,22 +195,16 @@ impl Engine for CarriedWorld {
     fn save(&self) -> Vec<f64> {
         let accounts = [self.t, self.drive, self.damping, self.impact, self.friction];
         let airs: Vec<f64> = self.airs.iter().flat_map(|air| air.save(&self.fixed.cells)).collect();
-        let slow = self.islands.as_ref().map_or(&[][..], |islands| islands.save());
-        [&accounts[..], &self.x, &self.low, &airs, self.pushed(), slow].concat()
+        [&accounts[..], &self.x, &self.low, &airs, self.pushed()].concat()
     }
 
     fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
         let n = self.x.len();
         let air = 5 + 2 * n + SAVED * self.airs.len();
-        let slow = self.islands.as_ref().map_or(0, |islands| islands.save().len());
-        if numbers.len() != air + self.pushed().len() + slow {
+        if numbers.len() != air + self.pushed().len() {
             return Err(engine::other_world());
         }
         let (numbers, pushed) = numbers.split_at(air);
-        let (pushed, slow) = pushed.split_at(pushed.len() - slow);
-        if let Some(islands) = &mut self.islands {
-            islands.load(slow);
-        }
         if let Some(touching) = &mut self.touching {
             touching.load(pushed);
         }

@@ -3,7 +3,7 @@
 //! In: state, length of the step, inputs. Out: the state behind it, works and events. Where something can touch, the
 //! runtime's step keeps the accounts; elsewhere works are integrals of powers by Simpson's rule.
 
-use super::{CarriedWorld, words};
+use super::{CarriedWorld, Place, words};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Event;
 use smartbed_runtime::ode::State;
@@ -79,7 +79,7 @@ impl CarriedWorld {
             }
         }
         for (name, place) in self.names.iter().zip(&self.places) {
-            let super::Place::Carrier(carrier, _) = place else { continue };
+            let Place::Carrier(carrier, _) = place else { continue };
             if let HostCarrier::Mechanism(ported) = &self.carriers[*carrier] {
                 let inputs = ported.free_inputs();
                 list.extend(
@@ -92,36 +92,32 @@ impl CarriedWorld {
         list
     }
 
-    /// Holds one at a value.
-    pub(super) fn drive_input(&mut self, what: Drivable, value: f64) {
-        let mut changed = false;
+    /// Holds one, by its number, at a value; the part that it drives, if that changes it.
+    pub(super) fn drive_input(&mut self, input: usize, value: f64) -> Option<usize> {
+        let (_, what) = self.drivable().into_iter().nth(input)?;
+        let mut open = |air: usize, line: usize, share: f64| {
+            let Some(line) = &mut self.airs[air].lines[line] else { return false };
+            let before = std::mem::replace(&mut line.opening, share.clamp(0.0, 1.0));
+            before != line.opening
+        };
+        let changed = match what {
+            Drivable::Line(air, line) => open(air, line, value),
+            Drivable::Valves(air) => {
+                let supply = open(air, 0, value);
+                open(air, 1, -value) || supply
+            }
+            Drivable::Input(carrier, input) => match &mut self.carriers[carrier] {
+                HostCarrier::Mechanism(ported) => ported.hold(input, value),
+                _ => false,
+            },
+        };
         let part = match what {
             Drivable::Line(air, _) | Drivable::Valves(air) => Some(self.airs[air].part),
             Drivable::Input(carrier, _) => self
                 .places
                 .iter()
-                .position(|place| matches!(place, super::Place::Carrier(own, _) if *own == carrier)),
+                .position(|place| matches!(place, Place::Carrier(own, _) if *own == carrier)),
         };
-        let mut open = |air: usize, line: usize, share: f64| {
-            if let Some(line) = &mut self.airs[air].lines[line] {
-                let before = std::mem::replace(&mut line.opening, share.clamp(0.0, 1.0));
-                changed |= before != line.opening;
-            }
-        };
-        match what {
-            Drivable::Line(air, line) => open(air, line, value),
-            Drivable::Valves(air) => {
-                open(air, 0, value);
-                open(air, 1, -value);
-            }
-            Drivable::Input(carrier, input) => {
-                if let HostCarrier::Mechanism(ported) = &mut self.carriers[carrier] {
-                    changed = ported.hold(input, value);
-                }
-            }
-        }
-        if let (Some(islands), Some(part), true) = (&mut self.islands, part, changed) {
-            islands.wake(part);
-        }
+        part.filter(|_| changed)
     }
 }

@@ -3,6 +3,7 @@
 //! In: a world, parts that no attachment joins to others. Out: the same lists with what belongs to these parts only, and where
 //! its numbers stand in those of the whole. Before a step it takes the whole's state, behind it it gives it back.
 
+use super::reach::Reach;
 use super::{CarriedWorld, Fixed, Place, Room};
 use crate::world::carriers::HostCarrier;
 use crate::world::engine::Engine;
@@ -25,50 +26,6 @@ pub(super) struct Subset {
     /// Nodes and things of each part here, and how far the things reach about their ports (m).
     nodes: Vec<Range<usize>>,
     things: Vec<Option<Thing<f64>>>,
-}
-
-/// Box around a part, and its fastest point.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Reach {
-    low: Vec3<f64>,
-    high: Vec3<f64>,
-    /// (m/s).
-    pub(super) speed: f64,
-}
-
-impl Reach {
-    pub(super) const NOTHING: Reach =
-        Reach { low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3], speed: 0.0 };
-    const EVERYWHERE: Reach = Reach { low: [f64::NEG_INFINITY; 3], high: [f64::INFINITY; 3], speed: 0.0 };
-
-    fn add(&mut self, point: Vec3<f64>, around: f64, speed: f64) {
-        for ((low, high), x) in self.low.iter_mut().zip(&mut self.high).zip(point) {
-            (*low, *high) = (low.min(x - around), high.max(x + around));
-        }
-        self.speed = self.speed.max(speed);
-    }
-
-    /// A box around both.
-    pub(super) fn join(&mut self, other: &Reach) {
-        for i in 0..3 {
-            (self.low[i], self.high[i]) = (self.low[i].min(other.low[i]), self.high[i].max(other.high[i]));
-        }
-        self.speed = self.speed.max(other.speed);
-    }
-
-    /// Grown by what a few steps of h (s) may move it.
-    fn grown(&self, h: f64, gravity: f64) -> Reach {
-        let size = vec3::norm(vec3::sub(self.high, self.low));
-        let size = if size.is_finite() { size } else { 0.0 };
-        let by = 4.0 * h * self.speed + 8.0 * h * h * gravity + 0.02 * size;
-        Reach { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by), speed: self.speed }
-    }
-
-    /// May the two touch within the next steps?
-    pub(super) fn is_near(&self, other: &Reach, h: f64, gravity: f64) -> bool {
-        let (own, other) = (self.grown(h, gravity), other.grown(h, gravity));
-        (0..3).all(|i| own.low[i] <= other.high[i] && other.low[i] <= own.high[i])
-    }
 }
 
 /// How numbers of the whole become those of the subset.
@@ -233,7 +190,6 @@ impl CarriedWorld {
             unsettled: 0,
             forced: 0,
             stable: self.stable,
-            islands: None,
         };
         (world, pairs, things)
     }

@@ -4,6 +4,8 @@
 //! without splitting (Moreau 1988; impacts and lasting contacts are one), or with touches located in time and the laws
 //! of impact.
 
+mod among;
+
 use super::assembly::{Assembly, Kind, Law};
 use super::engine::Event;
 use super::pushed::Pushed;
@@ -59,6 +61,13 @@ pub(super) struct Touching {
     means: Option<Means>,
     /// Numbers of the state.
     n: usize,
+}
+
+/// Pairs with the parts of each, and which of them can move.
+struct Pairs {
+    pairs: Vec<Pair<f64>>,
+    parts: Vec<[usize; 2]>,
+    moves: Vec<[bool; 2]>,
 }
 
 /// How a step is made.
@@ -180,13 +189,13 @@ impl Touching {
             assembly.contacts.iter().map(|c| c.between.map(|n| assembly.parts[n].can_move())).collect();
         let of_parts = numbers.into_iter().map(|n| (n != usize::MAX).then_some(n)).collect();
         let located = (!kinds.is_empty()).then_some((kinds, method));
-        Ok(Self::with((things, of_parts), (pairs, parts, moves), located, size))
+        Ok(Self::with((things, of_parts), Pairs { pairs, parts, moves }, located, size))
     }
 
     /// For these things and pairs; laws are told of pairs whose touches are located.
     fn with(
         (things, of_parts): (Vec<Thing<f64>>, Vec<Option<usize>>),
-        (pairs, parts, moves): (Vec<Pair<f64>>, Vec<[usize; 2]>, Vec<[bool; 2]>),
+        Pairs { pairs, parts, moves }: Pairs,
         located: Option<(Vec<Impact>, Method)>,
         [ports, points, answers, n]: [usize; 4],
     ) -> Self {
@@ -230,84 +239,6 @@ impl Touching {
             means: None,
             n,
         }
-    }
-
-    /// The pairs among these parts, and with what is fixed in space, for things that `moved` renumbers; which pairs they are here.
-    pub(super) fn among(
-        &self,
-        parts: &[usize],
-        moved: impl Fn(&Thing<f64>) -> Thing<f64>,
-        size: [usize; 4],
-    ) -> (Self, Vec<usize>) {
-        let belongs = |pair: usize, side: usize| parts.contains(&self.parts[pair][side]);
-        let is_own = |pair: usize| {
-            let own = [0, 1].map(|side| belongs(pair, side) || !self.moves[pair][side]);
-            own == [true; 2] && (belongs(pair, 0) || belongs(pair, 1))
-        };
-        let own: Vec<usize> = (0..self.pairs.len()).filter(|pair| is_own(*pair)).collect();
-        let mut numbers: Vec<usize> = own.iter().flat_map(|pair| self.pairs[*pair].things).collect();
-        numbers.sort_unstable();
-        numbers.dedup();
-        let number = |thing: usize| numbers.iter().position(|own| *own == thing);
-        let pairs = own.iter().map(|pair| {
-            let of = &self.pairs[*pair];
-            Pair { things: of.things.map(|thing| number(thing).unwrap_or(0)), ..*of }
-        });
-        let located = self.located.as_ref();
-        let laws = |of: &Located| (own.iter().map(|pair| of.kinds[*pair]).collect(), of.method);
-        let mut subset = Self::with(
-            (
-                numbers.iter().map(|thing| moved(&self.things[*thing])).collect(),
-                self.of_parts.iter().map(|thing| thing.and_then(number)).collect(),
-            ),
-            (
-                pairs.collect(),
-                own.iter().map(|pair| self.parts[*pair]).collect(),
-                own.iter().map(|pair| self.moves[*pair]).collect(),
-            ),
-            located.map(laws),
-            size,
-        );
-        for (number, pair) in own.iter().enumerate() {
-            subset.pushed.take(number, &self.pushed, *pair);
-        }
-        subset.active = own.iter().map(|pair| self.active[*pair]).collect();
-        if let (Some(to), Some(of)) = (&mut subset.located, located) {
-            to.overlaps = of.overlaps;
-        }
-        (subset, own)
-    }
-
-    /// Takes what [`Pushed::values`] gave: pairs that pressed go on as they are.
-    pub(super) fn load(&mut self, pushed: &[f64]) {
-        self.pushed.load(pushed);
-        self.active = (0..self.pairs.len()).map(|pair| self.pushed.presses(pair)).collect();
-    }
-
-    /// Forgets what pushed in the last step, before parts of it are heard.
-    pub(super) fn fall_silent(&mut self) {
-        self.forces.clear();
-        self.pushed = Pushed::new(self.pairs.len());
-        if let Some(located) = &mut self.located {
-            located.overlaps = false;
-        }
-    }
-
-    /// Takes what a step of some pairs, of these numbers here, found.
-    pub(super) fn hear(&mut self, of: &Touching, pairs: &[usize]) {
-        self.forces.extend(of.forces.iter().cloned());
-        for (own, pair) in pairs.iter().enumerate() {
-            self.pushed.take(*pair, &of.pushed, own);
-            self.active[*pair] = of.active[own];
-        }
-        if let (Some(to), Some(of)) = (&mut self.located, &of.located) {
-            to.overlaps |= of.overlaps;
-        }
-    }
-
-    /// The thing that a part is.
-    pub(super) fn thing_of(&self, part: usize) -> Option<Thing<f64>> {
-        self.of_parts[part].map(|thing| self.things[thing])
     }
 
     /// Takes another method between touches, for a state of n entries.

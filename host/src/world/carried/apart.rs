@@ -1,0 +1,82 @@
+//! An engine whose parts step by themselves where they are apart.
+//!
+//! In: a world of flexible parts. Out: it, or an engine that has it step group by group (`islands`); state, rows, energies and pictures are the
+//! world's own.
+
+use super::CarriedWorld;
+use super::islands::Islands;
+use crate::world::engine::{self, Column, Energies, Engine, Event, Settled};
+use crate::world::picture::Picture;
+
+/// A world and how its parts are grouped.
+#[derive(Clone, Debug)]
+struct Apart {
+    world: CarriedWorld,
+    islands: Islands,
+}
+
+/// The engine of a world in which what is slower than `sleep` (m/s, rad/s) stands still.
+#[must_use]
+pub fn engine(world: CarriedWorld, sleep: Option<f64>) -> Box<dyn Engine> {
+    match Islands::new(&world, sleep) {
+        Some(islands) => Box::new(Apart { world, islands }),
+        None => Box::new(world),
+    }
+}
+
+impl Engine for Apart {
+    fn columns(&self) -> Vec<Column> {
+        self.world.columns()
+    }
+
+    fn state(&mut self) -> Result<Vec<f64>, String> {
+        self.world.state()
+    }
+
+    fn energies(&mut self) -> Result<Energies, String> {
+        self.world.energies()
+    }
+
+    fn picture(&mut self) -> Result<Picture, String> {
+        self.world.picture()
+    }
+
+    fn step(&mut self, h: f64, found: &mut Vec<Event>) -> Result<(), String> {
+        self.islands.step(&mut self.world, h, found)
+    }
+
+    fn inputs(&self) -> Vec<String> {
+        self.world.inputs()
+    }
+
+    fn set_input(&mut self, input: usize, value: f64) {
+        if let Some(part) = self.world.drive_input(input, value) {
+            self.islands.wake(part);
+        }
+    }
+
+    fn settle(&mut self) -> Result<Settled, String> {
+        self.islands.forget();
+        self.world.settle()
+    }
+
+    fn save(&self) -> Vec<f64> {
+        [&self.world.save(), self.islands.save()].concat()
+    }
+
+    fn load(&mut self, numbers: &[f64]) -> Result<(), String> {
+        let own = numbers.len().checked_sub(self.islands.save().len()).ok_or_else(engine::other_world)?;
+        let (world, slow) = numbers.split_at(own);
+        self.world.load(world)?;
+        self.islands.load(slow);
+        Ok(())
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.world.warnings()
+    }
+
+    fn method(&self) -> String {
+        self.world.method()
+    }
+}
