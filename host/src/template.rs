@@ -8,7 +8,9 @@
 pub fn filled(template: &str, parts: &[(&str, String)]) -> String {
     let (mut done, mut rest) = (String::new(), template);
     for (name, part) in parts {
-        let (before, after) = rest.split_once(&format!("@{name}@")).unwrap_or((rest, ""));
+        let found = rest.split_once(&format!("@{name}@"));
+        debug_assert!(found.is_some(), "the template has no @{name}@ behind the part before it");
+        let (before, after) = found.unwrap_or((rest, ""));
         done += before;
         done += part;
         rest = after;
