@@ -32,8 +32,9 @@ pub(super) trait Relaxing {
     fn fastest_frame(&self) -> f64;
     /// Length of gravity (m/s^2).
     fn gravity(&self) -> f64;
-    /// Goes a step of free motion at the time of the start; `low` is what rounding left out. Returns the step (s).
-    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault>;
+    /// Goes a step of free motion at the time of the start; `low` is what rounding left out. Returns the step (s), and how fast
+    /// parts that overlap leave one another, with no speed of their own (m/s, rad/s).
+    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<(f64, f64), Fault>;
     /// Begins anew at a state.
     fn restart(&mut self, x: Vec<f64>);
 }
@@ -75,9 +76,9 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
             }
         }
         let before = x[n_q..].to_vec();
-        let h = world.advance(&mut x, &mut low).map_err(words)?;
+        let (h, leaving) = world.advance(&mut x, &mut low).map_err(words)?;
         power.fill(0.0);
-        left = 0.0_f64;
+        left = leaving / h * SLOW;
         for (n, (now, before)) in x[n_q..].iter().zip(&before).enumerate() {
             power[owners[n]] += masses[n] * now * (now - before);
             left = left.max(((now - before) / h).abs()).max((now / h).abs() * SLOW);
@@ -94,6 +95,6 @@ pub(super) fn relax(world: &mut impl Relaxing) -> Result<Settled, String> {
 /// Largest acceleration from a state at rest: what a step makes of it, and the step (s).
 fn acceleration(world: &mut impl Relaxing, x: &[f64], n_q: usize) -> Result<(f64, f64), Fault> {
     let (mut tried, mut low) = (x.to_vec(), vec![0.0; x.len()]);
-    let h = world.advance(&mut tried, &mut low)?;
-    Ok((tried[n_q..].iter().fold(0.0, |largest, speed| (speed / h).abs().max(largest)), h))
+    let (h, leaving) = world.advance(&mut tried, &mut low)?;
+    Ok((tried[n_q..].iter().fold(leaving / h * SLOW, |largest, speed| (speed / h).abs().max(largest)), h))
 }

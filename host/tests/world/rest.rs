@@ -1,7 +1,7 @@
 //! Contacts that last: forces at rest, ten seconds from equilibrium, flat faces that slide.
 
 use super::rigid::G;
-use super::support::{json, number, rows, scene, settled};
+use super::support::{find, json, number, rows, scene, settled};
 
 /// The last row of a scene with changes, settled.
 fn at_rest(scene: &str, changes: &[String]) -> serde_json::Value {
@@ -25,6 +25,25 @@ fn forces_of_settled_contacts_are_the_weights() {
             println!("{scene}: {pair} {x:e} {y:e} {z}, off by {:e}", z / load - 1.0);
             assert!((z / load - 1.0).abs() < 1e-9 && x.abs().max(y.abs()) < 1e-9 * load, "{scene}: {rest}");
         }
+    }
+}
+
+/// The bed's ball lies on the middles of two stiff rims, or on eight nodes of four: it sticks to all of them. What pushes it
+/// out of one is not held back by the others, and tiles whose laws begin to rise do not lift it.
+#[test]
+fn a_ball_between_stiff_rims_comes_to_rest() {
+    let bed = std::fs::read_to_string(find("scenes/bed").expect("the bed")).expect("text");
+    let (count, middle) = ("count = [7, 4]", "[\"0.9_m\", \"0.45_m\", 0]");
+    assert!(bed.matches(count).count() == 2 && bed.contains(middle), "the bed is not what it was");
+    // Tiles, where the ball lies, and how far from its middle line the nodes are that bear it (m).
+    let cases = [("[1, 2]", "[0, 0.15, 0]", 0.01), ("[2, 2]", "[0.15, 0.15, 0]", 0.08_f64.hypot(0.01))];
+    for (name, (tiles, place, off)) in ["two_rims", "four_rims"].into_iter().zip(cases) {
+        let text = bed.replace(count, &format!("count = {tiles}")).replace(middle, place);
+        let done = settled(&[&scene(name, &text)]);
+        let (steps, z) = (number(&done["steps"]), number(&done["last"]["ball.z"]));
+        let expected = 0.05 + (0.2_f64.powi(2) - off * off).sqrt();
+        println!("{name}: {steps} steps, off by {:e} m", z - expected);
+        assert!(steps < 5e3 && (z - expected).abs() < 1e-12, "{name}: {z} m, not {expected}");
     }
 }
 

@@ -188,7 +188,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.island.load_seams()?;
         self.island.accelerate(t + half, middle, rates)?;
         self.fill_twists([t, t + h], h, middle, rates, spare, memory)?;
-        self.find_contacts((t + half, h), middle, memory, S::ZERO)
+        self.find_contacts((t + half, h), middle, memory)
     }
 
     /// Iterates the rates of a span until they stand still; returns the worst pivot and the last sweeps.
@@ -214,7 +214,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             let mut sweeps = Sweeps { number: 0, settled: true, left: S::ZERO };
             if memory.counts[0] > 0 {
                 self.fill_twists([span.t, span.t + span.h], span.h, touched, found, spare, memory)?;
-                sweeps = press(span.h, memory, S::ZERO);
+                sweeps = press(span.h, memory);
                 let own = &mut self.island.memory;
                 let mean = Mean {
                     frames: [&*means.frames[0], &*own.frames, &*means.frames[1]],

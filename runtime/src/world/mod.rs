@@ -21,6 +21,7 @@ mod inertia;
 mod island;
 mod located;
 mod pressed;
+mod relax;
 mod scenery;
 mod step;
 mod sweep;

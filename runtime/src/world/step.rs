@@ -26,9 +26,6 @@ use crate::rigid::contact::{Contact, Twist};
 use crate::surface::{Frame, facet::vertex_normals};
 use crate::vec3::{self, Vec3};
 
-/// Share of an overlap that a step of a relaxation takes away.
-const OUT: f64 = 0.2;
-
 /// Parts that move together, what of them can be touched, and by which laws.
 #[derive(Debug)]
 pub struct World<'a, S, C> {
@@ -107,43 +104,29 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
-        self.step_with((t, h), state, memory, S::ZERO)
+        self.step_at([t, t + S::from_f64(0.5) * h, t + h], h, state, memory)
     }
 
-    /// A step on the way to rest: parts leave one another where they overlap. It keeps no energy.
-    ///
-    /// # Errors
-    /// As [`World::step`].
-    pub fn relax(
+    /// A step whose start, middle and end are at these times: all at one where time stands still.
+    pub(super) fn step_at(
         &mut self,
-        t: S,
+        times: [S; 3],
         h: S,
         state: &mut State<'_, S>,
         memory: &mut StepMemory<'_, S>,
     ) -> Result<StepReport<S>, Fault> {
-        self.step_with((t, h), state, memory, S::from_f64(OUT))
-    }
-
-    fn step_with(
-        &mut self,
-        times: (S, S),
-        state: &mut State<'_, S>,
-        memory: &mut StepMemory<'_, S>,
-        out: S,
-    ) -> Result<StepReport<S>, Fault> {
         let scratch = core::mem::take(&mut memory.scratch);
-        let report = self.step_within(times, state, scratch, memory, out);
+        let report = self.step_within((times, h), state, scratch, memory);
         memory.scratch = scratch;
         report
     }
 
     fn step_within(
         &mut self,
-        (t, h): (S, S),
+        ([t, t_middle, t_end], h): ([S; 3], S),
         state: &mut State<'_, S>,
         scratch: &mut [S],
         memory: &mut StepMemory<'_, S>,
-        out: S,
     ) -> Result<StepReport<S>, Fault> {
         let n = self.island.n_x();
         let mut cuts = scratch.chunks_exact_mut(n.max(1));
@@ -155,7 +138,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Err(Fault::Shape);
         }
         let half = S::from_f64(0.5) * h;
-        let t_middle = t + half;
 
         // Half the way with the speeds of the start: `rest` has q' there.
         self.coast(t, state.x(), rest)?;
@@ -176,8 +158,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
 
         // Contacts become forces of the middle.
-        self.fill_twists([t, t + h], h, middle, dot, new, memory)?;
-        let sweeps = self.contacts((t_middle, h), middle, memory, out)?;
+        self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
+        let sweeps = self.contacts((t_middle, h), middle, memory)?;
         let own = &mut self.island.memory;
         let forces = (&mut *own.elastic, &mut *own.wrenches);
         let active = load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
@@ -205,7 +187,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for ((x, l), ((old, old_low), delta)) in new.iter_mut().zip(low.iter_mut()).zip(old) {
             (*x, *l) = advance(*old, *old_low, *delta);
         }
-        self.project(t + h, new, low, middle)?;
+        self.project(t_end, new, low, middle)?;
         for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
             (*x, *l) = (*new, *new_low);
         }
@@ -273,16 +255,15 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Finds contacts and their impulses, which take away a share `out` of overlaps; the last of the twists have them.
+    /// Finds contacts and their impulses; the last of the twists have them.
     fn contacts(
         &mut self,
         times: (S, S),
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
-        out: S,
     ) -> Result<sweep::Sweeps<S>, Fault> {
-        self.find_contacts(times, middle, memory, out)?;
-        Ok(press(times.1, memory, out))
+        self.find_contacts(times, middle, memory)?;
+        Ok(press(times.1, memory))
     }
 
     /// Finds contacts where everything was placed last, the middle at t, what they yield, and their impulses of the last step.
@@ -291,7 +272,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         (t, h): (S, S),
         middle: &[S],
         memory: &mut StepMemory<'_, S>,
-        out: S,
     ) -> Result<(), Fault> {
         memory.touches.swap(0, 1);
         memory.counts.swap(0, 1);
@@ -331,7 +311,6 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in now.iter_mut() {
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
             touch.start = touch.contact.relative(start);
-            touch.out = out * (-touch.gap).max(S::ZERO) / h;
             // Both lists are in the order of detection: the same contact is seldom far.
             let same = |old: &Touch<S>| old.pair == touch.pair && old.id == touch.id;
             let later = before.get(seen..).unwrap_or_default().iter().position(same).map(|k| k + seen);
@@ -453,7 +432,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 }
 
 /// The impulses of the contacts that were found, for velocities without them at the end; the last of the twists have them.
-pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>, out: S) -> sweep::Sweeps<S> {
+pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::Sweeps<S> {
     let StepMemory { twists: [_, free, end], inertias, touches: [now, _], counts, .. } = memory;
     end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
     let now = now.get_mut(..counts[0]).unwrap_or_default();
@@ -461,9 +440,7 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>, out: S) -> 
         return sweep::Sweeps { number: 0, settled: true, left: S::ZERO };
     }
     let sweeps = sweep(now, h, inertias, end);
-    if out <= S::ZERO {
-        sweep::take_no_more(now, free, inertias, end);
-    }
+    sweep::take_no_more(now, free, inertias, end);
     // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
     end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
     now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));

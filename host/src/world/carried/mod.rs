@@ -22,7 +22,7 @@ pub mod tables;
 use super::carriers::HostCarrier;
 use super::engine::Event;
 use super::ported::Ported;
-use super::touching::{How, Touching};
+use super::touching::{How, Stepped, Touching};
 use crate::scene::grid::Woven;
 use methods::{Contacts, Stepping};
 use smartbed_runtime::flexible::grid::Grid;
@@ -31,7 +31,7 @@ use smartbed_runtime::mechanism::Fault;
 use smartbed_runtime::ode::{Method, Ode, State};
 use smartbed_runtime::surface::{Frame, Shape};
 use smartbed_runtime::vec3::{self, Vec3};
-use smartbed_runtime::world::{Accounts, Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
+use smartbed_runtime::world::{Attachment, Carrier, Cell, Group, Island, Memory, Wrench};
 use std::ops::Range;
 
 /// What never changes.
@@ -125,7 +125,7 @@ impl CarriedWorld {
         (x, low): (&mut [f64], &mut [f64]),
         at_rest: bool,
         found: &mut Vec<Event>,
-    ) -> Result<Accounts<f64>, Fault> {
+    ) -> Result<Stepped, Fault> {
         let (t, old) = (self.t, x.to_vec());
         let how = if self.method.1 == Stepping::Conserving { How::Conserving } else { How::Freely };
         let mut touching = self.touching.take().ok_or(Fault::Shape)?;
@@ -135,12 +135,12 @@ impl CarriedWorld {
             touching.step(island, (t, h), &mut state, how, found)
         });
         self.touching = Some(touching);
-        let report = done?;
+        let mut report = done?;
         self.unsettled += usize::from(!report.settled);
         self.forced += usize::from(report.forced);
         // What the step's own accounts do not see of mechanisms: powers in the middle, but those of the wrenches.
         let middle: Vec<f64> = old.iter().zip(x.iter()).map(|(a, b)| 0.5 * (a + b)).collect();
-        let mut accounts = report.accounts;
+        let accounts = &mut report.accounts;
         // Where time gives a mechanism's motion, by Simpson's rule.
         self.each_mechanism(&middle, |ported, q, u, wrenches| {
             let none = vec![Wrench::zero(); wrenches.len()];
@@ -152,7 +152,7 @@ impl CarriedWorld {
             }
             Ok(())
         })?;
-        Ok(accounts)
+        Ok(report)
     }
 
     /// The method between touches; of steps that have no such method, that of what is relaxed.

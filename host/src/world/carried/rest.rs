@@ -4,7 +4,7 @@ use super::methods::{Contacts, RELAXED};
 use super::{CarriedWorld, Place};
 use crate::world::settle::Relaxing;
 use smartbed_runtime::mechanism::Fault;
-use smartbed_runtime::ode::State;
+use smartbed_runtime::ode::{Ode, State};
 use smartbed_runtime::vec3;
 use smartbed_runtime::world::Carrier;
 
@@ -46,16 +46,15 @@ impl Relaxing for CarriedWorld {
         vec3::norm(self.fixed.gravity)
     }
 
-    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<f64, Fault> {
+    fn advance(&mut self, x: &mut [f64], low: &mut [f64]) -> Result<(f64, f64), Fault> {
         let h = self.h;
         if self.contacts != Contacts::None {
-            self.step_touching(h, (x, low), true, &mut Vec::new())?;
-            return Ok(h);
+            return Ok((h, self.step_touching(h, (x, low), true, &mut Vec::new())?.leaving));
         }
         let mut scratch = vec![0.0; RELAXED.scratch(x.len())];
-        self.with(|mut island| {
+        self.with(|island| {
             let mut state = State::resume(x, low)?;
-            RELAXED.step(&mut island, 0.0, h, &mut state, &mut scratch).map(|_| h)
+            RELAXED.step(&mut Standing(island), 0.0, h, &mut state, &mut scratch).map(|_| (h, 0.0))
         })
     }
 
@@ -64,5 +63,42 @@ impl Relaxing for CarriedWorld {
         (self.x, self.t) = (x, 0.0);
         self.forget_volumes();
         [self.drive, self.damping, self.impact, self.friction] = [0.0; 4];
+    }
+}
+
+/// Equations in which time stands still at 0.
+struct Standing<O>(O);
+
+impl<O: Ode<f64>> Ode<f64> for Standing<O> {
+    fn n_x(&self) -> usize {
+        self.0.n_x()
+    }
+
+    fn n_q(&self) -> usize {
+        self.0.n_q()
+    }
+
+    fn rates(&mut self, _: f64, x: &[f64], x_dot: &mut [f64]) -> Result<f64, Fault> {
+        self.0.rates(0.0, x, x_dot)
+    }
+
+    fn coordinate_rates(&mut self, _: f64, x: &[f64], x_dot: &mut [f64]) -> Result<f64, Fault> {
+        self.0.coordinate_rates(0.0, x, x_dot)
+    }
+
+    fn is_damped(&self) -> bool {
+        self.0.is_damped()
+    }
+
+    fn set_time(&mut self, _: f64) {
+        self.0.set_time(0.0);
+    }
+
+    fn project(&mut self, x: &mut [f64]) -> Result<f64, Fault> {
+        self.0.project(x)
+    }
+
+    fn projections(&self) -> u8 {
+        self.0.projections()
     }
 }

@@ -26,7 +26,7 @@ impl CarriedWorld {
             let (mut x, mut low) = (std::mem::take(&mut self.x), std::mem::take(&mut self.low));
             let done = self.step_touching(h, (&mut x, &mut low), false, found);
             (self.x, self.low) = (x, low);
-            let accounts = done.map_err(words)?;
+            let accounts = done.map_err(words)?.accounts;
             self.drive += accounts.drive;
             self.damping += accounts.damping + accounts.drag;
             self.impact += accounts.impact;

@@ -120,6 +120,8 @@ pub(super) struct Stepped {
     pub(super) settled: bool,
     /// Were splits used up?
     pub(super) forced: bool,
+    /// How fast parts leave one another on the way to rest (m/s, rad/s).
+    pub(super) leaving: f64,
 }
 
 /// What a part is to contacts.
@@ -332,21 +334,22 @@ impl Touching {
                 ContactForce::between(self.moves[own.pair], own.place, contact.axes, contact.impulse)
             };
             self.forces = pressing.filter_map(force).collect();
-            return Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: report.forced });
+            let (settled, forced) = (report.settled, report.forced);
+            return Ok(Stepped { accounts: report.accounts, settled, forced, leaving: 0.0 });
         }
         let done = match how {
             How::Relaxing => world.relax(t, h, state, &mut memory),
-            How::Freely => world.step(t, h, state, &mut memory),
+            How::Freely => world.step(t, h, state, &mut memory).map(|report| (report, 0.0)),
             How::Conserving => {
                 let Means { scratch, nodes: [start, middle, change, velocity], frames: [from, seen] } =
                     self.means.get_or_insert_with(|| Means::new(sizes));
                 let nodes = [&mut **start, middle, change, velocity];
                 let mut means = MeanMemory { scratch, nodes, frames: [from, seen] };
-                world.step_conserving(t, h, state, &mut memory, &mut means)
+                world.step_conserving(t, h, state, &mut memory, &mut means).map(|report| (report, 0.0))
             }
         };
         self.counts = memory.counts;
-        let report = done?;
+        let (report, leaving) = done?;
         let contacts = memory.contacts();
         self.pushed = Pushed::new(self.pairs.len());
         let force = |touch: &Touch<f64>| {
@@ -365,7 +368,7 @@ impl Touching {
             }
             self.active[pair] = points > 0;
         }
-        Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false })
+        Ok(Stepped { accounts: report.accounts, settled: report.settled, forced: false, leaving })
     }
 }
 

@@ -1,0 +1,103 @@
+//! A step on the way to rest: what a step does while time stands still, then parts leave one another where they overlap.
+//!
+//! In: as of a step. Out: the same, and how fast parts left one another.
+//! ```text
+//! x <- x + h w,   w = M^-1 W' P,   w_n >= share of the overlap / h,  no friction, no speed kept
+//! ```
+//! Overlaps are not taken away by the step's own impulses: contacts that stick would hold against it, and two that are
+//! left at different speeds contradict one another for ever (the split of positions from velocities: Guendelman, Bridson and
+//! Fedkiw 2003).
+
+use super::carrier::Carrier;
+use super::step::{StepMemory, StepReport, World, load_contacts};
+use super::sweep::sweep;
+use crate::mechanism::Fault;
+use crate::ode::{Ode, State, state::advance};
+use crate::real::Scalar;
+use crate::rigid::contact::Twist;
+use crate::vec3;
+
+/// Share of an overlap that a step takes away.
+const OUT: f64 = 0.2;
+
+impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
+    /// A step on the way to rest, over which time stands still at t; returns beside its report how fast parts leave one another where they overlap: the largest
+    /// speed (m/s, rad/s) of that. It keeps no energy.
+    ///
+    /// # Errors
+    /// As [`World::step`].
+    pub fn relax(
+        &mut self,
+        t: S,
+        h: S,
+        state: &mut State<'_, S>,
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<(StepReport<S>, S), Fault> {
+        let report = self.step_at([t; 3], h, state, memory)?;
+        let scratch = core::mem::take(&mut memory.scratch);
+        let leaving = self.leave((t, h), state, scratch, memory);
+        memory.scratch = scratch;
+        // The contacts of the step are those that the next one goes on from.
+        memory.touches.swap(0, 1);
+        memory.counts.swap(0, 1);
+        Ok((report, leaving?))
+    }
+
+    /// Moves parts out of one another; leaves behind it the step's contacts as those before.
+    fn leave(
+        &mut self,
+        (t, h): (S, S),
+        state: &mut State<'_, S>,
+        scratch: &mut [S],
+        memory: &mut StepMemory<'_, S>,
+    ) -> Result<S, Fault> {
+        let (n, n_q) = (self.island.n_x(), self.island.n_q());
+        let mut cuts = scratch.chunks_exact_mut(n.max(1));
+        let [Some(here), Some(without), Some(with), Some(new), Some(low)] = [(); 5].map(|()| cuts.next())
+        else {
+            return Err(Fault::Shape);
+        };
+        here.copy_from_slice(state.x());
+        self.island.place(t, here)?;
+        self.find_contacts((t, h), here, memory)?;
+        let touches = memory.touches[0].get_mut(..memory.counts[0]).unwrap_or_default();
+        for touch in touches.iter_mut() {
+            touch.out = S::from_f64(OUT) * (-touch.gap).max(S::ZERO) / h;
+            (touch.start, touch.contact.impulse, touch.contact.friction) =
+                (vec3::zero(), vec3::zero(), S::ZERO);
+        }
+        if touches.iter().all(|touch| touch.out <= S::ZERO) {
+            return Ok(S::ZERO);
+        }
+        let [.., twists] = &mut memory.twists;
+        twists.fill(Twist::zero());
+        sweep(touches, h, &memory.inertias, twists);
+
+        // What the impulses alone do to the speeds: rates with them but for rates without them.
+        self.island.load_seams()?;
+        self.island.accelerate(t, here, without)?;
+        let own = &mut self.island.memory;
+        let forces = (&mut *own.elastic, &mut *own.wrenches);
+        load_contacts(h, memory.contacts().iter().map(|touch| touch.contact), forces);
+        self.island.accelerate(t, here, with)?;
+        let mut fastest = S::ZERO;
+        new.copy_from_slice(here);
+        for (to, (with, without)) in new.iter_mut().zip(with.iter().zip(without.iter())).skip(n_q) {
+            *to = h * (*with - *without);
+            fastest = fastest.max(to.abs());
+        }
+        let rates = with;
+        self.coast(t, new, rates)?;
+        for (index, (x, l)) in state.entries().enumerate() {
+            let way = rates.get(index).filter(|_| index < n_q).map_or(S::ZERO, |rate| h * *rate);
+            if let (Some(to), Some(to_low)) = (new.get_mut(index), low.get_mut(index)) {
+                (*to, *to_low) = advance(*x, *l, way);
+            }
+        }
+        self.project(t, new, low, here)?;
+        for ((x, l), (new, new_low)) in state.entries().zip(new.iter().zip(low.iter())) {
+            (*x, *l) = (*new, *new_low);
+        }
+        Ok(fastest)
+    }
+}
