@@ -66,7 +66,8 @@ pub(super) fn sweep<S: Scalar>(
         if few { (SWEEPS[0], S::from_f64(32.0) * S::EPSILON) } else { (SWEEPS[1], S::from_f64(COARSE)) };
     let mut fastest = S::ZERO;
     for touch in touches.iter() {
-        fastest = fastest.max(vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start));
+        let speeds = vec3::norm(touch.contact.relative(twists)) + vec3::norm(touch.start);
+        fastest = fastest.max(speeds + touch.out);
     }
     for touch in touches.iter() {
         touch.contact.push(inertia, twists, touch.contact.impulse);

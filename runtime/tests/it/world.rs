@@ -44,6 +44,26 @@ fn a_ball_falls_rests_and_its_weight_is_carried() {
 }
 
 #[test]
+fn what_overlaps_leaves_by_a_fifth_a_step_on_the_way_to_rest() {
+    let (h, overlap) = (1e-3, 1e-3);
+    let mut scene = Scene::falling();
+    let (floor, ball) = (scene.floor(), scene.ball(5.0, 0.1, [0.0, 0.0, 0.1 - overlap], [0.0; 3]));
+    scene.pair(ball, floor, 0.4, 0.0);
+    let (x, ()) = scene.with(|world, state, mut memory| {
+        let mut left = overlap;
+        for _ in 0..20 {
+            let (report, leaving) = world.relax(0.0, h, state, &mut memory).expect("a step");
+            // The share that a step takes away, in one step; no speed stays, and the weight is carried all the while.
+            assert!((leaving - 0.2 * left / h).abs() < 1e-12, "{leaving} of {left}");
+            left *= 0.8;
+            assert!((0.1 - state.x()[2] - left).abs() < 1e-15, "{left}");
+            assert!(report.active == 1 && (force(memory.contacts(), h)[2] / 49.05 - 1.0).abs() < 1e-9);
+        }
+    });
+    assert!(x[7..].iter().all(|speed| speed.abs() < 1e-15), "{x:?}");
+}
+
+#[test]
 fn a_ball_bounces_with_its_restitution() {
     // Heights of the first bounces against v+ = e v-, to order 1.
     let off = |h: f64| {
