@@ -1,7 +1,7 @@
 //! Plots of a run: coordinates by unit, and energies, over time; SVG or PNG by the file's name.
 //!
 //! In: recorded rows. [`panels`] says which curves stand together, [`chart`] lays them out as a [`Drawing`] of lines,
-//! shapes and words, which [`svg`] and [`png`] (painted by `tiny-skia` with the letters of [`font`]) write.
+//! shapes and words ([`side`] those of pictures from the side), which [`svg`] and [`png`] (painted by `tiny-skia` with the letters of [`font`]) write.
 
 mod axis;
 pub mod chart;
@@ -13,6 +13,8 @@ pub mod panels;
 pub mod pattern;
 #[cfg(feature = "whole")]
 pub mod png;
+#[cfg(feature = "whole")]
+pub mod side;
 pub mod svg;
 
 pub use axis::Axis;

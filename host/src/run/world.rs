@@ -15,6 +15,7 @@ use crate::plot::panels::{self, Shown};
 use crate::plot::{Recording, pattern};
 use crate::progress::Progress;
 use crate::view::film::{Film, Series};
+use crate::view::side::Sides;
 use crate::view::world as stage;
 use crate::world::Assembly;
 use crate::world::engine::{ACCOUNTS, Column, Event};
@@ -95,6 +96,7 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     }
     let shown = shown(&columns, arguments.show.as_deref())?;
     let mut recording = arguments.plot.as_ref().map(|_| Recording::new(names.len()));
+    let mut sides = arguments.plot.as_ref().map(|_| Sides::new(stage::stage(assembly)));
     let mut film = arguments.view.as_ref().map(|_| Film::new(stage::stage(assembly), series(&columns)));
     let mut health = Health::new(BTreeMap::new(), f64::EPSILON);
     let (mut rows, mut imbalance, mut total, mut last) = (0, 0.0_f64, [f64::NAN; 2], Vec::new());
@@ -111,6 +113,10 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
             }
             if let Some(recording) = &mut recording {
                 recording.push(&values);
+            }
+            if let Some(sides) = &mut sides {
+                let picture = engine.picture().map_err(Failure::Wrong)?;
+                sides.push(row.t, stage::places(&picture, assembly), !picture.forces.is_empty());
             }
             if let Some(film) = &mut film {
                 let picture = engine.picture().map_err(Failure::Wrong)?;
@@ -157,7 +163,11 @@ fn record(arguments: &Arguments, assembly: &Assembly) -> Result<Done, Failure> {
     }
     let note = noted(format!("{method}, step {} s", six_digits(assembly.run.step)), arguments);
     if let (Some(file), Some(recording)) = (&arguments.plot, &recording) {
-        plot::write(file, &drawing(assembly, &columns, &shown, recording, &note, &events))?;
+        let mut drawing = drawing(assembly, &columns, &shown, recording, &note, &events);
+        if let Some(lower) = sides.and_then(|sides| sides.draw()) {
+            chart::below(&mut drawing, lower);
+        }
+        plot::write(file, &drawing)?;
     }
     let film = film.map(|film| film.data(&assembly.title, &note, &told(&events, assembly)));
     let warnings = engine.warnings();

@@ -11,6 +11,8 @@ pub mod page;
 #[cfg(feature = "whole")]
 pub mod scene;
 pub mod serve;
+#[cfg(feature = "whole")]
+pub mod side;
 pub mod stage;
 #[cfg(feature = "whole")]
 pub mod still;

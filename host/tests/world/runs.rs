@@ -17,7 +17,11 @@ fn a_world_has_rows_plots_and_a_page() {
         "{}",
         rows.lines().count()
     );
-    assert!(std::fs::read_to_string(&svg).expect("a plot").contains("A box bounces"));
+    // Beside the curves the parts from the side, at three times.
+    let plot = std::fs::read_to_string(&svg).expect("a plot");
+    for word in ["A box bounces", "From the side", "start, 0.000 s", "first touch, 0.", "end, 0.500 s"] {
+        assert!(plot.contains(word), "{word}");
+    }
     let page = std::fs::read_to_string(&page).expect("a page");
     assert!(page.contains("\"kind\":\"box\"") && page.contains("\"ground\":{"), "stage");
 }
