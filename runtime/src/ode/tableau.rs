@@ -3,7 +3,7 @@
 //! Written as fractions in f64 and rounded to every scalar at compile time ([`Tableau::rounded()`]): a machine
 //! without double precision never converts them.
 //! A Runge-Kutta method (a, b) of the first-order system becomes abar = a a, bbar = b a in Nystrom's form, which needs
-//! stage velocities only where forces depend on speeds. `error` and `coarse` are weights of embedded error estimates (0: none).
+//! stage velocities only where forces depend on speeds. `error` and `coarse` are weights of error estimates (0: none).
 
 use crate::real::Constant;
 
