@@ -323,8 +323,8 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
         u_dot.iter_mut().zip(acceleration.iter().chain(&moment)).for_each(|(to, from)| *to = *from);
         Ok(S::ONE)
     }
-    /// Rotates by Cayley's map of W, the mean of the angular velocities at both ends in body axes: e' = e (1, h
-    /// W/2)/|..|. With M the mean moment, the kinetic energy changes by exactly h W . M (Simo & Wong 1991).
+    /// Rotates by Cayley's map, e' = e (1, h W/2)/|..|, with W the mean of the angular velocities at both ends in body
+    /// axes. With M the mean moment, the kinetic energy changes by exactly h W . M (Simo & Wong 1991).
     fn mean_rates(
         &mut self,
         [_, h]: [S; 2],
