@@ -216,7 +216,7 @@ impl<S: Scalar> Chamber<S> {
     /// at the rate n R T/V sum dm'/dp.
     ///
     /// # Errors
-    /// [`GasFault`] if volume or mass is not positive, or if more than [`PARTS`] parts are needed.
+    /// [`GasFault`] if volume or mass is not positive, or if more than `PARTS` parts are needed.
     pub fn flow(
         &self,
         state: &GasState<S>,
