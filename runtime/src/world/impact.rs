@@ -5,9 +5,9 @@
 //! velocities after. Compensation is that of a body on the ground (`contact::compensation`) with all sides free to
 //! move:
 //! ```text
-//! J0 >= 0, W v >= 0, J0 . W v = 0                      e = 0; Q: eta times the kinetic energy that this takes
+//! J0 >= 0, W v >= 0, J0 . W v = 0                      e = 0; Q: eta times the kinetic energy that it takes
 //! node i of a side, its share b (+ first, - second side):  springs from i to k with w = b d.n > 1e-6 and k not in touch
-//!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 as J0, so that D parts no side into the other: W D >= 0
+//!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 like J0, so that D moves no side into the other: W D >= 0
 //! A = D.M D/2;  B = v.M D;  A lambda^2 + B lambda = Q;  v += lambda D;  J = J0 + lambda u
 //! ```
 //! The smaller root is taken if B <= 0, J >= 0 and no side enters another, else the larger one. Springs and contacts

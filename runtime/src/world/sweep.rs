@@ -5,7 +5,7 @@
 //! and the velocities v+ with them.
 //! ```text
 //! 0 <= J,  v_n+ >= w,  J (v_n+ - w) = 0          |T| <= mu J, against the slip that is left
-//! e = 0:  w = -max(gap/h, v_n-, 0)               over a gap the way ends half way, at the next middle it is closed
+//! e = 0:  w = -max(gap/h, v_n-, 0)               half of the gap closes in this step, the rest by the next middle
 //! e > 0:  w = -e v_n- where gap <= 0
 //! ```
 //! Kinetic energy changes by P . (v- + v+)/2. Its normal part is never positive, because w <= -v_n- (e <= 1). Friction

@@ -2,10 +2,10 @@
 //!
 //! In: state [q, x; u, v] at t, a method, a law of impact for each pair. Out: the state at t + h, accounts.
 //! ```text
-//! strike      if some of what touches closes: impact of all that touches (`impact`)
-//! hold        contacts that last: they press or let go, hold or slide, by their forces at the start of the way
+//! strike      if a touching contact approaches: impact of all touching contacts (`impact`)
+//! hold        lasting contacts press or release, stick or slip, by their forces at the start of the step
 //! advance     the method's step of the equations under these contacts (`pressed`)
-//! shorten     to the first new touch, to where a force would pull, a slip stops, or friction no longer holds
+//! shorten     to the first new touch, to where a normal force would pull, slip stops, or sticking ends
 //! ```
 //! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped without locating events,
 //! as in `step`, and the report says so: use that step for many contacts. Gaps and speeds that count as zero follow
