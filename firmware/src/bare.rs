@@ -1,5 +1,6 @@
-//! The controller on a core that no board is made of yet: a station whose line, store and readings are memory that somebody else
-//! fills. It is linked to be measured (`smartbed tile --budget`), so that what a port to RISC-V will take is known; it runs nowhere.
+//! The controller linked for a core without a board: a station whose line, store and readings are memory of unknown
+//! content. It is only built to be measured (`smartbed tile --budget`), which shows the cost of a port to RISC-V; it
+//! runs nowhere.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(not(target_os = "none"))]
@@ -23,7 +24,7 @@ mod bare {
     /// Bytes of a page.
     const PAGE: u32 = 0x4000;
 
-    /// A line and a flash of which the compiler knows nothing.
+    /// A line and a flash whose content the compiler cannot know.
     #[derive(Default)]
     struct Memory;
 
@@ -73,7 +74,7 @@ mod bare {
         }
     }
 
-    /// Ticks for ever. Stack pointer and memory would be a board's to set up.
+    /// Ticks for ever. Setting up stack pointer and memory would be a board's part.
     #[unsafe(no_mangle)]
     extern "C" fn _start() -> ! {
         let store = Store::new(Memory, [0, PAGE], PAGE);
@@ -85,7 +86,7 @@ mod bare {
         }
     }
 
-    /// Never linked in: the image's checks refuse whatever could call it.
+    /// Never linked in: the image's checks refuse any code that could call it.
     #[panic_handler]
     fn panic(_: &core::panic::PanicInfo) -> ! {
         loop {

@@ -1,7 +1,7 @@
 //! The controller of a real tile on a serial line: an STM32F405 with the pins of `docs/controller.md`.
 //!
-//! Only its set-up stands here and in `chip/board`; what it does each millisecond is the library's (`station.rs`), the same
-//! that runs in the emulator and on a host.
+//! Only its set-up is here and in `chip/board`; the work of each millisecond is the library's (`station.rs`), the same
+//! code as in the emulator and on a host.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(not(target_os = "none"))]

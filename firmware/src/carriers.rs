@@ -1,13 +1,14 @@
-//! Carriers of a world on the chip: the types that its scene has, and no others.
+//! Carriers of a world on the chip: only the types that occur in its scene.
 //!
 //! In: modules of derived equations. Out: [`derived!`], a carrier of such equations with the ports in use, and
-//! [`carriers!`], one type for all carriers of a scene, so that a group of them is a list. No call goes through a pointer.
+//! [`carriers!`], one enum for all carriers of a scene, so that a group of them is a list. No call goes through a
+//! pointer.
 
-/// A carrier of the equations in `$module`. A port is the function that answers it, and the place of its wrench, six numbers,
-/// among the inputs; `command` of the module gives the inputs as the model's law commands them.
+/// Defines a carrier of the equations in `$module`. Each port is given by its answer function and the index of its
+/// wrench, six numbers, among the inputs; the module's `command` gives the inputs by the model's control law.
 macro_rules! derived {
     ($name:ident: $module:ident::$equations:ident, ports: [$($function:ident => $first:literal),*]) => {
-        /// Derived equations, with the inputs held last and the place of their origin (m).
+        /// Derived equations with their last inputs, and the position of their origin (m).
         pub struct $name {
             equations: $module::$equations,
             inputs: [f32; $module::N_INPUTS],
@@ -15,7 +16,7 @@ macro_rules! derived {
         }
 
         impl $name {
-            /// With all inputs 0.
+            /// At this position, with all inputs 0.
             pub fn at(place: Vec3<f32>) -> Self {
                 Self { equations: $module::$equations::default(), inputs: [0.0; $module::N_INPUTS], place }
             }
@@ -61,7 +62,7 @@ macro_rules! derived {
                 if seen == at {
                     return Ok(own);
                 }
-                // J of the one times what a unit wrench at the other does to u'.
+                // J of one port times the change of u' by a unit wrench at the other.
                 let mut free = [0.0; $module::NU];
                 let mut changes = [[0.0; $module::NU]; 6];
                 let wrenches = [Wrench::zero(); FIRST.len()];
@@ -137,13 +138,13 @@ macro_rules! derived {
     };
 }
 
-/// One type for carriers of several types: each variant of `$name` holds one.
+/// Defines one enum for carriers of several types: each variant of `$name` holds one.
 macro_rules! carriers {
     ($name:ident { $($variant:ident: $type:ty),* }) => {
         /// A carrier of this scene.
         pub enum $name {
             $(
-                /// One of its types.
+                /// A carrier of one of the types.
                 $variant($type),
             )*
         }

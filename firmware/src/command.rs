@@ -30,23 +30,23 @@ impl Pose {
     }
 }
 
-/// A smooth demonstration: the tile rises while it tilts, then the tilt's direction goes round.
+/// A smooth demonstration: the tile rises while it tilts, then the direction of the tilt rotates.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Profile {
-    /// Where it starts: level at this heave (m).
+    /// Initial heave, level (m).
     pub start: f32,
-    /// How far it rises (m).
+    /// Change of heave (m).
     pub rise: f32,
-    /// Slope that it reaches (1).
+    /// Final slope (1).
     pub slope: f32,
-    /// Time in which it gets there (s).
+    /// Time to reach both (s).
     pub ramp: f32,
     /// Angular velocity of the tilt's direction (rad/s).
     pub turn: f32,
 }
 
 impl Profile {
-    /// Rises 30 mm in 2 s to a tilt of 5.7 degrees, whose direction goes round in 5 s.
+    /// Rises 30 mm in 2 s to a tilt of 5.7 degrees, whose direction rotates once in 5 s.
     #[must_use]
     pub const fn demonstration(start: f32) -> Self {
         Self { start, rise: 0.03, slope: 0.1, ramp: 2.0, turn: 1.256_637_1 }
@@ -62,7 +62,7 @@ impl Profile {
     }
 }
 
-/// Sine and cosine of an angle (rad), out of line.
+/// Sine and cosine of an angle (rad), as a function that is not inlined.
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]

@@ -1,10 +1,10 @@
-//! A demonstration on a host: what the chip says through semihosting stands on standard output.
+//! A demonstration on a host: the text that the chip sends through semihosting goes to standard output.
 
 use std::io::{Write, stdout};
 use std::process::ExitCode;
 use std::vec::Vec;
 
-/// Prints what `demonstrate` writes; fails where it says that a step was refused.
+/// Prints what `demonstrate` writes; fails if it reports that a step was refused.
 pub fn print(demonstrate: impl FnOnce(&mut Vec<u8>) -> bool) -> ExitCode {
     let mut text = Vec::new();
     let is_done = demonstrate(&mut text);

@@ -1,4 +1,4 @@
-//! The law: one force per leg from its commanded and its measured height.
+//! The control law: one force per leg from its commanded and its measured height.
 //!
 //! F_i = W/3 + K (h_i,commanded - h_i) - D h_i', with W the weight of everything that the three
 //! legs carry. In: heights (m) and their rates (m/s). Out: forces (N), positive upwards.

@@ -1,55 +1,55 @@
-//! What can break of a simulated tile, and the names and numbers by which a host asks for it.
+//! Defects of a simulated tile, with the names and numbers by which a host requests them.
 
-/// What can break. Legs are numbered from 0.
+/// A defect of the simulated tile. Legs are numbered from 0.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Defect {
-    /// A drive gives this duty whatever it is told; ENABLE still cuts it.
+    /// A drive gives this duty whatever its command; ENABLE still cuts it.
     Motor(u8, f32),
     /// A drive gives nothing.
     MotorDead(u8),
-    /// ENABLE does not cut.
+    /// ENABLE does not cut the power.
     Enable,
-    /// A valve stands open: of the pump, or the vent.
+    /// A valve is stuck open: that of the pump, or the vent.
     ValveOpen {
-        /// The vent?
+        /// Whether it is the vent.
         vent: bool,
     },
-    /// A valve stays shut.
+    /// A valve is stuck shut.
     ValveShut {
-        /// The vent?
+        /// Whether it is the vent.
         vent: bool,
     },
-    /// An encoder counts no further.
+    /// An encoder has stopped counting.
     EncoderStuck(u8),
-    /// An encoder counts so much too much each millisecond.
+    /// An encoder counts this much too much each millisecond.
     EncoderDrift(u8, i32),
-    /// A displacement sensor stays where it is.
+    /// A displacement sensor keeps its last reading.
     DisplacementStuck(u8),
     /// The wire of a displacement sensor is broken.
     DisplacementOpen(u8),
-    /// A switch's circuit is open: the lower one, or the upper.
+    /// The circuit of an end switch is open: the lower one, or the upper.
     SwitchOpen {
         /// Its leg.
         leg: u8,
-        /// The upper one?
+        /// Whether it is the upper one.
         high: bool,
     },
-    /// A pressure sensor shows so many times the pressure.
+    /// A pressure sensor shows the pressure times this factor.
     PressureBias(u8, f32),
-    /// The supply falls to this (V).
+    /// The supply falls to this voltage (V).
     Supply(f32),
-    /// Something stops this leg at this height (m), from above or, going down, from below.
+    /// An obstacle stops this leg at this height (m): above a rising leg, or below a falling one.
     Block {
         /// Its leg.
         leg: u8,
-        /// Where it begins (m).
+        /// Height of the obstacle (m).
         height: f32,
-        /// Is it above?
+        /// Whether it is above the leg.
         above: bool,
     },
 }
 
-/// Defects that a session may ask for: name and defect, by number; 0 mends all.
+/// Defects that a session may request, by number: name and defect; 0 repairs all.
 pub const NAMED: [(&str, Option<Defect>); 15] = [
     ("none", None),
     ("motor-on", Some(Defect::Motor(0, 1.0))),

@@ -1,8 +1,8 @@
 //! A digest of a trajectory: FNV-1a, 64 bits, over the bytes of every number's bits.
 //!
-//! Two trajectories with the same digest are taken for equal to the bit. -0 and 0 differ.
+//! Trajectories with the same digest count as equal to the bit. -0 and 0 differ.
 
-/// A digest under way.
+/// A digest in progress.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Digest(u64);
 
@@ -13,7 +13,7 @@ impl Default for Digest {
 }
 
 impl Digest {
-    /// Takes in the bits of these numbers, lowest byte first.
+    /// Adds the bits of these numbers, lowest byte first.
     pub fn add(&mut self, numbers: &[f32]) {
         for byte in numbers.iter().flat_map(|x| x.to_bits().to_le_bytes()) {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
@@ -32,7 +32,7 @@ impl Digest {
     }
 }
 
-/// Writes how a simulation ended: its digest, or that a step was refused. True if there is a digest.
+/// Writes how a simulation ended: its digest, or that a step was refused. Returns whether there is a digest.
 pub fn report(digest: Option<Digest>, mut write: impl FnMut(&[u8])) -> bool {
     match digest {
         Some(digest) => {

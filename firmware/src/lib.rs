@@ -1,11 +1,12 @@
-//! The tile controller: what the chip computes, testable on the host.
+//! The tile controller: the computations of the chip, testable on the host.
 //!
-//! Each millisecond: the commanded heave and slopes ([`command`]) become three heights, a law
+//! `tile` is the controller itself, [`link`] its protocol, [`supervisor`] the other end of it. The demonstration, each
+//! millisecond: the commanded heave and slopes ([`command`]) become three heights, a control law
 //! ([`control`]) turns them into forces, and the tile's own equations ([`mechanism`], derived from the
-//! model at build time) advance by one step ([`simulation`]). Every state goes into a [`digest`],
-//! which is how host and chip are compared.
+//! model at build time) advance by one step ([`simulation`]). Every state goes into a [`digest`], by
+//! which host and chip are compared.
 //!
-//! The image of a flexible scene shares the digest alone: with the feature `scene` nothing is derived.
+//! The image of a flexible scene uses only the digest: with the feature `scene` nothing is derived.
 //!
 //! Invariants: single precision only, no panic, no heap, no recursion, no fused multiply-add; so
 //! the host's trajectory is the chip's, bit for bit. A module imports only from those above it.

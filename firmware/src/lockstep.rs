@@ -1,7 +1,8 @@
-//! Controller and simulated tile, a tick at a time, for a host that takes [`turns`](crate::turns).
+//! Controller and simulated tile, one tick at a time, for a host that takes [`turns`](crate::turns).
 //!
-//! In: the host's bytes. Out: ours. The same code on host and chip, so the same bytes.
-//! `controller_tick` is a symbol of the image, so that the emulator can count it: line, node and nothing of the plant.
+//! In: bytes from the host. Out: bytes to the host. Host and chip run the same code, so the bytes are the same.
+//! `controller_tick` is a symbol of the image, so that the emulator can count it: line and node, without the simulated
+//! tile.
 
 use crate::defect::NAMED;
 use crate::link::serial::{BYTES, Line, Serial};
@@ -15,12 +16,12 @@ use crate::tile::integrity::Program;
 use crate::turns::{BREAK, END, FAULT, HELLO, KEY, TICKS};
 use heapless::{Deque, Vec};
 
-/// Where the simulated tile stands when it starts (m), and what lies on it (kg, m).
+/// Initial state of the simulated tile: heights (m), mass on it (kg) and the mass's position (m).
 const START: ([f32; 3], f32, [f32; 2]) = ([-0.02; 3], 20.0, [0.02, 0.0]);
 
-/// The host's end.
+/// The connection to the host.
 pub trait Host {
-    /// The next byte; waits for it. None if there is no host any more.
+    /// The next byte; waits for it. None if the host is gone.
     fn read(&mut self) -> Option<u8>;
     /// Sends a byte.
     fn write(&mut self, byte: u8);
@@ -37,7 +38,7 @@ pub enum Last {
     Refused,
 }
 
-/// The line between the turns and the node.
+/// Buffers of the line between host and node.
 #[derive(Clone, Debug, Default)]
 struct Ends {
     down: Deque<u8, 256>,
@@ -65,7 +66,7 @@ fn controller_tick(
     station.tick(readings, program)
 }
 
-/// Takes turns until the host ends it; the controller checks `program` against its checksum.
+/// Takes turns until the host ends the session; the controller checks `program` against its checksum.
 pub fn serve(host: &mut impl Host, program: Program, checksum: u32) -> Last {
     host.write(HELLO);
     let Some(number) = host.read() else { return Last::End };
@@ -87,7 +88,7 @@ pub fn serve(host: &mut impl Host, program: Program, checksum: u32) -> Last {
             Some(turn @ 0..=TICKS) => {
                 for _ in 0..turn {
                     let Some(byte) = host.read() else { return Last::End };
-                    // A line that is never read loses what comes.
+                    // A full line loses the byte, as a real one would.
                     let _ = station.bus.line.down.push_back(byte);
                 }
                 1

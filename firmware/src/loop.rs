@@ -1,4 +1,4 @@
-//! The controller and the tile that it is tried on, in lock-step with a host: on the chip through a serial line, on the host
+//! The controller and a simulated tile in lock-step with a host: on the chip through a serial line, on the host
 //! through standard input and output. The same library, so the same bytes.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
@@ -8,7 +8,7 @@ fn main() -> std::process::ExitCode {
     use smartbed_firmware::tile::integrity::Program;
     use std::io::{BufReader, BufWriter, Read, Stdin, Stdout, Write, stdin, stdout};
 
-    /// Pipes; what is written goes out before it is waited.
+    /// Pipes; output is flushed before waiting for input.
     struct Pipes(BufReader<Stdin>, BufWriter<Stdout>);
     impl Host for Pipes {
         fn read(&mut self) -> Option<u8> {
@@ -19,7 +19,7 @@ fn main() -> std::process::ExitCode {
             self.0.read_exact(&mut byte).ok().map(|()| byte[0])
         }
         fn write(&mut self, byte: u8) {
-            // A host that is gone is seen when it is read.
+            // That the host is gone is noticed when reading.
             let _ = self.1.write_all(&[byte]);
         }
     }

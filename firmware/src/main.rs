@@ -4,7 +4,7 @@
 
 use smartbed_firmware::{STEPS, digest::report, simulation::Simulation};
 
-/// Runs all steps and hands the report to `write`; none if a step was refused.
+/// Runs all steps and hands the report to `write`; None if a step was refused.
 fn simulate(write: impl FnMut(&[u8])) -> Option<Simulation> {
     let run = |mut simulation: Simulation| simulation.run(STEPS).map(|digest| (digest, simulation));
     let done = Simulation::new().map_err(|fault| (0, fault)).and_then(run).ok();
@@ -12,7 +12,7 @@ fn simulate(write: impl FnMut(&[u8])) -> Option<Simulation> {
     done.map(|(_, simulation)| simulation)
 }
 
-/// On the host the last state stands behind the digest, to be compared with other simulations.
+/// On the host the last state follows the digest, for comparison with other simulations.
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
     smartbed_firmware::console::print(|text| {

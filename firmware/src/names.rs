@@ -1,6 +1,6 @@
-//! Finds names at compile time: generated equations list theirs.
+//! Finds names at compile time in the name lists of generated equations.
 
-/// Where `name` stands among `names`.
+/// Index of `name` in `names`.
 #[must_use]
 pub const fn position(names: &[&str], name: &str) -> Option<usize> {
     let mut i = 0;
@@ -13,7 +13,7 @@ pub const fn position(names: &[&str], name: &str) -> Option<usize> {
     None
 }
 
-/// Are they the same?
+/// Whether both are the same.
 #[must_use]
 pub const fn equal(a: &[u8], b: &[u8]) -> bool {
     let mut i = 0;

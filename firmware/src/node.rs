@@ -1,9 +1,9 @@
-//! A tile as its bus sees it: link, controller and store in one call a millisecond.
+//! A tile as its bus sees it: link, controller and store in one call per millisecond.
 //!
-//! In: bodies of frames, readings. Out: what the board is to set, and bodies of reports.
-//! Order of a tick: at most one body is taken; a command that is due, that one or one that waited, goes to the
-//! controller; what became of it is answered; then log and telemetry. Nothing is sent before a vouched command has
-//! come, but answers.
+//! In: bodies of frames, readings. Out: outputs for the board, and bodies of reports.
+//! Order of a tick: at most one body is taken; a command that is due, new or waiting, goes to the
+//! controller; its outcome is answered; then log and telemetry. Before the first authenticated command only answers
+//! are sent.
 
 use crate::link::clock::Clock;
 use crate::link::frame::Body;
@@ -19,13 +19,13 @@ use crate::tile::store::{Record, Store};
 use embedded_storage::nor_flash::NorFlash;
 use heapless::{Deque, Vec};
 
-/// Bodies that wait to be taken: a tick brings two at most.
+/// Most bodies waiting to be taken: a tick brings two at most.
 const INBOX: usize = 4;
-/// Commands that wait for their tick.
+/// Most commands waiting for their tick.
 const WAITING: usize = 8;
-/// Reports that wait to be sent.
+/// Most reports waiting to be sent.
 const OUTBOX: usize = 8;
-/// The state is reported so often while a supervisor is there (ticks).
+/// Period of the state report while a supervisor is present (ticks).
 const TELEMETRY: u32 = 100;
 
 /// A tile on its bus.
@@ -36,19 +36,19 @@ pub struct Node<F> {
     store: Store<F>,
     record: Option<Record>,
     clock: Clock,
-    /// Has the program changed?
+    /// Whether the program has changed.
     is_damaged: bool,
-    /// Did the clocks run apart in this tick?
+    /// Whether the clocks were apart in this tick.
     is_apart: bool,
-    /// Has a stop without a body come?
+    /// Whether a stop without a body has arrived.
     is_halted: bool,
     log: Log,
-    /// The next entry that was asked for.
+    /// The next log entry requested.
     asked: Option<u32>,
     inbox: Deque<Body, INBOX>,
     waiting: Vec<Accepted, WAITING>,
     outbox: Deque<Body, OUTBOX>,
-    /// When the state is reported (ms).
+    /// Phase of the state report (ms).
     phase: u32,
     /// The tile's time (ms).
     now: u32,
@@ -57,7 +57,7 @@ pub struct Node<F> {
 }
 
 impl<F: NorFlash> Node<F> {
-    /// A life of a tile of this number: the boot is counted and stored first. `reason` goes into the log.
+    /// Starts the tile with this number: the boot is counted and stored first. `reason` goes into the log.
     #[must_use]
     pub fn new(tile: u8, mut store: Store<F>, reason: u8) -> Self {
         let record = store.start();
@@ -85,29 +85,29 @@ impl<F: NorFlash> Node<F> {
         }
     }
 
-    /// Hands over a body that has come; false if too many wait.
+    /// Hands over a received body; false if too many are waiting.
     pub fn deliver(&mut self, body: Body) -> bool {
         self.inbox.push_back(body).is_ok()
     }
 
-    /// Stops in the next tick, whoever says so; what came before is dropped.
+    /// Stops in the next tick, whoever asked for it; earlier commands are dropped.
     pub fn halt(&mut self) {
         self.inbox.clear();
         self.waiting.clear();
         self.is_halted = true;
     }
 
-    /// A body to be sent.
+    /// The next body to be sent.
     pub fn collect(&mut self) -> Option<Body> {
         self.outbox.pop_front()
     }
 
-    /// Tells how many frames were lost so far, for who asks.
+    /// Sets the number of frames lost so far, for identity reports.
     pub fn count_lost(&mut self, lost: u32) {
         self.lost = lost;
     }
 
-    /// Tells that the program is no longer what it was: off in the next tick, and no clearing.
+    /// Reports that the program has changed: off in the next tick, and it cannot be cleared.
     pub fn report_damage(&mut self) {
         self.is_damaged = true;
     }
@@ -118,12 +118,12 @@ impl<F: NorFlash> Node<F> {
         &self.controller
     }
 
-    /// The store: what outlives a life.
+    /// The store, which outlives a restart.
     pub fn store_mut(&mut self) -> &mut Store<F> {
         &mut self.store
     }
 
-    /// The controller, to break something in it.
+    /// The controller, for fault injection.
     pub fn controller_mut(&mut self) -> &mut Controller {
         &mut self.controller
     }
@@ -134,7 +134,7 @@ impl<F: NorFlash> Node<F> {
         self.now
     }
 
-    /// One millisecond; returns what the board is to set.
+    /// One millisecond; returns the outputs for the board.
     pub fn tick(&mut self, readings: &Readings) -> &Outputs {
         self.now = self.now.wrapping_add(1);
         let is_halted = core::mem::take(&mut self.is_halted);
@@ -157,7 +157,7 @@ impl<F: NorFlash> Node<F> {
         self.controller.outputs()
     }
 
-    /// Takes a body; a command that is due now, if it holds one.
+    /// Takes a body; returns its command if that is due now.
     fn accept(&mut self) -> Option<Accepted> {
         let body = self.inbox.pop_front()?;
         let accepted = match self.session.accept(&body, self.now) {
@@ -179,7 +179,7 @@ impl<F: NorFlash> Node<F> {
                 let entries = self.log.next();
                 self.send(&Report::Identity(VERSION, entries, self.lost, self.session.refused()));
             }
-            // Whatever waits was ordered before the stop.
+            // All waiting commands were sent before the stop.
             Command::Stop => {
                 self.waiting.clear();
                 return Some(accepted);
@@ -193,13 +193,13 @@ impl<F: NorFlash> Node<F> {
         None
     }
 
-    /// The first command that waited for this tick.
+    /// The first waiting command that is due.
     fn due(&mut self) -> Option<Accepted> {
         let place = self.waiting.iter().position(|a| !is_later(a.due, self.now))?;
         Some(self.waiting.remove(place))
     }
 
-    /// What the link finds wrong.
+    /// Faults detected by the link.
     fn outside(&mut self) -> Faults {
         let mut outside = Faults::default();
         let is_silent = self.session.is_silent(self.now);
@@ -213,7 +213,7 @@ impl<F: NorFlash> Node<F> {
         outside
     }
 
-    /// Stores what a command asked to be stored, answers it, and writes it down.
+    /// Stores the data that a command asked to store, answers the command, and logs it.
     fn finish(&mut self, accepted: &Accepted, outcome: Outcome) {
         let outcome = match (accepted.command, outcome) {
             (Command::Calibrate(trim), Outcome::Done) if !self.keep(trim) => {
@@ -231,7 +231,7 @@ impl<F: NorFlash> Node<F> {
         }
     }
 
-    /// Stores a calibration; drives are off, the controller has seen to it.
+    /// Stores a calibration; the controller has made sure that drives are off.
     fn keep(&mut self, trim: Trim) -> bool {
         let Some(record) = self.record.map(|record| Record { trim, ..record }) else { return false };
         let is_stored = self.store.save(&record).is_ok();
@@ -239,7 +239,7 @@ impl<F: NorFlash> Node<F> {
         is_stored
     }
 
-    /// Entries that were asked for, and the state from time to time.
+    /// Sends requested log entries, and the state periodically.
     fn tell(&mut self) {
         let has_room = self.outbox.len() + 2 < OUTBOX;
         if let Some(number) = self.asked.filter(|_| has_room) {
@@ -259,7 +259,7 @@ impl<F: NorFlash> Node<F> {
         self.send(&Report::Answer(sequence, Outcome::Refused(why)));
     }
 
-    /// Sends a report; one for which there is no room is left out.
+    /// Queues a report; drops it if the queue is full.
     fn send(&mut self, report: &Report) {
         let header = self.session.header(self.sequence, self.now);
         if let Some(body) = write(&header, report) {
@@ -269,7 +269,7 @@ impl<F: NorFlash> Node<F> {
     }
 }
 
-/// Is `tick` still to come? Ticks go round.
+/// Whether `tick` is in the future; ticks wrap around.
 fn is_later(tick: u32, now: u32) -> bool {
     tick.wrapping_sub(now).cast_signed() > 0
 }

@@ -1,7 +1,7 @@
 //! A sheet at rest at a pressure that rises and falls, in single precision; prints the digest of its shapes.
 //!
-//! In: constant tables that `smartbed firmware SCENE --at-rest` prints. Out: the [`Digest`] of all places and the volume after each
-//! millisecond. [`rest_step`] is a symbol of the image so that the emulator can count it.
+//! In: constant tables that `smartbed firmware SCENE --at-rest` prints. Out: the [`Digest`] of all positions and the
+//! volume after each millisecond. [`rest_step`] is a symbol of the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use smartbed_firmware::{
@@ -24,7 +24,7 @@ fn simulate() -> Digest {
     let mut pos = [[0.0; 3]; NODES];
     let mut digest = Digest::default();
     for step in 1..=STEPS {
-        // Not the method of that name, which on a host is the standard library's.
+        // Written out: `x.sin_cos()` would mean the standard library's method on a host.
         let (_, cosine) = Real::sin_cos(TURN * step as f32);
         let [low, high] = RANGE;
         let volume = rest_step(low + (high - low) * 0.5 * (1.0 - cosine), &mut pos);
@@ -34,7 +34,7 @@ fn simulate() -> Digest {
     digest
 }
 
-/// Where the sheet rests at a pressure (Pa), and the volume below it (m^3).
+/// Positions of the sheet at rest at a pressure (Pa); returns the volume below it (m^3).
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]

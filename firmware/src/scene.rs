@@ -1,6 +1,6 @@
 //! A flexible scene on the ground, stepped in single precision; prints the digest of its trajectory.
 //!
-//! In: constant tables that `smartbed firmware SCENE` prints from the very value that the host steps.
+//! In: constant tables that `smartbed firmware SCENE` prints from the same value that the host steps.
 //! Out: the [`Digest`] of every (x, v), point by point, after each step of fixed length.
 //! [`scene_step`] is a symbol of the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -78,7 +78,7 @@ fn simulate() -> Result<Digest, BodyError<f32>> {
     Ok(digest)
 }
 
-/// One step of the scene's length: forces, touches and releases inside it.
+/// One step of the scene's length, with its touches and releases.
 ///
 /// # Errors
 /// As [`step`]; the state is then the last good one.

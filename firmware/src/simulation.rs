@@ -1,10 +1,9 @@
 //! The model with its controller in the loop, one millisecond at a time.
 //!
-//! A model with a `[law]` is commanded by it, at every stage of a step as `smartbed run` does it; a tile without one by
-//! the demonstration, whose forces are held for a step; nothing commands the inputs of another model.
-//! It starts where the model's `[start]` says.
-//! In: nothing but the number of steps. Out: the [`Digest`] of every (q, u), and of energies and rates at the end.
-//! The first evaluation of a step corrects the state too ([`smartbed_runtime::ode::shared_work`]).
+//! A model with a `[law]` is controlled by it, at every stage of a step as in `smartbed run`. A tile without one is
+//! controlled by the demonstration, whose forces are constant during a step; the inputs of any other model are 0. The
+//! start is the model's `[start]`. In: the number of steps. Out: the [`Digest`] of every (q, u), and of energies and
+//! rates at the end. The first evaluation of a step also corrects the state ([`smartbed_runtime::ode::shared_work`]).
 //! [`tile_step`] and the answers [`tile_rates`], [`tile_project`] and [`tile_energy`] are symbols of the image, so that
 //! the emulator can count them and the report can tell their size.
 
@@ -27,17 +26,17 @@ use smartbed_runtime::real::Turn;
 pub const NX: usize = NQ + NU;
 /// Step (s).
 pub const STEP: f32 = 1e-3;
-/// Newton corrections of the start: the nominal values of dependent coordinates are first guesses.
+/// Newton corrections at the start: nominal values of dependent coordinates are first guesses.
 const START_CORRECTIONS: u32 = 8;
 
-/// The three legs of a tile by their places in the model; none if the model is no tile, or has a law of its own.
+/// Indices of the three legs of a tile in the model; None if the model is no tile, or has a law of its own.
 pub const LEGS: Option<[Leg; 3]> =
     match (leg("hA", "u_hA", "FA"), leg("hB", "u_hB", "FB"), leg("hC", "u_hC", "FC")) {
         (Some(a), Some(b), Some(c)) if !HAS_LAW => Some([a, b, c]),
         _ => None,
     };
 
-/// Where a leg's numbers stand in the state and in the inputs.
+/// Indices of a leg's numbers in the state and in the inputs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Leg {
     /// Height in x.
@@ -55,13 +54,13 @@ const fn leg(height: &str, rate: &str, force: &str) -> Option<Leg> {
     }
 }
 
-/// The model's parameter of that name, 0 if it has none that is tunable.
+/// Value of the model's tunable parameter of this name; 0 if there is none.
 fn parameter(model: &Model, name: &str) -> f32 {
     let place = PARAMETER_NAMES.iter().position(|n| equal(n.as_bytes(), name.as_bytes()));
     place.and_then(|place| model.parameter(place)).unwrap_or(0.0)
 }
 
-/// Everything that changes from step to step.
+/// State of the simulation.
 pub struct Simulation {
     model: Model,
     profile: Profile,
@@ -74,7 +73,7 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// At the model's start; at rest at its nominal configuration where it states none.
+    /// At the model's start; without one at rest at its nominal configuration.
     ///
     /// # Errors
     /// As [`Mechanism::project`].
@@ -104,13 +103,13 @@ impl Simulation {
         &self.x
     }
 
-    /// Commanded heights of A, B, C now (m).
+    /// Present commanded heights of A, B, C (m).
     #[must_use]
     pub fn commanded(&self) -> [f32; 3] {
         self.profile.at(self.time()).heights(self.radius)
     }
 
-    /// Time (s): a product, not a sum, so that it carries no error from step to step.
+    /// Time (s): a product, not a sum, so that no error accumulates.
     #[must_use]
     pub fn time(&self) -> f32 {
         self.steps as f32 * STEP
@@ -132,10 +131,11 @@ impl Simulation {
         inputs
     }
 
-    /// Takes so many steps and returns the digest of all states after each of them, and of the energies after the last.
+    /// Takes this many steps and returns the digest of all states after each of them, and of the energies after the
+    /// last.
     ///
     /// # Errors
-    /// The number of steps done and why the next one was refused.
+    /// The number of steps done, and why the next one was refused.
     pub fn run(&mut self, steps: u32) -> Result<Digest, (u32, Fault)> {
         let mut digest = Digest::default();
         for done in 0..steps {
@@ -155,15 +155,15 @@ impl Simulation {
     }
 }
 
-/// The number at a place that the compiler cannot see to be in range.
+/// Entry at an index that the compiler cannot prove to be in range; 0 beyond the end.
 fn at(numbers: &[f32], place: usize) -> f32 {
     numbers.get(place).copied().unwrap_or(0.0)
 }
 
-/// One step of 1 ms: command, law, equations of motion.
+/// One step of 1 ms: command, control law, equations of motion.
 ///
 /// # Errors
-/// What the integrator refuses; the state is then as it was.
+/// Faults of the integrator; the state is then unchanged.
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
@@ -178,7 +178,7 @@ pub fn tile_step(simulation: &mut Simulation) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Every other answer of the model, seen by nobody: what a step costs that leaves nothing out.
+/// Computes every other answer of the model and discards it: the cost of a step that leaves nothing out.
 #[cfg(feature = "everything")]
 fn answer(model: &Model, t: f32, x: &[f32; NX], inputs: &[f32; N_INPUTS]) {
     use crate::mechanism::{energy, outputs, speeds};
@@ -232,7 +232,7 @@ pub fn tile_energy(model: &mut Model, x: &[f32]) -> Result<(f32, f32), Fault> {
 type Near = [Turn<f32>; N_NEAR];
 const N_NEAR: usize = mechanism::N_NEAR;
 
-/// One evaluation of the equations of motion close to where a step began.
+/// One evaluation of the equations of motion at a state close to the start of the step.
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
@@ -249,14 +249,14 @@ pub fn tile_rates_near(
     pivot
 }
 
-/// The model with its inputs held, or commanded by its law.
+/// The model with constant inputs, or with those of its control law.
 struct Held<'a> {
     model: &'a mut Model,
     inputs: [f32; N_INPUTS],
 }
 
 impl Held<'_> {
-    /// As the law commands them, or held.
+    /// Inputs by the control law, or constant.
     #[inline(always)]
     fn inputs<'i>(
         &'i self,
@@ -279,7 +279,7 @@ fn parts(x: &[f32]) -> Result<(&[f32; NQ], &[f32; NU]), Fault> {
     Ok((q, u.try_into().map_err(|_| Fault::Shape)?))
 }
 
-/// The same, to be written.
+/// The same, mutable.
 fn parts_mut(x: &mut [f32]) -> Result<(&mut [f32; NQ], &mut [f32; NU]), Fault> {
     let (q, u) = x.split_first_chunk_mut::<NQ>().ok_or(Fault::Shape)?;
     Ok((q, u.try_into().map_err(|_| Fault::Shape)?))
@@ -324,7 +324,7 @@ impl SharedWork<f32> for Held<'_> {
     }
 }
 
-/// By entry of x: does the correction onto the constraints determine it?
+/// Whether the correction onto the constraints determines each entry of x.
 const IS_CORRECTED: [bool; NX] = {
     let mut is = [false; NX];
     let mut place = 0;

@@ -1,6 +1,6 @@
-//! What runs on every board, once a millisecond: bus and node.
+//! The part of the program that every board runs once per millisecond: bus and node.
 //!
-//! In: readings. Out: what is to be set. Boards differ in their [`Bus`] and their flash alone.
+//! In: readings. Out: outputs for the board. Boards differ only in their [`Bus`] and their flash.
 
 use crate::link::bus::{Arrival, Bus};
 use crate::node::Node;
@@ -18,7 +18,7 @@ pub struct Station<F, B> {
 }
 
 impl<F: NorFlash, B: Bus> Station<F, B> {
-    /// This node on this bus; `program` is checked against the checksum that it was built with.
+    /// A node on a bus; `program` is checked against the checksum that was built in.
     pub fn new(node: Node<F>, bus: B, program: Program, checksum: u32) -> Self {
         Self { node, integrity: Integrity::new(program, checksum), bus }
     }
@@ -29,8 +29,8 @@ impl<F: NorFlash, B: Bus> Station<F, B> {
         &self.node
     }
 
-    /// Takes what has come, does a tick, and sends what is to be sent; `program` is checked on the way.
-    // A function of its own: its tables of jumps stay short enough for the checks of an image to follow.
+    /// Receives, does a tick, and transmits; checks a slice of `program`.
+    // Not inlined, so that its jump tables stay short enough for the image's checks to follow.
     #[inline(never)]
     pub fn tick(&mut self, readings: &Readings, program: Program) -> Outputs {
         let Self { node, integrity, bus } = self;

@@ -1,8 +1,8 @@
-//! What orders several tiles about: one link to each, and what no tile alone can see to.
+//! Supervises several tiles: one link to each, and the rules that concern more than one tile.
 //!
-//! In: orders for tiles, their reports. Out: bodies of commands, signed and timed by each tile's own clock, or why an order is
-//! refused. Neighbours may differ by a step, a few tiles may move at once, and a tile in trouble freezes the others:
-//! rules 6, 8 and 12 of `docs/safety.md`.
+//! In: orders for tiles, their reports. Out: bodies of commands, signed and timed by each tile's own clock, or the
+//! reason why an order is refused. Neighbours may differ by a limited step, a limited number of tiles may move at once,
+//! and a tile in trouble freezes the others: rules 6, 8 and 12 of `docs/safety.md`.
 
 use crate::command::Pose;
 use crate::link::frame::Body;
@@ -16,9 +16,9 @@ use crate::tile::mode::Mode;
 use crate::tile::motion::pose;
 use smartbed_runtime::real::Real;
 
-/// Beats are this far apart (ms): two may be lost before a tile falls silent.
+/// Period of beats (ms): two may be lost before a tile detects silence.
 pub const BEAT: u32 = 150;
-/// Tiles that may move at once, but for resuscitation: what the power supply gives.
+/// Most tiles that may move at once, except for resuscitation: the limit of the power supply.
 pub const MOST_MOVING: usize = 8;
 
 /// One tile, as its supervisor knows it.
@@ -27,18 +27,18 @@ pub struct Peer {
     tile: u8,
     key: Key,
     boot: Option<u32>,
-    /// The tile's time less ours (ms).
+    /// The tile's time minus ours (ms).
     ahead: u32,
     sequence: u32,
     /// Number of the last beat.
     beat: Option<u32>,
     state: Option<State>,
-    /// Where it was last sent.
+    /// Target of the last move.
     target: Target,
 }
 
 impl Peer {
-    /// A tile that has not yet said who it is.
+    /// A tile that has not yet identified itself.
     #[must_use]
     pub fn new(tile: u8, key: Key) -> Self {
         Self {
@@ -53,7 +53,7 @@ impl Peer {
         }
     }
 
-    /// The body of a command that is to be done `later` ms from now; none before the tile has said who it is,
+    /// The body of a command to be executed `later` ms from now; None before the tile has identified itself,
     /// unless the command needs no tag.
     pub fn command(&mut self, command: &Command, now: u32, later: u32) -> Option<Body> {
         if command.needs_tag() && self.boot.is_none() {
@@ -71,7 +71,7 @@ impl Peer {
         sign(&header, command, &self.key)
     }
 
-    /// A beat, if one is due, to be sent at once; the question who is there, while nobody has answered.
+    /// A beat, if one is due, to be sent at once; before the first answer, a request for identification.
     pub fn beat(&mut self, now: u32) -> Option<Body> {
         let number = now.wrapping_add(stagger(self.tile)) / BEAT;
         if self.beat.replace(number) == Some(number) {
@@ -81,7 +81,8 @@ impl Peer {
         self.command(&command, now, 0)
     }
 
-    /// Takes a body from the bus; the report, if it is this tile's. A new life begins with new sequence numbers.
+    /// Takes a body from the bus; returns the report, if it is this tile's. After a restart of the tile sequence
+    /// numbers start again.
     pub fn take(&mut self, body: &[u8], now: u32) -> Option<Report> {
         let (header, report) = read_report(body).filter(|(header, _)| header.tile == self.tile)?;
         if self.boot != Some(header.boot) {
@@ -94,7 +95,7 @@ impl Peer {
         Some(report)
     }
 
-    /// What it last said of itself.
+    /// Its last reported state.
     #[must_use]
     pub fn state(&self) -> Option<&State> {
         self.state.as_ref()
@@ -111,24 +112,24 @@ impl Peer {
         self.state.is_some_and(|state| modes.iter().any(|mode| *mode as u8 == state.mode))
     }
 
-    /// Has it stopped for a fault that makes its pose or its sensors doubtful?
+    /// Whether a fault that makes its pose or its sensors doubtful has stopped it.
     fn is_in_trouble(&self) -> bool {
         self.state.is_some_and(|s| Faults::from_bits(s.faults).response() == Some(Response::Off))
     }
 }
 
-/// Why the supervisor lets an order not through.
+/// Why the supervisor refuses an order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Denied {
     /// There is no such tile.
     NoTile,
-    /// The tile, or a neighbour, has not said where it is.
+    /// The tile, or a neighbour, has not reported its state.
     Unknown,
-    /// An edge would stand more than the limit beside its neighbour's.
+    /// The step to a neighbour's edge would exceed the limit.
     Step,
-    /// As many tiles move as may.
+    /// As many tiles are moving as may.
     Power,
-    /// A tile is in trouble: the others stay where they are.
+    /// A tile is in trouble: the others may not move.
     Frozen,
 }
 
@@ -145,7 +146,7 @@ impl Bed<'_> {
     /// The command that moves tile number `place`.
     ///
     /// # Errors
-    /// Why it is not let through; nothing is sent then.
+    /// The reason for the refusal; nothing is sent then.
     pub fn order(&mut self, place: usize, target: Target, now: u32, later: u32) -> Result<Body, Denied> {
         if self.peers.iter().any(Peer::is_in_trouble) {
             return Err(Denied::Frozen);
@@ -158,14 +159,15 @@ impl Bed<'_> {
         peer.command(&Command::Move(target), now, later).ok_or(Denied::Unknown)
     }
 
-    /// Flattens everything; neither power nor neighbours stand against it. Calls `send` for each tile.
+    /// Flattens all tiles, regardless of power and neighbours. Calls `send` for each tile.
     pub fn flatten(&mut self, now: u32, mut send: impl FnMut(Body)) {
         for peer in self.peers.iter_mut() {
             peer.command(&Command::Flatten, now, 0).into_iter().for_each(&mut send);
         }
     }
 
-    /// Would the edges of this tile, there, stay near its neighbours', where they are and where they are going?
+    /// Checks that the steps between this tile at its target and its neighbours stay within the limit, at their present
+    /// poses and at their targets.
     fn check_steps(&self, place: usize, target: Target) -> Result<(), Denied> {
         let ours = Pose { zc: target.heave, tx: target.slope_x, ty: target.slope_y };
         let (row, column) = (place.checked_div(self.columns), place.checked_rem(self.columns));
@@ -197,7 +199,7 @@ pub fn edge_step(a: Pose, b: Pose, side: [f32; 2]) -> f32 {
     let (half_x, half_y) = HALF_SIDES;
     let height = |pose: Pose, x: f32, y: f32| pose.zc - pose.tx * x - pose.ty * y;
     let corner = |along: f32| {
-        // A corner of the common edge, seen from either middle.
+        // A corner of the common edge, relative to either centre.
         let (u, v) = (y * along * half_x, x * along * half_y);
         let ours = height(a, x * half_x + u, y * half_y + v);
         let theirs = height(b, -x * half_x + u, -y * half_y + v);

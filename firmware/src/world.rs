@@ -1,9 +1,9 @@
 //! A world on the chip: flexible parts on derived mechanisms and other carriers, in steps of fixed length.
 //!
-//! In: the tables and equations that `smartbed firmware SCENE` prints for a scene of format 2. Out: the [`Digest`] of the
-//! state after each step; on the host the last state too. What steps is the runtime's [`Island`], or its [`World`] where parts
-//! touch, as on the host; an image links the one that its scene has.
-//! [`world_step`] is a symbol of the image so that the emulator can count it.
+//! In: the tables and equations that `smartbed firmware SCENE` prints for a scene of format 2. Out: the [`Digest`] of
+//! the state after each step; on the host the last state too. The runtime's [`Island`] is stepped, or its [`World`]
+//! where parts touch, as on the host; an image links only the one that its scene needs. [`world_step`] is a symbol of
+//! the image so that the emulator can count it.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[macro_use]
@@ -45,17 +45,17 @@ use table::{
     NUMBERS, PAIRS, PORTS, POS, SPRINGS, START, STEP, THINGS, members,
 };
 
-/// Numbers that a step works with.
+/// Scratch numbers of a step.
 const SCRATCH: usize = match METHOD {
     Some(method) => method.scratch(NUMBERS),
     None => StepMemory::<f32>::scratch(NUMBERS),
 };
-/// Ports that contacts know of: none where nothing touches.
+/// Ports that contacts may involve: none in a scene without contacts.
 const SEEN_PORTS: usize = if METHOD.is_none() { PORTS } else { 0 };
-/// Nodes that contacts know of.
+/// Nodes that contacts may involve.
 const SEEN_NODES: usize = if METHOD.is_none() { NODES } else { 0 };
 
-/// Takes all steps; the digest, and the last state to `show`.
+/// Takes all steps; returns the digest, and passes the last state to `show`.
 fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
     let body = Body {
         mass: &MASS,
@@ -100,7 +100,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
             answers: &mut [[[0.0; 6]; 6]; ANSWERS],
             nodes: &mut [0.0; SEEN_NODES],
         },
-        // Declared pairs are few: none is worth the memory of a box.
+        // Pairs are declared and few: bounding boxes are not worth their memory.
         extents: &mut [],
         touches: [&mut now, &mut before],
         counts: [0; 2],
@@ -117,7 +117,7 @@ fn simulate(show: impl FnOnce(&[f32])) -> Result<Digest, Fault> {
 /// One step of the scene's length from `t`.
 ///
 /// # Errors
-/// What the method refuses; the state is then the last good one.
+/// Faults of the method; the state is then the last good one.
 #[expect(unsafe_code, reason = "the emulator's plug-in finds the function by its plain name")]
 #[unsafe(no_mangle)]
 #[inline(never)]
@@ -138,7 +138,7 @@ fn demonstrate_with(write: impl FnMut(&[u8]), show: impl FnOnce(&[f32])) -> bool
     report(simulate(show).ok(), write)
 }
 
-/// On the host the last state stands behind the digest, to be compared with other simulations.
+/// On the host the last state follows the digest, for comparison with other simulations.
 #[cfg(not(target_os = "none"))]
 fn main() -> std::process::ExitCode {
     smartbed_firmware::console::print(|text| {

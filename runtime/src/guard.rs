@@ -1,11 +1,13 @@
-//! When does a point touch or leave? Guards cross zero downwards at an event (thesis 4.4, the event function).
+//! Locates the first touch, release or change of friction within a step. Guards cross zero downwards at an event
+//! (thesis 4.4, the event function).
 //!
-//! On rigid ground: free point: gap. Departing point: gap + tolerance (asleep against rounding). Held point: N h^2/m, the
-//! way its normal force would move it in a step h. With friction also: of a sliding point v.d0 h - mu N tau h/m, what
-//! friction leaves of its slip along d0, the slip's first direction; of a stuck one (mu N - |T|) h^2/m, what friction
-//! could still take; ground that gives way has these two alone. The smallest guard of all points decides; its root is located by trying steps of different
-//! lengths, so the state there is a state of the method itself.
-//! Free nodes are looked at side by side first (`reach`): almost always none can reach the ground within the step.
+//! Guards on rigid ground: of a free point, its gap; of a departing point, gap + tolerance (insensitive to rounding);
+//! of a held point, N h^2/m, the displacement that its normal force would cause in a step h. With friction also: of a
+//! sliding point, v.d0 h - mu N tau h/m, what friction leaves of its slip along d0, the initial slip direction; of a
+//! stuck point, (mu N - |T|) h^2/m, the reserve of friction. Soft ground has the last two only. The smallest guard of
+//! all points decides; its root is located by trying steps of different lengths, so the state at the event is a state
+//! of the method itself. Free nodes are first checked in blocks (`reach`): almost always none can reach the ground
+//! within the step.
 
 mod reach;
 
@@ -18,10 +20,10 @@ use crate::real::Scalar;
 use crate::vec3;
 use reach::{Nearest, are_free, blocks, is_clear};
 
-/// Trials at most for one root (bisection alone halves a step 60 times to nothing).
+/// Most trial steps for one root (60 bisections reduce a step to nothing).
 const TRIALS: usize = 64;
 
-/// Times between which the smallest guard turns negative.
+/// Two times between which the smallest guard becomes negative.
 #[derive(Clone, Copy, Debug)]
 struct Bracket<S> {
     lo: S,
@@ -30,22 +32,22 @@ struct Bracket<S> {
     guard_hi: S,
     /// Root of the parabola through gap and rate at `lo` and gap at `hi`, of the point that crosses first.
     guess: Option<S>,
-    /// A departing point that rises and returns within the step: its guard is armed.
+    /// A departing point that rises and returns within the step, whose guard is therefore armed.
     armed: Option<usize>,
 }
 
-/// Where a step ends and what it took to find out.
+/// Where a step ends, and the cost of finding out.
 #[derive(Clone, Copy, Debug)]
 pub struct Shortened<S> {
     /// Length of the step (s).
     pub tau: S,
-    /// An event ends it.
+    /// Whether an event ends it.
     pub is_event: bool,
-    /// Steps tried beyond the one handed in, each with the method's force evaluations.
+    /// Steps tried in addition to the one handed in, each with the method's force evaluations.
     pub trials: usize,
 }
 
-/// Smallest guard (m) of a state that the step reaches after tau; `h` scales forces and speeds.
+/// Smallest guard (m) of a state that a step reaches after tau; `h` scales forces and speeds.
 fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -58,7 +60,7 @@ fn smallest_guard<S: Scalar, R: Repertoire<S>>(
     blocks(start.modes).map(of).fold(S::ONE / S::EPSILON, |smallest, guard| smallest.min(guard))
 }
 
-/// The same of a block of nodes.
+/// The same for a block of nodes.
 fn block_guard<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -77,7 +79,7 @@ fn block_guard<S: Scalar, R: Repertoire<S>>(
             _ if R::SOFT && !ground.is_rigid() => friction_guard(system, ground, start, motion, i, (tau, h)),
             ContactState::Free => gap,
             ContactState::Departing if armed == Some(i) => gap,
-            // Going away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
+            // A point that moves away is no return: a method of order 2 has not yet lifted a point that rises as t^3.
             ContactState::Departing if ground.gap_rate(vec3::at(motion.vel, i)) >= S::ZERO => {
                 gap.max(S::ZERO) + ground.tolerance
             }
@@ -93,7 +95,7 @@ fn block_guard<S: Scalar, R: Repertoire<S>>(
     if are_free(modes) && ground.is_rigid() {
         return nearest(motion.pos);
     }
-    // What a soft ground does not push at the start is not rubbed within the step.
+    // A point that a soft ground does not push at the start gets no friction within the step.
     if are_free(modes) && nearest(start.motion.pos) > S::ZERO {
         return asleep;
     }
@@ -101,7 +103,7 @@ fn block_guard<S: Scalar, R: Repertoire<S>>(
     guards.fold(asleep, |smallest, guard| smallest.min(guard))
 }
 
-/// Guard (m) of a point on the ground against sticking, turning round and slipping.
+/// Guard (m) of a point on the ground against sticking, reversing and slipping.
 fn friction_guard<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -124,7 +126,7 @@ fn friction_guard<S: Scalar, R: Repertoire<S>>(
     let slip = vec3::tangential(vec3::at(start.motion.vel, i), ground.normal);
     let (d0, speed) = vec3::direction(slip);
     let pushes = [start.motion, motion].map(|m| push(m).max(S::ZERO));
-    // What comes down within the step is braked for a part of it that is of its own order.
+    // A point that comes down within the step has friction for part of it only, so this guard does not apply.
     if speed <= S::ZERO || pushes[0] <= S::ZERO {
         return asleep;
     }
@@ -132,7 +134,7 @@ fn friction_guard<S: Scalar, R: Repertoire<S>>(
     vec3::dot(vec3::at(motion.vel, i), d0) * h - per_mass * mean * tau
 }
 
-/// Looks at the step of length `h` just tried (its end is in `work.end`) and shortens it to the first event.
+/// Checks the step of length `h` just tried (its end is in `work.end`) and shortens it to the first event.
 ///
 /// The end of the shortened step is then in `work.end`.
 ///
@@ -156,7 +158,7 @@ pub fn shorten_to_event<S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// The bracket of the first event, if there is one, and the number of steps tried for it.
+/// Brackets the first event, if there is one; also returns the number of steps tried.
 fn find_bracket<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -167,7 +169,7 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
 ) -> Result<(Option<Bracket<S>>, usize), BodyError<S>> {
     let guard =
         |motion: &Motion<S>, tau, armed| smallest_guard(system, ground, start, motion, (tau, h), armed);
-    // Asked for where there is an event alone.
+    // Evaluated only where there is an event.
     let guard_lo = || guard(start.motion, S::ZERO, None).max(S::ZERO);
     let (guard_hi, dip) = look(system, ground, start, h, &work.end);
     if guard_hi < S::ZERO {
@@ -202,7 +204,7 @@ fn find_bracket<S: Scalar, R: Repertoire<S>>(
 }
 
 /// Time of the earliest zero of the parabolas g0 + r0 s + (g1 - g0 - r0) s^2 of the free points that end
-/// below the surface: exact for Verlet, whose positions are parabolas of the step.
+/// below the surface: exact for Verlet, whose positions are parabolas over the step.
 fn first_crossing<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<S> {
     let mut first: Option<S> = None;
     if !ground.is_rigid() {
@@ -213,7 +215,7 @@ fn first_crossing<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Mo
         let r0 = h * ground.gap_rate(vec3::at(start.motion.vel, i));
         let g1 = ground.gap(vec3::at(end.pos, i));
         if g1 < S::ZERO && g0 > S::ZERO {
-            // Of opposite signs at both ends, so the root is real: s = 2 g0/(sqrt(r0^2 - 4 b g0) - r0).
+            // Opposite signs at both ends, so the root is real: s = 2 g0/(sqrt(r0^2 - 4 b g0) - r0).
             let b = g1 - g0 - r0;
             let root = (r0 * r0 - S::from_f64(4.0) * b * g0).max(S::ZERO).sqrt();
             let time = h * (S::from_f64(2.0) * g0 / (root - r0));
@@ -245,7 +247,8 @@ impl<S: Scalar> Cubic<S> {
         self.g0 + s * (self.r0 + s * (self.b + s * self.c))
     }
 
-    /// The s in (0, 1) where r0 + 2 b s + 3 c s^2 changes sign: downwards (a top) if `top`, else upwards (a bottom).
+    /// The s in (0, 1) where r0 + 2 b s + 3 c s^2 changes sign: downwards (a maximum) if `top`, else upwards (a
+    /// minimum).
     fn turn(&self, top: bool) -> Option<S> {
         // With q = b -+ root the two zeros are -q/(3 c) and -r0/q.
         let root = (self.b * self.b - S::from_f64(3.0) * self.c * self.r0).max(S::ZERO).sqrt();
@@ -259,7 +262,7 @@ impl<S: Scalar> Cubic<S> {
     }
 }
 
-/// A departing point that ends below the surface after rising first: the point and the time of its top.
+/// A departing point that ends below the surface after rising first: the point and the time of its maximum.
 fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motion<S>) -> Option<(usize, S)> {
     let departing = start.modes.iter().enumerate().filter(|(_, m)| **m == ContactState::Departing);
     for (i, _) in departing {
@@ -273,8 +276,8 @@ fn find_return<S: Scalar>(ground: &Ground<S>, start: Start<S>, h: S, end: &Motio
     None
 }
 
-/// The smallest guard at the end of a step, as far as it is negative, and of the free points that are above the surface at
-/// both ends and below in between the time of the deepest bottom. Blocks that stay clear of the ground are passed over.
+/// Returns the smallest guard at the end of a step, and the time of the deepest minimum of free points that are above
+/// the surface at both ends and below it in between. Blocks that stay clear of the ground are skipped.
 fn look<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -302,11 +305,12 @@ fn look<S: Scalar, R: Repertoire<S>>(
     (smallest, time)
 }
 
-/// Root of the smallest guard, and the number of steps tried.
+/// Locates the root of the smallest guard; also returns the number of steps tried.
 ///
-/// Ends where the guard is negative by no more than rounding, with that state in `work.end`. An implicit step may have
-/// its solutions apart: where a spring is pressed to no length at the ground, one of them ends and the next is deep below.
-/// The step then ends before that jump, without an event: from there shorter steps, whose solutions are one, lead on.
+/// Ends where the guard is negative by no more than rounding, with that state in `work.end`. The solution of an
+/// implicit step may jump as its length changes: where a spring is pressed to zero length at the ground, one solution
+/// ends and the next is deep below. The step then ends before the jump, without an event: from there shorter steps,
+/// whose solution is unique, continue.
 fn locate<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -317,7 +321,7 @@ fn locate<S: Scalar, R: Repertoire<S>>(
     work: &mut Workspace<S>,
 ) -> Result<Shortened<S>, BodyError<S>> {
     let small = S::EPSILON * (S::ONE + ground.offset.abs());
-    // Shifted by half of what is allowed: the root aimed at lies on the negative side.
+    // Shifted by half of the guard allowed, so that the root aimed at lies on the negative side.
     let shift = S::from_f64(0.5) * small;
     let (low, high) = ((bracket.lo, bracket.guard_lo + shift), (bracket.hi, bracket.guard_hi + shift));
     let mut search = Search::new(low, high, bracket.guess);
@@ -348,7 +352,7 @@ fn locate<S: Scalar, R: Repertoire<S>>(
     Ok(Shortened { tau: negative, is_event: true, trials: TRIALS })
 }
 
-/// Has a point come clearly below the surface in a step that should have ended at it?
+/// Whether a point is clearly below the surface after a step that should have ended at it.
 fn jumps<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,

@@ -1,18 +1,18 @@
-//! Loops over many nodes, compiled anew for wider registers and chosen when the program runs.
+//! Loops over many nodes, compiled for several register widths; the widest that the machine has is chosen at run time.
 //!
-//! In: a [`Kernel`], a loop as a value. Out: what it returns, the same bits on every machine: wider registers hold more
+//! In: a [`Kernel`], a loop as a value. Out: its result, the same bits on every machine: wider registers hold more
 //! numbers side by side, no operation is fused or reordered. Microcontrollers have the plain loop alone.
 
-/// A loop whose body the compiler can lay side by side; `run` must be `#[inline(always)]` with all that it calls, or it
-/// keeps the instructions of the oldest machine.
+/// A loop that the compiler can vectorise; `run` and all that it calls must be `#[inline(always)]`, or they keep the
+/// instructions of the oldest machine.
 pub trait Kernel {
-    /// What it returns.
+    /// Result of the loop.
     type Output;
     /// The loop.
     fn run(self) -> Self::Output;
 }
 
-/// Nodes, springs or facets handled at a time: enough to fill registers, few enough for the nearest cache (or, on a
+/// Nodes, springs or facets handled at a time: enough to fill registers, few enough for the first-level cache (or, on a
 /// microcontroller, for the stack).
 pub const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 64 };
 
@@ -27,7 +27,7 @@ pub enum Registers {
     Avx512,
 }
 
-/// Runs the kernel as this machine does it fastest.
+/// Runs the kernel with the widest registers of this machine.
 #[inline(always)]
 pub fn run<K: Kernel>(kernel: K) -> K::Output {
     run_within(Registers::Avx512, kernel)
@@ -42,7 +42,7 @@ pub fn run<K: Kernel>(kernel: K) -> K::Output {
 pub fn run_within<K: Kernel>(widest: Registers, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if widest >= Registers::Avx512 && avx512::get() {
-        // SAFETY: the machine has said that it knows these instructions.
+        // SAFETY: the processor has been asked and supports these instructions.
         return unsafe { run_avx512(kernel) };
     } else if widest >= Registers::Avx2 && avx2::get() {
         // SAFETY: as above.
@@ -52,7 +52,7 @@ pub fn run_within<K: Kernel>(widest: Registers, kernel: K) -> K::Output {
     kernel.run()
 }
 
-// Machine and operating system are asked once.
+// Support is asked for once and remembered.
 #[cfg(target_arch = "x86_64")]
 cpufeatures::new!(avx2, "avx2");
 #[cfg(target_arch = "x86_64")]

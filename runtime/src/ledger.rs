@@ -1,9 +1,9 @@
-//! Energy ledger: an account for everything that stores energy, puts it in or takes it out.
+//! Energy ledger of a run: an account for every way in which energy is stored, supplied or dissipated.
 //!
-//! An observer: it reads stretches of motion and events and changes nothing. Losses are integrals of
-//! power over each stretch (Lobatto's rule on a quartic of the speeds), so the imbalance shows the energy
-//! that the method itself invents or loses.
-//! Sign: `damping, drag, impact, friction` are energy taken out so far; `actuator` is energy put in.
+//! An observer: it reads pieces of motion and events and changes nothing. Losses are integrals of
+//! power over each piece (Lobatto's rule on a quartic of the speeds), so the imbalance is the energy
+//! that the method itself adds or loses.
+//! Sign: `damping, drag, impact, friction` are energy lost so far; `actuator` is energy supplied.
 
 use crate::contact::{ContactLaw, System, soft};
 use crate::flexible::element::Element;
@@ -17,19 +17,19 @@ use crate::vec3::{self, Vec3};
 pub struct Ledger<S> {
     /// Total energy at the start.
     pub start: S,
-    /// Taken by dampers.
+    /// Dissipated by dampers.
     pub damping: S,
-    /// Taken by the air.
+    /// Dissipated by air drag.
     pub drag: S,
-    /// Taken by the impact law (and the dissipation of a soft ground).
+    /// Lost to the impact law (and to the dissipation of a soft ground).
     pub impact: S,
-    /// Taken by friction.
+    /// Dissipated by friction.
     pub friction: S,
-    /// Put in by actuators (none act on a body yet).
+    /// Supplied by actuators (none act on a body yet).
     pub actuator: S,
 }
 
-/// Stored energies with what a soft ground holds.
+/// Stored energies, including that of a soft ground.
 #[must_use]
 pub fn eval_stored<S: Scalar>(system: &System<S>, pos: &[Vec3<S>], vel: &[Vec3<S>]) -> Energies<S> {
     let mut energies = eval_energies(&system.body, pos, vel);
@@ -64,7 +64,7 @@ impl<S: Scalar> Ledger<S> {
     }
 }
 
-/// Powers of what dissipates at one time (W).
+/// Dissipated powers at one instant (W).
 #[derive(Clone, Copy)]
 struct Power<S> {
     damping: S,
@@ -89,7 +89,7 @@ fn eval_power<S: Scalar>(
     power
 }
 
-/// Nodes of Lobatto's rule with five points, 1/2 -+ sqrt(3/28) the inner ones, and its weights: degree 7.
+/// Nodes and weights of Lobatto's rule with five points (inner nodes at 1/2 -+ sqrt(3/28)): exact to degree 7.
 const LOBATTO: [(f64, f64); 5] = [
     (0.0, 1.0 / 20.0),
     (0.172_673_164_646_011_43, 49.0 / 180.0),
@@ -98,7 +98,7 @@ const LOBATTO: [(f64, f64); 5] = [
     (1.0, 1.0 / 20.0),
 ];
 
-/// Motion of one point over a stretch: v(s) = sum c_n s^n, x(s) = x0 + tau sum c_n s^(n+1)/(n+1), 0 <= s <= 1.
+/// Motion of one point over a piece: v(s) = sum c_n s^n, x(s) = x0 + tau sum c_n s^(n+1)/(n+1), 0 <= s <= 1.
 struct Course<S> {
     x0: Vec3<S>,
     tau: S,
@@ -106,7 +106,7 @@ struct Course<S> {
 }
 
 impl<S: Scalar> Course<S> {
-    /// From positions, speeds and accelerations at both ends; linear speeds where forces alone do not say more.
+    /// From positions, speeds and accelerations at both ends; linear speeds where impulses act within the piece.
     fn new(system: &System<S>, flow: &Flow<S>, i: usize) -> Course<S> {
         let (before, after, tau) = (flow.before, flow.after, flow.tau);
         let (x0, v0, v1) = (vec3::at(before.pos, i), vec3::at(before.vel, i), vec3::at(after.vel, i));
@@ -117,20 +117,20 @@ impl<S: Scalar> Course<S> {
         }
         let real = S::from_f64;
         let mode = flow.modes.get(i).copied().unwrap_or_default();
-        // Friction has the same share in the change of speed all the way.
+        // Friction changes the speed evenly over the piece.
         let braked = vec3::at(flow.braked, i);
         let b = vec3::axpy(braked, tau, system.acceleration(i, mode, before.force(i)));
         let b1 = vec3::axpy(braked, tau, system.acceleration(i, mode, after.force(i)));
         let mut c = vec3::sub(vec3::axpy(vec3::scale(change, real(3.0)), real(-2.0), b), b1);
         let mut d = vec3::add(vec3::axpy(b, real(-2.0), change), b1);
-        // e s^2 (1-s)^2 makes up for what the cubic's way lacks; 1/30 is its integral.
+        // e s^2 (1-s)^2 corrects the displacement of the cubic; 1/30 is its integral.
         let moved = vec3::sub(vec3::at(after.pos, i), x0);
         let rest = vec3::sub(vec3::at(after.pos_rest, i), vec3::at(before.pos_rest, i));
         let mean = vec3::scale(vec3::add(moved, rest), S::ONE / tau);
         let cubic = vec3::axpy(vec3::axpy(v0, real(1.0 / 2.0), b), real(1.0 / 3.0), c);
         let cubic = vec3::axpy(cubic, real(1.0 / 4.0), d);
         let mut e = vec3::scale(vec3::sub(mean, cubic), real(30.0));
-        // In no time the places hold nothing but rounding.
+        // For a vanishing length the displacement is rounding only.
         if !e.iter().all(|e| e.is_finite()) {
             e = zero;
         }

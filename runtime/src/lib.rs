@@ -1,25 +1,26 @@
-//! Numbers, integrators, flexible bodies, contact and impact: no_std, no heap, no panic.
+//! Simulation of mechanisms, rigid and flexible bodies with contact, in f32 or f64: no_std, no heap, no panic.
 //!
-//! The layers, in reading order; a file imports only from layers above its own:
+//! In: numbers, equations of motion and bodies in slices of the caller. Out: their state one step later, or a fault
+//! that leaves the state as it was. The layers in reading order; a file imports only from layers above its own:
 //!
-//! - [`real`]: the scalar, with sine, cosine and square root that give the same bits everywhere;
-//! - [`kernel`]: loops compiled for the widest registers at hand, chosen when the program runs;
-//! - [`vec3`]: three components;
-//! - [`mechanism`]: what generated equations implement;
-//! - [`ode`]: state, coefficients, one step of any equations of motion, refused or taken as a whole; root location;
-//! - [`gas`]: gas in a volume: pressure, valves, accounts;
-//! - [`flexible`]: point masses, springs, pressure: forces and energies;
-//! - [`surface`]: what can be touched: shapes and facets, gaps and their rates;
+//! - [`real`]: the scalar, with sine, cosine and square root that give the same bits on every machine;
+//! - [`kernel`]: loops over many nodes, compiled for several register widths and chosen at run time;
+//! - [`vec3`]: vectors of three components;
+//! - [`mechanism`]: the trait that generated equations implement;
+//! - [`ode`]: one step of any equations of motion, refused or taken as a whole; location of events in time;
+//! - [`gas`]: gas in a chamber: pressure, nozzles, energy account;
+//! - [`flexible`]: forces and energies of point masses joined by springs, under pressure and gravity;
+//! - [`surface`]: shapes and facets that contact detection works on, gaps and gap rates;
 //! - [`rigid`]: rigid bodies: pose and momenta, free motion, impact with friction;
-//! - [`contact`]: the ground's laws, impact with energy compensation, friction; a body with its contacts frozen;
-//! - [`world`]: parts that move together: a flexible body attached to what carries it;
-//! - [`guard`]: the step shortened to the first touch or release;
-//! - [`scene`]: the whole step of a body on the ground;
-//! - [`ledger`]: the accounts of energy, an observer;
-//! - [`sensor`]: what a controller sees: sampled, late, noisy from a seed.
+//! - [`contact`]: contact laws on the ground, impact with energy compensation, friction;
+//! - [`world`]: flexible bodies attached to moving carriers (mechanisms, rigid bodies), in contact with one another;
+//! - [`guard`]: shortens a step to the first touch or release;
+//! - [`scene`]: the whole step of a flexible body on the ground;
+//! - [`ledger`]: energy accounts, which only observe;
+//! - [`sensor`]: readings as a controller sees them: sampled, delayed, with seeded noise.
 //!
-//! Storage belongs to the caller: everything works on slices. One test as an example, a pendulum over
-//! one second in f32, as a microcontroller would compute it:
+//! Storage belongs to the caller: everything works on slices. Example (also a test): a pendulum over one second in
+//! f32, as a microcontroller would compute it:
 //!
 //! ```
 #![doc = include_str!("../tests/example/pendulum.rs")]
@@ -56,8 +57,8 @@ pub mod ledger;
 
 pub mod sensor;
 
-/// (path within this crate's `src`, text) of the files that a generated stand-alone crate carries:
-/// the numbers and the mechanism trait. They need `libm` and nothing else of this crate.
+/// Files that a generated stand-alone crate carries, as (path within this crate's `src`, text): the scalars and the
+/// mechanism trait. They need `libm` and nothing else of this crate.
 #[cfg(feature = "source")]
 pub const SOURCES: &[(&str, &str)] = &[
     ("mechanism.rs", include_str!("mechanism.rs")),
@@ -72,8 +73,8 @@ pub const SOURCES: &[(&str, &str)] = &[
     ("real/trig.rs", include_str!("real/trig.rs")),
 ];
 
-/// The same of the integrators, for a stand-alone crate that steps its mechanism: besides [`SOURCES`] they need nothing.
-/// `ode::nodes`, the methods for the nodes of bodies, is not among them, so its line in `ode/mod.rs` is left out.
+/// Further files of a stand-alone crate that also steps its mechanism: the integrators, which need [`SOURCES`] only.
+/// `ode::nodes`, the methods for nodes of flexible bodies, is left out, and so is its line in `ode/mod.rs`.
 #[cfg(feature = "source")]
 pub const INTEGRATOR_SOURCES: &[(&str, &str)] = &[
     ("ode/mod.rs", include_str!("ode/mod.rs")),

@@ -1,4 +1,4 @@
-//! What generated equations implement, and what the interpreter of `smartbed-codegen` implements too.
+//! The trait that generated equations implement, and the interpreter of `smartbed-codegen` too.
 //!
 //! State of a mechanism: x = [q, u], all coordinates and then the independent speeds, SI units.
 
@@ -7,24 +7,24 @@ use crate::real::Real;
 /// Why an evaluation or a step was refused. The state given is left as it was.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
-    /// A slice has not the length the mechanism needs.
+    /// A slice does not have the length that the mechanism needs.
     Shape,
     /// The worst pivot of the elimination came too close to zero: a singular configuration.
     Singular,
     /// A value became infinite or not a number.
     NonFinite,
-    /// An adaptive method cut its step, or used up its steps, without meeting the tolerance.
+    /// An adaptive method shortened its step, or used up its steps, without meeting the tolerance.
     StepSize,
-    /// The iteration of an implicit method did not come to an end.
+    /// The iteration of an implicit method did not converge.
     Unsettled,
     /// More contacts at once than their lists have room for.
     TooManyContacts,
-    /// Forces of contacts that last were not found: friction jams a sliding body (Painleve's paradox).
+    /// Forces of lasting contacts were not found: friction jams a sliding body (Painleve's paradox).
     Jammed,
 }
 
 impl Fault {
-    /// In words.
+    /// The reason in words.
     #[must_use]
     pub fn reason(self) -> &'static str {
         match self {
@@ -47,14 +47,14 @@ impl core::fmt::Display for Fault {
 
 impl core::error::Error for Fault {}
 
-/// A parameter that is no number, or lies outside its range.
+/// A parameter that is not finite, or lies outside its range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OutOfRange<S> {
     /// The parameter.
     pub name: &'static str,
     /// Its value, SI.
     pub value: S,
-    /// The lowest and highest that it may have.
+    /// Lowest and highest allowed value.
     pub range: [S; 2],
 }
 
@@ -67,10 +67,10 @@ impl<S: core::fmt::Display> core::fmt::Display for OutOfRange<S> {
 
 impl<S: core::fmt::Debug + core::fmt::Display> core::error::Error for OutOfRange<S> {}
 
-/// Is every parameter a finite number within its range? What `Parameters::check` of derived code calls.
+/// Checks that every parameter is finite and within its range; `Parameters::check` of derived code calls it.
 ///
 /// # Errors
-/// The first that is not.
+/// The first parameter that is not.
 #[allow(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
 pub fn check_parameters<S: Copy + PartialOrd + core::ops::Sub<Output = S>>(
     names: &[&'static str],
@@ -99,12 +99,11 @@ pub trait Mechanism<S: Real> {
     fn n_u(&self) -> usize;
     /// Number of inputs.
     fn n_inputs(&self) -> usize;
-    /// Writes q_dot (`n_q`) and u_dot (`n_u`) and returns the worst pivot of the eliminations
-    /// (dimensionless, relative to its value at the nominal configuration, carried over to the parameters that are set;
-    /// 1 without elimination).
+    /// Writes q_dot (`n_q`) and u_dot (`n_u`) and returns the worst pivot of the eliminations: dimensionless, relative
+    /// to its value at the nominal configuration, rescaled to the parameters in use; 1 without elimination.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if a slice has not the stated length.
+    /// [`Fault::Shape`] if a slice does not have the stated length.
     fn rates(
         &mut self,
         t: S,
@@ -114,8 +113,8 @@ pub trait Mechanism<S: Real> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault>;
-    /// The time (s) at which [`Mechanism::project`] and [`Mechanism::energy`] are asked for next, where places
-    /// depend on time; [`Mechanism::rates`] sets it too. Before the first of these calls it is 0.
+    /// Sets the time (s) for the next [`Mechanism::project`] and [`Mechanism::energy`], where positions depend on time
+    /// explicitly; [`Mechanism::rates`] sets it too. Initially 0.
     fn set_time(&mut self, t: S) {
         let _ = t;
     }
@@ -125,8 +124,8 @@ pub trait Mechanism<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if `q` has not `n_q` entries.
     fn project(&mut self, q: &mut [S]) -> Result<S, Fault>;
-    /// One correction that puts the speeds back on the constraints, where more speeds are state than are independent:
-    /// the motion passes dead points of the independent ones. Else there is nothing to correct.
+    /// One correction that puts the speeds back on the constraints. Does something only where more speeds are state
+    /// than are independent, because the motion passes dead points of the independent ones.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -140,7 +139,7 @@ pub trait Mechanism<S: Real> {
     /// [`Fault::Shape`] if a slice has not the stated length.
     fn energy(&mut self, q: &[S], u: &[S]) -> Result<(S, S), Fault>;
     /// Whether coordinate number `index` is an angle that appears only inside sines and cosines, so
-    /// that whole turns may be taken off.
+    /// that whole turns may be subtracted.
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;
         false

@@ -1,7 +1,7 @@
-//! Three components of a vector in the inertial frame N, and reads and sums by point that cannot fail.
+//! Vectors of three components in the inertial frame N, and reading and adding by index without a panic.
 //!
-//! A point number out of range reads as the zero vector and adds nowhere: `flexible::Body::new` has
-//! refused such numbers, so the fallback is never taken and no panic branch is compiled.
+//! An index out of range reads as the zero vector and adds nowhere. `flexible::Body::new` has refused such
+//! indices, so the fallback is never taken and no panic branch is compiled.
 
 use crate::real::Scalar;
 
@@ -76,7 +76,7 @@ pub fn tangential<S: Scalar>(a: Vec3<S>, n: Vec3<S>) -> Vec3<S> {
     axpy(a, -dot(a, n), n)
 }
 
-/// Entry `i` of three; the last one beyond. No index can panic.
+/// Entry `i` of three; the last one where `i` is out of range.
 #[inline(always)]
 #[must_use]
 pub fn pick<T: Copy>(of: &[T; 3], i: usize) -> T {

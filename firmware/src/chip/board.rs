@@ -1,7 +1,7 @@
-//! The board's program: set up, then a tick each millisecond, drives off whatever goes wrong.
+//! The board's program: set-up, then one tick per millisecond; on any fault the drives go off.
 //!
-//! One interrupt counts milliseconds; bytes and conversions are carried by DMA, frames wait in their controller. So handlers never nest but for a fault,
-//! and the order of a tick is the text's.
+//! One interrupt counts milliseconds; DMA moves bytes and conversions, CAN frames wait in their controller. So handlers
+//! never nest, except for a fault, and the order of a tick is that of the source text.
 
 mod inputs;
 mod outputs;
@@ -35,7 +35,7 @@ fn run(board: Board) -> ! {
     let Board { mut sensors, mut actuators, bus, flash, mut watchdog, mut alive, number, reason, mut clock } =
         board;
     let store = Store::new(flash, sectors::PAGES, sectors::PAGE);
-    // The boot is counted in flash, which may have to be erased: the watchdogs begin behind it.
+    // The boot is counted in flash, which may have to be erased, so the watchdogs start afterwards.
     let mut station =
         Station::new(Node::new(number, store, reason), bus, program::all(), program::checksum());
     clock.enable_interrupt();
@@ -49,7 +49,7 @@ fn run(board: Board) -> ! {
             continue;
         }
         let mut readings = sensors.read();
-        // Milliseconds that were spent in storing, drives off, are no fault.
+        // Milliseconds lost while storing, with drives off, are no fault.
         readings.overrun = now.wrapping_sub(last) > 1 && !sectors::has_stalled();
         last = now;
         let outputs = station.tick(&readings, program::all());
@@ -65,7 +65,7 @@ fn SysTick() {
     TICKS.store(TICKS.load(Ordering::Relaxed).wrapping_add(1), Ordering::Relaxed);
 }
 
-/// Nothing is set up: drives stay off.
+/// Without set-up: keeps the drives off for ever.
 fn stop() -> ! {
     power::off();
     loop {
@@ -73,19 +73,19 @@ fn stop() -> ! {
     }
 }
 
-/// Drives off before anything else; the watchdog starts the tile anew.
+/// Switches the drives off first; the watchdog then restarts the tile.
 #[exception]
 unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
     stop()
 }
 
-/// An interrupt that nobody asked for.
+/// An unexpected interrupt.
 #[exception]
 unsafe fn DefaultHandler(_number: i16) {
     power::off();
 }
 
-/// Never linked in: the image's checks refuse whatever could call it.
+/// Never linked in: the image's checks refuse any code that could call it.
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
     stop()

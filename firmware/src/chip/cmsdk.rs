@@ -1,18 +1,18 @@
-//! UART 0 of Arm's prototyping boards (CMSDK, technical reference manual 4.3): it waits.
+//! UART 0 of Arm's prototyping boards (CMSDK, technical reference manual 4.3), by polling.
 
 use core::ptr::{read_volatile, write_volatile};
 use smartbed_firmware::lockstep::Host;
 
-/// Its registers; a secure program on an M33 reaches them through their secure alias.
+/// Base address of its registers; a secure program on an M33 uses their secure alias.
 const BASE: usize = if cfg!(chip = "m33") { 0x5020_0000 } else { 0x4000_4000 };
 const DATA: *mut u32 = BASE as *mut u32;
 const STATE: *mut u32 = (BASE + 4) as *mut u32;
 const CONTROL: *mut u32 = (BASE + 8) as *mut u32;
 const DIVIDER: *mut u32 = (BASE + 16) as *mut u32;
-/// A byte has come; no room for one.
+/// Status bits: a byte has been received; the transmit buffer is full.
 const RECEIVED: u32 = 1 << 1;
 const FULL: u32 = 1;
-/// Transmitter and receiver on; the least divider.
+/// Transmitter and receiver enabled; the smallest divider.
 const ON: u32 = 3;
 const FASTEST: u32 = 16;
 
@@ -20,9 +20,9 @@ const FASTEST: u32 = 16;
 pub struct Usart(());
 
 impl Usart {
-    /// Turned on.
+    /// Switched on.
     pub fn start() -> Self {
-        // SAFETY: registers of a UART that nobody else uses; so below.
+        // SAFETY: registers of a UART that nothing else uses; likewise below.
         unsafe {
             write_volatile(DIVIDER, FASTEST);
             write_volatile(CONTROL, ON);

@@ -2,7 +2,7 @@
 
 use cortex_m_semihosting::debug;
 
-/// Tells the emulator how it went.
+/// Reports success or failure to the emulator.
 pub fn end(done: bool) -> ! {
     debug::exit(if done { debug::EXIT_SUCCESS } else { debug::EXIT_FAILURE });
     loop {

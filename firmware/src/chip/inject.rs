@@ -1,4 +1,4 @@
-//! Defects that the checks of the image must find; built only by their tests.
+//! Defects that the image's checks must detect; only their tests build this.
 
 use core::hint::black_box;
 

@@ -1,4 +1,4 @@
-//! Readings: encoders by timers, voltages by a converter that never stops, switches by pins.
+//! Readings: encoders by timers, voltages by a continuously running converter, switches by pins.
 
 use core::sync::atomic::{AtomicU16, Ordering};
 use smartbed_firmware::tile::board::{Readings, Sensors};
@@ -8,29 +8,29 @@ use stm32f4xx_hal::pac::{ADC_COMMON, ADC1, DMA2, TIM2, TIM3, TIM4};
 use stm32f4xx_hal::qei::Qei;
 use stm32f4xx_hal::rcc::{Enable, Rcc, Reset};
 
-/// What is converted, in this order: three displacements, three currents, the supply, two pressures.
+/// Channels of the converter in this order: three displacements, three currents, the supply, two pressures.
 const CHANNELS: [u32; 9] = [8, 9, 10, 11, 12, 13, 14, 4, 5];
-/// The newest of each; DMA writes here, a whole round in 41 us.
+/// Latest sample of each channel; DMA writes here, a whole round in 41 us.
 static SAMPLES: [AtomicU16; CHANNELS.len()] = [const { AtomicU16::new(0) }; CHANNELS.len()];
 
-/// The converter, at work.
+/// The running converter.
 pub struct Converters(());
 
 impl Converters {
-    /// Starts it: all channels in turn for ever, 84 cycles of sampling each at 21 MHz (RM0090, 13.13 and 10.5).
+    /// Starts it: all channels in a continuous round, 84 cycles of sampling each at 21 MHz (RM0090, 13.13 and 10.5).
     pub fn start(adc: ADC1, common: &ADC_COMMON, dma: &DMA2, rcc: &mut Rcc) -> Self {
         ADC1::enable(rcc);
         ADC1::reset(rcc);
         DMA2::enable(rcc);
         let stream = dma.st(0);
-        // SAFETY: numbers of the reference manual; the address is that of a static that holds as many samples.
+        // SAFETY: values of the reference manual; the address is that of a static with room for all samples.
         unsafe {
             stream.par().write(|w| w.bits(adc.dr().as_ptr().addr() as u32));
             stream.m0ar().write(|w| w.bits(SAMPLES.as_ptr().addr() as u32));
             stream.ndtr().write(|w| w.bits(CHANNELS.len() as u32));
-            // Channel 0, halfwords both ways, memory goes on, round and round, on.
+            // Channel 0, halfwords on both sides, memory increment, circular, enabled.
             stream.cr().write(|w| w.bits(1 << 13 | 1 << 11 | 1 << 10 | 1 << 8 | 1));
-            // A quarter of 84 MHz.
+            // Clock: a quarter of 84 MHz.
             common.ccr().write(|w| w.bits(1 << 16));
             let (first, rest) = (order(0), order(6));
             adc.sqr3().write(|w| w.bits(first));
@@ -39,10 +39,10 @@ impl Converters {
             // 84 cycles for every channel.
             adc.smpr1().write(|w| w.bits(0x0492_4924));
             adc.smpr2().write(|w| w.bits(0x2492_4924));
-            // Scan; then DMA for ever, continuous, on.
+            // Scan mode; then continuous DMA, continuous conversion, on.
             adc.cr1().write(|w| w.bits(1 << 8));
             adc.cr2().write(|w| w.bits(1 << 9 | 1 << 8 | 1 << 1 | 1));
-            // Its voltages settle in 3 us.
+            // The converter needs 3 us to stabilise.
             cortex_m::asm::delay(1000);
             adc.cr2().modify(|r, w| w.bits(r.bits() | 1 << 30));
         }
@@ -58,7 +58,7 @@ impl Converters {
     }
 }
 
-/// Up to six channels from this place on, five bits each.
+/// Up to six channels starting with this one, five bits each.
 fn order(from: usize) -> u32 {
     let some = CHANNELS.iter().skip(from).take(6);
     some.zip((0..).step_by(5)).fold(0, |bits, (channel, shift)| bits | channel << shift)
@@ -68,7 +68,7 @@ fn order(from: usize) -> u32 {
 pub struct Inputs {
     /// Counters of the encoders: the first of 32 bits, the others of 16.
     pub encoders: (Qei<TIM2>, Qei<TIM3>, Qei<TIM4>),
-    /// What was counted so far.
+    /// Counts so far.
     pub counts: [i32; 3],
     /// Voltages.
     pub converters: Converters,
@@ -84,7 +84,7 @@ impl Sensors for Inputs {
     fn read(&mut self) -> Readings {
         let [a, b, c] = &mut self.counts;
         *a = self.encoders.0.count().cast_signed();
-        // 16 bits go round; in a millisecond an encoder turns by some hundred counts at most.
+        // 16-bit counters wrap around; in a millisecond an encoder turns by a few hundred counts at most.
         for (count, now) in [(b, self.encoders.1.count()), (c, self.encoders.2.count())] {
             *count = count.wrapping_add(i32::from(now.wrapping_sub(*count as u16).cast_signed()));
         }

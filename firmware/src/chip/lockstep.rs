@@ -1,4 +1,4 @@
-//! The loop on the chip: its serial line, its stack painted, its faults.
+//! The loop on the chip: serial line, measurement of the stack by painting, fault handlers.
 
 use core::ptr::{read_volatile, write_volatile};
 use cortex_m_rt::{ExceptionFrame, entry, exception, heap_start};
@@ -13,13 +13,13 @@ mod program;
 #[cfg_attr(not(chip = "m4"), path = "cmsdk.rs")]
 mod usart;
 
-/// What unused stack holds.
+/// Pattern of unused stack.
 const PAINT: u32 = 0xC5C5_C5C5;
-/// Stack below this function's frame that is left alone when the rest is painted (bytes).
+/// Stack below this function's frame that is not painted (bytes).
 const MARGIN: usize = 256;
 
 unsafe extern "C" {
-    /// Where the stack begins.
+    /// Start of the stack.
     static _stack_start: u32;
 }
 
@@ -38,7 +38,7 @@ fn main() -> ! {
     end(last == Last::End)
 }
 
-/// Fills what lies between static data and stack.
+/// Fills the memory between static data and the stack with the pattern.
 fn paint(bottom: *mut u32, top: usize) {
     let mut word = bottom;
     while word.addr() < top {
@@ -48,26 +48,26 @@ fn paint(bottom: *mut u32, top: usize) {
     }
 }
 
-/// Bytes of stack that were used below `top`, and what of it stood above.
+/// Peak use of the stack in bytes.
 fn depth(bottom: *mut u32, top: usize) -> u32 {
     let mut word = bottom;
     // SAFETY: as in `paint`.
     while word.addr() < top && unsafe { read_volatile(word) } == PAINT {
         word = word.wrapping_add(1);
     }
-    // SAFETY: the linker's name for the end of RAM; its address alone is taken.
+    // SAFETY: the linker's symbol for the end of RAM; only its address is used.
     let top = unsafe { core::ptr::from_ref(&_stack_start) };
     top.addr().saturating_sub(word.addr()) as u32
 }
 
-/// Outputs off before anything else.
+/// Switches the drives off first.
 #[exception]
 unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
     power::off();
     end(false)
 }
 
-/// Never linked in: the image's checks refuse whatever could call it.
+/// Never linked in: the image's checks refuse any code that could call it.
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
     power::off();

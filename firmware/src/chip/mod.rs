@@ -26,7 +26,7 @@ unsafe fn HardFault(_frame: &ExceptionFrame) -> ! {
     end(false)
 }
 
-/// Never linked in: the image's checks refuse whatever could call it.
+/// Never linked in: the image's checks refuse any code that could call it.
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
     end(false)

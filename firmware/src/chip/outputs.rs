@@ -1,4 +1,4 @@
-//! A channel of either timer, so that all six are of one type.
+//! PWM channels of two timers as one type.
 
 use core::convert::Infallible;
 use embedded_hal::pwm::{ErrorType, SetDutyCycle};

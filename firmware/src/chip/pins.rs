@@ -1,4 +1,4 @@
-//! Clocks, pins and peripherals of the board: the table of `docs/controller.md`, once.
+//! Clocks, pins and peripherals of the board, as in the table of `docs/controller.md`.
 
 use super::inputs::{Converters, Inputs};
 use super::outputs::Pwm;
@@ -16,12 +16,12 @@ use stm32f4xx_hal::rcc::Config;
 
 /// Clock of the core (Hz), from a crystal of 8 MHz.
 const CLOCK: u32 = 168_000_000;
-/// Both bridges' inputs are switched so often (Hz).
+/// PWM frequency of both bridges' inputs (Hz).
 const PWM: u32 = 20_000;
-/// What started the chip stands in the highest byte of RCC_CSR (RM0090, 7.3.21).
+/// Position of the reset cause in RCC_CSR: the highest byte (RM0090, 7.3.21).
 const REASON: u32 = 24;
 
-/// What the board's program works with.
+/// Hardware that the board's program uses.
 pub struct Board {
     /// Reads the hardware.
     pub sensors: Inputs,
@@ -31,19 +31,19 @@ pub struct Board {
     pub bus: Bus,
     /// Pages of the store.
     pub flash: Sectors,
-    /// Starts the chip anew if a tick is late by 50 ms.
+    /// Resets the chip if a tick is 50 ms late.
     pub watchdog: Watchdog,
-    /// Toggles each tick: for a watchdog outside the chip.
+    /// Toggles each tick, for a watchdog outside the chip.
     pub alive: AnyPin<Output>,
-    /// The tile's number: straps that are not there count 1, 2, 4, 8 and 16.
+    /// The tile's number: the sum of 1, 2, 4, 8 and 16 for each strap that is missing.
     pub number: u8,
-    /// What started the chip.
+    /// Cause of the reset.
     pub reason: u8,
     /// The timer of ticks, ready but not running.
     pub clock: SYST,
 }
 
-/// What a bus may need; each image has one.
+/// Hardware that a bus may need; each image has one bus.
 #[expect(dead_code, reason = "an image uses what its own bus needs")]
 pub struct Wires {
     /// The serial line's controller.
@@ -54,14 +54,14 @@ pub struct Wires {
     pub can: CAN1,
     /// Its pins: to receive, to send.
     pub pair: (PB8, PB9),
-    /// Carries bytes.
+    /// DMA for bytes.
     pub dma: DMA2,
     /// The tile's number.
     pub number: u8,
 }
 
-/// Sets everything up; nothing if it has been taken before.
-// A function of its own: only what is not inlined itself has all of the clocks' set-up inlined, which leaves no panic.
+/// Sets everything up; None if it has been taken before.
+// Not inlined: only then is all of the clocks' set-up inlined into it, which leaves no panic.
 #[inline(never)]
 pub fn take() -> Option<Board> {
     let (chip, core) = (Peripherals::take()?, cortex_m::Peripherals::take()?);
@@ -72,7 +72,7 @@ pub fn take() -> Option<Board> {
 
     let (a, b) = (chip.GPIOA.split(&mut rcc), chip.GPIOB.split(&mut rcc));
     let (c, d) = (chip.GPIOC.split(&mut rcc), chip.GPIOD.split(&mut rcc));
-    // Outputs first, all low: nothing is powered while the rest is set up.
+    // Outputs first, all low: nothing is powered during the rest of the set-up.
     let enable = b.pb5.into_push_pull_output().erase();
     let (supply, vent) = (c.pc8.into_push_pull_output().erase(), c.pc9.into_push_pull_output().erase());
     let alive = b.pb10.into_push_pull_output().erase();
@@ -85,7 +85,7 @@ pub fn take() -> Option<Board> {
         (Pwm::eight(up_c.with(c.pc6).erase()), Pwm::eight(down_c.with(c.pc7).erase())),
     ];
 
-    // Pins of the converter: displacement and two currents on port B and C, the rest on C, pressures on A.
+    // Analog pins: displacements and two currents on ports B and C, the rest on C, pressures on A.
     (b.pb0.into_analog(), b.pb1.into_analog(), a.pa4.into_analog(), a.pa5.into_analog());
     (c.pc0.into_analog(), c.pc1.into_analog(), c.pc2.into_analog(), c.pc3.into_analog(), c.pc4.into_analog());
     let converters = Converters::start(chip.ADC1, &chip.ADC_COMMON, &chip.DMA2, &mut rcc);

@@ -2,7 +2,7 @@
 
 use core::ptr::write_volatile;
 
-/// Set and reset register of port B; the high half clears.
+/// Bit set/reset register of port B; the high half clears bits.
 const PORT: *mut u32 = 0x4002_0418 as *mut u32;
 const ENABLE_OFF: u32 = 1 << (16 + 5);
 

@@ -1,4 +1,4 @@
-//! The image in flash: vectors, code and constants, as the linker has laid them out, and their checksum behind them.
+//! The image in flash: vectors, code and constants, at the linker's addresses, followed by their checksum.
 
 use core::ptr::{from_ref, read_volatile};
 use smartbed_firmware::tile::integrity::Program;
@@ -10,14 +10,14 @@ unsafe extern "C" {
     static __erodata: u8;
 }
 
-/// The checksum of [`all`]; `smartbed` writes it into an image that it has built. One without it moves nothing.
+/// The checksum of [`all`]; `smartbed` writes it into the image after the build. An image without it does not move.
 #[unsafe(link_section = ".checksum")]
 #[used]
 static CHECKSUM: u32 = u32::MAX;
 
-/// All of it.
+/// The whole program.
 pub fn all() -> Program<'static> {
-    // SAFETY: the linker's names for begin and end of the vectors, and of code and constants; nobody writes there.
+    // SAFETY: the linker's symbols for begin and end of vectors, and of code and constants; nothing writes there.
     unsafe {
         Program {
             vectors: between(from_ref(&__svectors), from_ref(&__evectors)),
@@ -27,14 +27,14 @@ pub fn all() -> Program<'static> {
 }
 
 /// # Safety
-/// Between the two lies memory that can be read, and that nobody writes.
+/// Memory between the two addresses must be readable, and nothing may write it.
 unsafe fn between(begin: *const u8, end: *const u8) -> &'static [u8] {
-    // SAFETY: as promised.
+    // SAFETY: guaranteed by the caller.
     unsafe { core::slice::from_raw_parts(begin, end.addr().saturating_sub(begin.addr())) }
 }
 
-/// The checksum that it was built with.
+/// The checksum that was written into the image.
 pub fn checksum() -> u32 {
-    // SAFETY: a static. Volatile, because it is written behind the compiler's back.
+    // SAFETY: a static. Volatile, because it is changed after the compiler has run.
     unsafe { read_volatile(&CHECKSUM) }
 }

@@ -1,7 +1,7 @@
 //! Sectors 1 and 2 of the flash, 16 KB each, as the store's two pages.
 //!
-//! Erasing or writing stalls the whole flash, and so the program: drives are cut before, the watchdog is widened
-//! meanwhile, and the tick that it took longer is no fault.
+//! Erasing or writing stalls the whole flash and thereby the program. So drives are cut before, the watchdog period is
+//! extended meanwhile, and the late tick is no fault.
 
 use super::{power, watchdog};
 use core::ptr::{read_volatile, write_volatile};
@@ -9,7 +9,7 @@ use core::sync::atomic::{AtomicBool, Ordering};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use stm32f4xx_hal::pac::FLASH;
 
-/// Where the sectors begin, from address 0x0800_0000 on, and their length (bytes); `chips/m4.x` leaves them free.
+/// Offsets of the sectors from 0x0800_0000, and their length (bytes); `chips/m4.x` leaves them free.
 pub const PAGES: [u32; 2] = [0x4000, 0x8000];
 /// See [`PAGES`].
 pub const PAGE: u32 = 0x4000;
@@ -22,22 +22,22 @@ const ERASE: u32 = 1 << 1;
 const WORDS: u32 = 2 << 8;
 const START: u32 = 1 << 16;
 const LOCK: u32 = 1 << 31;
-/// Bits of the status register: busy; what went wrong.
+/// Bits of the status register: busy; errors.
 const BUSY: u32 = 1 << 16;
 const WRONG: u32 = 0xF2;
-/// Looks at the status in which every erasure ends: 2 s at most, each look takes some cycles.
+/// Polls of the status within which every erasure ends: it takes at most 2 s, and each poll takes some cycles.
 const LOOKS: u32 = 168_000_000;
 
 static STALLED: AtomicBool = AtomicBool::new(false);
 
-/// Has the flash been stalled since the last time this was asked?
+/// Whether the flash has stalled since the last call.
 pub fn has_stalled() -> bool {
     let stalled = STALLED.load(Ordering::Relaxed);
     STALLED.store(false, Ordering::Relaxed);
     stalled
 }
 
-/// It could not be erased or written, or there is no such place.
+/// Erasing or writing failed, or the address is out of range.
 #[derive(Clone, Copy, Debug)]
 pub struct Refused;
 
@@ -51,25 +51,25 @@ impl NorFlashError for Refused {
 pub struct Sectors(FLASH);
 
 impl Sectors {
-    /// Locked.
+    /// The two sectors, locked.
     pub fn new(flash: FLASH) -> Self {
         Self(flash)
     }
 
-    /// The address of so many bytes, if they are the store's.
+    /// The address of this range, if it belongs to the store.
     fn address(from: u32, length: usize) -> Result<u32, Refused> {
         let end = u32::try_from(length).ok().and_then(|length| from.checked_add(length)).ok_or(Refused)?;
         let [first, second] = PAGES;
         if from < first || end > second + PAGE { Err(Refused) } else { Ok(BASE + from) }
     }
 
-    /// Does this with the registers unlocked, drives off and the watchdog widened.
+    /// Runs `work` with the registers unlocked, drives off and the watchdog period extended.
     fn unlocked(&mut self, work: impl FnOnce(&FLASH) -> Result<(), Refused>) -> Result<(), Refused> {
         power::off();
         watchdog::widen();
         STALLED.store(true, Ordering::Relaxed);
         let flash = &self.0;
-        // SAFETY: numbers of the reference manual; the data cache is emptied, for it may hold what stood there before.
+        // SAFETY: values of the reference manual; the data cache is flushed, because it may hold the old content.
         let done = unsafe {
             KEYS.iter().for_each(|key| {
                 flash.keyr().write(|w| w.bits(*key));
@@ -88,7 +88,7 @@ impl Sectors {
     }
 }
 
-/// Waits until the flash is no longer busy; was it done?
+/// Waits until the flash is no longer busy; returns whether the operation succeeded.
 fn settled(flash: &FLASH) -> Result<(), Refused> {
     for _ in 0..LOOKS {
         let status = flash.sr().read().bits();
@@ -108,7 +108,7 @@ impl ReadNorFlash for Sectors {
     fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refused> {
         let address = Self::address(offset, bytes.len())?;
         for (byte, place) in bytes.iter_mut().zip(address..) {
-            // SAFETY: flash of the two sectors.
+            // SAFETY: an address in the two sectors.
             *byte = unsafe { read_volatile(place as *const u8) };
         }
         Ok(())
@@ -127,7 +127,7 @@ impl NorFlash for Sectors {
         Self::address(from, to.checked_sub(from).filter(|_| is_whole).ok_or(Refused)? as usize)?;
         self.unlocked(|flash| {
             for sector in from / PAGE..to / PAGE {
-                // SAFETY: numbers of the reference manual.
+                // SAFETY: values of the reference manual.
                 unsafe { flash.cr().write(|w| w.bits(WORDS | ERASE | sector << 3 | START)) };
                 settled(flash)?;
             }
@@ -142,7 +142,7 @@ impl NorFlash for Sectors {
         }
         self.unlocked(|flash| {
             for (word, place) in words.iter().zip((address..).step_by(4)) {
-                // SAFETY: an address of the two sectors, aligned, with programming turned on.
+                // SAFETY: an aligned address in the two sectors, with programming enabled.
                 unsafe {
                     flash.cr().write(|w| w.bits(WORDS | PROGRAM));
                     write_volatile(place as *mut u32, u32::from_le_bytes(*word));

@@ -1,4 +1,4 @@
-//! The serial line: DMA carries bytes both ways, so no byte is lost while a tick computes.
+//! The serial line: DMA moves bytes both ways, so no byte is lost while a tick computes.
 
 use crate::chip::pins::Wires;
 use core::sync::atomic::{AtomicU8, Ordering};
@@ -12,15 +12,15 @@ use stm32f4xx_hal::serial::config::{Config, DmaConfig};
 /// The node's bus.
 pub type Bus = Serial<Uart>;
 
-/// What has come, round and round: 22 ms of a full line.
+/// Ring of received bytes: 22 ms of a full line.
 static RECEIVED: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
-/// What is being sent.
+/// Bytes being sent.
 static SENT: [AtomicU8; 128] = [const { AtomicU8::new(0) }; 128];
 /// Streams of DMA 2 that USART 1 uses, and their channel (RM0090, table 43).
 const RECEIVE: usize = 2;
 const SEND: usize = 7;
 const CHANNEL: u32 = 4 << 25;
-/// Bits of a stream's control register: memory goes on, round and round, from memory, on.
+/// Bits of a stream's control register: memory increment, circular, from memory, enable.
 const ADVANCE: u32 = 1 << 10;
 const ROUND: u32 = 1 << 8;
 const FROM_MEMORY: u32 = 1 << 6;
@@ -29,9 +29,9 @@ const ON: u32 = 1;
 /// USART 1 with its two streams.
 pub struct Uart {
     dma: DMA2,
-    /// Bytes that have been read, as far as the ring goes.
+    /// Number of bytes read, modulo the ring's length.
     read: u8,
-    /// Bytes that wait for [`Line::flush`].
+    /// Number of bytes waiting for [`Line::flush`].
     filled: usize,
 }
 
@@ -41,13 +41,13 @@ pub fn start(wires: Wires, rcc: &mut Rcc) -> Option<Bus> {
 }
 
 impl Uart {
-    /// 115,200 baud; nothing if that cannot be set.
+    /// 115,200 baud; None if that cannot be set.
     fn start(usart: USART1, pins: (PB6, PB7), dma: DMA2, rcc: &mut Rcc) -> Option<Self> {
         let data = usart.dr().as_ptr().addr() as u32;
         let config = Config::default().baudrate(115_200.bps()).dma(DmaConfig::TxRx);
         let _line = usart.serial::<u8>(pins, config, rcc).ok()?;
         let (receive, send) = (dma.st(RECEIVE), dma.st(SEND));
-        // SAFETY: numbers of the reference manual; addresses and lengths are those of two statics.
+        // SAFETY: values of the reference manual; addresses and lengths are those of two statics.
         unsafe {
             receive.par().write(|w| w.bits(data));
             receive.m0ar().write(|w| w.bits(RECEIVED.as_ptr().addr() as u32));
@@ -66,7 +66,7 @@ impl Uart {
 
 impl Line for Uart {
     fn read(&mut self) -> Option<u8> {
-        // The stream counts down what is left of the ring.
+        // The stream counts down the bytes left of the ring.
         let left = self.dma.st(RECEIVE).ndtr().read().bits();
         let written = 0_u8.wrapping_sub(left as u8);
         if self.read == written {
@@ -87,7 +87,7 @@ impl Line for Uart {
         true
     }
 
-    /// Sends what was written since the last time.
+    /// Sends the bytes written since the last call.
     fn flush(&mut self) {
         if self.filled == 0 || self.is_sending() {
             return;

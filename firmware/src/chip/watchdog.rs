@@ -1,14 +1,14 @@
-//! The chip's own watchdog, on a clock of its own of 32 kHz (17 to 47 kHz).
+//! The chip's independent watchdog, clocked by its own oscillator of 32 kHz (17 to 47 kHz).
 
 use stm32f4xx_hal::pac::IWDG;
 use stm32f4xx_hal::pac::iwdg::RegisterBlock;
 
-/// Keys (RM0090, 21.4.1): registers may be written, counter reloaded, started.
+/// Keys (RM0090, 21.4.1): enable register writes, reload the counter, start.
 const WRITE: u16 = 0x5555;
 const RELOAD: u16 = 0xAAAA;
 const START: u16 = 0xCCCC;
 
-/// Feeding and widening it.
+/// Control of the watchdog.
 pub struct Watchdog(IWDG);
 
 impl Watchdog {
@@ -24,18 +24,18 @@ impl Watchdog {
         set(0, 400);
     }
 
-    /// It has been a whole tick.
+    /// Resets the counter, after a complete tick.
     pub fn feed(&mut self) {
         key(&self.0, RELOAD);
     }
 }
 
-/// For an erasure: 4 s; it is started by [`Watchdog::start`] alone, so that this does nothing before.
+/// Extends the period to 4 s for an erasure; without effect before [`Watchdog::start`], which alone starts it.
 pub fn widen() {
     set(6, 500);
 }
 
-/// 50 ms again.
+/// Restores the period of 50 ms.
 pub fn narrow() {
     set(0, 400);
 }
@@ -47,16 +47,16 @@ fn key(registers: &RegisterBlock, key: u16) {
 
 /// Divides the clock by 4 * 2^`power` and counts down from `counts`.
 fn set(power: u16, counts: u16) {
-    // SAFETY: only these functions write these two registers, and one caller runs at a time.
+    // SAFETY: only these functions write these two registers, and only one caller runs at a time.
     let registers = unsafe { &*IWDG::ptr() };
     key(registers, WRITE);
-    // The last change takes up to five cycles of the slow clock; a bound for a clock that stands still.
+    // The last change takes up to five cycles of the slow clock; bounded, in case that clock does not run.
     for _ in 0..100_000 {
         if registers.sr().read().bits() == 0 {
             break;
         }
     }
-    // SAFETY: numbers of the reference manual.
+    // SAFETY: values of the reference manual.
     unsafe {
         registers.pr().write(|w| w.bits(power));
         registers.rlr().write(|w| w.bits(counts));

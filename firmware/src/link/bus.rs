@@ -1,21 +1,21 @@
-//! How bodies come and go, a tick at a time: what a serial line and a CAN bus have in common.
+//! The common interface of a serial line and a CAN bus: bodies in and out, once per tick.
 
 use super::frame::Body;
 
-/// What has come.
+/// A message that has arrived.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Arrival {
     /// A body whose checksum is right.
     Body(Body),
-    /// A stop that needs no body.
+    /// A stop without a body.
     Stop,
 }
 
-/// A line or bus that never waits.
+/// A line or bus that never blocks.
 pub trait Bus {
-    /// Hands over what has come until now (ms).
+    /// Hands over everything that has arrived by now (ms).
     fn receive(&mut self, now: u32, take: impl FnMut(Arrival));
-    /// Sends what goes now (ms) of what `collect` brings.
+    /// Sends as much of what `collect` returns as is possible now (ms).
     fn transmit(&mut self, now: u32, collect: impl FnMut() -> Option<Body>);
     /// Messages lost so far.
     fn lost(&self) -> u32;

@@ -1,39 +1,38 @@
-//! A CAN controller of the kind bxCAN (RM0090, 32), behind its registers: 500 kbit/s from 42 MHz, asked once a
+//! A CAN controller of the bxCAN type (RM0090, 32) behind its registers: 500 kbit/s from 42 MHz, polled once per
 //! millisecond.
 //!
-//! In: registers, the tile's number. Out: a [`Controller`] of frames. Its filters let through what is for this tile:
-//! its commands into one queue, frames that stop into the other, so that none of these is lost behind commands. The
-//! usual driver's code can panic, so this is one of its own; registers are a trait, so that it is tested on a model of
-//! them.
+//! In: registers, the tile's number. Out: a [`Controller`] of frames. Its filters accept frames for this tile only:
+//! commands go to one receive queue, stop frames to the other, so that no stop is lost behind commands. Own code,
+//! because the usual driver's can panic; registers are a trait, so that it is tested on a model of them.
 
 use super::can::{Classic, Controller, STOP, frame};
 use super::talk::COMMANDS;
 use embedded_can::nb::Can;
 use embedded_can::{ErrorKind, Frame, Id};
 
-/// Registers of the controller, by their distance from the first one (bytes).
+/// Registers of the controller, by byte offset from the first.
 pub trait Registers {
-    /// What a register holds.
+    /// Reads a register.
     fn read(&self, register: usize) -> u32;
     /// Writes a register.
     fn write(&mut self, register: usize, bits: u32);
 }
 
-/// Master control and status; status of transmission.
+/// Master control and status; transmit status.
 const MCR: usize = 0x000;
 const MSR: usize = 0x004;
 const TSR: usize = 0x008;
-/// The first receive queue; the other one is behind it.
+/// The first receive queue; the second one follows.
 const RFR: usize = 0x00C;
-/// Status of errors; timing of bits.
+/// Error status; bit timing.
 const ESR: usize = 0x018;
 const BTR: usize = 0x01C;
-/// The first of three mailboxes to send from (identifier, length, data low and high), the first of two that show the
-/// head of a receive queue, and the length of one.
+/// The first of three transmit mailboxes (identifier, length, data low and high), the first of two that show the
+/// head of a receive queue, and the size of a mailbox.
 const TX: usize = 0x180;
 const RX: usize = 0x1B0;
 const MAILBOX: usize = 0x10;
-/// Filters: master, lists or masks, width, queue, which are active, the first bank of two registers.
+/// Filters: master, list or mask mode, scale, queue assignment, activation, the first bank of two registers.
 const FMR: usize = 0x200;
 const FM1R: usize = 0x204;
 const FS1R: usize = 0x20C;
@@ -41,30 +40,29 @@ const FFA1R: usize = 0x214;
 const FA1R: usize = 0x21C;
 const FILTERS: usize = 0x240;
 
-/// Bits of the master control register: ask for initialisation; frames are sent in the order in which they were asked
-/// for.
+/// Bits of the master control register: request initialisation; transmit in the order of requests.
 const INITIALISE: u32 = 1;
 const IN_ORDER: u32 = 1 << 2;
 /// 42 MHz / 6 / (1 + 11 + 2) = 500 kbit/s, sampled at 86 %; two quanta to synchronise.
 const TIMING: u32 = 1 << 24 | 1 << 20 | 10 << 16 | 5;
-/// Looks at a bit that the controller sets within some cycles.
+/// Polls of a bit that the controller sets within some cycles.
 const LOOKS: u32 = 10_000;
-/// Bits of a receive queue's register: how many frames; an overrun; let the first one go.
+/// Bits of a receive queue's register: number of frames; overrun; release the first frame.
 const WAITING: u32 = 3;
 const OVERRUN: u32 = 1 << 4;
 const RELEASE: u32 = 1 << 5;
-/// Bits of an identifier's register: extended, remote; bit of a mailbox: send.
+/// Bits of an identifier register: extended, remote; bit of a mailbox: transmit request.
 const EXTENDED: u32 = 1 << 2;
 const REMOTE: u32 = 1 << 1;
 const SEND: u32 = 1;
-/// The first mailbox is empty, the next two bits are the others'.
+/// Number of the bit that shows the first mailbox empty; the next two bits show the others.
 const EMPTY: u32 = 26;
-/// Give up what the three mailboxes hold.
+/// Abort requests of the three mailboxes.
 const ABORT: u32 = 1 << 7 | 1 << 15 | 1 << 23;
-/// Bit of the error status: off the bus.
+/// Bit of the error status: bus off.
 const BUS_OFF: u32 = 1 << 2;
 
-/// A queue was full, and a frame is lost.
+/// A queue was full and a frame was lost.
 #[derive(Clone, Copy, Debug)]
 pub struct Overrun;
 
@@ -79,7 +77,7 @@ impl embedded_can::Error for Overrun {
 pub struct Bxcan<R>(R);
 
 impl<R: Registers> Bxcan<R> {
-    /// The controller of a tile, from reset: onto the bus, once 11 bits of silence have been seen there.
+    /// The controller of a tile, from reset; it joins the bus after 11 recessive bits.
     pub fn of_tile(registers: R, number: u8) -> Self {
         let mut controller = Self(registers);
         controller.enter();
@@ -89,7 +87,7 @@ impl<R: Registers> Bxcan<R> {
         controller
     }
 
-    /// Into initialisation; a controller that does not follow stays off the bus.
+    /// Enters initialisation; a controller that does not respond stays off the bus.
     fn enter(&mut self) {
         self.0.write(MCR, IN_ORDER | INITIALISE);
         for _ in 0..LOOKS {
@@ -99,16 +97,16 @@ impl<R: Registers> Bxcan<R> {
         }
     }
 
-    /// Onto the bus; nobody waits for that.
+    /// Leaves initialisation towards the bus, without waiting.
     fn leave(&mut self) {
         self.0.write(MCR, IN_ORDER);
     }
 
-    /// Lists of identifiers of data frames: commands go to the first queue, stops to the second.
+    /// Sets lists of identifiers of data frames: commands go to the first queue, stops to the second.
     fn filter(&mut self, commands: u16) {
-        // Two of 16 bits stand in a word, four in a bank; all are the same.
+        // Two 16-bit identifiers per word, four per bank; all four are equal.
         let both = |id: u16| u32::from(id) << 5 | u32::from(id) << 21;
-        // Bit 0 of the first register: filters are being set.
+        // Bit 0 of the first register: filter initialisation.
         let master = self.0.read(FMR);
         self.0.write(FMR, master | 1);
         self.0.write(FS1R, 0);
@@ -145,12 +143,12 @@ impl<R: Registers> Can for Bxcan<R> {
         Ok(None)
     }
 
-    /// Frames that stop go first.
+    /// Stop frames first.
     fn receive(&mut self) -> nb::Result<Classic, Overrun> {
         for (queue, mailbox) in [(RFR + 4, RX + MAILBOX), (RFR, RX)] {
             let state = self.0.read(queue);
             if state & OVERRUN != 0 {
-                // Writing the flag clears it; so below.
+                // Writing the flag clears it; likewise below.
                 self.0.write(queue, OVERRUN);
                 return Err(nb::Error::Other(Overrun));
             }
@@ -175,7 +173,7 @@ impl<R: Registers> Controller for Bxcan<R> {
         self.0.read(ESR) & BUS_OFF != 0
     }
 
-    /// Back by way of initialisation (32.7.6); what waited to be sent is dropped.
+    /// Returns to the bus through initialisation (32.7.6); pending transmissions are dropped.
     fn restart(&mut self) {
         self.0.write(TSR, ABORT);
         self.enter();

@@ -1,7 +1,7 @@
-//! A tile on a CAN bus: its talk with the supervisor (`talk.rs`), and a frame of its own that stops.
+//! A tile on a CAN bus: its transport to the supervisor (`talk.rs`), and a separate frame that stops it.
 //!
-//! In: frames of any controller behind embedded-can's traits. Out: frames; bodies for the node, and what stops it.
-//! A controller that has left the bus after too many errors comes back after a pause, never sooner.
+//! In: frames of any controller behind embedded-can's traits. Out: frames; bodies and stops for the node.
+//! A controller that has gone bus-off after too many errors is restarted after a pause, never sooner.
 
 use super::bus::{Arrival, Bus};
 use super::frame::Body;
@@ -9,23 +9,23 @@ use super::isotp::Data;
 use super::talk::Talk;
 use embedded_can::{Frame, Id, StandardId, nb::Can};
 
-/// Identifier of the frame that stops; lower than all others, so it goes first: every tile without data, else the tiles
-/// whose numbers are its bytes.
+/// Identifier of the stop frame, the lowest and so of highest priority: without data it stops every tile, else the
+/// tiles whose numbers are its bytes.
 pub const STOP: u16 = 0x010;
 /// Most frames read, and sent, in a tick: 500 kbit/s bring five.
 pub const FRAMES: usize = 8;
-/// A controller stays off the bus for so long (ms): the standard asks for 128 times 11 bits, 2.8 ms.
+/// Time that a controller stays off the bus (ms); the standard requires 128 times 11 bits, 2.8 ms.
 pub const REST: u32 = 100;
 
 /// A CAN controller.
 pub trait Controller: Can {
-    /// Has it left the bus after too many errors?
+    /// Whether it is bus-off after too many errors.
     fn is_off(&self) -> bool;
-    /// Lets it come back.
+    /// Restarts it.
     fn restart(&mut self);
 }
 
-/// A classical data frame, for controllers that have none of their own.
+/// A classical data frame, for controllers without a frame type of their own.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Classic {
     id: Id,
@@ -36,7 +36,7 @@ impl Frame for Classic {
     fn new(id: impl Into<Id>, data: &[u8]) -> Option<Self> {
         Some(Self { id: id.into(), data: Data::from_slice(data).ok()? })
     }
-    /// The protocol has none.
+    /// The protocol has no remote frames.
     fn new_remote(_: impl Into<Id>, _: usize) -> Option<Self> {
         None
     }
@@ -63,7 +63,7 @@ pub fn frame<F: Frame>(id: u16, data: &[u8]) -> Option<F> {
     F::new(StandardId::new(id)?, data)
 }
 
-/// Its identifier, if it is one of eleven bits.
+/// The frame's identifier, if it has eleven bits.
 pub fn raw(frame: &impl Frame) -> Option<u16> {
     match frame.id() {
         Id::Standard(id) => Some(id.as_raw()),
@@ -71,23 +71,23 @@ pub fn raw(frame: &impl Frame) -> Option<u16> {
     }
 }
 
-/// Is it a data frame of this identifier?
+/// Whether it is a data frame with this identifier.
 #[must_use]
 pub fn is_data(frame: &impl Frame, identifier: u16) -> bool {
     frame.is_data_frame() && raw(frame) == Some(identifier)
 }
 
-/// Does this frame stop the tile?
+/// Whether this frame stops the tile.
 #[must_use]
 pub fn stops(frame: &impl Frame, tile: u8) -> bool {
     is_data(frame, STOP) && (frame.data().is_empty() || frame.data().contains(&tile))
 }
 
-/// A controller, and what becomes of it.
+/// A controller with its bus-off handling.
 #[derive(Clone, Debug)]
 pub struct Port<C> {
     controller: C,
-    /// When the controller was last seen to be off the bus, or let come back.
+    /// Time at which the controller was first seen bus-off, or was restarted last.
     off: Option<u32>,
     lost: u32,
 }
@@ -98,7 +98,7 @@ impl<C: Controller> Port<C> {
         Self { controller, off: None, lost: 0 }
     }
 
-    /// Hands over the frames that have come.
+    /// Hands over the received frames.
     pub fn receive(&mut self, mut take: impl FnMut(&C::Frame)) {
         for _ in 0..FRAMES {
             match self.controller.receive() {
@@ -109,7 +109,8 @@ impl<C: Controller> Port<C> {
         }
     }
 
-    /// Is the controller on the bus? One that is not comes back after [`REST`]; what was under way is lost.
+    /// Whether the controller is on the bus. One that is not is restarted after [`REST`]; messages in progress are
+    /// lost.
     pub fn is_on(&mut self, now: u32) -> bool {
         if !self.controller.is_off() {
             self.off = None;
@@ -122,19 +123,19 @@ impl<C: Controller> Port<C> {
         false
     }
 
-    /// Sends a frame; false if there is no room for it now.
+    /// Sends a frame; false if there is no room now.
     pub fn send(&mut self, id: u16, data: &[u8]) -> bool {
         let Some(frame) = frame::<C::Frame>(id, data) else { return true };
         match self.controller.transmit(&frame) {
             Ok(None) => (),
             Err(nb::Error::WouldBlock) => return false,
-            // A frame of another message was pushed aside, or this one is lost.
+            // A frame of another message was displaced, or this one was lost.
             Ok(Some(_)) | Err(nb::Error::Other(_)) => self.lost = self.lost.saturating_add(1),
         }
         true
     }
 
-    /// Sends the next frame of a talk, if it has one: true if it went, false if there was no room, and it is kept.
+    /// Sends the next frame of a talk, if it has one: true if it was sent, false if there was no room and it was kept.
     pub fn say(&mut self, talk: &mut Talk, now: u32, collect: impl FnMut() -> Option<Body>) -> Option<bool> {
         let data = talk.next(now, collect)?;
         let is_sent = self.send(talk.says(), &data);

@@ -1,17 +1,17 @@
 //! CRC-32 of frames, records and the program: CRC-32/ISO-HDLC of the catalogue, also zlib's.
 //!
-//! In: bytes, a few at a time if need be. Out: the checksum. Four bits at a time: a table of 64 bytes instead of a kilobyte, twelve
-//! cycles a byte instead of six. Every change of up to 32 bits in a row changes it.
+//! In: bytes, in one piece or several. Out: the checksum. Four bits at a time: a table of 64 bytes instead of a
+//! kilobyte, twelve cycles per byte instead of six. Detects every error burst of up to 32 bits.
 
 /// Bytes of the checksum, lowest first.
 pub const CHECKSUM: usize = 4;
 /// Remainders of four bits by the reflected polynomial 0xEDB88320 (Rocksoft's model, CRC-32/ISO-HDLC).
 const REMAINDERS: [u32; 16] = remainders();
-/// What a sum begins with.
+/// Initial value of a sum.
 pub const BEGIN: u32 = u32::MAX;
 
-/// Goes on with a sum over these bytes; its complement is the checksum.
-// A function of its own: there are many callers, and flash is short.
+/// Continues a sum over these bytes; its complement is the checksum.
+// Not inlined: it has many callers, and flash is short.
 #[inline(never)]
 #[must_use]
 pub fn go_on(sum: u32, bytes: &[u8]) -> u32 {
@@ -29,7 +29,7 @@ pub fn checksum(bytes: &[u8]) -> [u8; CHECKSUM] {
     (!go_on(BEGIN, bytes)).to_le_bytes()
 }
 
-/// What stands before a checksum at the end of these bytes, if that is right.
+/// The bytes before a checksum at the end, if it is right.
 #[must_use]
 pub fn checked(bytes: &[u8]) -> Option<&[u8]> {
     let (body, sum) = bytes.split_last_chunk::<CHECKSUM>()?;

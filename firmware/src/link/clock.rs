@@ -1,14 +1,14 @@
-//! Does the tile's clock run as fast as the supervisor's?
+//! Detects whether the tile's clock runs as fast as the supervisor's.
 //!
-//! In: the supervisor's clock in its beats, and the tile's time. Out: yes or no.
-//! Both clocks are compared over windows of two seconds or more; a beat may come some milliseconds late, so the
-//! least rate that is surely found is 1.5 %.
+//! In: the supervisor's clock in its beats, and the tile's time. Out: whether they agree.
+//! Both clocks are compared over windows of two seconds or more. A beat may be some milliseconds late, so the
+//! smallest deviation that is detected with certainty is 1.5 %.
 
 /// Shortest window that is judged (ms).
 const WINDOW: u32 = 2000;
-/// A window longer than this begins anew (ms): beats were missing.
+/// A longer window is restarted (ms), because beats were missing.
 const LONGEST: u32 = 10_000;
-/// Delay of a beat, first or last, beyond that of the other (ms).
+/// Largest difference between the delays of a window's first and last beat (ms).
 const DELAY: u32 = 10;
 
 /// Comparison of two clocks.
@@ -19,7 +19,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Takes a beat; false if the clocks run apart.
+    /// Takes a beat; returns false if the clocks have drifted apart.
     pub fn take(&mut self, theirs: u32, ours: u32) -> bool {
         let Some((their_start, our_start)) = self.start else {
             self.start = Some((theirs, ours));
@@ -38,7 +38,7 @@ impl Clock {
         our_way < WINDOW || is_right
     }
 
-    /// Nobody has spoken for too long: the next beat is the first.
+    /// Restarts the comparison after a silence: the next beat is the first.
     pub fn forget(&mut self) {
         self.start = None;
     }

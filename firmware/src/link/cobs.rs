@@ -1,7 +1,7 @@
 //! Consistent overhead byte stuffing: bytes without zeros, so that a zero always ends a frame.
 //!
-//! In: bytes. Out: the same bytes as blocks, each a code c in 1..=255, then c - 1 bytes that are not 0;
-//! every block but one of 255 and the last stands for a zero after it (Cheshire and Baker, 1999).
+//! In: bytes. Out: the same bytes as blocks, each a code c in 1..=255 followed by c - 1 bytes that are not 0;
+//! every block, except one of 255 and the last, also encodes a zero after it (Cheshire & Baker 1999).
 
 use heapless::Vec;
 
@@ -32,26 +32,26 @@ fn set(bytes: &mut [u8], place: usize, value: u8) {
     }
 }
 
-/// Takes stuffed bytes one at a time.
+/// Decodes stuffed bytes one at a time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Unstuffer {
     /// Bytes left in the block.
     left: u8,
-    /// Is a zero due before the next block?
+    /// Whether a zero precedes the next block.
     zero_due: bool,
 }
 
-/// What a stuffed byte, never 0, stands for.
+/// Result of decoding a stuffed byte, which is never 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Unstuffed {
-    /// Nothing yet.
+    /// No byte yet.
     Nothing,
     /// A byte.
     Byte(u8),
 }
 
 impl Unstuffer {
-    /// What the next byte, not 0, stands for.
+    /// Decodes the next byte, not 0.
     pub fn take(&mut self, byte: u8) -> Unstuffed {
         if let Some(left) = self.left.checked_sub(1) {
             self.left = left;
@@ -63,7 +63,7 @@ impl Unstuffer {
         if zero { Unstuffed::Byte(0) } else { Unstuffed::Nothing }
     }
 
-    /// May the frame end here?
+    /// Whether the frame may end here.
     #[must_use]
     pub fn is_whole(self) -> bool {
         self.left == 0

@@ -1,8 +1,8 @@
 //! Frames on the wire: 0, then body and checksum stuffed, then 0.
 //!
-//! In: a body, or bytes as they come. Out: bytes, or bodies whose checksum is right.
-//! A frame begins and ends with 0, so whatever came before it - noise, half a frame, a wrong length - is over
-//! when it begins: no good frame is lost after a corrupt one.
+//! In: a body, or bytes as they arrive. Out: bytes, or bodies whose checksum is right.
+//! A frame begins and ends with 0, so whatever came before it (noise, half a frame, a wrong length) ends
+//! where it begins: no good frame is lost after a corrupt one.
 
 use super::checksum::{CHECKSUM, checked, checksum};
 use super::cobs::{self, Unstuffed, Unstuffer};
@@ -24,14 +24,14 @@ pub type Frame = Vec<u8, MAX_FRAME>;
 #[must_use]
 pub fn encode(body: &Body) -> Frame {
     let mut frame = Frame::new();
-    // Nothing of this can fail: the lengths above bound one another.
+    // None of this can fail: the lengths above bound one another.
     let _ = frame.push(0);
     cobs::encode(body.iter().copied().chain(checksum(body)), &mut frame);
     let _ = frame.push(0);
     frame
 }
 
-/// What was wrong with frames, counted.
+/// Counts of defective frames.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Losses {
     /// Ended inside a block.
@@ -48,13 +48,13 @@ pub struct Decoder {
     unstuffer: Unstuffer,
     bytes: Vec<u8, MAX_CHECKED>,
     is_long: bool,
-    /// Has anything come since the last zero?
+    /// Whether any byte has come since the last zero.
     is_begun: bool,
     losses: Losses,
 }
 
 impl Decoder {
-    /// Takes one byte; a body if it ends a good frame.
+    /// Takes one byte; returns a body if it completes a good frame.
     pub fn take(&mut self, byte: u8) -> Option<Body> {
         if byte == 0 {
             return self.end();
@@ -66,7 +66,7 @@ impl Decoder {
         None
     }
 
-    /// What was lost so far.
+    /// Frames lost so far.
     #[must_use]
     pub fn losses(&self) -> Losses {
         self.losses

@@ -1,7 +1,7 @@
-//! A supervisor's CAN controller: one bus, several tiles, a talk with each.
+//! A supervisor's CAN controller: one bus, several tiles, one talk with each.
 //!
-//! In: frames, which their identifiers lead to the tile's talk; bodies for tiles. Out: frames, a turn for every tile,
-//! and bodies with the tile that they are from. A stop goes before everything else. Storage is the caller's: as many
+//! In: frames, which their identifiers assign to a tile's talk; bodies for tiles. Out: frames, of all tiles in turn,
+//! and bodies with the tile that sent them. A stop has priority over everything else. Storage is the caller's: as many
 //! talks as tiles.
 
 use super::can::{Controller, FRAMES, Port, STOP, is_data};
@@ -10,14 +10,14 @@ use super::isotp::Data;
 use super::talk::Talk;
 use embedded_can::Frame;
 
-/// A controller and what is said over it.
+/// A controller with the talks over it.
 #[derive(Debug)]
 pub struct Hub<'a, C> {
     port: Port<C>,
     talks: &'a mut [Talk],
-    /// Whose turn is first.
+    /// The talk whose turn is first.
     first: usize,
-    /// Data of a stop that is to be sent.
+    /// Data of a stop to be sent.
     stop: Option<Data>,
 }
 
@@ -27,18 +27,18 @@ impl<'a, C: Controller> Hub<'a, C> {
         Self { port: Port::new(controller), talks, first: 0, stop: None }
     }
 
-    /// Stops the tiles of these numbers, eight at most, or all of them if there is none; goes out before anything else.
-    /// False if there are more.
+    /// Stops the tiles with these numbers (at most eight), or all tiles if the list is empty; it is sent before
+    /// anything else. Returns false if there are more than eight.
     #[must_use]
     pub fn stop(&mut self, tiles: &[u8]) -> bool {
         let data = Data::from_slice(tiles).ok();
         let fits = data.is_some();
-        // Two stops at once are one of all: never less than was asked for.
+        // Two pending stops become one for all tiles: never fewer than requested.
         self.stop = if self.stop.is_some() && fits { Some(Data::new()) } else { data.or(self.stop.take()) };
         fits
     }
 
-    /// Hands over what has come until now (ms), with the place of its tile's talk.
+    /// Hands over the bodies received by now (ms), with the index of the tile's talk.
     pub fn receive(&mut self, now: u32, mut take: impl FnMut(usize, Body)) {
         let Self { port, talks, .. } = self;
         port.receive(|frame| {
@@ -52,7 +52,7 @@ impl<'a, C: Controller> Hub<'a, C> {
         });
     }
 
-    /// Sends what goes now (ms) of what `collect` brings for each talk: a frame of each, in turns.
+    /// Sends as much of what `collect` returns for each talk as is possible now (ms): one frame of each, in turns.
     pub fn transmit(&mut self, now: u32, mut collect: impl FnMut(usize) -> Option<Body>) {
         if !self.port.is_on(now) {
             self.talks.iter_mut().for_each(Talk::break_off);
@@ -71,7 +71,7 @@ impl<'a, C: Controller> Hub<'a, C> {
             match self.port.say(talk, now, || collect(place)) {
                 Some(true) if sent + 1 < FRAMES => sent += 1,
                 Some(is_sent) => {
-                    // Who found no room is first in the next turn, else who comes behind the last.
+                    // The next turn starts with the talk that found no room, else with the one after the last.
                     self.first = place + usize::from(is_sent);
                     return;
                 }

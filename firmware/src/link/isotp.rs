@@ -1,33 +1,34 @@
-//! Bodies cut into frames of up to eight bytes and put together again: ISO 15765-2 (ISO-TP), normal addressing.
+//! Bodies split into frames of up to eight bytes and reassembled: ISO 15765-2 (ISO-TP), normal addressing.
 //!
-//! In: a body, or data of frames as they come. Out: data of frames, or bodies whose checksum is right.
-//! Up to 7 bytes go in one frame; more begin with a first frame, wait for the receiver's flow control, and go on
-//! in consecutive frames numbered modulo 16, as many and as often as the receiver allows.
+//! In: a body, or data of received frames. Out: data of frames, or bodies whose checksum is right. Up to 7 bytes fit in
+//! a single frame. A longer body starts with a first frame, waits for the receiver's flow control, and continues with
+//! consecutive frames numbered modulo 16, as many and as often as the receiver allows.
 
 use super::checksum::{CHECKSUM, checked, checksum};
 use super::frame::{Body, MAX_CHECKED};
 use heapless::Vec;
 
-/// Who waits for the other gives up after this time (ms): `N_Cr` and `N_Bs`, for which the standard allows a second; a tile
-/// holds after half of it.
+/// Timeout of either side (ms): `N_Cr` and `N_Bs`, for which the standard allows a second; a tile
+/// holds after half a second.
 pub const PATIENCE: u32 = 100;
 
 /// Data of a frame.
 pub type Data = Vec<u8, 8>;
 
-/// Flow control: go on to the end, a frame each millisecond. A controller that is asked once a millisecond has room for three.
+/// Flow control: continue to the end, one frame per millisecond. A controller polled once per millisecond has room for
+/// three.
 const GO_ON: [u8; 3] = [0x30, 0, 1];
 
-/// What the receiver of a body has allowed.
+/// Permission of the receiver to continue.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Grant {
-    /// It has not spoken.
+    /// No permission yet.
     Waits,
-    /// So many frames; none: to the end.
+    /// This many frames; None: to the end.
     Frames(Option<u8>),
 }
 
-/// Cuts one body into frames.
+/// Splits one body into frames.
 #[derive(Clone, Debug)]
 pub struct Sender {
     bytes: Vec<u8, MAX_CHECKED>,
@@ -36,12 +37,12 @@ pub struct Sender {
     grant: Grant,
     /// Least time between consecutive frames (ms).
     pause: u32,
-    /// When it last went on.
+    /// Time of the last progress.
     last: u32,
 }
 
 impl Sender {
-    /// Sends this body from now on (ms).
+    /// Starts sending this body now (ms).
     #[must_use]
     pub fn new(body: &Body, now: u32) -> Self {
         let mut bytes = Vec::new();
@@ -51,7 +52,7 @@ impl Sender {
         Self { bytes, sent: 0, number: 1, grant: Grant::Waits, pause: 0, last: now }
     }
 
-    /// The next frame's data; none while the receiver has not answered or asks for a pause, and at the end.
+    /// The next frame's data; None while the receiver has not answered or requires a pause, and at the end.
     pub fn send(&mut self, now: u32) -> Option<Data> {
         let length = self.bytes.len();
         let mut data = Data::new();
@@ -84,8 +85,8 @@ impl Sender {
         Some(())
     }
 
-    /// Takes the receiver's flow control: "go on" with frames in a block and pause between them; "wait" waits, anything
-    /// else ends.
+    /// Takes the receiver's flow control: "continue" with the number of frames in a block and the pause between them;
+    /// "wait" waits; anything else aborts.
     pub fn flow(&mut self, data: &[u8]) {
         match *data {
             [0x30, block, pause, ..] => {
@@ -102,20 +103,20 @@ impl Sender {
         }
     }
 
-    /// Has all been sent?
+    /// Whether everything has been sent.
     #[must_use]
     pub fn is_done(&self) -> bool {
         self.sent >= self.bytes.len()
     }
 
-    /// Has the receiver kept it waiting for too long?
+    /// Whether the receiver has exceeded the timeout.
     #[must_use]
     pub fn is_late(&self, now: u32) -> bool {
         now.wrapping_sub(self.last) > PATIENCE
     }
 }
 
-/// What a receiver makes of a frame.
+/// Result of a received frame.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Step {
     /// Nothing yet.
@@ -126,11 +127,11 @@ pub enum Step {
     Body(Body),
 }
 
-/// Puts frames of one sender together.
+/// Reassembles the frames of one sender.
 #[derive(Clone, Debug, Default)]
 pub struct Receiver {
     bytes: Vec<u8, MAX_CHECKED>,
-    /// Length announced by the first frame; 0 if none is under way.
+    /// Length announced by the first frame; 0 if no message is in progress.
     length: usize,
     number: u8,
     heard: u32,
@@ -138,8 +139,8 @@ pub struct Receiver {
 }
 
 impl Receiver {
-    /// Takes a frame's data at this time (ms). What does not fit ends what was under way; a first or single
-    /// frame always begins anew.
+    /// Takes a frame's data at this time (ms). An unexpected frame aborts the message in progress; a first or single
+    /// frame always starts a new one.
     pub fn take(&mut self, data: &[u8], now: u32) -> Step {
         let Some((first, rest)) = data.split_first() else { return self.lose() };
         match first >> 4 {
@@ -196,7 +197,7 @@ impl Receiver {
         body.map_or_else(|| self.lose(), Step::Body)
     }
 
-    /// Forgets what was under way, and counts it.
+    /// Aborts the message in progress, and counts it as lost.
     fn give_up(&mut self) {
         if self.length > 0 {
             self.lose();

@@ -1,12 +1,12 @@
 //! The tile's log: the last events, numbered, with the tick of each.
 //!
-//! In: events. Out: entries by number. The oldest make room; their numbers are never used again in this life, so a
-//! supervisor that reads in time has all of them, and sees what it has missed. Keeping them for good is its task.
+//! In: events. Out: entries by number. New entries replace the oldest; numbers are never reused before a restart, so a
+//! supervisor that reads in time gets all entries, and notices those that it has missed. Permanent storage is its task.
 
 use super::message::Event;
 use heapless::Deque;
 
-/// Entries that are kept.
+/// Most entries kept.
 pub const ENTRIES: usize = 64;
 
 /// The log.
@@ -18,7 +18,7 @@ pub struct Log {
 }
 
 impl Log {
-    /// Writes an event at this tick.
+    /// Adds an event at this tick.
     pub fn add(&mut self, tick: u32, event: Event) {
         if self.entries.is_full() {
             self.entries.pop_front();
@@ -28,13 +28,13 @@ impl Log {
         self.next = self.next.wrapping_add(1);
     }
 
-    /// Entries so far.
+    /// Number of entries so far.
     #[must_use]
     pub fn next(&self) -> u32 {
         self.next
     }
 
-    /// The entry of this number, or the oldest that is kept after it: its number, tick and event.
+    /// The entry with this number, or the oldest one kept after it: number, tick and event.
     #[must_use]
     pub fn from(&self, number: u32) -> Option<(u32, u32, Event)> {
         let oldest = self.next.wrapping_sub(self.entries.len() as u32);

@@ -1,8 +1,8 @@
-//! What is said: commands to a tile and its reports, as postcard writes them.
+//! Messages of the protocol: commands to a tile and its reports, serialised by postcard.
 //!
 //! In: a [`Header`] and a [`Command`] or [`Report`]. Out: a body, and back.
-//! Layout of a body: header, message, and behind a command that moves something its [`tag`](super::tag).
-//! A number that is not finite, and bytes left over, are refused here: nothing behind sees them.
+//! Layout of a body: header, message, and its [`tag`](super::tag) if the command needs one.
+//! Numbers that are not finite, and surplus bytes, are refused here, so no later stage sees them.
 
 use super::frame::{Body, MAX_BODY};
 use super::tag::{TAG, Tag};
@@ -12,25 +12,25 @@ use serde::{Deserialize, Serialize};
 pub const VERSION: u8 = 1;
 /// Marks a report in the header's version.
 pub const REPORT: u8 = 0x80;
-/// Address of every tile; only what needs no tag may be sent to it.
+/// Address of every tile; only commands without a tag may use it.
 pub const EVERY_TILE: u8 = 0xFF;
 
-/// What stands before every message.
+/// Header of every message.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Header {
     /// [`VERSION`], with [`REPORT`] in a tile's answer.
     pub version: u8,
-    /// The tile that is meant, or that reports.
+    /// The tile addressed, or reporting.
     pub tile: u8,
-    /// How often that tile has started: a command to an earlier life is refused.
+    /// Number of starts of that tile: a command from before a restart is refused.
     pub boot: u32,
-    /// Counts the sender's messages in this life.
+    /// Counts the sender's messages since the start.
     pub sequence: u32,
-    /// The tile's time (ms): when a command is to be done, or when a report was made.
+    /// The tile's time (ms) at which to execute a command, or at which a report was made.
     pub tick: u32,
 }
 
-/// What a tile is asked for. SI units.
+/// A command to a tile. SI units.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
 pub enum Command {
     /// Drives off, valves closed. Needs no tag.
@@ -41,11 +41,11 @@ pub enum Command {
     Log(u32),
     /// Report who you are. Needs no tag.
     Identify,
-    /// Go on: the sender is there; with its clock (ms).
+    /// Heartbeat of the sender, with its clock (ms).
     Beat(u32),
     /// Allow motion.
     Enable,
-    /// Forget these latched faults, if their causes are gone.
+    /// Clear these latched faults, if their causes are gone.
     Clear(u32),
     /// Find the switches.
     Home,
@@ -70,7 +70,7 @@ pub struct Target {
     pub slope_y: f32,
 }
 
-/// Offsets that a tile is calibrated with.
+/// Calibration offsets of a tile.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Trim {
     /// Added to the heights that the position sensors give (m).
@@ -79,27 +79,27 @@ pub struct Trim {
     pub pressure: f32,
 }
 
-/// What a tile says.
+/// A report of a tile.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize, Deserialize)]
 pub enum Report {
-    /// What became of the command of this sequence number.
+    /// Outcome of the command with this sequence number.
     Answer(u32, Outcome),
     /// The state.
     State(State),
-    /// An entry of the log: its number, when it was made, what it says.
+    /// An entry of the log: number, tick, event.
     Entry(u32, u32, Event),
     /// Protocol, entries of the log so far, frames lost, commands refused.
     Identity(u8, u32, u32, u32),
 }
 
-/// What became of a command.
+/// Outcome of a command.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub enum Outcome {
-    /// It is done, or begun.
+    /// It is done, or has started.
     Done,
-    /// It will be done at its tick.
+    /// It will be executed at its tick.
     Waits,
-    /// Refused; nothing moves by it.
+    /// Refused; it has no effect.
     Refused(Refusal),
 }
 
@@ -108,45 +108,45 @@ pub enum Outcome {
 pub enum Refusal {
     /// Another version of the protocol, or a report.
     Version,
-    /// No message, or not all of one.
+    /// Not a complete message.
     Malformed,
     /// A number that is not finite.
     NonFinite,
-    /// Moves something but has no tag, or is for every tile.
+    /// It needs a tag but has none, or is addressed to every tile.
     Untagged,
-    /// The tag is not of this tile's key.
+    /// The tag was not made with this tile's key.
     WrongTag,
-    /// For another life of the tile.
+    /// From before the tile's restart.
     WrongBoot,
     /// Its sequence number has been used.
     Replayed,
-    /// Its tick lies too far back.
+    /// Its tick is too far in the past.
     Late,
-    /// Its tick lies too far ahead.
+    /// Its tick is too far in the future.
     Early,
-    /// No room among the commands that wait.
+    /// No room among the waiting commands.
     Full,
-    /// Not in this mode.
+    /// Not allowed in this mode.
     Mode,
     /// A fault is latched.
     Faulted,
-    /// A motion is under way: stop it first.
+    /// A motion is in progress: stop it first.
     Busy,
     /// A height would leave the stroke.
     Stroke,
     /// The tilt would be too steep.
     Tilt,
-    /// The pressure is not one that the bladder may have.
+    /// The pressure is outside the allowed range.
     Pressure,
     /// The cause of a fault is still there, or it cannot be cleared.
     Cause,
-    /// The boot counter could not be stored: no tag is fresh.
+    /// The boot counter could not be stored, so no tag is fresh.
     Storage,
-    /// An offset larger than any that a sound sensor needs.
+    /// An offset larger than any sound sensor needs.
     Trim,
 }
 
-/// A line of the log.
+/// An event of the log.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub enum Event {
     /// The tile has started, for this reason.
@@ -170,20 +170,20 @@ pub struct State {
     pub faults: u32,
     /// Heights of the connectors (m).
     pub heights: [f32; 3],
-    /// Heights that they are to have now (m).
+    /// Heights commanded now (m).
     pub wanted: [f32; 3],
     /// Duty of the drives (-1 to 1).
     pub duty: [f32; 3],
     /// Pressure over ambient (Pa).
     pub pressure: f32,
-    /// What the bladder carries (kg).
+    /// Mass that the bladder carries (kg).
     pub load: f32,
     /// Bits: drives enabled, supply valve open, vent open, homed, motion allowed.
     pub flags: u8,
 }
 
 impl Command {
-    /// Must a tag vouch for it? All but what stops or asks.
+    /// Whether it needs a tag: all commands do, except those that stop or ask.
     #[must_use]
     pub fn needs_tag(&self) -> bool {
         !matches!(self, Self::Stop | Self::Status | Self::Log(_) | Self::Identify)
@@ -199,7 +199,7 @@ impl Command {
     }
 }
 
-/// A command as it came, its tag not yet checked.
+/// A received command whose tag has not been checked yet.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Received {
     /// Its header.
@@ -208,7 +208,7 @@ pub struct Received {
     pub command: Command,
     /// Its tag, if it has one.
     pub tag: Option<Tag>,
-    /// The bytes that the tag vouches for.
+    /// The bytes that the tag authenticates.
     pub vouched: Body,
 }
 
@@ -237,7 +237,7 @@ pub fn read(body: &[u8]) -> Result<Received, (Header, Refusal)> {
     Ok(Received { header, command, tag, vouched })
 }
 
-/// The body of a header and a message; none if it is too long, which no message of ours is.
+/// The body of a header and a message; None if it is too long, which no message of ours is.
 #[must_use]
 pub fn write<M: Serialize>(header: &Header, message: &M) -> Option<Body> {
     let mut bytes = [0_u8; MAX_BODY];

@@ -1,10 +1,10 @@
 //! The link between a supervisor and a tile: see `docs/protocol.md`.
 //!
-//! In: bytes of a serial line, or frames of a CAN bus. Out: commands that may be done, and reports.
-//! From the wire inwards: [`cobs`], [`checksum`] and [`frame`] find bodies, [`message`] says what they mean, [`tag`]
-//! and [`session`] decide whose they are; [`clock`] compares clocks, [`log`] keeps what happened; [`serial`] carries
-//! bodies over a line, [`can`], [`talk`] and [`isotp`] in frames of eight bytes, [`bxcan`] is a controller of such
-//! frames; to the node both are a [`bus`]; [`hub`] is the supervisor's side of a CAN bus.
+//! In: bytes of a serial line, or frames of a CAN bus. Out: commands that may be executed, and reports.
+//! From the wire inwards: [`cobs`], [`checksum`] and [`frame`] extract bodies, [`message`] decodes them, [`tag`]
+//! and [`session`] authenticate them; [`clock`] compares clocks, [`log`] records events; [`serial`] carries
+//! bodies over a line, [`can`], [`talk`] and [`isotp`] in frames of eight bytes, [`bxcan`] drives a CAN controller;
+//! the node sees either as a [`bus`]; [`hub`] is the supervisor's side of a CAN bus.
 
 pub mod bus;
 pub mod bxcan;
@@ -22,8 +22,8 @@ pub mod session;
 pub mod tag;
 pub mod talk;
 
-/// What comes again and again from or for this tile comes so much later than for the tile before it (ms): on one bus
-/// beats and reports never come in a heap.
+/// Delay of periodic messages of or for this tile (ms), larger for each next tile, so that
+/// they never pile up on one bus.
 #[must_use]
 pub fn stagger(tile: u8) -> u32 {
     7 * u32::from(tile)

@@ -1,6 +1,6 @@
-//! A node on a serial line: bytes to bodies and back, so many each tick and no more.
+//! A node on a serial line: bytes to bodies and back, with a bounded number of bytes per tick.
 //!
-//! In: bytes of a [`Line`]. Out: bodies for the node, and the frames of what it reports.
+//! In: bytes of a [`Line`]. Out: bodies for the node, and frames of its reports.
 
 use super::bus::{Arrival, Bus};
 use super::frame::{Body, Decoder, Frame, encode};
@@ -8,17 +8,17 @@ use super::frame::{Body, Decoder, Frame, encode};
 /// Most bytes read, and written, in a tick: 115,200 baud bring 11.5.
 pub const BYTES: usize = 16;
 
-/// A serial line that never waits.
+/// A serial line that never blocks.
 pub trait Line {
-    /// A byte that has come.
+    /// The next received byte.
     fn read(&mut self) -> Option<u8>;
-    /// Sends a byte; false if there is no room, and then it is not sent.
+    /// Sends a byte; returns false, without sending, if there is no room.
     fn write(&mut self, byte: u8) -> bool;
-    /// A tick's bytes have been written: for lines that carry them together.
+    /// Called after the bytes of a tick, for lines that send them together.
     fn flush(&mut self) {}
 }
 
-/// A line, and what is under way on it.
+/// A line with its messages in progress.
 #[derive(Clone, Debug, Default)]
 pub struct Serial<L> {
     decoder: Decoder,
@@ -29,7 +29,7 @@ pub struct Serial<L> {
 }
 
 impl<L: Line> Serial<L> {
-    /// Nothing is under way.
+    /// A line without messages in progress.
     pub fn new(line: L) -> Self {
         Self { decoder: Decoder::default(), frame: Frame::default(), sent: 0, line }
     }

@@ -1,53 +1,53 @@
-//! Who may move this tile: the one gate through which commands come in.
+//! Authentication: the only way for commands into the tile.
 //!
-//! In: bodies of frames and the tile's time. Out: commands that are fresh and vouched for, or refusals.
-//! State: the highest sequence number used in this life. What needs no tag changes none of it, so nobody can
+//! In: bodies of frames and the tile's time. Out: commands that are fresh and authenticated, or refusals.
+//! State: the highest sequence number used since the start. Commands without a tag do not change it, so nobody can
 //! use up sequence numbers without the key.
 
 use super::message::{Command, EVERY_TILE, Header, REPORT, Received, Refusal, VERSION, read};
 use super::tag::Key;
 
-/// Oldest tick of a command (ms before now), and newest (ms after).
+/// Limits of a command's tick: ms before now, ms after now.
 pub const WINDOW: (u32, u32) = (500, 2000);
-/// Silence that stops motion (ms).
+/// Time without authenticated command that stops motion (ms).
 pub const SILENCE: u32 = 500;
 
-/// A command that may be done.
+/// A command that may be executed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Accepted {
     /// Its sequence number.
     pub sequence: u32,
-    /// When it is to be done: its tick.
+    /// Tick at which to execute it.
     pub due: u32,
     /// What is asked for.
     pub command: Command,
 }
 
-/// One life of the link.
+/// A session, from one start of the tile to the next.
 #[derive(Clone, Debug)]
 pub struct Session {
     tile: u8,
-    /// This life; none if it could not be stored.
+    /// Number of this start; None if it could not be stored.
     boot: Option<u32>,
     key: Key,
-    /// Lowest sequence number not used.
+    /// Lowest unused sequence number.
     next: u32,
-    /// When a vouched command last came (tick).
+    /// Tick of the last authenticated command.
     heard: Option<u32>,
     refused: u32,
 }
 
 impl Session {
-    /// A life of a tile; `boot` is none if the counter could not be stored, and then no tag is fresh.
+    /// A session of a tile; `boot` is None if the counter could not be stored, and then no tag is fresh.
     #[must_use]
     pub fn new(tile: u8, boot: Option<u32>, key: Key) -> Self {
         Self { tile, boot, key, next: 0, heard: None, refused: 0 }
     }
 
-    /// Lets a command through, refuses it, or ignores what is for another tile or comes from one.
+    /// Accepts or refuses a command; ignores messages for other tiles, and reports.
     ///
     /// # Errors
-    /// The sequence number and why it is refused.
+    /// The sequence number, and the reason for the refusal.
     pub fn accept(&mut self, body: &[u8], now: u32) -> Result<Option<Accepted>, (u32, Refusal)> {
         let received = match read(body) {
             Ok(received) => received,
@@ -68,7 +68,7 @@ impl Session {
         }
     }
 
-    /// Has nobody who may move this tile said anything for so long?
+    /// Whether no authenticated command has come for too long.
     #[must_use]
     pub fn is_silent(&self, now: u32) -> bool {
         self.heard.is_none_or(|heard| now.wrapping_sub(heard) > SILENCE)
@@ -96,12 +96,12 @@ impl Session {
         (header.sequence, why)
     }
 
-    /// Cheap checks first: only what could be fresh is hashed.
+    // Cheap checks first, so that only commands that can be fresh are hashed.
     fn check(&self, received: &Received, now: u32) -> Result<(), Refusal> {
         let Header { tile, boot, sequence, tick, .. } = received.header;
         let tag = received.tag.filter(|_| tile != EVERY_TILE).ok_or(Refusal::Untagged)?;
         let ours = self.boot.ok_or(Refusal::Storage)?;
-        // Ticks go round after 49 days: their distance is what counts. Half a round is neither late nor early.
+        // Ticks wrap around after 49 days, so compare their difference. Half a wrap is neither late nor early.
         let ahead = tick.wrapping_sub(now).cast_signed();
         match () {
             () if boot != ours => Err(Refusal::WrongBoot),
@@ -114,7 +114,7 @@ impl Session {
     }
 }
 
-/// The body of a command, with its tag if it needs one: the supervisor's half.
+/// The supervisor's counterpart: the body of a command, with its tag if it needs one.
 #[must_use]
 pub fn sign(header: &Header, command: &Command, key: &Key) -> Option<super::frame::Body> {
     let mut body = super::message::write(header, command)?;

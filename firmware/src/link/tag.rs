@@ -1,9 +1,9 @@
-//! Tags that vouch for what moves something.
+//! Tags that authenticate commands.
 //!
 //! In: a key shared by supervisor and tile, and the bytes of header and command. Out: eight bytes that nobody can
-//! make without the key: SipHash-2-4 (Aumasson and Bernstein, 2012), a keyed function made for short messages.
-//! Tile, boot counter, sequence number and tick are among the bytes, so a tag is of use once, here and now.
-//! At one check a tick a forger finds a tag in some 10^8 years.
+//! make without the key, by SipHash-2-4 (Aumasson & Bernstein 2012), a keyed function for short messages.
+//! Tile, boot counter, sequence number and tick are among the bytes, so a tag is valid once, for one tile and one time.
+//! With one attempt per tick a forger needs some 10^8 years.
 
 use core::hash::Hasher;
 use siphasher::sip::SipHasher24;
@@ -38,8 +38,8 @@ impl Key {
         hasher.finish().to_le_bytes()
     }
 
-    /// Is this the tag of these bytes? Takes equally long whatever differs. A function of its own in the image: its cost has a
-    /// limit of its own.
+    /// Whether this is the tag of these bytes, in constant time. Not inlined, because the image's checks limit its cost
+    /// separately.
     #[must_use]
     #[inline(never)]
     pub fn vouches(&self, bytes: &[u8], tag: Tag) -> bool {

@@ -1,7 +1,7 @@
-//! What a supervisor and one tile say to each other on a CAN bus: bodies by ISO-TP (`isotp.rs`), one way and the other.
+//! Transport between a supervisor and one tile on a CAN bus: bodies by ISO-TP (`isotp.rs`) in both directions.
 //!
-//! In: data of frames that have come, bodies to send. Out: bodies, data of frames to send. It knows no controller: a tile has one
-//! talk (`can.rs`), a supervisor one for each tile (`hub.rs`).
+//! In: data of received frames, bodies to send. Out: bodies, data of frames to send. It knows no controller: a tile has
+//! one talk (`can.rs`), a supervisor one for each tile (`hub.rs`).
 
 use super::frame::Body;
 use super::isotp::{Data, Receiver, Sender, Step};
@@ -11,16 +11,16 @@ pub const COMMANDS: u16 = 0x100;
 /// Identifier of reports of tile 0.
 pub const REPORTS: u16 = 0x200;
 
-/// One side of the talk.
+/// One side of the transport.
 #[derive(Clone, Debug)]
 pub struct Talk {
     hears: u16,
     says: u16,
     receiver: Receiver,
     sender: Option<Sender>,
-    /// Flow control that is to be sent.
+    /// Flow control to be sent.
     answer: Option<Data>,
-    /// A frame for which there was no room.
+    /// A frame that found no room.
     kept: Option<Data>,
     lost: u32,
 }
@@ -38,25 +38,25 @@ impl Talk {
         Self::new(number, REPORTS, COMMANDS)
     }
 
-    /// What is said about tile `number`, by what is heard and said about tile 0.
+    /// The talk with tile `number`, given the identifiers for tile 0.
     fn new(number: u8, hears: u16, says: u16) -> Self {
         let [hears, says] = [hears, says].map(|id| id + u16::from(number));
         Self { hears, says, receiver: Receiver::default(), sender: None, answer: None, kept: None, lost: 0 }
     }
 
-    /// The identifier of what it hears.
+    /// Identifier of received frames.
     #[must_use]
     pub fn hears(&self) -> u16 {
         self.hears
     }
 
-    /// The identifier of what it says.
+    /// Identifier of sent frames.
     #[must_use]
     pub fn says(&self) -> u16 {
         self.says
     }
 
-    /// Takes a frame's data; a body if it ends one.
+    /// Takes a frame's data; returns a body if it completes one.
     pub fn take(&mut self, data: &[u8], now: u32) -> Option<Body> {
         if let Some(0x30..=0x3F) = data.first() {
             if let Some(sender) = &mut self.sender {
@@ -72,7 +72,7 @@ impl Talk {
         None
     }
 
-    /// The data of the next frame; a new body is begun when the last one is over.
+    /// Data of the next frame; a new body starts when the last one has been sent.
     pub fn next(&mut self, now: u32, mut collect: impl FnMut() -> Option<Body>) -> Option<Data> {
         if let Some(data) = self.answer.take().or_else(|| self.kept.take()) {
             return Some(data);
@@ -87,12 +87,12 @@ impl Talk {
         self.sender.as_mut()?.send(now)
     }
 
-    /// Keeps a frame for which there was no room: it is the next one.
+    /// Keeps a frame that found no room: it will be the next one.
     pub fn keep(&mut self, data: Data) {
         self.kept = Some(data);
     }
 
-    /// Forgets what is under way, and counts it.
+    /// Aborts the messages in progress, and counts them as lost.
     pub fn break_off(&mut self) {
         let is_under_way = self.sender.take().is_some_and(|sender| !sender.is_done());
         let is_kept = self.kept.take().is_some();

@@ -1,8 +1,8 @@
-//! The bladder as a piston of gas: sealed, or filled and vented through orifices.
+//! The bladder as a gas-filled piston: sealed, or filled and vented through orifices.
 //!
-//! In: which valves are open. Out: the pressure over ambient. Gas and orifices are the runtime's (`smartbed_runtime::gas`):
-//! isothermal, for changes are slow and walls wide. The piston is at rest: (p - p_a) A = W + k (z - z_0), with k
-//! the stiffness of the sheet and V = A z.
+//! In: which valves are open. Out: the pressure over ambient. Gas and orifices are the runtime's
+//! (`smartbed_runtime::gas`), isothermal, because changes are slow and the walls large. The piston is in equilibrium:
+//! (p - p_a) A = W + k (z - z_0), with k the stiffness of the sheet and V = A z.
 
 use crate::tile::design::{AREA, GRAVITY};
 use smartbed_runtime::gas::{Chamber, Gas, GasState, Line, Nozzle, Source};
@@ -14,12 +14,12 @@ pub const AMBIENT: f64 = 101_325.0;
 const TEMPERATURE: f64 = 293.15;
 /// Pressure of the pump over ambient (Pa).
 const PUMP: f64 = 16e3;
-/// Stiffness of the sheet (N/m) and the height at which it is slack (m).
+/// Stiffness of the sheet (N/m), and its slack height (m).
 const SHEET: (f64, f64) = (5e3, 0.1);
 /// Diameters of the holes of supply and vent (m), and their discharge coefficient.
 const HOLES: (f64, f64) = (2e-3, 4e-3);
 const DISCHARGE: f64 = 0.65;
-/// Least height (m): the sheet lies on the plate.
+/// Least height (m), where the sheet lies on the plate.
 const BOTTOM: f64 = 2e-3;
 const TICK: f64 = 1e-3;
 
@@ -31,7 +31,7 @@ pub struct Air<S> {
     /// Supply and vent.
     lines: [Line<S>; 2],
     state: GasState<S>,
-    /// What the sum of p V has lost by rounding.
+    /// Rounding error of the sum p V.
     low: S,
     /// Weight on it (N).
     weight: S,
@@ -45,7 +45,7 @@ impl<S: Scalar + From<f32>> Default for Air<S> {
 }
 
 impl<S: Scalar + From<f32>> Air<S> {
-    /// Just slack, under a weight (N).
+    /// At the slack height, under a weight (N).
     #[must_use]
     pub fn with_weight(weight: S) -> Self {
         let (gas, ambient) = (Gas::air(), S::from_f64(AMBIENT));
@@ -68,7 +68,7 @@ impl<S: Scalar + From<f32>> Air<S> {
         air
     }
 
-    /// Just slack, under so many kilograms.
+    /// At the slack height, under a mass (kg).
     #[must_use]
     pub fn under(mass: S) -> Self {
         Self::with_weight(mass * S::from(GRAVITY))
@@ -80,20 +80,20 @@ impl<S: Scalar + From<f32>> Air<S> {
         self.pressure
     }
 
-    /// Fills or empties it at once to this pressure (Pa over ambient).
+    /// Fills or empties it instantly to this pressure (Pa over ambient).
     pub fn fill(&mut self, pressure: S) {
         let height = S::from_f64(SHEET.1) + (pressure * S::from(AREA) - self.weight) / S::from_f64(SHEET.0);
         self.low = S::ZERO;
         self.hold((S::from_f64(AMBIENT) + pressure) * S::from(AREA) * height);
     }
 
-    /// Goes on by a millisecond.
+    /// Advances by a millisecond.
     pub fn advance(&mut self, supply: bool, vent: bool) {
         for (line, is_open) in self.lines.iter_mut().zip([supply, vent]) {
             line.opening = if is_open { S::ONE } else { S::ZERO };
         }
         let volume = S::from(AREA) * self.height();
-        // Volume and mass are never 0, see `hold`: there are rates.
+        // Volume and mass are never 0, see `hold`, so the rates exist.
         let Ok(rates) = self.chamber.rates(&self.state, volume, S::ZERO, &self.lines) else { return };
         let before = self.state.reference_pressure;
         let change = self.low + S::from_f64(TICK) * rates.reference_pressure;
@@ -102,7 +102,7 @@ impl<S: Scalar + From<f32>> Air<S> {
         self.hold(after);
     }
 
-    /// Takes p V (J) for the state, at the temperature of the walls, and lets the piston come to rest.
+    /// Sets the state to p V (J), at the temperature of the walls, with the piston in equilibrium.
     fn hold(&mut self, content: S) {
         let mass = content / (self.chamber.gas.gas_constant * S::from_f64(TEMPERATURE));
         self.state = GasState { reference_pressure: content, mass };
@@ -111,13 +111,13 @@ impl<S: Scalar + From<f32>> Air<S> {
         self.pressure = Real::max(carried / S::from(AREA), S::ZERO);
     }
 
-    /// Where the piston rests: k z^2 + (p_a A + W - k z_0) z - p V = 0.
+    /// Height of the piston in equilibrium: k z^2 + (p_a A + W - k z_0) z - p V = 0.
     fn height(&self) -> S {
         let (stiffness, slack) = (S::from_f64(SHEET.0), S::from_f64(SHEET.1));
         let content = self.state.reference_pressure;
         let half =
             S::from_f64(0.5) * (S::from_f64(AMBIENT) * S::from(AREA) + self.weight - stiffness * slack);
-        // The root in the form without a difference of equal numbers.
+        // The form of the root without cancellation.
         let height = content / (half + Real::sqrt(half * half + stiffness * content));
         Real::max(height, S::from_f64(BOTTOM))
     }

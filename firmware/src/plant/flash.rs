@@ -1,4 +1,4 @@
-//! Two pages of flash in RAM, as the chip's behave: an erasure sets bits, a write clears them, power may fail.
+//! Two pages of flash in RAM that behave like the chip's: erasing sets bits, writing clears them, power may fail.
 
 use crate::link::message::Trim;
 use crate::tile::store::{RECORD, Record, Store};
@@ -11,11 +11,11 @@ const PAGE: usize = 4 * RECORD;
 #[derive(Clone, Debug)]
 pub struct Flash {
     bytes: [u8; 2 * PAGE],
-    /// Words and pages that can still be written or erased.
+    /// Number of words and pages that can still be written or erased.
     life: u32,
 }
 
-/// There is no such place, or no power.
+/// The address is out of range, or power has failed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Unwritten;
 
@@ -36,7 +36,7 @@ impl Flash {
         Self { bytes: [0xFF; 2 * PAGE], life: u32::MAX }
     }
 
-    /// Power fails after so many words.
+    /// Lets power fail after this many words.
     pub fn set_life(&mut self, words: u32) {
         self.life = words;
     }
@@ -90,11 +90,11 @@ impl NorFlash for Flash {
     }
 }
 
-/// A store with this key and no offsets, as a maker provides it.
+/// A store with this key and no offsets, as delivered.
 #[must_use]
 pub fn provided(key: [u8; 16]) -> Store<Flash> {
     let mut store = Store::new(Flash::new(), [0, PAGE as u32], PAGE as u32);
-    // A new flash takes a record; if it does not, the tile says so when it starts.
+    // A new flash takes a record; if it does not, the tile reports so at its start.
     let _ = store.save(&Record { generation: 0, boot: 0, key, trim: Trim::default() });
     store
 }

@@ -1,15 +1,15 @@
-//! One leg's drive over a step: motor, worm and screw with friction that grows with the load, and that sticks.
+//! One leg's drive over a step: motor, worm and screw with stiction and load-dependent friction.
 //!
-//! In: voltage, speed, load. Out: the speed after the step.
-//! Seen on the screw, m u' = E - D u - f(u) L, with E the motor's force at its voltage, D its electric damping, L the load and
-//! f the factor of the statics (`tile::drive`): `raise` against the load, `hold` with it. At u = 0 friction takes any
-//! value between the two, so a drive that nothing overcomes does not move at all; with `hold` negative no load does.
-//! The step is implicit in D u and in the sense of the friction (Moreau's time stepping, one leg at a time).
+//! In: voltage, speed, load. Out: the speed after the step. At the screw, m u' = E - D u - f(u) L, with E the motor's
+//! force at its voltage, D its electric damping, L the load and f the factor of the screw's statics (`tile::drive`):
+//! `raise` against the load, `hold` with it. At u = 0 friction takes any value between the two, so a drive below that
+//! limit does not move at all; if `hold` is negative, no load moves it. The step is implicit in D u and in the
+//! direction of friction (Moreau's time stepping, one leg at a time).
 
 use crate::tile::drive::Drive;
 use smartbed_runtime::real::{Real, Scalar};
 
-/// Mass that the motor's inertia is on the screw (kg).
+/// Inertia of the motor, as a mass at the screw (kg).
 #[must_use]
 pub fn reflected<S: Scalar>(drive: &Drive<S>) -> S {
     drive.inertia * drive.gear() * drive.gear()
@@ -21,7 +21,7 @@ pub fn current<S: Scalar>(drive: &Drive<S>, volts: S, speed: S) -> S {
     (volts - drive.constant * drive.gear() * speed) / drive.resistance
 }
 
-/// The speed after a step of length h; without a voltage the windings are open.
+/// The speed after a step of length h; `volts` is None if the windings are open.
 #[must_use]
 pub fn speed_after<S: Scalar>(drive: &Drive<S>, volts: Option<S>, speed: S, load: S, h: S) -> S {
     let mass = reflected(drive);

@@ -1,14 +1,13 @@
-//! The tile that the controller is tried on: mechanism, drives, bladder, sensors, and what can break of them.
+//! The simulated tile for tests of the controller: mechanism, drives, bladder, sensors, and their defects.
 //!
-//! In: [`Outputs`]. Out: [`Readings`], a millisecond later. The controller sees nothing else of it.
-//! The mechanism's equations are derived from `models/tile.toml`; [`leg`] puts motor, worm and screw with their
-//! stiction under each leg, [`air`] a bladder with two valves on top, [`sensors`] reads it all as a board would,
-//! [`flash`] keeps what outlives the power.
-//! It is no world of the runtime, though gas, orifices and noise are: a world's explicit methods would take thousands
-//! of steps a second through a drive's damping, and its bladder of sheet nodes hundreds of times the instructions; here
-//! a tick is two steps, so that hours and tens of thousands of runs pass, and the chip steps it beside the controller.
-//! A motor seen on its screw is four tonnes and a leg's load some kilograms: a drive's speed is found for the load of
-//! the step before, the equations then give the load anew.
+//! In: [`Outputs`]. Out: [`Readings`], a millisecond later. The controller sees nothing else of it. The mechanism's
+//! equations are derived from `models/tile.toml`; [`leg`] models motor, worm and screw with stiction in each leg,
+//! [`air`] a bladder with two valves on top, [`sensors`] the readings of a board, [`flash`] the storage that survives a
+//! power cut. It is not a `World` of the runtime, though it uses the runtime's gas, orifices and noise: the drive's
+//! damping would force a world's explicit methods to thousands of steps per second, and a bladder of sheet nodes costs
+//! hundreds of times the instructions. Here a tick is two steps, so that hours and tens of thousands of runs can be
+//! simulated, on the chip too. A motor's inertia at its screw is four tonnes and a leg's load some kilograms, so a
+//! drive's speed is computed with the load of the step before; the equations then give the new load.
 
 pub mod air;
 pub mod flash;
@@ -39,7 +38,7 @@ pub mod double {
 
 use single::{N_INPUTS, NQ, NU, Q_NAMES, U_NAMES};
 
-/// Where the heights stand in q, and their rates in u.
+/// Indices of the heights in q, and of their rates in u.
 const HEIGHTS: [usize; 3] = [place(&Q_NAMES, "hA"), place(&Q_NAMES, "hB"), place(&Q_NAMES, "hC")];
 const _: () = assert!(place(&U_NAMES, "u_hA") == 0 && place(&U_NAMES, "u_hC") == 2, "speeds in order");
 
@@ -50,22 +49,22 @@ const fn place(names: &[&str], name: &str) -> usize {
     }
 }
 
-/// Steps of the plant in a tick.
+/// Steps of the plant per tick.
 const STEPS: u32 = 2;
-/// Length of one (s).
+/// Length of a step (s).
 const STEP: f64 = 1e-3 / STEPS as f64;
-/// Newton corrections of a start.
+/// Increments in which a start pose is reached.
 const START_CORRECTIONS: u8 = 8;
 
-/// The plant of the loop: single precision on host and chip.
+/// The plant of the loop, in single precision on host and chip.
 pub type Tile = Plant<f32, single::Tile>;
 
-/// What leads and what the legs hold, from one step to the next.
+/// The state of the simulated tile from one step to the next.
 #[derive(Clone, Debug)]
 pub struct Plant<S, M> {
     mechanism: M,
     q: [S; NQ],
-    /// What the sums of the heights have lost by rounding.
+    /// Rounding errors of the heights.
     low: [S; 3],
     u: [S; 3],
     /// Force of the screw on its load (N).
@@ -75,7 +74,7 @@ pub struct Plant<S, M> {
     drive: Drive<S>,
     /// The bladder.
     pub air: Air<S>,
-    /// Do disabled drives brake? A contact that ENABLE lets go shorts the windings.
+    /// Whether disabled drives brake, because ENABLE shorts the windings.
     pub brakes: bool,
     defect: Option<Defect>,
     converters: Converters,
@@ -89,7 +88,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
     /// As [`Mechanism::project`].
     pub fn new(mut mechanism: M, nominal: [S; NQ], heights: [S; 3], drive: Drive<S>) -> Result<Self, Fault> {
         let mut q = nominal;
-        // In steps: dependent coordinates follow.
+        // In increments, so that the dependent coordinates follow.
         for part in 1..=START_CORRECTIONS {
             let share = S::from(f32::from(part) / f32::from(START_CORRECTIONS));
             HEIGHTS.iter().zip(heights).for_each(|(place, height)| q[*place] = height * share);
@@ -117,7 +116,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         Ok(plant)
     }
 
-    /// The equations, to change what they carry.
+    /// The equations, to change the load.
     pub fn mechanism(&mut self) -> &mut M {
         &mut self.mechanism
     }
@@ -134,7 +133,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         self.u
     }
 
-    /// Forces of the screws on what they carry (N).
+    /// Forces of the screws on their loads (N).
     #[must_use]
     pub fn loads(&self) -> [S; 3] {
         self.load
@@ -146,12 +145,12 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         self.contact
     }
 
-    /// Breaks something, or mends it.
+    /// Sets a defect, or repairs it.
     pub fn set_defect(&mut self, defect: Option<Defect>) {
         self.defect = defect;
     }
 
-    /// Goes on by a millisecond with these outputs.
+    /// Advances by a millisecond with these outputs.
     ///
     /// # Errors
     /// As [`Mechanism::rates`].
@@ -173,7 +172,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         self.defect == Some(defect)
     }
 
-    /// Voltage at a motor; none if its windings are open.
+    /// Voltage at a motor; None if its windings are open.
     fn voltage(&self, leg: usize) -> Option<S> {
         let Outputs { enable, duty, test, .. } = &self.outputs;
         let live = *enable || self.has(Defect::Enable);
@@ -206,7 +205,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         let q_dot = self.hold(rate)?;
         self.q.iter_mut().zip(q_dot).for_each(|(q, rate)| *q = *q + h * rate);
         for (leg, place) in HEIGHTS.into_iter().enumerate() {
-            // The heights are summed with what rounding takes: a step is a few of their last digits.
+            // Compensated sum of the heights: a step changes only a few of their last digits.
             let before = self.q[place] - h * q_dot[place];
             let change = h * self.u[leg] + self.low[leg];
             let after = before + change;
@@ -217,7 +216,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         Ok(())
     }
 
-    /// Rates of the coordinates while the legs accelerate like this; what the screws carry is found anew.
+    /// Rates of the coordinates under these accelerations of the legs; updates the loads of the screws.
     fn hold(&mut self, rate: [S; 3]) -> Result<[S; NQ], Fault> {
         let mass = leg::reflected(&self.drive);
         let mut inputs = [S::ZERO; N_INPUTS];
@@ -232,7 +231,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
         Ok(q_dot)
     }
 
-    /// Forces of end stops and of what is in the way.
+    /// Forces of end stops and obstacles.
     fn touch(&self) -> [S; 3] {
         let (stop, block, end) = (S::from_f64(2e6), S::from_f64(5e4), S::from_f64(0.0305));
         let mut forces = [S::ZERO; 3];
@@ -253,7 +252,7 @@ impl<S: Scalar + From<f32>, M: Mechanism<S>> Plant<S, M> {
 }
 
 impl Tile {
-    /// A tile with a patient: so many kilograms, so far off its centre (m), at these heights (m).
+    /// A tile with a patient of this mass (kg), this far off its centre (m), at these heights (m).
     ///
     /// # Errors
     /// As [`Plant::new`].

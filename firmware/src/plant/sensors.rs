@@ -1,6 +1,6 @@
-//! What a board would read of the plant: counts of encoders and converters, with gain errors and noise.
+//! Simulated readings of a board: counts of encoders and converters, with gain errors and noise.
 //!
-//! In: heights, currents, pressure. Out: [`Readings`]. Noise is the runtime's, by number of the sample, so
+//! In: heights, currents, pressure. Out: [`Readings`]. Noise is the runtime's, determined by the sample number, so
 //! runs repeat to the bit.
 
 use super::Defect;
@@ -9,12 +9,12 @@ use crate::tile::design::SWITCH;
 use crate::tile::drive::DRIVE;
 use smartbed_runtime::sensor::noise::Noise;
 
-/// Gains of the displacement sensors: 0.25 % wrong.
+/// Gains of the displacement sensors, with errors up to 0.25 %.
 const GAINS: [f32; 3] = [1.0025, 0.9975, 1.0015];
-/// Where the switches open beside their place (m).
+/// Offsets of the switches from their nominal heights (m).
 const PLAY: [f32; 3] = [2e-5, -3e-5, 1e-5];
 
-/// What is to be read.
+/// Quantities to be read.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Place {
     /// Heights of the legs (m).
@@ -33,9 +33,9 @@ pub struct Converters {
     noise: Noise,
     /// Samples taken so far, of all converters.
     samples: u64,
-    /// Counts at the start; an encoder knows no place.
+    /// Counts at the start: an encoder is incremental.
     start: Option<[i32; 3]>,
-    /// What was read last: what is stuck shows it for ever.
+    /// The last readings, which a stuck sensor keeps.
     last: Option<Readings>,
     drift: i32,
 }
@@ -47,7 +47,7 @@ impl Default for Converters {
 }
 
 impl Converters {
-    /// Reads.
+    /// Converts the quantities to readings, with the defect.
     pub fn read(&mut self, place: &Place, defect: Option<Defect>) -> Readings {
         let per_height = COUNTS * DRIVE.gear() / core::f32::consts::TAU;
         let counts = place.heights.map(|height| floor(height * per_height));
@@ -115,7 +115,7 @@ fn at<T: Copy>(counts: &[T; 3], leg: u8) -> Option<T> {
     counts.get(usize::from(leg)).copied()
 }
 
-/// The greatest whole number below.
+/// The largest whole number not above x.
 fn floor(x: f32) -> i32 {
     let whole = x as i32;
     whole - i32::from((whole as f32) > x)

@@ -1,29 +1,30 @@
 //! The bladder's pressure loop: two valves, each open or shut.
 //!
-//! In: measured and wanted pressure over ambient (Pa). Out: which valve is open, and whether the pressure does what the
-//! valves say. A valve opens at 40 Pa beside what is wanted and shuts at 10 Pa, so both are shut most of the
-//! time. Without a wish both stay shut: the bladder keeps its air.
+//! In: measured and commanded pressure over ambient (Pa). Out: which valve is open, and faults where the pressure does
+//! not follow the valves. Hysteresis: a valve opens at an error of 40 Pa and shuts at 10 Pa, so both are shut most of
+//! the time. Without a command both stay shut: the bladder keeps its air.
 
 use super::design::PRESSURE;
 use super::fault::{Fault, Faults};
 use crate::link::message::Refusal;
 
-/// A valve opens when the pressure is off by so much (Pa), and shuts when it is off by less than [`SHUT`].
+/// A valve opens at an error of this size (Pa), and shuts when the error is below [`SHUT`].
 const OPEN: f32 = 40.0;
 /// See [`OPEN`].
 const SHUT: f32 = 10.0;
-/// Length of a look at the pressure (ticks).
+/// Length of an observation window for the pressure (ticks).
 const LOOK: u32 = 500;
-/// A pressure that goes the same way by so much in each of [`LOOKS`] looks, valves shut, is a valve that is not (Pa).
+/// A pressure that changes the same way by this much (Pa) in each of [`LOOKS`] windows with shut valves shows a valve
+/// that is open.
 const LEAK: f32 = 60.0;
 /// See [`LEAK`].
 const LOOKS: i8 = 4;
-/// A valve open for so long (ticks) ...
+/// A valve open for this long (ticks) ...
 const PATIENCE: u32 = 2000;
-/// ... must have changed the pressure by so much (Pa).
+/// ... must have changed the pressure by this much (Pa).
 const EFFECT: f32 = 50.0;
 
-/// A pressure (Pa) that may be commanded.
+/// Checks a commanded pressure (Pa).
 ///
 /// # Errors
 /// [`Refusal::Pressure`].
@@ -37,7 +38,7 @@ pub enum Valves {
     /// Neither.
     #[default]
     Shut,
-    /// That of the pump.
+    /// The valve from the pump.
     Supply,
     /// The vent.
     Vent,
@@ -48,15 +49,16 @@ pub enum Valves {
 pub struct Bladder {
     valves: Valves,
     since: u32,
-    /// Pressure when the valves were last switched, or when the last look began.
+    /// Pressure when the valves last changed, or when the last window began (Pa).
     began: f32,
-    /// Looks in a row in which the pressure rose (positive) or fell, or openings in a row soon after a valve was shut.
+    /// Consecutive windows in which the pressure rose (positive) or fell, or consecutive openings soon after the valves
+    /// were shut.
     drift: i8,
     is_still: bool,
 }
 
 impl Bladder {
-    /// Which valves are to be open now; pressures in Pa.
+    /// Valves to open now, by hysteresis; pressures in Pa.
     pub fn regulate(&mut self, wanted: Option<f32>, pressure: f32) -> Valves {
         let next = match (wanted, self.valves) {
             (None, _) => Valves::Shut,
@@ -70,7 +72,7 @@ impl Bladder {
         next
     }
 
-    /// Opens the vent, or shuts both valves, whatever is wanted.
+    /// Opens the vent, or shuts both valves, regardless of the command.
     pub fn force(&mut self, valves: Valves, pressure: f32) -> Valves {
         self.switch(valves, pressure);
         valves
@@ -80,7 +82,7 @@ impl Bladder {
         if next == self.valves {
             return;
         }
-        // Opened the same way again and again, soon after it was shut: the other valve is open, or this one leaks.
+        // The same valve opens again soon after it was shut, repeatedly: the other valve is open, or this one leaks.
         let soon = self.valves == Valves::Shut && self.since < LOOK && self.is_still;
         let drift = match next {
             Valves::Shut => self.drift,
@@ -92,8 +94,8 @@ impl Bladder {
         *self = Self { valves: next, began: pressure, since: 0, drift, is_still: self.is_still };
     }
 
-    /// Takes the pressure of this tick; what the valves' behaviour shows. `is_still`: the tile does not move, which would
-    /// change the pressure too.
+    /// Takes the pressure of this tick; returns the faults that it shows. `is_still`: the tile does not move; motion
+    /// changes the pressure too.
     pub fn watch(&mut self, pressure: f32, is_still: bool) -> Faults {
         let mut faults = Faults::default();
         self.since = self.since.saturating_add(1);
@@ -111,7 +113,7 @@ impl Bladder {
                 (self.since, self.began) = (0, pressure);
             }
             Valves::Shut => faults.set(Fault::ValveOpen, self.drift.abs() >= LOOKS),
-            // An empty bladder does not fall any further.
+            // An empty bladder cannot fall any further.
             Valves::Vent if pressure < LEAK => self.restart(pressure),
             Valves::Supply | Valves::Vent if self.since >= PATIENCE => {
                 let effect = if self.valves == Valves::Supply { change } else { -change };

@@ -1,9 +1,9 @@
-//! What the controller sees and sets: the whole hardware, behind traits.
+//! The interface of the controller to the hardware, as traits.
 //!
-//! In: raw numbers of converters, counters and lines, as a board reads them. Out: what a board sets.
-//! Everything here is an integer or a bit, so no sensor can hand in a value that is no number; conversion
-//! to SI units is [`Readings::measure`]'s. A board implements [`Sensors`] and [`Actuators`]; [`Lines`] does it for any
-//! board whose drives hang on the traits of embedded-hal.
+//! In: raw numbers of converters, counters and lines, as a board reads them. Out: the outputs that a board sets.
+//! Every reading is an integer or a bit, so no sensor can hand in a NaN; [`Readings::measure`] converts
+//! to SI units. A board implements [`Sensors`] and [`Actuators`]; [`Lines`] implements the latter for any
+//! board whose drives use the traits of embedded-hal.
 
 use embedded_hal::digital::OutputPin;
 use embedded_hal::pwm::SetDutyCycle;
@@ -21,7 +21,7 @@ pub const NO_PRESSURE: i32 = 400;
 pub const CURRENT: f32 = 2e-3;
 /// Supply per count (V).
 pub const SUPPLY: f32 = 0.01;
-/// Counts of a converter next to its rails: nothing sound reads them.
+/// Least and greatest count of a converter for a sound sensor; beyond them it is at a rail.
 pub const RAILS: (u16, u16) = (8, 4087);
 
 /// Raw readings of one tick.
@@ -31,9 +31,9 @@ pub struct Readings {
     pub encoder: [i32; 3],
     /// Displacement sensors (LVDT) of the legs.
     pub displacement: [u16; 3],
-    /// Are the circuits of the lower end switches closed? Pressed switches and broken wires open them.
+    /// Whether the circuits of the lower end switches are closed. A pressed switch or a broken wire opens them.
     pub low_closed: [bool; 3],
-    /// Of the upper ones?
+    /// The same for the upper ones.
     pub high_closed: [bool; 3],
     /// Two sensors of the bladder's pressure.
     pub pressure: [u16; 2],
@@ -41,9 +41,9 @@ pub struct Readings {
     pub current: [u16; 3],
     /// Supply of the drives.
     pub supply: u16,
-    /// Do the drives report a fault?
+    /// Whether the drives report a fault.
     pub drive_fault: [bool; 3],
-    /// Did the last tick take too long?
+    /// Whether the last tick took too long.
     pub overrun: bool,
 }
 
@@ -61,7 +61,7 @@ pub struct Measured {
 }
 
 impl Readings {
-    /// A tile at rest in the middle, nothing wrong, the bladder empty.
+    /// Readings of a tile at rest in the middle without faults, the bladder empty.
     #[must_use]
     pub const fn at_rest() -> Self {
         Self {
@@ -77,7 +77,7 @@ impl Readings {
         }
     }
 
-    /// In SI units, but the encoders: what they have counted is [`super::sense`]'s.
+    /// The readings in SI units, except the encoders: [`super::sense`] converts their counts.
     #[must_use]
     pub fn measure(&self) -> Measured {
         Measured {
@@ -89,18 +89,18 @@ impl Readings {
     }
 }
 
-/// What the tile sets each tick. The default is safe: nothing moves, the bladder keeps its air.
+/// Outputs of the tile in one tick. The default is safe: nothing moves, the bladder keeps its air.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Outputs {
-    /// Are the drives enabled? The line cuts their power, whatever the duty.
+    /// Whether the drives are enabled. The line cuts their power, whatever the duty.
     pub enable: bool,
     /// Duty of the drives (-1 to 1).
     pub duty: [f32; 3],
-    /// Is the valve from the pump open?
+    /// Whether the valve from the pump is open.
     pub supply: bool,
-    /// Is the vent open?
+    /// Whether the vent is open.
     pub vent: bool,
-    /// Does the duty go out although the drives are disabled? Only the test of ENABLE at start asks for it.
+    /// Whether the duty is set although the drives are disabled; only the test of ENABLE at start uses it.
     pub test: bool,
 }
 
@@ -119,7 +119,7 @@ pub trait Actuators {
 /// Outputs on pins: three pairs of PWM channels (up, down), ENABLE, and two valves.
 #[derive(Debug)]
 pub struct Lines<P, E> {
-    /// PWM of each leg that raises it, and that lowers it.
+    /// PWM channels of each leg: the one that raises it, and the one that lowers it.
     pub drives: [(P, P); 3],
     /// High enables all drives.
     pub enable: E,
@@ -131,7 +131,7 @@ pub struct Lines<P, E> {
 
 impl<P: SetDutyCycle, E: OutputPin> Actuators for Lines<P, E> {
     fn set(&mut self, outputs: &Outputs) -> bool {
-        // Power goes off before anything else is tried, and on after everything else is set.
+        // Power goes off before anything else is set, and on after everything else is.
         let mut done = outputs.enable || self.enable.set_low().is_ok();
         for ((up, down), duty) in self.drives.iter_mut().zip(outputs.duty) {
             let wanted = if outputs.enable || outputs.test { duty } else { 0.0 };
@@ -147,10 +147,10 @@ impl<P: SetDutyCycle, E: OutputPin> Actuators for Lines<P, E> {
     }
 }
 
-/// Sets a channel to a duty; what is not positive is off.
+/// Sets a channel to a duty; a duty that is not positive is off.
 fn set_duty(channel: &mut impl SetDutyCycle, duty: f32) -> bool {
     let most = channel.max_duty_cycle();
-    // The cast saturates, and takes what is no number for 0.
+    // The cast saturates, and turns NaN into 0.
     let counts = (Real::min(duty, 1.0) * f32::from(most)) as u16;
     channel.set_duty_cycle(counts).is_ok()
 }

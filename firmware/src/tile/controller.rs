@@ -1,8 +1,8 @@
 //! The controller: one call a millisecond, always in the same order, in bounded time.
 //!
 //! In: readings, conditions of the link, at most one command. Out: what the board is to set.
-//! Order of a tick: sense, find faults, respond to new ones, do the command, go on along the way, set drives and
-//! valves. What is set follows from the mode alone, so whatever switches the mode off in this tick is obeyed in it.
+//! Order of a tick: sense, detect faults, respond to new ones, execute the command, advance the motion, set drives and
+//! valves. The outputs follow from the mode alone, so a response that changes the mode takes effect in the same tick.
 
 use super::bladder::{Bladder, Valves, commanded};
 use super::board::{Outputs, Readings};
@@ -30,10 +30,10 @@ const BOOT: u32 = 100;
 const SELF_TEST: u32 = 50;
 /// Duty of that test: enough current to be seen if ENABLE does not cut it.
 const TEST_DUTY: f32 = 0.04;
-/// Says that motion is allowed; one flipped bit of anything else does not.
+/// Value of the permission to move; a single flipped bit does not produce it.
 const ARMED: u32 = 0x5AFE_A11D;
 
-/// Where the legs are led.
+/// What the legs follow.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Way {
     None,
@@ -52,15 +52,15 @@ pub struct Controller {
     trim: Guarded<4>,
     is_homed: bool,
     latch: Latch,
-    /// Found in this tick behind the checks: counts in the next.
+    /// Faults detected after the checks of this tick, which count in the next.
     found: Faults,
     sense: Sense,
     watch: Watch,
     servo: Servo,
     way: Way,
-    /// Heights at which the drives went off.
+    /// Heights when the drives were switched off.
     rest: Heights,
-    /// What the screws carry by the derived equations, where the legs are led (N).
+    /// Forces of the screws (N) along the motion, by the derived equations.
     loads: [f32; 3],
     bladder: Bladder,
     wanted_pressure: Option<f32>,
@@ -68,7 +68,7 @@ pub struct Controller {
 }
 
 impl Controller {
-    /// A tile that has just started; without a calibration it stays off.
+    /// A tile that has just started; without a calibration it is off.
     #[must_use]
     pub fn new(trim: Option<Trim>) -> Self {
         let mut found = Faults::default();
@@ -93,8 +93,8 @@ impl Controller {
         }
     }
 
-    /// One millisecond. `outside`: what the link found wrong; silence counts only while something moves.
-    /// Returns what is newly wrong, and what became of the command.
+    /// One millisecond. `outside`: faults detected by the link; silence counts only during motion.
+    /// Returns the new faults, and the outcome of the command.
     pub fn tick(
         &mut self,
         readings: &Readings,
@@ -105,7 +105,7 @@ impl Controller {
         let (new, active) = self.check(readings, outside);
         self.respond(new);
         if self.mode == Mode::Retreat && self.since > 0 && active.has(Fault::Obstruction) {
-            // Neither the way on nor the way back is free.
+            // Neither the way forward nor the way back is free.
             self.stop(Mode::Hold);
         }
         let outcome = command.map(|command| match self.execute(command) {
@@ -117,25 +117,25 @@ impl Controller {
         (new, outcome)
     }
 
-    /// What the board is to set.
+    /// Outputs for the board.
     #[must_use]
     pub fn outputs(&self) -> &Outputs {
         &self.outputs
     }
 
-    /// What the tile is doing.
+    /// The mode.
     #[must_use]
     pub fn mode(&self) -> Mode {
         self.mode
     }
 
-    /// What is latched.
+    /// The latched faults.
     #[must_use]
     pub fn latched(&self) -> Faults {
         self.latch.latched()
     }
 
-    /// What is known of the tile.
+    /// The estimated state of the tile.
     #[must_use]
     pub fn sense(&self) -> &Sense {
         &self.sense
@@ -160,7 +160,7 @@ impl Controller {
         }
     }
 
-    /// Flips a bit of a guarded value, as radiation might: for campaigns of faults.
+    /// Flips a bit of a guarded value, as radiation might; for fault injection.
     pub fn flip(&mut self, bit: usize) {
         if bit < 64 { self.permission.flip(bit) } else { self.trim.flip(bit - 64) }
     }
@@ -169,7 +169,7 @@ impl Controller {
         self.permission.get() == Some([ARMED])
     }
 
-    /// Senses, and finds what is wrong; returns what is new, and all that is wrong now.
+    /// Updates the estimates and detects faults; returns the new ones, and all that are present.
     fn check(&mut self, readings: &Readings, outside: Faults) -> (Faults, Faults) {
         let trim = self.trim.get_numbers();
         let [a, b, c, pressure] = trim.unwrap_or_default();
@@ -185,7 +185,7 @@ impl Controller {
             None => Doing::Rest(self.rest),
         };
         if self.mode == Mode::Boot {
-            // Nothing is known yet; where it stands is where it rests.
+            // No command yet: the present heights are those of rest.
             self.rest = self.sense.heights;
         }
         let mut active = self.watch.take(readings, &self.sense, &doing).with(self.found).with(outside);
@@ -200,7 +200,7 @@ impl Controller {
         (self.latch.take(active), active)
     }
 
-    /// Does what new faults ask for.
+    /// Executes the response to new faults.
     fn respond(&mut self, new: Faults) {
         match new.response() {
             None => (),
@@ -217,7 +217,7 @@ impl Controller {
         }
     }
 
-    /// Does a command, or says why not; a refused command changes nothing.
+    /// Executes a command, or says why not; a refused command changes nothing.
     fn execute(&mut self, command: &Command) -> Result<(), Refusal> {
         self.mode.allows(command, self.is_armed(), self.latched())?;
         let here = self.sense.heights;
@@ -242,7 +242,7 @@ impl Controller {
             }
             Command::Pressure(wanted) => self.wanted_pressure = Some(commanded(*wanted)?),
             Command::Flatten => {
-                // A weak supply gives no full speed.
+                // A low supply voltage cannot give full speed.
                 let factor = FLATTEN_FACTOR * Real::min(self.sense.measured.supply / DRIVE.supply, 1.0);
                 self.wanted_pressure = None;
                 self.start(Mode::Flatten, Way::Motion(Motion::new(here, [-STROKE; 3], factor)));
@@ -253,7 +253,7 @@ impl Controller {
                 if !(fits && Real::abs(trim.pressure) <= pressure) {
                     return Err(Refusal::Trim);
                 }
-                // Sensors settle anew.
+                // Start again, so that the sensors settle.
                 let latch = self.latch;
                 *self = Self { latch, ..Self::new(Some(*trim)) };
             }
@@ -261,7 +261,7 @@ impl Controller {
         Ok(())
     }
 
-    /// Clears faults. Behind one that put the tile off nothing but the displacement sensors is believed.
+    /// Clears faults. After a fault that switched the tile off, heights are taken from the displacement sensors again.
     fn clear(&mut self, faults: Faults) -> Result<(), Refusal> {
         if !self.latch.clear(faults) {
             return Err(Refusal::Cause);
@@ -277,7 +277,7 @@ impl Controller {
         Ok(())
     }
 
-    /// Goes on by a tick along the way, or in starting.
+    /// Advances the motion, or the start-up, by a tick.
     fn advance(&mut self, readings: &Readings) {
         let here = self.sense.heights;
         let ended = match &mut self.way {
@@ -309,7 +309,7 @@ impl Controller {
         }
     }
 
-    /// The profile has ended so many ticks ago: drives go off once the legs are there.
+    /// Ends a motion whose profile ended `ago` ticks ago: switches the drives off once the legs have arrived.
     fn settle(&mut self, ago: u32, end: Heights) {
         let is_within = |distance: f32| {
             self.sense.heights.iter().zip(end).all(|(height, end)| Real::abs(height - end) <= distance)
@@ -326,7 +326,7 @@ impl Controller {
                 self.stop(Mode::Hold);
             }
             Mode::Retreat => self.stop(Mode::Hold),
-            // Down and level; the vent stays open.
+            // Level and at the bottom; the vent stays open.
             Mode::Flatten => (),
             Mode::Homing => {
                 self.is_homed = true;
@@ -336,7 +336,7 @@ impl Controller {
         }
     }
 
-    /// What is set in this mode.
+    /// Outputs in this mode.
     fn act(&mut self) -> Outputs {
         let mut outputs = Outputs::default();
         if let Some((wanted, ways)) = self.following() {
@@ -347,7 +347,7 @@ impl Controller {
         }
         let pressure = self.sense.pressure();
         let valves = match self.mode {
-            // Not more than may be commanded, even if a valve does not shut.
+            // Vent down to the highest pressure that may be commanded, even if a valve does not shut.
             Mode::Off if self.latched().has(Fault::Overpressure) && pressure > PRESSURE => {
                 self.bladder.force(Valves::Vent, pressure)
             }
@@ -368,7 +368,7 @@ impl Controller {
         outputs
     }
 
-    /// What is wanted of each leg and how far it goes, while drives are on.
+    /// Wanted motion of each leg and its total displacement, while drives are on; else None.
     fn following(&self) -> Option<([Along; 3], [f32; 3])> {
         match &self.way {
             Way::None => None,
@@ -390,7 +390,7 @@ impl Controller {
         self.switch(mode);
     }
 
-    /// Drives off, and no motion without a new permission.
+    /// Switches the drives off and withdraws the permission to move.
     fn stop(&mut self, mode: Mode) {
         self.way = Way::None;
         self.permission = Guarded::new([0]);

@@ -1,8 +1,8 @@
 //! One leg's drive in numbers: motor, worm and trapezoidal screw.
 //!
-//! In: geometry, friction, motor constants. Out: forces of the screw per torque of the motor when raising and
-//! lowering, whether load can turn the motor back, and the duty that a speed and a load need.
-//! Symbols as in `models/tile_drive.toml`; the forms are those of any text on power screws: with lead angle
+//! In: geometry, friction, motor constants. Out: motor force at the screw per load, raising and
+//! lowering; whether the load can turn the motor; the duty for a speed and a load.
+//! Symbols as in `models/tile_drive.toml`; formulas of any text on power screws: with lead angle
 //! lambda and friction angle rho, raising takes tan(lambda + rho), lowering tan(lambda - rho).
 
 use smartbed_runtime::real::Real;
@@ -22,9 +22,9 @@ pub struct Drive<R> {
     pub screw_friction: R,
     /// Friction in the worm (1).
     pub worm_friction: R,
-    /// Inertia seen at the motor (kg m^2).
+    /// Moment of inertia at the motor (kg m^2).
     pub inertia: R,
-    /// Torque per current, and voltage per speed (V s).
+    /// Torque constant, equal to the voltage constant (N m/A = V s).
     pub constant: R,
     /// Resistance of the motor (ohm).
     pub resistance: R,
@@ -50,7 +50,7 @@ pub const DRIVE: Drive<f32> = Drive {
     supply: 24.0,
 };
 
-/// A slower screw shows no thrust (m/s).
+/// Below this speed of the screw (m/s) the current does not show the thrust.
 pub const SLOWEST: f32 = 2e-4;
 /// Range of friction in the thread over wear, grease and temperature.
 pub const SCREW_FRICTION: (f32, f32) = (0.10, 0.20);
@@ -69,7 +69,7 @@ impl<R: Real + PartialOrd> Drive<R> {
         self.lead / (R::from_f64(core::f64::consts::PI) * self.diameter)
     }
 
-    /// Force at the motor, seen on the screw, per load that is raised (1): 1/(eta of screw x eta of worm).
+    /// Motor force at the screw per load that is raised (1): 1/(efficiency of screw x efficiency of worm).
     #[must_use]
     pub fn raise(&self) -> R {
         let screw = self.screw_slope();
@@ -77,8 +77,8 @@ impl<R: Real + PartialOrd> Drive<R> {
         tan_sum(screw, friction) / screw * (tan_sum(self.worm_slope, self.worm_friction) / self.worm_slope)
     }
 
-    /// The same per load that is let down (1): negative if the motor must drive the load down, and then the
-    /// drive holds its load without the motor.
+    /// Motor force at the screw per load that is lowered (1). Negative if the motor must drive the load down: the drive
+    /// then holds its load without the motor.
     #[must_use]
     pub fn hold(&self) -> R {
         let screw = self.screw_slope();
@@ -91,7 +91,7 @@ impl<R: Real + PartialOrd> Drive<R> {
         back * (tan_sum(worm, -self.worm_friction) / worm)
     }
 
-    /// How far it is from being turned by its load (1): positive if it locks itself.
+    /// Margin against being turned by the load (1): positive if the drive is self-locking.
     #[must_use]
     pub fn locking_margin(&self) -> R {
         -self.hold()
@@ -125,8 +125,8 @@ impl Drive<f32> {
         Self { screw_friction: pick(SCREW_FRICTION), worm_friction: pick(WORM_FRICTION), ..self }
     }
 
-    /// Thrust (N) that this current (A) shows while the screw moves, least and most over the range of friction;
-    /// none at rest, where a locked screw shows nothing.
+    /// Range of thrust (N) that this current (A) shows while the screw moves, over the range of friction;
+    /// None at rest, where a self-locking screw shows nothing.
     #[must_use]
     pub fn thrust(self, current: f32, speed: f32) -> Option<(f32, f32)> {
         if Real::abs(speed) < SLOWEST {

@@ -1,8 +1,8 @@
-//! What the screws carry along a motion: inverse dynamics of the tile, derived from `models/tile_minimal.toml`.
+//! Inverse dynamics of the tile: forces of the screws along a motion, derived from `models/tile_minimal.toml`.
 //!
-//! In: what is wanted of each leg, the patient's mass. Out: the force of each screw on its load.
-//! The patient is taken as a mass over the middle: where it lies is not known, the servo's integral takes the difference.
-//! A drive's own inertia is not in it: that needs no force of the screw, see `servo`.
+//! In: wanted motion of each leg, the patient's mass. Out: the force of each screw on its load. The patient is a point
+//! mass above the middle: its position is not known, and the servo's integral corrects the difference. A drive's own
+//! inertia is not included: it needs no force of the screw, see `servo`.
 
 use super::profile::Along;
 
@@ -14,7 +14,7 @@ pub mod equations {
 
 use equations::{Parameters, inverse_dynamics, prepare};
 
-/// Forces of the screws (N) that move the legs like this under so many kilograms.
+/// Forces of the screws (N) for this motion of the legs under a patient of this mass (kg).
 #[must_use]
 #[inline(never)]
 pub fn loads(wanted: &[Along; 3], patient: f32) -> [f32; 3] {

@@ -1,40 +1,42 @@
-//! What is in a leg's way, by the work of its motor.
+//! Detects an obstacle in a leg's way from the work of its motor.
 //!
-//! In: current, way and speed of a leg at each tick, and the load that the model gives it. Out: is something in the way?
-//! Over a way dx the motor does the work k G (integral of i dx) = f L dx + J G^2 (u_1^2 - u_0^2) / 2, with f the factor
-//! of the screw's statics (`super::drive`) and u the speed. So each tenth of a millimetre gives a level f L / (k G) of
-//! the current, however slow the leg is, and in however many motions it goes there: levels of a direction are compared
-//! with one another. What is in the way pushes more with the way; a patient who turns over changes the load at rest.
+//! In: current, displacement and speed of a leg at each tick, and its load by the model. Out: whether there is an
+//! obstacle. Over a displacement dx the motor does the work k G (integral of i dx) = f L dx + J G^2 (u_1^2 - u_0^2) /
+//! 2, with f the factor of the screw's statics (`super::drive`) and u the speed. So each tenth of a millimetre gives a
+//! current level f L / (k G), independent of speed and of how many motions it takes. Levels of one direction are
+//! compared with one another: an obstacle pushes more with the displacement; a patient who turns over changes the load
+//! at rest.
 
 use super::design::{CURRENT_RISE, FALL_DOWN, LEAST_LOAD, LOAD_MARGIN, RELEASE, RISE_DOWN, SHORT_WAY};
 use super::drive::DRIVE;
 use smartbed_runtime::real::Real;
 
-/// Way that gives a level (m).
+/// Displacement that gives one level (m).
 const WINDOW: f32 = 1e-4;
-/// Change that is not carried on from one motion to the next (A): else noise would add up.
+/// Change not carried over from one motion to the next (A), so that noise does not add up.
 const UNTOLD: f32 = 3e-4;
-/// Rise from level to level that shows that an obstacle still lets go on a way back (A): that of 17 N/mm.
+/// Rise from level to level (A) while an obstacle is still releasing a leg that goes back: that of 17 N/mm.
 const LETS_GO: f32 = 2e-3;
-/// Share of what is an obstacle from which on a leg may lean on one, that lets go when the leg turns round.
+/// Share of the obstruction limit from which a leg may be leaning on an obstacle, which releases it when the leg
+/// reverses.
 const LEANS: f32 = 0.2;
 
-/// A leg in one tick.
+/// Data of a leg in one tick.
 #[derive(Clone, Copy)]
 pub struct Step {
     /// Current of the motor (A), positive if it pushes up.
     pub current: f32,
-    /// Way since the last tick (m) and speed (m/s).
+    /// Displacement since the last tick (m) and speed (m/s).
     pub way: f32,
     /// See `way`.
     pub speed: f32,
-    /// Speed that is wanted (m/s): where the leg is to go.
+    /// Wanted speed (m/s), whose sign is the direction of the motion.
     pub wanted: f32,
-    /// What it carries under the heaviest patient (N).
+    /// Load under the heaviest patient (N).
     pub load: f32,
-    /// Is the whole motion long enough to be judged by itself?
+    /// Whether the whole motion is long enough to be judged by itself.
     pub is_long: bool,
-    /// Does it go back from an obstacle?
+    /// Whether the leg goes back from an obstacle.
     pub retreats: bool,
 }
 
@@ -52,7 +54,7 @@ pub struct Efforts {
 /// Levels of one direction.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 struct Effort {
-    /// Integrals since the last level: of i dx less what the drive's inertia took of it (A m), and of dx (m).
+    /// Integrals since the last level: of i dx less the part for the drive's inertia (A m), and of dx (m).
     work: f32,
     way: f32,
     /// First level (A), and the load (N) then.
@@ -61,28 +63,28 @@ struct Effort {
     least: f32,
     most: f32,
     last: f32,
-    /// Rise over the least level and fall from the greatest that no load explains (A).
+    /// Rise over the least level and fall from the greatest that the load does not explain (A).
     rise: f32,
     fall: f32,
-    /// The larger of the two, as a share of what is an obstacle.
+    /// The larger of the two, relative to the limit for an obstruction.
     excess: f32,
-    /// Way of this motion, and way back since the leg was furthest (m).
+    /// Displacement in this motion, and displacement back since the leg was farthest (m).
     gone: f32,
     back: f32,
-    /// Is the next level the first of a long motion?
+    /// Whether the next level is the first of a long motion.
     begins: bool,
-    /// Has the obstacle that the leg goes back from let go?
+    /// Whether the obstacle that the leg goes back from has released it.
     is_free: bool,
 }
 
 impl Efforts {
-    /// A motion has ended.
+    /// Call when a motion has ended.
     pub fn rest(&mut self) {
         (self.up.gone, self.down.gone) = (0.0, 0.0);
     }
 
-    /// Takes a tick; is something in the way?
-    // A function of its own: once for three legs.
+    /// Takes a tick; returns whether there is an obstacle.
+    // Not inlined: one copy for three legs.
     #[inline(never)]
     pub fn take(&mut self, step: &Step) -> bool {
         if step.retreats != self.retreats {
@@ -110,7 +112,7 @@ impl Efforts {
         }
     }
 
-    /// The last level of a leg that has gone up far enough to show one (A).
+    /// The last level of a rising leg (A), if it has gone far enough to have one.
     #[must_use]
     pub fn raising(&self) -> Option<f32> {
         (self.up.gone >= SHORT_WAY).then_some(self.up.last)
@@ -118,7 +120,7 @@ impl Efforts {
 }
 
 impl Effort {
-    /// The leg goes back by this way; one that has gone far enough has let go of whatever it leaned on.
+    /// Takes a displacement back; a leg that has gone far enough is free of whatever it leaned on.
     fn go_back(&mut self, way: f32) {
         self.back += way;
         if self.learnt.is_none() || self.back >= RELEASE {
@@ -126,7 +128,7 @@ impl Effort {
         }
     }
 
-    /// The leg goes on by this way, with this work; the level, if that ends one.
+    /// Takes a displacement forward and its work; returns the level if this completes one.
     fn go_on(&mut self, step: &Step, way: f32, work: f32) -> Option<f32> {
         if self.gone == 0.0 && step.is_long {
             let kept = 1.0 - self.back / RELEASE;
@@ -137,7 +139,7 @@ impl Effort {
         }
         self.gone += way;
         if self.back > 0.0 {
-            // Where the leg has been it leans on nothing.
+            // Where the leg has been before there is no obstacle.
             self.back -= way;
             return None;
         }
@@ -151,17 +153,17 @@ impl Effort {
         Some(level)
     }
 
-    /// Compares a level with those before it. Whatever friction and patient are, the current goes with the load: as
-    /// much more, or less, as the model makes of the level that was learnt is no obstacle. The heaviest patient changes
-    /// it most; an empty bladder does not say who lies on it. Going down what is in the way carries the load, and the
-    /// motor has less to push. What was `leaned` on before the leg turned round lets go: more to raise, less to push
-    /// down.
+    /// Compares a level with earlier ones; returns whether it shows an obstacle. For any friction and patient the
+    /// current is proportional to the load: a change up to that which the model predicts from the learnt level is no
+    /// obstacle. The heaviest patient is assumed, because it changes most, and an empty bladder does not show who lies
+    /// on it. In a falling leg an obstacle carries the load, so the motor pushes less. An obstacle that a leg `leaned`
+    /// on before it reversed releases it: more to raise, less to push down.
     fn judge(&mut self, level: f32, load: f32, is_up: bool, leaned: bool) -> bool {
         let lets_go = leaned && is_up && !self.is_free && level > self.last + LETS_GO;
         self.is_free |= self.gone >= RELEASE || (self.learnt.is_some() && !self.begins && !lets_go);
         let (learnt, then) = match self.learnt {
             Some(learnt) if !(self.begins || lets_go) => learnt,
-            // What changed at rest is the patient's; what was leaned on before is still there.
+            // A change at rest is the patient's; an obstacle that the leg leaned on before is still there.
             _ => {
                 (self.least, self.most) = (level - self.rise, level + self.fall);
                 *self.learnt.insert((level, load))
@@ -182,7 +184,7 @@ impl Effort {
                 Real::max(self.rise / share(RISE_DOWN, self.least), self.fall / share(FALL_DOWN, self.most))
             }
         };
-        // What is no number is an obstacle.
+        // NaN counts as an obstacle.
         let is_free = |excess: f32| excess < 1.0;
         !is_free(self.excess)
     }

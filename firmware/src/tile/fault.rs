@@ -1,20 +1,20 @@
-//! Faults: what each means, what the tile does about it, and whether it can be cleared.
+//! Faults: meaning, response of the tile, and whether each can be cleared.
 //!
-//! In: conditions, a bit each, found in this tick. Out: what is latched, and the strongest response to it.
-//! A fault stays latched until it is cleared by name, and it cannot be cleared while its cause is there.
+//! In: the conditions found in this tick, one bit each. Out: the latched faults, and the strongest response to them.
+//! A fault stays latched until it is cleared explicitly, and it cannot be cleared while its cause is present.
 
-/// What the tile does about a fault, weakest first.
+/// Response of the tile to a fault, weakest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Response {
     /// Drives off, the self-locking screws hold the pose; the bladder is kept at its pressure.
     Hold,
-    /// Back by 5 mm the way it came, then [`Response::Hold`].
+    /// Back by 5 mm along the motion, then [`Response::Hold`].
     Retreat,
     /// Drives off and valves closed within this tick.
     Off,
 }
 
-/// Makes the list of faults, so that number, name and response stand in one place.
+/// Defines the list of faults, so that number, name and response are in one place.
 macro_rules! faults {
     ($($(#[doc = $doc:literal])+ $name:ident: $response:ident, $clear:literal;)+) => {
         /// What can be wrong with a tile. Its number is its bit.
@@ -105,7 +105,7 @@ faults! {
 pub struct Faults(u32);
 
 impl Faults {
-    /// The set of these bits; bits of no fault are left out.
+    /// The set of these bits; bits that are no fault are dropped.
     #[must_use]
     pub const fn from_bits(bits: u32) -> Self {
         Self(bits & ((1 << Fault::ALL.len()) - 1))
@@ -117,36 +117,36 @@ impl Faults {
         self.0
     }
 
-    /// Adds a fault if `is_there`.
+    /// Adds a fault if `is_there` holds.
     pub fn set(&mut self, fault: Fault, is_there: bool) {
         self.0 |= u32::from(is_there) << fault as u8;
     }
 
-    /// Is it in the set?
+    /// Whether the fault is in the set.
     #[must_use]
     pub const fn has(self, fault: Fault) -> bool {
         self.0 >> fault as u8 & 1 == 1
     }
 
-    /// Is nothing wrong?
+    /// Whether the set is empty.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// Those of either set.
+    /// Union of both sets.
     #[must_use]
     pub const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// Those of this set that are not in the other.
+    /// Faults of this set that are not in the other.
     #[must_use]
     pub const fn without(self, other: Self) -> Self {
         Self(self.0 & !other.0)
     }
 
-    /// The strongest response that one of them asks for.
+    /// The strongest response to any fault of the set.
     #[must_use]
     pub fn response(self) -> Option<Response> {
         Fault::ALL.into_iter().filter(|f| self.has(*f)).map(Fault::response).max()
@@ -161,7 +161,7 @@ pub struct Latch {
 }
 
 impl Latch {
-    /// Takes what is wrong in this tick; returns what is new.
+    /// Takes the faults of this tick; returns the new ones.
     pub fn take(&mut self, active: Faults) -> Faults {
         let new = active.without(self.latched);
         self.active = active;
@@ -169,7 +169,7 @@ impl Latch {
         new
     }
 
-    /// Clears these; false, and nothing is cleared, if the cause of one is there or one cannot be cleared.
+    /// Clears these; returns false and clears nothing if the cause of one is present or one cannot be cleared.
     pub fn clear(&mut self, faults: Faults) -> bool {
         let stuck = |f: &Fault| faults.has(*f) && (self.active.has(*f) || !f.can_be_cleared());
         if Fault::ALL.iter().any(stuck) {
@@ -179,7 +179,7 @@ impl Latch {
         true
     }
 
-    /// What is latched.
+    /// The latched faults.
     #[must_use]
     pub fn latched(&self) -> Faults {
         self.latched

@@ -1,6 +1,6 @@
-//! Values kept twice, the second time inverted: a flipped bit of memory is seen before the value is used.
+//! Values kept twice, the second time inverted, so that a flipped bit of memory is detected before the value is used.
 //!
-//! In: words. Out: the same words, or nothing if the two copies disagree.
+//! In: words. Out: the same words, or None if the two copies disagree.
 
 /// Words and their inverse.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -10,32 +10,32 @@ pub struct Guarded<const N: usize> {
 }
 
 impl<const N: usize> Guarded<N> {
-    /// Keeps these.
+    /// Stores these words.
     #[must_use]
     pub fn new(words: [u32; N]) -> Self {
         Self { words, inverse: words.map(|w| !w) }
     }
 
-    /// Keeps the bits of these numbers.
+    /// Stores the bits of these numbers.
     #[must_use]
     pub fn numbers(numbers: [f32; N]) -> Self {
         Self::new(numbers.map(f32::to_bits))
     }
 
-    /// What is kept, if both copies say so.
+    /// The words, if both copies agree.
     #[must_use]
     pub fn get(&self) -> Option<[u32; N]> {
         let agree = self.words.iter().zip(&self.inverse).all(|(word, inverse)| *word == !*inverse);
         agree.then_some(self.words)
     }
 
-    /// The numbers that are kept.
+    /// The numbers, if both copies agree.
     #[must_use]
     pub fn get_numbers(&self) -> Option<[f32; N]> {
         self.get().map(|words| words.map(f32::from_bits))
     }
 
-    /// Flips a bit of either copy, as radiation might: for campaigns of faults.
+    /// Flips a bit of either copy, as radiation might; for fault injection.
     pub fn flip(&mut self, bit: usize) {
         let words = self.words.iter_mut().chain(&mut self.inverse);
         if let Some(word) = words.into_iter().nth(bit / 32) {

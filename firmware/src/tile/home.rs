@@ -1,21 +1,21 @@
-//! Homing: the legs find their lower end switches and take their heights from them.
+//! Homing: the legs find their lower end switches and take these as reference for their heights.
 //!
-//! In: heights by displacement sensor, switches. Out: what is wanted of each leg, and which leg has found its switch.
-//! Level, just above the switches; then each leg goes down slowly until its switch opens, which is at a height known to
-//! 0.05 mm; then level again, as low as may be commanded.
+//! In: heights by displacement sensor, switches. Out: wanted motion of each leg, and which leg has found its switch.
+//! First level, just above the switches; then each leg goes down slowly until its switch opens, whose height is known
+//! to 0.05 mm; then level again, at the lowest height that may be commanded.
 
 use super::design::{SEEK_SPEED, SEEK_START, STROKE, SWITCH, UNHOMED_FACTOR};
 use super::motion::{Heights, Motion};
 use super::profile::{Along, TICK};
 
-/// Longest way down to a switch (m): the errors of two sensors, and the way to it.
+/// Longest displacement down to a switch (m): the errors of two sensors, and the distance to it.
 const LONGEST_SEEK: f32 = 3e-3;
 
-/// How far it is.
+/// Phase of homing.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Phase {
     Approach(Motion),
-    /// Heights that the legs are to have; whose switch has been found.
+    /// Wanted heights; and which legs have found their switch.
     Seek {
         wanted: Heights,
         is_found: [bool; 3],
@@ -23,29 +23,29 @@ enum Phase {
     Leave(Motion),
 }
 
-/// Homing under way.
+/// Homing in progress.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Homing(Phase);
 
-/// What a tick of homing comes to.
+/// Result of one tick of homing.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Step {
-    /// It goes on; these legs have found their switch in this tick.
+    /// It continues; these legs have found their switch in this tick.
     Found([bool; 3]),
-    /// A switch is not where it must be.
+    /// A switch is not where it should be.
     Lost,
-    /// All legs are referred to and at rest, as far as the profile goes: so many ticks ago.
+    /// All legs have a reference, and the last profile ended this many ticks ago.
     Done(u32),
 }
 
 impl Homing {
-    /// From these heights.
+    /// Starts from these heights.
     #[must_use]
     pub fn new(heights: Heights) -> Self {
         Self(Phase::Approach(Motion::new(heights, [-SEEK_START; 3], UNHOMED_FACTOR)))
     }
 
-    /// What is wanted of each leg, and how far it goes (m): to its switch at most so far as is sought.
+    /// Wanted motion of each leg, and its displacement (m), at most that of the search.
     #[must_use]
     pub fn wanted(&self) -> ([Along; 3], [f32; 3]) {
         match &self.0 {
@@ -61,13 +61,13 @@ impl Homing {
         }
     }
 
-    /// May a lower switch be pressed now?
+    /// Whether a lower switch may be pressed now.
     #[must_use]
     pub fn seeks(&self) -> bool {
         !matches!(self.0, Phase::Approach(_))
     }
 
-    /// Goes on by a tick.
+    /// Advances by a tick.
     pub fn advance(&mut self, heights: Heights, low_closed: [bool; 3]) -> Step {
         match &mut self.0 {
             Phase::Approach(motion) => {

@@ -1,24 +1,24 @@
-//! The program checks itself: all of it at its start, then all the time, a slice a tick.
+//! Self-test of the program: all of it at start, then continuously, one slice per tick.
 //!
-//! In: the program's bytes, and the checksum that it was built with. Out: does the one belong to the other?
-//! The vectors are of it: they say where a fault, a reset and each millisecond lead.
+//! In: the program's bytes, and the checksum that was built in. Out: whether they match.
+//! The exception vectors are included, because faults, reset and each tick start from them.
 
 use super::guarded::Guarded;
 use crate::link::checksum::{BEGIN, go_on};
 
-/// Bytes of a tick: 40 KB take 1.3 s.
+/// Bytes checked per tick: 40 KB take 1.3 s.
 pub const SLICE: usize = 32;
 
-/// The program as it lies in flash: vectors first, then code and constants, which need not follow at once.
+/// The program in flash: vectors first, then code and constants, which need not follow directly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Program<'a> {
-    /// Where exceptions and interrupts lead.
+    /// Vectors of exceptions and interrupts.
     pub vectors: &'a [u8],
     /// Code and constants.
     pub code: &'a [u8],
 }
 
-/// A round of checking under way.
+/// A round of checking in progress.
 #[derive(Clone, Debug)]
 pub struct Integrity {
     place: usize,
@@ -35,7 +35,7 @@ impl Integrity {
         Self { place: 0, sum: BEGIN, expected: Guarded::new([expected]), is_sound }
     }
 
-    /// Goes on by a slice; is the program what it was built as? What was once wrong stays so.
+    /// Checks the next slice; returns whether the program is sound. A mismatch once found is kept.
     pub fn take(&mut self, program: Program) -> bool {
         let Program { vectors, code } = program;
         let rest = match self.place.checked_sub(vectors.len()) {

@@ -1,10 +1,11 @@
-//! The tile's controller, apart from the link and from the chip.
+//! The tile's controller, independent of link and chip.
 //!
-//! In: readings of a [`board`]. Out: what it sets. [`design`] holds lengths and limits; [`store`], [`guarded`] and
-//! [`integrity`] keep what must not be lost or flipped; [`sense`] says where the legs are, [`fault`], [`plausible`] and
-//! [`effort`] what is wrong and what is done about it; [`profile`], [`motion`] and [`home`] say where the legs are to
-//! be, `dynamics` and [`drive`] what that takes, `servo` how they get there; [`bladder`] keeps the pressure; [`mode`]
-//! says what is allowed when, and `controller` joins all this into one tick.
+//! In: readings of a [`board`], commands. Out: outputs for the board. [`design`] holds lengths and limits; [`store`],
+//! [`guarded`] and [`integrity`] protect data and program against loss and bit flips; [`sense`] estimates the state of
+//! the legs; [`plausible`] and [`effort`] detect faults, [`fault`] lists them with their responses; [`profile`],
+//! [`motion`] and [`home`] give the wanted motion of the legs, `dynamics` and [`drive`] the forces and duties for it,
+//! `servo` controls them; [`bladder`] controls the pressure; [`mode`] says which commands are allowed when, and
+//! `controller` joins all this into one tick.
 
 pub mod bladder;
 pub mod board;

@@ -1,35 +1,35 @@
-//! Modes of the tile and which commands each takes.
+//! Modes of the tile, and the commands that each allows.
 //!
-//! In: a command's kind and the mode. Out: may it be done, and if not, why. The table stands here as a whole; what a
-//! command then does is `super::controller`'s.
+//! In: a command and the mode. Out: whether it may be executed, and if not, why. The whole table is here;
+//! `super::controller` executes commands.
 
 use super::fault::{Faults, Response};
 use crate::link::message::{Command, Refusal};
 
-/// What the tile is doing. Its number is that of the telemetry.
+/// Mode of the tile. Its number is sent in the telemetry.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 #[repr(u8)]
 pub enum Mode {
     /// Sensors settle.
     #[default]
     Boot,
-    /// ENABLE is tested.
+    /// ENABLE is being tested.
     SelfTest,
-    /// Heights are those of the displacement sensors: half speed.
+    /// Heights are those of the displacement sensors; half speed.
     Unhomed,
-    /// Switches are looked for.
+    /// End switches are searched.
     Homing,
     /// Heights are known; nothing moves.
     Ready,
-    /// On the way to a target.
+    /// Moving to a target.
     Moving,
-    /// Back from an obstruction.
+    /// Moving back from an obstruction.
     Retreat,
     /// Stopped; screws hold the pose, the bladder is kept.
     Hold,
     /// Stopped by a fault; valves shut.
     Off,
-    /// Level, down, and the air out.
+    /// Level, at the bottom, and vented.
     Flatten,
 }
 
@@ -65,16 +65,16 @@ impl Mode {
         }
     }
 
-    /// Does it wait for a target?
+    /// Whether it waits for a target.
     #[must_use]
     pub const fn rests(self) -> bool {
         matches!(self, Self::Unhomed | Self::Ready)
     }
 
-    /// May this command be done in this mode?
+    /// Checks whether a command is allowed in this mode.
     ///
     /// # Errors
-    /// Why not.
+    /// The reason for a refusal.
     pub fn allows(self, command: &Command, is_armed: bool, latched: Faults) -> Result<(), Refusal> {
         let starts = matches!(self, Self::Boot | Self::SelfTest);
         match command {

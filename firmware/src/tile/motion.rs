@@ -1,8 +1,8 @@
-//! A motion of the whole tile: from heights to heights, all legs along one profile.
+//! A motion of the whole tile from heights to heights, all legs along one profile.
 //!
-//! In: where it starts, where it ends, how fast. Out: what is wanted of each leg at each tick.
-//! Heights are linear in heave and slopes, h_i = zc - R (tx cos alpha_i + ty sin alpha_i), so a straight way in
-//! heights is one in heave and slopes too: the platform goes the shortest way, without torsion.
+//! In: heights at start and end, speed. Out: wanted motion of each leg at each tick.
+//! Heights are linear in heave and slopes, h_i = zc - R (tx cos alpha_i + ty sin alpha_i), so a straight line in
+//! heights is also one in heave and slopes: the platform takes the shortest path, without torsion.
 
 use super::design::{LEG_SPEED, RADIUS, RETREAT, SLOPE, SLOPE_RATE, STROKE};
 use super::profile::{Along, Profile};
@@ -10,13 +10,13 @@ use crate::command::Pose;
 use crate::link::message::Refusal;
 use smartbed_runtime::real::Real;
 
-/// A leg that goes less far does not count as moving (m): it may stick all the way.
+/// A leg with a smaller displacement does not count as moving (m): it may stick throughout.
 const STAYS: f32 = 2e-4;
 
 /// Heights of the legs (m).
 pub type Heights = [f32; 3];
 
-/// A motion under way.
+/// A motion in progress.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Motion {
     from: Heights,
@@ -25,7 +25,7 @@ pub struct Motion {
     tick: u32,
 }
 
-/// Heights of a pose that may be commanded.
+/// Heights of a commanded pose, checked against the limits.
 ///
 /// # Errors
 /// [`Refusal::Tilt`], [`Refusal::Stroke`], [`Refusal::NonFinite`].
@@ -53,19 +53,19 @@ pub fn pose([a, b, c]: Heights) -> Pose {
 }
 
 impl Motion {
-    /// From heights to heights, at this factor of the usual speed.
+    /// From heights to heights, with this factor on the usual speed.
     #[must_use]
     pub fn new(from: Heights, to: Heights, factor: f32) -> Self {
         let (start, end) = (pose(from), pose(to));
         let turn = Real::sqrt(square(end.tx - start.tx) + square(end.ty - start.ty));
         let way = difference(to, from).map(Real::abs).into_iter().fold(0.0, Real::max);
         let seconds = Real::max(turn / SLOPE_RATE, way / LEG_SPEED) / factor;
-        // Along the way s goes from 0 to 1; a way of nothing takes the time of a ramp.
+        // The profile runs from s = 0 to 1; a displacement of 0 takes the time of a ramp.
         let speed = 1.0 / Real::max(seconds, 1e-3);
         Self { from, to, profile: Profile::new(1.0, speed), tick: 0 }
     }
 
-    /// What is wanted of each leg at this tick.
+    /// Wanted motion of each leg at this tick.
     #[must_use]
     pub fn wanted(&self) -> [Along; 3] {
         let along = self.profile.at(self.tick);
@@ -81,31 +81,31 @@ impl Motion {
         wanted
     }
 
-    /// Ticks that it takes.
+    /// Length of the motion in ticks.
     #[must_use]
     pub fn ticks(&self) -> u32 {
         self.profile.ticks()
     }
 
-    /// How far each leg goes, positive up (m).
+    /// Displacement of each leg, positive up (m).
     #[must_use]
     pub fn ways(&self) -> [f32; 3] {
         difference(self.to, self.from)
     }
 
-    /// Where it ends.
+    /// Heights at the end.
     #[must_use]
     pub fn end(&self) -> Heights {
         self.to
     }
 
-    /// Goes on by a tick; returns how many ticks ago the end was reached, if it was.
+    /// Advances by a tick; returns the number of ticks since the end, once it is reached.
     pub fn advance(&mut self) -> Option<u32> {
         self.tick = self.tick.saturating_add(1);
         self.tick.checked_sub(self.ticks())
     }
 
-    /// The way back from here: 5 mm for the leg that goes furthest, as far as the stroke allows.
+    /// A motion back from here: 5 mm for the leg with the largest displacement, within the stroke.
     #[must_use]
     pub fn back(&self, here: Heights, factor: f32) -> Self {
         let way = difference(self.from, self.to);
@@ -115,13 +115,13 @@ impl Motion {
         for (to, way) in to.iter_mut().zip(way) {
             *to = Real::max(Real::min(*to + way * scale, STROKE), -STROKE);
         }
-        // Not steeper than may be commanded: a motion that had just left a steep pose returns to it.
+        // Not steeper than may be commanded: a motion that has just left a steep pose returns to it.
         let is_allowed = heights(pose(to)).is_ok();
         Self::new(here, if is_allowed { to } else { self.from }, factor)
     }
 }
 
-/// Direction of a leg that goes this way (m): 1 up, -1 down, 0 if it hardly moves.
+/// Direction of a leg with this displacement (m): 1 up, -1 down, 0 if it hardly moves.
 #[must_use]
 pub fn sign(way: f32) -> f32 {
     match () {

@@ -1,8 +1,8 @@
-//! What is wrong with the tile in this tick, as its sensors show it.
+//! Detects what is wrong with the tile in this tick from its sensors.
 //!
-//! In: what was read and computed, what the legs are to do. Out: conditions, each of which has lasted long enough.
-//! Every sensor is checked against its range, against another sensor and against what is commanded; a value that is
-//! no number fails every check, because each is written as what must hold.
+//! In: readings, estimates, and what the legs should do. Out: faults, each of which has lasted long enough.
+//! Every sensor is checked against its range, another sensor and the command. A NaN
+//! fails every check, because each is written as the condition that must hold.
 
 use super::board::{RAILS, Readings};
 use super::design::{
@@ -18,27 +18,27 @@ use super::profile::{Along, TICK};
 use super::sense::Sense;
 use smartbed_runtime::real::Real;
 
-/// What the legs are doing.
+/// What the legs should do.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Doing {
     /// Drives are off and the legs stay at these heights.
     Rest(Heights),
-    /// Drives are on and the legs follow this.
+    /// Drives are on and the legs follow a motion.
     Follow {
-        /// What is wanted of each leg.
+        /// Wanted motion of each leg.
         wanted: [Along; 3],
-        /// How far each leg goes, positive up (m).
+        /// Displacement of each leg, positive up (m).
         ways: [f32; 3],
-        /// Are the lower switches looked for?
+        /// Whether the lower switches are being searched.
         seeks: bool,
-        /// Do the legs go back from an obstacle?
+        /// Whether the legs go back from an obstacle.
         retreats: bool,
-        /// What the screws carry under the heaviest patient (N).
+        /// Forces of the screws under the heaviest patient (N).
         loads: [f32; 3],
     },
 }
 
-/// How long conditions have lasted, and what the motors did.
+/// How long conditions have lasted, and the efforts of the motors.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Watch {
     ages: [u8; Fault::ALL.len()],
@@ -47,7 +47,7 @@ pub struct Watch {
 }
 
 impl Watch {
-    /// Takes a tick; returns what has lasted long enough.
+    /// Takes a tick; returns the conditions that have lasted long enough.
     pub fn take(&mut self, readings: &Readings, sense: &Sense, doing: &Doing) -> Faults {
         let mut raw = Faults::default();
         position(&mut raw, readings, sense, doing);
@@ -60,7 +60,7 @@ impl Watch {
         self.last(raw)
     }
 
-    /// What of this has lasted long enough.
+    /// The conditions that have lasted long enough to be faults.
     fn last(&mut self, raw: Faults) -> Faults {
         let mut faults = Faults::default();
         for (fault, age) in Fault::ALL.into_iter().zip(&mut self.ages) {
@@ -70,7 +70,7 @@ impl Watch {
         faults
     }
 
-    /// Drives are off: nothing moves and no current flows.
+    /// With drives off, nothing may move and no current may flow.
     fn rest(&mut self, raw: &mut Faults, sense: &Sense, at: &Heights) {
         self.efforts.iter_mut().for_each(Efforts::rest);
         self.off = self.off.saturating_add(1);
@@ -79,7 +79,7 @@ impl Watch {
         raw.set(Fault::Current, raw.has(Fault::Current) || (self.off > 20 && flows));
     }
 
-    /// Drives are on: legs are where they should be, as fast as they should, and push no more than so far.
+    /// With drives on, legs must be near their wanted positions and speeds, and must not push too hard.
     fn follow(&mut self, raw: &mut Faults, sense: &Sense, doing: &Doing) {
         let Doing::Follow { wanted, ways, retreats, loads, .. } = doing else { return };
         self.off = 0;
@@ -87,7 +87,7 @@ impl Watch {
             let (wanted, sign, speed) = (&wanted[leg], sign(ways[leg]), sense.speeds[leg]);
             let behind = wanted.position - sense.heights[leg];
             let lags = Real::abs(behind) < FOLLOWING;
-            // Behind and still going its way, or stopped: something is in the way. Anything else goes where it likes.
+            // Behind, and still moving forward or stopped: an obstacle. Any other deviation is a runaway.
             let blocked = behind * sign > 0.0 && speed * sign > -RUNAWAY_SPEED / 4.0;
             let is_fast = !below(Real::abs(speed - wanted.speed), RUNAWAY_SPEED);
             raw.set(Fault::Runaway, raw.has(Fault::Runaway) || (!lags && !blocked) || is_fast);
@@ -105,7 +105,7 @@ impl Watch {
         raw.set(Fault::Overload, self.weight(sense) > MOST_WEIGHT);
     }
 
-    /// The least weight (N) that the currents show, if all legs move; 0 else.
+    /// The least weight (N) that the currents show, if all legs rise; else 0.
     fn weight(&self, sense: &Sense) -> f32 {
         let mut weight = 0.0;
         for (efforts, speed) in self.efforts.iter().zip(sense.speeds) {
@@ -118,7 +118,7 @@ impl Watch {
     }
 }
 
-/// Encoders, displacement sensors and switches against one another.
+/// Checks encoders, displacement sensors and switches against one another.
 fn position(raw: &mut Faults, readings: &Readings, sense: &Sense, doing: &Doing) {
     let is_slow = sense.raw_speeds.iter().all(|v| Real::abs(*v) < FASTEST);
     raw.set(Fault::Height, !(near(sense.heights, sense.displaced, DISAGREEMENT) && is_slow));
@@ -163,18 +163,18 @@ fn pneumatic(raw: &mut Faults, readings: &Readings, sense: &Sense) {
     raw.set(Fault::Overpressure, !(a < OVERPRESSURE && b < OVERPRESSURE));
 }
 
-/// What the bladder carries at most (kg): the pressure over its whole area.
+/// Largest mass that the bladder can carry (kg): the pressure on its whole area.
 #[must_use]
 pub fn load(pressure: f32) -> f32 {
     Real::max(pressure, 0.0) * super::design::AREA / GRAVITY
 }
 
-/// Ticks that a condition lasts before it is a fault.
+/// Number of ticks that a condition must last to be a fault.
 fn patience(fault: Fault) -> u8 {
     match fault {
         Fault::Height | Fault::DisplacementRange | Fault::PressureRange => 5,
         Fault::Current | Fault::Overpressure => 3,
-        // A leg that turns round at once needs some ticks to take its new speed.
+        // A leg that reverses abruptly needs some ticks to reach its new speed.
         Fault::SwitchPlace | Fault::Supply | Fault::Tilt | Fault::Runaway => 12,
         Fault::Pressure => 50,
         Fault::Overload => 100,
@@ -187,7 +187,7 @@ fn is_off_rails(count: &u16) -> bool {
     (low..=high).contains(count)
 }
 
-/// Is it a number, and less?
+/// Whether x is less than the limit; false for NaN.
 fn below(x: f32, limit: f32) -> bool {
     x < limit
 }

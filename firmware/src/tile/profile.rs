@@ -1,8 +1,8 @@
-//! How far along its way a motion is: rest to rest, with bounded speed, acceleration and jerk.
+//! Motion profile from rest to rest, with bounded speed, acceleration and jerk.
 //!
-//! In: length of the way L and bounds. Out: position, speed and acceleration along it at each tick.
+//! In: length L and bounds. Out: position, speed and acceleration at each tick.
 //! Speed rises in the time T by v(x) = V (3 x^2 - 2 x^3), x = t/T, stays at V, and falls the same way; so
-//! acceleration is at most 3/2 V/T and jerk 6 V/T^2. A way shorter than V T keeps T and takes V = L/T.
+//! acceleration is at most 3/2 V/T and jerk 6 V/T^2. A length below V T keeps T and has V = L/T.
 
 use smartbed_runtime::real::Real;
 
@@ -10,15 +10,15 @@ use smartbed_runtime::real::Real;
 pub const RAMP: u32 = 500;
 /// Length of a tick (s).
 pub const TICK: f32 = 1e-3;
-/// The same time (s).
+/// The ramp's time (s).
 const RAMP_TIME: f32 = RAMP as f32 * TICK;
 /// Longest motion (ticks): an hour.
 const LONGEST: f32 = 3.6e6;
 
-/// Position, speed and acceleration along a way.
+/// Position, speed and acceleration along a motion.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Along {
-    /// Position, in the unit of the way.
+    /// Position, in the unit of the length.
     pub position: f32,
     /// Speed, per second.
     pub speed: f32,
@@ -26,36 +26,36 @@ pub struct Along {
     pub acceleration: f32,
 }
 
-/// A motion.
+/// A motion from rest to rest.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Profile {
     length: f32,
     /// Highest speed.
     speed: f32,
-    /// Ticks from the start of the motion to the start of its end.
+    /// Ticks from the start of the motion to the start of its final ramp.
     cruise_end: u32,
 }
 
 impl Profile {
-    /// A way of this length (not negative) at this speed at most (positive).
+    /// A motion of this length (not negative) with at most this speed (positive).
     #[must_use]
     pub fn new(length: f32, most_speed: f32) -> Self {
         let shortest = most_speed * RAMP_TIME;
         if length <= shortest {
             return Self { length, speed: length / RAMP_TIME, cruise_end: RAMP };
         }
-        // A whole number of ticks, rounded up; the speed follows from it.
+        // A whole number of ticks, rounded up; it determines the speed.
         let ticks = Real::min(length / most_speed / TICK, LONGEST) as u32 + 1;
         Self { length, speed: length / (ticks as f32 * TICK), cruise_end: ticks }
     }
 
-    /// Ticks that it takes.
+    /// Length of the motion in ticks.
     #[must_use]
     pub fn ticks(&self) -> u32 {
         self.cruise_end + RAMP
     }
 
-    /// So many ticks after its start.
+    /// Position, speed and acceleration this many ticks after the start.
     #[must_use]
     pub fn at(&self, tick: u32) -> Along {
         if tick >= self.ticks() {
@@ -69,7 +69,7 @@ impl Profile {
             let position = self.speed * (RAMP_TIME / 2.0 + since);
             return Along { position, speed: self.speed, acceleration: 0.0 };
         }
-        // The end is the start seen backwards.
+        // The final ramp is the first one mirrored.
         let mirrored = self.rising(self.ticks() - tick);
         Along {
             position: self.length - mirrored.position,

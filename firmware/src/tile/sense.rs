@@ -1,8 +1,8 @@
-//! What the controller knows of the tile: heights and speeds of the legs, pressure, currents.
+//! Estimates of the tile's state: heights and speeds of the legs, pressure, currents.
 //!
-//! In: raw readings, offsets of the calibration. Out: SI values, smoothed where a check needs it.
-//! A height is that of the last reference and what the encoder has counted since. The reference is the displacement
-//! sensor after a start, and the lower end switch after homing; both outlive no power cut, the sensor needs none.
+//! In: raw readings, offsets of the calibration. Out: SI values, smoothed where a check needs it. A height is that of
+//! the last reference plus the encoder counts since. The reference is the displacement sensor after a start, and the
+//! lower end switch after homing. References are lost with power; the displacement sensor needs none.
 
 use super::board::{COUNTS, Measured, Readings};
 use super::drive::DRIVE;
@@ -11,12 +11,12 @@ use super::profile::TICK;
 use crate::command::Pose;
 use crate::link::message::Trim;
 
-/// Share of a new reading in the smoothed speed: 4 ticks.
+/// Weight of a new reading in the smoothed speed: 4 ticks.
 const SPEED_SHARE: f32 = 0.25;
-/// Share of a new reading in the smoothed displacement and rate of tilt: 16 ticks.
+/// Weight of a new reading in the smoothed displacement and slope rate: 16 ticks.
 const SLOW_SHARE: f32 = 0.0625;
 
-/// What is known of the tile.
+/// Estimates of the tile's state.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Sense {
     /// Heights at the references (m).
@@ -36,7 +36,7 @@ pub struct Sense {
     pub displaced: Heights,
     /// Rate of the slopes (1/s), smoothed over 16 ticks.
     pub slope_rate: [f32; 2],
-    /// What was measured in this tick.
+    /// Measurements of this tick.
     pub measured: Measured,
 }
 
@@ -97,13 +97,13 @@ impl Sense {
         }
     }
 
-    /// Takes the heights of the displacement sensors for the true ones.
+    /// Resets the heights to those of the displacement sensors.
     pub fn recover(&mut self) {
         (self.base, self.reference, self.heights) = (self.displaced, self.last, self.displaced);
         self.slope_rate = [0.0; 2];
     }
 
-    /// Leg number `leg` is at this height (m): it has just pressed its switch.
+    /// Sets the reference of a leg that has just pressed its switch: it is at this height (m).
     pub fn refer(&mut self, leg: usize, height: f32) {
         let places = self.base.iter_mut().zip(&mut self.reference).zip(&mut self.heights).zip(self.last);
         if let Some((((base, reference), known), last)) = places.into_iter().nth(leg) {

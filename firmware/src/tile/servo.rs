@@ -1,9 +1,9 @@
 //! Position and speed loops of the legs, with feedforward.
 //!
-//! In: what is wanted of each leg, where it is, what it carries (`super::dynamics`). Out: duties of the drives.
-//! The speed asked of a leg is v = v_wanted + `KP` e + integral of `KI` e; the duty is the one that gives it by the
-//! drive (`super::drive`): back-EMF at v, friction in screw and worm under the load, the motor's inertia. The integral
-//! takes what these do not know: friction of this day, a load off its middle.
+//! In: wanted motion of each leg, its height, its load (`super::dynamics`). Out: duties of the drives. The speed
+//! demanded of a leg is v = v_wanted + `KP` e + integral of `KI` e. The duty for it follows from the drive's equations
+//! (`super::drive`): back-EMF at v, friction in screw and worm under the load, the motor's inertia. The integral
+//! corrects for the rest: the actual friction, a load off centre.
 
 use super::drive::{DRIVE, Drive};
 use super::motion::sign;
@@ -13,7 +13,7 @@ use smartbed_runtime::real::Real;
 
 /// Speed per error of height (1/s).
 const KP: f32 = 40.0;
-/// Speed per integral of it (1/s^2).
+/// Speed per integral of the error (1/s^2).
 const KI: f32 = 400.0;
 /// Most that the integral may add to the speed (m/s).
 const MOST_INTEGRAL: f32 = 1.5e-3;
@@ -27,7 +27,7 @@ pub struct Servo {
 }
 
 impl Servo {
-    /// Duties of this tick; `ways` are how far the legs go (m).
+    /// Duties of this tick; `ways` are the displacements of the legs in the whole motion (m).
     pub fn duties(
         &mut self,
         sense: &Sense,

@@ -1,13 +1,12 @@
-//! What must outlive the power: key, boot counter and calibration, in two copies.
+//! Storage that survives a power cut: key, boot counter and calibration, in two copies.
 //!
-//! In: a NOR flash with two pages, one for each copy, and the record. Out: the newest good record.
-//! A record has a version, a generation and a CRC, and is appended to a page; a full page is erased first. The
-//! second copy is written only when the first has been read back, so a power cut at any write leaves at
-//! least one whole record: the old one or the new one.
-//! Erasing stalls the flash for up to 2 s: store only while drives are off and the watchdog is wide.
-//! No crate of wear-levelled storage: sequential-storage and ekv work by futures, where a tick must end in bounded time;
-//! the former's format may change with its version, and a calibration outlives the program. One record of 48 bytes
-//! needs no map.
+//! In: a NOR flash with two pages, one for each copy, and the record. Out: the newest valid record. A record has a
+//! version, a generation and a CRC, and is appended to a page; a full page is erased first. The second copy is written
+//! only after the first has been read back, so a power cut at any write leaves at least one whole record: the old one
+//! or the new one. Erasing stalls the flash for up to 2 s: store only while drives are off and the watchdog allows it.
+//! Own code instead of a crate for wear-levelled storage: sequential-storage and ekv use futures, but a tick must end
+//! in bounded time; the format of the former may change with its version, but a calibration outlives the program; and
+//! one record of 48 bytes needs no map.
 
 use crate::link::checksum::{checked, checksum};
 use crate::link::message::Trim;
@@ -23,13 +22,13 @@ const PLAIN: usize = RECORD - 4;
 /// What is stored.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Record {
-    /// Counts what was stored.
+    /// Number of records stored before.
     pub generation: u32,
-    /// How often the tile has started.
+    /// Number of starts of the tile.
     pub boot: u32,
     /// Bytes of the key.
     pub key: [u8; 16],
-    /// Offsets.
+    /// Offsets of the sensors.
     pub trim: Trim,
 }
 
@@ -49,7 +48,7 @@ impl Record {
         bytes
     }
 
-    /// From bytes, if version and CRC are right and the offsets are numbers.
+    /// From bytes, if version and CRC are right and the offsets are finite.
     #[must_use]
     pub fn from_bytes(bytes: &[u8; RECORD]) -> Option<Self> {
         let plain = checked(bytes)?;
@@ -79,19 +78,19 @@ fn word(bytes: &[u8]) -> Option<(u32, &[u8])> {
 #[derive(Clone, Debug)]
 pub struct Store<F> {
     flash: F,
-    /// Where each copy's page begins.
+    /// Address of each copy's page.
     pages: [u32; 2],
     /// Bytes of a page: a whole number of the flash's erase units.
     page: u32,
 }
 
 impl<F: NorFlash> Store<F> {
-    /// The record that is kept at these places; pages are erased as a whole.
+    /// The record in these pages of this size.
     pub fn new(flash: F, pages: [u32; 2], page: u32) -> Self {
         Self { flash, pages, page }
     }
 
-    /// The newest good record of either copy.
+    /// The newest valid record of either copy.
     pub fn load(&mut self) -> Option<Record> {
         let [a, b] = self.pages.map(|page| self.newest(page));
         match (a, b) {
@@ -100,10 +99,10 @@ impl<F: NorFlash> Store<F> {
         }
     }
 
-    /// Stores a record, both copies read back; its generation is counted on from what is there.
+    /// Stores a record with the next generation, and reads both copies back.
     ///
     /// # Errors
-    /// The flash's, or none if what was read back was something else.
+    /// The error of the flash, or None if the bytes read back differ.
     pub fn save(&mut self, record: &Record) -> Result<(), Option<F::Error>> {
         let generation = self.load().map_or(0, |old| old.generation.wrapping_add(1));
         let bytes = Record { generation, ..*record }.to_bytes();
@@ -116,7 +115,7 @@ impl<F: NorFlash> Store<F> {
         Ok(())
     }
 
-    /// Starts a life: counts the boot and returns the record, or none if it cannot be read or stored.
+    /// Called at each start: counts the boot and returns the record, or None if it cannot be read or stored.
     pub fn start(&mut self) -> Option<Record> {
         let old = self.load()?;
         let record = Record { boot: old.boot.checked_add(1)?, ..old };
@@ -139,8 +138,8 @@ impl<F: NorFlash> Store<F> {
         Some(bytes)
     }
 
-    /// The good record of highest generation in a page.
-    // Functions of their own, as `append`: less stack and flash.
+    /// The valid record with the highest generation in a page.
+    // Not inlined, like `append`: less stack and flash.
     #[inline(never)]
     fn newest(&mut self, page: u32) -> Option<Record> {
         let places = self.places(page);
@@ -148,7 +147,7 @@ impl<F: NorFlash> Store<F> {
         good.max_by_key(|r| r.generation)
     }
 
-    /// Writes to the first place that has never been written; erases the page if there is none.
+    /// Writes to the first place never written; erases the page first if there is none.
     #[inline(never)]
     fn append(&mut self, page: u32, bytes: &[u8; RECORD]) -> Result<(), F::Error> {
         let mut places = self.places(page);

@@ -1,6 +1,7 @@
 //! Impact with energy compensation along the springs (thesis Eqs. 4.10 to 4.13, for any masses, neighbours, contacts).
 //!
-//! The set B of points touches; n is the ground's outward normal, v_b = -v_i.n > 0.
+//! In: positions, velocities before, the set B of points that touch. Out: velocities after, ground impulses, energy
+//! lost. n is the ground's outward normal, v_b = -v_i.n > 0.
 //! ```text
 //! Q = eta sum_B m_i v_b^2 / 2 + anchor;   v_i.n := 0 on B
 //! receivers: springs from i in B to a free point k, d = unit vector i -> k, w = d.n > 1e-6
@@ -8,10 +9,9 @@
 //! A = sum m |D|^2/2;  b = sum m v.D;  A lambda^2 + b lambda = Q;  v += lambda D
 //! J_i = m_i v_b + lambda u_i                                   ground impulse, >= 0
 //! ```
-//! The smaller root (neighbours are pushed towards the ground, Eq. 4.12) is taken if b <= 0 and every
-//! J_i >= 0, else the larger one, for which J_i > 0 always. Impulses act along springs only, so
-//! momentum and angular momentum change by those of the J_i alone.
-//! Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
+//! The smaller root (neighbours are pushed towards the ground, Eq. 4.12) is taken if b <= 0 and every J_i >= 0, else
+//! the larger one, for which J_i > 0 always. Impulses act along springs only, so only the ground impulses J_i change
+//! linear and angular momentum. Two stacked unit masses give v_a' = -sqrt(v_a^2 + v_b^2), Eq. 4.13.
 
 use super::repertoire::Repertoire;
 use super::system::System;
@@ -19,10 +19,10 @@ use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Springs flatter than this against the ground carry nothing (cosine with the normal).
+/// Springs whose cosine with the normal is smaller than this carry no impulse.
 pub const FLATTEST_RECEIVER: f64 = 1e-6;
 
-/// Which solution of the energy balance was taken.
+/// The root of the energy balance that was taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Root {
     /// lambda < 0: receivers are pushed towards the ground.
@@ -33,10 +33,10 @@ pub enum Root {
     Alone,
 }
 
-/// Working memory and result for one point.
+/// Working memory and result of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointImpact<S> {
-    /// In the set B.
+    /// Whether the point is in the set B.
     pub touching: bool,
     /// D: change of velocity per lambda [1/kg].
     pub field: Vec3<S>,
@@ -49,7 +49,7 @@ pub struct PointImpact<S> {
 }
 
 impl<S: Scalar> PointImpact<S> {
-    /// Takes no part.
+    /// A point that takes no part.
     #[must_use]
     pub fn none() -> PointImpact<S> {
         PointImpact {
@@ -62,14 +62,14 @@ impl<S: Scalar> PointImpact<S> {
     }
 }
 
-/// One impact.
+/// Result of one impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<S> {
-    /// Root taken.
+    /// The root taken.
     pub root: Root,
     /// lambda (N s): impulse in a spring is lambda w.
     pub lambda: S,
-    /// Kinetic energy lost by the law (J), (1 - eta) of what the touching points had.
+    /// Kinetic energy lost by the law (J): (1 - eta) of the touching points' energy of approach.
     pub lost: S,
     /// Energy lost to friction (J).
     pub friction: S,
@@ -78,7 +78,7 @@ pub struct Impact<S> {
 /// Applies the impact to `vel`; B is marked in `points`, which returns the impulses.
 ///
 /// `receiver(k)` tells whether point k may take energy (not fixed, not touching, not resting).
-/// `anchor` (J) is added to the compensated energy where the result keeps Q >= 0 (0 leaves the law alone).
+/// `anchor` (J) is added to the compensated energy as long as Q >= 0; with 0 the law is unchanged.
 pub fn apply<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     law: Compensation<S>,
@@ -107,16 +107,16 @@ pub fn apply<S: Scalar, R: Repertoire<S>>(
     Impact { root, lambda, lost: taken - compensated, friction: nothing }
 }
 
-/// Numbers of the law for one impact.
+/// Parameters of the law for one impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compensation<S> {
-    /// Share of the energy given back.
+    /// Share of the energy that is given back.
     pub eta: S,
-    /// Energy added to make up for drift (J).
+    /// Energy added to correct drift (J).
     pub anchor: S,
-    /// Without a receiver the energy is lost.
+    /// Whether a point without a receiver loses its energy.
     pub plastic_alone: bool,
-    /// Points from this number on may take energy.
+    /// First point that may take energy.
     pub first_receiver: usize,
 }
 
@@ -124,7 +124,7 @@ fn mass<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, i: usize) -> S {
     system.body.mass.get(i).copied().unwrap_or(S::ZERO)
 }
 
-/// v_i.n := 0 on B; returns the kinetic energy that this takes (J).
+/// Sets v_i.n = 0 on B; returns the kinetic energy removed (J).
 fn stop_touching<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     vel: &mut [Vec3<S>],
@@ -145,7 +145,7 @@ fn stop_touching<S: Scalar, R: Repertoire<S>>(
     taken
 }
 
-/// D and u: unit impulses along the springs between B and the receivers.
+/// Builds D and u: the effect of unit impulses along the springs between B and the receivers.
 fn build_field<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     pos: &[Vec3<S>],
@@ -166,7 +166,7 @@ fn build_field<S: Scalar, R: Repertoire<S>>(
                     p.field = vec3::axpy(p.field, w * system.body.inverse_mass(k), d);
                 }
                 if let Some(p) = points.get_mut(i) {
-                    // The ground takes the normal part of the reaction, the point keeps the rest.
+                    // The ground takes the normal part of the reaction, the point the rest.
                     let along = vec3::tangential(d, ground.normal);
                     p.field = vec3::axpy(p.field, -(w * system.body.inverse_mass(i)), along);
                     p.lift = p.lift + w * w;
@@ -190,7 +190,7 @@ fn quadratic<S: Scalar, R: Repertoire<S>>(
     (a, b)
 }
 
-/// The root of A lambda^2 + b lambda = Q that the ground can give.
+/// The root of A lambda^2 + b lambda = Q for which the ground pushes.
 fn choose_root<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     points: &[PointImpact<S>],
@@ -201,7 +201,7 @@ fn choose_root<S: Scalar, R: Repertoire<S>>(
     let two = S::from_f64(2.0);
     let s = (b * b + S::from_f64(4.0) * a * energy).sqrt();
     if b <= S::ZERO {
-        // 2 Q/(b - S) = (-b - S)/(2 A) without its cancellation; b - S = 0 only if nothing moves.
+        // 2 Q/(b - s) = (-b - s)/(2 A) without cancellation; b - s = 0 only if nothing moves.
         let minus = if b < s { two * energy / (b - s) } else { S::ZERO };
         let holds = |(i, p): (usize, &PointImpact<S>)| {
             !p.touching || mass(system, i) * p.approach + minus * p.lift >= S::ZERO
@@ -214,7 +214,7 @@ fn choose_root<S: Scalar, R: Repertoire<S>>(
     (Root::Plus, two * energy / (b + s))
 }
 
-/// No receiver: each point keeps eta of its own energy; returns the energy kept (J).
+/// Without a receiver each point keeps eta of its own energy; returns the energy kept (J).
 fn rebound<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     law: Compensation<S>,

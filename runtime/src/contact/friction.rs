@@ -1,13 +1,13 @@
-//! Coulomb friction as an impulse: the tangential speed loses at most mu J/m, and the loss is exact.
+//! Coulomb friction as an impulse: the tangential speed loses at most mu J/m, and the energy loss is exact.
 //!
 //! f = min(1, mu J/(m |v_t|)); v_t := (1 - f) v_t; loss = m |v_t|^2 (1 - (1-f)^2)/2.
-//! f = 1 leaves the point without tangential speed: it sticks. Over a stretch of motion the impulse points against the
-//! mean of the slip's directions at both ends, v' = v - mu J/m (d0 + d1)/|d0 + d1|: order 2 on a curved way.
+//! f = 1 leaves no tangential speed: the point sticks. Over a stretch of motion the impulse opposes the
+//! mean of the slip directions at both ends, v' = v - mu J/m (d0 + d1)/|d0 + d1|: order 2 on a curved path.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Slows v along the surface by the friction of a normal impulse J (N s); returns the energy lost (J).
+/// Slows the tangential part of v by the friction of a normal impulse J (N s); returns the energy lost (J).
 pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: S, impulse: S) -> S {
     let slip = vec3::tangential(*v, normal);
     let speed = vec3::norm(slip);
@@ -25,7 +25,7 @@ pub fn apply<S: Scalar>(v: &mut Vec3<S>, normal: Vec3<S>, mass: S, coefficient: 
     kinetic * fraction * (S::from_f64(2.0) - fraction)
 }
 
-/// As [`apply`], over a stretch of motion that began with the velocity `before`.
+/// As [`apply`], over a stretch of motion that started with the velocity `before`.
 pub fn apply_over<S: Scalar>(
     v: &mut Vec3<S>,
     before: Vec3<S>,
@@ -42,7 +42,7 @@ pub fn apply_over<S: Scalar>(
         return apply(v, normal, mass, coefficient, impulse);
     }
     let change = largest / mass;
-    // m dv.(v + dv/2): more than nothing unless the slip turns round, which ends a stretch.
+    // m dv.(v + dv/2): positive unless the slip reverses, which ends a stretch.
     let loss = largest * (vec3::dot(mean, *v) - S::from_f64(0.5) * change);
     if loss <= S::ZERO {
         return apply(v, normal, mass, coefficient, impulse);

@@ -1,6 +1,6 @@
-//! A body whose contacts are frozen over a step, as equations of motion of its nodes.
+//! A body with its contact states frozen over a step, as equations of motion of its nodes.
 //!
-//! Held nodes keep to the surface, stuck ones stay; the ground that gives way pushes, massless nodes are settled.
+//! Held nodes stay on the surface, stuck ones do not move, a soft ground pushes, massless nodes are put in equilibrium.
 
 use super::ground::ContactState;
 use super::repertoire::Repertoire;
@@ -12,12 +12,12 @@ use crate::ode::nodes::{Motion, Newton, Step, Way, Workspace};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// A system and what its nodes do at the ground over a step.
+/// A system and the contact states of its nodes over a step.
 #[derive(Debug)]
 pub struct Frozen<'a, 'b, S, R> {
     /// Body and ground.
     pub system: &'a System<'b, S, R>,
-    /// Each node against the ground.
+    /// Contact state of each node.
     pub modes: &'a [ContactState],
 }
 
@@ -70,7 +70,7 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
     #[inline(always)]
     fn holds(&self, first: usize, count: usize) -> bool {
         let modes = self.modes.get(first..).unwrap_or_default();
-        // Looked at side by side; almost always none is held.
+        // Without an early exit, so that it vectorises; almost always no node is held.
         modes.get(..count).unwrap_or(modes).iter().fold(false, |held, mode| held | mode.is_held())
     }
 
@@ -91,20 +91,20 @@ impl<S: Scalar, R: Repertoire<S>> Newton<S> for Frozen<'_, '_, S, R> {
 }
 
 impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
-    /// The body's elements, of those that the program can meet.
+    /// The body's elements, without gas if the repertoire has none.
     #[must_use]
     pub fn elements(&self) -> Elements<'a, S> {
         let elements = self.body.elements();
         Elements { filled: if R::GAS { elements.filled } else { None }, ..elements }
     }
 
-    /// Forces of positions, with massless points settled and a soft ground's push (N).
+    /// Position-dependent forces, after massless points are put in equilibrium, with a soft ground's push (N).
     ///
     /// # Errors
     /// From the gas law.
     pub fn elastic(&self, pos: &mut [Vec3<S>], out: &mut [Vec3<S>]) -> Result<(), BodyError<S>> {
         if let Some(ground) = self.massless_ground() {
-            // Their places at the start stand where the forces will.
+            // Their positions before stand in the rows that the forces overwrite afterwards.
             massless::settle(&self.body, &ground, pos, out);
         }
         force::eval_elastic(&self.body, &self.elements(), pos, out)?;
@@ -114,7 +114,7 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         Ok(())
     }
 
-    /// Forces of speeds (N).
+    /// Speed-dependent forces (N).
     pub fn viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], out: &mut [Vec3<S>]) {
         if R::DAMPING && self.body.is_damped() {
             force::eval_viscous(&self.body, &self.elements(), pos, vel, out);
@@ -127,19 +127,19 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
     }
 }
 
-/// Where a step starts.
+/// The state at which a step starts.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<'a, 'm, S> {
-    /// State.
+    /// Positions and velocities.
     pub motion: &'a Motion<'m, S>,
-    /// Each node against the ground, frozen over the step.
+    /// Contact state of each node, frozen over the step.
     pub modes: &'a [ContactState],
 }
 
 /// Advances by tau into `work.end`; returns the error estimate in units of the tolerance (0 for fixed steps).
 ///
 /// # Errors
-/// Not finite, not converged, or from the gas law; the start is untouched.
+/// Values not finite, no convergence, or a fault of the gas law; the start is unchanged.
 pub fn advance<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     start: Start<S>,

@@ -1,37 +1,37 @@
-//! A plane ground of any orientation: its law and what a point against it does.
+//! A plane ground of any orientation: its contact law, and the contact states of a point.
 //!
-//! In: a point's place and velocity; out: gap = n.x - offset (m, > 0 apart) and gap rate = n.v (m/s, < 0 closing).
+//! In: a point's position and velocity. Out: gap = n.x - offset (m, > 0 apart), gap rate = n.v (m/s, < 0 closing).
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// What happens between a point and the ground.
+/// The law of contact between a point and the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ContactLaw<S> {
     /// Energy compensation along the springs.
     Compensation {
-        /// Share of the lost energy that is given back: 1 is the thesis, 0 plastic.
+        /// Share of the lost energy that is given back: 1 as in the thesis, 0 plastic.
         eta: S,
-        /// Corrects the drift of the total energy at each touch (undamped bodies, small steps).
+        /// Whether each touch corrects the drift of the total energy (undamped bodies, small steps).
         anchor: bool,
-        /// Points without a receiver lose their energy instead of rebounding.
+        /// Whether points without a receiver lose their energy instead of rebounding.
         plastic_alone: bool,
-        /// Points from this number on may take energy: 0 for all, the first centre for thesis 5.9.
+        /// First point that may take energy: 0 for all, the first centre for thesis 5.9.
         first_receiver: usize,
     },
-    /// v+ = -e v- at the instant of touch, point by point.
+    /// v+ = -e v- at the instant of touch, for each point by itself.
     Newton {
         /// Coefficient of restitution e, 0 to 1.
         restitution: S,
     },
-    /// Moreau's time stepping: the law v+ >= -e v- holds over each step, events are not located.
+    /// Moreau's time stepping: v+ >= -e v- over each step; events are not located.
     Moreau {
         /// Coefficient of restitution e, 0 to 1.
         restitution: S,
     },
-    /// The points that may touch have no mass; their place follows from statics. No event, no impact.
+    /// Points that may touch have no mass; their position follows from statics. No event, no impact.
     MasslessPoint,
-    /// Linear spring of the ground on the depth.
+    /// A linear spring on the depth.
     Penalty {
         /// Stiffness of the ground (N/m).
         stiffness: S,
@@ -50,33 +50,33 @@ pub enum ContactLaw<S> {
 pub struct Ground<S> {
     /// Outward unit normal.
     pub normal: Vec3<S>,
-    /// n.x of the surface (m).
+    /// n.x of the points on the surface (m).
     pub offset: S,
     /// Law between ground and points.
     pub law: ContactLaw<S>,
     /// Coulomb's coefficient, >= 0.
     pub friction: S,
-    /// Points within this gap (m) of one that touches, and closing, touch together; also the gap from
-    /// which a released point's guard is armed.
+    /// Other points within this gap (m), and closing, touch together with one that touches; also the gap from
+    /// which the guard of a released point is armed.
     pub tolerance: S,
 }
 
-/// State of one point against the ground.
+/// Contact state of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum ContactState {
-    /// Apart, guard armed.
+    /// Apart from the ground; the guard on its gap is armed.
     #[default]
     Free,
-    /// Let go at the surface; the guard is armed once the gap exceeds the tolerance.
+    /// Just released at the surface; its guard is armed once the gap exceeds the tolerance.
     Departing,
     /// On the surface, sliding or without friction.
     Held,
-    /// On the surface, or in a ground that gives way, and held sideways by friction.
+    /// On the surface, or in a soft ground, and kept from sliding by friction.
     Stuck,
 }
 
 impl ContactState {
-    /// On the surface.
+    /// Whether the point is held on the surface.
     #[inline]
     #[must_use]
     pub fn is_held(self) -> bool {
@@ -91,8 +91,8 @@ impl<S: Scalar> Ground<S> {
         vec3::dot(self.normal, x) - self.offset
     }
 
-    /// Is the place clearly below the surface? Returns are located at -tolerance, give or take rounding: which of two
-    /// points alike lies beyond it says nothing.
+    /// Whether a position is clearly below the surface. Returns are located at -tolerance, up to rounding, so a depth
+    /// of the tolerance alone proves nothing.
     #[must_use]
     pub fn is_deep(&self, x: Vec3<S>) -> bool {
         self.gap(x) < -(S::from_f64(2.0) * self.tolerance)
@@ -104,26 +104,26 @@ impl<S: Scalar> Ground<S> {
         vec3::dot(self.normal, v)
     }
 
-    /// Is there no slip but what rounding makes of the speed along a sloping normal?
+    /// Whether there is no slip beyond what rounding makes of the speed along a sloping normal.
     #[must_use]
     pub fn is_still(&self, v: Vec3<S>) -> bool {
         let rounding = S::from_f64(4.0) * S::EPSILON * self.gap_rate(v).abs();
         vec3::norm(vec3::tangential(v, self.normal)) <= rounding
     }
 
-    /// True where touch and release are located in time and the step is split there.
+    /// Whether touch and release are located in time and the step is split there.
     #[must_use]
     pub fn has_events(&self) -> bool {
         matches!(self.law, ContactLaw::Compensation { .. } | ContactLaw::Newton { .. })
     }
 
-    /// True where no point may be below the surface: the ground does not give way.
+    /// Whether the ground is rigid: no point may be below the surface.
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         !matches!(self.law, ContactLaw::Penalty { .. } | ContactLaw::HuntCrossley { .. })
     }
 
-    /// True where the ground's force depends on speeds.
+    /// Whether the ground's force depends on speeds.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         matches!(self.law, ContactLaw::HuntCrossley { dissipation, .. } if dissipation > S::ZERO)

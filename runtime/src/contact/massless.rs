@@ -1,29 +1,29 @@
-//! Massless contact points (mass redistribution, Khenous, Laborde & Renard 2008): place from statics.
+//! Massless contact points (mass redistribution, Khenous, Laborde & Renard 2008): their position follows from statics.
 //!
-//! A point of mass 0 rests where its springs balance, on or above the ground: it minimises
-//! sum K (|x - x_k| - L)^2/2 with gap >= 0. No inertia, hence no impact and no event: the contact
-//! force is continuous. Dampers of its springs must be 0: without inertia its speed is not a state.
-//! Newton's method where the stiffness is positive definite, else Gauss-Newton; a small ridge means least
-//! motion where a chain leaves directions open. First free, then along the surface if it ended below. Several such points are swept in turn.
-//! With friction (Coulomb, quasi-static) a point stays where it stood, or where it came down, as long as its springs pull it
-//! sideways by |T| <= mu N; else it follows them until T = mu N d, d the direction it has moved in.
+//! A point of mass 0 is where its springs balance, on or above the ground: it minimises sum K (|x - x_k| - L)^2/2 with
+//! gap >= 0. Without inertia there is no impact and no event: the contact force is continuous. Dampers of its springs
+//! must be 0, because its speed is not a state. Newton's method where the stiffness is positive definite, else
+//! Gauss-Newton; a small ridge selects the least motion where a chain leaves directions undetermined. First without the
+//! ground, then along the surface if the point ended below it. Several such points are swept in turn. With friction
+//! (Coulomb, quasi-static) a point stays where it was, or where it came down, as long as its springs pull it sideways
+//! by |T| <= mu N; beyond that it follows them until T = mu N d, d the direction in which it has moved.
 
 use super::ground::Ground;
 use crate::flexible::{Body, Spring};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Corrections of one point in one sweep.
+/// Most Newton corrections of one point in one sweep.
 const CORRECTIONS: usize = 30;
-/// The same with friction, where the normal force is taken from the correction before.
+/// The same with friction, where the normal force is that of the correction before.
 const SLIDES: usize = 60;
-/// Sweeps over all massless points; one is enough where no spring joins two of them.
+/// Most sweeps over all massless points; one suffices where no spring joins two of them.
 const SWEEPS: usize = 30;
-/// Ridge relative to the stiffness, in roots of the rounding unit: keeps a chain's open directions in
-/// place; its square must stand clear of rounding in the determinant of a single spring.
+/// Ridge relative to the stiffness, in square roots of the rounding unit: it determines a chain's free directions; its
+/// square must exceed rounding in the determinant of a single spring.
 const RIDGE: f64 = 32.0;
 
-/// Moves every massless point to its balance, starting from where it is; `origins` is memory, one entry a point.
+/// Moves every massless point to equilibrium, starting from its position; `origins` is memory, one entry per point.
 pub fn settle<S: Scalar>(body: &Body<S>, ground: &Ground<S>, pos: &mut [Vec3<S>], origins: &mut [Vec3<S>]) {
     for (i, _) in body.massless.iter() {
         if let Some(origin) = origins.get_mut(i) {
@@ -74,7 +74,7 @@ impl<S: Scalar> Point<'_, '_, S> {
         }
     }
 
-    /// Corrections until the springs balance, freely or along the surface.
+    /// Newton corrections until the springs balance, freely or along the surface.
     fn balance_by(&self, pos: &mut [Vec3<S>], sliding: bool) {
         for _ in 0..CORRECTIONS {
             let (force, stiffness) = self.balance(pos, sliding);
@@ -103,7 +103,7 @@ impl<S: Scalar> Point<'_, '_, S> {
         }
     }
 
-    /// Where friction would hold the point: where it stood on the surface, or came down to it on its way.
+    /// Where friction would keep the point: where it was on the surface, or where it came down to it on its way.
     fn foot(&self, origin: Vec3<S>, free: Vec3<S>, below: Vec3<S>) -> Vec3<S> {
         let (above, under) = (self.ground.gap(origin), self.ground.gap(free));
         let part = if above > self.ground.tolerance { above / (above - under) } else { S::ZERO };
@@ -111,9 +111,9 @@ impl<S: Scalar> Point<'_, '_, S> {
         vec3::axpy(vec3::axpy(origin, -above, self.ground.normal), part, way)
     }
 
-    /// From the foot along the surface, as far as the springs overcome friction: Newton's method for T = mu N d, in which
-    /// the normal force and the direction d of the way follow the place; half of a step is taken back where it led to
-    /// more that is left over.
+    /// Slides from the foot along the surface as far as the springs overcome friction: Newton's method for T = mu N d,
+    /// in which the normal force and the direction d of the displacement follow the position; a correction that
+    /// increased the residual is halved.
     fn slide(&self, pos: &mut [Vec3<S>], foot: Vec3<S>) {
         let (ground, n) = (self.ground, self.ground.normal);
         self.put(pos, foot);
@@ -145,7 +145,7 @@ impl<S: Scalar> Point<'_, '_, S> {
                 step = vec3::scale(step, S::from_f64(0.5));
                 vec3::scale(step, -S::ONE)
             } else {
-                // At the foot friction takes any direction: what is left over there says nothing.
+                // At the foot friction may have any direction, so the residual there cannot be compared.
                 least = (way > S::ZERO).then_some(left);
                 step = vec3::tangential(solve(stiffness, excess), n);
                 step
@@ -163,8 +163,8 @@ impl<S: Scalar> Point<'_, '_, S> {
     }
 }
 
-/// Work that friction takes from the massless points between two states (J): those on the ground at both, by the mean of
-/// the forces that their springs slid them with.
+/// Energy that friction dissipates at the massless points between two states (J): for those on the ground at both, by
+/// the mean of the spring forces that slid them.
 pub fn friction_loss<S: Scalar>(
     body: &Body<S>,
     ground: &Ground<S>,
@@ -184,7 +184,7 @@ pub fn friction_loss<S: Scalar>(
 }
 
 /// Spring force on point i and its stiffness, both along the surface only if `sliding`: the sum of
-/// K d d^T + K (1 - L/l) (1 - d d^T) + ridge, or without its second term where that leaves it indefinite.
+/// K d d^T + K (1 - L/l) (1 - d d^T) + ridge, without the second term where the sum would be indefinite.
 fn balance<'s, S: Scalar>(
     springs: impl Iterator<Item = &'s Spring<S>>,
     ground: &Ground<S>,
@@ -219,7 +219,7 @@ fn balance<'s, S: Scalar>(
         a
     };
     if sliding {
-        // Along the normal nothing may move: any stiffness there keeps the solution well conditioned.
+        // Along the normal nothing may move: any stiffness there keeps the system well conditioned.
         let across = ridge / (S::from_f64(RIDGE) * S::EPSILON.sqrt());
         let rows = stiffness.iter_mut().zip(exact.iter_mut()).zip(ground.normal);
         for ((row, exact), component) in rows {
@@ -231,13 +231,13 @@ fn balance<'s, S: Scalar>(
     (force, if is_positive_definite(&exact) { exact } else { ridged(stiffness) })
 }
 
-/// By Sylvester's criterion.
+/// Sylvester's criterion.
 fn is_positive_definite<S: Scalar>(a: &[Vec3<S>; 3]) -> bool {
     let minors = vec3::cross(a[1], a[2]);
     a[0][0] > S::ZERO && a[0][0] * a[1][1] - a[0][1] * a[1][0] > S::ZERO && vec3::dot(a[0], minors) > S::ZERO
 }
 
-/// Solves the symmetric 3 x 3 system by Cramer's rule; 0 where it has no solution.
+/// Solves the symmetric 3 x 3 system by Cramer's rule; 0 if it is singular.
 fn solve<S: Scalar>(a: [Vec3<S>; 3], b: Vec3<S>) -> Vec3<S> {
     let minors = [vec3::cross(a[1], a[2]), vec3::cross(a[2], a[0]), vec3::cross(a[0], a[1])];
     let determinant = vec3::dot(a[0], minors[0]);

@@ -1,9 +1,9 @@
 //! Contact of a body's points with a plane ground of any orientation (thesis chapter 4).
 //!
 //! gap = n.x - offset, > 0 apart; gap rate = n.v, < 0 closing; n is the outward normal of the ground.
-//! A point is free, departing (just let go: its guard sleeps until the gap is clearly open), held
-//! (gap rate 0, the ground pushes) or stuck (held, and friction holds it sideways too). In a ground that gives way it is
-//! free or, held sideways alone, stuck.
+//! A point is free, departing (just released: its guard is not armed until the gap is clearly open), held
+//! (gap rate 0, the ground pushes) or stuck (held, and friction keeps it from sliding). In a soft ground it is
+//! free or stuck, where stuck means that only friction holds it.
 
 pub mod compensation;
 pub mod friction;

@@ -1,7 +1,8 @@
-//! Impact between two flexible bodies: a point of one strikes a facet of the other; both give and take along their springs.
+//! Impact between two flexible bodies: a point of one strikes a facet of the other; both take energy along their
+//! springs.
 //!
 //! Both bodies are one list of points. n points from the facet's body to the point's. The facet takes part
-//! at the point of touch, the sum of beta_j x_j, with a velocity sum beta_j v_j; it shows the mass of
+//! through the contact point, the sum of beta_j x_j, whose velocity is the sum of beta_j v_j; the effective mass M is
 //! 1/M = 1/m_i + sum beta_j^2/m_j.
 //! ```text
 //! v_b = -(v_i - sum beta_j v_j).n > 0;   Q = eta M v_b^2/2
@@ -12,7 +13,7 @@
 //! A lambda^2 + b lambda = Q;  v += lambda D;  J = J_0 + lambda u
 //! ```
 //! The root is chosen as on the ground: the smaller one if b <= 0 and J >= 0. Every impulse has its opposite on
-//! the same line, so momentum and angular momentum of the whole stay (where the point lies on the facet).
+//! the same line, so linear and angular momentum of the whole are conserved (if the point lies on the facet).
 
 use super::compensation::{FLATTEST_RECEIVER, Root};
 use crate::flexible::Body;
@@ -20,23 +21,23 @@ use crate::flexible::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Where a point touches a facet.
+/// The contact of a point with a facet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Touch<S> {
     /// The point i, not among the corners.
     pub point: usize,
-    /// The corners j; one without a part has beta = 0.
+    /// The corners j; one that takes no part has beta = 0.
     pub corners: [usize; 4],
-    /// beta_j, of sum 1.
+    /// beta_j, with sum 1.
     pub weights: [S; 4],
     /// n, from the facet's body to the point's.
     pub normal: Vec3<S>,
 }
 
-/// What the impact was.
+/// Result of the impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairImpact<S> {
-    /// Root taken.
+    /// The root taken.
     pub root: Root,
     /// Speed of approach v_b (m/s).
     pub approach: S,
@@ -48,7 +49,7 @@ pub struct PairImpact<S> {
     pub lost: S,
 }
 
-/// Applies the impact to `vel`; `field` is working memory of one vector per point. None if the two do not close.
+/// Applies the impact to `vel`; `field` is working memory of one vector per point. None if the two are not closing.
 pub fn apply<S: Scalar>(
     body: &Body<S>,
     touch: &Touch<S>,
@@ -75,7 +76,7 @@ pub fn apply<S: Scalar>(
     }
     let first = mass * approach;
     if a <= S::ZERO {
-        // Nobody to take the energy: the two rebound from each other.
+        // No receiver for the energy: the two rebound from each other.
         let more = eta.sqrt() * first;
         touch.push(body, more, vel);
         let lost = (S::ONE - eta) * taken;
@@ -106,7 +107,7 @@ impl<S: Scalar> Touch<S> {
         self.corners.into_iter().zip(self.weights)
     }
 
-    /// Rate at which the two part, for velocities or for changes of them.
+    /// Gap rate, for velocities or for changes of velocity.
     fn gap_rate(&self, vel: &[Vec3<S>]) -> S {
         let mut between = vec3::at(vel, self.point);
         for (j, beta) in self.parts() {
@@ -115,7 +116,7 @@ impl<S: Scalar> Touch<S> {
         vec3::dot(between, self.normal)
     }
 
-    /// 1/M; corners of one number count with the sum of their parts.
+    /// 1/M; the weights of a corner listed twice add up.
     fn inverse_mass(&self, body: &Body<S>) -> S {
         let mut sum = body.inverse_mass(self.point);
         for (j, beta) in self.parts() {
@@ -130,7 +131,7 @@ impl<S: Scalar> Touch<S> {
         of_point.fold(S::ZERO, |sum, (_, beta)| sum + beta)
     }
 
-    /// The impulse J on the point and -beta_j J on the corners.
+    /// Applies the impulse J to the point and -beta_j J to the corners.
     fn push(&self, body: &Body<S>, impulse: S, vel: &mut [Vec3<S>]) {
         let mut give = |k: usize, j: S| {
             vec3::add_at(vel, k, vec3::scale(self.normal, j * body.inverse_mass(k)));
@@ -142,7 +143,7 @@ impl<S: Scalar> Touch<S> {
     }
 }
 
-/// D: unit impulses along the springs that lead from the touching points into their own bodies.
+/// D: unit impulses along the springs from the contact's points into their own bodies.
 fn build_field<S: Scalar>(body: &Body<S>, touch: &Touch<S>, pos: &[Vec3<S>], field: &mut [Vec3<S>]) {
     let takes_part = |k: usize| k == touch.point || touch.corners.contains(&k);
     body.elements().each_link(&mut |[tail, head]| {

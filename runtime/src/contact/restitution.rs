@@ -1,4 +1,4 @@
-//! Newton's law of impact point by point: v+ = -e v-, J = (1 + e) m v_b, loss (1 - e^2) m v_b^2/2.
+//! Newton's law of impact for each point by itself: v+ = -e v-, J = (1 + e) m v_b, loss (1 - e^2) m v_b^2/2.
 //!
 //! Moreau's time stepping uses the same law over a whole step (see `scene::moreau`).
 
@@ -8,7 +8,7 @@ use super::system::System;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Applies the law to the points marked in `points`, which return the impulses.
+/// Applies the law to the points marked in `points`, which receive the impulses.
 pub fn apply<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     restitution: S,

@@ -1,4 +1,4 @@
-//! Laws in which the ground gives way: penalty N = k depth, Hunt-Crossley N = k depth^1.5 (1 + a depth_rate).
+//! Soft-ground laws: penalty N = k depth, Hunt-Crossley N = k depth^1.5 (1 + a depth_rate).
 //!
 //! depth = -gap where the gap is negative. The ground never pulls. Hunt & Crossley (1975).
 
@@ -18,7 +18,7 @@ pub fn normal_force<S: Scalar>(ground: &Ground<S>, x: Vec3<S>, v: Vec3<S>) -> (S
         ContactLaw::Penalty { stiffness } => (stiffness * depth, S::ZERO),
         ContactLaw::HuntCrossley { stiffness, dissipation } => {
             let elastic = stiffness * depth * depth.sqrt();
-            // Formed by itself: as a difference of forces it would drown in their rounding near rest.
+            // Computed directly: as a difference of forces it would be lost in their rounding near rest.
             let viscous = (-(elastic * dissipation * ground.gap_rate(v))).max(-elastic);
             (elastic + viscous, viscous)
         }
@@ -49,7 +49,7 @@ pub fn accumulate_elastic<S: Scalar>(ground: &Ground<S>, pos: &[Vec3<S>], force:
     }
 }
 
-/// Adds the ground's forces of speed.
+/// Adds the ground's speed-dependent forces.
 pub fn accumulate_viscous<S: Scalar>(
     ground: &Ground<S>,
     pos: &[Vec3<S>],
@@ -64,7 +64,8 @@ pub fn accumulate_viscous<S: Scalar>(
     }
 }
 
-/// Adds a soft ground's mean force: minus the quotient of its energy and the gap, and its dissipation at the mean rate.
+/// Adds a soft ground's mean force over a step: -(change of energy)/(change of gap), and its dissipation at the mean
+/// rate.
 pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
     let [before, _, after] = way.pos;
     let dissipation = match ground.law {
@@ -81,7 +82,7 @@ pub fn add_mean<S: Scalar>(ground: &Ground<S>, way: &Way<S>, force: &mut [Vec3<S
             let middle = vec3::scale(vec3::add(*x0, *x1), S::from_f64(0.5));
             normal_force(ground, middle, vec3::zero()).0
         };
-        // Never pulling, so that against a rising point too the force takes energy out.
+        // Never pulling, so that the force dissipates against a rising point too.
         let push = (elastic * (S::ONE + dissipation * (sink / way.h))).max(S::ZERO);
         *f = vec3::axpy(*f, push, ground.normal);
     }

@@ -1,9 +1,9 @@
 //! Largest stable step of an explicit method: h_max = (sqrt(C^2 + K m) - C)/K of the square grid, for any graph.
 //!
 //! x.Kx = sum k (d.(x_j - x_i))^2 <= 2 sum_i x_i.A_i x_i with A_i = sum k d d^T over the springs of
-//! point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its root.
-//! A point of the square grid has A = 2 K 1: K stands for lambda_max/2 here, C likewise for the dampers.
-//! A ground that gives way is one more spring along its normal, fixed at its other end, for every point:
+//! point i, so no mode is stiffer than 2 lambda_max(A_i)/m_i, and a stable h is at most 2 over its square root.
+//! A point of the square grid has A = 2 K 1, so K stands for lambda_max/2 here; C likewise for the dampers.
+//! A soft ground counts as one more spring along its normal, fixed at its other end, at every point, because
 //! each may touch.
 
 use super::ground::{ContactLaw, Ground};
@@ -19,15 +19,15 @@ use crate::vec3::{self, Vec3};
 pub const FORMULA: &str = "h_max = min over points of (sqrt(C^2 + K m) - C)/K, with 2 K and 2 C the largest eigenvalues of the sums \
      of k d d^T and c d d^T over the springs of a point and the ground";
 
-/// Squarings of A/trace(A) before its dominant eigenvalue is read off: the 64th power.
+/// Squarings of A/trace(A) before its largest eigenvalue is read off: the 64th power.
 const SQUARINGS: usize = 6;
 
-/// Sums over the springs of one point: memory that the caller lends.
+/// Sums over the springs of one point, in memory that the caller lends.
 #[derive(Clone, Copy, Debug)]
 pub struct Sums<S> {
-    /// Of k d d^T (N/m).
+    /// Sum of k d d^T (N/m).
     pub stiffness: [Vec3<S>; 3],
-    /// Of c d d^T (N s/m).
+    /// Sum of c d d^T (N s/m).
     pub damping: [Vec3<S>; 3],
 }
 
@@ -38,7 +38,7 @@ impl<S: Scalar> Sums<S> {
         Sums { stiffness: [vec3::zero(); 3], damping: [vec3::zero(); 3] }
     }
 
-    /// Adds a spring along d, or along any direction where it has none.
+    /// Adds a spring along d, or along every direction where d is None.
     fn add(&mut self, d: Option<Vec3<S>>, share: S, stiffness: S, damping: S) {
         for (sum, weight) in [(&mut self.stiffness, stiffness), (&mut self.damping, damping)] {
             for (r, row) in sum.iter_mut().enumerate() {
@@ -54,7 +54,7 @@ impl<S: Scalar> Sums<S> {
     }
 }
 
-/// Largest step (s) for which velocity Verlet and its kin stay stable; None where no spring bounds it.
+/// Largest step (s) for which velocity Verlet and similar methods are stable; None where no spring bounds it.
 ///
 /// `sums` is memory, one entry per point.
 #[must_use]
@@ -89,7 +89,7 @@ pub fn largest_stable_step<S: Scalar, R: Repertoire<S>>(
 fn add_bonds<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>], sums: &mut [Sums<S>]) {
     system.elements().each_bond(pos, &mut |Bond { ends: [tail, head], direction, stiffness, damping }| {
         for (i, other) in [(tail, head), (head, tail)] {
-            // The bound's factor 2 is shared between two ends that move; one end alone takes half of it.
+            // The factor 2 of the bound is shared by two moving ends; a single moving end counts half.
             let share = S::from_f64(if system.body.inverse_mass(other) == S::ZERO { 0.5 } else { 1.0 });
             if let Some(sum) = sums.get_mut(i) {
                 sum.add(direction, share, stiffness, damping);
@@ -98,8 +98,8 @@ fn add_bonds<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, pos: &[Vec3<S>]
     });
 }
 
-/// Stiffness (N/m) and damping (N s/m) of the ground where the body, as one point with all the energy that it can
-/// spend on the way to the surface, has pressed it deepest.
+/// Stiffness (N/m) and damping (N s/m) of the ground at its deepest indentation: by the whole body as one point, with
+/// all the energy that it can spend on the way to the surface.
 fn slopes<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -132,7 +132,7 @@ fn slopes<S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// Of a symmetric positive semidefinite matrix, by repeated squaring.
+/// Largest eigenvalue of a symmetric positive semidefinite matrix, by repeated squaring.
 fn largest_eigenvalue<S: Scalar>(a: [Vec3<S>; 3]) -> S {
     let trace = |m: &[Vec3<S>; 3]| m[0][0] + m[1][1] + m[2][2];
     if trace(&a) <= S::ZERO {

@@ -1,6 +1,6 @@
-//! A body against a ground: which of the ground's laws act on it, and what they leave of an acceleration.
+//! A body against a ground: which of the ground's laws act on it, and how contact states restrict motion.
 //!
-//! A [`Repertoire`] names the laws that a program has at all: what it leaves out is not compiled into an image.
+//! A [`Repertoire`] names the laws that a program is compiled with; an image has no code for the others.
 
 use super::ground::{ContactLaw, ContactState, Ground};
 use super::repertoire::{Full, Repertoire};
@@ -11,7 +11,7 @@ use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 use core::marker::PhantomData;
 
-/// Body and ground: everything that stays the same in a run.
+/// Body and ground: everything that is constant in a run.
 #[derive(Clone, Copy, Debug)]
 pub struct System<'a, S, R = Full> {
     /// The body.
@@ -22,7 +22,7 @@ pub struct System<'a, S, R = Full> {
 }
 
 impl<'a, S> System<'a, S> {
-    /// A body and its ground, with every method, element and law at hand.
+    /// A body and its ground, with every method, element and law available.
     #[must_use]
     pub fn new(body: Body<'a, S>, ground: Option<Ground<S>>) -> Self {
         System { body, ground, repertoire: PhantomData }
@@ -30,7 +30,7 @@ impl<'a, S> System<'a, S> {
 }
 
 impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
-    /// The same for a program that has no more than `R`.
+    /// The same for a program compiled with the repertoire `R`.
     #[must_use]
     pub fn restricted(body: Body<'a, S>, ground: Option<Ground<S>>) -> Self {
         System { body, ground, repertoire: PhantomData }
@@ -42,7 +42,7 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         self.ground.filter(|ground| (R::COMPENSATION || R::NEWTON) && ground.has_events())
     }
 
-    /// The ground, if it gives way.
+    /// The ground, if it is soft.
     #[must_use]
     pub fn soft_ground(&self) -> Option<Ground<S>> {
         self.ground.filter(|ground| R::SOFT && !ground.is_rigid())
@@ -54,26 +54,26 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         self.ground.filter(|ground| R::MASSLESS && ground.law == ContactLaw::MasslessPoint)
     }
 
-    /// The ground, if points are rubbed on it.
+    /// The ground, if it has friction.
     #[must_use]
     pub fn rough_ground(&self) -> Option<Ground<S>> {
         self.ground.filter(|ground| R::FRICTION && ground.friction > S::ZERO)
     }
 
-    /// The ground, if the step is split where something happens on it: touch and release, or where friction holds a
-    /// point in a ground that gives way, turns it round or lets it slip.
+    /// The ground, if the step is split at events on it: touch and release, or, in a soft ground, where friction makes
+    /// a point stick, reverse or slip.
     #[must_use]
     pub fn watched_ground(&self) -> Option<Ground<S>> {
         self.event_ground().or_else(|| self.soft_ground().and(self.rough_ground()))
     }
 
-    /// Acceleration of point i (m/s^2) under a force, after what holds it has taken its part.
+    /// Acceleration of point i (m/s^2) under a force, restricted to what its contact state allows.
     #[must_use]
     pub fn acceleration(&self, i: usize, mode: ContactState, force: Vec3<S>) -> Vec3<S> {
         self.admissible(mode, vec3::scale(force, self.body.inverse_mass(i)))
     }
 
-    /// The part of a velocity or acceleration that the contact leaves.
+    /// The part of a velocity or acceleration that a contact state allows.
     #[must_use]
     pub fn admissible(&self, mode: ContactState, a: Vec3<S>) -> Vec3<S> {
         match (mode, &self.ground) {
@@ -86,20 +86,20 @@ impl<'a, S: Scalar, R: Repertoire<S>> System<'a, S, R> {
         }
     }
 
-    /// True where some force depends on speeds: dampers, air, or the ground.
+    /// Whether any force depends on speeds: dampers, air drag, or the ground.
     #[must_use]
     pub fn is_damped(&self) -> bool {
         R::DAMPING && (self.body.is_damped() || self.ground.is_some_and(|ground| ground.is_damped()))
     }
 
-    /// Normal force of the ground on a held point (N), thesis Eq. 4.1: what holds it against `force`.
+    /// Normal force of the ground on a held point (N), thesis Eq. 4.1: it balances the normal part of `force`.
     #[must_use]
     pub fn normal_force(&self, force: Vec3<S>) -> S {
         self.ground.map_or(S::ZERO, |ground| -vec3::dot(force, ground.normal))
     }
 
-    /// What friction rubs point i with (N): the force that holds it, < 0 if the ground would have to pull, or the push of
-    /// a ground that gives way.
+    /// Normal force that friction on point i depends on (N): the one that holds it, < 0 if the ground would have to
+    /// pull, or the push of a soft ground.
     #[must_use]
     pub fn pressure(&self, motion: &Motion<S>, i: usize, mode: ContactState) -> S {
         match self.soft_ground() {

@@ -1,8 +1,8 @@
-//! Springs and facets by blocks: corners gathered, forces computed side by side, added one after the other.
+//! Spring and facet forces in blocks: gather the ends, compute the forces of a block side by side, add them one by one.
 //!
-//! In: positions. Out: the sums of forces, with the bits that one spring or facet after the other gives: each lane does
-//! the operations of `spring` and `pressure` in their order, and the forces are added in the order of the lists. A
-//! microcontroller takes them one by one.
+//! In: positions. Out: sums of forces, bit for bit those of one spring or facet after the other: each lane does
+//! the operations of `spring` and `pressure` in their order, and forces are added in the order of the lists. A
+//! microcontroller handles springs and facets one by one.
 
 use super::pressure::{self, PressureForm};
 use super::spring::{Spring, is_runaway};
@@ -13,19 +13,20 @@ use crate::vec3::{self, Vec3};
 /// Vectors side by side: components x, y, z.
 type Lanes<S> = [[S; BLOCK]; 3];
 
-/// Fewer facets than these are taken one by one: a block would be empty for the most part.
+/// With fewer facets than this they are handled one by one: a block would be mostly empty.
 const FEW_FACETS: usize = if cfg!(target_os = "none") { usize::MAX } else { 8 };
-/// The same of springs: a block takes the time of as many one by one, and more instructions.
+/// The same for springs: a block takes as long as this many one by one, and more instructions.
 const FEW_SPRINGS: usize = if cfg!(target_os = "none") { usize::MAX } else { 2 * BLOCK };
 
-/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`super::spring::STRETCH_LIMIT`].
+/// Adds the elastic forces of springs (N); returns whether any of them is a runaway, see
+/// [`super::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Pulls<'a, S> {
     /// The springs.
     pub springs: &'a [Spring<S>],
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -50,7 +51,7 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
                 [*x, *y, *z] = vec3::sub(vec3::at(self.pos, spring.head), vec3::at(self.pos, spring.tail));
                 (*k, *l) = (spring.stiffness, spring.rest_length);
             }
-            // Lanes beyond hold forces of the block before.
+            // Lanes beyond the last spring hold forces of the block before.
             let ways = way.each_mut().map(|lanes| lanes.get_mut(..block.len()).unwrap_or_default());
             runaway |= pull(ways, &stiffness, &rest_length);
             let [x, y, z] = &way;
@@ -62,10 +63,10 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
     }
 }
 
-/// Turns ways tail -> head (m) into elastic forces on the tails (N).
+/// Replaces vectors tail -> head (m) by the elastic forces on the tails (N).
 #[inline(always)]
 pub(super) fn pull<S: Scalar>(way: [&mut [S]; 3], stiffness: &[S], rest_length: &[S]) -> bool {
-    // A number as wide as a lane: a truth value would be taken out of its register.
+    // An integer as wide as a lane: a bool would be moved out of its vector register.
     let mut runaway = 0_u32;
     let [x, y, z] = way;
     for ((((x, y), z), k), l) in x.iter_mut().zip(y).zip(z).zip(stiffness).zip(rest_length) {
@@ -76,18 +77,18 @@ pub(super) fn pull<S: Scalar>(way: [&mut [S]; 3], stiffness: &[S], rest_length: 
     runaway > 0
 }
 
-/// Adds the pressure's forces on facets (N).
+/// Adds the pressure forces on facets (N).
 #[derive(Debug)]
 pub struct Pushes<'a, S> {
     /// Corners of each facet.
     pub facets: &'a [[usize; 4]],
-    /// Sharing of the force.
+    /// How a facet's force is shared by its corners.
     pub form: PressureForm,
     /// Gauge pressure (Pa).
     pub pressure: S,
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -123,7 +124,7 @@ impl<S: Scalar> Kernel for Pushes<'_, S> {
     }
 }
 
-/// Turns corners (m) into the forces there (N).
+/// Replaces corners (m) by the forces on them (N).
 #[inline(always)]
 fn push<S: Scalar>(corners: &mut [Lanes<S>; 4], form: PressureForm, pressure: S) {
     for lane in 0..BLOCK {

@@ -1,4 +1,4 @@
-//! The body itself: what never changes in a run, as a view over the caller's slices.
+//! A flexible body: everything that is constant in a run, as a view over the caller's slices.
 
 use super::fault::BodyError;
 use super::grid::Grid;
@@ -8,15 +8,15 @@ use super::spring::Spring;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// What never changes in a run.
+/// A flexible body: everything that is constant in a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Body<'a, S> {
     /// Mass of each point (kg), > 0; 0 only for a massless contact point.
     pub mass: &'a [S],
     /// True where a point is held in space.
     pub fixed: &'a [bool],
-    /// [`Body::inverse_mass`] of each point (1/kg), once for each component, or nothing where memory is dearer than time:
-    /// it is then divided anew in every step.
+    /// [`Body::inverse_mass`] of each point (1/kg), once for each component. May be empty where memory is scarcer than
+    /// time: the divisions are then repeated in every step.
     pub inverse_mass: &'a [Vec3<S>],
     /// Spring-dampers, in the order in which their forces are summed.
     pub springs: &'a [Spring<S>],
@@ -30,20 +30,21 @@ pub struct Body<'a, S> {
     pub inflation: Option<Inflation<S>>,
     /// The points of mass 0 that are not fixed.
     pub massless: Massless<'a>,
-    /// Springs and facets that form grids once more, in the order of the lists: their forces then take a fraction of the time.
+    /// Springs and facets that form grids, listed a second time in the order of the lists: their forces then take a
+    /// fraction of the time.
     pub grids: &'a [Grid<'a, S>],
-    /// All springs once more, cut into patches, of a body without grids.
+    /// All springs once more, cut into patches; for bodies without grids.
     pub patches: Option<Patches<'a, S>>,
 }
 
-/// The massless points with the springs of each, so that none has to look through all springs.
+/// The massless points with the springs of each, which saves a search through all springs.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Massless<'a> {
     /// The points.
     pub points: &'a [usize],
-    /// Where the springs of each begin in `springs`, and at last the length of that.
+    /// Index in `springs` at which the springs of each point begin, and finally the length of `springs`.
     pub first: &'a [usize],
-    /// Numbers of springs, point after point.
+    /// Indices of springs, point after point.
     pub springs: &'a [usize],
 }
 
@@ -58,10 +59,10 @@ impl<'a> Massless<'a> {
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
-    /// Checks lengths, point numbers and signs.
+    /// Checks lengths, point indices and signs.
     ///
     /// # Errors
-    /// The first thing wrong.
+    /// The first defect.
     pub fn new(candidate: Body<'a, S>) -> Result<Body<'a, S>, BodyError<S>> {
         let points = candidate.mass.len();
         if points == 0 {
@@ -101,7 +102,7 @@ impl<'a, S: Scalar> Body<'a, S> {
         Ok(candidate)
     }
 
-    /// No body: what a world without flexible parts has.
+    /// A body without points, for a world without flexible parts.
     #[must_use]
     pub fn none() -> Body<'a, S> {
         Body {
@@ -125,7 +126,7 @@ impl<'a, S: Scalar> Body<'a, S> {
         self.mass.len()
     }
 
-    /// 1/mass [1/kg]; 0 for a fixed or massless point, which no force moves.
+    /// 1/mass [1/kg]; 0 for a fixed or massless point.
     #[must_use]
     pub fn inverse_mass(&self, i: usize) -> S {
         match (self.mass.get(i), self.fixed.get(i)) {
@@ -134,8 +135,8 @@ impl<'a, S: Scalar> Body<'a, S> {
         }
     }
 
-    /// [`Body::inverse_mass`] of points from `first` on, as many as there is memory for, once for each component; 0 where
-    /// there is no point.
+    /// [`Body::inverse_mass`] of points from `first` on, as many as there is memory for, once for each component; 0
+    /// beyond the last point.
     #[inline(always)]
     #[must_use]
     pub fn inverse_masses<'b>(&'b self, first: usize, memory: &'b mut [Vec3<S>]) -> &'b [Vec3<S>] {

@@ -1,7 +1,7 @@
-//! What puts forces between nodes: one interface, and the walks over all elements of a body.
+//! Elements put forces between nodes: their common interface, and loops over all elements of a body.
 //!
-//! Springs with their dampers and the gas inside facets are elements; (A, B) and `Option` make one of several. A new
-//! kind (a grid of springs, say) is one more implementation. Weight and air act on each node by itself and start the sums.
+//! Springs with their dampers, and the gas inside facets, are elements; (A, B) and `Option` make one of several. A new
+//! kind is one more implementation. Weight and air drag act on each node by itself and start the sums.
 
 use super::block::{Pulls, Pushes};
 use super::body::Body;
@@ -16,12 +16,12 @@ use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// A stiffness between two nodes, for bounds of the stable step.
+/// A stiffness between two nodes, for bounds on the stable step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bond<S> {
     /// Its ends.
     pub ends: [usize; 2],
-    /// The direction in which it acts; none where it may act in any.
+    /// The direction in which it acts; None if it may act in any.
     pub direction: Option<Vec3<S>>,
     /// Stiffness (N/m).
     pub stiffness: S,
@@ -31,22 +31,22 @@ pub struct Bond<S> {
 
 /// Forces between nodes.
 pub trait Element<S: Scalar> {
-    /// Adds the forces of speeds (N).
+    /// Adds the speed-dependent forces (N).
     fn add_viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]);
-    /// Adds forces whose work over a step is the change of [`Element::energy`], and mean forces of speeds (N).
+    /// Adds mean forces over a step: those whose work is the change of [`Element::energy`], and those of dampers (N).
     ///
     /// # Errors
-    /// Where there is no force.
+    /// If a force is not defined at these positions.
     fn add_mean(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), BodyError<S>>;
     /// Stored energy (J).
     fn energy(&self, pos: &[Vec3<S>]) -> S;
-    /// Power that the forces of speeds take out (W), places and velocities by node.
+    /// Power that the speed-dependent forces dissipate (W), given positions and velocities by node.
     fn power(&self, pos: &impl Fn(usize) -> Vec3<S>, vel: &impl Fn(usize) -> Vec3<S>) -> S;
     /// Whether some force depends on speeds.
     fn is_damped(&self) -> bool;
     /// Visits all stiffnesses between pairs of nodes.
     fn each_bond(&self, pos: &[Vec3<S>], visit: &mut impl FnMut(Bond<S>));
-    /// Visits all pairs of nodes along whose line an impulse can be handed on.
+    /// Visits all pairs of nodes along whose line an impulse can be passed on.
     fn each_link(&self, visit: &mut impl FnMut([usize; 2]));
 }
 
@@ -126,14 +126,14 @@ pub struct Elements<'a, S> {
     pub springs: &'a [Spring<S>],
     /// Gas.
     pub filled: Option<Filled<'a, S>>,
-    /// Springs and facets as grids, on a machine that lays numbers side by side.
+    /// Springs and facets as grids, on machines with vector registers.
     pub grids: &'a [Grid<'a, S>],
-    /// Springs in patches, on such a machine.
+    /// Springs in patches, on such machines.
     pub patches: Option<Patches<'a, S>>,
 }
 
 impl<'a, S: Scalar> Body<'a, S> {
-    /// Its elements.
+    /// The body's elements.
     #[must_use]
     pub fn elements(&self) -> Elements<'a, S> {
         let facets = self.facets;
@@ -153,21 +153,21 @@ impl<'a, S: Scalar> Body<'a, S> {
 }
 
 impl<'a, S: Scalar> Elements<'a, S> {
-    /// None on a microcontroller, whatever else is inlined: its image has no code for them.
+    /// None on a microcontroller, so that its image has no code for them.
     pub(crate) fn grids(&self) -> &'a [Grid<'a, S>] {
         if cfg!(target_os = "none") { &[] } else { self.grids }
     }
 
-    /// The same.
+    /// The same for patches.
     fn patches(&self) -> Option<Patches<'a, S>> {
         if cfg!(target_os = "none") { None } else { self.patches }
     }
 
-    /// Writes the forces of positions (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas; of grids
-    /// those that are `ours`, the others' nodes are left alone.
+    /// Writes the position-dependent forces (N): the weight of masses (kg) under gravity (m/s^2), then springs and gas.
+    /// Only grids for which `ours` holds are computed; nodes of the others are left alone.
     ///
     /// # Errors
-    /// Where a gas law has no volume left, or the gas has stretched a spring beyond [`super::spring::STRETCH_LIMIT`].
+    /// If a gas law has no volume left, or the gas has stretched a spring beyond [`super::spring::STRETCH_LIMIT`].
     pub fn eval_elastic(
         &self,
         (mass, gravity): (&[S], Vec3<S>),
@@ -189,7 +189,7 @@ impl<'a, S: Scalar> Elements<'a, S> {
         if runaway { pressure::runaway(&filled, self.springs, pos) } else { Ok(()) }
     }
 
-    /// Writes weight and springs' forces on the nodes of no grid; returns whether a spring has run away.
+    /// Writes weight and spring forces on the nodes of no grid; returns whether a spring is a runaway.
     fn eval_beside_grids(
         &self,
         (mass, gravity): (&[S], Vec3<S>),
@@ -209,13 +209,13 @@ impl<'a, S: Scalar> Elements<'a, S> {
         self.springs_beside_grids().fold(false, pull)
     }
 
-    /// The springs of no grid, part by part.
+    /// The springs of no grid, range by range.
     fn springs_beside_grids(&self) -> impl Iterator<Item = &[Spring<S>]> {
         let parts = beside(self.grids(), |grid| grid.springs, self.springs.len());
         parts.map(|springs| self.springs.get(springs).unwrap_or_default())
     }
 
-    /// Writes the forces of speeds (N): air, then dampers.
+    /// Writes the speed-dependent forces (N): air drag, then dampers.
     pub fn eval_viscous(&self, air_drag: S, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]) {
         for (f, v) in force.iter_mut().zip(vel) {
             *f = vec3::scale(*v, -air_drag);

@@ -7,16 +7,16 @@ use super::element::Element;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// The energies that make up the total.
+/// The parts of the total energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energies<S> {
     /// m v^2/2, Eq. 4.6.
     pub kinetic: S,
     /// m g h, Eq. 4.8.
     pub gravity: S,
-    /// K s^2/2, Eq. 4.9, and what a soft ground stores.
+    /// K s^2/2, Eq. 4.9, and the energy stored in a soft ground.
     pub spring: S,
-    /// Of the gas.
+    /// Potential of the gas.
     pub pressure: S,
 }
 

@@ -33,36 +33,36 @@ pub enum BodyError<S> {
         /// Vectors given.
         given: usize,
     },
-    /// A position or speed, or its square, left the numbers; the last good state stands.
+    /// A position or speed, or its square, is not finite; the last good state is kept.
     NotFinite {
         /// The point.
         point: usize,
     },
-    /// A point starts below a ground that does not give way.
+    /// A point starts below a rigid ground.
     BelowGround {
         /// The point.
         point: usize,
-        /// How deep (m).
+        /// Its depth (m).
         depth: S,
     },
-    /// A point with mass went through a ground that carries massless points alone; the last good state stands.
+    /// A point with mass went through a ground that carries only massless points; the last good state is kept.
     ThroughGround {
         /// The point.
         point: usize,
     },
-    /// The body grows without end under its pressure; the last good state stands.
+    /// The body grows without bound under its pressure; the last good state is kept.
     PressureTooHigh {
         /// Gauge pressure (Pa) that no equilibrium carries.
         pressure: S,
         /// The spring stretched beyond [`super::spring::STRETCH_LIMIT`].
         spring: usize,
     },
-    /// The enclosed volume is not positive, so a gas law has no pressure; the last good state stands.
+    /// The enclosed volume is not positive, so a gas law has no pressure; the last good state is kept.
     Collapsed {
         /// Enclosed volume (m^3).
         volume: S,
     },
-    /// An implicit step did not settle: the step is too large.
+    /// The iteration of an implicit step did not converge: the step is too long.
     NotConverged {
         /// Length of the step (s).
         step: S,

@@ -1,6 +1,6 @@
 //! Sum of all forces on the points: gravity, springs, dampers, air, pressure (thesis Eqs. 3.1 to 3.3).
 //!
-//! Elastic forces (of positions alone) and viscous ones (of speeds) are kept apart: methods that
+//! Elastic forces (of positions only) and viscous ones (of speeds) are kept apart, because methods that
 //! treat dampers implicitly need both. Eq. 3.3 prints M^-1 (F_D - F_K); with the signs of Eqs. 3.1
 //! and 3.2 the sum is meant.
 
@@ -11,10 +11,10 @@ use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Forces of positions: gravity, then the elements (N).
+/// Position-dependent forces: gravity, then the elements (N).
 ///
 /// # Errors
-/// [`BodyError::Collapsed`] where a gas law has no volume left.
+/// [`BodyError::Collapsed`] if a gas law has no volume left.
 pub fn eval_elastic<S: Scalar>(
     body: &Body<S>,
     elements: &Elements<S>,
@@ -24,7 +24,7 @@ pub fn eval_elastic<S: Scalar>(
     elements.eval_elastic((body.mass, body.gravity), |_| true, pos, force)
 }
 
-/// Forces of speeds: air, then the elements (N).
+/// Speed-dependent forces: air drag, then the elements (N).
 pub fn eval_viscous<S: Scalar>(
     body: &Body<S>,
     elements: &Elements<S>,
@@ -35,7 +35,7 @@ pub fn eval_viscous<S: Scalar>(
     elements.eval_viscous(body.air_drag, pos, vel, force);
 }
 
-/// Mean forces over a step (energy-momentum method): gravity and air, then the elements (N).
+/// Mean forces over a step (energy-momentum method): gravity and air drag, then the elements (N).
 ///
 /// # Errors
 /// As for [`eval_elastic`].

@@ -2,7 +2,7 @@
 //!
 //! Each spring pulls with its mean tension along its mean direction: f = [K ((l + l')/2 - L) + C (l' - l)/h]
 //! (d + d')/(l + l'). Its work over the step is then exactly -K [(l'-L)^2 - (l-L)^2]/2 - C (l'-l)^2/h.
-//! Source: Simo & Tarnow 1992, Gonzalez 1996. In: nodes in the middle of the step, and their changes over it.
+//! Source: Simo & Tarnow 1992, Gonzalez 1996. In: positions in the middle of the step, and their changes over it.
 
 use super::fault::BodyError;
 use super::pressure::{self, Filled, Gas, PressureForm, Weights};
@@ -11,7 +11,7 @@ use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Adds a spring and its damper.
+/// Adds the mean forces of a spring and its damper.
 pub fn add_spring<S: Scalar>(spring: &Spring<S>, way: &Way<S>, force: &mut [Vec3<S>]) {
     let [_, middle, _] = way.pos;
     let between = |rows: &[Vec3<S>]| vec3::sub(vec3::at(rows, spring.head), vec3::at(rows, spring.tail));
@@ -19,10 +19,11 @@ pub fn add_spring<S: Scalar>(spring: &Spring<S>, way: &Way<S>, force: &mut [Vec3
     spring.pull(pull([between(middle), between(way.dx)], numbers, way.h), force);
 }
 
-/// The mean force on the tail (N) of a spring of K, L, C: from tail to head in the middle, and the change of that (m).
+/// The mean force (N) on the tail of a spring with K, L, C, given the vector from tail to head in the middle and its
+/// change (m).
 ///
-/// With m = (d + d')/2 and c = d' - d the lengths are |m - c/2| and |m + c/2|, and l' - l = 2 m.c/(l + l') without its
-/// cancellation: in a tiny step the positions hold nothing but rounding.
+/// With m = (d + d')/2 and c = d' - d the lengths are |m - c/2| and |m + c/2|, and l' - l = 2 m.c/(l + l'), which
+/// avoids cancellation: in a tiny step the difference of positions is mostly rounding.
 #[inline(always)]
 pub(super) fn pull<S: Scalar>(
     [middle, change]: [Vec3<S>; 2],
@@ -38,7 +39,7 @@ pub(super) fn pull<S: Scalar>(
     vec3::scale(direction, stiffness * (half * sum - rest_length) + damping * (growth / h))
 }
 
-/// What dampers take over a step (J): C (l' - l)^2/h, the work of their part of the mean forces.
+/// Energy dissipated by dampers over a step (J): C (l' - l)^2/h, the work of their part of the mean forces.
 #[must_use]
 pub fn dissipated<S: Scalar>(springs: &[Spring<S>], way: &Way<S>) -> S {
     let [_, middle, _] = way.pos;
@@ -50,7 +51,7 @@ pub fn dissipated<S: Scalar>(springs: &[Spring<S>], way: &Way<S>) -> S {
     })
 }
 
-/// Adds pressure times the mean gradient of the volume.
+/// Adds the pressure times the mean gradient of the volume over the step.
 pub fn add_pressure<S: Scalar>(
     facets: &[[usize; 4]],
     form: PressureForm,
@@ -72,7 +73,7 @@ pub fn add_pressure<S: Scalar>(
     }
 }
 
-/// Means over a step of what is quadratic in the corners x: Q(x) in the middle + Q(change)/12, as Simpson's rule exact.
+/// Mean over a step of a quadratic form of the corners x: Q(x) in the middle + Q(change)/12, exact like Simpson's rule.
 #[inline(always)]
 pub(super) fn simpson<S: Scalar>([a, b, c, d]: [Vec3<S>; 4], [p, q, r, s]: [Vec3<S>; 4]) -> [Vec3<S>; 4] {
     let w = S::from_f64(1.0 / 12.0);
@@ -82,7 +83,7 @@ pub(super) fn simpson<S: Scalar>([a, b, c, d]: [Vec3<S>; 4], [p, q, r, s]: [Vec3
 /// Mean gauge pressure (Pa) over the change of volume: Simpson's rule on the gas law.
 ///
 /// # Errors
-/// [`BodyError::Collapsed`] where a gas law has no volume left.
+/// [`BodyError::Collapsed`] if a gas law has no volume left.
 pub fn pressure<S: Scalar>(filled: &Filled<S>, way: &Way<S>) -> Result<S, BodyError<S>> {
     let gas = &filled.inflation.gas;
     let volume = |pos: &[Vec3<S>]| match gas {

@@ -1,7 +1,7 @@
 //! A flexible body: point masses joined by spring-dampers (thesis chapter 3), as a view over the caller's slices.
 //!
-//! In: numbers of points and springs. Out: forces and energies. Invariant: after [`Body::new`] every
-//! spring and facet names points that exist, so kernels need no checks. Nothing here allocates.
+//! In: numbers of points, springs and facets. Out: forces and energies. Invariant: after [`Body::new`] every
+//! spring and facet refers to points that exist, so kernels need no checks. Nothing here allocates.
 
 pub mod block;
 pub mod body;

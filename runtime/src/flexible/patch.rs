@@ -1,7 +1,7 @@
-//! Springs of a body that is no grid, patch by patch: neighbours together, so that nodes are read from the nearest cache.
+//! Springs of a body that forms no grid, in patches of neighbours, so that nodes are read from the first-level cache.
 //!
-//! In: positions. Out: the sums of forces, each node's added in the order of the springs. The nodes of a patch are copied
-//! to and fro once, four numbers each: a spring then reads and writes each end in one go, and names it by a byte.
+//! In: positions. Out: sums of forces, each node's added in the order of the springs. The nodes of a patch are copied
+//! in and out once, four numbers each: a spring then reads and writes each end at once, and refers to it by one byte.
 
 use super::mean;
 use super::spring::is_runaway;
@@ -10,17 +10,17 @@ use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Nodes of a patch at most: as many as a byte has values.
+/// Most nodes of a patch: as many as a byte has values.
 pub const NODES: usize = 256;
-/// Few nodes, for which less memory is cleared.
+/// Patches of at most this many nodes use smaller memory, which is cleared faster.
 const FEW: usize = 64;
 
-/// Springs of a body in patches that follow one another.
+/// Springs of a body as a sequence of patches.
 #[derive(Clone, Copy, Debug)]
 pub struct Patches<'a, S> {
-    /// Where the nodes and the springs of each patch end in the lists.
+    /// Ends of the nodes and of the springs of each patch in the lists.
     pub ends: &'a [[usize; 2]],
-    /// Nodes, patch after patch, those of one patch different.
+    /// Nodes, patch after patch; no node twice in one patch.
     pub nodes: &'a [usize],
     /// Tail and head of each spring among the nodes of its patch.
     pub springs: &'a [[u8; 2]],
@@ -30,18 +30,19 @@ pub struct Patches<'a, S> {
     pub rest_length: &'a [S],
     /// C (N s/m).
     pub damping: &'a [S],
-    /// Whether a spring has a damper.
+    /// Whether any spring has a damper.
     pub is_damped: bool,
 }
 
-/// Adds the elastic forces of springs (N); returns whether one of them has run away, see [`super::spring::STRETCH_LIMIT`].
+/// Adds the elastic forces of springs (N); returns whether any of them is a runaway, see
+/// [`super::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Pulls<'a, S> {
     /// The springs.
     pub patches: Patches<'a, S>,
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -61,13 +62,13 @@ impl<S: Scalar> Kernel for Pulls<'_, S> {
 /// Adds the forces of dampers (N).
 #[derive(Debug)]
 pub struct Damps<'a, S> {
-    /// Their springs.
+    /// The springs of the dampers.
     pub patches: Patches<'a, S>,
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
     /// Velocities (m/s).
     pub vel: &'a [Vec3<S>],
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -90,7 +91,7 @@ pub struct Means<'a, 'w, S> {
     pub patches: Patches<'a, S>,
     /// The step.
     pub way: &'w Way<'a, S>,
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -105,23 +106,23 @@ impl<S: Scalar> Kernel for Means<'_, '_, S> {
     }
 }
 
-/// Vectors, four numbers each, of which the last is nothing.
+/// Vectors padded to four numbers; the fourth is 0.
 type Fours<S, const N: usize> = [[S; 4]; N];
 
-/// What is copied of a patch and computed of a block of springs.
+/// Copies of a patch's nodes, and results for a block of springs.
 struct Room<S, const N: usize, const MOST: usize> {
-    /// Nodes of the patch, in each of the rows.
+    /// Nodes of the patch, for each of the rows.
     places: [Fours<S, MOST>; N],
     /// Forces on them.
     sums: Fours<S, MOST>,
-    /// Ways of springs from tail to head, in each of the rows.
+    /// Vectors of springs from tail to head, for each of the rows.
     ways: [Fours<S, BLOCK>; N],
     /// Forces on their tails.
     pulls: Fours<S, BLOCK>,
 }
 
-/// Adds to the nodes of each spring the force that `law` gives for its tail, of the ways from tail to head in each of the
-/// `rows` and of K, L and C; returns whether it has said yes of one.
+/// Adds forces to both ends of each spring. `law` gives the force on its tail, and a flag, from the vector from tail to
+/// head in each of the `rows` and from K, L and C. Returns whether any flag was set.
 #[inline(always)]
 fn walk<S: Scalar, const N: usize>(
     patches: Patches<S>,
@@ -129,14 +130,14 @@ fn walk<S: Scalar, const N: usize>(
     force: &mut [Vec3<S>],
     law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
 ) -> bool {
-    // To clear room for 256 takes as long as some hundred springs.
+    // Clearing memory for 256 nodes takes as long as about a hundred springs.
     match patches.nodes.len() {
         0..=FEW => walk_within::<S, N, FEW>(patches, rows, force, law),
         _ => walk_within::<S, N, NODES>(patches, rows, force, law),
     }
 }
 
-/// The same of patches of so many nodes at most.
+/// The same for patches of at most `MOST` nodes.
 #[inline(always)]
 fn walk_within<S: Scalar, const N: usize, const MOST: usize>(
     patches: Patches<S>,
@@ -186,10 +187,11 @@ fn read<S: Scalar>(rows: &[Vec3<S>], nodes: &[usize], to: &mut [[S; 4]]) {
     }
 }
 
-// The loop that reads nodes asks whether these are there: the compiler then takes a node as one register, where it would else collect
-// numbers of several springs one by one. That which adds forces need not ask: a byte is a place of the room.
+// The loop that reads nodes checks that they exist: the compiler then loads a node as one register, instead of
+// gathering numbers of several springs one by one. The loop that adds forces needs no check: any byte is a valid index
+// of the memory.
 impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
-    /// The ways of a block of springs.
+    /// The vectors from tail to head of a block of springs.
     #[inline(always)]
     fn span(&mut self, springs: &[[u8; 2]], nodes: usize) {
         for (ways, places) in self.ways.iter_mut().zip(&self.places) {
@@ -211,7 +213,7 @@ impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
         [stiffness, rest_length, damping]: [&[S]; 3],
         law: impl Fn([Vec3<S>; N], [S; 3]) -> (Vec3<S>, bool),
     ) -> bool {
-        // A number as wide as a lane: a truth value would be taken out of its register.
+        // An integer as wide as a lane: a bool would be moved out of its vector register.
         let mut found = 0_u32;
         let numbers = stiffness.iter().zip(rest_length.iter().zip(damping));
         for (lane, (pull, (stiffness, (rest_length, damping)))) in
@@ -219,8 +221,8 @@ impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
         {
             let ways = self.ways.each_ref().map(|ways| [ways[lane][0], ways[lane][1], ways[lane][2]]);
             let ([x, y, z], yes) = law(ways, [*stiffness, *rest_length, *damping]);
-            // The fourth, 0, of every row is read too: of threes among fours the compiler would leave the last ones of a block for
-            // one by one.
+            // Read the fourth number, 0, of every row too: with three of four the compiler would compute the last ones
+            // of a block one by one.
             let none =
                 self.ways.each_ref().map(|ways| ways[lane][3]).into_iter().fold(S::ZERO, |sum, x| sum + x);
             *pull = [x, y, z, none];
@@ -229,7 +231,7 @@ impl<S: Scalar, const N: usize, const MOST: usize> Room<S, N, MOST> {
         found > 0
     }
 
-    /// Adds them to the nodes, with the operations of [`super::spring::Spring::pull`] and their order.
+    /// Adds the forces to the nodes, with the operations of [`super::spring::Spring::pull`] in their order.
     #[inline(always)]
     fn add(&mut self, springs: &[[u8; 2]]) {
         for ([tail, head], pull) in springs.iter().zip(&self.pulls) {

@@ -24,7 +24,7 @@ pub enum PressureForm {
     Exact,
 }
 
-/// What the gas does when the volume changes.
+/// How the gas responds to a change of volume.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gas<S> {
     /// Gauge pressure (Pa) held constant.
@@ -33,13 +33,13 @@ pub enum Gas<S> {
     Polytropic {
         /// Gauge pressure at `volume` (Pa).
         pressure: S,
-        /// Pressure outside (Pa), absolute.
+        /// Absolute ambient pressure (Pa).
         ambient: S,
         /// Volume at which `pressure` holds (m^3), > 0.
         volume: S,
-        /// n: 1 slow, 1.4 fast.
+        /// n: 1 for slow (isothermal) changes, 1.4 for fast (adiabatic) ones.
         exponent: S,
-        /// Volume (m^3) that the facets do not see (between an open sheet and its base).
+        /// Volume (m^3) that the facets do not enclose (between an open sheet and its base).
         dead_volume: S,
     },
 }
@@ -49,11 +49,12 @@ pub enum Gas<S> {
 pub struct Inflation<S> {
     /// Law of the gas.
     pub gas: Gas<S>,
-    /// Sharing of the force.
+    /// How a facet's force is shared by its corners.
     pub form: PressureForm,
 }
 
-/// Facets and the gas inside. It bounds no step: where its stiffness counts, a scene's own step is what limits it.
+/// Facets and the gas inside. The gas is left out of the bound on the stable step; where its stiffness matters, choose
+/// the step yourself.
 #[derive(Clone, Copy, Debug)]
 pub struct Filled<'a, S> {
     /// Corners of each facet.
@@ -62,19 +63,20 @@ pub struct Filled<'a, S> {
     pub inflation: Inflation<S>,
 }
 
-/// How much of the diagonals' products each corner takes, see [`corner_shares`].
+/// Weights of the cross products at each corner, see [`corner_shares`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weights<S> {
-    /// Of p x q: corners a, b, c.
+    /// Of p x q, at corners a, b, c.
     area: S,
-    /// Of p x q: corner d.
+    /// Of p x q, at corner d.
     last: S,
     /// Of q x g and p x g.
     warp: S,
 }
 
 impl<S: Scalar> Weights<S> {
-    /// Of a facet with four corners, or of a triangle, c = d: it is flat, its three corners take equal shares.
+    /// Weights for a facet with four corners, or for a triangle (c = d), which is flat and whose three corners take
+    /// equal shares.
     pub fn of(form: PressureForm, is_triangle: bool) -> Self {
         if is_triangle {
             return Weights { area: S::from_f64(1.0 / 6.0), last: S::ZERO, warp: S::ZERO };
@@ -171,7 +173,7 @@ pub fn gauge_pressure<S: Scalar>(gas: &Gas<S>, facet_volume: S) -> Result<S, Bod
     }
 }
 
-/// Energy (J) that the gas can still give: -p V, or the work of the gas law against the air outside.
+/// Energy (J) that the gas can still release: -p V, or the work of the gas law against the ambient pressure.
 #[must_use]
 pub fn energy<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> S {
     let facet_volume = enclosed_volume(filled.facets, pos);
@@ -181,7 +183,7 @@ pub fn energy<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> S {
             let now = facet_volume + dead_volume;
             let (absolute, log_ratio) = (pressure + ambient, (now / volume).ln());
             let power = exponent - S::ONE;
-            // int p_abs dV from volume to now; n = 1 is the limit, taken where the quotient loses its digits.
+            // int p_abs dV from `volume` to `now`; n = 1 is the limit, used where the quotient would lose its digits.
             let work = if power.abs() > S::from_f64(1e-6) {
                 absolute * volume * (S::ONE - (-(power * log_ratio)).exp()) / power
             } else {
@@ -204,7 +206,7 @@ pub fn of<S: Scalar>(filled: &Filled<S>, pos: &[Vec3<S>]) -> Result<S, BodyError
     gauge_pressure(&filled.inflation.gas, volume)
 }
 
-/// Names the spring that the pressure has stretched beyond [`STRETCH_LIMIT`], and the pressure.
+/// Refuses a spring that the pressure has stretched beyond [`STRETCH_LIMIT`], naming spring and pressure.
 pub(super) fn runaway<S: Scalar>(
     filled: &Filled<S>,
     springs: &[Spring<S>],

@@ -1,15 +1,15 @@
-//! A body at rest at each pressure, as it was found beforehand: for pressures that change slower than the body vibrates.
+//! Precomputed rest shapes of a body at each pressure, for pressures that change slower than the body vibrates.
 //!
-//! In: coefficients of Chebyshev's polynomials, for every node and for the volume, a pressure. Out: positions, volume.
+//! In: coefficients of Chebyshev polynomials for every node and for the volume, a pressure. Out: positions, volume.
 //! x(p) = sum c_k T_k(s), s = -1 to 1 over the range of pressures; T_k+1 = 2 s T_k - T_k-1.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// What was found beforehand.
+/// The precomputed coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Rest<'a, S> {
-    /// Least and largest pressure (Pa); beyond them a body stays as it is there.
+    /// Lowest and highest pressure (Pa); beyond them the shape stays that at the bound.
     pub range: [S; 2],
     /// Coefficients of the positions (m): those of all nodes for the first polynomial, then for the next.
     pub places: &'a [Vec3<S>],

@@ -7,13 +7,13 @@
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// A spring stretched to more than this many rest lengths counts as a runaway.
+/// A spring longer than this many rest lengths is a runaway: the body has no equilibrium.
 ///
 /// Membranes of linear springs lose their last equilibrium below twice the rest length; the factor 4
 /// lies beyond every overshoot of a body that still has one.
 pub const STRETCH_LIMIT: f64 = 4.0;
 
-/// Is a spring of this length beyond [`STRETCH_LIMIT`]?
+/// Whether a spring of this length is beyond [`STRETCH_LIMIT`].
 #[inline(always)]
 pub(super) fn is_runaway<S: Scalar>(rest_length: S, length: S) -> bool {
     (rest_length > S::ZERO) & (length > S::from_f64(STRETCH_LIMIT) * rest_length)
@@ -46,7 +46,7 @@ pub struct Stretch<S> {
 }
 
 impl<S: Scalar> Spring<S> {
-    /// Where the spring is and how fast it grows.
+    /// Direction, length and rate of length at a state.
     #[must_use]
     pub fn stretch(&self, pos: &[Vec3<S>], vel: &[Vec3<S>]) -> Stretch<S> {
         let (direction, length) = self.direction(pos);
@@ -66,7 +66,7 @@ impl<S: Scalar> Spring<S> {
         self.stiffness * (length - self.rest_length)
     }
 
-    /// Adds the elastic forces; returns whether the spring has run away, see [`STRETCH_LIMIT`].
+    /// Adds the elastic forces; returns whether the spring is a runaway, see [`STRETCH_LIMIT`].
     #[inline(always)]
     pub fn add_elastic(&self, pos: &[Vec3<S>], force: &mut [Vec3<S>]) -> bool {
         let (direction, length) = self.direction(pos);

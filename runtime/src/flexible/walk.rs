@@ -1,11 +1,12 @@
-//! A rectangular sheet in a frame, stepped by one walk through its nodes: for cores that compute number by number.
+//! A rectangular sheet in a frame, stepped in one pass over its nodes: for cores without vector registers.
 //!
-//! In: nodes row by row, the frame's among them, and what all springs of a direction share. Out: the nodes a step later, in place.
-//! Velocity Verlet whose dampers and air see predicted speeds (Groot and Warren 1997): x += h v + h^2/2 a; v~ = v + h a;
-//! v += h/2 (a + a(x, v~)): order 2, one evaluation, explicit. A row moves just before the row below it asks for its places; each spring and
-//! facet is computed once, and what a node hears from its left stays in registers.
-//! Pressure: the gradient of the volume ([`super::PressureForm::Exact`]). A corner of the frame, which no spring holds, stands midway
-//! between its neighbours: its facet is then the triangle of the other three.
+//! In: nodes row by row, including the frame's, and the common properties of all springs of a direction. Out: the nodes
+//! one step later, in place. Velocity Verlet in which dampers and air drag use predicted speeds (Groot & Warren 1997):
+//! x += h v + h^2/2 a; v~ = v + h a; v += h/2 (a + a(x, v~)): order 2, one evaluation, explicit. A row is moved just
+//! before the row below it needs its positions; each spring and facet is computed once, and the forces from a node's
+//! left stay in registers. Pressure: the gradient of the volume ([`super::PressureForm::Exact`]). A corner of the
+//! frame, which no spring holds, lies midway between its neighbours, so that its facet is the triangle of the other
+//! three.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
@@ -15,67 +16,67 @@ use crate::vec3::{self, Vec3};
 pub struct Node<S> {
     /// Position (m).
     pub pos: Vec3<S>,
-    /// Velocity (m/s); from when its row has moved until its forces are known, the predicted one.
+    /// Velocity (m/s); the predicted one between the move of its row and the evaluation of its forces.
     pub vel: Vec3<S>,
     /// Acceleration (m/s^2).
     pub acc: Vec3<S>,
-    /// Force of springs and facets below it (N).
+    /// Force of the springs and facets below it (N).
     below: Vec3<S>,
     /// 1/mass (1/kg); 0 in the frame.
     pub inverse_mass: S,
 }
 
 impl<S: Scalar> Node<S> {
-    /// Where it is (m) and how fast it moves (m/s).
+    /// A node at a position (m) with a velocity (m/s).
     #[must_use]
     pub fn new(pos: Vec3<S>, vel: Vec3<S>, inverse_mass: S) -> Self {
         Node { pos, vel, acc: vec3::zero(), below: vec3::zero(), inverse_mass }
     }
 }
 
-/// What all springs of a direction are.
+/// Common properties of all springs of a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tie<S> {
     /// K (N/m).
     pub stiffness: S,
     /// L (m).
     pub rest_length: S,
-    /// C (N s/m), where they have dampers.
+    /// C (N s/m); None without dampers.
     pub damping: Option<S>,
 }
 
-/// What never changes.
+/// The constants of a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sheet<S> {
-    /// Nodes of a row, the frame's two among them.
+    /// Nodes of a row, including two of the frame.
     pub columns: usize,
-    /// Springs along rows, and along columns; none where nothing is stiff.
+    /// Springs along rows and along columns; None for a sheet without stiffness.
     pub springs: Option<[Tie<S>; 2]>,
     /// Weight of a node (N).
     pub weight: Vec3<S>,
-    /// Force of the air on a node over its speed (N s/m).
+    /// Drag of the air on a node per speed (N s/m).
     pub air_drag: S,
-    /// Gauge pressure (Pa), where there is gas.
+    /// Gauge pressure (Pa); None without gas.
     pub pressure: Option<S>,
 }
 
-/// The sheet has been lost: a number has left the numbers, the step was too long. The nodes are worthless.
+/// A number became infinite or NaN because the step was too long; the nodes are unusable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lost;
 
 impl<S: Scalar> Sheet<S> {
-    /// Computes the accelerations of the start.
+    /// Computes the accelerations at the start.
     ///
     /// # Errors
-    /// Where one is no number.
+    /// [`Lost`] if one is not finite.
     pub fn begin(&self, nodes: &mut [Node<S>]) -> Result<(), Lost> {
         self.step(nodes, S::ZERO)
     }
 
-    /// Advances all nodes by h (s), row by row; they must be whole rows.
+    /// Advances all nodes by h (s), row by row; the slice must hold whole rows.
     ///
     /// # Errors
-    /// Where an acceleration is no number.
+    /// [`Lost`] if an acceleration is not finite.
     #[inline(always)]
     pub fn step(&self, nodes: &mut [Node<S>], h: S) -> Result<(), Lost> {
         let half = S::from_f64(0.5) * h;
@@ -89,12 +90,12 @@ impl<S: Scalar> Sheet<S> {
         if sum.is_finite() { Ok(()) } else { Err(Lost) }
     }
 
-    /// Moves the row above, then finishes this one; returns a number that is none where an acceleration is none.
+    /// Moves the row above, then finishes this one; returns a sum that is not finite if any acceleration is not.
     #[inline(always)]
     fn row(&self, here: &mut [Node<S>], above: &mut [Node<S>], [h, half]: [S; 2]) -> S {
         let mut sum = S::ZERO;
         let mut pairs = here.iter_mut().zip(above);
-        // The first and the last stand in the frame, which nothing moves.
+        // The first and the last node belong to the frame, which does not move.
         let Some((mut left, mut corner)) = pairs.next() else { return sum };
         let mut rise = vec3::sub(corner.pos, left.pos);
         let (mut force, mut pushed) = (vec3::zero(), vec3::zero());
@@ -114,7 +115,7 @@ impl<S: Scalar> Sheet<S> {
         sum
     }
 
-    /// Force on the tail of a spring (N), of its way to the head (m) and of that way's rate (m/s).
+    /// Force (N) on the tail of a spring, given the vector to its head (m) and the rate of that vector (m/s).
     #[inline(always)]
     fn pull(&self, direction: usize, way: Vec3<S>, rate: Vec3<S>) -> Vec3<S> {
         let Some(springs) = &self.springs else { return vec3::zero() };
@@ -129,7 +130,8 @@ impl<S: Scalar> Sheet<S> {
         vec3::scale(way, over_length)
     }
 
-    /// Acceleration and velocity of a node under a force (N) of springs and facets.
+    /// Sets acceleration and velocity of a node under a force (N) of springs and facets; returns the sum of the
+    /// acceleration's components.
     #[inline(always)]
     fn finish(&self, node: &mut Node<S>, force: Vec3<S>, half: S) -> S {
         let force = vec3::axpy(vec3::add(force, self.weight), -self.air_drag, node.vel);
@@ -139,7 +141,7 @@ impl<S: Scalar> Sheet<S> {
         acc[0] + acc[1] + acc[2]
     }
 
-    /// Forces of the pressure on the corners of a facet (N), of its sides a -> b, a -> d, b -> c (m).
+    /// Pressure forces on the corners of a facet (N), given its sides a -> b, a -> d, b -> c (m).
     //   p = c - a, q = d - b, g = a + c - b - d in the shares of `pressure::corner_shares`, written in the sides s, u, w:
     //   p x q = s x u + s x w - u x w,  q x g = s x u - s x w + u x w,  p x g = s x w - s x u + u x w
     #[inline(always)]
@@ -155,7 +157,7 @@ impl<S: Scalar> Sheet<S> {
 }
 
 impl<S: Scalar> Node<S> {
-    /// x += h v + h^2/2 a, v += h a: v as it is predicted.
+    /// x += h v + h^2/2 a, and the predicted v += h a.
     #[inline(always)]
     fn advance(&mut self, h: S, half: S) {
         let middle = vec3::axpy(self.vel, half, self.acc);

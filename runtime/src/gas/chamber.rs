@@ -1,22 +1,22 @@
-//! A chamber of gas: its state, its pressure at a volume, its lines, and what it does to energy.
+//! A chamber of gas: state, pressure at a volume, lines, and energy accounts.
 
 use super::ideal::Gas;
 use super::nozzle::{Nozzle, Source};
 use crate::real::Scalar;
 
-/// Parts of a step at most in [`Chamber::flow`].
+/// Most parts of a step in [`Chamber::flow`].
 pub const PARTS: u16 = 4096;
 
-/// What does not change of a chamber.
+/// Constants of a chamber.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Chamber<S> {
     /// The gas.
     pub gas: Gas<S>,
     /// n, from 1 (isothermal) to gamma (adiabatic).
     pub exponent: S,
-    /// V_r (m^3), > 0: the volume at which the state is a pressure.
+    /// V_r (m^3), > 0: the volume to which the state refers.
     pub reference_volume: S,
-    /// Pressure outside (Pa), absolute.
+    /// Absolute ambient pressure (Pa).
     pub ambient: S,
 }
 
@@ -29,31 +29,31 @@ pub struct GasState<S> {
     pub mass: S,
 }
 
-/// A line to a reservoir that keeps its pressure: a supply, or the air outside. Gas flows where pressure is lower.
+/// A line to a reservoir of constant pressure: a supply, or the ambient. Gas flows towards the lower pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line<S> {
-    /// The valve when open.
+    /// The valve when fully open.
     pub nozzle: Nozzle<S>,
-    /// How far it is open, 0 to 1: a share of the conductance.
+    /// Opening of the valve, 0 to 1: share of the conductance.
     pub opening: S,
-    /// What is behind it.
+    /// State of the reservoir.
     pub reservoir: Source<S>,
 }
 
-/// Energy by its ways (J), or the rates of these (W).
+/// Energy accounts of a gas (J), or their rates (W).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Account<S> {
     /// Enthalpy that flowed in.
     pub enthalpy_in: S,
     /// Enthalpy that flowed out.
     pub enthalpy_out: S,
-    /// Heat taken up through the walls.
+    /// Heat absorbed through the walls.
     pub heat: S,
-    /// Work on the walls, that against the outside included: integral of p dV, p absolute.
+    /// Work on the walls, including that against the ambient: integral of p dV, p absolute.
     pub work: S,
 }
 
-/// Rates of a gas.
+/// Rates of the gas state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates<S> {
     /// s' (Pa/s).
@@ -64,25 +64,25 @@ pub struct Rates<S> {
     pub power: Account<S>,
 }
 
-/// What a gas cannot do.
+/// Why a gas state is refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum GasFault<S> {
     /// The volume (m^3) is not positive: the walls have passed through one another.
     Collapsed(S),
-    /// The mass (kg) is not positive: more flowed out in one step than was there; take a shorter one.
+    /// The mass (kg) is not positive: more flowed out in one step than there was; take a shorter step.
     Empty(S),
-    /// Pressures meet this many times faster than a step follows; take a shorter one, or a narrower line.
+    /// Pressures equalise this many times faster than a step can follow; take a shorter step, or a narrower line.
     TooFast(S),
 }
 
 impl<S: Scalar> Account<S> {
-    /// Nothing yet.
+    /// All zero.
     #[must_use]
     pub fn empty() -> Account<S> {
         Account { enthalpy_in: S::ZERO, enthalpy_out: S::ZERO, heat: S::ZERO, work: S::ZERO }
     }
 
-    /// This and h times another.
+    /// self + h * other.
     #[must_use]
     pub fn plus(&self, h: S, other: &Account<S>) -> Account<S> {
         Account {
@@ -93,7 +93,7 @@ impl<S: Scalar> Account<S> {
         }
     }
 
-    /// What the internal energy gains by it: in - out + heat - work.
+    /// Gain of internal energy: enthalpy in - out + heat - work.
     #[must_use]
     pub fn gain(&self) -> S {
         self.enthalpy_in - self.enthalpy_out + self.heat - self.work
@@ -101,7 +101,7 @@ impl<S: Scalar> Account<S> {
 }
 
 impl<S: Scalar> Line<S> {
-    /// Mass flow (kg/s) into and out of a chamber at this state; one of them is 0.
+    /// Mass flow (kg/s) into and out of a chamber at this state; one of the two is 0.
     fn flows(&self, inside: Source<S>) -> (S, S) {
         let into = self.nozzle.mass_flow(self.reservoir, inside.pressure);
         let out = self.nozzle.mass_flow(inside, self.reservoir.pressure);
@@ -120,7 +120,7 @@ impl<S: Scalar> Chamber<S> {
     /// Absolute pressure (Pa) and temperature (K) at a volume (m^3).
     ///
     /// # Errors
-    /// [`GasFault`] without volume or mass.
+    /// [`GasFault`] if volume or mass is not positive.
     pub fn inside(&self, state: &GasState<S>, volume: S) -> Result<Source<S>, GasFault<S>> {
         let pressure = self.pressure(state, volume)?;
         if state.mass > S::ZERO {
@@ -133,7 +133,7 @@ impl<S: Scalar> Chamber<S> {
     /// Absolute pressure (Pa).
     ///
     /// # Errors
-    /// [`GasFault::Collapsed`] without volume.
+    /// [`GasFault::Collapsed`] if the volume is not positive.
     pub fn pressure(&self, state: &GasState<S>, volume: S) -> Result<S, GasFault<S>> {
         if volume > S::ZERO {
             Ok(state.reference_pressure / self.expansion(volume))
@@ -142,7 +142,7 @@ impl<S: Scalar> Chamber<S> {
         }
     }
 
-    /// Pressure above that outside (Pa): what pushes the walls outwards.
+    /// Pressure above ambient (Pa), which pushes the walls outwards.
     ///
     /// # Errors
     /// As for [`Chamber::pressure`].
@@ -150,7 +150,7 @@ impl<S: Scalar> Chamber<S> {
         Ok(self.pressure(state, volume)? - self.ambient)
     }
 
-    /// -dp/dV (Pa/m^3) with the lines shut: n p/V, the gas' stiffness.
+    /// -dp/dV (Pa/m^3) with the lines shut: n p/V, the stiffness of the gas.
     ///
     /// # Errors
     /// As for [`Chamber::pressure`].
@@ -166,8 +166,8 @@ impl<S: Scalar> Chamber<S> {
         Ok(self.pressure(state, volume)? * volume / (self.gas.heat_capacity_ratio - S::ONE))
     }
 
-    /// Energy (J) that walls get back from the sealed gas and the air outside: minus the integral of the gauge
-    /// pressure from V_r. Heat through the walls is not in it.
+    /// Energy (J) that the sealed gas and the ambient can return to the walls: minus the integral of the gauge
+    /// pressure from V_r. Heat through the walls is not included.
     ///
     /// # Errors
     /// As for [`Chamber::pressure`].
@@ -177,10 +177,10 @@ impl<S: Scalar> Chamber<S> {
         Ok(outside - state.reference_pressure * self.reference_volume * self.length(volume))
     }
 
-    /// Rates at a volume (m^3) that changes (m^3/s), through these lines.
+    /// Rates at a volume (m^3) and its rate (m^3/s), with these lines.
     ///
     /// # Errors
-    /// [`GasFault`] without volume or mass.
+    /// [`GasFault`] if volume or mass is not positive.
     pub fn rates(
         &self,
         state: &GasState<S>,
@@ -210,13 +210,13 @@ impl<S: Scalar> Chamber<S> {
         Ok(Rates { reference_pressure, mass, power })
     }
 
-    /// The gas after h (s) through lines at a volume (m^3) that rests, and what it took (J).
+    /// The state after h (s) of flow through lines at constant volume (m^3), and its energy account (J).
     ///
-    /// The explicit trapezoidal rule (order 2), in parts short enough for where pressures meet: there p relaxes at the rate
-    /// n R T/V sum dm'/dp.
+    /// The explicit trapezoidal rule (order 2), in parts short enough for equalising pressures: near equality p relaxes
+    /// at the rate n R T/V sum dm'/dp.
     ///
     /// # Errors
-    /// [`GasFault`] without volume or mass, or with more parts than an interval may be split into.
+    /// [`GasFault`] if volume or mass is not positive, or if more than `PARTS` parts are needed.
     pub fn flow(
         &self,
         state: &GasState<S>,
@@ -252,8 +252,8 @@ impl<S: Scalar> Chamber<S> {
         Ok((state, account))
     }
 
-    /// What the gas, lines shut, takes (J) on the way from one volume (m^3) to another: W = integral of p dV on the walls, heat
-    /// (n - gamma)/(gamma - 1) (-W).
+    /// Energy account (J) of the gas, lines shut, from one volume (m^3) to another: work on the walls W = integral of p
+    /// dV, heat (n - gamma)/(gamma - 1) (-W).
     #[must_use]
     pub fn pushed(&self, state: &GasState<S>, from: S, to: S) -> Account<S> {
         let length = self.length(to) - self.length(from);
@@ -265,7 +265,7 @@ impl<S: Scalar> Chamber<S> {
     /// The integral of (V_r/V)^n dV/V_r from V_r to a volume.
     fn length(&self, volume: S) -> S {
         let (power, log) = (self.exponent - S::ONE, (volume / self.reference_volume).ln());
-        // n = 1 is the limit, taken where the quotient loses its digits.
+        // n = 1 is the limit, used where the quotient would lose its digits.
         if power.abs() > S::from_f64(1e-6) { (S::ONE - (-(power * log)).exp()) / power } else { log }
     }
 
@@ -280,15 +280,15 @@ impl<S: Scalar> Chamber<S> {
 pub struct Regulated<S> {
     /// The gas.
     pub gas: Gas<S>,
-    /// Pressure above that outside (Pa).
+    /// Pressure above ambient (Pa).
     pub gauge: S,
-    /// Pressure outside (Pa), absolute.
+    /// Absolute ambient pressure (Pa).
     pub ambient: S,
 }
 
 impl<S: Scalar> Regulated<S> {
-    /// Powers (W) at a rate of volume (m^3/s): the regulator moves gas of the chamber's own temperature,
-    /// p V' = R T m', so that c_p T m' = gamma/(gamma - 1) p V' of enthalpy enter and no heat does.
+    /// Powers (W) at a rate of volume (m^3/s). The regulator moves gas of the chamber's own temperature,
+    /// p V' = R T m', so enthalpy enters at c_p T m' = gamma/(gamma - 1) p V', and no heat does.
     #[must_use]
     pub fn power(&self, volume_rate: S) -> Account<S> {
         let ratio = self.gas.heat_capacity_ratio;
@@ -304,7 +304,7 @@ impl<S: Scalar> Regulated<S> {
         (self.gauge + self.ambient) * volume / (self.gas.heat_capacity_ratio - S::ONE)
     }
 
-    /// Energy (J) that walls get back: -gauge V.
+    /// Energy (J) that the gas can return to the walls: -gauge V.
     #[must_use]
     pub fn potential(&self, volume: S) -> S {
         -(self.gauge * volume)

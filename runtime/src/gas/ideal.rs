@@ -1,8 +1,8 @@
-//! The two numbers of an ideal gas.
+//! The two material constants of an ideal gas.
 
 use crate::real::Scalar;
 
-/// What kind of gas.
+/// Material constants of an ideal gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gas<S> {
     /// R (J/(kg K)).

@@ -1,4 +1,4 @@
-//! Mass flow of gas through a restriction (ISO 6358-1:2013): choked, subsonic, and linear where the pressures meet.
+//! Mass flow of gas through a restriction (ISO 6358-1:2013): choked, subsonic, and linear near equal pressures.
 //!
 //! In: conductance C, critical ratio b, pressures and upstream temperature. Out: kg/s. With r = p_2/p_1:
 //! ```text
@@ -15,7 +15,7 @@ use crate::real::Scalar;
 pub const REFERENCE_DENSITY: f64 = 1.185;
 /// T_0 (K) of ISO 6358.
 pub const REFERENCE_TEMPERATURE: f64 = 293.15;
-/// The flow is linear for 1 - r up to this.
+/// The flow is linear for 1 - r below this.
 pub const LINEAR_RANGE: f64 = 1e-3;
 
 /// A restriction: valve, orifice or leak.
@@ -39,7 +39,8 @@ pub struct Source<S> {
 impl<S: Scalar> Nozzle<S> {
     /// A sharp orifice of this diameter (m): C from its choked flow, b that of isentropic flow.
     ///
-    /// The ellipse of ISO 6358 then meets the orifice's subsonic flow within 1 %, and Bernoulli's law near r = 1 within 0.4 %.
+    /// The ellipse of ISO 6358 then agrees with the orifice's subsonic flow within 1 %, and with Bernoulli's law near r
+    /// = 1 within 0.4 %.
     #[must_use]
     pub fn orifice(gas: &Gas<S>, diameter: S, discharge: S) -> Nozzle<S> {
         let (one, two) = (S::ONE, S::from_f64(2.0));
@@ -66,7 +67,7 @@ impl<S: Scalar> Nozzle<S> {
         self.conductance * density * upstream.pressure * cooling * self.share(ratio)
     }
 
-    /// The most that mass flow from upstream changes with the pressure downstream (kg/(s Pa)): where the pressures meet.
+    /// Largest change of the mass flow per change of the downstream pressure (kg/(s Pa)): that at equal pressures.
     #[must_use]
     pub fn steepest(&self, upstream: Source<S>) -> S {
         let range = S::from_f64(LINEAR_RANGE);
@@ -74,7 +75,7 @@ impl<S: Scalar> Nozzle<S> {
         self.conductance * S::from_f64(REFERENCE_DENSITY) * cooling * self.ellipse(range) / range
     }
 
-    /// psi(r), the flow as a share of the choked one.
+    /// psi(r), the flow relative to choked flow.
     fn share(&self, ratio: S) -> S {
         let range = S::from_f64(LINEAR_RANGE);
         let left = S::ONE - ratio;

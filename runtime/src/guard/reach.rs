@@ -1,7 +1,8 @@
-//! Can any of the free nodes reach the ground within a step? Bounds, taken side by side.
+//! Tests in blocks whether any free node can reach the ground within a step, by bounds.
 //!
-//! In: a block of nodes, their motion at the start and the end of a step. Out: the least gap, and a bound below all gaps in
-//! between; only blocks near the ground are then looked at node by node. No event and no bit depends on the blocks.
+//! In: a block of nodes, their motion at the start and the end of a step. Out: the least gap, and a lower bound on all
+//! gaps in between; only blocks near the ground are then examined node by node. Neither events nor bits depend on the
+//! blocks.
 
 use crate::contact::{ContactState, Ground};
 use crate::flexible::Body;
@@ -10,32 +11,32 @@ use crate::ode::nodes::Motion;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// Nodes looked at together: a microcontroller looks at each by itself.
+/// Nodes examined together: on a microcontroller each by itself.
 const BLOCK: usize = if cfg!(target_os = "none") { 1 } else { 128 };
-/// Numbers side by side.
+/// Numbers compared side by side.
 const LANES: usize = 16;
 
-/// The nodes in blocks, with the number of the first.
+/// The nodes in blocks, with the index of the first.
 pub(super) fn blocks(modes: &[ContactState]) -> impl Iterator<Item = (usize, &[ContactState])> {
     modes.chunks(BLOCK).enumerate().map(|(i, modes)| (i * BLOCK, modes))
 }
 
-/// Are these nodes to be looked at together? Few are not: each by itself costs less.
+/// Whether these nodes are all free and enough to be examined together: a few cost less one by one.
 pub(super) fn are_free(modes: &[ContactState]) -> bool {
-    // Without a way out in between: side by side.
+    // Without an early exit, so that it vectorises.
     BLOCK > 1
         && modes.len() >= LANES
         && modes.iter().fold(true, |free, mode| free & (*mode == ContactState::Free))
 }
 
-/// The rows of so many nodes from `first` on.
+/// The `count` rows from `first` on.
 #[inline(always)]
 fn rows<S>(rows: &[Vec3<S>], first: usize, count: usize) -> &[Vec3<S>] {
     let rest = rows.get(first..).unwrap_or_default();
     rest.get(..count).unwrap_or(rest)
 }
 
-/// Smallest gap (m) of the nodes of a block that can move, at the positions `pos` of all; 1/EPSILON where there is none.
+/// Smallest gap (m) of the movable nodes of a block at the positions `pos` of all; 1/EPSILON if there is none.
 pub(super) struct Nearest<'a, S> {
     pub body: &'a Body<'a, S>,
     pub ground: &'a Ground<S>,
@@ -60,7 +61,7 @@ impl<S: Scalar> Kernel for Nearest<'_, S> {
     }
 }
 
-/// Takes the gaps of some nodes that can move.
+/// Lowers each lane to the gap of a movable node.
 #[inline(always)]
 fn nearer<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, pos: &[Vec3<S>], inverse: &[Vec3<S>]) {
     let asleep = S::ONE / S::EPSILON;
@@ -70,7 +71,7 @@ fn nearer<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, pos: &[Vec3<S>]
     }
 }
 
-/// Can no node of a block reach the ground between the start and the end of a step?
+/// Whether no node of a block can reach the ground between the start and the end of a step.
 pub(super) fn is_clear<S: Scalar>(
     ground: &Ground<S>,
     (first, modes): (usize, &[ContactState]),
@@ -80,10 +81,11 @@ pub(super) fn is_clear<S: Scalar>(
     are_free(modes) && kernel::run(Lowest { ground, first, count: modes.len(), ends, h }) > S::ZERO
 }
 
-/// Smallest height (m) above which the gaps of the nodes of a block stay between the start and the end of a step.
+/// Lower bound (m) on the gaps of the nodes of a block between the start and the end of a step.
 ///
-/// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the values sum
-/// to 1, those of the rates are 4/27 at most. 1/2 instead, and so much of the values, is more than rounding.
+/// A cubic through values g0, g1 and rates r0, r1 stays above min(g0, g1) - 4/27 (|r0| + |r1|): the weights of the
+/// values sum to 1, those of the rates are at most 4/27. Using 1/2 instead, and a small share of the values, covers
+/// rounding.
 struct Lowest<'a, 'm, S> {
     ground: &'a Ground<S>,
     first: usize,
@@ -109,7 +111,7 @@ impl<S: Scalar> Kernel for Lowest<'_, '_, S> {
     }
 }
 
-/// Takes the bounds of some nodes: positions and velocities at the start and the end of the step.
+/// Lowers each lane to the bound of a node, given positions and velocities at the start and the end of the step.
 #[inline(always)]
 fn lower<S: Scalar>(least: &mut [S; LANES], ground: &Ground<S>, h: S, [x0, v0, x1, v1]: [&[Vec3<S>]; 4]) {
     let (half, slack) = (S::from_f64(0.5) * h, S::from_f64(64.0) * S::EPSILON);

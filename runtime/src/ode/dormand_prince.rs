@@ -1,8 +1,8 @@
 //! Dormand and Prince's pair 5(4): adaptive step, dense output of order 4.
 //!
-//! In: state at t, the largest step allowed. Out: state after the step that the tolerance permits. The last
+//! In: state at t, the longest step allowed. Out: state after a step that meets the tolerance. The last
 //! stage is the first of the next step, unless a projection has moved the state.
-//! A refused attempt is repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
+//! A rejected attempt is repeated with a smaller step, at most [`MAX_REJECTIONS`] times.
 
 use super::state::State;
 use super::step_size::{Controller, Tolerance};
@@ -15,7 +15,7 @@ use crate::real::{Constant, Scalar};
 const METHOD: Tableau<Constant, 7> = tableau::DORMAND_PRINCE.rounded();
 const DENSE: [Constant; 7] = tableau::row(tableau::DORMAND_PRINCE_DENSE);
 
-/// Refused attempts in one step: 0.2^20 of the first step is below any resolution.
+/// Most rejected attempts in one step: 0.2^20 of the first step is below any resolution.
 pub const MAX_REJECTIONS: u32 = 20;
 
 /// Scratch numbers for a state of `n` entries.
@@ -29,7 +29,7 @@ pub const fn scratch(n: usize) -> usize {
 pub struct Taken<S> {
     /// Its length.
     pub h: S,
-    /// Attempts refused before it.
+    /// Attempts rejected before it.
     pub rejected: u32,
     /// Worst pivot and residual.
     pub report: Report<S>,
@@ -45,7 +45,7 @@ pub struct DormandPrince<'a, S> {
     controller: Controller<S>,
     /// Rates of the seven stages.
     k: [&'a mut [S]; 7],
-    /// Value at the start of the last step, rounded.
+    /// State at the start of the last step, rounded.
     x_old: &'a mut [S],
     stage: &'a mut [S],
     x_new: &'a mut [S],
@@ -69,7 +69,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         Ok(Self { tolerance, next: first, controller, k, x_old, stage, x_new, low_new, h, reusable })
     }
 
-    /// Call when the system or its inputs have changed abruptly: nothing is reused then.
+    /// Call when the system or its inputs have changed abruptly: discards the stored stage and the error history.
     pub fn restart(&mut self) {
         self.controller = Controller::default();
         self.reusable = false;
@@ -95,7 +95,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         for rejected in 0..=MAX_REJECTIONS {
             let norm = match self.attempt(system, t, h, state) {
                 Ok((norm, report)) if norm <= S::ONE => {
-                    // A step cut short by `h_max` says nothing against the longer one.
+                    // A step cut short by `h_max` is no evidence against the longer one.
                     let proposed = h * self.controller.accept(norm);
                     let cut_short = rejected == 0 && h < self.next;
                     self.next = if cut_short { self.next.max(proposed) } else { proposed };
@@ -131,7 +131,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         max_steps: u32,
         state: &mut State<'_, S>,
     ) -> Result<u32, Fault> {
-        // A remainder below the resolution of t would never end.
+        // A remainder below the resolution of t would never shrink to 0.
         let two = S::ONE + S::ONE;
         let resolution = two * S::EPSILON * t.abs().max(end.abs());
         for steps in 0..max_steps {
@@ -140,7 +140,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
                 *t = end;
                 return Ok(steps);
             }
-            // Two halves instead of one step and a crumb.
+            // Two halves instead of one step and a tiny remainder.
             let h_max = if left < two * self.next && self.next < left { left / two } else { left };
             let taken = self.step(system, *t, h_max, state)?;
             *t = if taken.h == left { end } else { *t + taken.h };
@@ -148,10 +148,10 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         if end - *t <= resolution { Ok(max_steps) } else { Err(Fault::StepSize) }
     }
 
-    /// The state within the last step, at the share 0 <= `theta` <= 1 of it; order 4.
+    /// Dense output: the state at t + `theta` h of the last step, 0 <= `theta` <= 1; order 4.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if `x` has another length than the state.
+    /// [`Fault::Shape`] if `x` and the state differ in length.
     pub fn dense(&self, theta: S, x: &mut [S]) -> Result<(), Fault> {
         if x.len() != self.x_new.len() {
             return Err(Fault::Shape);
@@ -200,7 +200,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         Ok((norm, Report { pivot, residual }))
     }
 
-    /// Moves the last stage's rates to the first, if they belong to the present state.
+    /// Moves the last stage's rates to the first stage, if they belong to the present state; returns whether they did.
     fn reuse_last_stage(&mut self, state: &State<'_, S>) -> bool {
         let [first, .., last] = &mut self.k;
         let same = self.reusable && state.x().iter().zip(&*self.x_new).all(|(a, b)| a == b);
@@ -210,7 +210,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
         same
     }
 
-    /// Makes the trial the state.
+    /// Makes the trial state the state.
     fn commit(&mut self, system: &mut impl Ode<S>, h: S, state: &mut State<'_, S>) {
         self.x_old.iter_mut().zip(state.x()).for_each(|(old, x)| *old = *x);
         self.h = h;
@@ -219,7 +219,7 @@ impl<'a, S: Scalar> DormandPrince<'a, S> {
     }
 }
 
-/// Entry `index` of sum over stages of weight * rates.
+/// Entry `index` of the sum over all stages of weight * rates.
 fn combine<S: Scalar>(k: &[&mut [S]; 7], weights: &[Constant; 7], index: usize) -> S {
     combine_some(k, weights, 7, index)
 }

@@ -1,19 +1,19 @@
-//! A mechanism under a law that commands its inputs, as an [`Ode`].
+//! A mechanism with a control law for its inputs, as an [`Ode`].
 
 use super::system::Ode;
 use crate::mechanism::{Fault, Mechanism};
 use crate::real::Real;
 
-/// A mechanism and the law that commands its inputs: `law(t, q, u, inputs)` writes all inputs.
+/// A mechanism and its control law: `law(t, q, u, inputs)` writes all inputs.
 #[derive(Debug)]
 pub struct Driven<'a, S, M, L> {
     /// The equations.
     pub mechanism: M,
-    /// What commands the inputs.
+    /// The control law.
     pub law: L,
     /// Corrections onto the configuration constraints after each step.
     pub projections: u8,
-    /// Whether whole turns are taken off angles; outputs that show turns need `false`.
+    /// Whether whole turns are subtracted from angles; outputs that count turns need `false`.
     pub wrap: bool,
     inputs: &'a mut [S],
 }
@@ -24,11 +24,11 @@ where
     M: Mechanism<S>,
     L: FnMut(S, &[S], &[S], &mut [S]),
 {
-    /// Joins them; `inputs` (`n_inputs` entries) is memory for the commanded inputs. One projection
-    /// after each step, no wrapping.
+    /// Joins them; `inputs` (`n_inputs` entries) is memory for the inputs. One projection
+    /// after each step, no wrapping of angles.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if `inputs` has not `n_inputs` entries.
+    /// [`Fault::Shape`] if `inputs` does not have `n_inputs` entries.
     pub fn new(mechanism: M, law: L, inputs: &'a mut [S]) -> Result<Self, Fault> {
         if inputs.len() == mechanism.n_inputs() {
             Ok(Self { mechanism, law, projections: 1, wrap: false, inputs })

@@ -1,4 +1,4 @@
-//! The methods of fixed step by name, for callers that choose one when they run.
+//! The fixed-step methods by name, for callers that choose one at run time.
 
 use super::runge_kutta::{self, explicit_euler, rk4, semi_implicit_euler};
 use super::splitting::{self, blanes_moan4, implicit_midpoint, verlet};
@@ -8,7 +8,7 @@ use super::trial::Report;
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 
-/// Methods of fixed step, for callers that choose at run time.
+/// Fixed-step methods, chosen at run time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Method {
     /// x + h f(x): order 1.
@@ -17,11 +17,11 @@ pub enum Method {
     SemiImplicitEuler,
     /// Kutta's classical method: order 4.
     Rk4,
-    /// Half a kick, a drift, half a kick: order 2, keeps momentum.
+    /// Velocity Verlet (half a kick, a drift, half a kick): order 2, conserves momentum.
     Verlet,
-    /// Blanes & Moan's splitting: order 4 where forces do not depend on speeds, keeps momentum.
+    /// Blanes & Moan's splitting: order 4 where forces do not depend on speeds, conserves momentum.
     BlanesMoan4,
-    /// The implicit midpoint rule: order 2, keeps momentum.
+    /// The implicit midpoint rule: order 2, conserves momentum.
     ImplicitMidpoint,
 }
 

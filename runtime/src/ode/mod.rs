@@ -1,11 +1,12 @@
-//! Ordinary differential equations q_dot = N(q) u, u_dot = f(t, q, u), and one step of them, refused or taken as a whole.
+//! Integrators of q_dot = N(q) u, u_dot = f(t, q, u): one step, refused or taken as a whole.
 //!
-//! An [`Ode`] writes both rates of x = [q, u]; the state is a compensated sum ([`state`]). Methods of any ode:
-//! [`runge_kutta`], [`shared_work`] and [`splitting`] (fixed steps), [`dormand_prince`] (steps by the error, [`step_size`]). All coefficients stand in
-//! [`tableau`]; an event within a step is found by [`root`]. [`Driven`] makes an ode of a mechanism and a law.
+//! An [`Ode`] writes the rates of x = [q, u]; the [`state`] is kept as compensated sums. Methods for any ode:
+//! [`runge_kutta`], [`shared_work`] and [`splitting`] (fixed steps), [`dormand_prince`] (steps controlled by the error,
+//! [`step_size`]). All coefficients stand in [`tableau`]; [`root`] locates an event within a step. [`Driven`] makes an
+//! ode of a mechanism and a control law; `nodes` has methods of its own for flexible bodies.
 //!
 //! One step: stages, trial state, a fixed number of projections onto the constraints, the check, and only
-//! then the commit. Whatever is refused leaves the state as it was, bit for bit: a pivot below
+//! then the commit. A refused step leaves the state as it was, bit for bit. Reasons to refuse: a pivot below
 //! [`pivot_limit`], a value that is not finite, slices of wrong length, a fault of the system.
 //! Memory is the caller's: `scratch` holds as many numbers as the method's `scratch` function says.
 

@@ -1,16 +1,16 @@
-//! Where a guard g(t) changes its sign: the one root finder, bracketed, bounded and without derivatives.
+//! Locates a sign change of a guard g(t): the one root finder, bracketed, bounded and without derivatives.
 //!
-//! [`Search`] proposes times and takes the values there, so that its caller may evaluate g as it must, by a whole
-//! trial step for instance. Inverse parabolas through the last three values; where these leave the bracket, false
-//! position (Anderson & Bjorck 1973); every sixth time is the middle, which bounds the search.
-//! [`locate()`] runs it on a function: the bracket (low, high) of the root that it leaves has g's sign of the start
-//! at `low`: the caller stops before the event or steps over it, as it needs.
+//! [`Search`] proposes times and takes the values of g there, so that its caller may evaluate g in any way, by a whole
+//! trial step for instance. Proposals: inverse quadratic interpolation through the last three values; where it leaves
+//! the bracket, false position (Anderson & Bjorck 1973); every sixth one is the middle, which bounds the search.
+//! [`locate()`] runs it on a function and returns a bracket (low, high) of the root. g at `low` has the sign of the
+//! start, so the caller may stop before the event (low) or behind it (high).
 
 use crate::real::Scalar;
 
-/// Every so many proposals one is the middle.
+/// One proposal in so many is the middle of the bracket.
 const BISECTION: u32 = 6;
-/// Evaluations of [`locate()`] at most: so many for each of the 53 halvings that exhaust f64, and some to spare.
+/// Most evaluations of [`locate()`]: six for each of the 53 halvings that exhaust f64, and some to spare.
 pub const MAX_EVALUATIONS: u32 = 400;
 
 /// Why no root was located.
@@ -22,7 +22,7 @@ pub enum RootFault {
     NonFinite,
 }
 
-/// A bracket under way: (t, g) on both sides of the root, the newer one last.
+/// A bracket that is being narrowed: (t, g) on both sides of the root; `new` is the end found last.
 #[derive(Clone, Copy, Debug)]
 pub struct Search<S> {
     old: (S, S),
@@ -39,13 +39,13 @@ impl<S: Scalar> Search<S> {
         Self { old: low, new: high, last: [low, low, high], guess, proposals: 0 }
     }
 
-    /// Ends of the bracket as they were found, not by size.
+    /// Ends of the bracket in the order in which they were found, not by size.
     #[must_use]
     pub fn ends(&self) -> (S, S) {
         (self.old.0, self.new.0)
     }
 
-    /// The time to evaluate g at; inside the bracket, or an end of it where nothing lies between.
+    /// The time at which to evaluate g next: inside the bracket, or an end of it where no number lies between.
     pub fn propose(&mut self) -> S {
         let ((old, f_old), (new, f_new)) = (self.old, self.new);
         let inside = |t: &S| *t > new.min(old) && *t < new.max(old);
@@ -61,7 +61,7 @@ impl<S: Scalar> Search<S> {
     /// Takes the value `g` at the time proposed last.
     pub fn take(&mut self, t: S, g: S) {
         if (g < S::ZERO) == (self.new.1 < S::ZERO) {
-            // The end that stays counts for less, so that it moves next time.
+            // Lower the weight of the end that stays, so that it moves next time (Anderson & Bjorck).
             let ratio = S::ONE - g / self.new.1;
             self.old.1 = self.old.1 * if ratio > S::ZERO { ratio } else { S::from_f64(0.5) };
         } else {
@@ -91,7 +91,7 @@ pub fn locate<S: Scalar>(mut g: impl FnMut(S) -> S, low: S, high: S, width: S) -
     if !(rising || falling) {
         return Err(RootFault::NotBracketed);
     }
-    // Searched for as a guard that falls below 0; one that ends at 0 does so there.
+    // Search for a guard that falls below 0; one that ends at exactly 0 counts as falling there.
     let sign = if rising { -S::ONE } else { S::ONE };
     let beyond = if g_high == S::ZERO { -S::EPSILON } else { sign * g_high };
     let mut search = Search::new((low, sign * g_low), (high, beyond), None);

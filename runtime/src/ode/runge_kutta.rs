@@ -1,5 +1,5 @@
 //! Methods of fixed step: explicit Euler, semi-implicit Euler, Kutta's method of order 4.
-//!
+//! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
 //! In: state at t, step h. Out: state at t + h. Stage values are x + (low + h a k), rounded once.
 
 use super::state::State;
@@ -99,7 +99,8 @@ pub fn rk4<S: Scalar>(
     let [b1, b2, b3, b4] = KUTTA.b.map(S::constant);
     let [_, c2, c3, c4] = KUTTA.c.map(S::constant);
     let mut pivot = S::ONE;
-    // x is x + low, rounded: the first stage is the state itself. Each other one reads the rates of the one before alone.
+    // x is x + low, rounded, so the first stage is the state itself. Every later stage needs only the rates of the one
+    // before.
     evaluate(system, t, state.x(), k, &mut pivot)?;
     sum.iter_mut().zip(&*k).for_each(|(sum, k)| *sum = b1 * *k);
     displace(stage, state, c2 * h, k);

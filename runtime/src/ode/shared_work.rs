@@ -1,8 +1,9 @@
-//! Kutta's method for equations whose evaluations in a step share work.
+//! Kutta's method for equations whose evaluations within a step share work.
 //!
-//! In: state at t, step h. Out: state at t + h. The first evaluation also corrects the state onto the constraints, with the
-//! sines, coefficients and pivots that the rates need anyway, and hands on what the others, close by, begin with. So the
-//! correction of a step stands at its beginning: what a step leaves behind is off the constraints by its own error.
+//! In: state at t, step h. Out: state at t + h. The first evaluation also corrects the state onto the constraints, with
+//! the sines, coefficients and pivots that the rates need anyway, and hands its sines and cosines to the other
+//! evaluations, at states close by. The correction thus comes at the beginning of a step: its end is off the
+//! constraints by its own error.
 
 use super::state::{State, advance};
 use super::system::Ode;
@@ -10,33 +11,33 @@ use super::trial::{Report, Trial, accept, check_shape, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Real, Scalar};
 
-/// What the first evaluation of a step finds.
+/// Results of the first evaluation of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Begun<S, N> {
     /// Worst pivot, as [`Ode::rates`] returns it.
     pub pivot: S,
     /// Largest residual of the constraints before the correction.
     pub residual: S,
-    /// What the evaluations close by begin with.
+    /// Data with which the evaluations close by begin.
     pub near: N,
 }
 
 /// Equations whose evaluations in a step share work.
 pub trait SharedWork<S: Real>: Ode<S> {
-    /// What the first evaluation hands on: sines and cosines.
+    /// Data that the first evaluation hands on: sines and cosines.
     type Near;
     /// Writes the rates at (t, x), then corrects x once towards the constraints. The rates are those before the
-    /// correction, off by its size alone: as the step itself is.
+    /// correction; they are off by its size, which is of the order of the step's own error.
     ///
     /// # Errors
     /// As [`Ode::rates`] and [`Ode::project`].
     fn begin(&mut self, t: S, x: &mut [S], x_dot: &mut [S]) -> Result<Begun<S, Self::Near>, Fault>;
-    /// [`Ode::rates`] at a place close to where `near` comes from.
+    /// [`Ode::rates`] at a state close to that of `near`.
     ///
     /// # Errors
     /// As [`Ode::rates`].
     fn rates_near(&mut self, t: S, x: &[S], x_dot: &mut [S], near: &Self::Near) -> Result<S, Fault>;
-    /// Does the correction determine entry `index` of x? Then what rounds off it is no part of the state.
+    /// Whether the correction determines entry `index` of x: its rounding error is then not carried on as state.
     fn is_corrected(&self, index: usize) -> bool;
 }
 
@@ -46,7 +47,7 @@ pub const fn rk4_shared_scratch(n: usize) -> usize {
     6 * n
 }
 
-/// [`rk4`](super::rk4) of equations that share work: the state is corrected at the beginning of the step.
+/// [`rk4`](super::rk4) for equations that share work: the state is corrected at the beginning of the step.
 ///
 /// # Errors
 /// As [`rk4`](super::rk4).
@@ -75,7 +76,7 @@ pub fn rk4_shared<S: Scalar>(
     let sixth = S::constant(const { Constant::new(1.0 / 6.0) }) * h;
     let old = start.iter().zip(state.low());
     let rates = k1.iter().zip(&*k2).zip(&*k3).zip(k4.iter_mut());
-    // One comparison for all numbers: what is not finite leaves no finite sum. What rounds off a finite number is finite.
+    // One check for all entries: a value that is not finite makes the sum so, and `low` is finite where x is.
     let mut sum = S::ZERO;
     for (index, ((x, old), (((k1, k2), k3), k4))) in stage.iter_mut().zip(old).zip(rates).enumerate() {
         let middle = *k2 + *k3;

@@ -1,9 +1,9 @@
-//! Methods that are made of midpoint rules: velocity Verlet, Blanes and Moan's splitting, the implicit midpoint rule.
+//! Methods composed of midpoint rules: velocity Verlet, Blanes and Moan's splitting, the implicit midpoint rule.
 //!
-//! In: state at t, step h. Out: state at t + h. A kick changes speeds at fixed coordinates, a drift coordinates at fixed
-//! speeds; both are d = h f(x + d/2), iterated until d stands still, and exact where f does not depend on what moves.
-//! Forces within a world come in pairs and a kick moves nothing, a drift follows the speeds: each keeps linear and angular
-//! momentum to rounding, and so do their compositions (Hairer, Lubich & Wanner, Geometric Numerical Integration, II.5, VI.3).
+//! In: state at t, step h. Out: state at t + h. A kick changes speeds at fixed coordinates, a drift coordinates at
+//! fixed speeds. Both solve d = h f(x + d/2) by iteration, and are exact where f does not depend on what they change.
+//! Forces within a world are pairs (action and reaction), so kicks, drifts and their compositions conserve linear and
+//! angular momentum to rounding (Hairer, Lubich & Wanner, Geometric Numerical Integration, II.5, VI.3).
 
 use super::state::{State, advance};
 use super::system::Ode;
@@ -12,9 +12,9 @@ use super::trial::{Report, Trial, accept, check_shape, split};
 use crate::mechanism::Fault;
 use crate::real::{Constant, Scalar};
 
-/// Iterations of one midpoint rule at most; each gains the factor h |df/dx| / 2.
+/// Most iterations of one midpoint rule; each reduces the error by the factor h |df/dx| / 2.
 const ITERATIONS: usize = 100;
-/// Changes below this many rounding units of the state end the iteration.
+/// The iteration ends when it changes the state by no more than this many rounding units.
 const SETTLED: f64 = 2.0;
 
 /// Scratch numbers of these methods for a state of `n` entries.
@@ -26,7 +26,7 @@ pub const fn splitting_scratch(n: usize) -> usize {
 /// Velocity Verlet: half a kick, a drift, half a kick. Order 2, symmetric; symplectic where forces do not depend on speeds.
 ///
 /// # Errors
-/// See [`rk4`](super::rk4); [`Fault::Unsettled`] if the step is too long for an iteration to come to an end.
+/// See [`rk4`](super::rk4); [`Fault::Unsettled`] if the step is too long for the iteration to converge.
 pub fn verlet<S: Scalar>(
     system: &mut impl Ode<S>,
     t: S,
@@ -78,7 +78,7 @@ pub fn implicit_midpoint<S: Scalar>(
     flow.finish(t + h, state)
 }
 
-/// What a midpoint rule moves.
+/// The part of the state that a midpoint rule changes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Moving {
     Speeds,
@@ -86,10 +86,10 @@ enum Moving {
     All,
 }
 
-/// A state on its way through a step.
+/// A state in the course of a step.
 struct Flow<'a, S, O> {
     system: &'a mut O,
-    /// Time at which the coordinates stand.
+    /// Time that the coordinates have reached.
     t: S,
     trial: Trial<'a, S>,
     change: &'a mut [S],
@@ -107,12 +107,12 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         Ok(Flow { system, t, trial, change, rates, middle, pivot: S::ONE })
     }
 
-    /// Speeds by the forces where the coordinates stand.
+    /// Changes the speeds by the forces at the present coordinates.
     fn kick(&mut self, h: S) -> Result<(), Fault> {
         self.midpoint(Moving::Speeds, self.t, h)
     }
 
-    /// Coordinates by the speeds.
+    /// Changes the coordinates by the present speeds.
     fn drift(&mut self, h: S) -> Result<(), Fault> {
         if h == S::ZERO {
             return Ok(());
@@ -122,7 +122,7 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         Ok(())
     }
 
-    /// d = h f(t, x + d/2) for what moves; the rest stands.
+    /// Solves d = h f(t, x + d/2) for the part that moves; the rest is held.
     fn midpoint(&mut self, moving: Moving, t: S, h: S) -> Result<(), Fault> {
         let (n_q, n) = (self.system.n_q(), self.system.n_x());
         let range = match moving {
@@ -132,14 +132,14 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         };
         let is_exact = moving == Moving::Speeds && !self.system.is_damped();
         self.change.fill(S::ZERO);
-        // Steps of the two iterations before: coordinates and speeds hand their errors to one another, so that every second
-        // one is shorter.
+        // Changes made by the last two iterations: errors pass between coordinates and speeds, so that only every
+        // second change is smaller.
         let mut before = [S::ONE / S::ZERO; 2];
         for _ in 0..ITERATIONS {
             self.evaluate(moving, t)?;
             let (step, size) = self.improve(h, range.clone())?;
             let settled = step <= S::from_f64(SETTLED) * S::EPSILON * size;
-            // Below the root of the rounding unit a step that gets no shorter is rounding.
+            // Below the root of the rounding unit, a change that no longer shrinks is rounding noise.
             let is_rounding = step >= before[0] && step <= S::EPSILON.sqrt() * size;
             if is_exact || settled || is_rounding {
                 self.advance();
@@ -150,7 +150,7 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         Err(Fault::Unsettled)
     }
 
-    /// Rates in the middle.
+    /// Rates at the midpoint x + d/2.
     fn evaluate(&mut self, moving: Moving, t: S) -> Result<(), Fault> {
         let half = S::from_f64(0.5);
         let start = self.trial.x.iter().zip(&*self.trial.low).zip(&*self.change);
@@ -164,7 +164,7 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         accept(pivot, &mut self.pivot)
     }
 
-    /// Takes d from the rates; returns how far it moved and the size of the state.
+    /// Sets d = h f; returns the largest change of d and the size of the state.
     fn improve(&mut self, h: S, range: core::ops::Range<usize>) -> Result<(S, S), Fault> {
         let (mut step, mut size) = (S::ZERO, S::ZERO);
         let rows = self.change.iter_mut().zip(&*self.rates).zip(&*self.trial.x);
@@ -187,7 +187,7 @@ impl<'a, S: Scalar, O: Ode<S>> Flow<'a, S, O> {
         }
     }
 
-    /// Projects, checks, and makes it the state.
+    /// Projects, checks, and commits.
     fn finish(mut self, t: S, state: &mut State<'_, S>) -> Result<Report<S>, Fault> {
         let residual = self.trial.settle(self.system, t, self.middle)?;
         self.trial.commit(self.system, state);

@@ -1,8 +1,8 @@
 //! The state of a simulation as compensated sums: the value of an entry is x + low, unrounded.
 //!
-//! x + delta rounds away what is below half a unit of x's last place: at 0.12 m in f32 that is 4 nm, so
-//! a tile that creeps at 3 um/s would not move at all in steps of 1 ms. Here the part that was
-//! rounded away is kept in `low` (Kahan 1965; the exact error of a sum after Knuth, TAOCP 4.2.2, theorem B,
+//! x + delta rounds away whatever is below half a unit in the last place of x: at 0.12 m in f32 that is 4 nm, so
+//! a tile that creeps at 3 um/s would not move at all in steps of 1 ms. `low` keeps the part that was
+//! rounded away (Kahan 1965; exact error of a sum: Knuth, TAOCP 4.2.2, theorem B,
 //! which needs no comparison).
 //! Invariant: |low| is at most half a unit in the last place of x.
 
@@ -24,14 +24,14 @@ pub fn advance<S: Scalar>(x: S, low: S, delta: S) -> (S, S) {
     two_sum(sum, low + error)
 }
 
-/// (x, low) less whole turns, x in [-pi, pi] up to rounding; untouched if it is there already.
+/// (x, low) less whole turns, x in [-pi, pi] up to rounding; unchanged if it is there already.
 #[inline]
 pub fn wrap<S: Scalar>(x: S, low: S) -> (S, S) {
     let n = -x.turns();
     S::TURN.iter().fold((x, low), |(x, low), part| advance(x, low, n * *part))
 }
 
-/// A borrowed state: coordinates and speeds, and what their sums have rounded away.
+/// A borrowed state: coordinates and speeds, each with the rounding error of its sum.
 #[derive(Debug)]
 pub struct State<'a, S> {
     x: &'a mut [S],
@@ -48,7 +48,7 @@ impl<'a, S: Scalar> State<'a, S> {
         Self::resume(x, low)
     }
 
-    /// The state that goes on from `x` and `low` as an earlier one left them.
+    /// The state that continues from `x` and `low` as an earlier one left them.
     ///
     /// # Errors
     /// [`Fault::Shape`] if the lengths differ.
@@ -62,7 +62,7 @@ impl<'a, S: Scalar> State<'a, S> {
         self.x
     }
 
-    /// What the rounding of [`State::x`] left out.
+    /// Rounding errors of [`State::x`]: the exact value is x + low.
     #[must_use]
     pub fn low(&self) -> &[S] {
         self.low

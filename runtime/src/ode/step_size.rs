@@ -6,7 +6,7 @@
 
 use crate::real::Scalar;
 
-/// Share of the step that the estimate would allow.
+/// Safety factor on the step that the error estimate would allow.
 const SAFETY: f64 = 0.9;
 /// Weight of the present error: 1/5 - 0.75 `MEMORY`.
 const PRESENT: f64 = 0.17;
@@ -15,20 +15,20 @@ const MEMORY: f64 = 0.04;
 /// Bounds of the factor.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 10.0;
-/// Norms below are taken for this: the memory must not suggest giant or no steps.
+/// Smaller norms count as this one: the logarithms of the controller stay bounded.
 const LEAST_NORM: f64 = 1e-4;
 
-/// What error is allowed per step.
+/// Allowed error per step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<S> {
-    /// In the units of x.
+    /// Absolute part, in the units of x.
     pub absolute: S,
-    /// As a share of |x|; ten units of rounding are taken for what is finer, which no step meets, however short.
+    /// Part relative to |x|; at least ten rounding units, because a finer tolerance is met by no step, however short.
     pub relative: S,
 }
 
 impl<S: Scalar> Tolerance<S> {
-    /// The norm of `errors`, given (old, new) values of the same entries; NaN if anything is.
+    /// The norm of `errors`, given (old, new) values of the same entries; NaN if any of them is.
     pub fn norm(&self, errors: impl Iterator<Item = S>, values: impl Iterator<Item = (S, S)>) -> S {
         let start = (S::ZERO, S::ZERO);
         let relative = self.relative.max(S::from_f64(10.0) * S::EPSILON);
@@ -55,7 +55,7 @@ impl<S: Scalar> Default for Controller<S> {
 }
 
 impl<S: Scalar> Controller<S> {
-    /// The factor for the step after an accepted one; none right after a rejection above 1.
+    /// The factor for the step after an accepted one; at most 1 right after a rejection.
     pub fn accept(&mut self, norm: S) -> S {
         let norm = norm.max(S::from_f64(LEAST_NORM));
         let power = S::from_f64(MEMORY) * self.last.ln() - S::from_f64(PRESENT) * norm.ln();
@@ -66,7 +66,7 @@ impl<S: Scalar> Controller<S> {
         factor.min(most).max(S::from_f64(SHRINK))
     }
 
-    /// The factor for the next attempt after a refused one; a norm that is no number cuts most.
+    /// The factor for the next attempt after a rejected one; a norm that is not finite gives the smallest.
     pub fn reject(&mut self, norm: S) -> S {
         self.rejected = true;
         if !norm.is_finite() {

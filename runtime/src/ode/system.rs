@@ -1,4 +1,4 @@
-//! What the methods integrate: rates of x = [q, u], and a projection onto the constraints where there are any.
+//! The interface that methods integrate: rates of x = [q, u], and a projection onto constraints where there are any.
 
 use crate::mechanism::Fault;
 use crate::real::Real;
@@ -14,8 +14,8 @@ pub trait Ode<S: Real> {
     /// # Errors
     /// [`Fault::Shape`] if a slice has not `n_x` entries.
     fn rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault>;
-    /// Writes the rates of the coordinates; what it writes for the speeds does not count. Cheaper than [`Ode::rates`] where
-    /// forces are dear.
+    /// Writes the rates of the coordinates; entries of the speeds may hold anything. Cheaper than [`Ode::rates`] where
+    /// forces are expensive.
     ///
     /// # Errors
     /// As [`Ode::rates`].
@@ -26,7 +26,7 @@ pub trait Ode<S: Real> {
     fn is_damped(&self) -> bool {
         true
     }
-    /// The time at which the next projections are asked for (see [`Mechanism::set_time`](crate::mechanism::Mechanism::set_time)).
+    /// Sets the time of the next projections (see [`Mechanism::set_time`](crate::mechanism::Mechanism::set_time)).
     fn set_time(&mut self, t: S) {
         let _ = t;
     }
@@ -42,7 +42,7 @@ pub trait Ode<S: Real> {
     fn projections(&self) -> u8 {
         0
     }
-    /// Whether whole turns may be taken off entry `index` of x.
+    /// Whether whole turns may be subtracted from entry `index` of x.
     fn is_angle(&self, index: usize) -> bool {
         let _ = index;
         false

@@ -2,25 +2,25 @@
 //!
 //! Written as fractions in f64 and rounded to every scalar at compile time ([`Tableau::rounded()`]): a machine
 //! without double precision never converts them.
-//! A Runge-Kutta method (a, b) of the first-order system becomes abar = a a, bbar = b a, which saves
-//! the stage velocities. `error` and `coarse` are weights of embedded error estimates (0: none).
+//! A Runge-Kutta method (a, b) of the first-order system becomes abar = a a, bbar = b a in Nystrom's form, which needs
+//! stage velocities only where forces depend on speeds. `error` and `coarse` are weights of error estimates (0: none).
 
 use crate::real::Constant;
 
-/// An explicit method with N stages, as Runge and Kutta's and in Nystrom's form.
+/// An explicit method with N stages, in Runge and Kutta's form and in Nystrom's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tableau<T, const N: usize> {
     /// Times of the stages.
     pub c: [T; N],
-    /// Weights of the starting velocity in the stage positions: the rows' sums of `a`, as rounded.
+    /// Weights of the starting velocity in the stage positions: sums of the rows of `a`, as rounded.
     pub drift: [T; N],
-    /// Weights of the stage velocities.
+    /// Weights of the stage accelerations in the stage velocities.
     pub a: [[T; N]; N],
-    /// Weights of the stage positions.
+    /// Weights of the stage accelerations in the stage positions.
     pub abar: [[T; N]; N],
-    /// Weights of the new velocity.
+    /// Weights of the stage accelerations in the new velocity.
     pub b: [T; N],
-    /// Weights of the new position.
+    /// Weights of the stage accelerations in the new position.
     pub bbar: [T; N],
     /// Weights of the error estimate.
     pub error: Weights<T, N>,
@@ -162,7 +162,7 @@ pub const BLANES_MOAN_DRIFTS: [f64; 7] = [BM_A1, BM_A2, BM_A3, BM_A3, BM_A2, BM_
 /// The same in Nystrom's form.
 pub const BLANES_MOAN_4: Tableau<f64, 7> = from_splitting(BLANES_MOAN_KICKS, BLANES_MOAN_DRIFTS);
 
-/// Nystrom (1925), order 4 for x'' = a(x); with speeds in the force the stage velocities are those of order 2.
+/// Nystrom (1925), order 4 for x'' = a(x); where forces depend on speeds, its stage velocities are of order 2 only.
 pub const NYSTROM_4: Tableau<f64, 3> = Tableau {
     c: [0.0, 0.5, 1.0],
     drift: [0.0, 0.5, 1.0],
@@ -201,8 +201,8 @@ pub const DORMAND_PRINCE: Tableau<f64, 7> = Tableau {
     )
 };
 
-/// Weights of the last term of its continuous extension of order 4: Hairer, Norsett & Wanner, Solving Ordinary
-/// Differential Equations I, 2nd ed. (1993), II.6 (code DOPRI5).
+/// Weights of the last term of the continuous extension of order 4 of [`DORMAND_PRINCE`]: Hairer, Norsett & Wanner,
+/// Solving Ordinary Differential Equations I, 2nd ed. (1993), II.6 (code DOPRI5).
 pub const DORMAND_PRINCE_DENSE: [f64; 7] = [
     -12_715_105_075.0 / 11_282_082_432.0,
     0.0,

@@ -1,11 +1,12 @@
-//! A step before it counts: evaluations refused where they are singular, the trial state, its projections, its check.
+//! A step before it is accepted: evaluations that refuse singular states, the trial state, its projections and its
+//! check.
 
 use super::state::{State, advance, wrap};
 use super::system::Ode;
 use crate::mechanism::Fault;
 use crate::real::Scalar;
 
-/// What a step that was taken has to say.
+/// Diagnostics of an accepted step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Report<S> {
     /// Worst pivot of its evaluations.
@@ -14,14 +15,14 @@ pub struct Report<S> {
     pub residual: S,
 }
 
-/// The smallest pivot, relative to its nominal value, with which a step is taken: at the square root of
-/// the rounding unit half of the digits of an acceleration are gone.
+/// The smallest pivot, relative to its nominal value, with which a step is accepted: at the square root of
+/// the rounding unit, half of the digits of an acceleration are lost.
 #[must_use]
 pub fn pivot_limit<S: Scalar>() -> S {
     S::ROOT_EPSILON
 }
 
-/// The rates at (t, x), refused if singular; lowers `worst` to the pivot met.
+/// Evaluates the rates at (t, x); refuses a singular state and lowers `worst` to the pivot found.
 pub(super) fn evaluate<S: Scalar>(
     system: &mut impl Ode<S>,
     t: S,
@@ -32,7 +33,7 @@ pub(super) fn evaluate<S: Scalar>(
     accept(system.rates(t, x, x_dot)?, worst)
 }
 
-/// Refuses a pivot of a singular configuration; lowers `worst` to it else.
+/// Refuses a pivot below [`pivot_limit`] or not finite; else lowers `worst` to it.
 pub(super) fn accept<S: Scalar>(pivot: S, worst: &mut S) -> Result<(), Fault> {
     let pivot = pivot.abs();
     if !pivot.is_finite() {
@@ -62,8 +63,8 @@ impl<S: Scalar> Trial<'_, S> {
         }
     }
 
-    /// Projects at the end `t` of the step and checks; returns the residual before the first projection. `before`
-    /// is memory.
+    /// Projects at the end `t` of the step and checks that all is finite; returns the residual before the first
+    /// projection. `before` is memory.
     #[inline(always)]
     #[expect(clippy::eq_op, reason = "what is not finite leaves no number when taken from itself")]
     pub(super) fn settle(&mut self, system: &mut impl Ode<S>, t: S, before: &mut [S]) -> Result<S, Fault> {
@@ -77,11 +78,11 @@ impl<S: Scalar> Trial<'_, S> {
             let found = system.project(self.x)?;
             residual = if round == 0 { found } else { residual };
         }
-        // One comparison at the end for all numbers: v - v is 0, or not a number.
+        // One check at the end for all numbers: v - v is 0, or NaN where v is not finite.
         let mut watched = residual;
         for ((low, b), x) in self.low.iter_mut().zip(&*before).zip(&*self.x) {
-            // A coordinate that the projection has moved is determined by the others' rounded
-            // values: its old rounding error has lost its meaning.
+            // A coordinate that the projection has moved is determined by the rounded values of the others,
+            // so its old rounding error means nothing any more.
             *low = if rounds == 0 || *b == *x { *low } else { S::ZERO };
             let exact = *x + *low;
             watched = watched + (exact - exact);
@@ -89,7 +90,7 @@ impl<S: Scalar> Trial<'_, S> {
         if watched.is_finite() { Ok(residual) } else { Err(Fault::NonFinite) }
     }
 
-    /// Makes it the state; takes whole turns off angles.
+    /// Makes the trial state the state; subtracts whole turns from angles.
     pub(super) fn commit(&self, system: &impl Ode<S>, state: &mut State<'_, S>) {
         let new = self.x.iter().zip(&*self.low);
         for (index, (old, new)) in state.entries().zip(new).enumerate() {
@@ -98,7 +99,7 @@ impl<S: Scalar> Trial<'_, S> {
     }
 }
 
-/// The first `K` slices of `n` numbers of the scratch memory.
+/// Cuts the first `K` slices of `n` numbers from the scratch memory.
 pub(super) fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&mut [S]; K], Fault> {
     if n == 0 || scratch.len() / n < K {
         return Err(Fault::Shape);
@@ -107,7 +108,7 @@ pub(super) fn split<S, const K: usize>(scratch: &mut [S], n: usize) -> Result<[&
     Ok(core::array::from_fn(|_| parts.next().unwrap_or_default()))
 }
 
-/// Whether state and system have the same length.
+/// Checks that state and system have the same length, and returns it.
 pub(super) fn check_shape<S: Scalar>(system: &impl Ode<S>, state: &State<'_, S>) -> Result<usize, Fault> {
     let n = system.n_x();
     if state.x().len() == n { Ok(n) } else { Err(Fault::Shape) }

@@ -1,4 +1,4 @@
-//! A scalar that computes in f64 and counts: run a program on it and read what it cost.
+//! A scalar that computes in f64 and counts its operations: run a program on it and read the cost.
 //!
 //! An operation is one of + - * / sqrt sin cos; negation is free; the other functions, which reference
 //! models do not use, are counted apart. The counters are global, so [`count`] admits one caller at
@@ -137,7 +137,7 @@ impl Real for Counting {
         let (s, c) = Real::sin_cos(self.0);
         (Counting(s), Counting(c))
     }
-    /// One subtraction, one sine, one cosine: how the function keeps its accuracy is its own affair.
+    /// Counted as one subtraction, one sine, one cosine; the work that keeps it accurate is not counted.
     fn sin_cos_of_difference(a: Counting, b: Counting) -> (Counting, Counting) {
         for kind in [&ADD, &SIN, &COS] {
             one_more(kind);

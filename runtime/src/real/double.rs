@@ -37,7 +37,7 @@ impl Real for f64 {
     #[inline(always)]
     fn sin_cos_near(self, known: &Turn<f64>) -> (f64, f64) {
         let d = self - known.angle;
-        // What is not a number is not near.
+        // NaN fails the comparison, so it takes the general path.
         if f64::abs(d) <= trig::NEAR {
             trig::turn_on_f64((known.sin, known.cos), d)
         } else {
@@ -86,7 +86,7 @@ impl Real for f64 {
 impl Scalar for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const ROOT_EPSILON: f64 = 1.490_116_119_384_765_6e-8;
-    /// 2^20 quarter turns: so far both products of the reduction are exact.
+    /// 2^20 quarter turns: up to here both products of the argument reduction are exact.
     const LARGEST_ANGLE: f64 = 1.6e6;
     /// Exact multiples of the quarter turn's parts.
     const TURN: [f64; 3] = {

@@ -1,11 +1,11 @@
-//! The few primitives from which own functions are built, for one number or for lanes of them.
+//! Primitive operations from which the functions of a scalar are built, for one number or for SIMD lanes.
 //!
 //! Sine and cosine are written once over [`Lane`]; a scalar and every lane of a vector then
 //! execute the same IEEE operations in the same order, hence give the same bits.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// One IEEE number or several side by side, with its bits within reach.
+/// One IEEE number or several side by side, with access to their bits.
 pub trait Lane:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
@@ -21,12 +21,12 @@ pub trait Lane:
     fn less(self, other: Self) -> Self::Mask;
     /// `yes` where the mask holds, else `no`.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
-    /// Sine and cosine, a quarter turn further where the mask holds: (cos, -sin).
+    /// (sin, cos) of an angle a quarter turn further on, (cos, -sin), where the mask holds.
     #[inline(always)]
     fn quarter_turn(mask: Self::Mask, sin: Self, cos: Self) -> (Self, Self) {
         (Self::select(mask, cos, sin), Self::select(mask, -sin, cos))
     }
-    /// The sign turned where the mask holds.
+    /// Changes the sign where the mask holds.
     fn negate_where(self, mask: Self::Mask) -> Self;
     /// `self == self`: false where NaN.
     fn is_number(self) -> Self::Mask;
@@ -72,7 +72,8 @@ macro_rules! scalar_lane {
             }
             #[inline(always)]
             fn select(mask: $bits, yes: $t, no: $t) -> $t {
-                // Not a branch for the compiler either: across one it would move what stands before it.
+                // A select, never a branch: the compiler would sink the computations before a branch into one of its
+                // arms.
                 core::hint::select_unpredictable(mask != 0, yes, no)
             }
             #[inline(always)]

@@ -1,4 +1,4 @@
-//! The scalar of all kernels: `Real` for arithmetic (lanes included), `Scalar` for what compares.
+//! Scalars of all computations: [`Real`] has arithmetic only (SIMD lanes too), [`Scalar`] compares as well.
 //!
 //! - sine, cosine, square root: own code for every scalar, one algorithm, the same bits on host,
 //!   microcontroller and in SIMD lanes ([`trig`], `sqrt`);
@@ -6,8 +6,8 @@
 //! - no fused multiply-add, no remainder operator, no table, no panic;
 //! - with std in scope, `x.sin_cos()` on a plain f32 means std's method, not this one: outside generic
 //!   code write `Real::sin_cos(x)`;
-//! - not-a-number: arithmetic, `min`, `max`, `abs` and `sign` all hand it on, so that one check at the
-//!   end of a step finds it. Sign and payload of a NaN are not specified.
+//! - NaN: arithmetic, `min`, `max`, `abs` and `sign` propagate it, so that one check at the end of a step
+//!   finds it. Sign and payload of a NaN are not specified.
 
 #[cfg(feature = "counting")]
 pub mod counting;
@@ -52,20 +52,21 @@ pub trait Real:
     fn sin_cos_of_two(a: Self, b: Self) -> [(Self, Self); 2] {
         [a.sin_cos(), b.sin_cos()]
     }
-    /// (sin, cos) of a - b (rad), what rounds off the difference made good: as exact as those of one angle, however
-    /// many turns both have made and however close to each other or to half a turn they are.
+    /// (sin, cos) of a - b (rad), corrected for the rounding error of the difference: as accurate as for one angle,
+    /// however many turns both have made and however close they are to each other or to half a turn apart.
     #[inline]
     fn sin_cos_of_difference(a: Self, b: Self) -> (Self, Self) {
         let (difference, lost) = exact_difference(a, b);
         turn_further(difference.sin_cos(), lost)
     }
-    /// The same of a - b and c - d, bit for bit; x86-64 computes f64 side by side.
+    /// (sin, cos) of a - b and of c - d, bit for bit as one by one; x86-64 computes f64 side by side.
     #[inline]
     fn sin_cos_of_two_differences(a: Self, b: Self, c: Self, d: Self) -> [(Self, Self); 2] {
         [Self::sin_cos_of_difference(a, b), Self::sin_cos_of_difference(c, d)]
     }
-    /// (sin, cos) of an angle (rad) close to one whose sine and cosine are known: turned on from those where the angles
-    /// differ by [`trig::NEAR`] at most, else as [`Real::sin_cos`]. A unit in the last place less exact than that.
+    /// (sin, cos) of an angle (rad) close to one whose sine and cosine are known: by the addition theorem where the
+    /// angles differ by at most [`trig::NEAR`], else as [`Real::sin_cos`]. Less accurate than that by one unit in the
+    /// last place.
     #[inline]
     fn sin_cos_near(self, known: &Turn<Self>) -> (Self, Self) {
         let _ = known;
@@ -129,7 +130,7 @@ pub struct Turn<S> {
     pub cos: S,
 }
 
-/// a - b as the rounded difference and what the rounding lost (Knuth, The Art of Computer Programming 2, 4.2.2).
+/// a - b as (rounded difference, rounding error) (Knuth, The Art of Computer Programming 2, 4.2.2).
 #[inline(always)]
 fn exact_difference<R: Real>(a: R, b: R) -> (R, R) {
     let difference = a - b;
@@ -137,14 +138,14 @@ fn exact_difference<R: Real>(a: R, b: R) -> (R, R) {
     (difference, (a - (difference - minus_b)) - (b + minus_b))
 }
 
-/// (sin, cos) of an angle a little further on: the second order of what rounding loses is below any rounding.
+/// (sin, cos) of an angle further on by a rounding error `little`: first order is enough, its square is below rounding.
 #[inline(always)]
 fn turn_further<R: Real>((sin, cos): (R, R), little: R) -> (R, R) {
     (sin + little * cos, cos - little * sin)
 }
 
-/// A constant rounded to every scalar when the program is compiled: a table of such numbers costs a machine without
-/// double precision no conversion.
+/// A constant rounded to both scalars at compile time: tables of such numbers need no conversion at run time on a
+/// machine without double precision.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Constant {
     double: f64,
@@ -159,18 +160,18 @@ impl Constant {
     }
 }
 
-/// A single real number that compares: f32 or f64.
+/// A single real number that can be compared: f32 or f64.
 pub trait Scalar: Real + PartialOrd {
     /// Distance from 1 to the next number.
     const EPSILON: Self;
     /// Square root of [`Scalar::EPSILON`], rounded: half of the digits.
     const ROOT_EPSILON: Self;
-    /// The largest angle (rad) of which sine and cosine are taken: up to it the error is that of `trig`, f32 adds 3e-11
-    /// of the angle, a thousandth of the angle's own rounding. Far beyond they are not even between -1 and 1.
+    /// The largest angle (rad) for sine and cosine: up to it the error is that of `trig`, f32 adds 3e-11
+    /// of the angle, a thousandth of the angle's own rounding. Far beyond it results are not even between -1 and 1.
     const LARGEST_ANGLE: Self;
     /// 2 pi in three parts, the first so short that whole multiples of it are exact.
     const TURN: [Self; 3];
-    /// The number that [`Real::from_f64()`] gives, found at compile time.
+    /// The same number as [`Real::from_f64()`] gives, rounded at compile time.
     #[inline(always)]
     #[must_use]
     fn constant(constant: Constant) -> Self {
@@ -183,8 +184,8 @@ pub trait Scalar: Real + PartialOrd {
     /// The whole number of turns nearest to an angle (rad).
     #[must_use]
     fn turns(self) -> Self;
-    /// The angle (rad) less whole turns, in [-pi, pi], exact to rounding however large it is; computed in f64, which is
-    /// no affair of a machine without it. An infinity or NaN gives NaN.
+    /// The angle (rad) less whole turns, in [-pi, pi], exact to rounding however large it is; computed in f64, so not
+    /// meant for machines without it. An infinity or NaN gives NaN.
     #[must_use]
     fn less_whole_turns(self) -> Self {
         let (sin, cos) = libm::sincos(self.to_f64());

@@ -1,8 +1,8 @@
 //! Two f64 side by side: sine and cosine of two angles for little more than the time of one.
 //!
-//! The kernel of [`super::trig`] over a [`Lane`] of two, one vector instruction an operation. Each half executes
-//! the scalar's operations, hence gives its bits. Written with intrinsics because a compiler that is left
-//! to vectorise the scalar code did so or not with every small change around it (111 or 190 instructions).
+//! The kernel of [`super::trig`] over a [`Lane`] of two, one vector instruction per operation. Each half executes
+//! the scalar's operations and so gives its bits. Written with intrinsics because the compiler vectorised the scalar
+//! code or did not with every small change around it (111 or 190 instructions).
 
 use super::lane::Lane;
 use super::trig;
@@ -24,7 +24,7 @@ macro_rules! sse2 {
         }
     }};
 }
-/// (sin, cos) of two angles (rad), bit for bit those of each alone.
+/// (sin, cos) of two angles (rad), bit for bit as one by one.
 #[inline]
 pub(super) fn sin_cos(a: f64, b: f64) -> [(f64, f64); 2] {
     let (sin, cos) = trig::sin_cos_f64(Pair(sse2!(_mm_set_pd(b, a))));
@@ -89,7 +89,7 @@ impl Lane for Pair {
     }
     #[inline(always)]
     fn bit(self, index: u32) -> Self {
-        // The bit becomes the sign of the upper word, the sign fills that word, the word fills the half.
+        // Shift the bit to the sign, spread it over the upper word by an arithmetic shift, copy that word to the lower.
         let places = 63 - (index % 64) as i32;
         Self(sse2!({
             let top = _mm_sll_epi64(_mm_castpd_si128(self.0), _mm_cvtsi32_si128(places));

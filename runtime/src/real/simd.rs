@@ -1,4 +1,4 @@
-//! `Real` for lanes of `wide`: each lane gives the bits that the scalar gives.
+//! [`Real`] for the lanes of `wide`: each lane gives the bits that the scalar gives.
 //!
 //! Arithmetic, square root, sine, cosine, min, max, abs and sign run side by side, the remaining
 //! functions lane by lane.
@@ -106,8 +106,8 @@ macro_rules! lanes {
             #[inline(always)]
             fn min_size(self, other: Self) -> Self {
                 let (a, b) = (Real::abs(self), Real::abs(other));
-                // a < b ? a : b, or b < a ? b : a: in one of the two orders what is not a number stays, and its bits with any
-                // others are none either.
+                // fast_min(x, y) is x < y ? x : y, so a NaN survives in one of the two orders; OR keeps it a NaN, and
+                // of two numbers both orders give the same one.
                 a.fast_min(b) | b.fast_min(a)
             }
         }

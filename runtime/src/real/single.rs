@@ -1,4 +1,4 @@
-//! `Real` and `Scalar` for f32: every function is own code in f32, straight-line, constant time.
+//! `Real` and `Scalar` for f32: every function is own code in f32, without branches, in constant time.
 //!
 //! Polynomials and reductions are those of Cephes' single-precision library (Moshier 1992). Maximal
 //! errors, measured against f64 by `tests/it/functions.rs` [ulp]: tan 2.5 (|x| <= 100), asin 1.9, acos 1.3,
@@ -19,9 +19,9 @@ const LN_2_HIGH: f32 = 0.693_359_4;
 const LN_2_LOW: f32 = -2.121_944_4e-4;
 /// tan(pi/8): up to here the arctangent's polynomial is taken directly.
 const TAN_PI_8: f32 = 0.414_213_57;
-/// Sizes of numbers are ordered as their bits without the sign are, NaN last. Added to twice these bits, this puts infinity
-/// last and takes NaN around zero to the first place. One comparison of integers takes five instructions of a Cortex-M4,
-/// two of numbers nine, and registers of single precision.
+/// Sizes are ordered as the bits without the sign, NaN last. Added to twice these bits, this constant puts infinity
+/// last and wraps NaN round to the first place, so that it wins. One comparison of integers takes five instructions of
+/// a Cortex-M4; two of floats take nine, and registers of single precision.
 const NAN_FIRST: u32 = 0x00FF_FFFF;
 /// exp overflows above 88.72 and is 0 below -103.98; the clamp keeps the exponent's arithmetic in range.
 const EXP_RANGE: (f32, f32) = (-105.0, 89.0);
@@ -45,7 +45,7 @@ impl Real for f32 {
     #[inline(always)]
     fn sin_cos_near(self, known: &Turn<f32>) -> (f32, f32) {
         let d = self - known.angle;
-        // What is not a number is not near.
+        // NaN fails the comparison, so it takes the general path.
         if f32::abs(d) <= trig::NEAR as f32 {
             trig::turn_on_f32((known.sin, known.cos), d)
         } else {
@@ -119,7 +119,7 @@ impl Real for f32 {
 impl Scalar for f32 {
     const EPSILON: f32 = f32::EPSILON;
     const ROOT_EPSILON: f32 = 3.452_669_8e-4;
-    /// 2^16 quarter turns: so far the first product of the reduction is exact.
+    /// 2^16 quarter turns: up to here the first product of the argument reduction is exact.
     const LARGEST_ANGLE: f32 = 1e5;
     #[inline(always)]
     fn constant(constant: Constant) -> f32 {

@@ -1,7 +1,7 @@
 //! Square roots, exactly rounded on every machine, so that host and chip agree bit for bit.
 //!
-//! core offers none on stable Rust. The instruction is reached by C's name on a Cortex-M with a
-//! floating-point unit, by an intrinsic on x86-64; elsewhere libm rounds exactly too.
+//! Stable core offers none. A Cortex-M with a floating-point unit gets its instruction through C's function name,
+//! x86-64 through an intrinsic; elsewhere libm rounds exactly too.
 
 /// Square root; NaN below 0.
 #[inline(always)]
@@ -38,19 +38,19 @@ mod machine {
     }
 }
 
-// Called by the name that C gives it, a root becomes the instruction where it stands: no call, no register moved.
+// The compiler knows C's `sqrtf` and inlines it as the instruction: no call, no registers moved.
 #[cfg(all(target_arch = "arm", target_os = "none", target_abi = "eabihf"))]
 #[expect(unsafe_code, reason = "stable Rust reaches vsqrt by a foreign name only")]
 mod machine {
-    // What an unoptimised program calls. Crates that are derived carry this file too: weak where they link as objects,
-    // asked for where a linker that optimises makes them one text.
+    // The function for unoptimised builds, which do call it. Derived crates carry this file too: `.weak` lets several
+    // copies link as objects, `.ifndef` several in one text, as link-time optimisation makes them.
     core::arch::global_asm!(
         ".ifndef sqrtf",
         ".section .text.sqrtf, \"ax\", %progbits",
         ".weak sqrtf",
         ".type sqrtf, %function",
         "sqrtf:",
-        // vsqrt.f32 s0, s0: in numbers, because the assembler takes the target for one without a unit.
+        // vsqrt.f32 s0, s0 as a number, because the assembler assumes a target without a floating-point unit.
         ".inst.w 0xeeb10ac0",
         "bx lr",
         ".size sqrtf, . - sqrtf",

@@ -1,10 +1,10 @@
 //! Sine and cosine of one angle (rad), in the precision of the argument only.
 //!
 //! x = n pi/2 + r with n the nearest integer, found by adding and subtracting 1.5 * 2^(p-1), which
-//! also leaves n's two lowest bits in the sum's two lowest bits; n pi/2 is taken off in three parts
+//! also leaves n's two lowest bits in the sum's two lowest bits; n pi/2 is subtracted in three parts
 //! (Cody & Waite, Software Manual for the Elementary Functions, 1980, ch. 8), so that the first
-//! product is exact. On |r| <= pi/4 polynomials follow, and n mod 4 chooses which is sine and with
-//! which sign. No branch, no table, no f64 in f32.
+//! product is exact. Polynomials give sine and cosine on |r| <= pi/4; n mod 4 chooses which of them is which
+//! and their signs. No branch, no table, no f64 in f32.
 //!
 //! Error (measured by `tests/it/functions.rs`): f32 at most 1.6 ulp (1.47) for |x| <= 100 where the result
 //! exceeds 1e-3, else 1e-10 absolute (8e-11); f64 at most 0.8 ulp (0.793) for |x| <= 1e5. Beyond the
@@ -23,7 +23,7 @@ pub(super) const QUARTER_TURN_F32: [f32; 3] = [1.570_312_5, 4.837_513e-4, 7.549_
 pub(super) const QUARTER_TURN_F64: [f64; 3] =
     [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
 
-/// x - n pi/2 and the tangled n, f32.
+/// r = x - n pi/2 and the sum that holds n in its lowest bits (`tangled`), f32.
 #[inline(always)]
 pub(super) fn reduce_f32<L: Lane<Element = f32>>(x: L) -> (L, L) {
     let [p1, p2, p3] = QUARTER_TURN_F32.map(L::splat);
@@ -50,8 +50,8 @@ pub fn sin_cos_f64<L: Lane<Element = f64>>(x: L) -> (L, L) {
     let [p1, p2, p3] = QUARTER_TURN_F64.map(L::splat);
     let tangled = x * L::splat(core::f64::consts::FRAC_2_PI) + L::splat(ROUND_F64);
     let n = tangled - L::splat(ROUND_F64);
-    // r + tail = x - n pi/2. The first difference is exact, and the rounding of the second is kept: either b is the
-    // smaller of the two (Dekker's fast two-sum), or both are so small that a - b is exact.
+    // r + tail = x - n pi/2. The first difference is exact, and the rounding error of the second is kept exactly:
+    // either |b| < |a| (Dekker's fast two-sum), or both are so small that a - b is exact.
     let a = x - n * p1;
     let b = n * p2;
     let r = a - b;
@@ -62,11 +62,11 @@ pub fn sin_cos_f64<L: Lane<Element = f64>>(x: L) -> (L, L) {
     turn(s, c, tangled)
 }
 
-/// Largest angle by which sine and cosine are turned on (rad): the first terms left out, d^3/6 in f32 and d^6/720 in
+/// Largest difference of angles (rad) for the addition theorem: the first terms left out, d^3/6 in f32 and d^6/720 in
 /// f64, are 1.6e-10 and 1.2e-21 there.
 pub const NEAR: f64 = 1.0 / 1024.0;
 
-/// (sin, cos) of an angle further on by d, |d| <= [`NEAR`], from those of the angle:
+/// (sin, cos) of an angle further on by d, |d| <= [`NEAR`], from (s, c) of the angle:
 /// sin(x + d) = s + (c sin d - s (1 - cos d)), with sin d = d and 1 - cos d = (d/2) d.
 #[inline(always)]
 pub fn turn_on_f32<L: Lane<Element = f32>>((s, c): (L, L), d: L) -> (L, L) {
@@ -86,13 +86,13 @@ pub fn turn_on_f64<L: Lane<Element = f64>>((s, c): (L, L), d: L) -> (L, L) {
 /// sin(r + tail), |r| <= pi/4, z = r^2.
 #[inline(always)]
 fn sine_f64<L: Lane<Element = f64>>(r: L, tail: L, z: L) -> L {
-    // Pairs of coefficients side by side (Estrin): a third of the time of one after the other.
+    // Coefficients in pairs (Estrin's scheme): a third of the time of Horner's.
     let zz = z * z;
     let low = L::splat(-1.984_126_982_985_795e-4) * z + L::splat(8.333_333_333_322_49e-3);
     let high = L::splat(-2.505_076_025_340_686_3e-8) * z + L::splat(2.755_731_370_707_006_8e-6);
     let p = low + zz * (high + zz * L::splat(1.589_690_995_211_55e-10));
     let p = p * z + L::splat(-0.166_666_666_666_666_32);
-    // tail cos r, to the order that counts.
+    // tail cos r, to second order in r.
     let rest = tail * (L::splat(1.0) - L::splat(0.5) * z);
     r + (z * r * p + rest)
 }
@@ -111,7 +111,7 @@ fn cosine_f64<L: Lane<Element = f64>>(r: L, tail: L, z: L) -> L {
     w + (((one - w) - half_z) + (zz * p - r * tail))
 }
 
-/// Turns (sine, cosine) of r by n quarter turns; `tangled` carries n mod 4 in its lowest bits.
+/// Rotates (sine, cosine) of r by n quarter turns; `tangled` carries n mod 4 in its lowest bits.
 #[inline(always)]
 fn turn<L: Lane>(s: L, c: L, tangled: L) -> (L, L) {
     let odd = tangled.bit(0);

@@ -1,9 +1,9 @@
-//! Attitude of a body as a unit quaternion e = (e0, e1, e2, e3) (Euler parameters): it turns body axes to N.
+//! Attitude of a body as a unit quaternion e = (e0, e1, e2, e3) (Euler parameters), which rotates body axes to N.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Euler parameters of the turn from N to the body; unit length.
+/// Euler parameters of the rotation from N to the body; unit length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude<S> {
     scalar: S,
@@ -17,7 +17,7 @@ impl<S: Scalar> Attitude<S> {
         Attitude { scalar: S::ONE, vector: vec3::zero() }
     }
 
-    /// From Euler parameters of any length but 0; no length, no turn.
+    /// From Euler parameters of any length; the identity if the length is 0.
     #[must_use]
     pub fn new(parameters: [S; 4]) -> Attitude<S> {
         let [scalar, x, y, z] = parameters;
@@ -30,7 +30,7 @@ impl<S: Scalar> Attitude<S> {
         }
     }
 
-    /// The attitude that had these [`Attitude::parameters`], bit for bit.
+    /// The attitude with exactly these [`Attitude::parameters`], bit for bit.
     #[must_use]
     pub fn restored([scalar, x, y, z]: [S; 4]) -> Attitude<S> {
         Attitude { scalar, vector: [x, y, z] }
@@ -62,13 +62,13 @@ impl<S: Scalar> Attitude<S> {
         self.rotate(vec3::scale(self.vector, -S::ONE), a)
     }
 
-    /// a + 2 e x (e x a + e0 a).
+    /// Rotates a: a + 2 e x (e x a + e0 a).
     fn rotate(&self, e: Vec3<S>, a: Vec3<S>) -> Vec3<S> {
         let inner = vec3::axpy(vec3::cross(e, a), self.scalar, a);
         vec3::axpy(a, S::from_f64(2.0), vec3::cross(e, inner))
     }
 
-    /// This turn followed by Cayley's turn (I - \[w\])^-1 (I + \[w\]) about w in body axes, |w| = tan(angle/2).
+    /// This rotation followed by Cayley's rotation (I - \[w\])^-1 (I + \[w\]) about w in body axes, |w| = tan(angle/2).
     #[must_use]
     pub fn turned(&self, w: Vec3<S>) -> Attitude<S> {
         let scalar = self.scalar - vec3::dot(self.vector, w);

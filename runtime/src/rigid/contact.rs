@@ -1,17 +1,19 @@
-//! Contacts between bodies of any kind: relative velocities at them, and what impulses at them do.
+//! Contacts between bodies of any kind: relative velocities at them, and velocity changes by impulses.
 //!
-//! In: how bodies move ([`Twist`]) and what they yield ([`Inertia`]), contacts by number of body. Out: W u and
-//! M^-1 W' P, one contact at a time: no matrix over all contacts is formed, work grows with their number.
+//! In: velocities of the bodies ([`Twist`]), their inverse inertia ([`Inertia`]), contacts that refer to bodies by
+//! index. Out: W u and M^-1 W' P, one contact at a time: no matrix over all contacts is formed, so work grows with
+//! their number.
 //!
-//! A [`Side`] of a contact is a weighted sum of points of bodies: nothing (fixed in space), a point of a rigid body or of a
-//! port, a node (its own centre), a facet (its corners by their shares, each a node or a point of what holds it).
+//! A [`Side`] of a contact is a weighted sum of points of bodies: no point (fixed in space), a point of a rigid body or
+//! of a port, a node (a point without arm), a facet (its corners by weight, each a node or a point of the body that
+//! holds it).
 
 use super::impact::InverseMass;
 use super::{RigidBody, RigidState, contact_axes};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// What a body yields to an impulse; nothing, if it is fixed.
+/// Inverse inertia of a free rigid body; 0 if it is fixed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mobility<S> {
     /// 1/m (1/kg).
@@ -20,45 +22,46 @@ pub struct Mobility<S> {
     pub inverse_inertia: [Vec3<S>; 3],
 }
 
-/// Velocities, or changes of them, or accelerations.
+/// Velocities, changes of velocities, or accelerations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Twist<S> {
     /// Of the centre of mass, in N.
     pub velocity: Vec3<S>,
-    /// Angular, in N.
+    /// Angular velocity in N.
     pub angular: Vec3<S>,
 }
 
 /// A point of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<S> {
-    /// Number of the body.
+    /// Index of the body.
     pub body: usize,
-    /// From the body's origin, to which its twist refers (m, in N).
+    /// Arm from the body's origin, the reference point of its twist (m, in N).
     pub arm: Vec3<S>,
-    /// Its share in the side's velocity, and in the impulse on the side.
+    /// Weight of the point in the side's velocity, and in the impulse on the side.
     pub weight: S,
 }
 
-/// One of the two that touch: the sum of its points by weight; without points it is fixed in space.
+/// One side of a contact: the weighted sum of its points; without points it is fixed in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side<S> {
     points: [Point<S>; 4],
     count: usize,
 }
 
-/// What impulses at points of bodies do to velocities.
+/// Response of velocities to impulses at points of bodies.
 pub trait Inertia<S: Scalar> {
-    /// Change of the velocity of the point `seen` under an impulse (N s, in N) at the point `at`, whatever their weights.
+    /// Change of the velocity of the point `seen` caused by an impulse (N s, in N) at the point `at`; weights are
+    /// ignored.
     fn response(&self, at: &Point<S>, impulse: Vec3<S>, seen: &Point<S>) -> Vec3<S>;
-    /// Changes all twists by an impulse at the point `at`.
+    /// Changes the twists of all bodies by an impulse at the point `at`.
     fn push(&self, at: &Point<S>, impulse: Vec3<S>, twists: &mut [Twist<S>]);
 }
 
 /// A contact of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
-    /// What touches; the normal points from the second to the first.
+    /// The two sides; the normal points from the second to the first.
     pub sides: [Side<S>; 2],
     /// n, t1, t2 in N.
     pub axes: [Vec3<S>; 3],
@@ -66,18 +69,18 @@ pub struct Contact<S> {
     pub friction: S,
     /// e, 0 to 1.
     pub restitution: S,
-    /// Impulse (N s) or force (N) on the first body: n, t1, t2.
+    /// Impulse (N s) or force (N) on the first side, along n, t1, t2.
     pub impulse: Vec3<S>,
 }
 
 impl<S: Scalar> Mobility<S> {
-    /// Of a body that nothing moves.
+    /// Of a body that does not move.
     #[must_use]
     pub fn fixed() -> Mobility<S> {
         Mobility { inverse_mass: S::ZERO, inverse_inertia: [vec3::zero(); 3] }
     }
 
-    /// Of a body at a state.
+    /// Of a rigid body at a state.
     #[must_use]
     pub fn of(body: &RigidBody<S>, state: &RigidState<S>) -> Mobility<S> {
         let (zero, one) = (S::ZERO, S::ONE);
@@ -94,14 +97,14 @@ impl<S: Scalar> Twist<S> {
         Twist { velocity: vec3::zero(), angular: vec3::zero() }
     }
 
-    /// Of the point at r from the centre of mass.
+    /// Velocity of the point at r from the centre of mass.
     #[must_use]
     pub fn at(&self, r: Vec3<S>) -> Vec3<S> {
         vec3::add(self.velocity, vec3::cross(self.angular, r))
     }
 }
 
-/// Rigid bodies and nodes: none moves with another.
+/// Rigid bodies and nodes: an impulse on one does not move another.
 impl<S: Scalar> Inertia<S> for [Mobility<S>] {
     fn response(&self, at: &Point<S>, impulse: Vec3<S>, seen: &Point<S>) -> Vec3<S> {
         match self.get(at.body) {
@@ -129,7 +132,7 @@ impl<S: Scalar> Side<S> {
         Side { points: [Point { body: 0, arm: vec3::zero(), weight: S::ZERO }; 4], count: 0 }
     }
 
-    /// A point of a body, from its origin (m, in N); a node has no arm.
+    /// A point of a body at an arm from its origin (m, in N); a node has arm 0.
     #[must_use]
     pub fn of_body(body: usize, arm: Vec3<S>) -> Side<S> {
         let mut side = Side::fixed();
@@ -137,7 +140,7 @@ impl<S: Scalar> Side<S> {
         side
     }
 
-    /// A sum of points, as the corners of a facet by their shares; None stands for what is fixed in space.
+    /// A weighted sum of points, such as the corners of a facet; None stands for a corner fixed in space.
     #[must_use]
     pub fn blend(points: [Option<Point<S>>; 4]) -> Side<S> {
         let mut side = Side::fixed();
@@ -148,7 +151,7 @@ impl<S: Scalar> Side<S> {
         side
     }
 
-    /// With other arms.
+    /// The same side with other arms.
     #[must_use]
     pub fn with_arms(mut self, arm: impl Fn(&Point<S>) -> Vec3<S>) -> Side<S> {
         self.points.iter_mut().take(self.count).for_each(|point| point.arm = arm(point));
@@ -190,26 +193,26 @@ impl<S: Scalar> Contact<S> {
         }
     }
 
-    /// The velocity of the first body relative to the second at the point: n, t1, t2 (m/s).
+    /// Velocity of the first side relative to the second, along n, t1, t2 (m/s).
     #[must_use]
     pub fn relative(&self, twists: &[Twist<S>]) -> Vec3<S> {
         let [one, other] = self.sides.each_ref().map(|side| side.velocity(twists));
         vec3::apply(&self.axes, vec3::sub(one, other))
     }
 
-    /// All points, those of the second side with the opposite sense.
+    /// All points with their weights, negative for those of the second side.
     pub(crate) fn points(&self) -> impl Iterator<Item = (S, &Point<S>)> {
         let [one, other] = &self.sides;
         let theirs = other.points().map(|point| (-point.weight, point));
         one.points().map(|point| (point.weight, point)).chain(theirs)
     }
 
-    /// Is a point of this body part of it?
+    /// Whether any point belongs to this body.
     pub(crate) fn touches_body(&self, body: usize) -> bool {
         self.points().any(|(_, point)| point.body == body)
     }
 
-    /// K (1/kg): the change of the relative velocity under unit impulses along n, t1, t2.
+    /// K (1/kg): the change of relative velocity by unit impulses along n, t1, t2.
     #[must_use]
     pub fn inverse_mass(&self, inertia: &(impl Inertia<S> + ?Sized)) -> InverseMass<S> {
         let column = |d: Vec3<S>| {
@@ -225,14 +228,14 @@ impl<S: Scalar> Contact<S> {
         [[nn, xn, yn], [xn, xx, yx], [yn, yx, yy]]
     }
 
-    /// Components in N of an impulse n, t1, t2.
+    /// Components in N of an impulse given along n, t1, t2.
     #[must_use]
     pub fn to_inertial(&self, impulse: Vec3<S>) -> Vec3<S> {
         let ([n, t1, t2], [pn, p1, p2]) = (self.axes, impulse);
         vec3::axpy(vec3::axpy(vec3::scale(n, pn), p1, t1), p2, t2)
     }
 
-    /// Changes the twists by an impulse n, t1, t2 on the first side and its opposite on the second.
+    /// Changes the twists by an impulse along n, t1, t2 on the first side and its opposite on the second.
     pub fn push(&self, inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>], impulse: Vec3<S>) {
         let impulse = self.to_inertial(impulse);
         for (share, at) in self.points() {
@@ -240,7 +243,7 @@ impl<S: Scalar> Contact<S> {
         }
     }
 
-    /// Shows what an impulse n, t1, t2 gives to each body: number, arm, impulse in N.
+    /// Distributes an impulse along n, t1, t2 to the bodies: calls `give` with body, arm, impulse in N.
     pub fn deal(&self, impulse: Vec3<S>, mut give: impl FnMut(usize, Vec3<S>, Vec3<S>)) {
         let impulse = self.to_inertial(impulse);
         for (share, at) in self.points() {
@@ -249,7 +252,7 @@ impl<S: Scalar> Contact<S> {
     }
 }
 
-/// Solves K_tt x = y for the tangential block; y itself where the block is singular (nothing moves).
+/// Solves K_tt x = y for the tangential block; y itself where the block is singular (immovable).
 #[must_use]
 pub(crate) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) -> [S; 2] {
     let [_, [_, a, b], [_, _, c]] = *k;
@@ -261,7 +264,7 @@ pub(crate) fn solve_tangential<S: Scalar>(k: &InverseMass<S>, [x, y]: [S; 2]) ->
     }
 }
 
-/// The nearest point of the disc of this radius.
+/// Projects a point onto the disc of this radius.
 #[must_use]
 pub(crate) fn onto_disc<S: Scalar>([x, y]: [S; 2], radius: S) -> [S; 2] {
     let size = (x * x + y * y).sqrt();

@@ -1,12 +1,14 @@
-//! Forces of contacts that last (thesis Eq. 4.1): they press as long as they must, stick within the cone, slide on its rim.
+//! Forces of lasting contacts (thesis Eq. 4.1): normal forces push only, friction sticks inside its cone and slides on
+//! its rim.
 //!
-//! In: accelerations without contact forces, contacts with their velocities and W' u. Out: forces N, T and the accelerations.
+//! In: accelerations without contact forces, contacts with their velocities and W' u. Out: forces N, T and the
+//! accelerations.
 //! ```text
 //! G lambda = -(W M^-1 f + W' u) where a contact holds:   0 <= N, 0 <= g'', N g'' = 0
 //! sliding: T = -mu N v_t/|v_t|          resting: |T| <= mu N, against the acceleration it cannot stop
 //! ```
-//! By Gauss and Seidel's method, contact after contact, to the last digits; where contacts outnumber what determines them
-//! (a box on four corners) the accelerations are still unique.
+//! Solved by Gauss-Seidel sweeps over the contacts, to the last digits. Where contacts are redundant (a box on four
+//! corners) forces are not unique, but accelerations are.
 
 use super::contact::{Contact, Inertia, Twist, onto_disc};
 use super::impact::InverseMass;
@@ -14,21 +16,22 @@ use super::several::rubbed;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Sweeps at most.
+/// Most sweeps.
 const SWEEPS: usize = 1000;
-/// A sliding contact whose normal force moves its own normal acceleration less than this share of K_nn jams (Painleve).
+/// A sliding contact whose normal force changes its own normal acceleration by less than this share of K_nn jams
+/// (Painleve).
 const JAMMED: f64 = 1e-3;
 
-/// A contact that lasts.
+/// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Held<S> {
-    /// Its geometry and mu; its impulse is a force here (N).
+    /// Geometry and mu; its impulse is a force here (N).
     pub contact: Contact<S>,
     /// K.
     pub inverse_mass: InverseMass<S>,
-    /// W' u: relative acceleration n, t1, t2 that comes without accelerations (m/s^2).
+    /// W' u: the part of the relative acceleration that does not depend on accelerations, along n, t1, t2 (m/s^2).
     pub bias: Vec3<S>,
-    /// Unit direction of slip (t1, t2), or none at rest.
+    /// Unit direction of slip (t1, t2); None where the contact sticks.
     pub slip: Option<[S; 2]>,
 }
 
@@ -38,15 +41,15 @@ impl<S> AsMut<Held<S>> for Held<S> {
     }
 }
 
-/// Finds the forces and adds what they do to the accelerations. False: they did not settle.
+/// Computes the forces and adds their effect to the accelerations. Returns false if the sweeps did not converge.
 ///
-/// Forces that the contacts already have are where the sweeps start; `accelerations` must not contain them yet.
+/// Sweeps start from the forces that the contacts have; `accelerations` must not contain these yet.
 pub fn hold<S: Scalar>(
     held: &mut [impl AsMut<Held<S>>],
     inertia: &(impl Inertia<S> + ?Sized),
     accelerations: &mut [Twist<S>],
 ) -> bool {
-    // The forces' size, also where they all but cancel: what would stop the accelerations to begin with.
+    // Scale of the forces, even where they nearly cancel: those that would stop the initial accelerations.
     let mut scale = S::ZERO;
     for h in held.iter_mut().map(AsMut::as_mut) {
         let acceleration = vec3::norm(h.contact.relative(accelerations)) + vec3::norm(h.bias);
@@ -75,11 +78,11 @@ pub fn hold<S: Scalar>(
         }
         left = moved / largest;
     }
-    // Where contacts outnumber what determines them, rounding keeps moving forces that cancel.
+    // Where contacts are redundant, rounding keeps changing forces that cancel one another.
     left <= S::from_f64(0.01) * S::EPSILON.sqrt()
 }
 
-/// Normal force with friction on the rim, against the slip. False: it jams.
+/// Normal force of a sliding contact with friction on the rim, against the slip. Returns false if it jams.
 fn slide<S: Scalar>(
     h: &mut Held<S>,
     [x, y]: [S; 2],
@@ -98,7 +101,7 @@ fn slide<S: Scalar>(
     true
 }
 
-/// Normal force, then friction that stops the slip from starting as far as the cone allows. False: nothing can move.
+/// Normal force, then the friction that prevents slip as far as the cone allows. Returns false if nothing can move.
 fn rest<S: Scalar>(
     h: &mut Held<S>,
     inertia: &(impl Inertia<S> + ?Sized),

@@ -1,16 +1,16 @@
 //! Impact with friction at one point, along the normal impulse (thesis Eqs. 4.2 to 4.4, 4.14 to 4.26; Stronge 1990, 2000).
 //!
-//! In: the velocity v with which two bodies meet at the point (components n, t1, t2; v_n < 0 closing), the inverse
-//! mass matrix K that they show there (v = v_0 + K P), friction mu, energetic restitution e. Out: the impulse P on the body
-//! to which n points, with its works.
+//! In: the relative velocity v with which two bodies meet at the point (along n, t1, t2; v_n < 0 closing), the inverse
+//! mass matrix K at the point (v = v_0 + K P), friction mu, energetic restitution e. Out: the impulse P on the body
+//! to which n points, and its works.
 //!
-//! Idea: the normal impulse p is the clock. Each phase has a tangential impulse of its own:
+//! Idea: the normal impulse p replaces time. Each phase has its own law for the tangential impulse:
 //! ```text
 //! slip   dP_t = -mu v_t/|v_t| dp                          the direction may swerve (`swerve`)
 //! stick  dP_t = -K_tt^-1 K_tn dp                          while that is inside the cone
 //! work   dW_n = v_n dp;  compression ends at v_n = 0 with W_c;  restitution where W_n = (1 - e^2) W_c   (Eq. 4.4)
 //! ```
-//! Where the direction of slip is constant, v is linear and W quadratic in p: such a phase is solved, not stepped.
+//! While the direction of slip is constant, v is linear and W quadratic in p, so such a phase is solved in closed form.
 //! Friction's work is -mu |v_t| dp <= 0 and W_n <= 0 at the end, so no impact creates energy, whatever e and mu.
 
 use super::swerve;
@@ -19,13 +19,13 @@ pub use super::touch::{InverseMass, Touch};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Phases of one direction of slip, at most: compression and restitution, before and after slip ends; a spare.
+/// Most phases with one direction of slip: compression and restitution, before and after slip ends; a few to spare.
 const PHASES: usize = 8;
 
-/// What the impact was.
+/// Result of an impact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impact<S> {
-    /// P (N s): n, t1, t2; zero if the two do not close.
+    /// P (N s) along n, t1, t2; zero if the bodies are not closing.
     pub impulse: Vec3<S>,
     /// Normal impulse at the end of compression (N s).
     pub compression: S,
@@ -37,7 +37,7 @@ pub struct Impact<S> {
     pub friction_work: S,
 }
 
-/// What happens at a place of the work-impulse curve (Fig. 4.2).
+/// Phase at a point of the work-impulse curve (Fig. 4.2).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stage {
     /// The bodies meet.
@@ -48,7 +48,7 @@ pub enum Stage {
     Restitution,
 }
 
-/// A place of the work-impulse curve; the impulse grows from one to the next.
+/// A point of the work-impulse curve; the impulse grows from one to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint<S> {
     /// Normal impulse p (N s).
@@ -57,7 +57,7 @@ pub struct CurvePoint<S> {
     pub velocity: Vec3<S>,
     /// Normal work so far (J).
     pub work: S,
-    /// What goes on there.
+    /// The phase at this point.
     pub stage: Stage,
 }
 
@@ -71,13 +71,13 @@ impl<S: Scalar> Progress<S> {
     }
 }
 
-/// Resolves the impact; bodies that do not close get no impulse.
+/// Resolves the impact; bodies that are not closing get no impulse.
 #[must_use]
 pub fn resolve<S: Scalar>(touch: &Touch<S>) -> Impact<S> {
     trace(touch, |_| {})
 }
 
-/// Resolves the impact and shows the ends of its phases and of the steps between, in the order of the impulse.
+/// Resolves the impact and shows the ends of its phases and of the steps within, in the order of the impulse.
 pub fn trace<S: Scalar>(touch: &Touch<S>, mut show: impl FnMut(CurvePoint<S>)) -> Impact<S> {
     let mut at =
         Progress { impulse: vec3::zero(), velocity: touch.velocity, work: S::ZERO, compression: None };
@@ -109,7 +109,8 @@ fn total_work<S: Scalar>(touch: &Touch<S>, impulse: Vec3<S>) -> S {
     vec3::dot(impulse, vec3::axpy(touch.velocity, S::from_f64(0.5), change))
 }
 
-/// One phase of constant dP/dp, to its end: v_n = 0, slip ends, or the work is done. True: the impact is over.
+/// One phase of constant dP/dp, to its end: v_n = 0, end of slip, or end of the work. Returns true if the impact is
+/// over.
 fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
     let (rate, slips) = impulse_rate(touch, at.velocity);
     let change = vec3::apply(&touch.inverse_mass, rate);
@@ -135,7 +136,7 @@ fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
     if at.velocity[0] >= S::ZERO
         && let Some(left) = at.work_left(touch.restitution)
     {
-        // v_n p + (K rate)_n p^2/2 = what is left of -e^2 W_c: the smaller root, without cancellation.
+        // v_n p + (K rate)_n p^2/2 = the rest of -e^2 W_c: the smaller root, without cancellation.
         let left = left.max(S::ZERO);
         let square = at.velocity[0] * at.velocity[0] + S::from_f64(2.0) * change[0] * left;
         if left <= S::ZERO {
@@ -151,7 +152,7 @@ fn advance_straight<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>) -> bool {
     at.impulse = vec3::axpy(at.impulse, step, rate);
     at.velocity = vec3::axpy(at.velocity, step, change);
     if !slips || end == End::Slip {
-        // Rest is exact: what rounding leaves must not be taken for slip.
+        // Sticking is exact: a rounding error must not be taken for slip.
         (at.velocity[1], at.velocity[2]) = (S::ZERO, S::ZERO);
     }
     match end {
@@ -168,12 +169,12 @@ enum End {
     None,
     Slip,
     Compression,
-    /// v_n fell to 0 again before the work was done (slip that drives the bodies together).
+    /// v_n fell to 0 again before the work was done (slip drives the bodies together).
     Recompression,
     Restitution,
 }
 
-/// dP/dp and whether the point slips: Coulomb's law for the slip at hand, or for what follows rest.
+/// dP/dp and whether the point slips: by Coulomb's law for the present slip, or for the motion that starts from rest.
 fn impulse_rate<S: Scalar>(touch: &Touch<S>, velocity: Vec3<S>) -> (Vec3<S>, bool) {
     let mu = touch.friction;
     let (direction, slip) = slip_of(velocity);
@@ -192,8 +193,7 @@ fn impulse_rate<S: Scalar>(touch: &Touch<S>, velocity: Vec3<S>) -> (Vec3<S>, boo
 
 /// Direction in which a point at rest starts to slip: (mu K_tt + lambda) e = K_tn with lambda > 0 and |e| = 1.
 ///
-/// |e| falls with lambda from above 1 to 0, so there is one root; in the principal axes of `K_tt` it is a
-/// scalar equation, solved by bisection to the last bit.
+/// |e| decreases with lambda from above 1 to 0, so there is one root, found by bisection to the last bit.
 fn direction_of_departure<S: Scalar>(touch: &Touch<S>) -> [S; 2] {
     let (mu, half) = (touch.friction, S::from_f64(0.5));
     let [_, [kx, a, b], [ky, _, c]] = touch.inverse_mass;

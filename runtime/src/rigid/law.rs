@@ -1,19 +1,19 @@
-//! Laws of contact between two rigid bodies, and which numbers they take.
+//! Impact laws between two rigid bodies, and their parameters.
 
 use crate::real::Scalar;
 
-/// How two bodies part after an impact.
+/// Kind of impact law.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
     /// Restitution of energy at each point (Stronge).
     Stronge,
     /// Restitution of velocity (Newton), without friction.
     Newton,
-    /// Energy compensation: the loss of e = 0 comes back along the same impulses.
+    /// Energy compensation: the energy lost with e = 0 is given back along the same impulses.
     Compensation,
 }
 
-/// A law with its numbers; whatever they are, it creates no energy.
+/// A law with its parameters; with any of them it creates no energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law<S> {
     kind: Kind,
@@ -62,7 +62,7 @@ impl<S: Scalar> Law<S> {
         Law::checked(Kind::Newton, restitution, friction)
     }
 
-    /// The share eta of the energy that comes back, and mu.
+    /// Compensation with the share eta of the energy that is given back, and mu.
     ///
     /// # Errors
     /// [`LawFault`] for numbers out of range.
@@ -72,13 +72,13 @@ impl<S: Scalar> Law<S> {
         Ok(Law { restitution: share.sqrt(), ..law })
     }
 
-    /// Which law.
+    /// The kind of law.
     #[must_use]
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// e; of compensation sqrt(eta).
+    /// e; sqrt(eta) for compensation.
     #[must_use]
     pub fn restitution(&self) -> S {
         self.restitution

@@ -1,8 +1,8 @@
-//! Rigid bodies: free motion that keeps energy and angular momentum, and impact with friction.
+//! Rigid bodies: free motion that conserves energy and angular momentum, and impact with friction.
 //!
-//! In: mass, principal moments of inertia, pose and momenta. Out: the pose a step later (`motion`), velocities after
-//! an impact at a point (`impact`, `swerve`). The state holds the angular momentum in N, so that what no moment
-//! changes is never computed anew.
+//! In: mass, principal moments of inertia, pose and momenta. Out: the pose one step later (`motion`), velocities after
+//! an impact at a point (`impact`, `swerve`). The state holds the angular momentum in N, so that without moments
+//! it stays constant to the bit.
 
 pub mod attitude;
 pub mod contact;
@@ -22,7 +22,7 @@ use crate::vec3::{self, Vec3};
 use attitude::Attitude;
 use impact::{Impact, InverseMass, Touch};
 
-/// What does not change: mass and inertia in principal axes.
+/// Constants of a rigid body: mass and inertia in principal axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigidBody<S> {
     /// m (kg), > 0.
@@ -38,7 +38,7 @@ pub struct RigidState<S> {
     pub position: Vec3<S>,
     /// Velocity of the centre of mass in N (m/s).
     pub velocity: Vec3<S>,
-    /// Turn from body axes to N.
+    /// Rotation from body axes to N.
     pub attitude: Attitude<S>,
     /// Angular momentum about the centre of mass, in N (kg m^2/s).
     pub angular_momentum: Vec3<S>,
@@ -51,7 +51,7 @@ impl<S: Scalar> RigidBody<S> {
         attitude.to_inertial(self.body_rate(attitude.to_body(moment)))
     }
 
-    /// Angular velocity of an angular momentum, both in body axes.
+    /// Angular velocity for an angular momentum, both in body axes.
     pub(crate) fn body_rate(&self, momentum: Vec3<S>) -> Vec3<S> {
         let ([x, y, z], [a, b, c]) = (momentum, self.inertia);
         [x / a, y / b, z / c]
@@ -69,7 +69,7 @@ impl<S: Scalar> RigidBody<S> {
         vec3::add(state.velocity, vec3::cross(self.angular_velocity(state), r))
     }
 
-    /// The body's axes with their motion.
+    /// The body's frame with its motion.
     #[must_use]
     pub fn frame(&self, state: &RigidState<S>) -> Frame<S> {
         Frame {
@@ -94,19 +94,19 @@ impl<S: Scalar> RigidBody<S> {
         vec3::axpy(vec3::cross(turned, r), S::ONE / self.mass, d)
     }
 
-    /// Takes an impulse (N s, in N) at the point r from the centre of mass.
+    /// Applies an impulse (N s, in N) at the point r from the centre of mass.
     pub fn push(&self, state: &mut RigidState<S>, r: Vec3<S>, impulse: Vec3<S>) {
         state.velocity = vec3::axpy(state.velocity, S::ONE / self.mass, impulse);
         state.angular_momentum = vec3::add(state.angular_momentum, vec3::cross(r, impulse));
     }
 }
 
-/// A rigid body at the point where it is touched.
+/// A rigid body and the point at which it is struck.
 #[derive(Debug)]
 pub struct Struck<'a, S> {
     /// The body.
     pub body: &'a RigidBody<S>,
-    /// Its state; the impulse changes it.
+    /// Its state, which the impulse changes.
     pub state: &'a mut RigidState<S>,
     /// The point, in N (m).
     pub point: Vec3<S>,
@@ -124,8 +124,8 @@ impl<S: Scalar> Struck<'_, S> {
 
 /// Impact of a rigid body on the ground, or on another one; n points from the other to `one`.
 ///
-/// The impulse acts on `one`, its opposite on `other`, at one and the same point each: momentum and angular momentum of
-/// the two stay. Bodies that do not close are left alone.
+/// The impulse acts on `one`, its opposite on `other`, at the same point: linear and angular momentum of the pair are
+/// conserved. Bodies that are not closing are left unchanged.
 pub fn strike<S: Scalar>(
     one: Struck<S>,
     other: Option<Struck<S>>,
@@ -157,7 +157,7 @@ pub fn strike<S: Scalar>(
     impact
 }
 
-/// K at the point in the axes of the contact: the sum of what both bodies yield.
+/// K at the point in the axes of the contact: the sum for both bodies.
 fn inverse_mass<S: Scalar>(
     one: &Struck<S>,
     other: Option<&Struck<S>>,
@@ -175,7 +175,7 @@ fn inverse_mass<S: Scalar>(
     [[nn, xn, yn], [xn, xx, yx], [yn, yx, yy]]
 }
 
-/// n and two directions across it (Duff and others 2017: exact for every unit vector).
+/// n and two unit vectors perpendicular to it (Duff and others 2017: exact for every unit vector).
 #[must_use]
 pub fn contact_axes<S: Scalar>(n: Vec3<S>) -> [Vec3<S>; 3] {
     let [x, y, z] = n;

@@ -1,11 +1,11 @@
-//! Free rotation that keeps energy and angular momentum to rounding (Simo and Wong 1991), of order 4 (Suzuki 1990).
+//! Free rotation that conserves energy and angular momentum to rounding (Simo & Wong 1991), of order 4 (Suzuki 1990).
 //!
-//! With m = J W the angular momentum in body axes, a step of Cayley's turn by h W~ takes m_0 to m_1 with
+//! With m = J W the angular momentum in body axes, a step of Cayley's rotation by h W~ takes m_0 to m_1 with
 //! ```text
 //! m_1 - m_0 = -h W~ x m~,   m~ = (m_0 + m_1)/2 = J W~      so    J W~ + h/2 W~ x J W~ = m_0
 //! ```
-//! W~ . (m_1 - m_0) = 0: the energy stays; the momentum in N is state and is not computed at all. Five such steps of
-//! suitable lengths give order 4. A step too long for the iteration is taken in parts.
+//! W~ . (m_1 - m_0) = 0: energy is conserved; the momentum in N is state and not recomputed at all. Five such steps of
+//! suitable lengths give order 4. A step too long for the iteration is split.
 
 use super::attitude::Attitude;
 use super::{RigidBody, RigidState};
@@ -14,19 +14,20 @@ use crate::vec3::{self, Vec3};
 
 /// Largest angle (rad) of one application of the map.
 const LARGEST_TURN: f64 = 0.5;
-/// Parts of a step at most.
+/// Most parts of a step.
 const PARTS: u32 = 1 << 20;
-/// Newton's iterations: it starts within a tenth of the root and squares its error.
+/// Newton iterations: they start within a tenth of the root and converge quadratically.
 const ITERATIONS: usize = 5;
 
-/// A step that turns the body too far to be followed.
+/// A step that rotates the body too far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TooFast;
 
-/// Advances by h (s) under a constant force and moment (N, N m, in N): exact for the centre of mass.
+/// Advances by h (s) under a constant force and moment (N, N m, in N); exact for the centre of mass.
 ///
 /// # Errors
-/// [`TooFast`] where h times the angular velocity exceeds half a million radians or is not a number; the state is left as it was.
+/// [`TooFast`] where h times the angular velocity exceeds half a million radians or is not finite; the state is
+/// unchanged.
 pub fn advance<S: Scalar>(
     body: &RigidBody<S>,
     state: &mut RigidState<S>,
@@ -59,7 +60,7 @@ pub fn rotate<S: Scalar>(
     // Suzuki's p = 1/(4 - 4^(1/3)): steps p, p, 1 - 4 p, p, p.
     const P: f64 = 0.414_490_771_794_375_7;
     const STEPS: [f64; 5] = [P, P, 1.0 - 4.0 * P, P, P];
-    // No axis turns faster than |m| over the least moment of inertia.
+    // No rotation is faster than |m| over the smallest moment of inertia.
     let [a, b, c] = body.inertia;
     let fastest = vec3::norm(momentum) / a.min(b).min(c) * h.abs();
     let parts = parts_of(fastest).ok_or(TooFast)?;
@@ -74,7 +75,7 @@ pub fn rotate<S: Scalar>(
     Ok(attitude)
 }
 
-/// How many parts a turn of this angle (rad) takes; None where it is too large or not a number.
+/// Number of parts for a rotation by this angle (rad); None where it is too large or not finite.
 fn parts_of<S: Scalar>(angle: S) -> Option<u32> {
     let mut parts = 1;
     let mut reach = S::from_f64(LARGEST_TURN);
@@ -101,7 +102,7 @@ fn count<S: Scalar>(parts: u32) -> S {
     value
 }
 
-/// One turn by Cayley's map, of order 2.
+/// One rotation by Cayley's map, of order 2.
 fn turn<S: Scalar>(body: &RigidBody<S>, attitude: Attitude<S>, momentum: Vec3<S>, h: S) -> Attitude<S> {
     let half = S::from_f64(0.5) * h;
     let target = attitude.to_body(momentum);
@@ -122,7 +123,7 @@ fn newton_correction<S: Scalar>(inertia: Vec3<S>, w: Vec3<S>, target: Vec3<S>, h
     solve([[a, f * z, f * y], [g * z, b, g * x], [k * y, k * x, c]], residual)
 }
 
-/// Cramer's rule, by columns' cross products.
+/// Solves a 3 x 3 system by Cramer's rule.
 fn solve<S: Scalar>(rows: [Vec3<S>; 3], right: Vec3<S>) -> Vec3<S> {
     let [r0, r1, r2] = rows;
     let (c0, c1, c2) = (vec3::cross(r1, r2), vec3::cross(r2, r0), vec3::cross(r0, r1));

@@ -1,14 +1,15 @@
-//! Impact at several points at once (Liu, Zhao and Brogliato 2008, contacts of equal stiffness; Stronge's restitution).
+//! Impact at several points at once (Liu, Zhao & Brogliato 2008, contacts of equal stiffness; Stronge's restitution).
 //!
-//! In: bodies and their contacts at the instant of touch. Out: impulses and the twists after.
+//! In: bodies and their contacts at the instant of impact. Out: impulses, and the twists after.
 //!
-//! Each contact is a spring of stiffness 1 in a time of its own, F = sqrt(2 E), E the energy stored in it; the longer
-//! the one presses, the larger its share of the impulse. Over a short piece of the impact, dP simultaneous at all,
+//! Each contact is a spring of stiffness 1 on a time scale of its own, with force F = sqrt(2 E) and stored energy E, so
+//! the longer one pushes, the larger its share of the impulse. Over a short piece of the impact, with dP at all
+//! contacts simultaneously,
 //! ```text
 //! dE_j = -(int of v_n < 0) dP_j - (int of v_n > 0) dP_j / e_j^2          restitution gives e^2 of what compression took
 //! ```
-//! v is linear in dP, so the books are exact for any length of the piece; the piece in which some E_j comes to 0 ends
-//! there. Every E >= 0 and friction works against slip: no impact creates energy, whatever e, mu and the shapes.
+//! v is linear in dP, so the energy balance is exact for any length of the piece; a piece ends where the first E_j
+//! becomes 0. Every E >= 0 and friction opposes slip, so no impact creates energy, whatever e, mu and the shapes.
 
 use super::contact::{Contact, Inertia, Twist, onto_disc, solve_tangential};
 use super::impact::{InverseMass, Touch, resolve};
@@ -16,15 +17,15 @@ use crate::ode::root::locate;
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Pieces of one impact at most; what is then left is taken out as by e = 0.
+/// Most pieces of one impact; the rest is then resolved with e = 0.
 const PIECES: usize = 4000;
-/// Length of a piece in units of 1/sqrt(sum of K_nn): sixty and more to a compression.
+/// Length of a piece in units of 1/sqrt(sum of K_nn): sixty or more per compression.
 const PIECE: f64 = 0.1;
-/// Sweeps of the friction of one piece at most: stopped early it still works against slip, within its cone.
+/// Most friction sweeps of one piece: stopped early, friction still opposes slip within its cone.
 const RUBS: usize = 60;
-/// Sweeps of the normal impulses of e = 0 at most.
+/// Most sweeps for the normal impulses of e = 0.
 const SWEEPS: usize = 2000;
-/// Restitution coefficients below this shorten no piece: the end of the contact is located anyway.
+/// Restitution coefficients below this do not shorten pieces: the end of the contact is located anyway.
 const SOFTEST: f64 = 0.05;
 
 /// A contact during an impact.
@@ -32,29 +33,29 @@ const SOFTEST: f64 = 0.05;
 pub struct Struck<S> {
     /// The contact; its impulse is the result.
     pub contact: Contact<S>,
-    /// K.
+    /// The contact's inverse mass matrix K.
     inverse_mass: InverseMass<S>,
     /// E (J), stored.
     stored: S,
-    /// E after the piece on trial, its impulse, the relative velocity before it.
+    /// Of the piece on trial: E after it, its impulse, the relative velocity before it.
     trial: S,
     piece: vec3::Vec3<S>,
     before: vec3::Vec3<S>,
-    /// Friction per normal impulse in the last piece: the next one starts from it.
+    /// Friction per normal impulse in the last piece, from which the next one starts.
     ratio: [S; 2],
 }
 
-/// What an impact at several points did.
+/// Result of an impact at several points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Pieces it took.
+    /// Number of pieces.
     pub pieces: usize,
-    /// Were the pieces enough? If not, what was left ended as by e = 0.
+    /// Whether the pieces sufficed; if not, the rest ended as with e = 0.
     pub complete: bool,
 }
 
 impl<S: Scalar> Struck<S> {
-    /// A contact that takes part.
+    /// A contact that takes part, with its inverse mass.
     #[must_use]
     pub fn new(contact: Contact<S>, inertia: &(impl Inertia<S> + ?Sized)) -> Struck<S> {
         let inverse_mass = contact.inverse_mass(inertia);
@@ -63,12 +64,12 @@ impl<S: Scalar> Struck<S> {
         Struck { contact, inverse_mass, stored: S::ZERO, trial: S::ZERO, piece, before, ratio }
     }
 
-    /// The speed that its normal impulse takes out by itself (m/s).
+    /// The speed that its normal impulse alone would stop (m/s).
     pub(crate) fn stopped(&self) -> S {
         self.contact.impulse[0] * self.inverse_mass[0][0]
     }
 
-    /// Does it press, or start to?
+    /// Whether it pushes, or starts to.
     fn active(&self, closing: S) -> bool {
         self.stored > S::ZERO || self.before[0] < -closing
     }
@@ -79,7 +80,7 @@ impl<S: Scalar> Struck<S> {
         S::ONE / (e * e)
     }
 
-    /// The normal impulse of a piece of this length, by the force in its middle.
+    /// The normal impulse of a piece of this length, by the force in the middle of the piece.
     fn press(&self, length: S, closing: S) -> S {
         if !self.active(closing) {
             return S::ZERO;
@@ -90,7 +91,7 @@ impl<S: Scalar> Struck<S> {
         if rate < S::ZERO {
             return length * (force - half * length * rate);
         }
-        // At least half of the force: what is left ends at the place where E does.
+        // At least half of the force: the end of the contact is then located where E becomes 0.
         let fallen = if self.contact.restitution > S::ZERO {
             force - half * length * rate * self.unloading()
         } else {
@@ -99,7 +100,7 @@ impl<S: Scalar> Struck<S> {
         length * fallen.max(half * force)
     }
 
-    /// E after normal velocities from `before` to v over the impulse of the piece.
+    /// E after the normal velocity has changed from `before` to v over the impulse of the piece.
     fn charge(&self, v: S) -> S {
         let (u, impulse, half) = (self.before[0], self.piece[0], S::from_f64(0.5));
         // Integrals over the piece of the parts of v_n below and above 0.
@@ -119,13 +120,13 @@ impl<S: Scalar> Struck<S> {
         } else if self.contact.restitution > S::ZERO {
             charged - returned * self.unloading()
         } else {
-            // e = 0 gives nothing back: the contact ends where v_n turns.
+            // e = 0 gives nothing back: the contact ends where v_n changes sign.
             -returned
         }
     }
 }
 
-/// Resolves the impact of all these contacts at once; contacts that part or rest take part if others press them.
+/// Resolves the impact of all these contacts at once; contacts that open or rest take part if others close them.
 ///
 /// One contact alone is resolved in closed form ([`resolve`]). `twists` and the contacts' impulses are changed;
 /// `spare` is working memory, one entry per body.
@@ -174,7 +175,7 @@ fn strike_one<S: Scalar>(
     contact.push(inertia, twists, impact.impulse);
 }
 
-/// The length of the next piece; None when nothing presses any more.
+/// The length of the next piece; None when no contact pushes any more.
 fn piece_length<S: Scalar>(struck: &[Struck<S>], closing: S) -> Option<S> {
     let mut sum = S::ZERO;
     for s in struck.iter().filter(|s| s.active(closing)) {
@@ -184,7 +185,7 @@ fn piece_length<S: Scalar>(struck: &[Struck<S>], closing: S) -> Option<S> {
     (sum > S::ZERO).then(|| S::from_f64(PIECE) / sum.sqrt())
 }
 
-/// Tries the piece up to the place where the first contact has given back all it may.
+/// Tries the piece, shortened to where the first contact has given back all its energy.
 fn shorten<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),
@@ -207,7 +208,7 @@ fn shorten<S: Scalar>(
     try_piece(struck, inertia, twists, spare, end, closing);
 }
 
-/// A piece of this length: impulses, velocities after it in `spare`, stored energies after it.
+/// Tries a piece of this length: impulses, velocities after it in `spare`, stored energies after it.
 fn try_piece<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),
@@ -228,10 +229,10 @@ fn try_piece<S: Scalar>(
     }
 }
 
-/// Takes the piece: contacts that have given back what they may are out of it.
+/// Accepts the piece; contacts that have given back all their energy end.
 fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &[Twist<S>]) {
     twists.iter_mut().zip(spare).for_each(|(to, from)| *to = *from);
-    // What rounding leaves of a contact that ended with another one, alike, is no energy.
+    // A contact that ended at the same time as another keeps a rounding error of E, which is no energy.
     let rounding = S::from_f64(256.0) * S::EPSILON;
     for s in struck.iter_mut() {
         let ended = s.trial <= rounding * s.stored;
@@ -243,7 +244,7 @@ fn accept<S: Scalar>(struck: &mut [Struck<S>], twists: &mut [Twist<S>], spare: &
     }
 }
 
-/// Friction of a piece: against the slip at its end, in the cone of its normal impulse; by Gauss and Seidel's method.
+/// Friction of a piece, against the slip at its end, in the cone of its normal impulse; by Gauss-Seidel sweeps.
 fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized), twists: &mut [Twist<S>]) {
     let presses = |s: &Struck<S>| s.contact.friction > S::ZERO && s.piece[0] > S::ZERO;
     if !struck.iter().any(presses) {
@@ -260,12 +261,12 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
             s.contact.push(inertia, twists, change);
             moved = moved.max((change[1].abs() + change[2].abs()) / radius);
         }
-        // Finer than the piece itself is.
+        // Finer than the error of the piece itself.
         if moved <= S::EPSILON.sqrt() {
             break;
         }
     }
-    // Should the sweeps have stopped short, no more is rubbed than takes energy out.
+    // If sweeps that stopped early would add energy, the piece has no friction.
     let work = |s: &Struck<S>| {
         let [_, x, y] = s.contact.relative(twists);
         let half = S::from_f64(0.5);
@@ -280,14 +281,14 @@ fn rub<S: Scalar>(struck: &mut [Struck<S>], inertia: &(impl Inertia<S> + ?Sized)
     }
 }
 
-/// One contact's friction for the slip that is left at the end: to rest, or on the rim of the disc towards it.
+/// One contact's friction for the slip that is left: the one that stops it, or one on the rim of the friction disc.
 pub(super) fn rubbed<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
     let [x, y] = solve_tangential(k, slip);
     let rest = [at[0] - x, at[1] - y];
     if rest[0] * rest[0] + rest[1] * rest[1] <= radius * radius {
         return rest;
     }
-    // Projected gradient, its step the inverse of the larger eigenvalue's bound.
+    // Projected gradient step, its length the inverse of a bound on the larger eigenvalue.
     let step = S::ONE / (k[1][1] + k[2][2]).max(S::EPSILON);
     onto_disc([at[0] - step * slip[0], at[1] - step * slip[1]], radius)
 }
@@ -297,9 +298,10 @@ fn fastest<S: Scalar>(struck: &[Struck<S>], twists: &[Twist<S>]) -> S {
     struck.iter().fold(S::ZERO, |most, s| most.max(vec3::norm(s.contact.relative(twists))))
 }
 
-/// Takes out what approach is left, without friction: normal impulses J >= 0 with J v_n = 0.
+/// Stops the approach that is left, without friction: normal impulses J >= 0 with J v_n = 0.
 ///
-/// Every turn lowers the kinetic energy, so that stopping early creates none. False: the sweeps were not enough.
+/// Every update lowers the kinetic energy, so stopping early creates none. Returns false if the sweeps did not
+/// converge.
 pub fn stop<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),
@@ -332,12 +334,13 @@ pub fn stop<S: Scalar>(
     settled
 }
 
-/// Impact by energy compensation: e = 0 first, whose loss Q comes back along the same impulses, a share `eta` of it.
+/// Impact by energy compensation: first with e = 0, then a share `eta` of the loss Q is given back along the same
+/// impulses.
 ///
 /// ```text
 /// J0: as `stop`;  u = M^-1 W' J0;  A = u.M u/2;  b = u.M v;  A lambda^2 + b lambda = eta Q;  J = (1 + lambda) J0 >= 0
 /// ```
-/// Friction acts afterwards within mu J and takes energy only.
+/// Friction acts afterwards within mu J and only dissipates.
 pub fn compensate_all<S: Scalar>(
     struck: &mut [Struck<S>],
     eta: S,
@@ -372,8 +375,8 @@ pub fn compensate_all<S: Scalar>(
     Outcome { pieces: 1, complete }
 }
 
-/// Friction within mu J of impulses already known, with what it takes to keep the bodies apart: each turn lowers the
-/// kinetic energy. False: the sweeps were not enough.
+/// Friction within mu J of known impulses J, with the normal impulses needed to keep the bodies apart: each update
+/// lowers the kinetic energy. Returns false if the sweeps did not converge.
 pub(crate) fn rub_within<S: Scalar>(
     struck: &mut [Struck<S>],
     inertia: &(impl Inertia<S> + ?Sized),

@@ -1,12 +1,12 @@
-//! Slip whose direction swerves: the part of an impact that no formula covers (Keller 1986; Bhatt and Koechling 1995).
+//! Slip whose direction changes: the part of an impact without closed form (Keller 1986; Bhatt & Koechling 1995).
 //!
-//! With d tau = dp/|v_t| as clock the equations are smooth up to the end of slip,
+//! With d tau = dp/|v_t| in place of time the equations are smooth up to the end of slip,
 //! ```text
 //! P_n' = s,   P_t' = -mu v_t,   W' = v_n s,   v = v_0 + K P,   s = |v_t|
 //! ```
-//! and their Taylor series follow from one recurrence. A step is as long as the series' last terms allow; v_n = 0
-//! and the end of the work are roots of its polynomials. The direction tends to one that it keeps; from there on, or
-//! once slip is lost in rounding, the straight phases of `impact` take over.
+//! and their Taylor series follow from one recurrence. A step is as long as the last terms of the series allow; v_n = 0
+//! and the end of the work are roots of its polynomials. The direction tends to an invariant one; from there on, or
+//! once slip is below rounding, the straight phases of `impact` take over.
 
 use super::touch::{BISECTIONS, Progress, Touch, slip_of};
 use crate::real::Scalar;
@@ -14,7 +14,7 @@ use crate::vec3;
 
 /// Terms of the series.
 const TERMS: usize = 24;
-/// Steps at most; each turns the slip by a good part of what is left of its turn.
+/// Most steps; each covers a good part of the rotation of the slip that is left.
 const STEPS: usize = 400;
 
 /// Advances until the direction of slip is constant (false) or the impact is over (true).
@@ -42,7 +42,7 @@ pub(super) fn advance<S: Scalar>(
     false
 }
 
-/// One step of the series, or less: to v_n = 0 or to the end of the work. True: the impact is over.
+/// One step of the series, shortened to v_n = 0 or to the end of the work. Returns true if the impact is over.
 fn advance_step<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>, series: &Series<S>) -> bool {
     let step = series.step();
     let rate = |tau: S| value(&series.n, tau);
@@ -54,7 +54,7 @@ fn advance_step<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>, series: &Seri
         }
         return false;
     };
-    // v_n may fall to 0 again in restitution: the bodies compress anew.
+    // v_n may fall to 0 again in restitution: the bodies compress again.
     let falls = rate(step) < S::ZERO;
     let step = if falls { root(|tau| -rate(tau), step) } else { step };
     let missing = |tau: S| value(&series.work, tau) - left;
@@ -69,7 +69,7 @@ fn advance_step<S: Scalar>(touch: &Touch<S>, at: &mut Progress<S>, series: &Seri
     false
 }
 
-/// Does slip go on along its line? The part of K dP/dp across it is no more than rounding.
+/// Whether slip keeps its direction: the part of K dP/dp across it is no more than rounding.
 fn keeps_direction<S: Scalar>(touch: &Touch<S>, velocity: vec3::Vec3<S>) -> bool {
     let ([x, y], _) = slip_of(velocity);
     let change = vec3::apply(&touch.inverse_mass, [S::ONE, -(touch.friction * x), -(touch.friction * y)]);
@@ -78,7 +78,7 @@ fn keeps_direction<S: Scalar>(touch: &Touch<S>, velocity: vec3::Vec3<S>) -> bool
     (x * change[2] - y * change[1]).abs() <= S::from_f64(4.0) * S::EPSILON * size
 }
 
-/// The place in (0, step] where f rises through 0, by bisection to the last bit.
+/// The point in (0, step] where f rises through 0, by bisection to the last bit.
 fn root<S: Scalar>(f: impl Fn(S) -> S, step: S) -> S {
     let half = S::from_f64(0.5);
     let (mut low, mut high) = (S::ZERO, step);
@@ -89,7 +89,7 @@ fn root<S: Scalar>(f: impl Fn(S) -> S, step: S) -> S {
     high
 }
 
-/// Coefficients of the powers of tau: velocity, normal impulse, work.
+/// Taylor coefficients in tau of velocity, normal impulse and work.
 struct Series<S> {
     n: [S; TERMS],
     x: [S; TERMS],
@@ -113,7 +113,7 @@ impl<S: Scalar> Series<S> {
             let rate = [slip[k], -(touch.friction * term[1]), -(touch.friction * term[2])];
             let next = vec3::scale(rate, S::ONE / count);
             let power = convolution(&series.n, &slip, k) / count;
-            // The last term has no successor.
+            // The last coefficient has no successor.
             if let (Some(impulse), Some(work)) = (series.impulse.get_mut(k + 1), series.work.get_mut(k + 1)) {
                 (*impulse, *work) = (next[0], power);
             }
@@ -122,12 +122,12 @@ impl<S: Scalar> Series<S> {
         series
     }
 
-    /// The step after which the last terms of v_t are rounding: (epsilon |v_t| / |term|)^(1/order).
+    /// The step for which the last terms of v_t are rounding: (epsilon |v_t| / |term|)^(1/order).
     fn step(&self) -> S {
         let size = |k: usize| slip_of([S::ZERO, self.x[k], self.y[k]]).1;
         let order = S::from_f64((TERMS - 1) as f64);
         let last = size(TERMS - 1).max(size(TERMS - 2) * size(1) / size(0));
-        // The first term bounds the step where the series happens to end early.
+        // The first term bounds the step where the last ones happen to vanish.
         let by_first = size(0) / size(1);
         if last > S::ZERO {
             ((S::EPSILON * size(0) / last).ln() / order).exp().min(by_first)
@@ -156,18 +156,18 @@ fn order_of<S: Scalar>() -> S {
     S::from_f64(TERMS as f64)
 }
 
-/// The sum of the powers of tau.
+/// Value of a polynomial at tau.
 fn value<S: Scalar>(terms: &[S; TERMS], tau: S) -> S {
     terms.iter().rev().fold(S::ZERO, |sum, term| sum * tau + *term)
 }
 
-/// Term k of the product of two series.
+/// Coefficient k of the product of two series.
 fn convolution<S: Scalar>(a: &[S; TERMS], b: &[S; TERMS], k: usize) -> S {
     let pairs = a.iter().take(k + 1).zip(b.iter().take(k + 1).rev());
     pairs.fold(S::ZERO, |sum, (a, b)| sum + *a * *b)
 }
 
-/// Term k of s from s s = v_t . v_t, the terms below it known and itself still 0.
+/// Coefficient k of s from s s = v_t . v_t, given the lower ones; entry k itself is still 0.
 fn slip_term<S: Scalar>(x: &[S; TERMS], y: &[S; TERMS], s: &[S; TERMS], k: usize) -> S {
     let square = convolution(x, x, k) + convolution(y, y, k);
     if k == 0 { square.sqrt() } else { (square - convolution(s, s, k)) / (S::from_f64(2.0) * s[0]) }

@@ -1,7 +1,7 @@
-//! Tries of a step: how long it is to be, how far it came, and how long the next one is.
+//! Trial steps: plans the length of a step, tries it, and plans the next one.
 //!
-//! In: the state and what is left of the caller's step. Out: the length taken, with its first event located. Methods of
-//! adaptive step plan by their error; an implicit step that does not settle is halved.
+//! In: the state and the time left of the caller's step. Out: the length of the step taken, with its first event
+//! located. Adaptive methods plan by their error estimate; an implicit step that does not converge is halved.
 
 use super::state::State;
 use crate::contact::{Ground, Repertoire, Start, System, advance};
@@ -10,21 +10,21 @@ use crate::guard::{self, Shortened};
 use crate::ode::nodes::{Step, Workspace};
 use crate::real::Scalar;
 
-/// Halvings of an implicit step that does not settle.
+/// Most halvings of an implicit step that does not converge.
 const HALVINGS: usize = 10;
 
-/// A step that was tried.
+/// A trial step.
 pub(super) struct Attempt<S> {
     /// Its length (s).
     pub length: S,
-    /// The method's error over the allowed one; above 1 it does not count.
+    /// Error estimate over the allowed error; above 1 the step is rejected.
     pub error: S,
-    /// Where it ends.
+    /// Where the step ends after location of events.
     pub shortened: Shortened<S>,
 }
 
-/// Tries a step and locates its first event; half as far as long as an implicit step does not settle: springs pressed
-/// through length 0 turn their force at once, and the iteration follows only a shorter way.
+/// Tries a step and locates its first event; halves it while an implicit method does not converge: springs pressed
+/// through length 0 reverse their force abruptly, and the iteration can follow shorter steps only.
 pub(super) fn attempt<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     watched: Option<&Ground<S>>,
@@ -62,7 +62,7 @@ fn attempt_once<S: Scalar, R: Repertoire<S>>(
     Ok(Attempt { length, error, shortened })
 }
 
-/// Length of the next try (s).
+/// Length of the next trial step (s).
 pub(super) fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method: impl Step<S>) -> S {
     let wanted = match method.longest() {
         Some(longest) => {
@@ -72,11 +72,11 @@ pub(super) fn try_length<S: Scalar>(state: &State<S>, remaining: S, h: S, method
         }
         None => h,
     };
-    // A rest of less than one part in 1e3 of the try is not left for a step of its own.
+    // Less than one part in 1e3 of the step is not left for a step of its own.
     if wanted * S::from_f64(1.001) >= remaining { remaining } else { wanted }
 }
 
-/// Standard controller: factor 0.9 error^(-1/order), kept within 1/5 and 5.
+/// Standard step size controller: factor 0.9 error^(-1/order), between 1/5 and 5.
 pub(super) fn control_step<S: Scalar>(
     state: &mut State<S>,
     tau: S,
@@ -92,7 +92,7 @@ pub(super) fn control_step<S: Scalar>(
     let tiny = S::from_f64(1e-10);
     let factor = S::from_f64(0.9) * (exponent * error.max(tiny).ln()).exp();
     let wanted = tau * factor.max(S::from_f64(0.2)).min(S::from_f64(5.0));
-    // A try cut by the end of the step says nothing against the longer one planned before.
+    // A trial cut short by the end of the step is no evidence against the longer one planned before.
     let cut = tau >= remaining && error <= S::ONE;
     state.next_step = if cut { wanted.max(state.next_step) } else { wanted };
 }

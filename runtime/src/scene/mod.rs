@@ -1,7 +1,7 @@
-//! One step of a body on the ground: try, shorten to the first touch or release, apply it, go on.
+//! One step of a body on the ground: try, shorten to the first touch or release, resolve it, continue.
 //!
 //! In: a system, a state, a step h, a method. Out: the state h later and a report. The observer sees
-//! everything and changes nothing. Work per step is bounded and no clock lags: after its last split a step
+//! everything and changes nothing. Work per step is bounded, and time always advances by h: after its last split a step
 //! ends by Moreau's law with e = 0 (`stepping`), and the report says so.
 //! Invariant: on an error the state is the last good one.
 

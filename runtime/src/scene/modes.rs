@@ -1,4 +1,4 @@
-//! Which points are free, held or stuck after a way.
+//! Contact states of the points after a piece of a step.
 
 use super::state::State;
 use super::touch::lift;
@@ -8,7 +8,7 @@ use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3;
 
-/// The state in `work.end` is the state, tau later; the two exchange their memory.
+/// Makes the state in `work.end` the state, tau later, by swapping their memory.
 pub(super) fn take_over<'a, S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,
@@ -22,7 +22,8 @@ pub(super) fn take_over<'a, S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// Departing points that go away, yet lie below the surface by the method's error, are put on it; true if any was.
+/// Departing points that move away but lie below the surface, by the method's error, are put on it; returns whether any
+/// was.
 pub(super) fn lift_departing<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     modes: &[ContactState],
@@ -43,7 +44,7 @@ pub(super) fn lift_departing<S: Scalar, R: Repertoire<S>>(
     Ok(lifted)
 }
 
-/// Arms guards of points that are clear of the ground; sticks and unsticks the held ones.
+/// Arms the guards of points that are clear of the ground; decides for held points whether they stick.
 pub(super) fn settle_modes<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -67,7 +68,8 @@ pub(super) fn settle_modes<S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// Takes the slip that the location of an event has left, its rounding: what is slower would end the next stretch at once.
+/// Removes slip that is only the rounding of an event's location: a slip as slow as that would end the next piece at
+/// once.
 pub(super) fn stop_creeping<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,

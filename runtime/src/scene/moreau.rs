@@ -1,9 +1,9 @@
-//! Moreau's time stepping (Jean & Moreau 1992): impacts belong to the step, not to an instant.
+//! Moreau's time stepping (Jean & Moreau 1992): impacts are resolved per step, not located in time.
 //!
-//! x_m = x + h/2 v;  v' = v + h f(x_m, v)/m;  where gap(x_m) <= 0 and v'.n < -e v.n:  v'.n := -e v.n;
-//! x' = x_m + h/2 v'. The way is h (v + v')/2, so an impulse J takes -J.(v + v')/2 out, exactly. That is never
-//! negative for a point that comes; one that rises is let turn around, v'.n >= -v.n, and friction turns no slip
-//! around, so that neither gives energy.
+//! x_m = x + h/2 v;  v' = v + h f(x_m, v)/m;  where gap(x_m) <= 0 and v'.n < -e v.n:  v'.n := -e v.n; x' = x_m + h/2
+//! v'. The displacement is h (v + v')/2, so an impulse J dissipates exactly -J.(v + v')/2. That is never negative for
+//! an approaching point. A rising one may be reversed only to v'.n >= -v.n, and friction never reverses slip, so that
+//! neither adds energy.
 
 use super::state::State;
 use crate::contact::{Frozen, Ground, Repertoire, System, friction};
@@ -12,19 +12,19 @@ use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// What the ground took in one step.
+/// Energy lost at the ground in one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taken<S> {
-    /// By the impact law (J).
+    /// To the impact law (J).
     pub impact: S,
-    /// By friction (J).
+    /// To friction (J).
     pub friction: S,
 }
 
-/// One step into `work.end`; the impulses are left in the state.
+/// One step into `work.end`; the impulses are stored in the state.
 ///
 /// # Errors
-/// From the gas law.
+/// Those of the gas law.
 pub fn step<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     state: &mut State<S>,
@@ -63,7 +63,7 @@ pub fn step<S: Scalar, R: Repertoire<S>>(
     Ok(taken)
 }
 
-/// The ground's impulse on one point and its friction; returns the normal impulse (N s).
+/// Applies the ground's impulse and friction to one point; returns the normal impulse (N s).
 fn push<S: Scalar>(
     ground: &Ground<S>,
     mass: S,
@@ -84,7 +84,7 @@ fn push<S: Scalar>(
     if ground.friction > S::ZERO {
         let (old, new) = (vec3::tangential(before, ground.normal), vec3::tangential(*after, ground.normal));
         let (size, along) = (vec3::dot(new, new), vec3::dot(old, new));
-        // J_t.(v_t + v_t') <= 0 for the part f of the slip that is taken: f <= 1 + v_t.v_t*/v_t*^2.
+        // J_t.(v_t + v_t') <= 0 for the share f of the slip that friction may remove: f <= 1 + v_t.v_t*/v_t*^2.
         let share = if size > S::ZERO { (S::ONE + along.min(S::ZERO) / size).max(S::ZERO) } else { S::ZERO };
         let allowed = mass * size.sqrt() * share;
         friction::apply(after, ground.normal, mass, S::ONE, allowed.min(ground.friction * impulse));

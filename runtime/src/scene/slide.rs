@@ -1,11 +1,11 @@
-//! Coulomb friction of the points that slide over a stretch without events, with their mean normal force.
+//! Coulomb friction of points that slide over a piece without events, by their mean normal force.
 //!
-//! A change of speed dv spread over the stretch moves the point by dv tau/2: order 2, and a point that
-//! sticks does not creep. Forces of speeds act all along on speeds that friction has not changed yet: half of their
-//! change is made up for, dv += tau/2 (F(v') - F(v))/m, and the normal force at the end is the one after it.
-//! The loss is what the speeds lose plus the work of the forces on that way.
-//! Massless points slide by statics (`contact::massless`); here their loss alone is counted.
-//! Invariant: friction takes energy out or does nothing.
+//! A change of speed dv spread over the piece displaces the point by dv tau/2: order 2, and a sticking
+//! point does not creep. Speed-dependent forces have acted all along on speeds without friction: half of their
+//! change is added, dv += tau/2 (F(v') - F(v))/m, and the normal force at the end is the one after it.
+//! The loss is the kinetic energy removed plus the work of the forces on that displacement.
+//! Massless points slide by statics (`contact::massless`); only their loss is counted here.
+//! Invariant: friction dissipates or does nothing.
 
 use super::state::State;
 use crate::contact::{ContactState, Frozen, Ground, Repertoire, System, friction, massless};
@@ -14,7 +14,8 @@ use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Takes the sliding points in `work.end` back, their changes of speed in `work.dv`; returns the loss (J), >= 0.
+/// Applies friction to the sliding points in `work.end`, with changes of speed in `work.dv`; returns the loss (J), >=
+/// 0.
 pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     state: &State<S>,
@@ -50,7 +51,8 @@ pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
         system.viscous(work.end.pos, work.end.vel, work.end.viscous);
     }
     if braked + climbed < S::ZERO {
-        // What stiff springs took together on the way is more than friction had: the places stay, speeds lose.
+        // Stiff springs together took more energy on the displacement than friction had: undo it, keep the changes of
+        // speed.
         work.dx.iter_mut().for_each(|way| *way = vec3::scale(*way, -S::ONE));
         work.shift_positions();
         work.refresh_end(&Frozen { system, modes: state.modes })?;
@@ -59,7 +61,7 @@ pub(super) fn slide<S: Scalar, R: Repertoire<S>>(
     Ok(braked + climbed)
 }
 
-/// Speeds at the end without friction, with half of what it changes in the forces of speeds.
+/// Adds to the speeds without friction half of the change that friction causes in speed-dependent forces.
 fn make_up<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     state: &State<S>,
@@ -76,9 +78,11 @@ fn make_up<S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// Speeds `work.stages` (those without friction) less friction into the end's, with changes in `work.dv`; returns what they lose (J).
+/// Writes the speeds `work.stages` (without friction) less friction into `work.end`, with changes in `work.dv`; returns
+/// the kinetic energy lost (J).
 ///
-/// The first time ways in `work.dx` follow; `again`, places stay, and so does a point that stuck.
+/// The first time also writes displacements into `work.dx`. With `again`, positions stay, and a point that has stuck
+/// stays stuck.
 fn brake<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -105,7 +109,8 @@ fn brake<S: Scalar, R: Repertoire<S>>(
         let change = vec3::sub(v, before);
         braked = braked + loss;
         if !again {
-            // A point that turned around within the stretch would be pushed up its force for more than its speed held.
+            // A point that reversed within the piece would be displaced against its force by more work than its kinetic
+            // energy.
             let way = vec3::scale(change, half * tau);
             let climb = -vec3::dot(vec3::at(work.end.elastic, i), way);
             let way = if climb > loss { vec3::scale(way, loss / climb) } else { way };

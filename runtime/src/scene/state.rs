@@ -6,20 +6,20 @@ use crate::ode::nodes::{Motion, Step};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// What advances.
+/// The quantities that a step advances.
 #[derive(Debug)]
 pub struct State<'a, S> {
     /// Positions, velocities, forces.
     pub motion: Motion<'a, S>,
-    /// Each point against the ground.
+    /// Contact state of each point.
     pub modes: &'a mut [ContactState],
     /// Impulses of the last impact.
     pub impacts: &'a mut [PointImpact<S>],
-    /// Time (s) and what rounding dropped from it.
+    /// Time (s) and its rounding error.
     pub time: [S; 2],
-    /// Length with which an adaptive method goes on (s); 0 before the first step.
+    /// Length of the next step of an adaptive method (s); 0 before the first step.
     pub next_step: S,
-    /// Energy that an undamped body should have (J); kept only for the ledger anchor.
+    /// Energy that an undamped body should have (J); used only by the anchored compensation law.
     pub anchor: S,
 }
 
@@ -30,11 +30,11 @@ impl<S: Scalar> State<'_, S> {
         self.time[0]
     }
 
-    /// What the total energy has above its mean over the body's vibrations, because of the method (J).
+    /// Excess of the total energy over its mean, because it oscillates with the vibrations in Verlet's method (J).
     ///
-    /// Verlet keeps m v^2/2 + V + h^2 (alpha v.V''v - (1/8 - alpha) m |a|^2) of a linear body, for every alpha;
-    /// alpha = 1/16 has the total energy as its mean. A touch takes a point's acceleration away and so would
-    /// lift that mean, if it left the total energy of the instant as it is.
+    /// For a linear body Verlet conserves m v^2/2 + V + h^2 (alpha v.V''v - (1/8 - alpha) m |a|^2), for every alpha;
+    /// with alpha = 1/16 its mean is that of the total energy. A touch removes a point's acceleration and would thereby
+    /// raise that mean, if it left the total energy of the instant unchanged.
     pub(super) fn energy_swing<R: Repertoire<S>>(
         &self,
         system: &System<S, R>,

@@ -1,4 +1,4 @@
-//! The step: try, accept, resolve what is met, until it is used up.
+//! The step: try, accept, resolve events, until it is used up.
 
 use super::attempt::{Attempt, attempt, control_step, try_length};
 use super::modes::{lift_departing, settle_modes, stop_creeping, take_over};
@@ -14,12 +14,12 @@ use crate::ode::nodes::{Step, Workspace};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Events located in one step.
+/// Most events located in one step.
 pub const MAX_EVENTS: usize = 64;
-/// Substeps of an adaptive method within one step.
+/// Most substeps of an adaptive method within one step.
 pub const MAX_SUBSTEPS: usize = 4096;
 
-/// Advances by h.
+/// Advances the state by h.
 ///
 /// # Errors
 /// The state is then the last good one.
@@ -41,7 +41,7 @@ pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     while remaining > S::ZERO {
         let spent = report.events >= MAX_EVENTS;
         report.cut_short |= spent || report.substeps >= MAX_SUBSTEPS;
-        // Ground that gives way needs no events to keep points off it: the method goes on without them.
+        // Soft ground needs no events to keep points off it: the method continues without them.
         if report.substeps >= MAX_SUBSTEPS || spent && system.soft_ground().is_none() {
             stepping::finish(system, state, remaining, work, observer)?;
             break;
@@ -67,7 +67,7 @@ pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
                 settle_modes(system, ground, state);
                 continue;
             }
-            // A method that chooses its steps leaves out bounces by their lengths, not by the caller's.
+            // For an adaptive method, the shortest bounce resolved depends on its own step, not on the caller's.
             let length = if method.control_order() == 0 { h } else { state.next_step.min(h) };
             resolve(system, ground, state, (length, method), work, observer)?;
         }
@@ -76,7 +76,7 @@ pub fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     Ok(report)
 }
 
-/// Takes over the state in `work.end`, after sliding friction.
+/// Accepts the state in `work.end`, after sliding friction.
 fn accept<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,
@@ -102,7 +102,7 @@ fn accept<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     Ok(())
 }
 
-/// Massless points are put on the surface by statics; nothing keeps a point with mass off it.
+/// Refuses a point with mass below the ground: statics keeps only massless points off it.
 fn refuse_through_ground<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     pos: &[vec3::Vec3<S>],
@@ -117,7 +117,8 @@ fn refuse_through_ground<S: Scalar, R: Repertoire<S>>(
     }
 }
 
-/// Applies the touch of all points at the surface and closing, then lets go of those that would be pulled.
+/// Resolves the impact of all points at the surface that are closing, then releases those that the ground would have to
+/// pull.
 fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -150,10 +151,10 @@ fn resolve<S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
 }
 
 impl<S: Scalar> State<'_, S> {
-    /// Makes the state ready: forces, energy, points that lie on the ground or touch it now.
+    /// Prepares a start: forces, energy, points that lie on the ground or touch it now.
     ///
     /// # Errors
-    /// A point below a ground that does not give way, an energy that is no number, or from the gas law.
+    /// A point below a rigid ground, an energy that is not finite, or a fault of the gas law.
     pub fn begin<R: Repertoire<S>, O: Observer<S, R>>(
         &mut self,
         system: &System<S, R>,
@@ -184,7 +185,7 @@ impl<S: Scalar> State<'_, S> {
         Ok(())
     }
 
-    /// A law of touches says nothing about a point that is through the surface already.
+    /// Refuses a point below a rigid ground: impact laws do not apply to a point that is already through the surface.
     fn refuse_below_ground<R: Repertoire<S>>(&self, system: &System<S, R>) -> Result<(), BodyError<S>> {
         let Some(ground) = system.ground.filter(Ground::is_rigid) else { return Ok(()) };
         for (point, (x, fixed)) in self.motion.pos.iter().zip(system.body.fixed).enumerate() {

@@ -1,8 +1,8 @@
-//! Steps without events: Moreau's time stepping as a law of its own, and the end of a step that has spent its splits.
+//! Steps without events: Moreau's time stepping, and the end of a step that has used up its splits.
 //!
-//! The end, e = 0 (Stewart & Trinkle 1996): v' = v + tau a(x, v), a point that would pass the surface comes
-//! only as far as that, v'.n >= -gap/tau; x' = x + tau v'; there it is held. Order 1, never below the surface,
-//! and the law takes energy out or does nothing.
+//! The end, with e = 0 (Stewart & Trinkle 1996): v' = v + tau a(x, v); a point that would pass the surface is stopped
+//! there, v'.n >= -gap/tau; x' = x + tau v'; then it is held. Order 1, never below the surface,
+//! and the law dissipates or does nothing.
 
 use super::modes::take_over;
 use super::moreau;
@@ -15,7 +15,7 @@ use crate::ode::nodes::Workspace;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// One step of Moreau's law.
+/// One step of Moreau's time stepping.
 pub(super) fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,
@@ -30,7 +30,7 @@ pub(super) fn step<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     Ok(StepReport { substeps: 1, evaluations: work.evaluations - before, ..StepReport::default() })
 }
 
-/// Ends a step: `tau` is left of it.
+/// Ends a step of which the time `tau` is left.
 pub(super) fn finish<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,
@@ -76,7 +76,7 @@ pub(super) fn finish<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     Ok(())
 }
 
-/// Velocity on the way to the surface, `approach` of it left along the normal, and the one at rest there.
+/// Velocity towards the surface, with normal part `approach`, and the velocity of the held point there.
 fn stop<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -96,7 +96,7 @@ fn stop<S: Scalar, R: Repertoire<S>>(
     (vec3::axpy(after, -approach, ground.normal), after)
 }
 
-/// The state is that in `work.end`.
+/// Makes the state in `work.end` the state and shows it to the observer.
 fn close<'a, S: Scalar, R: Repertoire<S>, O: Observer<S, R>>(
     system: &System<S, R>,
     state: &mut State<'a, S>,

@@ -1,7 +1,7 @@
-//! What an event does: the touching points are marked, put on the surface, struck by the law, rubbed; then held or
-//! let fly, and points that the ground would have to pull are let go.
+//! Resolves an event: marks the touching points, puts them on the surface, applies impact law and friction; then holds
+//! them or lets them rebound, and releases points that the ground would have to pull.
 //!
-//! Invariant: positions change by the rounding that located the event, nothing else.
+//! Invariant: positions change only by the rounding with which the event was located.
 
 use super::state::State;
 use crate::contact::compensation::{self, Compensation, Impact, PointImpact, Root};
@@ -11,12 +11,13 @@ use crate::ode::nodes::{Motion, Workspace, copy};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// A rebound whose flight would last less than this part of a step, or stay within the tolerance, ends at rest (Zeno).
+/// A rebound whose flight is shorter than this share of a step, or lower than the tolerance, ends at rest (Zeno).
 const ZENO_FLIGHT: f64 = 1e-2;
-/// Passes of an anchored impact: the swing is some thousandths of the energy, each pass gains that factor.
+/// Iterations of an anchored impact: the oscillation is some thousandths of the energy, which is the convergence
+/// factor.
 const ANCHOR_PASSES: usize = 3;
 
-/// Marks the set B; true if it has a member.
+/// Marks the set B of touching points; returns whether there is any.
 pub(super) fn mark_touching<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -34,7 +35,8 @@ pub(super) fn mark_touching<S: Scalar, R: Repertoire<S>>(
     any
 }
 
-/// Lifts touching points that were located below the surface, by rounding or by a method that let a rising point sink.
+/// Lifts touching points that were located below the surface, by rounding or because the method let a rising point
+/// sink.
 pub(super) fn place_on_surface<S: Scalar>(
     ground: &Ground<S>,
     motion: &mut Motion<S>,
@@ -42,7 +44,7 @@ pub(super) fn place_on_surface<S: Scalar>(
 ) {
     for (i, _) in points.iter().enumerate().filter(|(_, p)| p.touching) {
         let x = vec3::at(motion.pos, i);
-        // Those between returned within the tolerance: lifting them would feed a bounce.
+        // Points in between returned within the tolerance: lifting them would add energy to a bounce.
         let rounding = S::from_f64(2.0) * S::EPSILON * (S::ONE + ground.offset.abs() + vec3::norm(x));
         if ground.gap(x) >= -rounding || ground.is_deep(x) {
             lift(ground, motion, i);
@@ -50,7 +52,7 @@ pub(super) fn place_on_surface<S: Scalar>(
     }
 }
 
-/// Puts point i on the surface.
+/// Moves point i up to the surface if it is below.
 pub(super) fn lift<S: Scalar>(ground: &Ground<S>, motion: &mut Motion<S>, i: usize) {
     let gap = ground.gap(vec3::at(motion.pos, i));
     if gap < S::ZERO {
@@ -97,8 +99,8 @@ fn compensate<S: Scalar, R: Repertoire<S>>(
     compensation::apply(system, law, state.motion.pos, state.motion.vel, state.impacts, receiver)
 }
 
-/// Compensation that ends at the ledger's energy. The swing after it depends on the speeds it gives: the
-/// first pass takes those before.
+/// Compensation whose result has the energy of the anchor. The oscillation after the impact depends on the speeds after
+/// it, so the first pass uses those before.
 fn anchored<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     law: Compensation<S>,
@@ -122,7 +124,7 @@ fn anchored<S: Scalar, R: Repertoire<S>>(
     hit
 }
 
-/// Friction of the impulses; returns the loss (J).
+/// Applies the friction of the impulses; returns the loss (J).
 pub(super) fn rub<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -141,7 +143,8 @@ pub(super) fn rub<S: Scalar, R: Repertoire<S>>(
     lost
 }
 
-/// A touching point is held, or flies if it rebounds for longer than [`ZENO_FLIGHT`]; returns what resting costs (J).
+/// Holds each touching point, or releases it if its rebound lasts longer than [`ZENO_FLIGHT`]; returns the energy lost
+/// by resting (J).
 pub(super) fn hold_or_rebound<S: Scalar, R: Repertoire<S>>(
     system: &System<S, R>,
     ground: &Ground<S>,
@@ -174,7 +177,7 @@ pub(super) fn hold_or_rebound<S: Scalar, R: Repertoire<S>>(
     lost
 }
 
-/// Lets go of held points that the ground would have to pull; returns how many.
+/// Releases held points that the ground would have to pull; returns how many.
 pub(super) fn release<S: Scalar, R: Repertoire<S>>(system: &System<S, R>, state: &mut State<S>) -> usize {
     let mut released = 0;
     for (i, mode) in state.modes.iter_mut().enumerate() {

@@ -1,47 +1,47 @@
-//! What a step shows while it happens, and what it reports at its end.
+//! The observer of a step, the data that it sees, and the report.
 
 use crate::contact::compensation::{Impact, PointImpact};
 use crate::contact::{ContactState, Full, System};
 use crate::ode::nodes::Motion;
 use crate::vec3;
 
-/// A touch or a release.
+/// Data of a touch or a release.
 #[derive(Clone, Copy, Debug)]
 pub struct Event<'a, S> {
     /// Time (s).
     pub time: S,
     /// The impact, for a touch.
     pub impact: Option<Impact<S>>,
-    /// Impulses by point (of the touching ones).
+    /// Impulse of each touching point.
     pub points: &'a [PointImpact<S>],
-    /// Modes after the event.
+    /// Contact states after the event.
     pub modes: &'a [ContactState],
-    /// Number of points let go.
+    /// Number of points released.
     pub released: usize,
 }
 
-/// A stretch of motion without events.
+/// Data of a piece of motion without events.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<'a, 'm, S> {
     /// State at its start.
     pub before: &'a Motion<'m, S>,
     /// State at its end.
     pub after: &'a Motion<'m, S>,
-    /// Each point against the ground, all the way.
+    /// Contact state of each point, the same all along.
     pub modes: &'a [ContactState],
     /// Its length (s).
     pub tau: S,
-    /// True where the speeds follow from the forces and friction alone: no impulse within.
+    /// Whether the speeds follow from forces and friction alone, without impulses.
     pub is_smooth: bool,
-    /// Changes of speed that sliding friction made all along it, point by point; empty without friction.
+    /// Changes of speed by sliding friction, point by point; empty without friction.
     pub braked: &'a [vec3::Vec3<S>],
-    /// Energy lost to sliding friction in it (J).
+    /// Energy lost to sliding friction (J).
     pub friction: S,
-    /// Energy lost to the impact law in it (J) (time stepping laws).
+    /// Energy lost to the impact law (J), for time-stepping laws.
     pub impact: S,
 }
 
-/// Sees a run. The unit type looks away.
+/// Observes a run. The unit type ignores it.
 pub trait Observer<S, R = Full> {
     /// Motion without events.
     fn flow(&mut self, system: &System<S, R>, flow: Flow<S>);
@@ -59,12 +59,13 @@ impl<S, R> Observer<S, R> for () {
 pub struct StepReport {
     /// Touches and releases.
     pub events: usize,
-    /// Stretches without events.
+    /// Pieces without events.
     pub substeps: usize,
     /// Steps tried to locate events, each with the method's force evaluations.
     pub trials: usize,
-    /// Evaluations of all forces, those of trials included.
+    /// Evaluations of all forces, including those of trials.
     pub evaluations: usize,
-    /// Its end was stepped over without events: [`super::MAX_EVENTS`] or [`super::MAX_SUBSTEPS`] was reached.
+    /// Whether the end of the step was stepped without events: [`super::MAX_EVENTS`] or [`super::MAX_SUBSTEPS`] was
+    /// reached.
     pub cut_short: bool,
 }

@@ -1,28 +1,28 @@
-//! Transducers: what a quantity becomes before it is sampled.
+//! Transducers: how a quantity is converted before it is sampled.
 //!
-//! Encoder: counts of a rotor behind gear and screw. LVDT: a place with a bend of its characteristic. Switch: a threshold
-//! with hysteresis, chattering when it changes. Pressure: a membrane that follows with a lag.
+//! Encoder: counts of a rotor behind gear and screw. LVDT: a position with a nonlinear characteristic. Switch: a
+//! threshold with hysteresis, chattering when it changes. Pressure: a membrane that follows with a lag.
 
 use super::noise::Noise;
 use crate::real::Scalar;
 
-/// Step of the height (m) that one count of an encoder on the rotor means: lead / (4 lines gear).
+/// Change of height (m) per count of an encoder on the rotor: lead / (4 lines gear).
 #[must_use]
 pub fn encoder_resolution<S: Scalar>(lines: S, gear: S, lead: S) -> S {
     lead / (S::from_f64(4.0) * lines * gear)
 }
 
-/// A linear transformer (LVDT).
+/// A linear variable differential transformer (LVDT).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lvdt<S> {
     /// Half its range (m).
     pub reach: S,
-    /// Largest deviation from the straight line, as a share of the reach.
+    /// Largest deviation from the straight line, relative to the reach.
     pub linearity: S,
 }
 
 impl<S: Scalar> Lvdt<S> {
-    /// The place (m) it reports for a place: x + c (x/r)(1 - (x/r)^2) r, exact in the middle and at both ends.
+    /// The position (m) reported for a position: x + c (x/r)(1 - (x/r)^2) r, exact in the middle and at both ends.
     #[must_use]
     pub fn report(&self, place: S) -> S {
         // x (1 - x^2) is at most 2/(3 sqrt 3).
@@ -35,14 +35,14 @@ impl<S: Scalar> Lvdt<S> {
 /// A limit switch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Switch<S> {
-    /// Where it closes, coming from below.
+    /// Position at which it closes, coming from below.
     pub closes: S,
-    /// How far below that it opens again, >= 0.
+    /// Distance below that at which it opens again, >= 0.
     pub hysteresis: S,
     /// Ticks for which its contact chatters after a change.
     pub chatter: u32,
     source: Noise,
-    /// Is it closed?
+    /// Whether it is closed.
     pub closed: bool,
     /// Tick of its last change.
     pub changed: Option<u64>,
@@ -55,7 +55,7 @@ impl<S: Scalar> Switch<S> {
         Switch { closes, hysteresis, chatter, source: Noise::new(seed), closed: false, changed: None }
     }
 
-    /// Shows it the place at a tick; returns whether it reads closed.
+    /// Updates it with the position at a tick; returns whether it reads closed.
     pub fn observe(&mut self, tick: u64, place: S) -> bool {
         let threshold = if self.closed { self.closes - self.hysteresis } else { self.closes };
         let closed = place >= threshold;
@@ -72,18 +72,19 @@ impl<S: Scalar> Switch<S> {
 pub struct Membrane<S> {
     /// Time constant in ticks, >= 0.
     pub lag: S,
-    /// The tick it was last shown a pressure, and what it felt then.
+    /// Tick of the last update, and the pressure felt then.
     pub follows: Option<(u64, S)>,
 }
 
 impl<S: Scalar> Membrane<S> {
-    /// A membrane that takes the first pressure it sees.
+    /// A membrane that starts at the first pressure it sees.
     #[must_use]
     pub fn new(lag: S) -> Membrane<S> {
         Membrane { lag, follows: None }
     }
 
-    /// Shows it the pressure (Pa) at a tick; returns the one it feels: p' = (pressure - p)/lag, exact for constant pressure.
+    /// Updates it with the pressure (Pa) at a tick; returns the pressure felt: p' = (pressure - p)/lag, exact for
+    /// constant pressure.
     pub fn observe(&mut self, tick: u64, pressure: S) -> S {
         let felt = match self.follows {
             Some((before, felt)) if self.lag > S::ZERO => {

@@ -1,11 +1,11 @@
-//! Sensors: what a controller sees of the world, late, coarse and noisy, and the same again from the same seed.
+//! Sensors: what a controller reads, delayed, quantised and noisy, reproducible from a seed.
 //!
-//! In: a quantity at times in whole ticks. Out: the reading that is there at a tick.
+//! In: a quantity at times in whole ticks. Out: the reading available at a tick.
 //! ```text
 //! quantity -> transducer (`kinds`) -> + bias + drift + noise -> range -> quantised -> sampled every period -> held, delayed
 //! ```
-//! Sensors observe: nothing here can change the state of what is observed. Time is counted in ticks, noise by sample
-//! (`noise`), so that neither step size nor order of calls changes a reading.
+//! Sensors only observe: nothing here can change the state of what is measured. Time is counted in ticks and noise by
+//! sample (`noise`), so neither step size nor order of calls changes a reading.
 
 pub mod kinds;
 pub mod noise;
@@ -13,7 +13,7 @@ pub mod noise;
 use crate::real::Scalar;
 use noise::Noise;
 
-/// How a channel samples and how wrong it is.
+/// Sampling and errors of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Channel<S> {
     /// Ticks from sample to sample, > 0.
@@ -22,11 +22,11 @@ pub struct Channel<S> {
     pub delay: u32,
     /// Standard deviation of the noise of one sample.
     pub noise: S,
-    /// Standard deviation of the bias that a sensor of this make has for good.
+    /// Standard deviation of the constant bias of sensors of this kind.
     pub bias: S,
     /// Change of the reading per period.
     pub drift: S,
-    /// Step of the reading; 0 for none.
+    /// Step of quantisation; 0 for none.
     pub resolution: S,
     /// Smallest and largest reading.
     pub range: [S; 2],
@@ -37,13 +37,13 @@ pub struct Channel<S> {
 pub enum ChannelFault {
     /// The period must be one tick or more.
     NoPeriod,
-    /// The delay takes more samples on their way than there is room for: at most (`DEPTH` - 1) periods.
+    /// The delay needs more pending samples than there is room for: at most (`DEPTH` - 1) periods.
     TooLate,
     /// Noise, bias and resolution must be 0 or more, the range not empty.
     OutOfRange,
 }
 
-/// A sensor at work: what it has sampled and not yet shown. `DEPTH` samples may be on their way.
+/// A sensor in operation, with samples taken but not yet shown: at most `DEPTH`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensor<S, const DEPTH: usize> {
     channel: Channel<S>,
@@ -52,16 +52,16 @@ pub struct Sensor<S, const DEPTH: usize> {
     memory: Remembered<S, DEPTH>,
 }
 
-/// What a sensor remembers: all that a run goes on from.
+/// Memory of a sensor: everything that is needed to resume it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remembered<S, const DEPTH: usize> {
-    /// Sum of the drift.
+    /// Accumulated drift.
     pub drifted: S,
     /// Number of the last sample.
     pub last: Option<u64>,
-    /// Readings on their way, with their ticks of appearance, the newest first.
+    /// Samples not yet shown, newest first: (tick at which each is shown, reading).
     pub pending: [Option<(u64, S)>; DEPTH],
-    /// What is shown.
+    /// The reading shown now.
     pub shown: S,
 }
 
@@ -90,19 +90,19 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         Ok(Sensor { channel, source, bias, memory })
     }
 
-    /// What it remembers.
+    /// Its memory.
     #[must_use]
     pub fn memory(&self) -> &Remembered<S, DEPTH> {
         &self.memory
     }
 
-    /// Goes on from what one of the same channel and seed remembered.
+    /// Resumes from the memory of a sensor with the same channel and seed.
     pub fn resume(&mut self, memory: Remembered<S, DEPTH>) {
         self.memory = memory;
     }
 
-    /// Shows the sensor the quantity at a tick; it takes a sample if one is due. To be called once a period at least:
-    /// of samples that were missed the last alone is taken.
+    /// Updates the sensor with the quantity at a tick; it takes a sample if one is due. Call it at least once per
+    /// period: of missed samples only the last is taken.
     pub fn observe(&mut self, tick: u64, quantity: S) {
         self.appear(tick);
         let number = tick / u64::from(self.channel.period);
@@ -127,7 +127,7 @@ impl<S: Scalar, const DEPTH: usize> Sensor<S, DEPTH> {
         self.memory.shown
     }
 
-    /// The newest sample that is there by now replaces what is shown; it and older ones are done with.
+    /// Shows the newest sample that is due by now, and drops it and older ones from the list.
     fn appear(&mut self, tick: u64) {
         let due = |sample: &Option<(u64, S)>| sample.is_some_and(|(at, _)| at <= tick);
         let Some(newest) = self.memory.pending.iter().position(due) else { return };
@@ -151,7 +151,7 @@ pub fn quantised<S: Scalar>(value: S, step: S) -> S {
     if step > S::ZERO { nearest_whole(value / step) * step } else { value }
 }
 
-/// The nearest whole number, halves to even: adding and taking away what leaves no room for a fraction.
+/// The nearest whole number, halves to even: adds and subtracts a number so large that no fraction fits.
 fn nearest_whole<S: Scalar>(x: S) -> S {
     let shift = S::from_f64(1.5) / S::EPSILON;
     if x.abs() < S::from_f64(0.25) / S::EPSILON { (x + shift) - shift } else { x }

@@ -1,7 +1,7 @@
-//! Noise by number: the sample's number and the seed give its noise, whatever was drawn before.
+//! Noise by number: seed and sample number determine the noise, whatever was drawn before.
 //!
-//! The bits are those of a mixing function of the number (SplitMix64: Steele, Lea and Flood 2014); two of its values make
-//! a normal one (Box and Muller 1958). Uniform numbers have 24 bits in every scalar: f32 and f64 see the same noise.
+//! The bits are those of a mixing function of the number (SplitMix64: Steele, Lea & Flood 2014); two of its values give
+//! a normal one (Box & Muller 1958). Uniform numbers have 24 bits in every scalar, so f32 and f64 see the same noise.
 
 use crate::real::Scalar;
 
@@ -11,7 +11,7 @@ pub struct Noise {
     seed: u64,
 }
 
-/// Distance of the generator's steps: 2^64 over the golden ratio.
+/// Increment of the generator: 2^64 over the golden ratio.
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// Mixes bits.
@@ -21,7 +21,7 @@ fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The lowest 24 bits as a whole number; above them it counts as all ones.
+/// A whole number below 2^24 as a scalar; larger ones give 2^24 - 1.
 #[must_use]
 pub(super) fn whole<S: Scalar>(number: u64) -> S {
     let number = number.min((1 << 24) - 1);
@@ -36,19 +36,19 @@ pub(super) fn whole<S: Scalar>(number: u64) -> S {
 }
 
 impl Noise {
-    /// A source of its own for every seed.
+    /// A source for this seed.
     #[must_use]
     pub fn new(seed: u64) -> Noise {
         Noise { seed: mixed(seed.wrapping_add(STEP)) }
     }
 
-    /// 64 bits of a number.
+    /// 64 pseudo-random bits for a number.
     #[must_use]
     pub fn bits(&self, number: u64) -> u64 {
         mixed(self.seed.wrapping_add(number.wrapping_mul(STEP)))
     }
 
-    /// Normal of mean 0 and deviation 1.
+    /// A normal deviate of mean 0 and standard deviation 1 for a number.
     #[must_use]
     pub fn normal<S: Scalar>(&self, number: u64) -> S {
         let bits = self.bits(number);

@@ -1,17 +1,17 @@
 //! Facets of a flexible body as a surface: gap along normals that are interpolated from the corners.
 //!
 //! In: a facet's corners a, b, c, d (round the outside, c = d for a triangle), the normals there, a point x.
-//! Out: the place (u, v) whose own normal passes through x. With bilinear weights w_i,
+//! Out: the parameters (u, v) of the point of the facet whose normal passes through x. With bilinear weights w_i,
 //! ```text
 //! X(u, v) = sum w_i x_i,  N(u, v) = sum w_i n_i,   x = X + t N,   g = t |N|
 //! ```
-//! is solved by Newton's method. N is the same on both sides of an edge, so that gap and normal pass from facet to
-//! facet without a jump; a facet's own plane would turn them there.
+//! is solved by Newton's method. N is the same on both sides of an edge, so gap and normal are continuous from facet to
+//! facet; the normals of flat facets would jump there.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Newton's iterations: from the facet's middle the error squares each time.
+/// Newton iterations: from the facet's middle, convergence is quadratic.
 const ITERATIONS: usize = 16;
 
 /// A facet with the normals at its corners.
@@ -19,7 +19,7 @@ const ITERATIONS: usize = 16;
 pub struct Facet<S> {
     /// a, b, c, d in N (m).
     pub corners: [Vec3<S>; 4],
-    /// Outward unit vectors there.
+    /// Outward unit normals at the corners.
     pub normals: [Vec3<S>; 4],
 }
 
@@ -30,23 +30,23 @@ pub struct FacetNearest<S> {
     pub gap: S,
     /// N/|N|, outwards: the direction of forces.
     pub normal: Vec3<S>,
-    /// Gradient of the gap; along n only where the facet lies square to it.
+    /// Gradient of the gap; parallel to n only where the facet is perpendicular to it.
     pub gradient: Vec3<S>,
-    /// Share of each corner in the foot; the sum is 1.
+    /// Weight of each corner at the foot; the sum is 1.
     pub weights: [S; 4],
     /// The foot (m).
     pub foot: Vec3<S>,
 }
 
 impl<S: Scalar> FacetNearest<S> {
-    /// g' (m/s) at g = 0, of a point with this velocity over corners with theirs.
+    /// g' (m/s) at g = 0 of a point with this velocity, given the velocities of the corners.
     #[must_use]
     pub fn gap_rate(&self, velocity: Vec3<S>, corners: &[Vec3<S>; 4]) -> S {
         vec3::dot(self.gradient, vec3::sub(velocity, blend(&self.weights, corners)))
     }
 }
 
-/// Unit normals at the points of a body: the mean of the vector areas of the facets around each.
+/// Unit normals at the points of a body: the sum of the vector areas of the adjacent facets, normalised.
 ///
 /// `normals` has one row per point; points of no facet get the zero vector.
 pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals: &mut [Vec3<S>]) {
@@ -55,7 +55,7 @@ pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals
         let [a, b, c, d] = facet.map(|k| vec3::at(pos, k));
         let area = vec3::cross(vec3::sub(c, a), vec3::sub(d, b));
         for (number, corner) in facet.iter().enumerate() {
-            // A triangle's third corner stands twice.
+            // A triangle repeats its third corner.
             if !facet.iter().take(number).any(|before| before == corner) {
                 vec3::add_at(normals, *corner, area);
             }
@@ -67,8 +67,8 @@ pub fn vertex_normals<S: Scalar>(facets: &[[usize; 4]], pos: &[Vec3<S>], normals
 }
 
 impl<S: Scalar> Facet<S> {
-    /// The place of the facet whose normal passes through the point; None if it lies outside by more than `margin` (a
-    /// share of the facet) or there is no such place.
+    /// The point of the facet whose normal passes through `point`; None if it lies outside by more than `margin`
+    /// (relative to the facet) or there is none.
     #[must_use]
     pub fn nearest(&self, point: Vec3<S>, margin: S) -> Option<FacetNearest<S>> {
         let half = S::from_f64(0.5);
@@ -93,7 +93,7 @@ impl<S: Scalar> Facet<S> {
         blend(&weights(u, v), &self.normals)
     }
 
-    /// Rows of the inverse of [X_u + t N_u, X_v + t N_v, N], and 1 over the determinant they are yet to be multiplied by.
+    /// Rows of the inverse of [X_u + t N_u, X_v + t N_v, N] times its determinant, and 1/determinant.
     fn inverse(&self, u: S, v: S, t: S) -> Option<([Vec3<S>; 3], S)> {
         let (wu, wv) = slopes(u, v);
         let a = vec3::axpy(blend(&wu, &self.corners), t, blend(&wu, &self.normals));
@@ -124,13 +124,13 @@ fn weights<S: Scalar>(u: S, v: S) -> [S; 4] {
     [p * q, u * q, u * v, p * v]
 }
 
-/// Their derivatives by u and by v.
+/// Derivatives of the weights with respect to u and v.
 fn slopes<S: Scalar>(u: S, v: S) -> ([S; 4], [S; 4]) {
     let (p, q) = (S::ONE - u, S::ONE - v);
     ([-q, q, v, -v], [-p, -u, u, p])
 }
 
-/// The sum of four vectors by weight.
+/// Weighted sum of four vectors.
 fn blend<S: Scalar>(weights: &[S; 4], vectors: &[Vec3<S>; 4]) -> Vec3<S> {
     weights.iter().zip(vectors).fold(vec3::zero(), |sum, (w, x)| vec3::axpy(sum, *w, *x))
 }

@@ -1,4 +1,4 @@
-//! Surfaces that can be touched: where a point is nearest to one, its gap, and how the gap changes.
+//! Surfaces for contact: the nearest point of a surface to a point, the gap, and the rates of the gap.
 //!
 //! In: a shape in the axes of a frame, the frame's pose and twist, a point and its velocity in N.
 //! Out: signed gap g (> 0 apart), outward unit normal n, foot, and the first two rates of the gap:
@@ -17,12 +17,12 @@ pub use shape::{Capsule, Cuboid, Feature, HalfSpace, Nearest, Shape, Sphere, Sur
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// A frame that may move: space, a rigid body, a port of a mechanism.
+/// A frame that may move: N itself, a rigid body, a port of a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<S> {
     /// Its origin in N (m).
     pub origin: Vec3<S>,
-    /// Its axes in N, unit vectors at right angles.
+    /// Its axes in N, orthogonal unit vectors.
     pub axes: [Vec3<S>; 3],
     /// Velocity of the origin in N (m/s).
     pub velocity: Vec3<S>,
@@ -52,19 +52,19 @@ impl<S: Scalar> Frame<S> {
         vec3::axpy(vec3::axpy(vec3::scale(e1, x), y, e2), z, e3)
     }
 
-    /// Place in the frame of a point in N.
+    /// Coordinates in the frame of a point of N.
     #[must_use]
     pub fn place(&self, point: Vec3<S>) -> Vec3<S> {
         self.to_local(vec3::sub(point, self.origin))
     }
 
-    /// The point in N of a place in the frame.
+    /// The point of N with these coordinates in the frame.
     #[must_use]
     pub fn point(&self, place: Vec3<S>) -> Vec3<S> {
         vec3::add(self.origin, self.to_inertial(place))
     }
 
-    /// Mean velocity v of the origin and angular velocity w over the way from this pose to another within h (s), such that for
+    /// Mean velocity v of the origin and mean angular velocity w from this pose to another within h (s), such that for
     /// every point of the frame x' - x = h (v + w x (r + r')/2), r from the origin (Cayley: |w| h = 2 tan(angle/2)).
     #[must_use]
     pub fn way_to(&self, other: &Frame<S>, h: S) -> (Vec3<S>, Vec3<S>) {
@@ -75,14 +75,14 @@ impl<S: Scalar> Frame<S> {
         (velocity, vec3::scale(turn, S::from_f64(2.0) / (trace * h)))
     }
 
-    /// Velocity in N of what is fixed in the frame at a point of N.
+    /// Velocity in N of the point fixed in the frame that is at a point of N.
     #[must_use]
     pub fn velocity_at(&self, point: Vec3<S>) -> Vec3<S> {
         vec3::add(self.velocity, vec3::cross(self.angular_velocity, vec3::sub(point, self.origin)))
     }
 }
 
-/// A point near a surface, in N.
+/// Nearest point, gap and gap rate of a point and a surface, in N.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Proximity<S> {
     /// g (m), < 0 inside.
@@ -93,11 +93,11 @@ pub struct Proximity<S> {
     pub foot: Vec3<S>,
     /// g' (m/s).
     pub gap_rate: S,
-    /// What of g'' comes without accelerations (m/s^2).
+    /// The part of g'' that does not depend on accelerations (m/s^2).
     pub bias: S,
 }
 
-/// Nearness of a moving point to a surface in a moving frame.
+/// Gap and its rates between a moving point and a surface in a moving frame.
 pub fn proximity<S: Scalar>(
     surface: &impl Surface<S>,
     frame: &Frame<S>,

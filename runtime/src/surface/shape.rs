@@ -1,18 +1,19 @@
 //! Convex shapes: the nearest point of each in closed form (Ericson 2005, chapter 5).
 //!
-//! Each is all points within a radius of a core: a point, a segment, or a box. The distance to the core's nearest
-//! vertex, edge or face bends accordingly: H = (P - n n')/rho, P taking out the directions along the core, rho the distance to it.
+//! Each shape is the set of points within a radius of a core: a point, a segment, or a box. The curvature of the
+//! distance depends on the core's nearest feature: H = (P - n n')/rho, P projecting out the directions along the
+//! feature, rho the distance to it.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// What can be touched. Places are in the axes of the surface's frame.
+/// A surface for contact. Positions are in the axes of the surface's frame.
 pub trait Surface<S: Scalar> {
     /// The surface's point nearest to a place.
     fn nearest(&self, place: Vec3<S>) -> Nearest<S>;
 }
 
-/// All places with z <= 0; its surface is the plane z = 0.
+/// All points with z <= 0; its surface is the plane z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfSpace;
 
@@ -23,7 +24,7 @@ pub struct Sphere<S> {
     pub radius: S,
 }
 
-/// All places within a radius of a segment along z.
+/// All points within a radius of a segment along z.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capsule<S> {
     /// Radius (m), > 0.
@@ -39,7 +40,7 @@ pub struct Cuboid<S> {
     pub half: Vec3<S>,
 }
 
-/// Any of them.
+/// Any of these shapes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape<S> {
     /// z <= 0.
@@ -52,14 +53,14 @@ pub enum Shape<S> {
     Cuboid(Cuboid<S>),
 }
 
-/// What of the core is nearest.
+/// The nearest feature of the core.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Feature<S> {
-    /// A point: the distance bends in every direction across n.
+    /// A point: the distance is curved in every direction across n.
     Vertex,
-    /// A line along this unit vector: it bends across the line.
+    /// A line along this unit vector: curved across the line.
     Edge(Vec3<S>),
-    /// A plane: it does not bend.
+    /// A plane: not curved.
     Face,
 }
 
@@ -72,14 +73,14 @@ pub struct Nearest<S> {
     pub normal: Vec3<S>,
     /// Nearest point of the surface.
     pub foot: Vec3<S>,
-    /// What of the core it belongs to.
+    /// The nearest feature of the core.
     pub feature: Feature<S>,
     /// rho (m), distance to the core.
     pub distance: S,
 }
 
 impl<S: Scalar> Nearest<S> {
-    /// H w: how the normal turns (1/s) while a point passes by with velocity w.
+    /// H w: rate of change of the normal (1/s) while a point passes with velocity w.
     #[must_use]
     pub fn bend_vector(&self, w: Vec3<S>) -> Vec3<S> {
         let across = vec3::tangential(w, self.normal);
@@ -91,13 +92,13 @@ impl<S: Scalar> Nearest<S> {
         if self.distance > S::ZERO { vec3::scale(part, S::ONE / self.distance) } else { vec3::zero() }
     }
 
-    /// w' H w (m/s^2): what the gap's rate gains while a point passes by with velocity w.
+    /// w' H w (m/s^2): the contribution of curvature to g'' while a point passes with velocity w.
     #[must_use]
     pub fn bend(&self, w: Vec3<S>) -> S {
         vec3::dot(w, self.bend_vector(w))
     }
 
-    /// From the core's nearest point; at the core itself n is `fallback`.
+    /// Nearest point given the core's nearest point; `fallback` is the normal where the point is on the core.
     fn from_core(
         place: Vec3<S>,
         core: Vec3<S>,
@@ -146,7 +147,7 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
             [false, false, false] => self.nearest_face(place),
             [true, true, true] => Nearest::from_core(place, core, S::ZERO, Feature::Vertex, axis(2)),
             _ => {
-                // One coordinate outside: a face; two: the edge along the third.
+                // One coordinate outside: nearest to a face; two: to the edge along the third.
                 let outside = out.iter().filter(|o| **o).count();
                 let along = out.iter().position(|o| !*o).unwrap_or_default();
                 let feature = if outside == 1 { Feature::Face } else { Feature::Edge(axis(along)) };
@@ -157,7 +158,7 @@ impl<S: Scalar> Surface<S> for Cuboid<S> {
 }
 
 impl<S: Scalar> Cuboid<S> {
-    /// From inside: the face that is least deep; of faces alike the first in the order of the axes.
+    /// For a point inside: the nearest face; of equally near ones the first in the order of the axes.
     fn nearest_face(&self, place: Vec3<S>) -> Nearest<S> {
         let depth = |i: usize| vec3::pick(&self.half, i) - vec3::pick(&place, i).abs();
         let mut best = 0;
@@ -174,7 +175,7 @@ impl<S: Scalar> Cuboid<S> {
 }
 
 impl<S: Scalar> Shape<S> {
-    /// How far it reaches from the origin of its axes (m); None for the half-space.
+    /// Radius of the bounding sphere about the origin of its axes (m); None for the half-space.
     #[must_use]
     pub fn reach(&self) -> Option<S> {
         match self {

@@ -1,35 +1,35 @@
-//! Where the energy of a world goes: an observer, no step reads it.
+//! Energy accounts of a world: they observe, no step reads them.
 
 use crate::real::Scalar;
 
-/// Energy taken by its ways (J), summed over steps.
+/// Energy lost to each cause (J), summed over steps.
 ///
 /// ```text
 /// E(t) - E(0) + damping + drag + impact + friction - drive = error of the method
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accounts<S> {
-    /// By dampers.
+    /// Dissipated by dampers.
     pub damping: S,
-    /// By the air.
+    /// Dissipated by air drag.
     pub drag: S,
-    /// By normal impulses of contacts.
+    /// Lost to normal impulses of contacts.
     pub impact: S,
-    /// By friction.
+    /// Dissipated by friction.
     pub friction: S,
-    /// Given by commanded motion (work of the drives on what is commanded).
+    /// Supplied by commanded motion (work of the drives on the parts that they command).
     pub drive: S,
 }
 
 impl<S: Scalar> Accounts<S> {
-    /// Nothing yet.
+    /// All zero.
     #[must_use]
     pub fn empty() -> Accounts<S> {
         let zero = S::ZERO;
         Accounts { damping: zero, drag: zero, impact: zero, friction: zero, drive: zero }
     }
 
-    /// Both together.
+    /// Sum of both, account by account.
     #[must_use]
     pub fn plus(&self, other: &Accounts<S>) -> Accounts<S> {
         Accounts {
@@ -41,7 +41,7 @@ impl<S: Scalar> Accounts<S> {
         }
     }
 
-    /// A multiple of all.
+    /// Every account times a factor.
     #[must_use]
     pub fn times(&self, factor: S) -> Accounts<S> {
         Accounts {
@@ -53,7 +53,7 @@ impl<S: Scalar> Accounts<S> {
         }
     }
 
-    /// What has left the world (J).
+    /// Energy that has left the world (J), net of what the drives supplied.
     #[must_use]
     pub fn lost(&self) -> S {
         self.damping + self.drag + self.impact + self.friction - self.drive

@@ -1,11 +1,14 @@
-//! Sweeps that are slow, gone on with from what the last few have changed (Anderson 1965; Walker and Ni 2011).
+//! Anderson acceleration of slow sweeps over contacts: extrapolates from the last few sweeps (Anderson 1965; Walker &
+//! Ni 2011).
 //!
-//! In: of each contact its impulse P before a sweep and g(P) behind it. Out: the impulses that the next sweep starts from.
+//! In: the impulse P of each contact before a sweep and g(P) after it. Out: the impulses from which the next sweep
+//! starts.
 //! ```text
 //! f = g(P) - P,   gamma = argmin |f - sum_i gamma_i df_i|,   P = g(P) - sum_i gamma_i dg_i
 //! ```
-//! d..._i: differences from one sweep to the next. Where contacts stick, slide or lift as before, sweeps are linear and this is
-//! GMRES; where that changes, f grows and the trail begins anew. Sums weigh impulses by what the contacts yield: energies.
+//! d..._i: differences from one sweep to the next. While no contact changes between sticking, sliding and lifting,
+//! sweeps are linear and this is GMRES; where one does, f grows and the history begins anew. The norm weighs impulses
+//! by inverse mass: energies.
 
 use super::detect::Touch;
 use super::trail::DEPTH;
@@ -13,31 +16,32 @@ use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Twist};
 use crate::vec3;
 
-/// A direction with less than this share of its square beside the others is none.
+/// A direction is dropped if elimination leaves less than this share of its squared length.
 const DEPENDENT: f64 = 1e-10;
-/// A difference with less than this share of |f|^2 is rounding: sweeps go on alike whatever they start from.
+/// A difference with less than this share of |f|^2 is rounding: sweeps then change the same whatever they start from.
 const ROUNDED: f64 = 1e-12;
-/// A sweep that changes more than this times the least of the trail (squares) ends the trail.
+/// A sweep with |f|^2 above this many times the least of the history ends the history.
 const WORSE: f64 = 4.0;
 
-/// How far the trails go.
+/// State of the extrapolation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ahead<S> {
-    /// Has a sweep been noted?
+    /// Whether a sweep has been recorded.
     begun: bool,
-    /// Differences noted since the trail began.
+    /// Differences recorded since the history began.
     number: usize,
     /// Least |f|^2 of its sweeps.
     least: S,
 }
 
 impl<S: Scalar> Ahead<S> {
-    /// Of sweeps that have not begun.
+    /// Before the first sweep.
     pub(super) fn new() -> Self {
         Ahead { begun: false, number: 0, least: S::ZERO }
     }
 
-    /// Notes a sweep; returns by how much (m/s) it and the one before changed contacts otherwise, None where a trail begins.
+    /// Records a sweep; returns the largest difference (m/s) between its change and that of the sweep before, None
+    /// where a history begins.
     pub(super) fn note(&mut self, touches: &mut [Touch<S>]) -> Option<S> {
         let (mut square, mut apart, place) = (S::ZERO, S::ZERO, self.number % DEPTH);
         for touch in touches.iter_mut() {
@@ -71,7 +75,7 @@ impl<S: Scalar> Ahead<S> {
     }
 }
 
-/// gamma of the last `count` differences.
+/// gamma from the last `count` differences.
 fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
     let (mut matrix, mut right, mut square) = ([[S::ZERO; DEPTH]; DEPTH], [S::ZERO; DEPTH], S::ZERO);
     for touch in touches {
@@ -88,7 +92,8 @@ fn combination<S: Scalar>(touches: &[Touch<S>], count: usize) -> [S; DEPTH] {
     eliminate(matrix, right, square)
 }
 
-/// gamma of normal equations; directions that depend on those before them, or are rounding beside |f|^2, are left out.
+/// Solves the normal equations for gamma; leaves out directions that depend on earlier ones or are rounding compared
+/// with |f|^2.
 pub(super) fn eliminate<S: Scalar>(
     mut matrix: [[S; DEPTH]; DEPTH],
     mut right: [S; DEPTH],

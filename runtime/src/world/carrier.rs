@@ -1,4 +1,5 @@
-//! What carries other parts: the frames of its ports follow from its state, wrenches at them enter its equations.
+//! The interface of parts that carry others: its state gives the frames of its ports, and wrenches at the ports enter
+//! its equations.
 
 use core::ops::Range;
 
@@ -20,7 +21,7 @@ pub struct Wrench<S> {
 }
 
 impl<S: Scalar> Wrench<S> {
-    /// Nothing.
+    /// No wrench.
     #[must_use]
     pub fn zero() -> Self {
         Wrench { force: vec3::zero(), moment: vec3::zero() }
@@ -43,7 +44,7 @@ impl<S: Scalar> Wrench<S> {
 /// about the origin of the other (columns), all in N.
 pub type InverseInertia<S> = [[S; 6]; 6];
 
-/// Equations of motion with ports.
+/// Equations of motion with ports, frames at which wrenches act.
 pub trait Carrier<S: Scalar> {
     /// Number of coordinates q.
     fn n_q(&self) -> usize;
@@ -51,12 +52,12 @@ pub trait Carrier<S: Scalar> {
     fn n_u(&self) -> usize;
     /// Number of ports.
     fn n_ports(&self) -> usize;
-    /// The ports that an impulse at this one moves, itself among them.
+    /// The ports that an impulse at this port moves, including itself.
     fn coupled(&self, port: usize) -> Range<usize> {
         let _ = port;
         0..self.n_ports()
     }
-    /// J M^-1 J' at a state: what port `ports[0]` does when an impulse acts at `ports[1]`.
+    /// J M^-1 J' at a state: the response of port `ports[0]` to an impulse at `ports[1]`.
     ///
     /// # Errors
     /// [`Fault::Shape`] if a slice has not the stated length.
@@ -67,8 +68,8 @@ pub trait Carrier<S: Scalar> {
         u: &[S],
         ports: [usize; 2],
     ) -> Result<InverseInertia<S>, Fault>;
-    /// Power (W) of what drives it, under these wrenches at its ports with these frames: of commanded motion. None where its
-    /// energy changes by the wrenches alone.
+    /// Power (W) that the drive of a commanded motion supplies, given the frames of the ports and the wrenches on them.
+    /// None if only the wrenches change its energy.
     fn drive_power(&mut self, frames: &[Frame<S>], wrenches: &[Wrench<S>]) -> Option<S> {
         let _ = (frames, wrenches);
         None
@@ -91,10 +92,11 @@ pub trait Carrier<S: Scalar> {
         q_dot: &mut [S],
         u_dot: &mut [S],
     ) -> Result<S, Fault>;
-    /// Writes the rates that lead from one end of a step to the other, q and u at its start, middle and end, times [t, h]; wrenches
-    /// are means over the step about the mean places of the frames. Returns the worst pivot.
+    /// Writes mean rates over a step from t of length h, so that the end is the start plus h times them. In: [t, h], q
+    /// and u at the start, middle and end; wrenches as means over the step, about the mean origins of the frames.
+    /// Returns the worst pivot.
     ///
-    /// Rates of the middle (order 2), where a carrier has none that keep its energy.
+    /// Default: rates at the middle (order 2), for carriers without mean rates that conserve energy.
     ///
     /// # Errors
     /// As [`Carrier::rates`].
@@ -109,7 +111,7 @@ pub trait Carrier<S: Scalar> {
     ) -> Result<S, Fault> {
         self.rates(t + S::from_f64(0.5) * h, q, u, wrenches, q_dot, u_dot)
     }
-    /// Whether the rates of its speeds depend on its speeds, its wrenches given.
+    /// Whether the rates of its speeds depend on its speeds at given wrenches.
     fn is_damped(&self) -> bool {
         self.n_u() > 0
     }
@@ -135,7 +137,7 @@ pub trait Carrier<S: Scalar> {
         let _ = (q, u);
         Ok(())
     }
-    /// The time (s) at which the next corrections are asked for.
+    /// Sets the time (s) of the next corrections.
     fn set_time(&mut self, t: S) {
         let _ = t;
     }
@@ -145,8 +147,8 @@ pub trait Carrier<S: Scalar> {
     }
 }
 
-/// Frames that move as commanded, whatever pulls at them: `law(t, port)`. What the drive gives is the power of the
-/// wrenches, with the opposite sign.
+/// Frames that move as commanded, whatever wrenches act on them: `law(t, port)`. The drive supplies the power of the
+/// wrenches with the opposite sign.
 #[derive(Clone, Copy, Debug)]
 pub struct Commanded<F> {
     /// The commanded motion.
@@ -195,7 +197,7 @@ impl<S: Scalar, F: Fn(S, usize) -> Frame<S>> Carrier<S> for Commanded<F> {
     }
 }
 
-/// A frame that stands still: space, a rigid part fixed in it.
+/// A frame at rest in N: space itself, or a rigid part fixed in it.
 #[derive(Clone, Copy, Debug)]
 pub struct Still<S>(pub Frame<S>);
 
@@ -235,7 +237,7 @@ impl<S: Scalar> Carrier<S> for Still<S> {
     }
 }
 
-/// A rigid body that floats, its axes and centre of mass the one port.
+/// A free rigid body; its one port has the body's axes and its centre of mass as origin.
 ///
 /// q = [position, Euler parameters], u = [velocity, angular momentum in N]; e_dot = (e, W)/2 with W in body axes.
 #[derive(Clone, Copy, Debug)]
@@ -247,10 +249,10 @@ pub struct Floating<S> {
 }
 
 impl<S: Scalar> Floating<S> {
-    /// The state that x = [q, u] stands for.
+    /// The rigid body's state from q and u.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if a slice has not its length.
+    /// [`Fault::Shape`] if a slice has the wrong length.
     pub fn state(&self, q: &[S], u: &[S]) -> Result<RigidState<S>, Fault> {
         let ([x, y, z, e0, e1, e2, e3], [vx, vy, vz, hx, hy, hz]) = (q, u) else { return Err(Fault::Shape) };
         Ok(RigidState {
@@ -272,7 +274,7 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
     fn n_ports(&self) -> usize {
         1
     }
-    /// Its speeds are velocity and angular momentum: forces alone change them.
+    /// Its speeds are velocity and angular momentum in N, which only forces and moments change.
     fn is_damped(&self) -> bool {
         false
     }
@@ -321,8 +323,8 @@ impl<S: Scalar> Carrier<S> for Floating<S> {
         u_dot.iter_mut().zip(acceleration.iter().chain(&moment)).for_each(|(to, from)| *to = *from);
         Ok(S::ONE)
     }
-    /// Turns by Cayley's map of the mean angular velocity W of both ends, in body axes: e' = e (1, h W/2)/|..|. With M the mean
-    /// moment the kinetic energy changes by h W . M exactly (Simo & Wong 1991).
+    /// Rotates by Cayley's map, e' = e (1, h W/2)/|..|, with W the mean of the angular velocities at both ends in body
+    /// axes. With M the mean moment, the kinetic energy changes by exactly h W . M (Simo & Wong 1991).
     fn mean_rates(
         &mut self,
         [_, h]: [S; 2],

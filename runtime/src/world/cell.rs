@@ -1,7 +1,7 @@
-//! Gas inside a closed part of a body's facets: what it pushes, what it stores.
+//! Gas inside a closed part of a body's facets: forces and potential energy.
 //!
-//! In: facets by number, a regulated gas or a sealed one, positions. Out: forces p dV/dx at the corners, potential. The
-//! volume is that of the facets, wherever they stand: closed surfaces do not see the origin.
+//! In: a range of facets, a regulated or a sealed gas, positions. Out: forces p dV/dx at the corners, potential. The
+//! volume is the one that the facets enclose, independent of the origin because the surface is closed.
 
 use crate::flexible::block::Pushes;
 use crate::flexible::grid::{Grid, Weave};
@@ -14,33 +14,33 @@ use crate::ode::nodes::Way;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// A volume of gas.
+/// A closed volume of gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell<S> {
     /// First of its facets among those of the body, and the one after its last.
     pub facets: [usize; 2],
-    /// What is inside.
+    /// The gas.
     pub content: Content<S>,
     /// How a facet's force is shared by its corners.
     pub form: PressureForm,
 }
 
-/// Gas that keeps its pressure or its mass.
+/// Gas at constant pressure or of constant mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Content<S> {
     /// Constant pressure.
     Regulated(Regulated<S>),
-    /// All valves shut: p V^n stays.
+    /// All valves shut: p V^n is constant.
     Sealed {
         /// Exponent, reference volume and air outside.
         chamber: Chamber<S>,
-        /// What was filled in.
+        /// State of the gas that was filled in.
         state: GasState<S>,
     },
 }
 
 impl<S: Scalar> Content<S> {
-    /// Pressure above that outside (Pa) at a volume (m^3).
+    /// Pressure above ambient (Pa) at a volume (m^3).
     ///
     /// # Errors
     /// [`GasFault::Collapsed`] for a sealed gas without volume.
@@ -51,7 +51,7 @@ impl<S: Scalar> Content<S> {
         }
     }
 
-    /// Energy (J) that walls get back.
+    /// Energy (J) that the gas can return to the walls.
     ///
     /// # Errors
     /// As for [`Content::gauge_pressure`].
@@ -64,7 +64,7 @@ impl<S: Scalar> Content<S> {
 }
 
 impl<S: Scalar> Cell<S> {
-    /// Its facets among those of the body; None if they are not there.
+    /// Its facets among those of the body; None if the range does not exist.
     pub(super) fn of<'f>(&self, facets: &'f [[usize; 4]]) -> Option<&'f [[usize; 4]]> {
         let [first, end] = self.facets;
         facets.get(first..end)
@@ -82,7 +82,8 @@ impl<S: Scalar> Cell<S> {
         first < end && own_first <= first && end <= own_end
     }
 
-    /// Adds the forces on the corners (N); those on grids of the body are written, with all that acts there.
+    /// Adds the forces on the corners (N). Forces on nodes of grids are overwritten instead, with everything that acts
+    /// there.
     pub(super) fn add_force(
         &self,
         body: &Body<S>,
@@ -109,7 +110,8 @@ impl<S: Scalar> Cell<S> {
         Ok(())
     }
 
-    /// Adds mean forces on the corners over a step (N), whose work is the change of the potential: pressure by Simpson's rule.
+    /// Adds mean forces over a step on the corners (N), whose work is the change of the potential; mean pressure by
+    /// Simpson's rule.
     pub(super) fn add_mean_force(
         &self,
         facets: &[[usize; 4]],
@@ -129,7 +131,7 @@ impl<S: Scalar> Cell<S> {
         Ok(())
     }
 
-    /// Energy (J) that walls get back.
+    /// Energy (J) that the gas can return to the walls.
     pub(super) fn potential(&self, facets: &[[usize; 4]], pos: &[Vec3<S>]) -> Result<S, Fault> {
         self.content.potential(self.volume(facets, pos)).map_err(|_| Fault::NonFinite)
     }

@@ -1,14 +1,14 @@
-//! The step of a world that keeps energy: forces are means over the step, whose work is the change of what is stored
+//! Energy-conserving step of a world: forces are means over the step whose work is the change of the stored energy
 //! (Simo & Tarnow 1992, Gonzalez 1996; rigid bodies Simo & Wong 1991).
 //!
 //! In: state [q, x; u, v] at t. Out: the state at t + h, contacts with their impulses, accounts.
 //! ```text
 //! v+ = v + h M^-1 f + M^-1 W' P,   x+ = x + h (v + v+)/2,   f = f(x, x+):  f . (x+ - x) = -(V(x+) - V(x)) - what dampers take
 //! ```
-//! Solved by fixed-point iteration, gone on with from what the last few have changed (Anderson 1965). Contacts stand as in
-//! `step`, found at x + h/2 v; their impulses P are found anew in each iteration. The account closes to rounding and momentum
-//! stays for any step, angular momentum too but for gas and contacts between flexible parts (order 2); mechanisms take the
-//! middle of the step: order 2.
+//! Solved by fixed-point iteration with Anderson acceleration (1965). Contacts are detected as in `step`, at x + h/2 v;
+//! each iteration recomputes their impulses P. For any step, the energy account closes to rounding and linear momentum
+//! is conserved; so is angular momentum, except with gas and contacts between flexible parts (order 2). Mechanisms use
+//! rates at the middle of the step: order 2.
 
 use super::accounts::Accounts;
 use super::anderson::eliminate;
@@ -25,23 +25,23 @@ use crate::rigid::contact::{Contact, Point, Side, Twist};
 use crate::surface::Frame;
 use crate::vec3::{self, Vec3};
 
-/// Iterations at most; at h w = 1 some 15 reach the rounding of f64.
+/// Most iterations; at h w = 1 about 15 reach the rounding of f64.
 const ITERATIONS: usize = 300;
-/// An iteration that misses more than this times the least of the trail (squares) ends the trail.
+/// An iteration with |f|^2 above this many times the least of the history ends the history.
 const WORSE: f64 = 16.0;
-/// Changes below this many rounding units of the smaller of coordinates and speeds end the iteration.
+/// The iteration ends when changes fall below this many rounding units of the smaller of coordinates and speeds.
 const SETTLED: f64 = 2.0;
-/// Iterations without gain that end it near the solution: the last digits keep moving.
+/// Iterations without gain after which it ends near the solution: the last digits keep moving.
 const PATIENCE: u32 = 3;
 
-/// Working memory of a conserving step beside a [`StepMemory`].
+/// Working memory of a conserving step, in addition to a [`StepMemory`].
 #[derive(Debug)]
 pub struct MeanMemory<'a, S> {
     /// [`MeanMemory::scratch`] numbers.
     pub scratch: &'a mut [S],
-    /// Places at the start and in the middle, changes, mean velocities: one entry per node each.
+    /// Positions at the start and in the middle, their changes, mean velocities: one entry per node each.
     pub nodes: [&'a mut [Vec3<S>]; 4],
-    /// Frames of the ports at the start, and where contacts were found: one entry per port each.
+    /// Frames of the ports at the start, and where contacts were detected: one entry per port each.
     pub frames: [&'a mut [Frame<S>]; 2],
 }
 
@@ -53,7 +53,7 @@ impl<S: Scalar> MeanMemory<'_, S> {
     }
 }
 
-/// A step on its way: its ends, its middle, and the rates that lead from one end to the other.
+/// A step being solved: start, middle and end, and the mean rates from start to end.
 struct Span<'m, S> {
     t: S,
     h: S,
@@ -64,7 +64,7 @@ struct Span<'m, S> {
     rates: &'m mut [S],
 }
 
-/// Memory of the iteration: the state in which contacts were found, rates found, what iterations have changed.
+/// Memory of the iteration: the state at which contacts were detected, new rates, and the history.
 struct Spares<'m, S> {
     touched: &'m [S],
     found: &'m mut [S],
@@ -72,11 +72,11 @@ struct Spares<'m, S> {
     trail: Trail<'m, S>,
 }
 
-/// What the last iterations have changed: f = g(k) - k and g of each, as differences from one to the next.
+/// History of Anderson acceleration: differences of f = g(k) - k and of g from one iteration to the next.
 struct Trail<'m, S> {
-    /// Iterations noted since it began.
+    /// Iterations recorded since it began.
     number: usize,
-    /// Least |f|^2 of them.
+    /// Least |f|^2 among them.
     least: S,
     /// g and f of the last one.
     gained: &'m mut [S],
@@ -89,8 +89,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0, with forces that are means over the step.
     ///
     /// # Errors
-    /// As [`World::step`]; [`Fault::Unsettled`] if the step is too long for the iteration to come to an end. The state is then
-    /// unchanged.
+    /// As [`World::step`]; [`Fault::Unsettled`] if the step is too long for the iteration to converge. The state is
+    /// then unchanged.
     pub fn step_conserving(
         &mut self,
         t: S,
@@ -146,7 +146,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         copy(means.nodes[0], self.island.memory.pos);
         copy(means.frames[0], self.island.memory.frames);
         self.predict((t, h), start, [&mut *middle, &mut *rates, &mut *spare], memory, means)?;
-        // Contacts keep the middle in which they were found.
+        // Contacts keep the middle at which they were detected, while the iteration moves the span's.
         copy(touched, middle);
         let mut span = Span { t, h, start, end, middle, rates };
         let trail = Trail { number: 0, least: S::ZERO, gained, off, differences: trail };
@@ -169,7 +169,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(StepReport { pivot, near, active, sweeps: number, settled, left, accounts })
     }
 
-    /// Half the way with the speeds of the start: the middle, rates there, contacts.
+    /// First guess: half the step with the speeds at the start gives the middle; rates and contacts there.
     fn predict(
         &mut self,
         (t, h): (S, S),
@@ -191,7 +191,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.find_contacts((t + half, h), middle, memory)
     }
 
-    /// Iterates the rates of a span until they stand still; returns the worst pivot and the last sweeps.
+    /// Iterates the rates of a span until they converge; returns the worst pivot and the last sweeps.
     fn settle_rates(
         &mut self,
         span: &mut Span<'_, S>,
@@ -253,7 +253,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Err(Fault::Unsettled)
     }
 
-    /// Mean forces on the nodes over a span, and the wrenches on the ports about the mean places of their frames.
+    /// Mean forces on the nodes over a span, and the wrenches on the ports about the mean origins of their frames.
     fn load_means(&mut self, span: &Span<'_, S>, means: &mut MeanMemory<'_, S>) -> Result<(), Fault> {
         self.island.place(span.t + span.h, span.end)?;
         let rates = self.island.parts(span.rates)?.pos;
@@ -266,7 +266,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             *middle = vec3::scale(vec3::add(*x, *y), half);
             *velocity = vec3::scale(*change, S::ONE / span.h);
         }
-        // In a tiny step the difference of two places holds nothing but rounding: free nodes have it from their rates.
+        // In a tiny step the difference of two positions is mostly rounding, so free nodes take theirs from the rates.
         for (node, rate) in super::island::free_nodes(&island.body).zip(rates.chunks_exact(3)) {
             if let (Some(change), Some(velocity), [x, y, z]) =
                 (change.get_mut(node), velocity.get_mut(node), rate)
@@ -296,7 +296,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Rates that lead from one end of a span to the other, under the forces in memory; returns the worst pivot.
+    /// Mean rates over a span under the forces in memory; returns the worst pivot.
     fn mean_rates(&mut self, span: &Span<'_, S>, rates: &mut [S]) -> Result<S, Fault> {
         let island = &mut self.island;
         let [from, between, to] = [&*span.start, &*span.middle, &*span.end].map(|x| island.parts(x));
@@ -316,7 +316,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(pivot)
     }
 
-    /// Energy by its ways in this step: works over the ways that everything really goes.
+    /// Energy accounts of this step: work of the mean forces over the actual displacements.
     fn observe_means(
         &mut self,
         h: S,
@@ -354,17 +354,18 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 }
 
-/// Mean places over a step.
+/// Mean positions over a step.
 struct Mean<'m, S> {
-    /// Frames of the ports at the start, at the end, and where contacts were found.
+    /// Frames of the ports at the start, at the end, and where contacts were detected.
     frames: [&'m [Frame<S>]; 3],
-    /// Mean places of the nodes.
+    /// Mean positions of the nodes.
     nodes: &'m [Vec3<S>],
 }
 
 impl<S: Scalar> Mean<'_, S> {
-    /// A contact whose arms reach from the mean places of frames to those of the points that touch. A point of a rigid body slips
-    /// along the other side meanwhile: it is taken where that is, so that no moment is left of the two forces.
+    /// The contact with arms from the mean origins of the frames to the mean contact points. A point of a rigid body
+    /// slips along the other side during the step; it is moved to where the other side is, so that the two opposite
+    /// forces leave no moment.
     fn contact(&self, contact: &Contact<S>) -> Contact<S> {
         let mut new = *contact;
         new.sides = contact.sides.map(|side| side.with_arms(|point| self.arm(point)));
@@ -395,7 +396,7 @@ impl<S: Scalar> Mean<'_, S> {
         vec3::scale(vec3::add(from.to_inertial(own), to.to_inertial(own)), S::from_f64(0.5))
     }
 
-    /// The mean place of a side; None where it is fixed in space.
+    /// The mean position of a side; None where it is fixed in space.
     fn place(&self, side: &Side<S>) -> Option<Vec3<S>> {
         let ports = self.frames[0].len();
         let of = |point: &Point<S>| match self.port(point.body) {
@@ -404,19 +405,20 @@ impl<S: Scalar> Mean<'_, S> {
         };
         let sum = |sum, point: &Point<S>| Some(vec3::axpy(sum?, point.weight, of(point)));
         side.points().next()?;
-        // A side that space holds in part: its points do not make up a place.
+        // A side that is partly fixed in space has no such position: the weights of its points do not add up to 1.
         let whole = side.points().fold(S::ZERO, |sum, point| sum + point.weight);
         ((whole - S::ONE).abs() < S::from_f64(1e-3)).then(|| side.points().fold(Some(vec3::zero()), sum))?
     }
 }
 
 impl<S: Scalar> Trail<'_, S> {
-    /// The next rates by Anderson's method: g - sum_i gamma_i dg_i, gamma = argmin |f - sum_i gamma_i df_i| over the speeds' rates.
+    /// The next rates by Anderson's method: g - sum_i gamma_i dg_i, gamma = argmin |f - sum_i gamma_i df_i| over the
+    /// rates of the speeds.
     fn go_on(&mut self, n_q: usize, rates: &mut [S], found: &[S]) {
         let n = rates.len().max(1);
         let square =
             found.iter().zip(rates.iter()).skip(n_q).fold(S::ZERO, |sum, (g, k)| sum + (*g - *k) * (*g - *k));
-        // An iteration that is much worse than the best ends the trail.
+        // An iteration that is much worse than the best ends the history.
         let goes_on = self.number > 0 && square <= S::from_f64(WORSE) * self.least;
         if goes_on {
             let place = (self.number - 1) % DEPTH;

@@ -1,6 +1,7 @@
-//! Which points of the pairs are near each other: the list of contacts that a step works on.
+//! Contact detection: lists the places where the parts of each pair are near each other, for one step.
 //!
-//! In: things where they stand, pairs, how near is near. Out: contacts with sides, axes, gap.
+//! In: things at their present positions, pairs, the margin within which a gap counts. Out: contacts with sides, axes,
+//! gap.
 //! ```text
 //! rigid on rigid    features of both shapes (`rigid::narrow`)
 //! mesh on rigid     every node over the shape's surface; the shape's corners over the facet below them, round ones over every
@@ -8,8 +9,9 @@
 //! mesh on mesh      every node of each over the nearest facet of the other
 //! in a fold         a node or corner between two facets that face each other is over both
 //! ```
-//! Both sides of a contact have one place, a node's or the foot on a facet, so that impulse and opposite act on one line; but a
-//! node over a facet, where friction's arm is the gap. Edges of facets that cross, and a mesh on itself, are not looked for.
+//! Both sides of a contact share one point, a node's or the foot on a facet, so that action and reaction lie on one
+//! line. Exception: a node over a facet, where friction has the gap as its arm. Edges of facets that cross, and a mesh
+//! on itself, are not detected.
 
 use super::scenery::{Extent, Feet, Foot, Mesh, Over, Scenery, Standing};
 use super::thing::{Pair, Thing};
@@ -22,15 +24,15 @@ use crate::rigid::narrow::{Placed, core_points, features};
 use crate::surface::facet::FacetNearest;
 use crate::vec3::{self, Vec3};
 
-/// Numbers of contacts of a shape's points over facets begin here; below are nodes.
+/// Contact numbers from here on are those of a shape's points over facets; smaller ones are those of nodes.
 const OF_SHAPE: u32 = 1 << 30;
-/// Points of a shape at most: numbers of contacts over the next facet are so many higher.
+/// Most points of a shape: contacts over the next facet are numbered this much higher.
 const POINTS: u32 = 8;
-/// Added to the number of a point in a fold, for its contacts with either facet.
+/// Added to the number of a point in a fold, one for each of its two facets.
 const IN_FOLD: [u32; 2] = [1 << 28, 1 << 29];
 
-/// A foot with more than this share of one corner is that corner: two contacts there would share one load in any way, which
-/// sweeps find slowly.
+/// A foot with more than this weight at one corner is dropped in favour of that corner's own contact: two contacts
+/// there could share one load in any proportion, and sweeps would converge slowly.
 pub(super) const AT_NODE: f64 = 0.75;
 
 /// A contact of a step.
@@ -38,21 +40,21 @@ pub(super) const AT_NODE: f64 = 0.75;
 pub struct Touch<S> {
     /// Number of its pair.
     pub pair: usize,
-    /// Which of the pair's contacts: the same from step to step.
+    /// Number of the contact within its pair: the same from step to step.
     pub id: u32,
     /// Gap (m) in the middle of the step.
     pub gap: S,
-    /// Place in N (m).
+    /// Contact point in N (m).
     pub point: Vec3<S>,
     /// Sides, axes, law, impulse over the step (N s).
     pub contact: Contact<S>,
-    /// K.
+    /// K = W M^-1 W', the contact's inverse mass (1/kg).
     pub(super) inverse_mass: InverseMass<S>,
-    /// Relative velocity at the start of the step, n, t1, t2.
+    /// Relative velocity at the start of the step, along n, t1, t2.
     pub(super) start: Vec3<S>,
-    /// Normal velocity (m/s) that an overlap is left with, at least.
+    /// Least normal velocity (m/s) with which an overlap is left after the step.
     pub(super) out: S,
-    /// What the last sweep changed of the impulse, and what the ones before it did.
+    /// Change of the impulse by the last sweep, and the history of the sweeps before.
     pub(super) change: Vec3<S>,
     pub(super) trail: Trail<S>,
 }
@@ -64,13 +66,13 @@ impl<S: Scalar> Touch<S> {
         self.start
     }
 
-    /// Largest of what it yields to an impulse (1/kg).
+    /// Largest diagonal entry of K (1/kg).
     pub(super) fn weight(&self) -> S {
         let [[a, ..], [_, b, _], [.., c]] = self.inverse_mass;
         a.max(b).max(c)
     }
 
-    /// A place for one.
+    /// An empty entry of a list.
     #[must_use]
     pub fn empty() -> Touch<S> {
         let zero = vec3::zero();
@@ -91,10 +93,10 @@ impl<S: Scalar> Touch<S> {
     }
 }
 
-/// A place of touch: gap, point, contact.
+/// A place of contact: gap, point, contact.
 type Place<S> = (S, Vec3<S>, Contact<S>);
 
-/// The list while it is filled.
+/// The list of contacts while it is filled.
 pub(super) struct Found<'a, S> {
     pub(super) touches: &'a mut [Touch<S>],
     pub(super) count: usize,
@@ -116,8 +118,8 @@ impl<S: Scalar> Found<'_, S> {
 }
 
 impl<'a, S: Scalar> Scenery<'a, S> {
-    /// Fills the list; returns how many. `extents` is memory for a box around each thing, of which pairs are passed over that
-    /// are too far apart to touch; where it has no room, all are looked at.
+    /// Fills the list; returns its length. `extents` is memory for a bounding box of each thing, with which pairs too
+    /// far apart are skipped; pairs whose boxes have no room in it are always examined.
     pub(super) fn find(
         &self,
         pairs: &[Pair<S>],
@@ -199,7 +201,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
-    /// A node over the surface of a shape.
+    /// The contact of a node with the surface of a shape.
     fn node_over_shape(&self, node: usize, standing: &Standing<S>) -> Place<S> {
         let (x, near, (_, port, frame)) =
             (vec3::at(self.pos, node), self.near_node(node, standing), standing);
@@ -207,7 +209,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         (near.gap, x, Contact::between(sides, frame.to_inertial(near.normal)))
     }
 
-    /// A point of a shape's core over a facet.
+    /// The contact of a point of a shape's core with a facet; None where the facet's corners make it.
     fn shape_over_facet(&self, standing: &Standing<S>, (facet, near): Foot<'a, S>) -> Option<Place<S>> {
         let (shape, port, _) = standing;
         let (_, _, radius) = core_points(shape);
@@ -220,10 +222,10 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Some((gap, near.foot, Contact::between(sides, near.normal)))
     }
 
-    /// Are the corners under a foot nearer to the shape's surface than the foot, on the mean by its shares?
+    /// Whether the corners below a foot are nearer to the shape's surface than the foot is, on average by its weights.
     ///
-    /// A chord between corners that touch a round shape lies inside it: a contact at the foot would say what theirs say, and
-    /// share their load with them in any way.
+    /// A chord between corners that touch a round shape lies inside the shape: a contact at the foot would repeat those
+    /// of the corners and share their load in any proportion.
     fn left_to_corners(
         &self,
         facet: &[usize; 4],
@@ -238,7 +240,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         self.at_node < S::ONE && mean < gap.abs()
     }
 
-    /// A node over a facet.
+    /// The contact of a node with a facet.
     fn node_over_facet(&self, node: usize, (facet, near): Foot<'a, S>) -> Place<S> {
         let sides = [self.side_of_node(node), self.side_of_facet(facet, &near)];
         (near.gap, vec3::at(self.pos, node), Contact::between(sides, near.normal))
@@ -262,7 +264,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
-    /// The feet of a point, each with what it adds to the number of its contact.
+    /// The feet of a point, each with the flag to add to its contact's number.
     fn flagged_feet(
         &self,
         mesh: &Mesh<'a, S>,
@@ -276,7 +278,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         first.into_iter().chain(second)
     }
 
-    /// A contact found before, where things stand now: gap, point, sides and axes. None where it is no more.
+    /// A contact found earlier, at the present positions: gap, point, sides and axes. None if it no longer exists.
     pub(super) fn again(&self, pair: &Pair<S>, id: u32) -> Option<Place<S>> {
         let [one, other] = pair.things.map(|thing| self.things.get(thing));
         let (one, other) = (one?, other?);

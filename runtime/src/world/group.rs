@@ -1,4 +1,4 @@
-//! Several carriers as one: their coordinates, speeds and ports one after the other.
+//! Several carriers as one: their coordinates, speeds and ports follow one another.
 
 use core::ops::Range;
 
@@ -7,7 +7,7 @@ use crate::mechanism::Fault;
 use crate::real::Scalar;
 use crate::surface::Frame;
 
-/// Carriers that do not act on one another but through what they carry.
+/// Carriers that act on one another only through the parts that they carry.
 #[derive(Debug)]
 pub struct Group<'a, C> {
     /// The carriers.
@@ -32,7 +32,7 @@ fn cut_all<'x, T>([one, two, three]: &mut [&'x [T]; 3], n: usize) -> Result<[&'x
 }
 
 impl<C> Group<'_, C> {
-    /// The member that has a port: its first coordinate, speed and port, and itself.
+    /// The member that has a port, with the numbers of its first coordinate, speed and port.
     fn find<S: Scalar>(&self, port: usize) -> Option<([usize; 3], &C)>
     where
         C: Carrier<S>,
@@ -47,7 +47,7 @@ impl<C> Group<'_, C> {
         None
     }
 
-    /// Has each member write its rates under the wrenches at its ports; returns the worst pivot.
+    /// Lets each member write its rates under the wrenches at its ports; returns the worst pivot.
     fn each_rates<S: Scalar>(
         &mut self,
         mut wrenches: &[Wrench<S>],
@@ -62,7 +62,7 @@ impl<C> Group<'_, C> {
             let dot = [cut_mut(&mut q_dot, member.n_q())?, cut_mut(&mut u_dot, member.n_u())?];
             let wrenches = cut(&mut wrenches, member.n_ports())?;
             let pivot = rates(member, wrenches, dot)?.abs();
-            // What is no number must not be lost in a minimum.
+            // A minimum would lose NaN.
             worst = if pivot < worst || !pivot.is_finite() { pivot } else { worst };
         }
         Ok(worst)

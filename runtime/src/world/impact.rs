@@ -1,17 +1,18 @@
-//! Impact of everything that touches in one instant, sides of any kind: Stronge's law, or energy compensation with flexible
-//! sides.
+//! Impact of all contacts that strike at one instant, between sides of any kind: Stronge's law, or energy compensation
+//! with flexible sides.
 //!
-//! In: contacts at the instant, velocities before, springs of the flexible bodies. Out: impulses of the contacts, velocities
-//! after. Compensation is that of a body on the ground (`contact::compensation`) with all sides free to move:
+//! In: contacts at the instant, velocities before, springs of the flexible bodies. Out: impulses of the contacts,
+//! velocities after. Compensation is that of a body on the ground (`contact::compensation`) with all sides free to
+//! move:
 //! ```text
-//! J0 >= 0, W v >= 0, J0 . W v = 0                      e = 0; Q: eta times the kinetic energy that this takes
+//! J0 >= 0, W v >= 0, J0 . W v = 0                      e = 0; Q: eta times the kinetic energy that it takes
 //! node i of a side, its share b (+ first, - second side):  springs from i to k with w = b d.n > 1e-6 and k not in touch
-//!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 as J0, so that D parts no side into the other: W D >= 0
+//!   D_k += w d/m_k;  D_i -= w d/m_i;   then u >= 0 like J0, so that D moves no side into the other: W D >= 0
 //! A = D.M D/2;  B = v.M D;  A lambda^2 + B lambda = Q;  v += lambda D;  J = J0 + lambda u
 //! ```
-//! The smaller root is taken if B <= 0, J >= 0 and no side enters another, else the larger one. Springs and contacts give
-//! opposite impulses on one line: momenta stay. Without a spring that could take energy both sides rebound along J0. What
-//! touches in one instant shares one lambda.
+//! The smaller root is taken if B <= 0, J >= 0 and no side enters another, else the larger one. Springs and contacts
+//! give opposite impulses along one line, so linear and angular momentum are conserved. Without a spring that could
+//! take energy both sides rebound along J0. All contacts of one instant share one lambda.
 
 use crate::contact::compensation::FLATTEST_RECEIVER;
 use crate::flexible::Body;
@@ -22,20 +23,20 @@ use crate::rigid::law::Kind;
 use crate::rigid::several::{Struck, compensate_all, rub_within, stop, strike_all};
 use crate::vec3::{self, Vec3};
 
-/// What does not change in an impact.
+/// Data that an impact does not change.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a, S, I: ?Sized> {
-    /// Flexible bodies: their springs hand impulses on.
+    /// Flexible bodies: their springs pass impulses on.
     pub body: &'a Body<'a, S>,
     /// Positions of the nodes.
     pub pos: &'a [Vec3<S>],
     /// Number of ports: bodies from this number on are nodes.
     pub ports: usize,
-    /// What bodies yield.
+    /// Inverse inertia of the bodies.
     pub inertia: &'a I,
 }
 
-/// Memory of an impact: as many contacts as are struck, twice one entry per body.
+/// Memory of an impact: as many contacts as strike, two lists with one entry per body.
 #[derive(Debug)]
 pub struct Spare<'a, S> {
     /// Contacts.
@@ -45,10 +46,10 @@ pub struct Spare<'a, S> {
 }
 
 impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
-    /// Resolves the impact by the kind of law of all contacts with its e (of compensation the root of eta); without one
-    /// of all by Stronge's with each contact's own e.
+    /// Resolves the impact. `law`: one kind of law with its e for all contacts (compensation: e is the square root of
+    /// eta); None: Stronge's law with each contact's own e.
     ///
-    /// False: sweeps or pieces were not enough, and what was left ended as by e = 0.
+    /// Returns false if sweeps or integration pieces did not suffice; the rest then ended as with e = 0.
     pub fn strike(
         &self,
         struck: &mut [Struck<S>],
@@ -58,7 +59,8 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
     ) -> bool {
         match law {
             Some((Kind::Compensation, e)) => self.compensate(struck, e * e, twists, spare),
-            // Newton's e alike at all points without friction is compensation of e^2 along the impulses of e = 0.
+            // Newton's law with one e at all points and without friction is compensation with eta = e^2 along the
+            // impulses of e = 0.
             Some((Kind::Newton, e)) => compensate_all(struck, e * e, self.inertia, twists).complete,
             _ => strike_all(struck, self.inertia, twists, spare.twists[0]).complete,
         }
@@ -117,7 +119,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
             b = b + u * now;
         }
         let energy = (eta * taken).max(S::ZERO);
-        // Speeds that the contacts took out, of the velocities and of D: rounding is measured by them.
+        // Largest speeds that the contacts stopped, for the velocities and for D: rounding is measured against them.
         let largest = |list: &[Struck<S>]| list.iter().fold(S::ZERO, |most, s| most.max(s.stopped()));
         let sizes = [largest(struck), largest(lifts)];
         let lambda = root(a, b, energy, |lambda| {
@@ -140,7 +142,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
         settled && lifted && rubbed
     }
 
-    /// Shows the springs from nodes that are pressed to nodes out of touch: both nodes, the direction, the share w > 0.
+    /// Shows the springs from pressed nodes to nodes without contact: both nodes, the direction d, the share w > 0.
     fn each_link(&self, struck: &[Struck<S>], mut show: impl FnMut([usize; 2], Vec3<S>, S)) {
         let touches = |node: usize| {
             struck.iter().any(|s| s.contact.points().any(|(_, point)| point.body == self.ports + node))
@@ -168,7 +170,7 @@ impl<S: Scalar, I: Inertia<S> + ?Sized> Setting<'_, S, I> {
     }
 }
 
-/// lambda of A lambda^2 + B lambda = Q, A > 0: the smaller root where it is allowed.
+/// Solves A lambda^2 + B lambda = Q, A > 0: the smaller root where it is allowed, else the larger.
 fn root<S: Scalar>(a: S, b: S, energy: S, allowed: impl Fn(S) -> bool) -> S {
     if a <= S::ZERO {
         return S::ZERO;

@@ -1,7 +1,8 @@
-//! What ports and nodes yield to impulses: ports of one mechanism move one another.
+//! Inverse inertia of ports and nodes: their velocity changes under impulses; ports of one mechanism move one another.
 //!
-//! Bodies of the contacts are numbered: first the ports, then the nodes. A port answers by J M^-1 J' (6 x 6), a node by
-//! 1/m; attached and fixed nodes are no bodies (their part of a side is a point of a port, or nothing).
+//! Bodies that contacts refer to are numbered: first the ports, then the nodes. A port responds by J M^-1 J' (6 x 6), a
+//! node by 1/m. Attached and fixed nodes are no bodies of their own: in a contact's side they are points of a port, or
+//! nothing.
 
 use super::carrier::{Carrier, InverseInertia};
 use crate::mechanism::Fault;
@@ -9,34 +10,34 @@ use crate::real::Scalar;
 use crate::rigid::contact::{Inertia, Point, Twist};
 use crate::vec3::{self, Vec3};
 
-/// Where a port's answers begin, and which ports they are about.
+/// Where a port's responses begin in the list, and which ports they are about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Coupling {
     /// The first port that an impulse here moves, and how many.
     ports: [usize; 2],
-    /// Place of the first answer.
+    /// Index of the first response.
     first: usize,
 }
 
-/// Yields of all bodies of an island, in memory lent by the caller.
+/// Inverse inertia of all bodies of an island, in memory lent by the caller.
 #[derive(Debug)]
 pub struct Inertias<'a, S> {
     /// One entry per port.
     pub couplings: &'a mut [Coupling],
-    /// One entry per pair of ports that move one another: see [`Inertias::answers`].
+    /// One entry per ordered pair of ports that move one another: see [`Inertias::answers`].
     pub answers: &'a mut [InverseInertia<S>],
     /// 1/m (1/kg), one entry per node.
     pub nodes: &'a mut [S],
 }
 
 impl<S: Scalar> Inertias<'_, S> {
-    /// How many answers a carrier's ports have.
+    /// Number of responses that a carrier's ports have.
     #[must_use]
     pub fn answers(carrier: &impl Carrier<S>) -> usize {
         (0..carrier.n_ports()).map(|port| carrier.coupled(port).len()).sum()
     }
 
-    /// Asks the carrier at a state about impulses at those ports that are needed.
+    /// Asks the carrier at a state for the responses to impulses at those ports that are needed.
     ///
     /// # Errors
     /// [`Fault::Shape`] where memory is too small; the carrier's faults.
@@ -60,14 +61,14 @@ impl<S: Scalar> Inertias<'_, S> {
         Ok(())
     }
 
-    /// The ports that an impulse at this one moves, with their answers.
+    /// The ports that an impulse at this port moves, with their responses.
     fn answers_of(&self, port: usize) -> impl Iterator<Item = (usize, &InverseInertia<S>)> {
         let Coupling { ports: [start, count], first } = self.couplings.get(port).copied().unwrap_or_default();
         (start..start + count).zip(self.answers.iter().skip(first))
     }
 }
 
-/// Change of velocity and angular velocity by an impulse with this arm.
+/// Change of velocity and angular velocity by an impulse at this arm.
 fn apply<S: Scalar>(answer: &InverseInertia<S>, arm: Vec3<S>, impulse: Vec3<S>) -> Twist<S> {
     let ([a, b, c], [x, y, z]) = (impulse, vec3::cross(arm, impulse));
     let wrench = [a, b, c, x, y, z];

@@ -1,9 +1,9 @@
 //! Flexible bodies attached to carriers, as one ordinary differential equation.
 //!
-//! Several bodies are one list of nodes, springs and facets, with a [`Cell`] for each closed surface that holds gas; several
-//! carriers are a [`Group`](super::Group).
-//! x = [q of the carrier, positions of the free nodes; u of the carrier, their velocities]. Fixed nodes stay where they
-//! were placed; attached ones have no mass of their own: it belongs to the carrier.
+//! Several bodies form one list of nodes, springs and facets, with a [`Cell`] for each closed surface that holds gas;
+//! several carriers form a [`Group`](super::Group). x = [q of the carrier, positions of the free nodes; u of the
+//! carrier, their velocities]. Fixed nodes stay where they were placed; attached ones have no mass of their own: it
+//! belongs to the carrier.
 
 use core::ops::Range;
 
@@ -24,11 +24,11 @@ use crate::vec3::{self, Vec3};
 /// A node that is held in the frame of a port.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attachment<S> {
-    /// The node; the body says it is fixed and has no mass.
+    /// The node; the body must mark it as fixed and give it no mass.
     pub node: usize,
     /// The port.
     pub port: usize,
-    /// Its place in the frame (m).
+    /// Its position in the port's frame (m).
     pub place: Vec3<S>,
 }
 
@@ -39,9 +39,9 @@ pub struct Memory<'a, S> {
     pub pos: &'a mut [Vec3<S>],
     /// Velocities.
     pub vel: &'a mut [Vec3<S>],
-    /// Forces of positions.
+    /// Forces that depend on positions.
     pub elastic: &'a mut [Vec3<S>],
-    /// Forces of speeds.
+    /// Forces that depend on speeds.
     pub viscous: &'a mut [Vec3<S>],
     /// Frames of the ports.
     pub frames: &'a mut [Frame<S>],
@@ -50,31 +50,31 @@ pub struct Memory<'a, S> {
 }
 
 impl<'a, S> Memory<'a, S> {
-    /// Of a world without flexible parts.
+    /// Memory of a world without flexible parts.
     #[must_use]
     pub fn without_nodes(frames: &'a mut [Frame<S>], wrenches: &'a mut [Wrench<S>]) -> Self {
         Memory { pos: &mut [], vel: &mut [], elastic: &mut [], viscous: &mut [], frames, wrenches }
     }
 }
 
-/// Kinetic and potential energy of the carrier and energies of the body (J).
+/// Energies of the carrier (kinetic, potential) and of the flexible bodies (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IslandEnergy<S> {
-    /// Of the carrier.
+    /// Of the carrier: kinetic, potential.
     pub carrier: (S, S),
     /// Of the body.
     pub body: Energies<S>,
 }
 
 impl<S: Scalar> IslandEnergy<S> {
-    /// The sum of all.
+    /// Total energy.
     #[must_use]
     pub fn total(&self) -> S {
         self.carrier.0 + self.carrier.1 + self.body.total()
     }
 }
 
-/// A carrier and the flexible body on it.
+/// A carrier and the flexible bodies on it.
 #[derive(Debug)]
 pub struct Island<'a, S, C> {
     /// The carrier.
@@ -85,17 +85,17 @@ pub struct Island<'a, S, C> {
     pub(super) cells: &'a [Cell<S>],
 }
 
-/// Free nodes of a body: those that forces move.
+/// Nodes of a body that forces can move: neither fixed nor attached.
 pub(super) fn free_nodes<'b, S>(body: &Body<'b, S>) -> impl Iterator<Item = usize> + use<'b, S> {
     body.fixed.iter().enumerate().filter(|(_, fixed)| !**fixed).map(|(node, _)| node)
 }
 
 impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
-    /// Joins them.
+    /// Joins carrier and body.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if the memory has not one entry per node, an attachment names a node or port that does not
-    /// exist, or an attached node has a mass of its own or is not marked as fixed.
+    /// [`Fault::Shape`] if the memory does not have one entry per node, an attachment names a node or port that does
+    /// not exist, or an attached node has a mass of its own or is not marked as fixed.
     pub fn new(
         carrier: C,
         body: Body<'a, S>,
@@ -114,10 +114,11 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         if fits && known { Ok(island) } else { Err(Fault::Shape) }
     }
 
-    /// With gas in closed parts of the facets.
+    /// Adds gas in closed parts of the facets.
     ///
     /// # Errors
-    /// [`Fault::Shape`] if a cell names facets that do not exist, or those of a grid have a gas of the body already.
+    /// [`Fault::Shape`] if a cell names facets that do not exist, or facets of a grid that a gas of the body fills
+    /// already.
     pub fn with_cells(mut self, cells: &'a [Cell<S>]) -> Result<Self, Fault> {
         self.cells = cells;
         let known = cells.iter().all(|cell| cell.of(self.body.facets).is_some());
@@ -126,7 +127,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         if known && !twice { Ok(self) } else { Err(Fault::Shape) }
     }
 
-    /// Nodes that move by forces: neither fixed nor attached.
+    /// Number of nodes that forces can move: neither fixed nor attached.
     fn free(&self) -> usize {
         free_nodes(&self.body).count()
     }
@@ -137,7 +138,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         &self.body
     }
 
-    /// Gas by closed surface.
+    /// The gas of each closed surface.
     #[must_use]
     pub fn cells(&self) -> &'a [Cell<S>] {
         self.cells
@@ -155,14 +156,15 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         (self.memory.frames, self.memory.wrenches)
     }
 
-    /// Power that the carrier takes from the body at all seams, at the state evaluated last (W).
+    /// Power that the body's wrenches deliver to the carrier at all ports, at the state evaluated last (W).
     #[must_use]
     pub fn seam_power(&self) -> S {
         let seams = self.memory.frames.iter().zip(self.memory.wrenches.iter());
         seams.fold(S::ZERO, |sum, (frame, wrench)| sum + wrench.power(frame))
     }
 
-    /// Writes the state of nodes at rest in N, or with the velocities in memory, into x = [q, u].
+    /// Writes a state into x = [q, u]: q and u of the carrier, and the positions and velocities of free nodes in
+    /// memory.
     ///
     /// # Errors
     /// [`Fault::Shape`] if x has another length.
@@ -178,7 +180,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Puts all nodes where the state says.
+    /// Computes the positions and velocities of all nodes, and the frames, of a state.
     ///
     /// # Errors
     /// [`Fault::Shape`] if x has another length; the carrier's faults.
@@ -205,10 +207,10 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Forces on the nodes placed last, and the wrenches on the ports.
+    /// Computes the forces on the nodes placed last, and the wrenches on the ports.
     pub(super) fn load_seams(&mut self) -> Result<(), Fault> {
         let (elements, memory) = (self.body.elements(), &mut self.memory);
-        // A grid's sums are written at once, with the gas of its cell: before anything is added to them.
+        // A grid overwrites its sums, with the gas of its cell: so before anything is added to them.
         let weights = (self.body.mass, self.body.gravity);
         let alone = |grid: &Grid<S>| !self.cells.iter().any(|cell| cell.holds(grid));
         let forces = elements.eval_elastic(weights, alone, memory.pos, memory.elastic);
@@ -240,7 +242,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(pivot)
     }
 
-    /// What ports that are `needed` and nodes yield to impulses at a state.
+    /// Writes the inverse inertia of the `needed` ports and of all nodes at a state.
     pub(super) fn ask_yields(
         &mut self,
         t: S,
@@ -256,7 +258,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Writes impulses of contacts, n, t1, t2, as wrenches at the ports.
+    /// Writes impulses of contacts, along n, t1, t2, as wrenches at the ports.
     pub(super) fn load_impulses<'c>(&mut self, impulses: impl Iterator<Item = (&'c Contact<S>, Vec3<S>)>)
     where
         S: 'c,
@@ -273,7 +275,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         }
     }
 
-    /// Writes the velocities of free nodes, which stand behind those of the ports, into a state.
+    /// Writes the velocities of free nodes, which follow those of the ports in `twists`, into a state.
     pub(super) fn set_speeds(&self, x: &mut [S], twists: &[Twist<S>]) -> Result<(), Fault> {
         let nodes = twists.get(self.memory.frames.len()..).ok_or(Fault::Shape)?;
         let parts = self.parts_mut(x)?;
@@ -283,8 +285,9 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(())
     }
 
-    /// Gives the carrier of a state the wrenches in memory as impulses (N s), or, as `places`, as what displaces it (kg m): speeds
-    /// change by M^-1 J' P, coordinates by what such speeds do in 1 s. Each of the spare lists has one entry per entry of x.
+    /// Applies the wrenches in memory to the carrier of a state, as impulses (N s): u changes by M^-1 J' P. With
+    /// `places` as displacements (kg m) instead: q changes by what those speeds do in 1 s. Each of the spare lists has
+    /// one entry per entry of x.
     pub(super) fn push_carrier(
         &mut self,
         t: S,
@@ -316,7 +319,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         self.carrier.rates(t, q, u, self.memory.wrenches, dot.q, dot.u)
     }
 
-    /// Energies at a state.
+    /// Energies of a state.
     ///
     /// # Errors
     /// As [`Island::place`].
@@ -331,10 +334,10 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(IslandEnergy { carrier, body })
     }
 
-    /// Energies of some of the nodes, springs and cells, where they were placed last: of one body among several.
+    /// Energies of some of the nodes, springs and cells at the positions placed last: those of one body among several.
     ///
     /// # Errors
-    /// [`Fault::Shape`] for ranges beyond the lists; [`Fault::NonFinite`] for a gas without volume.
+    /// [`Fault::Shape`] for ranges beyond the lists; [`Fault::NonFinite`] for a gas whose volume has vanished.
     pub fn energy_of(
         &self,
         nodes: Range<usize>,
@@ -357,7 +360,7 @@ impl<'a, S: Scalar, C: Carrier<S>> Island<'a, S, C> {
         Ok(sum)
     }
 
-    /// A state cut by part.
+    /// Cuts a state into its parts.
     pub(super) fn parts<'x>(&self, x: &'x [S]) -> Result<Cut<&'x [S]>, Fault> {
         if x.len() != self.n_x() {
             return Err(Fault::Shape);
@@ -383,7 +386,7 @@ fn write<S: Scalar>(to: &mut [S], from: Vec3<S>) {
     to.iter_mut().zip(from).for_each(|(to, from)| *to = from);
 }
 
-/// A state or its rates, cut by part.
+/// A state or its rates, cut into parts.
 pub(super) struct Cut<T> {
     /// Coordinates of the carrier.
     pub(super) q: T,
@@ -411,7 +414,7 @@ impl<S: Scalar, C: Carrier<S>> Ode<S> for Island<'_, S, C> {
     }
 
     fn coordinate_rates(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<S, Fault> {
-        // Wrenches change speeds alone: those in memory will do.
+        // Wrenches change speeds only, so those in memory may be stale.
         let pivot = self.carrier_rates(t, x, x_dot)?;
         let vel = self.parts(x)?.vel;
         self.parts_mut(x_dot)?.pos.iter_mut().zip(vel).for_each(|(to, from)| *to = *from);

@@ -1,13 +1,14 @@
-//! Equations of motion of an island under contacts that last: they push so that nothing moves into another.
+//! Equations of motion of an island under lasting contacts, whose forces keep the parts from entering one another.
 //!
-//! In: an island, contacts that last and how each goes (held, sliding), a state. Out: rates, forces of the contacts;
-//! states put back onto them.
+//! In: an island, lasting contacts and the state of each (sticking, sliding), a state. Out: rates, forces of the
+//! contacts; states projected back onto the contacts.
 //! ```text
 //! G lambda = -(d/dt W v)      N at every contact, T where friction holds;  T = -mu N w_t/|w_t| where it slides
 //! d/dt W v                    along the motion without these forces: a central difference over a short way
 //! ```
-//! The difference sees everything that turns a gap's rate: curved and moving surfaces, facets that bend, commanded frames.
-//! Its error is 1e-9 of the accelerations, none at rest; gaps and rates are put back after every step.
+//! The difference includes every cause of a change of the gap rate: curved and moving surfaces, facets that bend,
+//! commanded frames. Its error is 1e-9 of the accelerations, none at rest; a projection corrects gaps and gap rates
+//! after every step.
 
 use super::accounts::Accounts;
 use super::carrier::Carrier;
@@ -21,38 +22,39 @@ use crate::rigid::contact::{Twist, solve_tangential};
 use crate::rigid::hold::Held;
 use crate::vec3::{self, Vec3};
 
-/// Sweeps over the contacts at most.
+/// Most sweeps over the contacts.
 const SWEEPS: usize = 2000;
-/// What sweeps may leave, as a share of the largest force, where contacts outnumber what determines them.
+/// Change per sweep allowed, relative to the largest force, where contacts are redundant and their forces not unique.
 const LEFT: f64 = 1e-10;
-/// A sliding contact whose normal force moves its own normal acceleration less than this share of K_nn jams (Painleve).
+/// A sliding contact whose normal force changes its own normal acceleration by less than this share of K_nn jams
+/// (Painleve).
 const JAMMED: f64 = 1e-3;
 
-/// A contact that lasts.
+/// A lasting contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pressing<S> {
     /// Number of its pair.
     pub pair: usize,
-    /// Which of the pair's contacts.
+    /// Number of the contact within its pair.
     pub id: u32,
     /// Gap (m).
     pub gap: S,
-    /// The gap it keeps (m): 0, or what a step that was cut short has left overlapping. Pushed out, it would gain the overlap
-    /// times what presses.
+    /// The gap to keep (m): 0, or the overlap that a shortened step has left. Pushing it out would add energy: the
+    /// overlap times the contact force.
     pub kept: S,
-    /// Place in N (m).
+    /// Contact point in N (m).
     pub place: Vec3<S>,
-    /// Sides, axes, force (N), yields.
+    /// Sides, axes, force (N), inverse mass.
     pub held: Held<S>,
-    /// Direction of slip in N; None where friction holds it. Zero without friction.
+    /// Direction of slip in N; None where the contact sticks. Zero without friction.
     pub slip: Option<Vec3<S>>,
     /// Relative velocity in N (m/s).
     pub(super) velocity: Vec3<S>,
-    /// Speed of slip at the start of the way (m/s).
+    /// Speed of slip at the start of the piece of a step (m/s).
     pub(super) speed: S,
-    /// Changes per second of the gap's rate and of the relative velocity in N, without the forces of contacts.
+    /// Rates of change of the gap rate and of the relative velocity in N, without contact forces.
     pub(super) change: (S, Vec3<S>),
-    /// Impulse or displacement of a correction: n, t1, t2.
+    /// Impulse or displacement of the projection, along n, t1, t2.
     pub(super) correction: Vec3<S>,
 }
 
@@ -63,7 +65,7 @@ impl<S> AsMut<Held<S>> for Pressing<S> {
 }
 
 impl<S: Scalar> Pressing<S> {
-    /// A place for one.
+    /// An empty entry of a list.
     #[must_use]
     pub fn empty() -> Pressing<S> {
         let (zero, touch) = (vec3::zero(), Touch::empty());
@@ -84,7 +86,7 @@ impl<S: Scalar> Pressing<S> {
         }
     }
 
-    /// Slip as components t1, t2 for the forces: its direction, that of the start where it has turned back.
+    /// Direction of slip along t1, t2 for the forces; where the slip has reversed, that at the start of the piece.
     fn directed(&self, rate: S) -> Option<[S; 2]> {
         let first = self.slip?;
         let axes = &self.held.contact.axes;
@@ -95,23 +97,23 @@ impl<S: Scalar> Pressing<S> {
     }
 }
 
-/// An island under contacts that last.
+/// An island under lasting contacts.
 pub(super) struct Pressed<'w, 'a, 'm, S, C> {
     pub(super) world: &'w mut World<'a, S, C>,
     pub(super) memory: &'w mut StepMemory<'m, S>,
     pub(super) list: &'w mut [Pressing<S>],
-    /// Numbers of one state each.
+    /// Three memories of one state each.
     pub(super) spare: [&'w mut [S]; 3],
-    /// Half the way of the difference (s).
+    /// Half the interval of the central difference (s).
     pub(super) span: S,
-    /// How far a contact may be from where it was found (m), and what speed counts as none (m/s).
+    /// How far a contact may be from where it was detected (m), and the speed that counts as zero (m/s).
     pub(super) rounding: [S; 2],
     /// Time of the next projection.
     pub(super) t: S,
 }
 
 impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
-    /// Velocities of ports and nodes where they were placed last.
+    /// Copies the velocities of ports and nodes as they were placed last.
     pub(super) fn read_twists(world: &World<'_, S, C>, twists: &mut [Twist<S>]) {
         let own = &world.island.memory;
         let ports = own.frames.iter().map(|f| Twist { velocity: f.velocity, angular: f.angular_velocity });
@@ -119,7 +121,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         twists.iter_mut().zip(ports.chain(nodes)).for_each(|(to, from)| *to = from);
     }
 
-    /// Puts everything where a state says and shows each contact there: its gap's rate and relative velocity in N.
+    /// Places everything at a state and passes each contact to `see`, with its gap rate and its relative velocity in N.
     fn look(
         &mut self,
         t: S,
@@ -134,7 +136,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         for own in self.list.iter_mut() {
             let pair = self.world.pairs.get(own.pair).ok_or(Fault::Shape)?;
             if let Some((gap, place, mut contact)) = scenery.again(pair, own.id) {
-                // Axes turn with the normal: what was across it comes as near as it can.
+                // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
                 let old = own.held.contact;
                 let [_, x, y] = vec3::apply(&contact.axes, old.to_inertial(old.impulse));
                 contact.impulse = [old.impulse[0], x, y];
@@ -147,7 +149,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(())
     }
 
-    /// d/dt W v along the rates `dot`; contacts, yields and biases at (t, x) then.
+    /// Sets the biases d/dt W v, along the rates `dot`, and contacts and inverse masses at (t, x).
     fn bend(&mut self, t: S, x: &[S], dot: &[S]) -> Result<(), Fault> {
         let one = S::ONE / (self.span + self.span);
         self.list.iter_mut().for_each(|own| own.change = (S::ZERO, vec3::zero()));
@@ -174,7 +176,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         self.ask(t, x)
     }
 
-    /// What the contacts yield.
+    /// Computes the inverse mass of every contact.
     fn ask(&mut self, t: S, x: &[S]) -> Result<(), Fault> {
         let list = &*self.list;
         let touched = |port: usize| list.iter().any(|own| own.held.contact.touches_body(port));
@@ -186,7 +188,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(())
     }
 
-    /// Rates without the forces of contacts, and what these have to balance; the worst pivot.
+    /// Rates without contact forces, and the biases that those have to balance; returns the worst pivot.
     pub(super) fn prepare(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<S, Fault> {
         let island = &mut self.world.island;
         island.place(t, x)?;
@@ -198,7 +200,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(pivot)
     }
 
-    /// Forces that keep every contact as it goes, pulling where they must: the caller looks for the time of release.
+    /// Forces that keep every contact closed; they may pull, because the caller locates the time of release.
     fn balance(&mut self) -> Result<(), Fault> {
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
         gained.fill(Twist::zero());
@@ -237,7 +239,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
                 return Ok(());
             }
         }
-        // Where contacts outnumber what determines them, rounding keeps moving forces that cancel.
+        // Where contacts are redundant, rounding keeps changing forces that cancel one another.
         if left <= S::from_f64(LEFT).max(S::EPSILON.sqrt() * S::from_f64(1e-2)) * scale {
             Ok(())
         } else {
@@ -245,7 +247,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         }
     }
 
-    /// Adds the contacts' forces to those of the nodes and the wrenches of the ports.
+    /// Adds the contact forces to those on the nodes and to the wrenches on the ports.
     fn load(&mut self) {
         let own = &mut self.world.island.memory;
         let ports = own.frames.len();
@@ -261,7 +263,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         }
     }
 
-    /// Powers by their ways at a state (W), and its rates.
+    /// Power of each account at a state (W), and the state's rates.
     fn powers(&mut self, t: S, x: &[S], dot: &mut [S]) -> Result<Accounts<S>, Fault> {
         self.rates(t, x, dot)?;
         let Island { carrier, body, memory: own, .. } = &mut self.world.island;
@@ -280,7 +282,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(powers)
     }
 
-    /// Works over a way of this length between two states, by Simpson's rule; three lists of memory.
+    /// Energy accounts between two states that are `length` apart in time, by Simpson's rule; three lists of memory.
     pub(super) fn works(
         &mut self,
         (t, length): (S, S),
@@ -290,7 +292,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         let half = S::from_f64(0.5);
         let start = self.powers(t, old, first)?;
         let end = self.powers(t + length, new, last)?;
-        // Half the way by Hermite's interpolation.
+        // The state at half time by Hermite interpolation.
         let ends = old.iter().zip(new).zip(first.iter().zip(last.iter()));
         for (to, ((a, b), (da, db))) in between.iter_mut().zip(ends) {
             *to = half * (*a + *b) + S::from_f64(0.125) * length * (*da - *db);
@@ -300,7 +302,8 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         Ok(sum.times(length / S::from_f64(6.0)))
     }
 
-    /// Corrections that give each contact the change `wanted` of its relative velocity (or gap), held ones across too.
+    /// Corrections that change each contact's relative velocity (or gap) by `wanted`; with `across`, tangentially too
+    /// where it sticks.
     fn correct(&mut self, across: bool, wanted: impl Fn(&Pressing<S>) -> Vec3<S>) {
         let StepMemory { twists: [gained, ..], inertias, .. } = &mut *self.memory;
         gained.fill(Twist::zero());
@@ -333,7 +336,7 @@ impl<S: Scalar, C: Carrier<S>> Pressed<'_, '_, '_, S, C> {
         }
     }
 
-    /// What the corrections do: `places` as displacements, else as impulses.
+    /// Applies the corrections to a state: with `places` as displacements, else as impulses.
     fn move_by_corrections(&mut self, t: S, x: &mut [S], places: bool) -> Result<(), Fault> {
         let ports = self.world.island.memory.frames.len();
         let impulses = self.list.iter().map(|own| (&own.held.contact, own.correction));

@@ -1,12 +1,12 @@
-//! A step on the way to rest: what a step does while time stands still, then parts leave one another where they overlap.
+//! A step towards rest: a time step at frozen time, then overlapping parts are moved apart.
 //!
-//! In: as of a step. Out: the same, and how fast parts left one another.
+//! In: as for a step. Out: the same, and the speed at which parts were moved apart.
 //! ```text
 //! x <- x + h w,   w = M^-1 W' P,   w_n >= share of the overlap / h,  no friction, no speed kept
 //! ```
-//! Overlaps are not taken away by the step's own impulses: contacts that stick would hold against it, and two that are
-//! left at different speeds contradict one another for ever (the split of positions from velocities: Guendelman, Bridson and
-//! Fedkiw 2003).
+//! Overlaps are not removed by the step's own impulses: sticking contacts would resist, and two contacts that have to
+//! separate at different speeds may contradict one another for ever (positions split from velocities: Guendelman,
+//! Bridson & Fedkiw 2003).
 
 use super::carrier::Carrier;
 use super::step::{StepMemory, StepReport, World, load_contacts};
@@ -17,12 +17,12 @@ use crate::real::Scalar;
 use crate::rigid::contact::Twist;
 use crate::vec3;
 
-/// Share of an overlap that a step takes away.
+/// Share of an overlap that one step removes.
 const OUT: f64 = 0.2;
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// A step on the way to rest, over which time stands still at t; returns beside its report how fast parts leave one another where they overlap: the largest
-    /// speed (m/s, rad/s) of that. It keeps no energy.
+    /// A step towards rest, with the time frozen at t. Returns its report and the largest speed (m/s, rad/s) at which
+    /// overlapping parts were moved apart. Energy is not conserved.
     ///
     /// # Errors
     /// As [`World::step`].
@@ -37,13 +37,13 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let scratch = core::mem::take(&mut memory.scratch);
         let leaving = self.leave((t, h), state, scratch, memory);
         memory.scratch = scratch;
-        // The contacts of the step are those that the next one goes on from.
+        // The next step starts from the contacts of the step, not from those of the separation.
         memory.touches.swap(0, 1);
         memory.counts.swap(0, 1);
         Ok((report, leaving?))
     }
 
-    /// Moves parts out of one another; leaves behind it the step's contacts as those before.
+    /// Moves overlapping parts apart; leaves the step's contacts as those of the step before.
     fn leave(
         &mut self,
         (t, h): (S, S),
@@ -73,7 +73,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         twists.fill(Twist::zero());
         sweep(touches, h, &memory.inertias, twists);
 
-        // What the impulses alone do to the speeds: rates with them but for rates without them.
+        // Speeds caused by the impulses alone: rates with them minus rates without.
         self.island.load_seams()?;
         self.island.accelerate(t, here, without)?;
         let own = &mut self.island.memory;

@@ -1,7 +1,7 @@
-//! What stands where, and the foot of a point on what is near it.
+//! Geometry of all things at one instant, and the foot of a point on the things near it.
 //!
-//! In: things with the frames and nodes that carry them. Out: sides of contacts, the facet below a point, the two facets of a
-//! fold around it.
+//! In: things, and the frames and nodes that carry them. Out: sides of contacts, the facet below a point, the two
+//! facets of a fold around it.
 
 use super::island::Attachment;
 use super::thing::Thing;
@@ -12,17 +12,19 @@ use crate::surface::facet::{Facet, FacetNearest};
 use crate::surface::{Frame, Nearest, Shape, Surface};
 use crate::vec3::{self, Vec3};
 
-/// Cosine of the angle between a facet and the mean of those around a corner beyond which the corner is sharp: there the facet
-/// keeps its own normal (edges of a cube), below it normals pass from facet to facet without a jump (a sheet).
+/// Cosine of the angle between a facet's normal and the mean normal at a corner, below which the corner is sharp: there
+/// the facet keeps its own normal (edges of a cube); at smaller angles normals are interpolated from facet to facet
+/// without a jump (a sheet).
 const CREASE: f64 = 0.85;
 
-/// Sine of the angle by which the middle of a facet rises over another one's plane at least, for the two to form a fold.
+/// Least sine of the angle by which the middle of a facet rises over another's plane for the two to form a fold.
 const FOLD: f64 = 0.2;
 
-/// How many times as far as a point is deep the facets of a fold go on behind their edge: the tangent of their slope at most.
+/// Facets of a fold are extended behind their edge by this many times the depth of a point: the largest tangent of
+/// their slope.
 const BEYOND: f64 = 8.0;
 
-/// What stands where.
+/// Geometry of all things at one instant.
 pub(super) struct Scenery<'a, S> {
     pub(super) things: &'a [Thing<S>],
     pub(super) body: &'a Body<'a, S>,
@@ -31,13 +33,13 @@ pub(super) struct Scenery<'a, S> {
     pub(super) pos: &'a [Vec3<S>],
     /// Unit normals at the nodes.
     pub(super) normals: &'a [Vec3<S>],
-    /// Gaps up to this (m) count as near.
+    /// Gaps up to this count as near (m).
     pub(super) margin: S,
-    /// Feet with more than this share of one corner are left to the corner's own contact.
+    /// Feet with more than this weight at one corner are left to the corner's own contact.
     pub(super) at_node: S,
 }
 
-/// Nodes and facets of a mesh.
+/// Nodes and facets of a mesh, and how deep a point may be below them (m).
 #[derive(Clone, Copy)]
 pub(super) struct Mesh<'a, S> {
     pub(super) nodes: [usize; 2],
@@ -48,10 +50,10 @@ pub(super) struct Mesh<'a, S> {
 /// A shape, the port that carries it, its frame.
 pub(super) type Standing<S> = (Shape<S>, Option<usize>, Frame<S>);
 
-/// A facet, and a foot on it.
+/// A facet and the foot of a point on it.
 pub(super) type Foot<'a, S> = (&'a [usize; 4], FacetNearest<S>);
 
-/// Box around a thing, its sides along N (m); without an end it reaches everywhere.
+/// Axis-aligned box around a thing, in N (m); infinite for a thing without bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent<S> {
     pub(super) low: Vec3<S>,
@@ -59,20 +61,20 @@ pub struct Extent<S> {
 }
 
 impl<S: Scalar> Extent<S> {
-    /// Everywhere.
+    /// The infinite box.
     #[must_use]
     pub fn everywhere() -> Extent<S> {
         let far = S::from_f64(f64::INFINITY);
         Extent { low: [-far; 3], high: [far; 3] }
     }
 
-    /// May something of the one be so near (m) to something of the other?
+    /// Whether points of the two boxes may be within `margin` (m) of each other.
     pub(super) fn is_near(&self, other: &Extent<S>, margin: S) -> bool {
         (0..3).all(|i| self.low[i] - margin <= other.high[i] && other.low[i] - margin <= self.high[i])
     }
 }
 
-/// What a point stands on.
+/// The facets on which a point has a foot.
 pub(super) enum Feet<'a, S> {
     /// The facet below it, if there is one.
     Below(Option<Foot<'a, S>>),
@@ -80,10 +82,10 @@ pub(super) enum Feet<'a, S> {
     Fold(Foot<'a, S>, Foot<'a, S>),
 }
 
-/// Which facet of a mesh a point is over.
+/// The facet of a mesh on which a foot is wanted.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Over {
-    /// That of this number.
+    /// The facet of this number.
     Facet(usize),
     /// The nearest one.
     Nearest,
@@ -108,7 +110,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Some(Mesh { nodes: *nodes, facets: self.body.facets.get(*first..*end)?, depth: *depth })
     }
 
-    /// A point of N as a point of a port; fixed in space without one.
+    /// A point of N as a point of a port; fixed in space if there is no port.
     pub(super) fn side_of_port(&self, port: Option<usize>, point: Vec3<S>) -> Side<S> {
         match port.and_then(|port| Some((port, self.frames.get(port)?))) {
             Some((port, frame)) => Side::of_body(port, vec3::sub(point, frame.origin)),
@@ -116,7 +118,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
-    /// A node with a share in a side: itself, a point of the port that holds it, or nothing.
+    /// A node of this weight as a point of a side: the node itself, a point of the port that holds it, or nothing if it
+    /// is fixed.
     fn point_of_node(&self, node: usize, weight: S) -> Option<Point<S>> {
         if self.body.fixed.get(node) == Some(&false) {
             return Some(Point { body: self.frames.len() + node, arm: vec3::zero(), weight });
@@ -133,7 +136,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
     pub(super) fn side_of_facet(&self, facet: &[usize; 4], near: &FacetNearest<S>) -> Side<S> {
         let [a, b, c, d] = *facet;
         let [p, q, r, s] = near.weights;
-        // A triangle's third corner stands twice.
+        // A triangle repeats its third corner.
         let corners = if c == d {
             [(a, p), (b, q), (c, r + s), (d, S::ZERO)]
         } else {
@@ -142,7 +145,8 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Side::blend(corners.map(|(node, weight)| self.point_of_node(node, weight)))
     }
 
-    /// Is the shape's bounding sphere near the box around the mesh's nodes? If not, nothing of theirs is.
+    /// Whether the shape's bounding sphere is near the box around the mesh's nodes; if not, none of them is near the
+    /// shape.
     pub(super) fn may_meet(&self, mesh: &Mesh<S>, (shape, _, frame): &Standing<S>) -> bool {
         let Some(reach) = shape.reach() else { return true };
         let Some(Extent { low, high }) = self.bounds(mesh) else { return false };
@@ -154,13 +158,14 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         outside.sqrt() <= reach + self.margin.max(mesh.depth)
     }
 
-    /// Where a shape's surface is nearest to a node, in the shape's axes.
+    /// The point of a shape's surface nearest to a node, in the shape's axes.
     pub(super) fn near_node(&self, node: usize, (shape, _, frame): &Standing<S>) -> Nearest<S> {
         shape.nearest(frame.place(vec3::at(self.pos, node)))
     }
 
-    /// The facet to whose surface a point is nearest, with its number, not deeper than the mesh allows: of those that `faces` it, if
-    /// another one's foot is given. See [`Scenery::over_facet`] for `beyond`.
+    /// The facet whose surface is nearest to a point, with its number, unless the point is deeper than the mesh allows.
+    /// With `faces`, a foot on another facet, only facets that face that one count. See [`Scenery::over_facet`] for
+    /// `beyond`.
     fn nearest_facet(
         &self,
         mesh: &Mesh<'a, S>,
@@ -180,9 +185,9 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         best
     }
 
-    /// The feet of a point on a mesh: on the nearest facet, or on the two of a fold that the point is in, in the order of the mesh:
-    /// the nearest one, and of those that face it the nearest. Below both, at the bottom of a fold, a point has a foot on neither:
-    /// there the facets go on behind their edge as far as the point is deep.
+    /// The feet of a point on a mesh: on the nearest facet, or on the two facets of a fold around it (the nearest, and
+    /// the nearest of those that face it) in the order of the mesh. A point below both, at the bottom of a fold,
+    /// projects onto neither, so the facets are extended behind their edge in proportion to the point's depth.
     pub(super) fn feet(&self, mesh: &Mesh<'a, S>, point: Vec3<S>) -> Feet<'a, S> {
         let below = self.nearest_facet(mesh, point, S::ZERO, None);
         let first = below.or_else(|| self.nearest_facet(mesh, point, S::ONE, None));
@@ -194,7 +199,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
-    /// The foot of a ball about a point on the facet that it was over.
+    /// The foot of a ball on the same facet as before.
     pub(super) fn foot(
         &self,
         mesh: &Mesh<'a, S>,
@@ -216,15 +221,15 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         }
     }
 
-    /// Does the middle of a facet stand over the plane at a foot?
+    /// Whether the middle of a facet lies above the tangent plane at a foot.
     fn rises_over(&self, near: &FacetNearest<S>, facet: &[usize; 4]) -> bool {
         let sum = facet.iter().fold(vec3::zero(), |sum, node| vec3::add(sum, vec3::at(self.pos, *node)));
         let way = vec3::sub(vec3::scale(sum, S::from_f64(0.25)), near.foot);
         vec3::dot(near.normal, way) > S::from_f64(FOLD) * vec3::norm(way)
     }
 
-    /// The foot on a facet of a ball about a point, where it is near the surface and not deeper than the mesh allows. With
-    /// `beyond` 1 the facet goes on behind its edges, [`BEYOND`] times as far as the point is deep.
+    /// The foot of a ball on a facet, if it is near the surface and not deeper than the mesh allows. With
+    /// `beyond` 1 the facet is extended behind its edges by [`BEYOND`] times the depth of the point.
     pub(super) fn over_facet(
         &self,
         mesh: &Mesh<'a, S>,
@@ -267,7 +272,7 @@ impl<'a, S: Scalar> Scenery<'a, S> {
         Some(bounds)
     }
 
-    /// Box around a thing, wider by how deep something may be in it.
+    /// Box around a thing, enlarged by the depth to which something may be inside it.
     pub(super) fn extent(&self, thing: &Thing<S>) -> Extent<S> {
         let (Extent { low, high }, wider) = match (self.rigid(thing), self.mesh(thing)) {
             (Some((shape, _, frame)), _) => match shape.reach() {

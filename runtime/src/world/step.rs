@@ -1,4 +1,4 @@
-//! The step of a world without splitting (Moreau 1988, Jean 1999): impacts and lasting contacts are one thing.
+//! Time-stepping of a world without splitting (Moreau 1988, Jean 1999): impacts and lasting contacts are treated alike.
 //!
 //! In: state [q, x; u, v] at t. Out: the state at t + h, contacts with their impulses, accounts.
 //! ```text
@@ -8,8 +8,8 @@
 //! close     x+ = x_m + h/2 v+;  projection onto the carriers' constraints
 //! observe   accounts, contacts by pair
 //! ```
-//! Order 2 where nothing touches, 1 where something does; contacts take energy only. Nothing is located in time, so that a step
-//! costs the same however much touches.
+//! Order 2 without contacts, 1 with them; contacts only dissipate. No event is located in time, so the cost of a step
+//! hardly depends on how many events it holds.
 
 use super::accounts::Accounts;
 use super::carrier::{Carrier, Wrench};
@@ -26,18 +26,18 @@ use crate::rigid::contact::{Contact, Twist};
 use crate::surface::{Frame, facet::vertex_normals};
 use crate::vec3::{self, Vec3};
 
-/// Parts that move together, what of them can be touched, and by which laws.
+/// Parts that move together, with the things that can touch and the contact law of each pair.
 #[derive(Debug)]
 pub struct World<'a, S, C> {
     /// Carriers and flexible bodies.
     pub island: Island<'a, S, C>,
-    /// What can be touched.
+    /// The things that can touch.
     pub things: &'a [Thing<S>],
-    /// Which of it may touch.
+    /// The pairs of them that may touch, each with its law.
     pub pairs: &'a [Pair<S>],
 }
 
-/// Working memory of a step; of one step's contacts the next one makes its start.
+/// Working memory of a step; the contacts of one step are the warm start of the next.
 #[derive(Debug)]
 pub struct StepMemory<'a, S> {
     /// [`StepMemory::scratch`] numbers.
@@ -48,17 +48,17 @@ pub struct StepMemory<'a, S> {
     pub twists: [&'a mut [Twist<S>]; 3],
     /// Normals at the nodes; may be empty where no facet is touched.
     pub normals: &'a mut [Vec3<S>],
-    /// What ports and nodes yield.
+    /// Inverse inertia of ports and nodes.
     pub inertias: Inertias<'a, S>,
     /// Boxes around the things, one entry per thing; may be empty where there are few pairs.
     pub extents: &'a mut [Extent<S>],
     /// Contacts of this step and of the one before: as many as are expected at once.
     pub touches: [&'a mut [Touch<S>]; 2],
-    /// How many there are.
+    /// Numbers of contacts in both lists.
     pub counts: [usize; 2],
 }
 
-/// What a step did.
+/// Diagnostics of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepReport<S> {
     /// Worst pivot of the carriers.
@@ -69,11 +69,11 @@ pub struct StepReport<S> {
     pub active: usize,
     /// Sweeps over the contacts.
     pub sweeps: usize,
-    /// Were the sweeps enough?
+    /// Whether the sweeps converged.
     pub settled: bool,
-    /// What the last sweep still changed of the speeds, as a part of the fastest.
+    /// Change of the speeds by the last sweep, relative to the fastest.
     pub left: S,
-    /// Energy by its ways in this step.
+    /// Energy accounts of this step.
     pub accounts: Accounts<S>,
 }
 
@@ -95,8 +95,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     /// Advances the state from t by h (s), > 0.
     ///
     /// # Errors
-    /// [`Fault::Shape`] for lists of wrong length, [`Fault::TooManyContacts`] where there is no room for them; [`Fault::Singular`] or
-    /// [`Fault::NonFinite`] if the middle or the end is. The state is then unchanged.
+    /// [`Fault::Shape`] for lists of wrong length, [`Fault::TooManyContacts`] where they have no room;
+    /// [`Fault::Singular`] or [`Fault::NonFinite`] if the middle or the end is so. The state is then unchanged.
     pub fn step(
         &mut self,
         t: S,
@@ -107,7 +107,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.step_at([t, t + S::from_f64(0.5) * h, t + h], h, state, memory)
     }
 
-    /// A step whose start, middle and end are at these times: all at one where time stands still.
+    /// A step with these times of its start, middle and end: all equal where time is frozen.
     pub(super) fn step_at(
         &mut self,
         times: [S; 3],
@@ -139,7 +139,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let half = S::from_f64(0.5) * h;
 
-        // Half the way with the speeds of the start: `rest` has q' there.
+        // Half the step with the speeds at the start: `rest` holds q' there.
         self.coast(t, state.x(), rest)?;
         middle.iter_mut().zip(state.x()).for_each(|(to, from)| *to = *from);
         let n_q = self.island.n_q();
@@ -157,7 +157,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             return Err(Fault::Singular);
         }
 
-        // Contacts become forces of the middle.
+        // Contact impulses act as forces at the middle.
         self.fill_twists([t, t_end], h, middle, dot, new, memory)?;
         let sweeps = self.contacts((t_middle, h), middle, memory)?;
         let own = &mut self.island.memory;
@@ -169,7 +169,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
 
         let accounts = self.observe(h, memory);
 
-        // The other half with the speeds of the end.
+        // The other half with the speeds at the end.
         for ((to, from), rate) in new.iter_mut().zip(middle.iter()).zip(dot.iter()).skip(n_q) {
             *to = *from + h * *rate;
         }
@@ -203,7 +203,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         })
     }
 
-    /// Rates of the coordinates with the speeds of x: those of the carriers without wrenches, velocities of nodes.
+    /// Rates of the coordinates at the speeds of x: of the carriers without wrenches, and of the nodes.
     pub(super) fn coast(&mut self, t: S, x: &[S], x_dot: &mut [S]) -> Result<(), Fault> {
         let island = &mut self.island;
         island.memory.wrenches.iter_mut().for_each(|wrench| *wrench = Wrench::zero());
@@ -214,8 +214,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Velocities of ports and nodes at the places of the middle: with the speeds of the start, and with those at the end that
-    /// the forces alone give. `new` is memory.
+    /// Velocities of ports and nodes at the positions of the middle: with the speeds at the start, and with those that
+    /// the forces without contacts give at the end. `new` is memory.
     pub(super) fn fill_twists(
         &mut self,
         times: [S; 2],
@@ -255,7 +255,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Finds contacts and their impulses; the last of the twists have them.
+    /// Detects contacts and computes their impulses; the last list of twists holds the resulting velocities.
     fn contacts(
         &mut self,
         times: (S, S),
@@ -266,7 +266,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(press(times.1, memory))
     }
 
-    /// Finds contacts where everything was placed last, the middle at t, what they yield, and their impulses of the last step.
+    /// Detects contacts at the positions placed last (the middle, at t), their inverse masses, and their impulses of
+    /// the last step as a warm start.
     pub(super) fn find_contacts(
         &mut self,
         (t, h): (S, S),
@@ -311,14 +312,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in now.iter_mut() {
             touch.inverse_mass = touch.contact.inverse_mass(inertias);
             touch.start = touch.contact.relative(start);
-            // Both lists are in the order of detection: the same contact is seldom far.
+            // Both lists are in the order of detection, so the same contact is rarely far ahead.
             let same = |old: &Touch<S>| old.pair == touch.pair && old.id == touch.id;
             let later = before.get(seen..).unwrap_or_default().iter().position(same).map(|k| k + seen);
             if let Some(place) = later
                 && let Some(old) = before.get(place)
             {
                 seen = place + 1;
-                // Axes turn with the normal: what was across it comes as near as it can.
+                // The axes turn with the normal: the old tangential impulse is resolved along the new tangents.
                 let [_, x, y] =
                     vec3::apply(&touch.contact.axes, old.contact.to_inertial(old.contact.impulse));
                 touch.contact.impulse = [old.contact.impulse[0], x, y];
@@ -327,14 +328,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Normals at the nodes where they were placed last; none where no facet is touched.
+    /// Normals at the nodes as placed last; skipped where no facet can be touched.
     pub(super) fn turn_normals(&self, normals: &mut [Vec3<S>]) {
         if !normals.is_empty() {
             vertex_normals(self.island.body.facets, self.island.memory.pos, normals);
         }
     }
 
-    /// Everything where it was placed last.
+    /// The geometry of everything as placed last.
     pub(super) fn scenery<'s>(&'s self, normals: &'s [Vec3<S>], margin: S, at_node: S) -> Scenery<'s, S> {
         let island = &self.island;
         Scenery {
@@ -349,7 +350,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
     }
 
-    /// How near a step may bring what is apart (m).
+    /// Upper bound on how much a step may close a gap (m).
     fn margin(&self, h: S, memory: &StepMemory<'_, S>) -> S {
         let (mut low, mut high) = (vec3::zero::<S>(), vec3::zero::<S>());
         let origins = self.island.memory.frames.iter().map(|frame| frame.origin);
@@ -366,7 +367,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         S::from_f64(2.0) * h * fastest
     }
 
-    /// Largest shape's radius about its port (m).
+    /// Largest distance of a shape's surface from its port (m).
     pub(super) fn largest(&self) -> S {
         self.things.iter().fold(S::ZERO, |most, thing| {
             let Thing::Rigid { shape, place, .. } = thing else { return most };
@@ -386,7 +387,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for _ in 0..self.island.projections().min(2) {
             before.iter_mut().zip(new.iter()).for_each(|(to, from)| *to = *from);
             self.island.project(new)?;
-            // A coordinate that was moved has no rounding error of its own left.
+            // A coordinate that was moved has lost its rounding error.
             for ((low, before), new) in low.iter_mut().zip(before.iter()).zip(new.iter()) {
                 *low = if *before == *new { *low } else { S::ZERO };
             }
@@ -395,7 +396,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if finite { Ok(()) } else { Err(Fault::NonFinite) }
     }
 
-    /// Energy by its ways in this step: works of the forces of the middle over the mean of the velocities of start and end.
+    /// Energy accounts of this step: work of the forces at the middle over the mean of the velocities at start and end.
     fn observe(&mut self, h: S, memory: &mut StepMemory<'_, S>) -> Accounts<S> {
         let half = S::from_f64(0.5);
         let Island { carrier, body, attachments, memory: own, .. } = &mut self.island;
@@ -431,7 +432,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
     }
 }
 
-/// The impulses of the contacts that were found, for velocities without them at the end; the last of the twists have them.
+/// The impulses of the detected contacts, given the velocities without them at the end; the last list of twists gets
+/// the velocities with them.
 pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::Sweeps<S> {
     let StepMemory { twists: [_, free, end], inertias, touches: [now, _], counts, .. } = memory;
     end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
@@ -441,13 +443,13 @@ pub(super) fn press<S: Scalar>(h: S, memory: &mut StepMemory<'_, S>) -> sweep::S
     }
     let sweeps = sweep(now, h, inertias, end);
     sweep::take_no_more(now, free, inertias, end);
-    // Sweeps leave sums of many rounded changes: the velocities anew from the impulses.
+    // Sweeps accumulate rounding errors in the velocities: recompute them from the impulses.
     end.iter_mut().zip(free.iter()).for_each(|(to, from)| *to = *from);
     now.iter().for_each(|touch| touch.contact.push(inertias, end, touch.contact.impulse));
     sweeps
 }
 
-/// Adds the contacts' mean forces to those on nodes and ports; returns how many there are.
+/// Adds the contacts' mean forces to those on nodes and ports; returns the number of contacts that push.
 pub(super) fn load_contacts<S: Scalar>(
     h: S,
     contacts: impl Iterator<Item = Contact<S>>,

@@ -1,15 +1,16 @@
-//! Impulses of all contacts over a step (Moreau 1988, Jean 1999), by Gauss and Seidel's method, accelerated where it is slow (`anderson`).
+//! Impulses of all contacts over a step (Moreau 1988, Jean 1999): Gauss-Seidel sweeps, accelerated where they converge
+//! slowly (`anderson`).
 //!
-//! In: contacts with gap and relative velocity v- at the start, velocities at the end without impulses. Out: impulses, and the
-//! velocities v+ with them.
+//! In: contacts with gap and relative velocity v- at the start, velocities at the end without impulses. Out: impulses,
+//! and the velocities v+ with them.
 //! ```text
 //! 0 <= J,  v_n+ >= w,  J (v_n+ - w) = 0          |T| <= mu J, against the slip that is left
-//! e = 0:  w = -max(gap/h, v_n-, 0)               over a gap the way ends half way, at the next middle it is closed
+//! e = 0:  w = -max(gap/h, v_n-, 0)               half of the gap closes in this step, the rest by the next middle
 //! e > 0:  w = -e v_n- where gap <= 0
 //! ```
-//! Kinetic energy changes by P . (v- + v+)/2. w <= -v_n- (e <= 1) makes the normal part of it never positive. Friction that
-//! turns slip around within the step could give a little, and so could sweeps that are cut short: then all impulses are
-//! taken by the part that gives nothing ([`take_no_more`]). Whatever the sides, contacts take energy only.
+//! Kinetic energy changes by P . (v- + v+)/2. Its normal part is never positive, because w <= -v_n- (e <= 1). Friction
+//! that reverses the slip within a step, or sweeps that stop early, could add a little energy: then all impulses are
+//! scaled down until they add none ([`take_no_more`]). So contacts only dissipate, whatever their sides are.
 
 use super::anderson::Ahead;
 use super::detect::Touch;
@@ -18,28 +19,28 @@ use crate::rigid::contact::{Inertia, Twist, onto_disc, solve_tangential};
 use crate::rigid::impact::InverseMass;
 use crate::vec3;
 
-/// Up to this number of contacts impulses are found to rounding.
+/// Up to this number of contacts, impulses converge to rounding.
 pub const FEW: usize = 64;
-/// Sweeps at most, few contacts and many.
+/// Most sweeps, for few contacts and for many.
 const SWEEPS: [usize; 2] = [500, 100];
-/// Sweeps by themselves; those behind them are accelerated.
+/// Sweeps before acceleration begins.
 const PLAIN: usize = 5;
-/// By this share of the speeds contacts may contradict one another where more of them stick than can: sweeps then push them
-/// against each other by the same amount each time, and velocities are as near as they come.
+/// Contradictions between contacts tolerated, relative to the fastest speed, where more contacts stick than can: sweeps
+/// then change the impulses by the same amount each time, and the velocities are as close to a solution as they get.
 const CONTRADICTION: f64 = 1e-6;
-/// With many contacts, what a sweep may still change of the speeds.
+/// Change of the speeds by one sweep at which sweeps over many contacts end, relative to the fastest.
 const COARSE: f64 = 1e-9;
 
-/// How it went.
+/// How the sweeps went.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sweeps<S> {
     pub(super) number: usize,
     pub(super) settled: bool,
-    /// What the last sweep changed of the speeds, as a part of the fastest.
+    /// Change of the speeds by the last sweep, relative to the fastest.
     pub(super) left: S,
 }
 
-/// The normal velocity that the end must reach; None where the contact does not act.
+/// The normal velocity w to reach at the end; None where the contact does not act.
 fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
     if touch.out > S::ZERO {
         return Some(touch.out);
@@ -54,7 +55,8 @@ fn wanted<S: Scalar>(touch: &Touch<S>, h: S) -> Option<S> {
     closed.then_some(turned)
 }
 
-/// Finds the impulses; those that the contacts have are where the sweeps start. `twists` are free ones, then those with impulses.
+/// Computes the impulses, starting from those that the contacts have. `twists`: in, velocities without impulses; out,
+/// with them.
 pub(super) fn sweep<S: Scalar>(
     touches: &mut [Touch<S>],
     h: S,
@@ -96,7 +98,7 @@ pub(super) fn sweep<S: Scalar>(
     Sweeps { number, settled, left }
 }
 
-/// One contact's impulse, the others as they are; returns by how much it changes velocities.
+/// Solves one contact's impulse with the others held; returns the change of velocity.
 fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twists: &mut [Twist<S>]) -> S {
     let (k, before) = (touch.inverse_mass, touch.contact.impulse);
     let size = touch.weight();
@@ -119,10 +121,11 @@ fn relax<S: Scalar>(touch: &mut Touch<S>, h: S, inertia: &impl Inertia<S>, twist
     size * vec3::norm(vec3::sub(touch.contact.impulse, before))
 }
 
-/// One contact's friction for the slip that is left: to rest, or on the rim of the disc towards it.
+/// One contact's friction impulse for the slip that is left: the one that stops it, or one on the rim of the friction
+/// disc.
 ///
-/// On the rim a step down the gradient of the contact's own energy, by the inverse of the larger eigenvalue of `K_tt`: the
-/// solution itself where the contact yields alike in all directions, as a node does.
+/// On the rim: a gradient step of the contact's own energy, scaled by the inverse of the larger eigenvalue of `K_tt`;
+/// it is the exact solution where the contact's inverse mass is the same in all tangential directions, as a node's is.
 fn friction<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) -> [S; 2] {
     let [x, y] = solve_tangential(k, slip);
     let rest = [at[0] - x, at[1] - y];
@@ -135,7 +138,7 @@ fn friction<S: Scalar>(k: &InverseMass<S>, at: [S; 2], slip: [S; 2], radius: S) 
     onto_disc([at[0] - slip[0] / largest, at[1] - slip[1] / largest], radius)
 }
 
-/// The contacts' work over the step (J): normal, friction.
+/// The contacts' work over the step (J): normal part, friction.
 pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S; 2] {
     let half = S::from_f64(0.5);
     let mut work = [S::ZERO; 2];
@@ -148,9 +151,9 @@ pub(super) fn works<S: Scalar>(touches: &[Touch<S>], twists: &[Twist<S>]) -> [S;
     work
 }
 
-/// Where the contacts would give energy: all impulses by the part that gives none.
+/// Scales all impulses by one factor s, so that the contacts add no energy, if they would add some.
 ///
-/// The work of s P is s P . (v- + v*)/2 + s^2 P . G P/2, v* without impulses.
+/// The work of s P is s P . (v- + v*)/2 + s^2 P . G P/2, with v* the velocities without impulses.
 pub(super) fn take_no_more<S: Scalar>(
     touches: &mut [Touch<S>],
     free: &[Twist<S>],

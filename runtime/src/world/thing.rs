@@ -1,10 +1,10 @@
-//! What can be touched in a world, and which two may touch by which law.
+//! The things that can touch in a world, and which pairs of them may, by which law.
 
 use crate::real::Scalar;
 use crate::surface::{Frame, Shape};
 use crate::vec3::{self, Vec3};
 
-/// Something with a surface.
+/// A thing with a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Thing<S> {
     /// A rigid shape.
@@ -13,43 +13,44 @@ pub enum Thing<S> {
         shape: Shape<S>,
         /// The port that carries it; None if it is fixed in space.
         port: Option<usize>,
-        /// Its own axes in the port's, or in N.
+        /// The shape's axes in those of the port, or in N.
         place: Place<S>,
     },
-    /// A flexible body: its nodes touch, its facets are touched.
+    /// A flexible body: its nodes touch other things, other things touch its facets.
     Mesh {
         /// First node and the one after the last.
         nodes: [usize; 2],
-        /// First facet and the one after the last; none where only nodes touch.
+        /// First facet and the one after the last; no facets where only its nodes touch.
         facets: [usize; 2],
-        /// How deep (m) something may be below a facet and still be outside the body's other facets.
+        /// Largest depth (m) below a facet that counts as contact with it: less than the distance to the body's
+        /// opposite facets.
         depth: S,
     },
 }
 
-/// Where axes stand in other axes.
+/// Position and orientation of axes in other axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place<S> {
     /// Their origin (m).
     pub origin: Vec3<S>,
-    /// The axes, unit vectors at right angles.
+    /// The axes: three orthogonal unit vectors.
     pub axes: [Vec3<S>; 3],
 }
 
 impl<S: Scalar> Place<S> {
-    /// The same axes.
+    /// The other axes themselves.
     #[must_use]
     pub fn same() -> Place<S> {
         Place { origin: vec3::zero(), axes: Frame::inertial().axes }
     }
 
-    /// The same axes, elsewhere.
+    /// Parallel axes with another origin.
     #[must_use]
     pub fn at(origin: Vec3<S>) -> Place<S> {
         Place { origin, ..Place::same() }
     }
 
-    /// These axes with the motion of the frame in which they stand.
+    /// These axes as a frame in N, moving with the frame in which they are fixed.
     #[must_use]
     pub fn in_frame(&self, frame: &Frame<S>) -> Frame<S> {
         let origin = frame.point(self.origin);
@@ -61,10 +62,10 @@ impl<S: Scalar> Place<S> {
 /// Two things that may touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<S> {
-    /// Their numbers.
+    /// Indices of the things.
     pub things: [usize; 2],
     /// Coulomb's mu, >= 0.
     pub friction: S,
-    /// Newton's e at each point, 0 to 1; energy falls whatever it is.
+    /// Newton's e at each contact, 0 to 1; energy never rises.
     pub restitution: S,
 }

@@ -1,12 +1,12 @@
-//! What sweeps have changed of a contact's impulse, over the last few: what `anderson` goes on from.
+//! History of one contact's impulse over the last sweeps, from which `anderson` extrapolates.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Differences that are kept.
+/// Differences kept.
 pub(super) const DEPTH: usize = 6;
 
-/// One contact's part.
+/// One contact's history.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Trail<S> {
     /// f and g of the last sweep.

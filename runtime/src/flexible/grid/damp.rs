@@ -1,6 +1,6 @@
-//! Forces of speeds on a grid: air, dampers.
+//! Speed-dependent forces on a grid: air drag and dampers.
 //!
-//! In: a grid, positions and velocities. Out: the sums of forces.
+//! In: a grid, positions and velocities. Out: sums of forces.
 
 use super::layout::{Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
@@ -8,7 +8,7 @@ use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Writes the forces of speeds on the nodes of a grid (N), those of the air among them.
+/// Writes the speed-dependent forces on the nodes of a grid (N), including air drag.
 #[derive(Debug)]
 pub struct Damp<'a, S> {
     /// The grid.
@@ -19,7 +19,7 @@ pub struct Damp<'a, S> {
     pub vel: &'a [Vec3<S>],
     /// Viscous force of the air per point and speed (N s/m).
     pub air_drag: S,
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
@@ -29,7 +29,7 @@ struct Nodes<S> {
     vel: Row<S>,
 }
 
-/// A row of nodes as its forces are computed, and what the row above needs of it.
+/// A row of nodes whose forces are being computed, and the values that the row above needs of it.
 struct Line<S> {
     nodes: Nodes<S>,
     /// Forces on the tails of the dampers to the right (N).
@@ -56,7 +56,8 @@ impl<S: Scalar> Kernel for Damp<'_, S> {
         for strip in Strip::all(grid.columns) {
             let [mut even, mut odd] = [Line::zero(), Line::zero()];
             self.read(&strip, 0, &mut even.nodes);
-            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither dampers nor nodes.
+            // Two rows at a time, so that each has memory of its own; a row beyond the last has neither dampers nor
+            // nodes.
             for row in (0..=grid.rows).step_by(2) {
                 self.row(&strip, row, &mut even, &mut odd);
                 self.row(&strip, row + 1, &mut odd, &mut even);
@@ -72,7 +73,7 @@ impl<S: Scalar> Damp<'_, S> {
         strip.read(self.grid, row, self.vel, &mut to.vel);
     }
 
-    /// The forces on the nodes of a row, as [`super::Weave`] goes through them.
+    /// The forces on the nodes of a row, in the same order as [`super::Weave`].
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) {
         let grid = self.grid;
@@ -90,7 +91,8 @@ impl<S: Scalar> Damp<'_, S> {
     }
 }
 
-/// Forces of dampers (N) on the tails of a row's, which join a column of one row to one `further` of another.
+/// Forces (N) on the tails of a row's dampers, which join a column of one row to the one `further` columns on of
+/// another row.
 #[inline(always)]
 fn pull<S: Scalar>(damping: &[S; WIDTH], [tails, heads]: [&Nodes<S>; 2], further: usize, pulls: &mut Row<S>) {
     for (lane, damping) in damping.iter().enumerate() {
@@ -101,7 +103,7 @@ fn pull<S: Scalar>(damping: &[S; WIDTH], [tails, heads]: [&Nodes<S>; 2], further
     }
 }
 
-/// Sums on the nodes of a row: air, dampers from the left and to the right, from below and upwards.
+/// Sums on the nodes of a row: air drag, dampers from the left and to the right, from below and upwards.
 #[inline(always)]
 fn sum<S: Scalar>(air_drag: S, Line { nodes, right, up, sums }: &mut Line<S>, below: &Row<S>) {
     for (lane, place) in sums.iter_mut().enumerate() {

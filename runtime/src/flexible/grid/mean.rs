@@ -1,6 +1,6 @@
 //! Mean forces over a step on a grid: springs, dampers, pressure on its cells.
 //!
-//! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: the sums of forces.
+//! In: a grid, the pressure, nodes in the middle of the step and their changes over it. Out: sums of forces.
 
 use super::layout::{Family, Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
@@ -16,17 +16,17 @@ use crate::vec3::{self, Vec3};
 pub struct Mean<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
-    /// How pressure acts (Pa).
+    /// How pressure is shared by corners, and its value (Pa).
     pub pressure: Option<(PressureForm, S)>,
     /// Length of the step (s).
     pub h: S,
-    /// Positions in its middle, and their changes over it (m).
+    /// Positions in the middle of the step, and their changes over it (m).
     pub nodes: [&'a [Vec3<S>]; 2],
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
-/// A row of nodes as its forces are computed, and what the row above needs of it.
+/// A row of nodes whose forces are being computed, and the values that the row above needs of it.
 struct Line<S> {
     /// Positions in the middle of the step, and their changes (m).
     nodes: [Row<S>; 2],
@@ -36,7 +36,7 @@ struct Line<S> {
     up: Row<S>,
     /// Forces on the corners of the cells between this row and the one above (N).
     cells: [Row<S>; 4],
-    /// What acts on the nodes besides (N).
+    /// Other forces on the nodes (N).
     besides: Row<S>,
     /// Forces on the nodes (N).
     sums: [Vec3<S>; WIDTH],
@@ -59,7 +59,8 @@ impl<S: Scalar> Kernel for Mean<'_, S> {
         for strip in Strip::all(grid.columns) {
             let [mut even, mut odd] = [Line::zero(), Line::zero()];
             self.read(&strip, 0, &mut even);
-            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
+            // Two rows at a time, so that each has memory of its own; a row beyond the last has neither springs nor
+            // nodes.
             for row in (0..=grid.rows).step_by(2) {
                 self.row(&strip, row, &mut even, &mut odd);
                 self.row(&strip, row + 1, &mut odd, &mut even);
@@ -69,7 +70,8 @@ impl<S: Scalar> Kernel for Mean<'_, S> {
 }
 
 impl<'a, S: Scalar> Mean<'a, S> {
-    /// The nodes of a row, and what acts on them besides; another strip has written none of those that this one owns.
+    /// Reads the nodes of a row and the other forces on them; no other strip has yet written those that this strip
+    /// owns.
     #[inline(always)]
     fn read(&self, strip: &Strip, row: usize, to: &mut Line<S>) {
         let [middle, change] = &mut to.nodes;
@@ -78,7 +80,7 @@ impl<'a, S: Scalar> Mean<'a, S> {
         strip.read(self.grid, row, self.force, &mut to.besides);
     }
 
-    /// The forces on the nodes of a row, as [`super::Weave`] goes through them.
+    /// The forces on the nodes of a row, in the same order as [`super::Weave`].
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) {
         let grid = self.grid;
@@ -109,7 +111,8 @@ impl<'a, S: Scalar> Mean<'a, S> {
     }
 }
 
-/// Mean forces (N) on the tails of a row's springs, which join a column of one row to one `further` of another.
+/// Mean forces (N) on the tails of a row's springs, which join a column of one row to the one `further` columns on of
+/// another row.
 #[inline(always)]
 fn pull<S: Scalar>(
     [stiffness, rest_length, damping]: &[[S; WIDTH]; 3],
@@ -125,7 +128,8 @@ fn pull<S: Scalar>(
     }
 }
 
-/// Mean forces (N) on the corners of the cells between two rows. One loop a form: a choice within would be made lane by lane.
+/// Mean forces (N) on the corners of the cells between two rows. One loop per form: a choice inside would be made in
+/// every lane.
 #[inline(always)]
 fn push<S: Scalar>(
     form: PressureForm,
@@ -142,7 +146,8 @@ fn push<S: Scalar>(
     }
 }
 
-/// Mean shares of the cells between two rows. No closure, which would stand alone and keep the instructions of the oldest machine.
+/// Mean shares of the cells between two rows. A type, because a closure would be compiled alone, for the oldest
+/// machine.
 struct Means<'r, S, const FAN: bool> {
     weights: Weights<S>,
     rows: [&'r [Row<S>; 2]; 2],

@@ -1,4 +1,4 @@
-//! Strips of columns that are computed together: their nodes are read into rows, their sums written back.
+//! Strips of columns that are computed together: reads their nodes into rows and writes their sums back.
 
 use super::layout::{Grid, WIDTH, pitch};
 use crate::ode::nodes::copy;
@@ -6,15 +6,15 @@ use crate::real::Scalar;
 use crate::vec3::Vec3;
 use core::iter;
 
-/// A run of so many nodes or more is handled as a whole.
+/// Runs of at least this many nodes are copied as a whole.
 const LONG: usize = 8;
-/// Lane of a strip's first column: where a register's worth of numbers begins, with a lane to its left.
+/// Lane of a strip's first column: aligned to a vector register, with lanes to its left.
 pub(super) const FIRST: usize = 16;
 
 /// Lanes of a row: a run may begin in any column and is read as if it were as wide as a strip.
 const ROOM: usize = FIRST + 2 * WIDTH;
 
-/// Vectors of a row, component by component.
+/// Vectors of a row, one array per component.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(super) struct Row<S>(pub(super) [[S; ROOM]; 3]);
@@ -46,16 +46,16 @@ impl<S: Scalar> Row<S> {
 
 /// Columns computed together.
 pub(super) struct Strip {
-    /// The first.
+    /// First column.
     pub(super) from: usize,
-    /// How many.
+    /// Number of columns.
     pub(super) width: usize,
-    /// The columns whose sums it writes, from the first to the one before the last.
+    /// The columns whose sums it writes, from the first to the one after the last.
     pub(super) own: [usize; 2],
 }
 
 impl Strip {
-    /// Those of a grid, from left to right.
+    /// The strips of a grid, from left to right.
     #[inline(always)]
     pub(super) fn all(columns: usize) -> impl Iterator<Item = Strip> {
         let from = move |first: usize| {
@@ -68,7 +68,8 @@ impl Strip {
         iter::successors((columns > 0).then(|| from(0)), next)
     }
 
-    /// The runs of a row within some columns: column of the first less the strip's, number of the first, how many.
+    /// The runs of a row within a range of columns: (column of the first node less the strip's first, index of the
+    /// first node, length).
     #[inline(always)]
     pub(super) fn runs<'a, S>(
         &self,
@@ -86,8 +87,8 @@ impl Strip {
         })
     }
 
-    /// Vectors of the nodes of a row. A long run is taken apart [`WIDTH`] nodes at once: lanes beyond its end hold nodes
-    /// that follow in the lists, until the next run comes.
+    /// Reads the vectors of a row's nodes. A long run is read [`WIDTH`] nodes at once: lanes beyond its end hold the
+    /// nodes that follow in the lists, until the next run overwrites them.
     #[inline(always)]
     pub(super) fn read<S: Scalar>(&self, grid: &Grid<S>, row: usize, from: &[Vec3<S>], to: &mut Row<S>) {
         for [column, node, length] in self.runs(grid, row, [self.from, self.from + self.width]) {
@@ -107,7 +108,7 @@ impl Strip {
         }
     }
 
-    /// Sums of the columns that the strip owns.
+    /// Writes the sums of the columns that the strip owns.
     #[inline(always)]
     pub(super) fn write<S: Scalar>(
         &self,
@@ -127,7 +128,7 @@ impl Strip {
         }
     }
 
-    /// The strip's part of a list with a number for each place of the grid.
+    /// The strip's part of a list with one number per place of the grid.
     #[inline(always)]
     pub(super) fn part<'a, S>(&self, list: &'a [S], grid: &Grid<S>, row: usize) -> Option<&'a [S; WIDTH]> {
         list.get(row * pitch(grid.columns) + self.from..)?.first_chunk()

@@ -1,6 +1,6 @@
-//! Forces of positions on a grid: weight, springs, pressure on its cells.
+//! Position-dependent forces on a grid: weight, springs, pressure on its cells.
 //!
-//! In: a grid, the pressure, positions. Out: the sums of forces.
+//! In: a grid, the pressure, positions. Out: sums of forces.
 
 use super::layout::{Grid, WIDTH};
 use super::strip::{FIRST, Row, Strip};
@@ -10,22 +10,23 @@ use crate::kernel::Kernel;
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Writes the forces on the nodes of a grid (N), their weight among them; returns whether a spring has run away, see [`crate::flexible::spring::STRETCH_LIMIT`].
+/// Writes the forces on the nodes of a grid (N), including their weight; returns whether any spring is a runaway, see
+/// [`crate::flexible::spring::STRETCH_LIMIT`].
 #[derive(Debug)]
 pub struct Weave<'a, S> {
     /// The grid.
     pub grid: &'a Grid<'a, S>,
-    /// How pressure acts (Pa).
+    /// How pressure is shared by corners, and its value (Pa).
     pub pressure: Option<(PressureForm, S)>,
     /// Positions (m).
     pub pos: &'a [Vec3<S>],
     /// Acceleration of gravity (m/s^2).
     pub gravity: Vec3<S>,
-    /// The sums.
+    /// The sums of forces (N).
     pub force: &'a mut [Vec3<S>],
 }
 
-/// A row of nodes as its forces are computed, and what the row above needs of it.
+/// A row of nodes whose forces are being computed, and the values that the row above needs of it.
 struct Line<S> {
     /// Positions (m).
     nodes: Row<S>,
@@ -55,7 +56,8 @@ impl<S: Scalar> Kernel for Weave<'_, S> {
         for strip in Strip::all(grid.columns) {
             let [mut even, mut odd] = [Line::zero(), Line::zero()];
             strip.read(grid, 0, self.pos, &mut even.nodes);
-            // Two rows at a time, so that each has a memory of its own; one beyond the last has neither springs nor nodes.
+            // Two rows at a time, so that each has memory of its own; a row beyond the last has neither springs nor
+            // nodes.
             for row in (0..=grid.rows).step_by(2) {
                 runaway |= self.row(&strip, row, &mut even, &mut odd);
                 runaway |= self.row(&strip, row + 1, &mut odd, &mut even);
@@ -66,8 +68,8 @@ impl<S: Scalar> Kernel for Weave<'_, S> {
 }
 
 impl<S: Scalar> Weave<'_, S> {
-    /// The forces on the nodes of a row; `next` holds what the row below has left and takes the nodes of the row above. The
-    /// sums of the row below are written: those just computed the processor would have to wait for.
+    /// The forces on the nodes of a row. `next` holds the values of the row below and receives the nodes of the row
+    /// above. Writes the sums of the row below: the processor would have to wait for those just computed.
     #[inline(always)]
     fn row(&mut self, strip: &Strip, row: usize, line: &mut Line<S>, next: &mut Line<S>) -> bool {
         let grid = self.grid;
@@ -100,7 +102,8 @@ impl<S: Scalar> Weave<'_, S> {
     }
 }
 
-/// Elastic forces (N) on the tails of a row's springs, which join a column of one row to one `further` of another.
+/// Elastic forces (N) on the tails of a row's springs, which join a column of one row to the one `further` columns on
+/// of another row.
 #[inline(always)]
 fn pull<S: Scalar>(
     stiffness: &[S; WIDTH],
@@ -109,7 +112,7 @@ fn pull<S: Scalar>(
     further: usize,
     pulls: &mut Row<S>,
 ) -> bool {
-    // A number as wide as a lane: a truth value would be taken out of its register.
+    // An integer as wide as a lane: a bool would be moved out of its vector register.
     let mut runaway = 0_u32;
     for lane in 0..WIDTH {
         let (tail, head) = (tails.get(FIRST + lane), heads.get(FIRST + lane + further));
@@ -121,7 +124,8 @@ fn pull<S: Scalar>(
     runaway > 0
 }
 
-/// Forces (N) on the corners of the cells between two rows. One loop a form: a choice within would be made lane by lane.
+/// Forces (N) on the corners of the cells between two rows. One loop per form: a choice inside would be made in every
+/// lane.
 #[inline(always)]
 fn push<S: Scalar>(
     form: PressureForm,
@@ -148,9 +152,9 @@ pub(super) fn corners<S: Scalar>([here, above]: [&Row<S>; 2], left: usize) -> [V
     [here.get(left), here.get(right), above.get(right), above.get(left)]
 }
 
-/// Shares of the corners of a cell in its pressure (m^2).
+/// Outward vectors (m^2) at the corners of a cell; times the pressure they are forces.
 pub(super) trait Shares<S> {
-    /// Of the cell to the right of a column.
+    /// The vectors of the cell to the right of a column.
     fn of(&self, left: usize) -> [Vec3<S>; 4];
 }
 
@@ -161,7 +165,8 @@ impl<S, F: Fn(usize) -> [Vec3<S>; 4]> Shares<S> for F {
     }
 }
 
-/// Shares out the pressure on the cells between two rows, as `shares` says for the cell to the right of a column.
+/// Writes the pressure forces of the cells between two rows, given the corner vectors of the cell to the right of a
+/// column.
 #[inline(always)]
 pub(super) fn share<S: Scalar>(
     shares: impl Shares<S>,
@@ -169,7 +174,7 @@ pub(super) fn share<S: Scalar>(
     pressure: S,
     [a, b, c, d]: &mut [Row<S>; 4],
 ) {
-    // The force of a cell that does not exist is 0.
+    // A cell that does not exist has force 0.
     let pressures = exists.map(|exists| exists * pressure);
     for left in FIRST..FIRST + WIDTH {
         let pressure = pressures[left - FIRST];
@@ -181,8 +186,8 @@ pub(super) fn share<S: Scalar>(
     }
 }
 
-/// Sums on the nodes of a row: what each starts with, springs from the left and to the right, from below and upwards, then,
-/// where there is gas, the cells below (left, right) and above (left, right).
+/// Sums on the nodes of a row: the start value, springs from the left and to the right, from below and upwards, then,
+/// with gas, the cells below (left, right) and above (left, right).
 #[inline(always)]
 pub(super) fn sum<S: Scalar, const GAS: bool>(
     start: impl Fn(usize) -> Vec3<S>,

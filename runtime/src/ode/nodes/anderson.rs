@@ -1,7 +1,8 @@
-//! Fixed-point iteration for the accelerations of nodes, gone on with along the last change (Anderson 1965, depth 1).
+//! Fixed-point iteration for the accelerations of nodes, accelerated by Anderson's method (1965, depth 1).
 //!
-//! In: rows that remember the iteration before, and what the forces at the present guess k are. Out: a better k. The next guess is
-//! g - gamma (g - g~), r = g - k, gamma = r.dr/dr.dr, with g = f(k)/m, and g~ and dr since the iteration before.
+//! In: the trail of the iteration before, and the forces at the present guess k. Out: a better k. With g = f(k)/m and
+//! the residual r = g - k, the next guess is g - gamma (g - g~), gamma = r.dr/dr.dr; g~ is the g of the iteration
+//! before, dr the change of r since.
 
 use super::newton::Newton;
 use super::rows::{self, accelerations};
@@ -9,11 +10,11 @@ use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// What an iteration hands on to the next.
+/// Data that an iteration hands on to the next.
 pub(super) struct Trail<'a, S> {
     /// The accelerations (m/s^2).
     pub k: &'a mut [Vec3<S>],
-    /// r, what was missing.
+    /// The residual r = g - k.
     pub off: &'a mut [Vec3<S>],
     /// The change of r since the iteration before.
     pub turn: &'a mut [Vec3<S>],
@@ -22,7 +23,7 @@ pub(super) struct Trail<'a, S> {
 }
 
 impl<S: Scalar> Trail<'_, S> {
-    /// Puts g = force/m in the place of k; returns the largest components of r and g. `memory` is two rows.
+    /// Replaces k by g = force/m; returns the largest components of r and g. `memory` is two rows.
     pub fn improve<N: Newton<S>>(
         &mut self,
         newton: &N,
@@ -32,7 +33,7 @@ impl<S: Scalar> Trail<'_, S> {
         kernel::run(Improve { newton, force, memory, trail: self })
     }
 
-    /// Goes on from g along the last change. Where that would go back or on by more than the whole change, and the first time, k = g.
+    /// Extrapolates from g by the last change. Where |gamma| would exceed 1, and in the first iteration, k = g.
     pub fn go_on(&mut self, is_first: bool) {
         kernel::run(GoOn { is_first, trail: self });
     }
@@ -81,7 +82,7 @@ impl<S: Scalar> Kernel for GoOn<'_, '_, S> {
     fn run(self) {
         let Trail { k, off, turn, before } = self.trail;
         let gamma = rows::quotient(off, turn);
-        // Also where it is no number.
+        // A gamma that is NaN fails this too.
         let goes_on = !self.is_first && gamma.abs() <= S::ONE;
         for (k, before) in k.as_flattened_mut().iter_mut().zip(before.as_flattened_mut()) {
             let g = *k;

@@ -1,9 +1,10 @@
-//! Verlet's method with implicit dampers: springs alone bound its step, however strong the dampers are.
+//! Verlet's method with implicit dampers: only the springs bound its step, however strong the dampers are.
 //!
-//! In: state, step. Out: the motion at the end. At the middle x_m = x + h/2 v of the step (M + h/2 C) k = f - C v, f and C at x_m;
-//! v' = v + h k, x' = x + h v + h^2/2 k: order 2, symmetric, stable for h w < 2 and any C. k is found by conjugate gradients
-//! from 0, preconditioned by M (Hestenes & Stiefel 1952). M times each iterate is a sum of forces of f and between pairs of nodes
-//! along their lines at x_m: wherever the iteration stops, linear and angular momentum stay, and dampers alone give no energy.
+//! In: state, step. Out: the motion at the end. At the midpoint x_m = x + h/2 v solve (M + h/2 C) k = f - C v, f and C
+//! at x_m; v' = v + h k, x' = x + h v + h^2/2 k: order 2, symmetric, stable for h w < 2 and any C. k is found by
+//! conjugate gradients from 0, preconditioned by M (Hestenes & Stiefel 1952). M times each iterate is a sum of f and of
+//! forces between pairs of nodes along their connecting lines at x_m. So wherever the iteration stops, linear and
+//! angular momentum are conserved and dampers alone add no energy.
 
 use super::motion::{Motion, copy};
 use super::newton::{Newton, NodeFault};
@@ -13,12 +14,12 @@ use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// Iterations at most: they grow with the root of h C/(2 m).
+/// Most iterations; the number needed grows with the square root of h C/(2 m).
 const ITERATIONS: usize = 1000;
-/// What k may leave of f - C v, where that changes by as much within half a step; elsewhere as the square of the
-/// change, as the step's own error goes.
+/// Relative residual of k allowed where f - C v changes by its own size within half a step; elsewhere it shrinks with
+/// the square of that relative change, as the step's own error does.
 const ACCURACY: f64 = 1e-2;
-/// Rounding units of f - C v below which nothing is asked for.
+/// Smallest relative residual asked for, in rounding units.
 const SETTLED: f64 = 2.0;
 
 /// A step of length h into `work.end`.
@@ -37,7 +38,7 @@ pub(super) fn damped_verlet<S: Scalar, N: Newton<S>>(
     work.finish(newton, start)
 }
 
-/// Leaves k in `work.stages`; rows of the end that are not asked for yet are its memory.
+/// Leaves k in `work.stages`; uses rows of the end of the step, not yet needed, as memory.
 fn solve<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -59,7 +60,7 @@ fn solve<S: Scalar, N: Newton<S>>(
     let accuracy = accuracy.max(S::from_f64(SETTLED) * S::EPSILON);
     let enough = accuracy * accuracy * size;
     for _ in 0..ITERATIONS {
-        // A size that is no number ends it too: the end of the step then says which node.
+        // A size that is NaN ends the iteration too: the check at the end of the step then names the node.
         if size.partial_cmp(&enough) != Some(core::cmp::Ordering::Greater) {
             return Ok(());
         }
@@ -72,15 +73,15 @@ fn solve<S: Scalar, N: Newton<S>>(
     Err(NodeFault::NotConverged { step: h }.into())
 }
 
-/// Rows of the iteration.
+/// Vectors of the conjugate gradient iteration.
 struct Rows<'a, S> {
-    /// What is sought (m/s^2).
+    /// The solution (m/s^2).
     k: &'a mut [Vec3<S>],
-    /// f - C v - (M + h/2 C) k (N).
+    /// Residual f - C v - (M + h/2 C) k (N).
     left: &'a mut [Vec3<S>],
-    /// M^-1 times that (m/s^2).
+    /// Preconditioned residual, M^-1 `left` (m/s^2).
     turned: &'a mut [Vec3<S>],
-    /// The direction p in which k goes on (m/s^2).
+    /// Search direction p (m/s^2).
     way: &'a mut [Vec3<S>],
     /// M p (N).
     inertia: &'a mut [Vec3<S>],
@@ -90,7 +91,7 @@ struct Rows<'a, S> {
     memory: [&'a mut [Vec3<S>]; 2],
 }
 
-/// A block of M^-1 force, into `out`.
+/// Writes a block of M^-1 force into `out`.
 #[inline(always)]
 fn turn<S: Scalar, N: Newton<S>>(
     newton: &N,
@@ -103,7 +104,7 @@ fn turn<S: Scalar, N: Newton<S>>(
     rows::multiply(rows::block_mut(out, first), part, factors);
 }
 
-/// Middle of the step from the velocities at its start; a node that no force moves stays.
+/// Places the nodes at the midpoint with the velocities at the start; fixed nodes (inverse mass 0) stay.
 struct PlaceMiddle<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
@@ -129,8 +130,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
     }
 }
 
-/// From f and -C v in `left` and `image`: k = 0, p = M^-1 (f - C v); returns the squares over M of f - C v and of its change
-/// since the start of the step.
+/// Starts with f and -C v in `left` and `image`: k = 0, p = M^-1 (f - C v). Returns a.M^-1 a for a = f - C v and for
+/// the change of f - C v since the start of the step.
 struct Begin<'a, 'm, 'r, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
@@ -159,7 +160,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Begin<'_, '_, '_, S, N> {
     }
 }
 
-/// (M + h/2 C) p from its parts, into `image`; returns its product with p. `half` is h/2.
+/// Writes (M + h/2 C) p into `image` from M p and -C p; returns its product with p. `half` is h/2.
 struct Bend<'a, 'r, S> {
     half: S,
     rows: &'a mut Rows<'r, S>,
@@ -178,7 +179,7 @@ impl<S: Scalar> Kernel for Bend<'_, '_, S> {
     }
 }
 
-/// k and what is left a `gain` further along p; returns the square of what is left over M.
+/// Moves k by `gain` p and updates the residual r; returns r.M^-1 r.
 struct GoOn<'a, 'r, S, N> {
     newton: &'a N,
     gain: S,
@@ -200,7 +201,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for GoOn<'_, '_, S, N> {
     }
 }
 
-/// The next direction: what is left and a `share` of the last one.
+/// The next direction: p = M^-1 r + `share` p, and M p likewise.
 struct Turn<'a, 'r, S> {
     share: S,
     rows: &'a mut Rows<'r, S>,
@@ -243,7 +244,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
                 [&mut **dx, dv].map(|row| rows::block_mut(row, first).as_flattened_mut().iter_mut());
             for ((dx, dv), ((v, k), inverse)) in dx.zip(dv).zip(v.zip(k).zip(inverse.as_flattened())) {
                 *dv = h * *k;
-                // A node that no force moves stays.
+                // A fixed node (inverse mass 0) stays.
                 *dx = if *inverse > S::ZERO { h * (*v + half * *dv) } else { S::ZERO };
             }
         }

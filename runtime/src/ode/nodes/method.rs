@@ -1,7 +1,7 @@
-//! Methods of integration for [`Newton`]'s equations: each a type of its own, and an enum of all.
+//! Integration methods for [`Newton`]'s equations: each a type of its own, and an enum of all.
 //!
 //! A program that knows its method names the type and links nothing else (a microcontroller's image); one that
-//! chooses when it runs takes [`Method`].
+//! chooses at run time takes [`Method`].
 
 use super::motion::Motion;
 use super::newton::Newton;
@@ -18,18 +18,18 @@ pub trait Step<S: Scalar>: Copy {
     fn control_order(&self) -> u32 {
         0
     }
-    /// Longest step (s) that an adaptive method takes of itself.
+    /// Longest step (s) that an adaptive method takes.
     fn longest(&self) -> Option<S> {
         None
     }
-    /// Whether the total energy swings with the body's vibrations, as Verlet's does.
+    /// Whether the total energy oscillates with the body's vibrations, as Verlet's does.
     fn is_verlet(&self) -> bool {
         false
     }
     /// Advances by tau into `work.end`; returns the error estimate in units of the tolerance (0 for fixed steps).
     ///
     /// # Errors
-    /// Not converged, a node that left the numbers, or from the forces; the start is untouched.
+    /// No convergence, a node whose position or speed is not finite, or a fault of the forces; the start is unchanged.
     fn step<N: Newton<S>>(
         &self,
         newton: &N,
@@ -39,23 +39,23 @@ pub trait Step<S: Scalar>: Copy {
     ) -> Result<S, N::Fault>;
 }
 
-/// v first, then x with the new v: order 1.
+/// v first, then x with the new v: order 1, symplectic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SymplecticEuler;
 
-/// Velocity Verlet: order 2; dampers are solved implicitly, half before and half after.
+/// Velocity Verlet: order 2; dampers are solved implicitly, in half a step before and half a step after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verlet;
 
-/// Verlet's method with implicit dampers by conjugate gradients: order 2; springs alone bound its step.
+/// Verlet's method with implicit dampers by conjugate gradients: order 2; only the springs bound its step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DampedVerlet;
 
-/// Nystrom's classical order 4, three evaluations; for forces of positions (dampers lower the order).
+/// Nystrom's classical order 4, three evaluations; for forces that depend on positions only (dampers lower the order).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Nystrom4;
 
-/// Blanes & Moan's symplectic splitting of order 4, small error constant; for forces of positions.
+/// Blanes & Moan's symplectic splitting of order 4, small error constant; for forces that depend on positions only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlanesMoan4;
 
@@ -67,14 +67,14 @@ pub struct Rk4;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
-/// Midpoint rule with mean forces along the springs (Simo, Tarnow; Gonzalez): order 2, energy kept exactly.
+/// Midpoint rule with mean forces along the springs (Simo & Tarnow; Gonzalez): order 2, conserves energy exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EnergyMomentum;
 
 /// Dormand & Prince 5(4) with step control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DormandPrince<S> {
-    /// Error allowed per step, absolute and relative.
+    /// Allowed error per step, absolute and relative.
     pub tolerance: S,
     /// Longest step (s).
     pub longest: S,
@@ -83,13 +83,13 @@ pub struct DormandPrince<S> {
 /// Dormand & Prince 8(5,3) with step control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dop853<S> {
-    /// Error allowed per step, absolute and relative.
+    /// Allowed error per step, absolute and relative.
     pub tolerance: S,
     /// Longest step (s).
     pub longest: S,
 }
 
-/// Implements [`Step`] by an explicit tableau; those with a tolerance choose their steps by its error estimate.
+/// Implements [`Step`] by an explicit tableau; those with a tolerance choose their steps by the error estimate.
 macro_rules! explicit {
     ($($method:ident: $stages:literal stages of $tableau:ident),* $(,)?) => {$(
         impl<S: Scalar> Step<S> for $method {
@@ -170,7 +170,7 @@ plain! {
     EnergyMomentum: midpoint::energy_momentum, false;
 }
 
-/// A method chosen when the program runs.
+/// A method chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method<S> {
     /// [`SymplecticEuler`].
@@ -195,7 +195,7 @@ pub enum Method<S> {
     Dop853(Dop853<S>),
 }
 
-/// Evaluates an expression with the type of the method chosen.
+/// Evaluates an expression with the value of the chosen method's type.
 macro_rules! with_type {
     ($method:expr, $typed:ident => $expression:expr) => {
         match $method {

@@ -1,9 +1,10 @@
 //! Implicit midpoint rule, and the energy-momentum method built on it.
 //!
 //! x' = x + h v + h^2/2 k,  v' = v + h k,  k = f/m, f at the middle of the step. In the energy-momentum form (Simo &
-//! Tarnow 1992, Gonzalez 1996) f is a mean force whose work is the change of the stored energy ([`Newton::mean_force`]):
-//! undamped energy stays, damped energy never rises, for any step; momentum and angular momentum stay.
-//! Solved by fixed-point iteration (h w_max < 2), gone on with along the last change (`anderson`).
+//! Tarnow 1992, Gonzalez 1996) f is a mean force whose work is the change of the stored energy
+//! ([`Newton::mean_force`]): for any step, energy is conserved without damping and never rises with it; linear and
+//! angular momentum are conserved. Solved by fixed-point iteration (h w_max < 2) with Anderson's acceleration
+//! (`anderson`).
 
 use super::anderson::Trail;
 use super::motion::{Motion, set};
@@ -14,16 +15,17 @@ use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3;
 
-/// Iterations at most: at h w = 1 each gains a factor 6 about, so 20 reach the rounding of f64.
+/// Most iterations: at h w = 1 each reduces the error about sixfold, so 20 reach the rounding of f64.
 const ITERATIONS: usize = 200;
 /// An error of the acceleration below this many rounding units ends the iteration.
 const SETTLED: f64 = 2.0;
-/// Part of a change that is left as an error by the next iteration, at least as the iteration believes.
+/// Lower bound on the estimated convergence rate: the error that an iteration leaves of the one before.
 const LEAST_RATE: f64 = 1.0 / 16.0;
-/// Iterations without gain that end it near the solution. Near a fold, where the solution is about to vanish, the changes
-/// shrink before they grow again: one iteration without gain says nothing there.
+/// Iterations without gain after which it ends near the solution. Near a fold, where the solution is about to vanish,
+/// the changes shrink before they grow again, so one iteration without gain proves nothing there.
 const PATIENCE: u32 = 16;
-/// Rounding units of acceleration that positions may hand on: below them one iteration without gain is enough.
+/// Rounding units of acceleration that the rounding of positions may cause: below them one iteration without gain is
+/// enough.
 const ROUNDED: f64 = 1e3;
 
 /// The plain midpoint rule.
@@ -57,10 +59,10 @@ pub(super) fn energy_momentum<S: Scalar, N: Newton<S>>(
     })
 }
 
-/// Solves k = force(middle of the step)/m; `force` leaves its answer in `work.stage_elastic`.
+/// Solves k = force(middle of the step)/m; `force` leaves its result in `work.stage_elastic`.
 ///
-/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position, `stages` k. What
-/// a [`Trail`] keeps of the iteration before stands in rows of the end that are not asked for yet.
+/// `stage_pos`, `stage_vel` hold the middle, `end.pos` the end of the step, `dx` the change of position, `stages` k.
+/// The [`Trail`] of the iteration before uses rows of the end of the step that are not needed yet.
 fn iterate<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -84,7 +86,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
         } else {
             (smallest, without_gain) = (Some(change), 0);
         }
-        // What the next iteration would still change.
+        // Estimated change by the next iteration.
         let rate = before.map_or(S::ONE, |before| change / before).max(S::from_f64(LEAST_RATE)).min(S::ONE);
         let settled = change * rate <= S::from_f64(SETTLED) * S::EPSILON * size;
         if settled || has_stalled(newton, [change, size], without_gain) {
@@ -100,7 +102,7 @@ fn iterate<S: Scalar, N: Newton<S>>(
     Err(NodeFault::NotConverged { step: h }.into())
 }
 
-/// Has an iteration near the solution gained nothing for a while? The last digits of k keep moving.
+/// Whether an iteration near the solution has gained nothing for a while: the last digits of k keep moving.
 fn has_stalled<S: Scalar>(newton: &impl Newton<S>, [change, size]: [S; 2], without_gain: u32) -> bool {
     if without_gain == 0 {
         return false;
@@ -136,7 +138,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for PlaceMiddle<'_, '_, '_, S, N> {
                 x.zip(v).zip(k.zip(inverse)).zip(step.zip(pos).zip(end.zip(vel)))
             {
                 let way = h * *v + half * h * h * *k;
-                // A node that no force moves stays.
+                // A fixed node (inverse mass 0) stays.
                 *step = if *inverse > S::ZERO { way } else { S::ZERO };
                 *pos = *x + half * *step;
                 *end = *x + *step;

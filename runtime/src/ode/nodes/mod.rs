@@ -1,8 +1,8 @@
 //! Newton's equations of nodes, q_dot = u, M u_dot = f(q) + g(q, u) with a diagonal M, and one step of them.
 //!
 //! In: a [`Motion`], the equations ([`Newton`]), a method ([`method`]), the step. Out: the motion at the end, in the
-//! [`Workspace`]; the start is left alone, so a step can be tried, shortened and tried again.
-//! Positions and speeds carry what rounding dropped (compensated sums): an f32 node at 10 m moves at 1 mm/s.
+//! [`Workspace`]; the start is unchanged, so a step can be tried, shortened and tried again. Positions and speeds are
+//! compensated sums: without their rounding errors an f32 node at 10 m would not move at 1 mm/s.
 
 mod anderson;
 mod damped;

@@ -1,4 +1,4 @@
-//! Where nodes are and how they move, with what rounding dropped and the forces there.
+//! Positions and velocities of nodes, with their rounding errors, and the forces there.
 
 use super::newton::{Newton, NodeFault};
 use super::rows;
@@ -11,11 +11,11 @@ use crate::vec3::{self, Vec3};
 pub struct Motion<'a, S> {
     /// Positions (m).
     pub pos: &'a mut [Vec3<S>],
-    /// What rounding dropped from the positions.
+    /// Rounding errors of the positions.
     pub pos_rest: &'a mut [Vec3<S>],
     /// Velocities (m/s).
     pub vel: &'a mut [Vec3<S>],
-    /// What rounding dropped from the velocities.
+    /// Rounding errors of the velocities.
     pub vel_rest: &'a mut [Vec3<S>],
     /// Forces of positions (N).
     pub elastic: &'a mut [Vec3<S>],
@@ -61,7 +61,7 @@ impl<'a, S: Scalar> Motion<'a, S> {
         Ok(())
     }
 
-    /// Refuses what left the numbers: squares, because energies and errors are made of them.
+    /// Refuses positions and speeds whose squares are not finite, because energies and errors are made of squares.
     ///
     /// # Errors
     /// [`NodeFault::NotFinite`] for the first such node.
@@ -69,7 +69,7 @@ impl<'a, S: Scalar> Motion<'a, S> {
         self.check_far(kernel::run(FindFar { rows: [self.pos, self.vel] }))
     }
 
-    /// The same, where it is known whether a position or speed [`rows::is_far`]: almost always none is.
+    /// The same, given whether any position or speed [`rows::is_far`]: almost always none is, and no search is needed.
     pub(super) fn check_far(&self, far: bool) -> Result<(), NodeFault<S>> {
         if !far {
             return Ok(());
@@ -80,7 +80,7 @@ impl<'a, S: Scalar> Motion<'a, S> {
     }
 }
 
-/// Whether a number of some rows [`rows::is_far`].
+/// Whether any number of these rows [`rows::is_far`].
 struct FindFar<'a, S> {
     rows: [&'a [Vec3<S>]; 2],
 }

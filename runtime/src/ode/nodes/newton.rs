@@ -1,9 +1,9 @@
-//! Newton's equations of nodes: what a method asks of them, and why a step is refused.
+//! Newton's equations of nodes: the interface that a method needs, and the reasons to refuse a step.
 
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Why a step is refused; its start is untouched.
+/// Why a step is refused; the state at its start is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NodeFault<S> {
     /// Less memory than needed.
@@ -13,55 +13,55 @@ pub enum NodeFault<S> {
         /// Vectors given.
         given: usize,
     },
-    /// A position or speed, or its square, left the numbers.
+    /// A position or speed, or its square, is infinite or NaN.
     NotFinite {
         /// The node.
         node: usize,
     },
-    /// An implicit step did not settle: it is too long.
+    /// The iteration of an implicit step did not converge: the step is too long.
     NotConverged {
         /// Its length (s).
         step: S,
     },
 }
 
-/// Equations of motion of nodes, what holds some of them frozen over a step.
+/// Equations of motion of nodes, with the contacts that hold some of them frozen over a step.
 pub trait Newton<S: Scalar> {
     /// Why an evaluation is refused.
     type Fault: From<NodeFault<S>>;
     /// Number of nodes.
     fn nodes(&self) -> usize;
-    /// Writes the forces of positions (N); may move nodes that have no mass and so no state.
+    /// Writes the forces that depend on positions (N); may move nodes without mass, which are no state.
     ///
     /// # Errors
-    /// Where there is no force.
+    /// If a force is not defined at these positions.
     fn elastic(&self, pos: &mut [Vec3<S>], force: &mut [Vec3<S>]) -> Result<(), Self::Fault>;
-    /// Writes the forces of speeds (N).
+    /// Writes the forces that depend on speeds (N).
     fn viscous(&self, pos: &[Vec3<S>], vel: &[Vec3<S>], force: &mut [Vec3<S>]);
     /// Writes forces whose work over the step is the change of the stored energy, and the dampers' mean forces (N).
     ///
     /// # Errors
-    /// Where there is no force.
+    /// If a force is not defined at these positions.
     fn mean_force(&self, way: &Way<S>, force: &mut [Vec3<S>]) -> Result<(), Self::Fault>;
     /// Whether some force depends on speeds.
     fn is_damped(&self) -> bool;
     /// Whether a node can move: it has a mass and is not fixed.
     fn is_movable(&self, node: usize) -> bool;
-    /// Acceleration of a node under a force (m/s^2), after what holds it has taken its part.
+    /// Acceleration of a node under a force (m/s^2), restricted to what its contact allows.
     fn acceleration(&self, node: usize, force: Vec3<S>) -> Vec3<S>;
-    /// 1/mass (1/kg) of nodes from `first` on, as many as there is memory for, once for each component; 0 for one that
-    /// cannot move.
+    /// 1/mass (1/kg) of the nodes from `first` on, as many as there is memory for, once for each component; 0 for a
+    /// node that cannot move.
     fn inverse_masses<'a>(&'a self, first: usize, memory: &'a mut [Vec3<S>]) -> &'a [Vec3<S>];
-    /// Whether something holds one of so many nodes from `first` on.
+    /// Whether a contact holds any of the `count` nodes from `first` on.
     fn holds(&self, first: usize, count: usize) -> bool;
-    /// Leaves of velocities or accelerations of the nodes from `first` on what what holds them leaves.
+    /// Restricts velocities or accelerations of the nodes from `first` on to what their contacts allow.
     fn admit(&self, first: usize, rows: &mut [Vec3<S>]);
-    /// Largest acceleration that a strain of 1 gives (m/s^2): rounding of positions moves accelerations by about
-    /// EPSILON times this, also where all forces balance.
+    /// Largest acceleration caused by a strain of 1 (m/s^2): the rounding of positions changes accelerations by about
+    /// EPSILON times this, even where all forces balance.
     fn acceleration_of_unit_strain(&self) -> S;
 }
 
-/// A step as the energy-momentum method sees it.
+/// A step as the energy-momentum method needs it.
 #[derive(Clone, Copy, Debug)]
 pub struct Way<'a, S> {
     /// Its length (s).
@@ -74,7 +74,7 @@ pub struct Way<'a, S> {
     pub vel: &'a [Vec3<S>],
 }
 
-/// `v` where the node can move, 0 where no force moves it.
+/// `v` if the node can move, else 0.
 pub(super) fn movable<S: Scalar>(newton: &impl Newton<S>, node: usize, v: Vec3<S>) -> Vec3<S> {
     if newton.is_movable(node) { v } else { vec3::zero() }
 }

@@ -1,4 +1,4 @@
-//! Explicit Runge-Kutta-Nystrom step for x'' = a(x, v), any tableau.
+//! Explicit Runge-Kutta-Nystrom step for x'' = a(x, v) with any tableau.
 //!
 //! k_s = a(x + c_s h v + h^2 sum abar_sj k_j,  v + h sum a_sj k_j)
 //! x' = x + h v + h^2 sum bbar_j k_j,  v' = v + h sum b_j k_j
@@ -154,7 +154,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
             let starts = rows::block(start.vel, first).as_flattened().iter().zip(inverse.as_flattened());
             let ends = dx.as_flattened_mut().iter_mut().zip(dv.as_flattened_mut());
             for ((bend, kick), (v, inverse)) in ends.zip(starts) {
-                // A node that no force moves stays.
+                // A fixed node (inverse mass 0) stays.
                 let way = h * *v;
                 let way = if *inverse > S::ZERO { way } else { S::ZERO };
                 *bend = way + h * h * *bend;
@@ -164,8 +164,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     }
 }
 
-/// Sums of weight_j k_j over as many stages as there are weights, of a block of n nodes. Flash of a microcontroller has
-/// it once.
+/// Sums of weight_j k_j over as many stages as there are weights, for a block of the n nodes. Not inlined on a
+/// microcontroller: its flash then holds it once.
 #[cfg_attr(target_os = "none", inline(never))]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 fn weigh<S: Scalar>(
@@ -183,7 +183,7 @@ fn weigh<S: Scalar>(
     }
 }
 
-/// The same for one of few nodes, which stays in registers, for two rows of weights.
+/// The same for one node of few, in registers, with two rows of weights.
 #[inline(always)]
 fn weigh_node<S: Scalar>(
     stages: &[Vec3<S>],
@@ -201,7 +201,8 @@ fn weigh_node<S: Scalar>(
     [sum, other_sum]
 }
 
-/// Largest estimated error over (tolerance (1 + |y|)), y node by node; Hairer's combination where two estimates exist.
+/// Largest estimated error over (tolerance (1 + |y|)), y node by node; combined as in Hairer's DOP853 where two
+/// estimates exist.
 fn error_estimate<S: Scalar, const K: usize>(
     tableau: &Tableau<Constant, K>,
     start: &Motion<S>,
@@ -210,7 +211,8 @@ fn error_estimate<S: Scalar, const K: usize>(
     work: &mut Workspace<S>,
     n: usize,
 ) -> S {
-    // Finer than rounding no step is, however short (Hairer's DOP853 asks for ten units): it would be shortened in vain.
+    // No step, however short, is more accurate than rounding (Hairer's DOP853 asks for ten units): a finer tolerance
+    // would fail.
     let tolerance = tolerance.max(S::from_f64(10.0) * S::EPSILON);
     let estimate = |[bbar, b]: [&[Constant; K]; 2], work: &mut Workspace<S>| {
         if b.iter().all(|e| S::constant(*e) == S::ZERO) {
@@ -224,7 +226,8 @@ fn error_estimate<S: Scalar, const K: usize>(
     if coarse > S::ZERO && total > S::ZERO { fine * fine / total } else { fine }
 }
 
-/// One estimate of the error over what is allowed, the largest of all nodes, from the weights of the stages in it.
+/// Largest ratio over all nodes of one error estimate to the error allowed, given the weights of the stages in the
+/// estimate.
 struct Estimate<'a, 'm, 'w, S> {
     n: usize,
     start: &'a Motion<'m, S>,

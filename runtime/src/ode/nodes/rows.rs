@@ -1,4 +1,4 @@
-//! Sums over rows of vectors, number by number: loops that the compiler lays side by side.
+//! Arithmetic on rows of vectors, number by number: loops that the compiler can vectorise.
 //!
 //! Rows of unequal length are handled as far as the shortest reaches. Every function is inlined into its
 //! [`crate::kernel::Kernel`].
@@ -7,13 +7,13 @@ use super::newton::Newton;
 use crate::real::Scalar;
 use crate::vec3::Vec3;
 
-/// Nodes handled at a time: few enough for the nearest cache, many enough that to begin a block costs little.
+/// Nodes handled at a time: few enough for the first-level cache, many enough that starting a block costs little.
 pub(super) const BLOCK: usize = if cfg!(target_os = "none") { 4 } else { 128 };
 
-/// Fewer nodes than these are taken one by one: to begin a row costs more than its sums.
+/// Fewer nodes than these are handled one by one: starting a row costs more than its sums.
 pub(super) const FEW: usize = if cfg!(target_os = "none") { 0 } else { 7 };
 
-/// Where the blocks of n nodes begin.
+/// First nodes of the blocks of n nodes.
 pub(super) fn blocks(n: usize) -> impl Iterator<Item = usize> {
     (0..n.div_ceil(BLOCK)).map(|i| i * BLOCK)
 }
@@ -25,7 +25,7 @@ pub(super) fn block<T>(row: &[T], first: usize) -> &[T] {
     rest.get(..BLOCK).unwrap_or(rest)
 }
 
-/// The same, to be written.
+/// The same block, mutable.
 #[inline(always)]
 pub(super) fn block_mut<T>(row: &mut [T], first: usize) -> &mut [T] {
     let rest = row.get_mut(first..).unwrap_or_default();
@@ -33,9 +33,9 @@ pub(super) fn block_mut<T>(row: &mut [T], first: usize) -> &mut [T] {
     rest.get_mut(..length).unwrap_or_default()
 }
 
-/// Forces and factors whose products are the accelerations of a block of nodes from `first` on; a factor is 0 where no
-/// force moves the node. Almost always the factors are 1/mass; of a block with a held node they are 1. `memory` is two
-/// rows of all nodes.
+/// Two rows whose products are the accelerations of the block of nodes from `first` on; the second is 0 where a node
+/// cannot move. They are (force, 1/mass), or (acceleration, 1) in a block with a node held by a contact. `memory` is
+/// two rows of all nodes.
 #[inline(always)]
 pub(super) fn accelerations<'a, S: Scalar>(
     newton: &'a impl Newton<S>,
@@ -56,7 +56,7 @@ pub(super) fn accelerations<'a, S: Scalar>(
     [accelerations, factors]
 }
 
-/// y + h a b into y, component by component.
+/// y += h a b, component by component.
 #[inline(always)]
 pub(super) fn add_product<S: Scalar>(y: &mut [Vec3<S>], h: S, a: &[Vec3<S>], b: &[Vec3<S>]) {
     let factors = a.as_flattened().iter().zip(b.as_flattened());
@@ -65,7 +65,7 @@ pub(super) fn add_product<S: Scalar>(y: &mut [Vec3<S>], h: S, a: &[Vec3<S>], b: 
     }
 }
 
-/// y + s a into y.
+/// y += s a.
 #[inline(always)]
 pub(super) fn add_scaled<S: Scalar>(y: &mut [Vec3<S>], s: S, a: &[Vec3<S>]) {
     for (y, a) in y.as_flattened_mut().iter_mut().zip(a.as_flattened()) {
@@ -73,7 +73,7 @@ pub(super) fn add_scaled<S: Scalar>(y: &mut [Vec3<S>], s: S, a: &[Vec3<S>]) {
     }
 }
 
-/// (a + b) c into y, component by component.
+/// y = (a + b) c, component by component.
 #[inline(always)]
 pub(super) fn multiply_sum<S: Scalar>(y: &mut [Vec3<S>], [a, b]: [&[Vec3<S>]; 2], c: &[Vec3<S>]) {
     let factors = a.as_flattened().iter().zip(b.as_flattened()).zip(c.as_flattened());
@@ -82,7 +82,7 @@ pub(super) fn multiply_sum<S: Scalar>(y: &mut [Vec3<S>], [a, b]: [&[Vec3<S>]; 2]
     }
 }
 
-/// a b into y, component by component.
+/// y = a b, component by component.
 #[inline(always)]
 pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>]) {
     let factors = a.as_flattened().iter().zip(b.as_flattened());
@@ -91,7 +91,7 @@ pub(super) fn multiply<S: Scalar>(y: &mut [Vec3<S>], a: &[Vec3<S>], b: &[Vec3<S>
     }
 }
 
-/// x + rest + change as a sum and what rounding drops from it, with Knuth's exact sum of two.
+/// x + rest + change as a rounded sum and its rounding error, by Knuth's exact sum of two.
 #[inline(always)]
 pub(super) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
     let change = change + rest;
@@ -100,7 +100,7 @@ pub(super) fn add_exactly<S: Scalar>(x: S, rest: S, change: S) -> (S, S) {
     (sum, (x - (sum - part)) + (change - part))
 }
 
-/// out + rest_out = x + rest + dx, with Knuth's exact sum of two.
+/// out + rest_out = x + rest + dx, by Knuth's exact sum of two.
 #[inline(always)]
 pub(super) fn sum_compensated<S: Scalar>(
     [x, rest, dx]: [&[Vec3<S>]; 3],
@@ -123,30 +123,30 @@ pub(super) fn sum_compensated<S: Scalar>(
     }
 }
 
-/// Whether the square of a place or a velocity with such a component may leave the numbers: six such squares are added there.
+/// Whether squares of vectors with such a component may overflow: |x|^2 + |v|^2 adds six squares.
 #[inline(always)]
 pub(super) fn is_far<S: Scalar>(x: S) -> bool {
     !(S::from_f64(8.0) * x * x).is_finite()
 }
 
-/// Numbers looked at side by side.
+/// Numbers compared at a time.
 const SIDE_BY_SIDE: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 
-/// The largest sizes of numbers, side by side.
+/// The largest magnitude of some numbers, kept per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Largest<S> {
     lanes: [S; SIDE_BY_SIDE],
-    /// Has one been no number? Lanes that kept it themselves would go through memory.
+    /// Whether any was NaN; lanes that kept NaN themselves would go through memory.
     is_lost: bool,
 }
 
 impl<S: Scalar> Largest<S> {
-    /// Of nothing.
+    /// Of no numbers.
     pub fn none() -> Self {
         Largest { lanes: [S::ZERO; SIDE_BY_SIDE], is_lost: false }
     }
 
-    /// Looks at those of a row.
+    /// Includes the numbers of a row.
     #[inline(always)]
     pub fn add(&mut self, row: &[Vec3<S>]) {
         let Largest { mut lanes, mut is_lost } = *self;
@@ -158,14 +158,14 @@ impl<S: Scalar> Largest<S> {
         *self = Largest { lanes, is_lost };
     }
 
-    /// The largest; no number if one was none.
+    /// The largest magnitude; NaN if any number was.
     pub fn size(&self) -> S {
         let largest = self.lanes.iter().fold(S::ZERO, |largest, x| largest.max(*x));
         if self.is_lost { S::from_f64(f64::NAN) } else { largest }
     }
 }
 
-/// Takes each number into the lane it falls to, if it is larger; returns whether one is none.
+/// Raises each lane to the magnitude of its number; returns whether any number is NaN.
 #[inline(always)]
 fn take_larger<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], numbers: &[S]) -> bool {
     let mut is_lost = false;
@@ -177,7 +177,7 @@ fn take_larger<S: Scalar>(lanes: &mut [S; SIDE_BY_SIDE], numbers: &[S]) -> bool 
     is_lost
 }
 
-/// Sums of products added side by side: as many on every machine, so that all have the same bits.
+/// Partial sums of a product: as many on every machine, so that all round alike.
 const SUMS: usize = 8;
 
 /// a.b over rows.
@@ -209,7 +209,7 @@ pub(super) fn quotient<S: Scalar>(a: &[Vec3<S>], b: &[Vec3<S>]) -> S {
     };
     let ((a, rest_a), (b, rest_b)) =
         (a.as_flattened().as_chunks::<SUMS>(), b.as_flattened().as_chunks::<SUMS>());
-    // A loop: a closure called by an iterator would keep the instructions of the oldest machine.
+    // A loop on purpose: a closure called by an iterator would keep the instructions of the oldest machine.
     for (a, b) in a.iter().zip(b) {
         add(a, b);
     }

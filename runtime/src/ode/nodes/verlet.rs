@@ -1,8 +1,8 @@
 //! Symplectic Euler and velocity Verlet, with dampers solved implicitly.
 //!
-//! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). Where forces depend on speeds (dampers, air, a soft ground)
-//! a half step of them stands before and one after (Strang: order 2), each by the implicit midpoint rule at
-//! fixed positions, which takes energy out for every C and h and conserves momentum.
+//! Verlet: v += h/2 a(x); x += h v; v += h/2 a(x'). Forces that depend on speeds (dampers, air, a soft ground)
+//! act in a half step before and one after (Strang splitting: order 2), each by the implicit midpoint rule at
+//! fixed positions, which dissipates energy for every C and h and conserves momentum.
 
 use super::anderson::Trail;
 use super::motion::{Motion, copy};
@@ -13,14 +13,14 @@ use crate::kernel::{self, Kernel};
 use crate::real::Scalar;
 use crate::vec3::{self, Vec3};
 
-/// Iterations of the dampers' half step; each gains the factor h C/(4 m) per spring and more.
+/// Most iterations of the dampers' half step; each reduces the error by about the factor h C/(4 m).
 const ITERATIONS: usize = 100;
 /// An error of the speed below this many rounding units ends the iteration.
 const SETTLED: f64 = 2.0;
-/// Part of a change that is left as an error by the next iteration, at least as the iteration believes.
+/// Lower bound on the estimated convergence rate: the error that an iteration leaves of the one before.
 const LEAST_RATE: f64 = 1.0 / 16.0;
 
-/// Where the dampers act.
+/// The positions at which the dampers act.
 #[derive(Clone, Copy)]
 enum Place {
     Start,
@@ -41,12 +41,12 @@ pub(super) fn symplectic_euler<S: Scalar, N: Newton<S>>(
     work.finish(newton, start)
 }
 
-/// h v; a node that no force moves stays.
+/// h v; a fixed node stays.
 fn drift<S: Scalar>(newton: &impl Newton<S>, i: usize, v: Vec3<S>, h: S) -> Vec3<S> {
     movable(newton, i, vec3::scale(v, h))
 }
 
-/// Velocity Verlet, its two halves of damping around it.
+/// Velocity Verlet between its two half steps of damping.
 pub(super) fn verlet<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -98,8 +98,8 @@ impl<S: Scalar, N: Newton<S>> Kernel for Kick<'_, '_, S, N> {
     }
 }
 
-/// v += h/2 a at the start, x += h v; v half-way stands in `end.vel`; returns whether an x
-/// [`rows::is_far`]. Velocities that dampers have changed stand in `work.dv`.
+/// v += h/2 a at the start, x += h v. Writes the velocity at half time into `end.vel`; returns whether an x
+/// [`rows::is_far`]. Velocities already changed by dampers are read from `work.dv`.
 struct KickAndDrift<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
@@ -140,7 +140,7 @@ impl<S: Scalar, N: Newton<S>> Kernel for KickAndDrift<'_, '_, '_, S, N> {
     }
 }
 
-/// v += kick a at the end, then the sum of v at the start and its change; returns whether a v [`rows::is_far`].
+/// v += kick a at the end, then v by compensated sums from the start; returns whether a v [`rows::is_far`].
 struct Arrive<'a, 'm, 'w, S, N> {
     newton: &'a N,
     start: &'a Motion<'m, S>,
@@ -179,10 +179,11 @@ impl<S: Scalar, N: Newton<S>> Kernel for Arrive<'_, '_, '_, S, N> {
     }
 }
 
-/// Lets the forces of speeds act on `work.stage_vel` for a time h: v' = v + h k, k = a(v + h/2 k), at fixed positions.
+/// Lets the speed-dependent forces act on `work.stage_vel` for a time h: v' = v + h k, k = a(v + h/2 k), at fixed
+/// positions.
 ///
-/// An iteration for k, which stands in `work.stage_elastic`: all springs at once, so a symmetric body stays symmetric. At the
-/// end of a step it begins with what it was at the start.
+/// Iterates k, kept in `work.stage_elastic`, for all springs at once, so that a symmetric body stays symmetric. At the
+/// end of a step the iteration starts from the k found at its start.
 fn relax<S: Scalar, N: Newton<S>>(
     newton: &N,
     start: &Motion<S>,
@@ -205,7 +206,7 @@ fn relax<S: Scalar, N: Newton<S>>(
         let size = kernel::run(Change { vel: stage_vel, h: half, k: trail.k, out: middle });
         newton.viscous(pos, middle, stage_viscous);
         let [change, _] = trail.improve(newton, stage_viscous, [dx, dv]);
-        // What the next iteration would still change of the middle.
+        // Estimated change of the midpoint by the next iteration.
         let rate = before.map_or(S::ONE, |before| change / before).max(S::from_f64(LEAST_RATE)).min(S::ONE);
         if half * change * rate <= S::from_f64(SETTLED) * S::EPSILON * size {
             copy(middle, stage_vel);
@@ -218,7 +219,7 @@ fn relax<S: Scalar, N: Newton<S>>(
     Err(NodeFault::NotConverged { step: h }.into())
 }
 
-/// v + h k; returns its largest component.
+/// Writes v + h k; returns its largest component.
 struct Change<'a, S> {
     vel: &'a [Vec3<S>],
     h: S,

@@ -1,4 +1,4 @@
-//! Memory of a step of nodes: its end, its stages, and the sums that lead there.
+//! Memory of a step of nodes: the motion at its end, its stages, and its sums.
 
 use super::motion::{MOTION_ROWS, Motion, copy, cut};
 use super::newton::{Newton, NodeFault};
@@ -13,7 +13,7 @@ const WORKSPACE_ROWS: usize = MOTION_ROWS + 6;
 /// Scratch memory of a step.
 #[derive(Debug)]
 pub struct Workspace<'a, S> {
-    /// The motion at the end of the step tried last.
+    /// The motion at the end of the last step tried.
     pub end: Motion<'a, S>,
     /// Change of position over the step.
     pub dx: &'a mut [Vec3<S>],
@@ -23,9 +23,9 @@ pub struct Workspace<'a, S> {
     pub stage_pos: &'a mut [Vec3<S>],
     /// Velocities at a stage.
     pub stage_vel: &'a mut [Vec3<S>],
-    /// Forces at a stage, of positions.
+    /// Forces at a stage that depend on positions.
     pub stage_elastic: &'a mut [Vec3<S>],
-    /// Forces at a stage, of speeds.
+    /// Forces at a stage that depend on speeds.
     pub stage_viscous: &'a mut [Vec3<S>],
     /// Accelerations of all stages, n per stage.
     pub stages: &'a mut [Vec3<S>],
@@ -49,8 +49,8 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         Workspace::around(end, buffer, n, stages)
     }
 
-    /// The same around memory for the end of a step, which a step taken exchanges with that of the state; the buffer is
-    /// shorter by it.
+    /// The same around given memory for the end of a step, which an accepted step swaps with that of the state; the
+    /// buffer is shorter by it.
     ///
     /// # Errors
     /// [`NodeFault::Memory`] if the buffer is too short.
@@ -80,11 +80,11 @@ impl<'a, S: Scalar> Workspace<'a, S> {
         self.end.refresh(newton)
     }
 
-    /// end = start + (dx, dv) by compensated sums, then the forces there. A held node keeps no velocity that it must not
-    /// have, not even rounding.
+    /// Sets end = start + (dx, dv) by compensated sums, then the forces there. A held node keeps no velocity against
+    /// its contact, not even a rounding error.
     ///
     /// # Errors
-    /// From [`Newton::elastic`], or a node that left the numbers.
+    /// From [`Newton::elastic`], or a node whose position or speed is not finite.
     pub fn finish<N: Newton<S>>(&mut self, newton: &N, start: &Motion<S>) -> Result<(), N::Fault> {
         let end = &mut self.end;
         kernel::run(Sum { terms: [start.pos, start.pos_rest, self.dx], out: [end.pos, end.pos_rest] });

@@ -1,6 +1,6 @@
-//! Two boxes: the axis along which they are farthest apart, then the corners of their common face, or two edges.
+//! Two boxes: the axis of largest separation, then the corners of their common face, or two crossing edges.
 //!
-//! Separating axes (Gottschalk, Lin and Manocha 1996): the faces' normals of both and the cross products of their edges.
+//! Separating axes (Gottschalk, Lin & Manocha 1996): the face normals of both and the cross products of their edges.
 //! On a face: corners of either box inside the other's face, and crossings of the faces' sides, up to eight points.
 
 use super::edges::{Edge, box_edge, crossing};
@@ -9,15 +9,15 @@ use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame};
 use crate::vec3::{self, Vec3};
 
-/// A box where it stands.
+/// A box and its frame.
 type Standing<'a, S> = (&'a Cuboid<S>, &'a Frame<S>);
 
-/// Two edges are taken only if they part the boxes farther than every face, by this share of their size.
+/// Edges are chosen only if their separation exceeds that of every face by this share of the size.
 const EDGE_ADVANTAGE: f64 = 1e-6;
-/// A corner counts as inside a face up to this share of the face's size beyond it.
+/// A corner up to this share of the face's size beyond the rim counts as inside the face.
 const RIM: f64 = 1e-9;
 
-/// Adds the features nearer than `margin`; normals point from b to a.
+/// Adds the features within `margin`; normals point from b to a.
 pub(super) fn push_features<S: Scalar>(found: &mut Features<S>, a: Standing<S>, b: Standing<S>, margin: S) {
     let face = farthest_face(a, b);
     let size = a.0.half.iter().chain(&b.0.half).fold(S::ZERO, |m, h| m.max(*h));
@@ -31,11 +31,11 @@ pub(super) fn push_features<S: Scalar>(found: &mut Features<S>, a: Standing<S>, 
     }
 }
 
-/// A face that parts the boxes.
+/// A face and the separation along its normal.
 struct Face<S> {
-    /// How far (m), < 0 where they overlap.
+    /// Separation (m), < 0 where the boxes overlap.
     apart: S,
-    /// Does it belong to a?
+    /// Whether it belongs to a.
     of_a: bool,
     /// Its axis.
     axis: usize,
@@ -49,7 +49,7 @@ fn extent<S: Scalar>((cuboid, frame): Standing<S>, direction: Vec3<S>) -> S {
     parts.fold(S::ZERO, |sum, (axis, half)| sum + half * vec3::dot(*axis, direction).abs())
 }
 
-/// The face normal along which the boxes are farthest apart; of equals the first, a's before b's.
+/// The face normal of largest separation; of equals the first, a's before b's.
 fn farthest_face<S: Scalar>(a: Standing<S>, b: Standing<S>) -> Face<S> {
     let between = vec3::sub(b.1.origin, a.1.origin);
     let mut best: Option<Face<S>> = None;
@@ -67,7 +67,7 @@ fn farthest_face<S: Scalar>(a: Standing<S>, b: Standing<S>) -> Face<S> {
     best.unwrap_or(Face { apart: S::ZERO, of_a: true, axis: 0, normal: a.1.axes[0] })
 }
 
-/// The pair of edge directions along whose cross product the boxes are farthest apart: distance, normal from b to a,
+/// The pair of edge directions whose cross product has the largest separation: separation, normal from b to a,
 /// and the two axes.
 fn farthest_edges<S: Scalar>(a: Standing<S>, b: Standing<S>) -> Option<(S, Vec3<S>, usize, usize)> {
     let between = vec3::sub(a.1.origin, b.1.origin);
@@ -89,7 +89,7 @@ fn farthest_edges<S: Scalar>(a: Standing<S>, b: Standing<S>) -> Option<(S, Vec3<
     best
 }
 
-/// The crossing of the two edges that lie deepest along the normal.
+/// Adds the crossing of the two edges that lie deepest along the normal.
 fn push_edges<S: Scalar>(
     found: &mut Features<S>,
     a: Standing<S>,
@@ -108,7 +108,7 @@ fn push_edges<S: Scalar>(
     }
 }
 
-/// Of the four edges along an axis the one whose faces look along a direction, and its number.
+/// Of the four edges along an axis, the one farthest in a direction, and its number.
 fn deepest<'a, S: Scalar>(
     (cuboid, frame): Standing<'a, S>,
     axis: usize,
@@ -119,7 +119,7 @@ fn deepest<'a, S: Scalar>(
     (box_edge(cuboid, frame, number).0, number)
 }
 
-/// The corners of what the two faces have in common.
+/// Adds the corners of the intersection of the two faces.
 fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>, b: Standing<S>, margin: S) {
     let (reference, incident) = if face.of_a { (a, b) } else { (b, a) };
     let plane = Plane::new(reference, face);
@@ -134,14 +134,14 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
         }
     };
     let of = |own: bool| if face.of_a == own { 0 } else { 8 };
-    // Corners of the incident box over the reference face, rim included.
+    // Corners of the incident box over the reference face, including its rim.
     for (number, corner) in (0..).zip(corners(incident.0)) {
         let point = incident.1.point(corner);
         if plane.holds(point, S::from_f64(RIM)) {
             push(point, of(false) + number);
         }
     }
-    // Corners of the reference face under the incident face, its rim excluded; raised onto the incident face.
+    // Corners of the reference face below the incident face, excluding its rim; projected onto the incident face.
     let facing = Plane::facing(incident, face.normal);
     for (number, corner) in (0..).zip(corners(reference.0)) {
         let point = reference.1.point(corner);
@@ -172,7 +172,7 @@ fn push_face<S: Scalar>(found: &mut Features<S>, face: &Face<S>, a: Standing<S>,
 struct Plane<S> {
     middle: Vec3<S>,
     normal: Vec3<S>,
-    /// The face's own directions and half sides.
+    /// Directions and half lengths of the face's sides.
     directions: [Vec3<S>; 2],
     half: [S; 2],
 }
@@ -188,7 +188,7 @@ impl<S: Scalar> Plane<S> {
         }
     }
 
-    /// The face of a box that looks most against a direction.
+    /// The face of a box whose normal is most opposed to a direction.
     fn facing(standing: Standing<S>, against: Vec3<S>) -> Plane<S> {
         let along = standing.1.axes.map(|axis| vec3::dot(axis, against));
         let mut axis = 0;
@@ -210,13 +210,13 @@ impl<S: Scalar> Plane<S> {
         vec3::dot(self.normal, vec3::sub(point, self.middle))
     }
 
-    /// Direction k, 0 or 1, and the half side along it.
+    /// Direction k, 0 or 1, and half the face's length along it.
     fn across(&self, k: usize) -> (Vec3<S>, S) {
         let ([d, e], [a, b]) = (self.directions, self.half);
         if k == 0 { (d, a) } else { (e, b) }
     }
 
-    /// Is the point between the two sides across direction k? `rim` widens, as a share of the size.
+    /// Whether the point is between the two sides across direction k; `rim` widens the face, relative to its size.
     fn within(&self, point: Vec3<S>, k: usize, rim: S) -> bool {
         let (direction, half) = self.across(k);
         vec3::dot(direction, vec3::sub(point, self.middle)).abs() <= half + rim * self.size()
@@ -226,7 +226,7 @@ impl<S: Scalar> Plane<S> {
         self.within(point, 0, rim) && self.within(point, 1, rim)
     }
 
-    /// Where the line through a point along a direction meets the plane.
+    /// Where the line through a point along a direction intersects the plane.
     fn pierced(&self, point: Vec3<S>, direction: Vec3<S>) -> Option<Vec3<S>> {
         let slope = vec3::dot(self.normal, direction);
         (slope != S::ZERO).then(|| vec3::axpy(point, -(self.height(point) / slope), direction))
@@ -243,12 +243,12 @@ impl<S: Scalar> Plane<S> {
         [[a, b], [b, c], [c, d], [d, a]]
     }
 
-    /// The walls on the sides: (direction, sense).
+    /// The four sides as (direction, sign).
     fn walls(&self) -> [(usize, S); 4] {
         [(0, S::ONE), (0, -S::ONE), (1, S::ONE), (1, -S::ONE)]
     }
 
-    /// How far a point lies outside a wall (m).
+    /// Distance of a point beyond a side (m), < 0 inside.
     fn beyond(&self, point: Vec3<S>, (k, sense): (usize, S)) -> S {
         let (direction, half) = self.across(k);
         sense * vec3::dot(direction, vec3::sub(point, self.middle)) - half

@@ -1,6 +1,6 @@
-//! Two straight edges that cross at a distance: a capsule's axis or an edge of a box on either side.
+//! Two straight edges that cross at a distance: axes of capsules or edges of boxes.
 //!
-//! With directions a, b, nearest points x_1 and x_2, n along x_1 - x_2 and across both edges,
+//! With directions a, b, nearest points x_1 and x_2, n along x_1 - x_2 and perpendicular to both edges,
 //! ```text
 //! n' . a = -n . (omega_1 x a),   n' . b = -n . (omega_2 x b),   n' . n = 0
 //! v_1 - v_2 + a s' - b t' = d' n + d n'                          s', t': how fast the nearest points run along the edges
@@ -21,10 +21,10 @@ pub(super) struct Edge<'a, S> {
     pub(super) frame: &'a Frame<S>,
 }
 
-/// Edges that cross at less than this sine of their angle count as parallel.
+/// Edges whose angle has a smaller sine than this count as parallel.
 const PARALLEL: f64 = 1e-4;
 
-/// Places along both edges where they are nearest to each other as straight lines; None if parallel.
+/// Coordinates along both edges, taken as infinite lines, of their nearest points; None if parallel.
 fn nearest_places<S: Scalar>(one: &Edge<S>, other: &Edge<S>) -> Option<(S, S)> {
     let (a, b) = (one.direction, other.direction);
     let cos = vec3::dot(a, b);
@@ -38,7 +38,8 @@ fn nearest_places<S: Scalar>(one: &Edge<S>, other: &Edge<S>) -> Option<(S, S)> {
     Some(((cos * q - p) / square, (q - cos * p) / square))
 }
 
-/// The feature of two edges that cross within their lengths. n points along `outward`; without it, from the other edge to the one.
+/// The feature of two edges that cross within their lengths. n points along `outward`; without it, from `other` to
+/// `one`.
 pub(super) fn crossing<S: Scalar>(
     one: &Edge<S>,
     other: &Edge<S>,
@@ -58,7 +59,7 @@ pub(super) fn crossing<S: Scalar>(
     let gap = vec3::dot(normal, apart);
     let (v1, v2) = (one.frame.velocity_at(x1), other.frame.velocity_at(x2));
     let turn = |edge: &Edge<S>| -vec3::dot(normal, vec3::cross(edge.frame.angular_velocity, edge.direction));
-    // Components in the plane of a and b from the products with a and b.
+    // Components in the plane of a and b, given the scalar products with a and b.
     let (a, b) = (one.direction, other.direction);
     let cos = vec3::dot(a, b);
     let square = S::ONE - cos * cos;
@@ -84,10 +85,10 @@ fn axis_of<'a, S: Scalar>(capsule: Placed<'a, S>) -> Option<(Edge<'a, S>, S)> {
     Some((edge, shape.radius))
 }
 
-/// Number of the feature where axes or edges cross; edges of a box count on from it.
+/// Number of the feature where axes or edges cross; edges of a box are numbered from the next one on.
 const CROSSING: u32 = 16;
 
-/// A feature of cores becomes one of surfaces: the contact lies on the one's surface, a radius inwards.
+/// Converts a feature between cores to one between surfaces: the point moves inwards by the radius of `one`.
 fn between_surfaces<S: Scalar>(feature: Feature<S>, radius: S, both: S) -> Feature<S> {
     Feature {
         point: vec3::axpy(feature.point, -radius, feature.normal),
@@ -97,7 +98,7 @@ fn between_surfaces<S: Scalar>(feature: Feature<S>, radius: S, both: S) -> Featu
     }
 }
 
-/// The sides of two capsules.
+/// Adds the crossing of two capsules' sides.
 pub(super) fn push_capsules<S: Scalar>(found: &mut Features<S>, one: Placed<S>, other: Placed<S>, margin: S) {
     if let (Some((a, r1)), Some((b, r2))) = (axis_of(one), axis_of(other))
         && let Some(feature) = crossing(&a, &b, None, CROSSING)
@@ -109,7 +110,7 @@ pub(super) fn push_capsules<S: Scalar>(found: &mut Features<S>, one: Placed<S>, 
     }
 }
 
-/// The side of a capsule on the edges of a box.
+/// Adds the crossings of a capsule's side with the edges of a box.
 pub(super) fn push_capsule_on_box<S: Scalar>(
     found: &mut Features<S>,
     capsule: Placed<S>,
@@ -120,7 +121,7 @@ pub(super) fn push_capsule_on_box<S: Scalar>(
     for number in 0..12 {
         let (edge, faces) = box_edge(cuboid, frame, number);
         let Some(feature) = crossing(&axis, &edge, None, CROSSING + 1 + number) else { continue };
-        // Nearest only if the normal lies between those of the edge's faces.
+        // Nearest only if the normal lies between the normals of the edge's faces.
         let outside = faces.iter().all(|face| vec3::dot(*face, feature.normal) >= S::ZERO);
         let feature = between_surfaces(feature, radius, radius);
         if outside && feature.gap <= margin {

@@ -1,10 +1,10 @@
-//! Places where two shapes are near each other, and the list of those of a pair.
+//! Features: places where two shapes are near each other, and their list for a pair.
 
 use crate::real::Scalar;
 use crate::surface::{Cuboid, Frame, Shape};
 use crate::vec3::{self, Vec3};
 
-/// Features of a pair at most; of more the nearest are kept.
+/// Most features of a pair; if there are more, the nearest are kept.
 pub const CAPACITY: usize = 12;
 
 /// A place where two shapes are near each other.
@@ -20,7 +20,7 @@ pub struct Feature<S> {
     pub point_rate: Vec3<S>,
     /// n' (1/s).
     pub normal_rate: Vec3<S>,
-    /// Which of the pair's features it is: the same from step to step.
+    /// Number of the feature within its pair: the same from step to step.
     pub id: u32,
 }
 
@@ -40,7 +40,7 @@ impl<S: Scalar> Features<S> {
         self.list.iter().filter_map(|f| *f)
     }
 
-    /// Adds one; if there is no room the farthest gives way.
+    /// Adds a feature; in a full list it replaces the farthest if it is nearer.
     pub(super) fn push(&mut self, feature: Feature<S>) {
         let gap_of = |f: &Option<Feature<S>>| f.map(|f| f.gap);
         if let Some(free) = self.list.iter_mut().find(|f| f.is_none()) {
@@ -60,7 +60,7 @@ impl<S: Scalar> Features<S> {
         }
     }
 
-    /// The same features seen from the other shape.
+    /// The same features with the roles of the shapes swapped.
     pub(super) fn swapped(mut self) -> Features<S> {
         for feature in self.list.iter_mut().flatten() {
             feature.normal = vec3::scale(feature.normal, -S::ONE);
@@ -70,7 +70,7 @@ impl<S: Scalar> Features<S> {
     }
 }
 
-/// A shape where it stands.
+/// A shape and its frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Placed<'a, S> {
     /// The shape.

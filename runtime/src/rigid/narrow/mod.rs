@@ -1,13 +1,14 @@
-//! Where two shapes are near each other: points, normals, gaps, and how point and normal move along.
+//! Narrow-phase detection of two shapes: contact points, normals, gaps, and the rates of point and normal.
 //!
-//! In: two shapes with their frames, and how near is near. Out: up to [`CAPACITY`] features.
+//! In: two shapes with their frames, the margin within which a gap counts. Out: up to [`CAPACITY`] features.
 //!
 //! A feature is either a point of one core (centre of a ball, end of a capsule, corner of a box) over the surface of the
 //! other shape, or two straight edges that cross. For the first, with distance d from the core's point to the surface,
 //! ```text
 //! n' = omega x n + H w,    c' = v - d' n - d n'         w: velocity of the core's point relative to the other frame
 //! ```
-//! c is the place of contact, not a point of either body: what rolls has c' although its point of contact rests.
+//! c is the place of contact, not a material point: for a rolling body c' is not 0 although the material point there is
+//! at rest.
 
 mod boxes;
 mod edges;
@@ -80,7 +81,7 @@ fn features_in_order<S: Scalar>(one: Placed<S>, other: Placed<S>, margin: S) -> 
     found
 }
 
-/// A point of a core over the other's surface.
+/// A point of a core over the surface of the other shape.
 fn core_feature<S: Scalar>(
     frame: &Frame<S>,
     place: Vec3<S>,
@@ -116,7 +117,7 @@ fn push_core<S: Scalar>(
     }
 }
 
-/// The ends of a capsule over the other shape; over another capsule's end only if `ends` says so, so that two ends
+/// Adds the ends of a capsule over the other shape. Over another capsule's end only if `ends` is set, so that two ends
 /// that meet are one feature.
 fn push_ends<S: Scalar>(
     found: &mut Features<S>,
@@ -133,14 +134,14 @@ fn push_ends<S: Scalar>(
         if feature.gap <= margin && (ends || core != Core::Vertex) {
             found.push(feature);
         }
-        // A capsule without length is a ball.
+        // A capsule of length 0 is a ball.
         if shape.half_length == S::ZERO {
             break;
         }
     }
 }
 
-/// A box's corner over the side of a capsule; over its ends, the ends see the box.
+/// Adds a box's corner over the side of a capsule; the capsule's ends over the box are features of their own.
 fn push_corner_over_side<S: Scalar>(
     found: &mut Features<S>,
     frame: &Frame<S>,
@@ -155,8 +156,8 @@ fn push_corner_over_side<S: Scalar>(
     }
 }
 
-/// What a shape's core consists of beside straight edges: points with the radius around them (centre of a ball, ends of a
-/// capsule, corners of a box).
+/// Points of a shape's core other than on its straight edges (centre of a ball, ends of a capsule, corners of a box),
+/// their number, and the radius around them.
 pub(crate) fn core_points<S: Scalar>(shape: &Shape<S>) -> ([Vec3<S>; 8], usize, S) {
     let mut points = [vec3::zero(); 8];
     match shape {

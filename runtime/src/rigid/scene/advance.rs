@@ -1,4 +1,4 @@
-//! The way between events: forces at its start and in its middle, what is met at its end, and what drifted put back.
+//! Advances between events: contact forces at the start and in the middle, clearance at the end, projection of drift.
 
 use super::memory::{Memory, Report};
 use super::parts::{Fault, RigidScene, Rounding};
@@ -10,26 +10,26 @@ use crate::rigid::hold::{Held, hold};
 use crate::rigid::motion;
 use crate::vec3::{self, Vec3};
 
-/// Sweeps that put contacts back, at most.
+/// Most sweeps of a projection.
 const SWEEPS: usize = 200;
 
-/// How many contacts last at the start of a way, and how many features touch there in all.
+/// Number of lasting contacts at the start of a piece, and number of all features that touch there.
 #[derive(Clone, Copy)]
 pub(super) struct Start {
     pub(super) held: usize,
     pub(super) known: usize,
 }
 
-/// What is left until the first event; below 0 beyond it.
+/// Clearance to the first event; negative beyond it.
 pub(super) struct Clearance<S> {
     /// Least gap of features that do not touch yet (m).
     pub(super) gap: S,
-    /// Least speed of slip along the slip at the start (m/s).
+    /// Least speed of slip along its direction at the start (m/s).
     pub(super) slip: S,
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
-    /// What touches at the start of the way: first the contacts that last, with their forces, then those that part.
+    /// Detects the contacts at the start of a piece: first the lasting ones, with their forces, then those that open.
     pub(super) fn hold_at_start(
         &self,
         memory: &mut Memory<S>,
@@ -55,7 +55,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(Start { held, known })
     }
 
-    /// Forces of the first contacts of `touching` (0) or `along` (1) at the start or in the middle.
+    /// Computes the forces of the first `count` contacts of `touching` (stage 0, at the start) or `along` (stage 1, in
+    /// the middle).
     fn find_forces(&self, memory: &mut Memory<S>, stage: usize, count: usize) -> Result<(), Fault> {
         let Memory { states: [now, _, middle], twists, spare, mobilities, touching, along, .. } = memory;
         let (states, list) = if stage == 0 { (now, touching) } else { (middle, along) };
@@ -73,7 +74,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         if hold(list, &**mobilities, spare) { Ok(()) } else { Err(Fault::Jammed) }
     }
 
-    /// Goes this far from the states so far, into those on trial; returns how many contacts `along` has.
+    /// Advances the states so far by a length of time into the trial states; returns the number of contacts in `along`.
     pub(super) fn advance(
         &self,
         memory: &mut Memory<S>,
@@ -89,7 +90,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(count)
     }
 
-    /// Contacts of the start in the middle of the way, with forces and slip to begin with.
+    /// Detects the contacts of the start again in the middle of the piece, with initial forces and slip.
     fn meet_again(&self, memory: &mut Memory<S>, held: usize, rounding: Rounding<S>) -> Result<usize, Fault> {
         let Memory { states: [_, _, middle], twists, mobilities, touching, along, .. } = memory;
         let start = touching.get(..held).unwrap_or_default();
@@ -99,7 +100,7 @@ impl<S: Scalar> RigidScene<'_, S> {
             let Some(before) = same(t) else { continue };
             t.held.contact.impulse = before.held.contact.impulse;
             if before.held.slip.is_some() {
-                // Slip of the middle; that of the start where it has turned back, so that its end is found.
+                // Slip in the middle; where it has reversed, that of the start, so that its end is found.
                 let slip = t.held.contact.to_inertial([S::ZERO, t.velocity[1], t.velocity[2]]);
                 let first = before.slip();
                 let way = if vec3::dot(slip, first) > S::ZERO { slip } else { first };
@@ -111,7 +112,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(count)
     }
 
-    /// States a length from those so far, by the forces of a stage: 0 into the middle, 1 onto the trial.
+    /// Advances the states so far by a length of time with the forces of a stage: 0 into the middle, 1 into the trial
+    /// states.
     fn move_by(&self, memory: &mut Memory<S>, stage: usize, count: usize, length: S) -> Result<(), Fault> {
         let Memory { states: [now, trial, middle], touching, along, .. } = memory;
         let (list, target) = if stage == 0 { (touching, middle) } else { (along, trial) };
@@ -133,7 +135,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(())
     }
 
-    /// What is left at the end of the way on trial.
+    /// Clearance at the end of the trial piece.
     pub(super) fn clearance(&self, memory: &Memory<S>, start: Start, rounding: Rounding<S>) -> Clearance<S> {
         let [_, trial, _] = &memory.states;
         let held = memory.touching.get(..start.held).unwrap_or_default();
@@ -142,7 +144,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let mut clear = Clearance { gap: rounding.drift, slip: far };
         self.visit(trial, rounding.drift, |pair, feature| {
             if !held.iter().any(|t| t.is(pair, feature.id)) {
-                // What overlaps already and parts is met anew only where it goes deeper.
+                // An overlap that is opening counts as new only where it goes deeper.
                 let known = parting.iter().find(|t| t.is(pair, feature.id));
                 let depth = known.map_or(S::ZERO, |t| t.gap.min(S::ZERO));
                 clear.gap = clear.gap.min(feature.gap - depth);
@@ -154,7 +156,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         clear
     }
 
-    /// Speed along the slip at the start of the material points that touched then.
+    /// Slip speed, along the direction at the start, of the material points that touched then.
     fn slip_along(&self, states: &[RigidState<S>], t: &Touching<S>) -> S {
         let contact = &t.held.contact;
         let [one, other] = contact.sides.map(|side| {
@@ -169,7 +171,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         vec3::dot(t.slip(), vec3::sub(one, other))
     }
 
-    /// Takes the way: the states on trial are those so far.
+    /// Accepts the piece: the trial states become the states so far.
     pub(super) fn commit(&self, memory: &mut Memory<S>, length: S, count: usize, report: &mut Report<S>) {
         let [now, trial, _] = &mut memory.states;
         now.iter_mut().zip(trial.iter()).for_each(|(to, from)| *to = *from);
@@ -185,7 +187,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         }
     }
 
-    /// Puts contacts that press back: gap and its rate to 0, and what sticks to rest.
+    /// Projects contacts that push: gap and gap rate to 0, and tangential velocity to 0 where they stick.
     pub(super) fn project(
         &self,
         memory: &mut Memory<S>,
@@ -254,7 +256,7 @@ impl<S: Scalar> RigidScene<'_, S> {
     }
 }
 
-/// Does friction have more to give? On the rim it has let go.
+/// Whether friction is strictly inside its cone; on the rim the contact slips.
 fn inside_cone<S: Scalar>(held: &Held<S>) -> bool {
     let [n, x, y] = held.contact.impulse;
     let rim = held.contact.friction * n;

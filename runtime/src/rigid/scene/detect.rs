@@ -1,4 +1,4 @@
-//! Which features of the pairs touch, and what the solvers need to know of each.
+//! Lists the features of all pairs that touch, with the data that the solvers need.
 
 use super::parts::{Fault, RigidScene};
 use super::touching::Touching;
@@ -10,8 +10,8 @@ use crate::rigid::narrow::{Feature, Placed, features};
 use crate::vec3;
 
 impl<S: Scalar> RigidScene<'_, S> {
-    /// Fills `touching` with the features nearer than `margin` that `wanted` keeps, and velocities and yields of the
-    /// parts; returns how many.
+    /// Fills `touching` with the features within `margin` that `wanted` keeps, and computes velocities and inverse
+    /// inertia of the parts; returns the number of features.
     pub(super) fn detect(
         &self,
         states: &[RigidState<S>],
@@ -44,7 +44,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         if full { Err(Fault::TooManyContacts) } else { Ok(count) }
     }
 
-    /// Shows every feature of every pair nearer than `margin`.
+    /// Shows every feature of every pair within `margin`.
     pub(super) fn visit(
         &self,
         states: &[RigidState<S>],
@@ -79,7 +79,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         let mut contact = Contact::new(pair.parts, feature.point, feature.normal, pair.parts.map(center));
         (contact.friction, contact.restitution) = (pair.law.friction(), pair.law.restitution());
         let velocity = contact.relative(twists);
-        // omega x r' of both, r' how the point of contact moves as seen from each centre.
+        // omega x r' of both bodies, r' the velocity of the contact point relative to each centre of mass.
         let [mine, others] = pair.parts.map(|k| {
             let twist = twists.get(k).copied().unwrap_or_else(Twist::zero);
             vec3::cross(twist.angular, vec3::sub(feature.point_rate, twist.velocity))

@@ -1,25 +1,25 @@
-//! Working memory of a step, and what it has to say.
+//! Working memory of a step, and its report.
 
 use super::touching::Touching;
 use crate::rigid::RigidState;
 use crate::rigid::contact::{Mobility, Twist};
 use crate::rigid::several::Struck;
 
-/// Working memory, its contents without meaning between steps. One entry per part, but of `touching`, `along` and
+/// Working memory; its contents mean nothing between steps. One entry per part, except for `touching`, `along` and
 /// `struck`: as many as contacts are expected at once.
 #[derive(Debug)]
 pub struct Memory<'a, S> {
-    /// States so far within the step, at the end of the way on trial, and in the middle of it.
+    /// States so far within the step, at the end of the trial piece, and in its middle.
     pub states: [&'a mut [RigidState<S>]; 3],
     /// Velocities or accelerations.
     pub twists: &'a mut [Twist<S>],
-    /// The same.
+    /// Velocities or accelerations.
     pub spare: &'a mut [Twist<S>],
-    /// What the parts yield.
+    /// Inverse inertia of the parts.
     pub mobilities: &'a mut [Mobility<S>],
-    /// Contacts at the start of the way.
+    /// Contacts at the start of the piece.
     pub touching: &'a mut [Touching<S>],
-    /// Contacts along the way.
+    /// Contacts in the middle of the piece.
     pub along: &'a mut [Touching<S>],
     /// Contacts of an impact.
     pub struck: &'a mut [Struck<S>],
@@ -30,29 +30,29 @@ pub struct Memory<'a, S> {
 pub struct Strike<'a, S> {
     /// Time since the start of the step (s).
     pub time: S,
-    /// Energy it took (J).
+    /// Energy lost (J).
     pub loss: S,
-    /// Features that took part, their velocities those before.
+    /// Features that took part, with the velocities before.
     pub touching: &'a [Touching<S>],
-    /// The same with their impulses.
+    /// The same contacts with their impulses.
     pub struck: &'a [Struck<S>],
 }
 
-/// What a step did.
+/// Diagnostics of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report<S> {
-    /// Impacts.
+    /// Number of impacts.
     pub impacts: usize,
     /// Pieces the step was split into.
     pub splits: usize,
-    /// Contacts that press at the end.
+    /// Contacts that push at the end.
     pub held: usize,
     /// Sum of their normal forces (N).
     pub pressing: S,
-    /// Energy taken by impacts (J).
+    /// Energy lost to impacts (J).
     pub impact_loss: S,
-    /// Energy taken by friction between impacts (J).
+    /// Energy lost to friction between impacts (J).
     pub friction_loss: S,
-    /// Splits were used up: the rest of the step went with e = 0.
+    /// Whether splits were used up: the rest of the step then went with e = 0.
     pub forced: bool,
 }

@@ -8,8 +8,9 @@
 //! shorten     to the first new touch, or to where a slip stops
 //! project     gaps and rates of the contacts that press back to 0
 //! ```
-//! A step is split at most [`SPLITS`] times; what is left is gone in 16 pieces with e = 0, and the report says so. There are no
-//! stiffnesses and no tolerances to choose: lengths and speeds of rounding follow from the bodies and from gravity.
+//! A step is split at most [`SPLITS`] times; the rest is then stepped in 16 pieces with e = 0, and the report says so.
+//! There are no stiffnesses and no tolerances to choose: lengths and speeds that count as zero follow from the bodies
+//! and from gravity.
 
 mod advance;
 mod detect;

@@ -1,4 +1,4 @@
-//! Rigid parts, the pairs that may touch, and what counts as nothing among them.
+//! Rigid parts, pairs that may touch, and tolerances.
 
 use crate::real::Scalar;
 use crate::rigid::attitude::Attitude;
@@ -13,45 +13,45 @@ use crate::vec3::{self, Vec3};
 pub struct Part<S> {
     /// Its shape, in its principal axes about its centre of mass.
     pub shape: Shape<S>,
-    /// Its inertia; None if it is fixed in space where its state says.
+    /// Mass and inertia; None for a part fixed in space at its state.
     pub body: Option<RigidBody<S>>,
 }
 
 /// Two parts that may touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair<S> {
-    /// Their numbers.
+    /// Indices of the parts.
     pub parts: [usize; 2],
     /// The law between them.
     pub law: Law<S>,
 }
 
-/// What does not change.
+/// Constants of a scene of rigid parts.
 #[derive(Clone, Copy, Debug)]
 pub struct RigidScene<'a, S> {
     /// The parts.
     pub parts: &'a [Part<S>],
-    /// The pairs; parts of no pair pass through one another.
+    /// The pairs; parts that form no pair pass through one another.
     pub pairs: &'a [Pair<S>],
     /// Acceleration of free fall in N (m/s^2).
     pub gravity: Vec3<S>,
 }
 
-/// Why a step is refused; the states are left as they were.
+/// Why a step is refused; the states are unchanged.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     /// More contacts than `touching`, `along` or `struck` have room for.
     TooManyContacts,
-    /// Slices of other lengths than there are parts, or a pair of parts that do not exist.
+    /// Slices whose lengths differ from the number of parts, or a pair of parts that do not exist.
     WrongSizes,
-    /// The forces of the contacts did not settle: friction jams a sliding body (Painleve's paradox).
+    /// The forces of the contacts did not converge: friction jams a sliding body (Painleve's paradox).
     Jammed,
-    /// A part turns too far in one step, or a state is no number: take a shorter step.
+    /// A part rotates too far in one step, or a state is not finite: take a shorter step.
     TooFast,
 }
 
 impl<S: Scalar> RigidState<S> {
-    /// At rest at a place, body axes along those of N.
+    /// At rest at a position, with body axes parallel to those of N.
     #[must_use]
     pub fn at_rest(position: Vec3<S>) -> RigidState<S> {
         let (velocity, angular_momentum) = (vec3::zero(), vec3::zero());
@@ -75,19 +75,19 @@ impl<S: Scalar> Part<S> {
     }
 }
 
-/// What counts as nothing.
+/// Tolerances: lengths and speeds that count as zero.
 #[derive(Clone, Copy)]
 pub(super) struct Rounding<S> {
-    /// Length (m).
+    /// Gap (m).
     pub(super) gap: S,
-    /// How far a contact that lasts may drift off in one step before it is put back (m).
+    /// How far a lasting contact may drift in one step before it is projected (m).
     pub(super) drift: S,
     /// Speed (m/s).
     pub(super) rate: S,
 }
 
 impl<S: Scalar> RigidScene<'_, S> {
-    /// Kinetic energy and that in gravity (J).
+    /// Kinetic and gravitational energy (J).
     #[must_use]
     pub fn energy(&self, states: &[RigidState<S>]) -> S {
         let bodies = self.parts.iter().zip(states).filter_map(|(p, s)| p.body.map(|b| (b, s)));
@@ -96,7 +96,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         })
     }
 
-    /// What counts as nothing: gaps by the size of what moves, speeds by those at hand and by the lowest bounce.
+    /// Tolerances: gaps from the size of the moving parts, speeds from the present ones and from the lowest bounce.
     pub(super) fn rounding(&self, states: &[RigidState<S>]) -> Rounding<S> {
         let (mut size, mut speed) = (S::ZERO, S::ZERO);
         for (part, state) in self.parts.iter().zip(states) {
@@ -112,9 +112,9 @@ impl<S: Scalar> RigidScene<'_, S> {
             speed = speed.max(vec3::norm(state.velocity) + turning);
         }
         let eps = S::EPSILON;
-        // A speed whose bounce is as high as lengths are rounded: v^2/(2 g) = 8 epsilon size.
+        // The speed whose bounce is as high as the rounding of lengths: v^2/(2 g) = 8 epsilon size.
         let lowest = S::from_f64(4.0) * (eps * vec3::norm(self.gravity) * size).sqrt();
-        // epsilon^(2/3): halfway to nothing, and far above what sums of rounding errors reach.
+        // epsilon^(2/3): between the rounding unit and 1, and far above sums of rounding errors.
         Rounding {
             gap: (S::from_f64(2.0 / 3.0) * eps.ln()).exp() * size,
             drift: S::from_f64(0.01) * size,
@@ -122,7 +122,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         }
     }
 
-    /// Gives an impulse n, t1, t2 at a contact to both parts' states.
+    /// Applies an impulse along n, t1, t2 at a contact to both parts' states.
     pub(super) fn push(&self, states: &mut [RigidState<S>], contact: &Contact<S>, impulse: Vec3<S>) {
         contact.deal(impulse, |k, arm, impulse| {
             if let (Some(Part { body: Some(body), .. }), Some(state)) = (self.parts.get(k), states.get_mut(k))

@@ -1,4 +1,4 @@
-//! The whole step: impacts, then the way to the next event, again and again.
+//! The whole step: impacts, then an advance to the next event, repeated until the step is used up.
 
 use super::advance::Start;
 use super::memory::{Memory, Report, Strike};
@@ -10,9 +10,9 @@ use crate::rigid::RigidState;
 use crate::rigid::law::Kind;
 use crate::rigid::several::{Struck, compensate_all, stop, strike_all};
 
-/// Splits of one step at most.
+/// Most splits of one step.
 pub const SPLITS: usize = 64;
-/// Pieces of equal length in which the rest goes then, touches looked for between them only.
+/// Pieces of equal length for the rest of a step; contacts are then detected only between them.
 const REST: u32 = 16;
 
 /// A small whole number.
@@ -34,7 +34,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         self.step_watched(states, h, memory, |_| {})
     }
 
-    /// As [`RigidScene::step`]; shows every impact, those of a step refused in the end too.
+    /// As [`RigidScene::step`]; shows every impact, even of a step that is refused in the end.
     ///
     /// # Errors
     /// As [`RigidScene::step`].
@@ -71,7 +71,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         if all && pairs { Ok(()) } else { Err(Fault::WrongSizes) }
     }
 
-    /// The stages, on the first of the memory's states.
+    /// Runs the stages on the first of the memory's states.
     fn go(
         &self,
         h: S,
@@ -105,7 +105,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(())
     }
 
-    /// Impact of all that touch, if some of them close.
+    /// Resolves the impact of all contacts, if any of them closes.
     fn strike(
         &self,
         memory: &mut Memory<S>,
@@ -130,11 +130,11 @@ impl<S: Scalar> RigidScene<'_, S> {
         let alike = touching.iter().all(|t| law_of(t) == law);
         match law {
             _ if last => {
-                // Whether or not it settled, what it did takes energy only.
+                // Converged or not, its effect is only dissipative.
                 let _ = stop(struck, &**mobilities, twists);
             }
             Some(law) if alike && law.kind() != Kind::Stronge => {
-                // Newton's e alike at all points without friction is compensation of e^2.
+                // Newton's law with one e at all points and without friction is compensation with eta = e^2.
                 compensate_all(struck, law.restitution() * law.restitution(), &**mobilities, twists);
             }
             _ => {
@@ -151,7 +151,8 @@ impl<S: Scalar> RigidScene<'_, S> {
         Ok(())
     }
 
-    /// Goes all that is left, or to the first new touch or end of a slip: how far, and the contacts `along`.
+    /// Advances over all the time left, or to the first new contact or end of slip; returns how far, and the number of
+    /// contacts in `along`.
     fn shorten(
         &self,
         memory: &mut Memory<S>,
@@ -166,7 +167,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         }
         let mut fault = None;
         let guard = |length: S| {
-            // At the start nothing new touches and nothing has turned back.
+            // At the start no contact is new and no slip has reversed.
             if length <= S::ZERO {
                 return S::ZERO;
             }
@@ -185,7 +186,7 @@ impl<S: Scalar> RigidScene<'_, S> {
         if let Some(why) = fault {
             return Err(why);
         }
-        // To the far side: what touches does so within rounding, a slip has just stopped.
+        // Stop behind the event: a new contact then touches within rounding, a slip has just stopped.
         let length = found.map_or(left, |(_, beyond)| beyond);
         Ok((length, self.advance(memory, length, start.held, rounding)?))
     }

@@ -1,4 +1,4 @@
-//! A feature of a pair that touches.
+//! A feature of a pair that touches, as a contact.
 
 use crate::real::Scalar;
 use crate::rigid::contact::Contact;
@@ -16,7 +16,7 @@ pub struct Touching<S> {
     pub gap: S,
     /// Relative velocity n, t1, t2 (m/s).
     pub velocity: Vec3<S>,
-    /// Contact and force.
+    /// Contact geometry and force.
     pub held: Held<S>,
 }
 
@@ -27,7 +27,7 @@ impl<S> AsMut<Held<S>> for Touching<S> {
 }
 
 impl<S: Scalar> Touching<S> {
-    /// A place for one.
+    /// An empty entry of a list.
     #[must_use]
     pub fn empty() -> Touching<S> {
         let zero = vec3::zero();
@@ -36,12 +36,12 @@ impl<S: Scalar> Touching<S> {
         Touching { pair: 0, id: 0, gap: S::ZERO, velocity: zero, held }
     }
 
-    /// Is it the same feature?
+    /// Whether it is this feature.
     pub(super) fn is(&self, pair: usize, id: u32) -> bool {
         self.pair == pair && self.id == id
     }
 
-    /// Direction of slip in N; zero at rest.
+    /// Direction of slip in N; zero where the contact sticks.
     pub(super) fn slip(&self) -> Vec3<S> {
         let [x, y] = self.held.slip.unwrap_or([S::ZERO; 2]);
         self.held.contact.to_inertial([S::ZERO, x, y])

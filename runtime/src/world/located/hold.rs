@@ -1,4 +1,4 @@
-//! Contacts that last, at the start of a way: which press, and whether they hold or slide.
+//! Lasting contacts at the start of a piece of a step: which of them push, and whether they stick or slide.
 
 use super::{Sight, Way};
 use crate::mechanism::Fault;
@@ -12,16 +12,16 @@ use crate::world::detect::Touch;
 use crate::world::pressed::Pressing;
 use crate::world::step::{StepMemory, World};
 
-/// Forces below this share of the largest one count as none.
+/// Forces below this share of the largest one count as zero.
 pub(super) const LIGHT: f64 = 1e-9;
-/// What is deeper than so many lengths of rounding overlaps; what is less deep was located.
+/// A contact deeper than this many rounding lengths is an overlap; a shallower one was located.
 const OVERLAP: f64 = 64.0;
-/// A slip that turns back with less than this share of its speed has come to rest.
+/// A slip that reverses at less than this share of its initial speed has come to rest.
 const SLOW: f64 = 0.1;
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Puts to rest what has slid and turned back: towards the end of a slip its direction is known less and less, and what is
-    /// left of it is the method's error.
+    /// Stops contacts whose slip has reversed slowly: towards the end of a slip its direction is known less and less,
+    /// and the rest of it is the method's error.
     fn stop(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         let touches = way.memory.touches[0].get(..way.known).unwrap_or_default();
         let list = way.pressing.get_mut(..way.held).unwrap_or_default();
@@ -48,7 +48,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         self.find_touches(t, way)
     }
 
-    /// Which contacts press from here on, and how each goes.
+    /// Selects the contacts that push from here on, and whether each sticks or slides.
     pub(super) fn hold_at_start(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         self.stop(t, way)?;
         let (rate, deepest) = (way.rounding.rate, -S::from_f64(OVERLAP) * way.rounding.gap);
@@ -95,7 +95,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             if n <= S::from_f64(LIGHT) * largest {
                 continue;
             }
-            // On the rim friction holds no longer: it starts to slide the other way.
+            // On the friction limit it sticks no longer: it starts to slide against its friction force.
             let ([_, x, y], rub) = vec3::direction([S::ZERO, x, y]);
             if own.slip.is_none() && rub >= mu * n * (S::ONE - S::from_f64(LIGHT)) {
                 own.slip = Some(own.held.contact.to_inertial([S::ZERO, -x, -y]));

@@ -1,14 +1,15 @@
-//! The step of a world with touches located in time: methods keep their order through contact.
+//! The step of a world with contacts located in time: methods keep their order through contact.
 //!
 //! In: state [q, x; u, v] at t, a method, a law of impact for each pair. Out: the state at t + h, accounts.
 //! ```text
-//! strike      if some of what touches closes: impact of all that touches (`impact`)
-//! hold        contacts that last: they press or let go, hold or slide, by their forces at the start of the way
+//! strike      if a touching contact approaches: impact of all touching contacts (`impact`)
+//! hold        lasting contacts press or release, stick or slip, by their forces at the start of the step
 //! advance     the method's step of the equations under these contacts (`pressed`)
-//! shorten     to the first new touch, to where a force would pull, a slip stops, or friction no longer holds
+//! shorten     to the first new touch, to where a normal force would pull, slip stops, or sticking ends
 //! ```
-//! and again until h is gone. A step is split at most [`SPLITS`] times; the rest goes without locating anything, as in `step`,
-//! and the report says so: many contacts are for that step. Gaps and speeds of rounding follow from sizes and speeds at hand.
+//! Repeated until h is used up. A step is split at most [`SPLITS`] times; the rest is stepped without locating events,
+//! as in `step`, and the report says so: use that step for many contacts. Gaps and speeds that count as zero follow
+//! from the sizes and speeds present.
 
 mod hold;
 mod shorten;
@@ -26,27 +27,27 @@ use crate::rigid::law::Kind;
 use crate::rigid::several::Struck;
 use crate::vec3;
 
-/// Splits of one step at most.
+/// Most splits of one step.
 pub const SPLITS: usize = 64;
-/// Half the way of the differences as a part of the step: errors of rounding and of curvature are alike.
+/// Half the interval of central differences relative to the step: balances errors of rounding and of curvature.
 const SPAN: f64 = 1e-4;
-/// How far a contact that lasts may drift off in a step, as a part of the world's size.
+/// How far a lasting contact may move away from where it was detected in a step, relative to the world's size.
 const DRIFT: f64 = 0.01;
-/// Acceleration (m/s^2) at which speeds are those of rounding: of the order of gravity's.
+/// Acceleration (m/s^2) from which the speed that counts as zero follows: of the order of gravity.
 const USUAL: f64 = 10.0;
 
-/// Working memory of a step with located touches.
+/// Working memory of a step with located contacts.
 #[derive(Debug)]
 pub struct LocatedMemory<'a, S> {
-    /// That of a step without locating, for the rest of a step that has used up its splits.
+    /// Memory of the step without location, for the rest of a step that has used up its splits.
     pub step: StepMemory<'a, S>,
     /// [`LocatedMemory::scratch`] numbers.
     pub scratch: &'a mut [S],
-    /// Contacts that last: as many as there may be touches.
+    /// Lasting contacts: room for as many as there may be touches.
     pub pressing: &'a mut [Pressing<S>],
-    /// Contacts of an impact, twice.
+    /// Two lists of contacts of an impact.
     pub struck: [&'a mut [Struck<S>]; 2],
-    /// Has a step that used up its splits left overlaps? False at the start; kept from step to step.
+    /// Whether a step that used up its splits has left overlaps. False at the start; kept from step to step.
     pub overlaps: bool,
 }
 
@@ -55,50 +56,50 @@ pub struct LocatedMemory<'a, S> {
 pub struct Strike<'a, S> {
     /// Time since the start of the step (s).
     pub time: S,
-    /// What touched, with the velocities before.
+    /// The contacts, with the velocities before.
     pub touches: &'a [Touch<S>],
-    /// The same with their impulses.
+    /// The same contacts with their impulses.
     pub struck: &'a [Struck<S>],
 }
 
-/// What a step did.
+/// Diagnostics of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocatedReport<S> {
-    /// Impacts.
+    /// Number of impacts.
     pub impacts: usize,
     /// Pieces the step was split into.
     pub pieces: usize,
-    /// Contacts that press at the end.
+    /// Contacts that push at the end.
     pub pressing: usize,
-    /// Splits were used up: the rest of the step went without locating, with e = 0.
+    /// Whether splits were used up: the rest of the step then went without location, with e = 0.
     pub forced: bool,
-    /// Was every impact found to rounding? What is left ends as by e = 0.
+    /// Whether every impact converged to rounding; the rest of one that did not ended as with e = 0.
     pub settled: bool,
-    /// Energy by its ways in this step.
+    /// Energy accounts of this step.
     pub accounts: Accounts<S>,
 }
 
-/// What counts as nothing.
+/// Tolerances: lengths and speeds that count as zero.
 #[derive(Clone, Copy)]
 struct Rounding<S> {
-    /// Length (m).
+    /// Gap (m).
     gap: S,
-    /// How far a contact that lasts may be from where it was found (m).
+    /// How far a lasting contact may be from where it was detected (m).
     drift: S,
     /// Speed (m/s).
     rate: S,
 }
 
-/// What of a way stands beside its equations: the state so far, that on trial, the method's memory.
+/// Parts of a step beside its equations: the state so far, the trial state, the method's memory.
 struct Sight<'p, S> {
     now: [&'p mut [S]; 2],
     trial: [&'p mut [S]; 2],
     room: &'p mut [S],
 }
 
-/// A step under way: where it has come to, and the memory it works with.
+/// A step in progress: the state so far, and working memory.
 struct Way<'w, 'm, S> {
-    /// State so far and what rounding left out; the same on trial.
+    /// State so far with its rounding errors; the same for the trial state.
     now: [&'w mut [S]; 2],
     trial: [&'w mut [S]; 2],
     /// Rates at the start, the end and in between.
@@ -110,7 +111,7 @@ struct Way<'w, 'm, S> {
     pressing: &'w mut [Pressing<S>],
     struck: [&'w mut [Struck<S>]; 2],
     overlaps: &'w mut bool,
-    /// How many touch at the start of the piece, and how many of them press.
+    /// Number of contacts at the start of the piece, and how many of them push.
     known: usize,
     held: usize,
     span: S,
@@ -124,7 +125,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
         10 * n + method.scratch(n)
     }
 
-    /// The same, ordered for a step of h from a state.
+    /// The same memory, arranged for a step of h from a state.
     fn way<'w>(&'w mut self, h: S, state: &State<'_, S>) -> Result<Way<'w, 'm, S>, Fault> {
         let n = state.x().len();
         let (rows, room) = self.scratch.split_at_mut_checked(10 * n).ok_or(Fault::Shape)?;
@@ -156,7 +157,7 @@ impl<'m, S: Scalar> LocatedMemory<'m, S> {
 }
 
 impl<'m, S: Scalar> Way<'_, 'm, S> {
-    /// The equations under the contacts that press; the states on trial and the method's memory beside them.
+    /// The equations under the contacts that push, and beside them the states and the method's memory.
     fn pressed<'p, 'a, C>(
         &'p mut self,
         world: &'p mut World<'a, S, C>,
@@ -174,19 +175,20 @@ impl<'m, S: Scalar> Way<'_, 'm, S> {
         (pressed, Sight { now: [from, from_low], trial: [x, low], room: self.room })
     }
 
-    /// What touches at the start of the piece.
+    /// The contacts at the start of the piece.
     fn touches(&self) -> &[Touch<S>] {
         self.memory.touches[0].get(..self.known).unwrap_or_default()
     }
 }
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Advances the state from t by h (s), > 0; `kinds` has the law of each pair (e and mu are the pair's own, e of compensation
-    /// the root of its share), `watch` sees every impact, those of a step refused in the end too.
+    /// Advances the state from t by h (s), > 0. `kinds` has the law of each pair (e and mu are the pair's own; for
+    /// compensation e is the square root of its share). `watch` sees every impact, even of a step that is refused in
+    /// the end.
     ///
     /// # Errors
-    /// [`Fault::TooManyContacts`], [`Fault::Jammed`] where friction jams what slides; [`Fault::Shape`] for lists of wrong length;
-    /// the method's faults. The state is then unchanged.
+    /// [`Fault::TooManyContacts`]; [`Fault::Jammed`] where friction jams a sliding contact; [`Fault::Shape`] for lists
+    /// of wrong length; the method's faults. The state is then unchanged.
     pub fn step_located(
         &mut self,
         kinds: &[Kind],
@@ -241,7 +243,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(report)
     }
 
-    /// What counts as nothing, by sizes and speeds at the state so far.
+    /// Sets the tolerances from sizes and speeds at the state so far.
     fn measure(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         self.island.place(t, way.now[0])?;
         let StepMemory { twists: [_, twists, _], .. } = &mut *way.memory;
@@ -254,7 +256,8 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         let speed = twists.iter().fold(S::ZERO, |most, twist| {
             most.max(vec3::norm(twist.velocity) + reach * vec3::norm(twist.angular))
         });
-        // A speed whose bounce is as high as lengths are rounded; epsilon^(2/3): halfway to nothing.
+        // The speed whose bounce is as high as the rounding of lengths. For gaps epsilon^(2/3), between the rounding
+        // unit and 1.
         let lowest = S::from_f64(4.0) * (S::EPSILON * S::from_f64(USUAL) * size).sqrt();
         way.rounding = Rounding {
             gap: (S::from_f64(2.0 / 3.0) * S::EPSILON.ln()).exp() * size,
@@ -264,7 +267,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(())
     }
 
-    /// Finds what touches at the state so far, with its velocity.
+    /// Detects contacts at the state so far, with their velocities.
     fn find_touches(&mut self, t: S, way: &mut Way<S>) -> Result<(), Fault> {
         self.island.place(t, way.now[0])?;
         let StepMemory { twists: [_, twists, _], normals, extents, touches: [now, _], counts, .. } =

@@ -1,4 +1,4 @@
-//! The way to the first event: the method's step under contacts that last, and what is left at its end.
+//! Advances to the first event: the method's step under lasting contacts, and the clearance at its end.
 
 use super::hold::LIGHT;
 use super::{Sight, Way};
@@ -14,7 +14,7 @@ use crate::world::pressed::Pressing;
 use crate::world::step::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Goes a length from the state so far into that on trial.
+    /// Advances from the state so far by a length of time, into the trial state.
     fn advance(&mut self, method: Method, (t, length): (S, S), way: &mut Way<S>) -> Result<(), Fault> {
         let (mut pressed, Sight { now: [from, from_low], trial: [x, low], room }) = way.pressed(self);
         x.iter_mut().zip(from.iter()).for_each(|(to, from)| *to = *from);
@@ -22,7 +22,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         method.step(&mut pressed, t, length, &mut State::resume(x, low)?, room).map(|_| ())
     }
 
-    /// Goes all that is left, or to the first event: how far.
+    /// Advances over all the time left, or to the first event; returns how far.
     pub(super) fn shorten(
         &mut self,
         method: Method,
@@ -35,7 +35,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         }
         let mut fault = None;
         let guard = |length: S| {
-            // At the start nothing new touches, pulls or has turned back.
+            // At the start no contact is new, pulls or has reversed its slip.
             if length <= S::ZERO {
                 return S::ZERO;
             }
@@ -49,13 +49,14 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         if let Some(why) = fault {
             return Err(why);
         }
-        // To the far side: what touches does so within rounding, what pulls has let go.
+        // Stop behind the event: a new contact then touches within rounding, one that pulls has let go.
         let length = found.map_or(left, |(_, beyond)| beyond);
         self.advance(method, (t, length), way)?;
         Ok(length)
     }
 
-    /// What is left until the first event, at the end on trial; below 0 beyond it. Each part is measured by its rounding.
+    /// Clearance of the trial state to the first event, negative beyond it: the least over all contacts, each in units
+    /// of its rounding.
     fn clearance(&mut self, t: S, way: &mut Way<S>) -> Result<S, Fault> {
         let dot = core::mem::take(&mut way.dots[1]);
         let (mut pressed, Sight { trial: [x, _], .. }) = way.pressed(self);
@@ -72,7 +73,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         for touch in found.iter().take(count) {
             let same = |pair: usize, id: u32| pair == touch.pair && id == touch.id;
             if !list.iter().any(|own| same(own.pair, own.id)) {
-                // What overlaps already and parts is met anew only where it goes deeper.
+                // An overlap that is opening counts as new only where it goes deeper.
                 let before = known.iter().find(|own| same(own.pair, own.id));
                 let depth = before.map_or(S::ZERO, |own| own.gap.min(S::ZERO));
                 clear = clear.min((touch.gap - depth) / way.rounding.gap + S::ONE);
@@ -86,7 +87,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
             clear = clear.min(n / light + S::ONE);
             match own.slip {
                 Some(first) if mu > S::ZERO => {
-                    // Half of what counts as rest, so that what has stopped is found at rest.
+                    // Half of the speed that counts as rest, so that a contact that has stopped is found at rest.
                     let rest = S::from_f64(0.5) * way.rounding.rate;
                     clear = clear.min(vec3::dot(own.velocity, first) / rest + S::ONE);
                 }
@@ -97,7 +98,7 @@ impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
         Ok(clear)
     }
 
-    /// Energy by its ways over the piece from the state so far to that on trial: powers by Simpson's rule.
+    /// Energy accounts of the piece from the state so far to the trial state: powers by Simpson's rule.
     pub(super) fn works(&mut self, t: S, length: S, way: &mut Way<S>) -> Result<Accounts<S>, Fault> {
         let [first, last, between] = core::mem::take(&mut way.dots);
         let (mut pressed, Sight { now: [old, _], trial: [new, _], .. }) = way.pressed(self);

@@ -1,4 +1,4 @@
-//! Impact of everything that touches at an instant, put into the state.
+//! Impact of all contacts at one instant, applied to the state.
 
 use super::{LocatedReport, Way};
 use crate::mechanism::Fault;
@@ -12,7 +12,7 @@ use crate::world::impact::{Setting, Spare};
 use crate::world::step::{StepMemory, World};
 
 impl<S: Scalar, C: Carrier<S>> World<'_, S, C> {
-    /// Impact of all that touches, if some of it closes.
+    /// Resolves the impact of all contacts, if any of them closes.
     pub(super) fn strike(
         &mut self,
         kinds: &[Kind],
