@@ -1,4 +1,4 @@
-//! The data of a model: what each section says, names resolved to ids, every place in the text kept.
+//! The data of a model: what each section states, with names resolved to ids and every place in the text kept.
 
 use super::expression::{Axis, Expr};
 use super::ids::*;
@@ -50,7 +50,7 @@ pub struct Model {
     pub order: Vec<Entity>,
     /// `[start]`: values of independent coordinates and speeds (dependent ones are start guesses).
     pub start: Vec<(StartRef, f64)>,
-    /// The same as they are written.
+    /// The values of `start` as expressions, as the author wrote them.
     pub start_written: Vec<(StartRef, Expr)>,
     /// `[law]`: inputs as expressions of t, q, u and parameters.
     pub laws: Vec<(InputId, Expr)>,
@@ -103,7 +103,7 @@ pub struct Coordinate {
     pub doc: String,
     /// Coherent SI unit, such as `m` or `rad`.
     pub unit: String,
-    /// Unit as written, such as `mm` or `deg`, and how many of `unit` make one of it.
+    /// Unit as written, such as `mm` or `deg`, and its value in `unit`.
     pub written_unit: (String, f64),
     /// Independent (state) or solved from the configuration constraints.
     pub independent: bool,
@@ -111,9 +111,9 @@ pub struct Coordinate {
     pub nominal: f64,
     /// Range for sampling (independent) or plausible range (dependent), SI.
     pub range: (f64, f64),
-    /// Nominal value and ends of the range as they are written.
+    /// Nominal value and ends of the range as expressions, as the author wrote them.
     pub written: [Option<Expr>; 3],
-    /// Closed form of a dependent coordinate; it is then not state.
+    /// Closed form of a dependent coordinate, which then is not part of the state.
     pub closed_form: Option<Expr>,
     /// Where it is declared.
     pub span: Span,
@@ -182,8 +182,8 @@ pub struct Frame {
     pub name: String,
     /// How it is oriented.
     pub orientation: Orientation,
-    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here).
-    /// A consequence of the constraints that the derivation may use; checked at the samples.
+    /// Vectors stated to be constant in this frame: (vector, its x, y, z components here). A consequence of the
+    /// constraints that the derivation may use; checked at the sampled configurations.
     pub fixed_vectors: Vec<FixedVector>,
     /// Where it is declared.
     pub span: Span,
@@ -227,7 +227,7 @@ pub enum Orientation {
     },
 }
 
-/// What an expression of an [`Orientation`] is; all are numbers without unit, or vectors of such.
+/// The role of an expression of an [`Orientation`]: a number without unit, or a vector of such.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct OrientationPart {
     /// In words.
@@ -243,7 +243,7 @@ impl OrientationPart {
 }
 
 impl Orientation {
-    /// The frame that it starts from, whatever its expressions name.
+    /// The frame from which the rotations start, whatever frames the expressions name.
     #[must_use]
     pub fn parent(&self) -> Option<FrameId> {
         match self {
