@@ -172,7 +172,7 @@ impl Assembly {
     /// are held.
     ///
     /// # Errors
-    /// If it does not converge with any number of steps up to [`MAX_TIME_STEPS`].
+    /// If it does not converge with any number of steps up to `MAX_TIME_STEPS`.
     pub fn continue_in_time(&mut self, from: &[f64], t: f64) -> Result<Vec<f64>, Unreachable> {
         let start = self.arguments.last().copied().unwrap_or(0.0);
         let mut last = Unreachable::default();
@@ -352,7 +352,7 @@ impl Assembly {
     /// Continues from the configuration `from` (satisfied) to the independent coordinates of `target`.
     ///
     /// # Errors
-    /// If it does not converge with any number of steps up to [`MAX_STEPS`].
+    /// If it does not converge with any number of steps up to `MAX_STEPS`.
     pub fn continue_to(&mut self, from: &[f64], target: &[f64]) -> Result<Vec<f64>, Unreachable> {
         let mut last = Unreachable::default();
         let mut steps = 1;

@@ -1,6 +1,6 @@
-//! A world as plain data: what a scene of format 2 says, names resolved, numbers in SI units.
+//! The data of a world: the contents of a scene of format 2, with names resolved and numbers in SI units.
 //!
-//! Parts stand in the author's order; attachments and contacts name them by number.
+//! Parts are in the author's order; attachments and contacts refer to them by index.
 
 use crate::scene::Lists;
 use smartbed_codegen::model::Model;
@@ -204,28 +204,28 @@ pub struct Controlling {
 }
 
 impl Controlling {
-    /// The target at a time.
+    /// The target at a time (piecewise constant).
     #[must_use]
     pub fn target_at(&self, t: f64) -> f64 {
-        // A sample stands for the time of its step, whatever rounding says.
+        // A sample belongs to the time of its step, whatever rounding says.
         let now = t + 1e-9 * self.period;
         self.target.iter().take_while(|[from, _]| *from <= now).last().map_or(0.0, |[_, value]| *value)
     }
 }
 
-/// What a quantity becomes before it is sampled.
+/// How a quantity is transformed before it is sampled.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Transducer {
-    /// Itself.
+    /// Not at all.
     Plain,
-    /// A place with a bend of its characteristic.
+    /// A displacement with a nonlinear characteristic.
     Lvdt {
         /// Half its range.
         reach: f64,
         /// Largest deviation as a share of the reach.
         linearity: f64,
     },
-    /// A membrane that lags (s).
+    /// A pressure with first-order lag.
     Pressure {
         /// Time constant (s).
         lag: f64,
@@ -234,7 +234,7 @@ pub enum Transducer {
     Switch {
         /// Where it closes, coming from below.
         closes: f64,
-        /// How far below that it opens.
+        /// Distance below that at which it opens.
         hysteresis: f64,
         /// How long its contact chatters (s).
         chatter: f64,
@@ -254,7 +254,8 @@ pub struct Run {
     pub method: Option<String>,
     /// Does it begin in static equilibrium?
     pub settled: bool,
-    /// Parts that are slower than this (m/s, rad/s) for 0.1 s stand still until something comes near them.
+    /// Parts slower than this (m/s, rad/s) for 0.1 s are frozen until something comes near them; `None` freezes
+    /// nothing.
     pub sleep: Option<f64>,
 }
 
@@ -276,7 +277,7 @@ impl Assembly {
         })
     }
 
-    /// Is it rigid bodies alone, with impacts at located times?
+    /// Does the world consist of rigid bodies alone, with impacts located in time?
     #[must_use]
     pub fn is_rigid(&self) -> bool {
         let rigid = self.parts.iter().all(|part| matches!(part.kind, Kind::Rigid(_)));
@@ -285,7 +286,7 @@ impl Assembly {
 }
 
 impl Run {
-    /// Steps in the run, the last one perhaps shorter; a rest below a thousandth of a step is rounding.
+    /// Number of steps in the run, the last one perhaps shorter; a remainder below a thousandth of a step is rounding.
     #[must_use]
     pub fn steps(&self) -> usize {
         let whole = (self.seconds / self.step - 1e-3).ceil().max(0.0) as usize;

@@ -1,4 +1,5 @@
-//! Controllers of a world: at their own period they read a number, compare it with a target and hold an output until the next.
+//! Controllers of a world: at their own period they read a value, compare it with a target and hold an output until the
+//! next sample.
 //!
 //! In: what a scene says of each, the rows' columns, the sensors' readings. Out: numbers for an engine's inputs.
 //! ```text
@@ -11,23 +12,23 @@ use super::assembly::{Assembly, Controlling};
 use super::engine::{Column, Engine};
 use super::sensors::whole_steps;
 
-/// What a controller reads.
+/// The value that a controller reads.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Column(usize),
     Sensor(usize),
 }
 
-/// A controller at work.
+/// The state of a controller.
 #[derive(Clone, Debug)]
 struct Controller {
     own: Controlling,
     source: Source,
     input: usize,
-    /// Steps from sample to sample.
+    /// Number of steps between samples.
     period: u64,
     integral: f64,
-    /// What it gives until its next sample.
+    /// Its output until the next sample.
     held: f64,
 }
 

@@ -1,7 +1,7 @@
-//! What looks at a world between steps and answers: sensors, and controllers that hold inputs.
+//! Sensors, and controllers that hold inputs: they observe a world between steps and act on it.
 //!
-//! In: an engine behind whole steps, counted from the start. Out: readings; inputs held until the next step; numbers that a run
-//! goes on from.
+//! In: an engine after whole steps, counted from the start. Out: readings; inputs held until the next step; values for
+//! a checkpoint.
 
 use super::assembly::Assembly;
 use super::controllers::Controllers;
@@ -21,7 +21,7 @@ impl Feedback {
     /// # Errors
     /// What one of them reads or drives is not there, or its times are no whole numbers of steps.
     pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
-        // Names of a row are many where nodes are.
+        // The columns of a row are many if there are nodes; they are needed only for sensors and controllers.
         let blind = assembly.sensors.is_empty() && assembly.controllers.is_empty();
         let columns = if blind { Vec::new() } else { engine.columns() };
         Ok(Self {
@@ -30,7 +30,7 @@ impl Feedback {
         })
     }
 
-    /// Looks at the world behind step `n`, 0 at the start, and acts on it.
+    /// Observes the world after step `n` (0: at the start) and sets the inputs.
     ///
     /// # Errors
     /// The engine's, and a reading that is no number.
@@ -44,12 +44,12 @@ impl Feedback {
         self.controllers.act(n, &state, &readings, engine)
     }
 
-    /// What the sensors show behind step `n`, in the scene's order.
+    /// Readings of the sensors after step `n`, in the scene's order.
     pub fn readings(&mut self, n: u64) -> Vec<f64> {
         self.probes.readings(n)
     }
 
-    /// All they remember.
+    /// All values that a checkpoint needs.
     #[must_use]
     pub fn save(&self) -> Vec<f64> {
         let mut numbers = self.probes.save();

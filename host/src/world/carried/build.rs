@@ -1,6 +1,6 @@
-//! A world of flexible parts at its start: carriers, one body of all flexible parts, attachments, contacts.
+//! Builds a world of flexible parts at its start: carriers, one body of all flexible parts, attachments, contacts.
 //!
-//! In: an assembly. Out: a [`CarriedWorld`], or what cannot be derived, assembled or stepped.
+//! In: an assembly. Out: a [`CarriedWorld`], or the reason why it cannot be derived, assembled or stepped.
 
 use super::air::Air;
 use super::methods::Contacts;

@@ -1,8 +1,8 @@
-//! A world as Rust for the firmware: constant tables, derived equations, its carriers.
+//! Emits a world as Rust for the firmware: constant tables, derived equations, its carriers.
 //!
 //! In: a world at its start. Out: the text of a Rust file in single precision, which the firmware's program `world`
-//! includes. `Debug` of the runtime's plain types is their Rust expression, and of a number the shortest decimal that
-//! reads back to it: the compiler rounds it once to single precision, for chip and host alike.
+//! includes. `Debug` output of the runtime's plain types is a Rust expression, and for a number the shortest decimal
+//! that reads back the same: the compiler rounds it once to single precision, for chip and host alike.
 
 use super::methods::{Contacts, Stepping};
 use super::{CarriedWorld, Place, Touching};
@@ -18,10 +18,10 @@ use smartbed_runtime::surface::Frame;
 use smartbed_runtime::world::{Coupling, InverseInertia, StepMemory, Touch};
 use std::fmt::{Debug, Write as _};
 
-/// Contacts more than a quarter, for where few are near.
+/// Spare room for contacts: at least this many, a quarter of those found if that is more.
 const BESIDE: usize = 4;
 
-/// What a world needs of the chip's memory, in single precision.
+/// Memory that a world needs on the chip, in single precision.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Demand {
     /// Nodes.

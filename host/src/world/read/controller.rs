@@ -1,6 +1,6 @@
-//! `[controllers.NAME]`: what is read, what is driven, how often, towards which target.
+//! Reads `[controllers.NAME]`: what is read, what is driven, how often, and the target.
 //!
-//! Targets in quotes are in the unit that `unit` names; plain ones, gains and outputs are in SI units.
+//! Targets in quotes are in the unit named by `unit`; plain ones, gains and outputs are in SI units.
 
 use super::value::{Bound, list, needed, number, scalar};
 use crate::world::assembly::Controlling;
