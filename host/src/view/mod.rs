@@ -1,8 +1,8 @@
-//! `--view` and `smartbed view`: a motion in space as one HTML page without any outside resource.
+//! `--view` and `smartbed view`: a motion in space as one self-contained HTML page.
 //!
-//! In: places of points and turns of bodies over time, curves, events. Out: a page that shows them with three.js
-//! (`three/`, committed with its licence and the script that makes it; no build needs npm): [`film`] keeps the
-//! frames, `film.js` to `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
+//! In: positions of points and attitudes of bodies over time, curves, events. Out: a page that shows them with three.js
+//! (`three/`, committed with its licence and the script that makes it; no build needs npm). [`film`] keeps the frames;
+//! `film.js` to `player.js` are the page's scripts. [`still`] takes a picture, [`serve`] follows a file.
 
 pub mod arguments;
 pub mod ellipsoid;
