@@ -1,9 +1,10 @@
-//! Pictures of a body from the side: at the start, at the first touch, where a spring is compressed most, at the end.
+//! Pictures of a body from the side: at the start, at the first touch, at the largest compression of a spring, at the
+//! end.
 //!
-//! In: rows as they come. Out: four pictures in one row at one scale, metres on both axes alike.
-//! Projection: across x + 0.35 y, so that a body's depth shows; upwards so that the ground is one line and
-//! every point stands above it by its distance along z. A plane body stays plane.
-//! Springs are grey at rest length, vermilion stretched, blue compressed.
+//! In: rows, one after the other. Out: four pictures side by side at one scale, in metres on both axes. Projection: to
+//! the right x + 0.35 y, so that a body's depth shows; upwards z plus the multiple of y for which the ground appears as
+//! a line, so that every point is above it by its distance along z. A plane body stays plane. Springs are grey at rest
+//! length, vermilion if stretched, blue if compressed.
 
 use super::read::Scene;
 use super::run::Row;
@@ -12,9 +13,9 @@ use crate::plot::chart::{SMALL, line, text};
 use crate::plot::drawing::{Anchor, Color, Drawing, INK, Item, PALE};
 use smartbed_runtime::contact::Ground;
 
-/// Right per depth.
+/// Displacement to the right per metre of depth.
 const DEPTH: f64 = 0.35;
-/// Strain that gets the full colour.
+/// Strain shown in full colour.
 const FULL_STRAIN: f64 = 0.1;
 const WIDTH: f64 = 1000.0;
 const LEFT: f64 = 110.0;
@@ -23,17 +24,17 @@ const BETWEEN: f64 = 24.0;
 const EDGE: f64 = 6.0;
 const TOP: f64 = 60.0;
 const BOTTOM: f64 = 60.0;
-/// Height of a picture: at least and at most.
+/// Least and largest height of a picture.
 const HEIGHT: [f64; 2] = [160.0, 420.0];
 
-/// The picture plane: right and up per metre of depth.
+/// The projection: displacement to the right and upwards per metre of depth.
 #[derive(Clone, Copy, Debug)]
 struct Projection {
     depth: [f64; 2],
 }
 
 impl Projection {
-    /// The depth that lies in the ground's plane: up = -(nx right + ny)/nz, so that the plane is seen as a line.
+    /// The one for which the ground appears as a line: up = -(nx right + ny)/nz.
     fn along(ground: Option<&Ground<f64>>) -> Self {
         let rise = ground.map_or(0.0, |g| {
             let [nx, ny, nz] = g.normal;
@@ -54,7 +55,7 @@ struct Frame {
     pos: Vec<[f64; 3]>,
 }
 
-/// The four pictures, as far as the run has come.
+/// The four pictures, as far as the run has reached them.
 #[derive(Clone, Debug)]
 pub struct Pictures {
     springs: Vec<[usize; 2]>,
@@ -67,7 +68,7 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// None yet.
+    /// Without pictures.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let (springs, rest_lengths) = (scene.lists.springs.clone(), scene.lists.rest_lengths.clone());
@@ -75,7 +76,7 @@ impl Pictures {
         Self { springs, rest_lengths, least, start: None, touch: None, compressed: None, end: None }
     }
 
-    /// Looks at a row: keeps it if it is the first, the first after a touch, or the most compressed.
+    /// Records a row if it is the first, the first after a touch, the most compressed, or the last.
     pub fn push(&mut self, row: &Row) {
         let frame = || Some(Frame { time: row.t, pos: row.pos.clone() });
         if self.start.is_none() {
@@ -93,7 +94,7 @@ impl Pictures {
         self.end = frame();
     }
 
-    /// Change of a spring's length over its rest length.
+    /// Change of a spring's length relative to its rest length.
     fn strain(&self, pos: &[[f64; 3]], spring: usize) -> f64 {
         let [a, b] = self.springs[spring];
         let length = (0..3).map(|c| (pos[b][c] - pos[a][c]).powi(2)).sum::<f64>().sqrt();
@@ -101,7 +102,7 @@ impl Pictures {
         if rest > 0.0 { length / rest - 1.0 } else { 0.0 }
     }
 
-    /// All of them.
+    /// Draws all pictures.
     #[must_use]
     pub fn draw(&self, scene: &Scene) -> Drawing {
         let frames = self.frames();
@@ -117,7 +118,7 @@ impl Pictures {
         let range = |v: &[f64]| v.last().unwrap_or(&1.0) - v.first().unwrap_or(&0.0);
         let n = frames.len().max(1) as f64;
         let column = (WIDTH - LEFT - 30.0) / n - BETWEEN;
-        // One scale for both axes: whichever direction is tighter decides.
+        // One scale for both axes, set by the tighter direction.
         let (wide, tall) = (1.1 * range(&across).max(1e-9), 1.1 * range(&up).max(1e-9));
         let scale = (column / wide).min(HEIGHT[1] / tall);
         let height = (scale * tall).max(HEIGHT[0]);
@@ -142,9 +143,9 @@ impl Pictures {
         Drawing { width: WIDTH as usize, height: (TOP + height + BOTTOM) as usize, items }
     }
 
-    /// Pictures of different times, each with its name.
+    /// Pictures at different times, each with its title.
     fn frames(&self) -> Vec<(&str, &Frame)> {
-        // A touch or an end at the same time says more than that a spring was shortest then.
+        // If a touch, the start or the end is at the time of the largest compression, only that picture is shown.
         let others = [&self.start, &self.touch, &self.end].map(|frame| frame.as_ref().map(|f| f.time));
         let compressed = self.compressed.as_ref().filter(|f| !others.contains(&Some(f.time)));
         let named = [
@@ -172,7 +173,7 @@ impl Pictures {
     }
 }
 
-/// Where the plane of the ground meets y = 0.
+/// The line in which the ground intersects y = 0.
 fn ground_line(ground: &Ground<f64>, x: &Axis, z: &Axis) -> Vec<(f64, f64)> {
     let [nx, _, nz] = ground.normal;
     [x.low, x.high].map(|at| (x.place(at), z.place((ground.offset - nx * at) / nz))).to_vec()
@@ -190,7 +191,7 @@ fn frame_items(items: &mut Vec<Item>, x: &Axis, z: &Axis, is_first: bool) {
     for tick in x.ticks() {
         let at = x.place(tick);
         items.push(line(vec![(at, z.from), (at, z.to)], PALE, 1.0));
-        // Half a word over the edge would meet the neighbour's.
+        // A label too near the edge would overlap the neighbouring picture's.
         if at - x.from > EDGE && x.to - at > EDGE {
             items.push(text((at, z.from + 16.0), &x.label(tick), SMALL, Anchor::Middle));
         }
