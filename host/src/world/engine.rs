@@ -22,9 +22,9 @@ pub struct Energies {
     pub kinetic: f64,
     /// Potential energy of weight.
     pub gravity: f64,
-    /// Of springs, of mechanisms and of flexible bodies.
+    /// Potential energy of springs, in mechanisms and flexible bodies.
     pub spring: f64,
-    /// Of gas.
+    /// Internal energy of gas.
     pub gas: f64,
     /// Dissipated by damping and drag.
     pub damping: f64,
@@ -77,9 +77,9 @@ impl Energies {
 /// A pair of parts that came into contact.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Event {
-    /// When (s).
+    /// Time (s).
     pub time: f64,
-    /// The two parts, by number.
+    /// The two parts, by index.
     pub parts: [usize; 2],
     /// Number of points in contact.
     pub points: usize,
@@ -89,7 +89,7 @@ pub struct Event {
     pub impulse: f64,
 }
 
-/// How a world was brought to rest.
+/// Result of a relaxation to equilibrium.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Settled {
     /// Steps of relaxation.
@@ -104,14 +104,14 @@ pub fn other_world() -> String {
     "the checkpoint is of another world: it has other parts than the scene".to_owned()
 }
 
-/// An engine.
+/// The interface of an engine.
 pub trait Engine {
     /// The columns of a row's state.
     fn columns(&self) -> Vec<Column>;
     /// Their present values.
     ///
     /// # Errors
-    /// What cannot be computed, in words.
+    /// A message if a value cannot be computed.
     fn state(&mut self) -> Result<Vec<f64>, String>;
     /// Energies and accounts now.
     ///
@@ -138,7 +138,7 @@ pub trait Engine {
     /// Moves to static equilibrium, from the start.
     ///
     /// # Errors
-    /// Why there is none, in words.
+    /// A message if there is none or it is not found.
     fn settle(&mut self) -> Result<Settled, String> {
         Err("settle: rigid parts alone come to rest by running: impact = \"plastic\" lets no bounce remain"
             .to_owned())
@@ -154,6 +154,6 @@ pub trait Engine {
     fn warnings(&self) -> Vec<String> {
         Vec::new()
     }
-    /// The method in words.
+    /// The method, as text.
     fn method(&self) -> String;
 }

@@ -16,10 +16,10 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// Of an assembly that this engine moves, by steps of the assembly's length.
+    /// For an assembly moved by this engine in steps of the assembly's length.
     ///
     /// # Errors
-    /// What one of them reads or drives is not there, or its times are no whole numbers of steps.
+    /// If one of them reads or drives something that does not exist, or its times are not whole numbers of steps.
     pub fn new(assembly: &Assembly, engine: &dyn Engine) -> Result<Self, String> {
         // The columns of a row are many if there are nodes; they are needed only for sensors and controllers.
         let blind = assembly.sensors.is_empty() && assembly.controllers.is_empty();
@@ -33,7 +33,7 @@ impl Feedback {
     /// Observes the world after step `n` (0: at the start) and sets the inputs.
     ///
     /// # Errors
-    /// The engine's, and a reading that is no number.
+    /// The engine's, or a reading that is not finite.
     pub fn look(&mut self, n: u64, engine: &mut dyn Engine) -> Result<(), String> {
         if self.probes.is_empty() && self.controllers.is_empty() {
             return Ok(());
@@ -57,10 +57,10 @@ impl Feedback {
         numbers
     }
 
-    /// Goes on from [`Feedback::save`]: the engine holds the inputs that it held then.
+    /// Restores the state of [`Feedback::save`]; the engine holds the inputs of that time.
     ///
     /// # Errors
-    /// Numbers of other sensors or controllers.
+    /// If the numbers are those of other sensors or controllers.
     pub fn load(&mut self, numbers: &[f64], engine: &mut dyn Engine) -> Result<(), String> {
         let mut numbers = numbers.iter().copied();
         let done = self.probes.load(&mut numbers).and_then(|()| self.controllers.load(&mut numbers, engine));

@@ -71,7 +71,7 @@ impl Ported {
     /// Derives equations with these ports, and the observers of the model.
     ///
     /// # Errors
-    /// What the derivation says, or a start that cannot be assembled.
+    /// If the model cannot be derived, or its start cannot be assembled.
     pub fn new(mechanism: &Mechanism, ports: &[String]) -> Result<(Self, Start), String> {
         let (model, choice) = (&mechanism.model, ParameterChoice::default());
         let request = |name: &String| format!("port:{name}").parse::<Request>().map_err(|e| e.to_string());
@@ -127,7 +127,7 @@ impl Ported {
         own.filter(|(input, _)| !self.law_inputs.contains(input)).collect()
     }
 
-    /// Holds one of them at a value; true if the value has changed.
+    /// Holds one of them at a value; returns whether the value has changed.
     pub fn hold(&mut self, input: usize, value: f64) -> bool {
         let own = self.inputs[..self.own].get_mut(input);
         own.is_some_and(|own| std::mem::replace(own, value) != value)

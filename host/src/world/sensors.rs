@@ -30,7 +30,7 @@ struct Probe {
     sensor: Sensor<f64, DEPTH>,
 }
 
-/// All of them.
+/// The sensors of a world.
 #[derive(Clone, Debug)]
 pub struct Probes {
     list: Vec<Probe>,
@@ -39,7 +39,7 @@ pub struct Probes {
 /// A time (s) as a whole number of steps.
 ///
 /// # Errors
-/// It is none, in words.
+/// A message if it is not one.
 pub(super) fn whole_steps(of: &str, what: &str, seconds: f64, step: f64) -> Result<u32, String> {
     let ticks = seconds / step;
     let whole = (ticks - ticks.round()).abs() < WHOLE && ticks.round() <= f64::from(u32::MAX);
@@ -52,7 +52,7 @@ impl Probes {
     /// For an assembly whose rows have these columns.
     ///
     /// # Errors
-    /// What a sensor reads is no column, or its times are no whole numbers of steps.
+    /// If a sensor reads a column that does not exist, or its times are not whole numbers of steps.
     pub fn new(assembly: &Assembly, columns: &[Column]) -> Result<Self, String> {
         let probe = |own: &Sensing| {
             let names = columns.iter().map(|c| c.name.as_str());
@@ -108,24 +108,24 @@ impl Probes {
         }
     }
 
-    /// All they remember.
+    /// The state of all sensors, for a checkpoint.
     #[must_use]
     pub fn save(&self) -> Vec<f64> {
         self.list.iter().flat_map(Probe::save).collect()
     }
 
-    /// Goes on from [`Probes::save`]; None where numbers are missing.
+    /// Restores the state of [`Probes::save`]; `None` if numbers are missing.
     pub fn load(&mut self, numbers: &mut impl Iterator<Item = f64>) -> Option<()> {
         self.list.iter_mut().try_for_each(|probe| probe.load(numbers))
     }
 
-    /// What they show.
+    /// The readings after a step.
     pub fn readings(&mut self, tick: u64) -> Vec<f64> {
         self.list.iter_mut().map(|probe| probe.sensor.reading(tick)).collect()
     }
 }
 
-/// A tick as a number, with a special value for none.
+/// A tick as a number, with a special value for `None`.
 fn told(tick: Option<u64>) -> f64 {
     tick.map_or(-1.0, |tick| tick as f64)
 }

@@ -44,7 +44,7 @@ impl Renumbered {
 }
 
 impl CarriedWorld {
-    /// What belongs to these parts, in ascending order, and to what is fixed in space and holds nodes of theirs.
+    /// The subset of these parts, in ascending order, and of parts fixed in space that hold their nodes.
     pub(super) fn subset(&self, parts: &[usize]) -> Subset {
         let parts = &self.with_holders(parts);
         let (n_q, n_free) = (self.carriers.iter().map(Carrier::n_q).sum::<usize>(), self.free());
@@ -119,7 +119,7 @@ impl CarriedWorld {
         Subset { parts: parts.to_vec(), world, x, carriers, cells, airs, pairs, nodes: nodes_of, things }
     }
 
-    /// The world of such lists; its pairs by number, the thing that each part is.
+    /// The world with renumbered lists; its pairs by index, and the thing that represents each part.
     fn renumbered(
         &self,
         new: &Renumbered,
@@ -127,7 +127,7 @@ impl CarriedWorld {
         parts: &[usize],
         n: usize,
     ) -> (CarriedWorld, Vec<usize>, Vec<Option<Thing<f64>>>) {
-        // Parts stand in ascending order, so nodes and ports keep theirs.
+        // Parts are in ascending order, so that nodes and ports keep their order.
         let order: Vec<usize> = (0..new.nodes.len()).filter(|node| new.nodes[*node] != usize::MAX).collect();
         let of_nodes = |list: &[Vec3<f64>]| order.iter().map(|node| list[*node]).collect::<Vec<_>>();
         let ports = new.ports.iter().filter(|port| **port != usize::MAX).count();
@@ -288,7 +288,7 @@ impl Subset {
         self.world.room.pos.len()
     }
 
-    /// Boxes of the parts where they were placed last.
+    /// Bounding boxes of the parts at their last positions.
     pub(super) fn reaches(&self) -> impl Iterator<Item = (usize, Reach)> {
         self.parts.iter().enumerate().map(|(n, part)| {
             let room = &self.world.room;
@@ -318,7 +318,7 @@ impl Subset {
             match carrier {
                 HostCarrier::Floating(floating) => {
                     u[..3].iter().for_each(|x| add(*x));
-                    // A given angular momentum turns fastest about the axis of least inertia.
+                    // For a given angular momentum the largest angular velocity is about the axis of least inertia.
                     let [x, y, z] = floating.body.inertia;
                     add(vec3::norm([u[3], u[4], u[5]]) / x.min(y).min(z));
                 }
@@ -350,12 +350,12 @@ impl Subset {
     }
 }
 
-/// Frames of the ports that have a new number.
+/// Frames of the ports that are part of the subset.
 fn frames_of(new: &[usize], frames: &[Frame<f64>]) -> Vec<Frame<f64>> {
     new.iter().zip(frames).filter(|(new, _)| **new != usize::MAX).map(|(_, frame)| *frame).collect()
 }
 
-/// How many free nodes stand before each.
+/// Number of free nodes before each node.
 fn before(held: &[bool]) -> Vec<usize> {
     let mut count = 0;
     let before = held.iter().map(|held| {

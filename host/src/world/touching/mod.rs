@@ -74,7 +74,7 @@ struct Pairs {
 /// The kind of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum How {
-    /// As the contacts require.
+    /// Ordinary: touches are located if the contacts' laws do so.
     Freely,
     /// With forces averaged over the step.
     Conserving,
@@ -125,7 +125,7 @@ pub(super) struct Stepped {
     pub(super) leaving: f64,
 }
 
-/// What a part is in contacts.
+/// The role of a part in contacts.
 #[derive(Clone, Debug)]
 pub(super) enum Touchable {
     /// A shape on a port, or fixed in space.
