@@ -5,7 +5,7 @@ use super::ids::*;
 use crate::id::IdVec;
 use crate::source::{Source, Span};
 
-/// Everything a model file says.
+/// The contents of a model file.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The text it was read from.
@@ -80,7 +80,7 @@ pub enum Entity {
 pub struct Parameter {
     /// Its name.
     pub name: String,
-    /// What it is, for documentation.
+    /// Description, for documentation.
     pub doc: String,
     /// Unit as written, e.g. `kg m^2`.
     pub unit: String,
@@ -99,7 +99,7 @@ pub struct Parameter {
 pub struct Coordinate {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// Coherent SI unit, such as `m` or `rad`.
     pub unit: String,
@@ -156,7 +156,7 @@ impl Coordinate {
 pub struct Input {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// Unit as written.
     pub unit: String,
@@ -322,7 +322,7 @@ pub struct Constraint {
 pub struct Load {
     /// Its name.
     pub name: String,
-    /// What acts where.
+    /// Its kind, and where it acts.
     pub kind: LoadKind,
     /// Where it is declared.
     pub span: Span,
@@ -378,7 +378,7 @@ pub enum LoadKind {
 pub struct Port {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Description.
     pub doc: String,
     /// The frame that attached parts turn with.
     pub frame: FrameId,
@@ -430,7 +430,7 @@ pub struct Run {
     pub step: f64,
     /// Method by name.
     pub method: String,
-    /// Every how many steps a row is written.
+    /// Steps per row written.
     pub every: usize,
 }
 
@@ -440,34 +440,34 @@ impl Default for Run {
     }
 }
 
-/// `[view]`: what pictures show. No equation reads it.
+/// `[view]`: options of pictures. No equation depends on it.
 #[derive(Clone, Default, Debug)]
 pub struct View {
     /// Shapes in place of inertia ellipsoids.
     pub shapes: Vec<(BodyId, Shape)>,
     /// Colours (red, green, blue).
     pub colours: Vec<(Shown, [u8; 3])>,
-    /// What is left out.
+    /// Items that are left out.
     pub hidden: Vec<Shown>,
-    /// Rods between points, in place of those that the points' expressions suggest.
+    /// Rods between points; `None` for those that the points' expressions suggest.
     pub links: Option<Vec<[PointId; 2]>>,
 }
 
-/// Something that pictures show.
+/// An item of a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shown {
     /// A body.
     Body(BodyId),
     /// A point.
     Point(PointId),
-    /// A spring, by its place among the loads.
+    /// A spring, by its index among the loads.
     Spring(usize),
 }
 
 /// The shape of a body, along the axes of its frame.
 #[derive(Clone, Debug)]
 pub struct Shape {
-    /// Which.
+    /// Its kind.
     pub kind: ShapeKind,
     /// Its lengths (m), in the order of [`ShapeKind`].
     pub sizes: Vec<Expr>,

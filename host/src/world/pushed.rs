@@ -76,7 +76,7 @@ impl Pushed {
         self.rows.as_flattened()
     }
 
-    /// Takes what [`Pushed::values`] gave, of as many pairs.
+    /// Restores the values of [`Pushed::values`], of as many pairs.
     pub(super) fn load(&mut self, values: &[f64]) {
         self.rows.as_flattened_mut().copy_from_slice(values);
     }

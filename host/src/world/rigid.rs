@@ -1,5 +1,5 @@
-//! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts located in time, lasting contacts by their
-//! forces.
+//! Worlds of rigid parts alone, moved by the runtime's rigid scene: impacts are located in time, lasting contacts are
+//! held by forces.
 
 use super::assembly::{Assembly, Contact, Kind, Law};
 use super::engine::{Column, Energies, Engine, Event};
@@ -54,10 +54,10 @@ pub struct RigidWorld {
 }
 
 impl RigidWorld {
-    /// At its start.
+    /// Builds the world at its start.
     ///
     /// # Errors
-    /// A part that is not rigid, or a method, which cannot be chosen for these worlds.
+    /// If a part is not rigid, or a method is named: these worlds have only their own.
     pub fn new(assembly: &Assembly) -> Result<Self, String> {
         if let Some(method) = &assembly.run.method {
             return Err(format!(
@@ -97,12 +97,12 @@ impl RigidWorld {
         })
     }
 
-    /// Contacts that press behind the last step: the first ones along its last way that do.
+    /// Contacts that carry force after the last step: the first `held` of its last stretch that have an impulse.
     fn pressing(&self) -> impl Iterator<Item = &Touching<f64>> {
         self.touching[1].iter().filter(|along| along.held.contact.impulse[0] > 0.0).take(self.held)
     }
 
-    /// Their forces.
+    /// The forces of these contacts.
     fn forces(&self) -> Vec<ContactForce> {
         let force = |along: &Touching<f64>| {
             let contact = &along.held.contact;

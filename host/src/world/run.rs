@@ -33,7 +33,7 @@ pub struct Row<'a> {
     pub state: &'a [f64],
     /// Energies.
     pub energies: &'a Energies,
-    /// What the sensors show, in the scene's order.
+    /// Readings of the sensors, in the scene's order.
     pub readings: &'a [f64],
     /// Energy at the start (J).
     pub start: f64,
@@ -57,14 +57,14 @@ pub struct Checkpoint {
 /// The result of a run.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Ran {
-    /// What happened.
+    /// Events in the order of time.
     pub events: Vec<Event>,
     /// Values of sensors and controllers at its end.
     pub seen: Vec<f64>,
 }
 
 impl Checkpoint {
-    /// As text that preserves every bit of its numbers.
+    /// Text that preserves every bit of the numbers.
     #[must_use]
     pub fn text(&self) -> String {
         let Self { steps, step, start, state, seen } = self;
@@ -95,7 +95,7 @@ impl Checkpoint {
 /// next step, bit for bit like the run that made it.
 ///
 /// # Errors
-/// Why it could not go on, with the time; or the caller's own.
+/// A message with the time if it could not go on; or the caller's own failure.
 pub fn run<E: From<String>>(
     assembly: &Assembly,
     engine: &mut dyn Engine,

@@ -7,7 +7,7 @@
 use super::engine::Settled;
 use smartbed_runtime::mechanism::Fault;
 
-/// Steps at most.
+/// Most steps.
 const MOST_STEPS: usize = 500_000;
 /// Acceleration that counts as zero, relative to gravity; without gravity relative to the largest at the start, or the
 /// apparent acceleration due to rounding of positions within a step.

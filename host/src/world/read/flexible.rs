@@ -182,8 +182,8 @@ fn close_below(lists: &mut Lists, depth: f64) {
 
 /// Boundary edges: edges of facets that no other facet has in the opposite direction, from each node to the next.
 pub(super) fn open_edges(facets: &[[usize; 4]]) -> BTreeMap<usize, usize> {
-    // Edges by their ends, whichever way they go: those of a pair of neighbours stand beside each other.
-    // One number an edge, lower node, higher node, direction, because numbers are sorted four times as fast as tuples.
+    // Edges by their ends, whatever their direction, so that those of two neighbours are adjacent after sorting. Each
+    // edge is one number (lower node, higher node, direction), because numbers are sorted four times as fast as tuples.
     const NODE: u32 = 31;
     let mut edges = Vec::with_capacity(4 * facets.len());
     for [a, b, c, d] in facets.iter().copied() {

@@ -1,4 +1,4 @@
-//! Reads what joins parts: attachments of nodes to ports and bodies, and contacts with their laws.
+//! Reads the connections of parts: attachments of nodes to ports and bodies, and contacts with their laws.
 
 use super::value::{Bound, number, one_of};
 use crate::world::assembly::{Attachment, Contact, Kind, Law, Part};
@@ -67,7 +67,7 @@ pub(super) fn attach(
     joined
 }
 
-/// Nodes by number, or those of a group: `rim` (what the shape holds fixed), `base` (what closes a sheet below).
+/// Nodes by number, or those of a group: `rim` (nodes fixed by the shape), `base` (nodes that close a sheet below).
 fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostics) -> Option<Vec<usize>> {
     let Kind::Flexible(body) = &part.kind else { return None };
     let (count, lists) = (body.lists.points.len(), &body.lists);
@@ -89,7 +89,7 @@ fn nodes(fields: &Fields<'_>, table: &Table, part: &Part, found: &mut Diagnostic
             let nodes: Vec<usize> =
                 match one_of(&group.text, group.span, ("group of nodes", &["rim", "base"]), found)? {
                     "base" => base,
-                    // Both in rising order.
+                    // Both lists are in ascending order.
                     _ => (0..count).filter(|n| lists.fixed[*n] && base.binary_search(n).is_err()).collect(),
                 };
             if nodes.is_empty() {

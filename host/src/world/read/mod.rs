@@ -36,7 +36,7 @@ const MOST_STEPS: f64 = 1e9;
 /// Reads a scene; `settings` are those of `--set`; `find` locates the file of a model that is not beside the scene.
 ///
 /// # Errors
-/// Everything that is wrong in it.
+/// All errors in it.
 pub fn parse(path: &str, text: &str, settings: &[String], find: Find<'_>) -> Result<Assembly, Diagnostics> {
     let source = Source::new(path, text);
     let mut found = Diagnostics::new(source.clone());
@@ -223,7 +223,7 @@ fn part(key: &Key, table: &Table, offset: [f64; 3], find: Find<'_>, found: &mut 
             read.map(Kind::Rigid)
         }
         [false, true, false, false] | [false, false, true, false] => {
-            // The position of an attached part follows from what holds it: its copies are not displaced.
+            // The position of an attached part follows from its attachment: its copies are not displaced.
             let offset = if table.get("attach").is_some() { [0.0; 3] } else { offset };
             flexible::read((&key.name, key.span), table, offset, found).map(|f| Kind::Flexible(Box::new(f)))
         }
