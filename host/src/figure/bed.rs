@@ -137,7 +137,7 @@ pub(super) fn human(settings: &[String]) -> Result<Drawing, Failure> {
     });
     for (site, pressure) in frame.pressure.iter().enumerate().filter(|(_, p)| **p > 5.0 * MMHG) {
         let [x, y] = grid.middle(site);
-        // A sensel's cell begins half a pitch before its node.
+        // A sensel is centred on its node, which is the lower left corner of its cell in the grid.
         let (x, y) = (x + left - 0.5 * grid.column_pitch, y + low - 0.5 * grid.row_pitch);
         let (a, b) = (0.5 * grid.column_pitch, 0.5 * grid.row_pitch);
         let share = (pressure / (80.0 * MMHG)).min(1.0);

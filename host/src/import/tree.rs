@@ -48,7 +48,7 @@ pub struct Tree {
 /// Builds the tree.
 ///
 /// # Errors
-/// Links without a joint, links that two joints move, or cycles.
+/// A joint that names an unknown link, a link that two joints move, several roots, or a cycle.
 pub fn build(robot: &Robot) -> Result<Tree, String> {
     let link: BTreeMap<&str, usize> =
         robot.links.iter().enumerate().map(|(i, l)| (l.name.as_str(), i)).collect();
