@@ -96,7 +96,7 @@ mod tests {
         let controls = shown.chars().filter(|c| c.is_control() && *c != '\n').count();
         assert_eq!(controls, 0, "{shown:?}");
         assert!(shown.starts_with("error: wrong") && shown.contains("help: do"), "{shown}");
-        // Both letters are two columns wide: the mark stands two columns further than by count of letters.
+        // Both letters are two columns wide: the mark is two columns further right than their number suggests.
         let lines: Vec<&str> = shown.lines().collect();
         let mark = lines.iter().position(|line| line.contains("^ here")).expect("a mark");
         let column = |line: &str, c: char| line.split(c).next().map_or(0, |part| part.chars().count());

@@ -124,7 +124,7 @@ impl Drop for Waiting {
     }
 }
 
-/// Draws what is being done, its stage and its time on one line, which is removed at the end.
+/// Draws the name of the work, its stage and its time on one line, which is removed at the end.
 fn spin(what: &str, stage: Option<fn() -> &'static str>, ended: &Receiver<()>) {
     let bar = bar(what, "{spinner} {prefix}{msg} {elapsed}");
     loop {

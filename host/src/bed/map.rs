@@ -35,7 +35,7 @@ pub struct Map {
     pub output: Option<String>,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 pub(super) fn run(asked: &Map) -> Result<(), Failure> {
     if !(asked.cycle > 0.0 && asked.cycle.is_finite()) {
         return Err(Failure::Wrong(format!("--cycle {}: expected seconds > 0", asked.cycle)));

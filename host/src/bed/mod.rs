@@ -85,7 +85,7 @@ pub struct Page {
     pub output: String,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong plan, and for one that does not converge to equilibrium.

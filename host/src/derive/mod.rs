@@ -189,7 +189,7 @@ impl OptimiseFor {
     }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or a form that it does not have.

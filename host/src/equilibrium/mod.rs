@@ -47,7 +47,7 @@ pub struct Arguments {
     pub json: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model, for a driven one, and if no equilibrium is found.

@@ -62,7 +62,7 @@ fn on_request(requests: &[Request]) -> Vec<Function> {
     if requests.is_empty() { Vec::new() } else { vec![Function { name: "answers".to_owned(), requests }] }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or state, status 2 without a compiler for `--engine compiled`.

@@ -136,7 +136,7 @@ pub const FIGURES: [Figure; 37] = [
     figure("5.19", "Cube Structure", Recipe::Run("centre_masses", UNDAMPED)),
 ];
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// [`Failure::Wrong`] for an unknown figure, one that cannot be made, or a wrong setting.

@@ -37,7 +37,7 @@ use smartbed_codegen::words::count;
 use std::path::{Path, PathBuf};
 use workspace::{lock, workspace};
 
-/// Does what the command line asks for and prints the report.
+/// Runs the command and prints the report.
 ///
 /// # Errors
 /// Status 1 for a wrong model or parameter and for an image that breaks a rule; status 2 where the

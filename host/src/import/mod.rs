@@ -49,7 +49,7 @@ pub fn import(path: &str, text: &str, base: Base) -> Result<Imported, Failure> {
     Ok(imported)
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a robot that cannot be read or is invalid, and for a file that cannot be written.

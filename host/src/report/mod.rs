@@ -153,7 +153,7 @@ impl Arguments {
     }
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong scene, model or setting; status 2 without a compiler for `--engine compiled`.

@@ -156,7 +156,7 @@ mod tests {
         );
         assert!((found[2].0 - 0.5 * std::f64::consts::PI).abs() < 1e-4, "{found:?}");
         assert!(found[2].1.starts_with("q turns at -17.18"), "{found:?}");
-        // cos(2 t) = 2/3 at t = 0.4205 s: the first row behind it.
+        // cos(2 t) = 2/3 at t = 0.4205 s: the first row after it.
         assert!((found[1].0 - 0.43).abs() < 1e-9, "{found:?}");
     }
 }

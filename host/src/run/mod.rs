@@ -26,7 +26,7 @@ use crate::{model_argument, world::Assembly};
 use crate::{output, plot};
 use outcome::Outcome;
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or setting and for a motion that cannot go on; status 2 without a

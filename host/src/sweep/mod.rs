@@ -51,7 +51,7 @@ pub struct Arguments {
     pub set: Vec<String>,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong plan or shard, a case without equilibrium, a folder that cannot be written.

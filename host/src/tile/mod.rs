@@ -51,7 +51,7 @@ pub struct Arguments {
     pub budget: bool,
 }
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong order, a refused command and a budget that is exceeded; status 2 where the machine lacks a

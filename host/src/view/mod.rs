@@ -26,7 +26,7 @@ use crate::failure::Failure;
 #[cfg(feature = "whole")]
 use crate::run;
 
-/// Does what the command line asks for.
+/// Runs the command.
 ///
 /// # Errors
 /// Status 1 for a wrong model or setting; status 2 without a browser for `--still`, or without a free port.

@@ -70,8 +70,8 @@ mod tests {
     const CODE: [u8; 6] = [1, 2, 3, 4, 5, 6];
     const CONSTANTS: [u8; 2] = [7, 8];
 
-    /// A program of vectors, code and constants that begin at an address; its checksum lies behind its bounds. What is
-    /// not loaded stands where the vectors are.
+    /// A program of vectors, code and constants that begin at an address, with its checksum after its bounds. A section
+    /// that is not loaded has the address of the vectors.
     fn program(constants: u32) -> Vec<u8> {
         elf(
             &[

@@ -162,7 +162,7 @@ impl Islands {
         Ok(())
     }
 
-    /// Boxes of what moves are found anew by its step.
+    /// Discards the bounding boxes of moving groups, which their next step computes anew.
     fn forget_reaches(&mut self) {
         for group in self.groups.iter().filter(|group| !group.stands) {
             group.components.iter().for_each(|own| self.reaches[*own] = Reach::NOTHING);

@@ -1,4 +1,4 @@
-//! Contacts of a world with parts that are not rigid: what can be touched, which pairs, and the memory of the step.
+//! Contacts of a world with parts that are not rigid: the parts that can touch, the pairs, and the memory of a step.
 //!
 //! In: an assembly, and the numbers of its ports and nodes. Out: things and pairs that the runtime's `World` steps,
 //! either without splitting steps (Moreau 1988; impacts and lasting contacts are treated alike), or with touches
@@ -24,7 +24,7 @@ use smartbed_runtime::world::{
 };
 use std::ops::Range;
 
-/// Largest depth below a facet at which contact is detected, as a share of a body's thickness, or of the size of two
+/// Largest depth below a facet at which contact is detected, as a fraction of a body's thickness, or of the size of two
 /// facets.
 const DEPTH: f64 = 0.25;
 
@@ -137,7 +137,7 @@ pub(super) enum Touchable {
 }
 
 impl Touching {
-    /// For the assembly's contacts; `of` says what each part is, `size` gives the numbers of ports, nodes, answers and
+    /// For the assembly's contacts; `of` gives the role of each part, `size` the numbers of ports, nodes, answers and
     /// state values.
     pub(super) fn new(
         assembly: &Assembly,
